@@ -1,0 +1,36 @@
+# Warnings, instruction set and floating-point rules in one interface target; helpers that add a library or a test.
+
+add_library(percuss_options INTERFACE)
+target_include_directories(percuss_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(percuss_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  $<$<BOOL:${PERCUSS_WERROR}>:-Werror>
+  # Contracting a * b + c differently in two places would break "same bits"; see docs/developer.md.
+  -ffp-contract=off
+  # sqrt and friends need no errno; no effect on values.
+  -fno-math-errno -fno-trapping-math)
+if(PERCUSS_NATIVE)
+  target_compile_options(percuss_options INTERFACE -march=native)
+endif()
+if(PERCUSS_SANITIZE)
+  target_compile_options(percuss_options INTERFACE -fsanitize=${PERCUSS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(percuss_options INTERFACE -fsanitize=${PERCUSS_SANITIZE})
+endif()
+string(TOUPPER "${PERCUSS_BACKEND}" _backend)
+target_compile_definitions(percuss_options INTERFACE PERCUSS_BACKEND_${_backend}=1 PERCUSS_VERSION="${PROJECT_VERSION}")
+
+# percuss_add_library(name SOURCES a.cpp ... LINK lib ...): a static library with the project's options.
+function(percuss_add_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC percuss_options ${arg_LINK})
+endfunction()
+
+# percuss_add_test(name LABEL unit SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable and its ctest entry.
+function(percuss_add_test name)
+  cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/test_main.cpp)
+  target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} Kokkos::kokkos GTest::gtest GTest::gmock)
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABEL}" ENVIRONMENT "OMP_NUM_THREADS=2;OMP_PROC_BIND=false")
+endfunction()

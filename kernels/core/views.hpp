@@ -1,0 +1,36 @@
+#pragma once
+// Execution space, memory space and the view types that every kernel shares.
+//
+// The back end is chosen when percuss is configured (PERCUSS_BACKEND). All vector-valued node data lie row by
+// row (x, y, z of a node together), because both the gather of an element and a node loop want whole rows.
+
+#include <Kokkos_Core.hpp>
+
+#include <cstdint>
+
+namespace percuss {
+
+#if defined(PERCUSS_BACKEND_OPENMP)
+using ExecSpace = Kokkos::OpenMP;
+#elif defined(PERCUSS_BACKEND_SERIAL)
+using ExecSpace = Kokkos::Serial;
+#else
+using ExecSpace = Kokkos::DefaultExecutionSpace;
+#endif
+using MemSpace = ExecSpace::memory_space;
+
+/// One value an item: shape [n].
+template <class T>
+using Array = Kokkos::View<T*, Kokkos::LayoutRight, MemSpace>;
+
+/// Three values an item, stored as a row: shape [n][3].
+template <class T>
+using Rows3 = Kokkos::View<T* [3], Kokkos::LayoutRight, MemSpace>;
+
+/// Four values an item, stored as a row: shape [n][4] (the corners of a face).
+template <class T>
+using Rows4 = Kokkos::View<T* [4], Kokkos::LayoutRight, MemSpace>;
+
+using Range = Kokkos::RangePolicy<ExecSpace, Kokkos::IndexType<int>>;
+
+}  // namespace percuss

@@ -1,0 +1,77 @@
+#pragma once
+// The contact stage of a step (the paper's (1.7) to (1.9)): search if due, detailed check, enforcement.
+//
+// The stage is asked once a step, after the motion was predicted without contact, and corrects the velocities so that
+// no contact node ends behind a face or a wall. Everything is in the order of global ids: the same bits for any number
+// of threads.
+
+#include <memory>
+#include <string>
+
+#include "kernels/core/views.hpp"
+#include "src/deck/deck.hpp"
+#include "src/mesh/mesh.hpp"
+
+namespace percuss {
+
+/// The motion of one step as the stage sees it; one row a mesh node.
+struct ContactMotion {
+  Rows3<const double> x;             // position at n
+  Rows3<const double> v_before;      // velocity at n-1/2, for the work of the contact impulses
+  Rows3<double> v;                   // in: velocity at n+1/2 predicted without contact; out: corrected
+  Rows3<const double> inverse_mass;  // 1/m in each direction; 0 where a condition holds the node
+  Rows3<double> impulse;             // out: contact impulse of this step [force x time], zero where there is none
+  double dt = 0;                     // from n to n+1
+};
+
+/// What one step's contact did. Work is positive where contact adds energy to the bodies; every impulse P of a node
+/// does the work P . (v(n-1/2) + v(n+1/2)) / 2, which closes the energy balance of the explicit midpoint rule exactly.
+struct ContactReport {
+  int interactions = 0;        // rows with a push, walls included
+  int candidates = 0;          // candidate pairs held
+  bool searched = false;       // whether the search was due
+  int iterations = 0;          // of the enforcement
+  double residual = 0;         // largest penetration left over / face edge of its face
+  bool converged = true;
+  double normal_work = 0;      // of the pushes
+  double friction_work = 0;    // of the tangential impulses (negative: dissipated)
+  double deepest = 0;          // deepest penetration at n among checked pairs / face edge, 0 if none
+  int deepest_node = -1;       // mesh node of it
+};
+
+/// Seconds since the start, by phase.
+struct ContactSeconds {
+  double search = 0, check = 0, enforce = 0;
+};
+
+class ContactStage {
+ public:
+  /// Finds the contact surface of the mesh and reads who may touch whom. Throws InputError for unknown surfaces.
+  ContactStage(const Mesh& mesh, const Deck& deck);
+  ~ContactStage();
+
+  /// Whether the scene has contact or walls at all; if not, apply() must not be called.
+  bool is_active() const;
+
+  /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns one
+  /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), empty if there is none. Call once before the loop.
+  std::string prepare(Rows3<const double> x, Rows3<const double> v, Rows3<const double> inverse_mass);
+
+  /// Corrects motion.v and fills motion.impulse.
+  ContactReport apply(const ContactMotion& motion);
+
+  int contact_nodes() const;
+  int contact_faces() const;
+  long searches() const;  // how many apply() calls searched
+  const ContactSeconds& seconds() const;
+
+  /// Deepest penetration of any contact node behind a face that it touches or has entered, at positions x, relative to
+  /// that face's shortest edge; for audits and tests, independent of the candidate lists in use.
+  double measure_penetration(Rows3<const double> x) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace percuss

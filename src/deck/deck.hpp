@@ -1,0 +1,215 @@
+#pragma once
+// A deck after reading: plain data, checked value by value, in the units that the user chose.
+//
+// docs/deck.md documents every key with unit, default and range; read_deck.cpp is the one place that maps keys to
+// these members.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "src/deck/curve.hpp"
+
+namespace percuss {
+
+using Vec3 = std::array<double, 3>;
+
+/// A place in the deck, both counted from 1; 0 if there is none (a default, or --set).
+struct Place {
+  int line = 0;
+  int column = 0;
+};
+
+// --- meshes that percuss generates; all in local coordinates, then array, rotate and `at` are applied in this order
+
+/// Local origin: the lowest corner. Sides: x_min, x_max, y_min, y_max, z_min, z_max.
+struct BoxShape {
+  Vec3 size{};
+  std::array<int, 3> cells{1, 1, 1};
+};
+
+/// A solid cylinder without degenerate hexahedra: a square core and rings around it. Local origin: the middle of the
+/// start face, axis +z. `across` cells on a diameter: rings = max(1, across / 4), core = across - 2 rings (across >= 3).
+/// Sides: start, end, side.
+struct CylinderShape {
+  double radius = 0;
+  double length = 0;
+  int across = 0;
+  int along = 0;
+};
+
+/// A hollow cylinder. Local origin: the middle of the start face, axis +z. Sides: start, end, inner, outer.
+struct TubeShape {
+  double inner_radius = 0;
+  double outer_radius = 0;
+  double length = 0;
+  std::array<int, 3> cells{1, 8, 1};  // through the wall, around, along
+};
+
+/// A solid ball: a cube of core cells and rings on its six faces, split as CylinderShape. Local origin: its middle.
+/// Sides: surface.
+struct SphereShape {
+  double radius = 0;
+  int across = 0;
+};
+
+/// An Exodus II file. All its element blocks, node sets and side sets, by name (or "block_7", "nodes_7", "sides_7").
+struct ExodusMesh {
+  std::string file;                 // as found: relative paths are relative to the deck
+  std::vector<std::string> blocks;  // empty: all
+  double scale = 1;
+};
+
+using Shape = std::variant<BoxShape, CylinderShape, TubeShape, SphereShape, ExodusMesh>;
+
+/// Copies of a shape on a grid. Odd courses (z index) are shifted by stagger * pitch along y (along x if count[1] == 1).
+struct ArrayCopies {
+  std::array<int, 3> count{1, 1, 1};
+  Vec3 pitch{};
+  double stagger = 0;
+};
+
+struct Rotation {
+  Vec3 axis{0, 0, 1};  // unit vector
+  double degrees = 0;
+  Vec3 center{};  // in the coordinates after `array`
+};
+
+struct PartDeck {
+  std::string name;
+  Shape shape;
+  std::optional<ArrayCopies> array;
+  std::vector<Rotation> rotate;  // in order; `axis: x` in the deck turns local z onto x and comes first
+  Vec3 at{};
+  std::string material;
+  Place place;
+};
+
+// --- materials
+
+struct ElasticDeck {
+  double density = 0, youngs_modulus = 0, poissons_ratio = 0;
+};
+struct J2PlasticityDeck {
+  double density = 0, youngs_modulus = 0, poissons_ratio = 0, yield_stress = 0, hardening_modulus = 0;
+};
+struct MaterialDeck {
+  std::string name;
+  std::variant<ElasticDeck, J2PlasticityDeck> model;
+  Place place;
+};
+
+// --- where a condition acts
+
+/// Nodes or faces by name ("bar", "bar/x_min", "nodes_7") and, optionally, only those inside a box of space.
+struct Selector {
+  std::string name;  // a part, a side "part/side", or a set of an Exodus mesh "part/set"; empty: the whole mesh
+  std::optional<std::array<Vec3, 2>> inside;  // lowest and highest corner at time 0
+  Place place;
+};
+
+struct InitialDeck {
+  Selector where;
+  Vec3 velocity{};
+  Vec3 angular_velocity{};      // rad/s
+  std::optional<Vec3> center;   // default: the mass centre of the selected nodes
+};
+
+/// Exactly one of the kinds a list entry. Directions are the axes x, y, z.
+struct ConditionDeck {
+  enum class Kind { fixed, symmetry, velocity, displacement };
+  Selector where;
+  Kind kind = Kind::fixed;
+  std::array<bool, 3> active{};  // which directions are held
+  std::array<Curve, 3> value;    // velocity or displacement in each active direction
+};
+
+/// Pressure on faces, positive pushes against the outward normal, on the current area.
+struct PressureDeck {
+  Selector where;
+  Curve value;
+};
+
+struct WallDeck {
+  Vec3 point{};
+  Vec3 normal{};  // unit vector towards the side where bodies live
+  double friction = 0;
+  std::vector<Selector> nodes;  // empty: every contact node of the scene
+  Place place;
+};
+
+struct SurfacePairDeck {
+  Selector a, b;  // parts or sides; a == b: self-contact of that surface
+  std::optional<double> friction;
+};
+
+struct ContactDeck {
+  enum class Surfaces { none, all, pairs };
+  enum class Overlap { accept, push_out };
+  Surfaces surfaces = Surfaces::none;
+  std::vector<SurfacePairDeck> pairs;  // only with Surfaces::pairs
+  double friction = 0;
+  Overlap overlap = Overlap::accept;  // what happens to overlap found at the start
+  bool reuse_search = true;           // keep candidate pairs while a guaranteed bound allows it
+};
+
+struct ElementDeck {
+  enum class Hourglass { stiffness, viscous };
+  Hourglass hourglass = Hourglass::stiffness;
+  double hourglass_coefficient = 0.05;
+  double linear_viscosity = 0.06;
+  double quadratic_viscosity = 1.2;
+};
+
+struct TimeDeck {
+  double end = 0;
+  double step_scale = 0.9;
+  std::optional<double> max_step;   // upper bound of the step [s]
+  std::optional<long> max_steps;    // stop as "completed" after so many
+  double collapse_ratio = 1e-4;     // a step below this share of the first one is an error
+};
+
+struct HistoryPoint {
+  std::string name;                 // heading in history.csv
+  bool is_element = false;
+  std::optional<Vec3> near;         // closest node or element centre at time 0
+  std::optional<long> id;           // or the id of an Exodus mesh (1-based)
+  std::string part;                 // searched part; empty: the whole mesh
+  Place place;
+};
+
+struct OutputDeck {
+  std::optional<double> fields_every;     // s; the first and last state are always written when set
+  std::vector<std::string> fields;        // names as listed in docs/output.md; displacement is always written
+  std::optional<double> history_every;    // s; 0: every step
+  std::vector<HistoryPoint> points;
+};
+
+struct AuditDeck {
+  double max_energy_error = 0.1;  // relative; a run that leaves it stops with exit code 3
+};
+
+struct Deck {
+  std::string file;    // as given on the command line
+  std::string title;
+  std::string units;
+  TimeDeck time;
+  std::vector<PartDeck> parts;          // in the order of the deck
+  std::vector<MaterialDeck> materials;
+  ElementDeck elements;
+  std::vector<InitialDeck> initial;
+  Vec3 gravity{};
+  std::vector<PressureDeck> pressures;
+  std::vector<ConditionDeck> conditions;
+  std::vector<WallDeck> walls;
+  ContactDeck contact;
+  OutputDeck output;
+  AuditDeck audit;
+
+  /// "deck.yaml:LINE:COLUMN" for messages found after reading (meshing, selection).
+  std::string where(Place place) const;
+};
+
+}  // namespace percuss

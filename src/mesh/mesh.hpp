@@ -1,0 +1,63 @@
+#pragma once
+// The mesh of a scene on the host: nodes, eight-node hexahedra, parts and sets. Const after set-up.
+//
+// Node and element indexes are 0-based positions in these arrays. order_chunks() permutes them once so that chunks
+// are contiguous; the user's ids stay with them.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "src/deck/deck.hpp"
+
+namespace percuss {
+
+/// Corners of the six faces of a hexahedron (Exodus II / VTK corner order), outward by the right-hand rule.
+inline constexpr int hex_faces[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+
+/// A face as a side set names it.
+struct ElementFace {
+  int element = 0;
+  int face = 0;  // row of hex_faces (Exodus side number - 1)
+  friend auto operator<=>(const ElementFace&, const ElementFace&) = default;
+};
+
+struct MeshPart {
+  std::string name;
+  int material = 0;  // index into Deck::materials
+};
+
+struct Mesh {
+  std::vector<Vec3> nodes;                     // position at time 0 [length]
+  std::vector<std::int64_t> node_ids;          // the user's ids, 1-based; unique within the mesh
+  std::vector<std::array<int, 8>> elements;    // corners, Exodus II HEX8 order
+  std::vector<std::int64_t> element_ids;       // the user's ids
+  std::vector<int> element_part;               // index into parts
+  std::vector<MeshPart> parts;                 // the deck's parts; a part's Exodus blocks all share its material
+  std::map<std::string, std::vector<int>> node_sets;          // "part", "part/side", "part/set"; ascending, unique
+  std::map<std::string, std::vector<ElementFace>> side_sets;  // "part/side", "part/set"; ascending, unique
+  std::vector<std::string> warnings;           // found while building (unused nodes dropped, ...)
+};
+
+/// Generates or reads the meshes of all parts, checks them and puts them together. Nodes of different parts are never
+/// merged. Throws InputError naming the deck's place, the file and the element (inverted, zero volume, repeated nodes,
+/// duplicates, ids out of range); SystemError if a file cannot be read.
+Mesh build_mesh(const Deck& deck);
+
+/// Nodes that the selector means, ascending. Throws InputError (nearest name hinted) if the name is unknown or if
+/// nothing is selected.
+std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector& selector);
+
+/// Exterior faces that the selector means, ascending: those of a side set, or all exterior faces of a part.
+/// Throws InputError likewise.
+std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector);
+
+/// Faces that belong to one element only, ascending.
+std::vector<ElementFace> find_exterior_faces(const Mesh& mesh);
+
+/// Number of the connected body of each element (through shared nodes), counted from 0 by lowest element.
+std::vector<int> find_bodies(const Mesh& mesh);
+
+}  // namespace percuss

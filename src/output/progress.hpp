@@ -1,0 +1,39 @@
+#pragma once
+// The progress of a run: one live line on a terminal, sparse plain lines elsewhere (log files, pipes).
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+namespace percuss {
+
+struct ProgressState {
+  long step = 0;
+  double time = 0, end_time = 0, dt = 0;
+  double energy_error = 0;  // relative
+  long contacts = 0;        // interactions in force
+};
+
+class Progress {
+ public:
+  enum class Style { live, plain, quiet };
+
+  /// live if the stream is a terminal, plain otherwise.
+  static Style choose_style(std::FILE* stream);
+  Progress(std::FILE* stream, Style style);
+
+  /// Cheap to call every step: prints only when a line is due (live: 10 a second; plain: every 10 % and every 30 s).
+  void report(const ProgressState& state);
+
+  /// Prints the last line (100 % if the run is complete) and ends the live line.
+  void finish(const ProgressState& state);
+
+ private:
+  std::FILE* stream_;
+  Style style_;
+  std::chrono::steady_clock::time_point start_, last_;
+  long last_step_ = 0;
+  int last_tenth_ = -1;
+};
+
+}  // namespace percuss

@@ -1,0 +1,60 @@
+#pragma once
+// summary.json: what a run did, in numbers whose keys do not change meaning (docs/output.md).
+
+#include <cstdint>
+#include <string>
+
+namespace percuss {
+
+/// Seconds spent in each phase of the loop.
+struct PhaseSeconds {
+  double internal_force = 0, halo = 0, integrate = 0, contact_rcb = 0, contact_search = 0, contact_check = 0,
+         contact_enforce = 0, reduce = 0, output = 0;
+};
+
+/// Energies [energy unit] at the end of the run; `error` is relative to the larger of initial and added energy.
+struct EnergySummary {
+  double initial = 0, kinetic = 0, internal = 0, hourglass = 0, viscous = 0, contact = 0, friction = 0, external = 0,
+         error = 0;
+};
+
+struct MomentumSummary {
+  double linear[3] = {0, 0, 0}, angular[3] = {0, 0, 0};
+  double linear_error = 0, angular_error = 0;  // relative: see docs/output.md
+};
+
+struct Summary {
+  std::string status = "failed";  // completed, failed, interrupted
+  std::string error;              // empty unless failed
+  std::string version, backend, precision = "double";
+  int ranks = 1, threads = 1;
+  std::int64_t elements = 0, nodes = 0, contact_nodes = 0, contact_faces = 0, steps = 0;
+  double time = 0;
+  struct {
+    double min = 0, max = 0, last = 0;
+    std::int64_t element = 0;  // id of the element that controls the last step
+  } dt;
+  double setup_s = 0, loop_s = 0, grind_ns = 0;
+  PhaseSeconds phases_s;
+  struct {
+    double chunk_updates = 0, searches = 0, rebalances = 0;
+  } skipped;
+  EnergySummary energy;
+  MomentumSummary momentum;
+  struct {
+    double elements = 1, contact = 1;
+  } balance;
+  struct {
+    double count = 0, bytes = 0;
+  } messages;
+  std::int64_t peak_bytes = 0;
+  std::string state_hash;  // 16 hexadecimal digits
+};
+
+/// Writes the summary (write, sync, rename). Throws SystemError.
+void write_summary(const std::string& path, const Summary& summary);
+
+/// Reads one back. Throws InputError with the place if it is not a summary, SystemError if it cannot be read.
+Summary read_summary(const std::string& path);
+
+}  // namespace percuss
