@@ -1,23 +1,20 @@
 # Everything percuss links, found once. scripts/install_dependencies installs all of it on Debian 12.
 
-# The Kokkos that scripts/install_dependencies built is the last resort: CMAKE_PREFIX_PATH and Kokkos_ROOT win.
-if(DEFINED ENV{PERCUSS_CACHE})
-  set(_percuss_cache "$ENV{PERCUSS_CACHE}")
-elseif(DEFINED ENV{XDG_CACHE_HOME})
-  set(_percuss_cache "$ENV{XDG_CACHE_HOME}/percuss")
-else()
-  set(_percuss_cache "$ENV{HOME}/.cache/percuss")
+# The Kokkos that scripts/install_dependencies built is only a hint: CMAKE_PREFIX_PATH and Kokkos_ROOT win.
+execute_process(COMMAND ${PROJECT_SOURCE_DIR}/scripts/install_dependencies --print-prefix
+  OUTPUT_VARIABLE _percuss_kokkos OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+find_package(Kokkos 3.4.1 QUIET HINTS "${_percuss_kokkos}")
+if(NOT Kokkos_FOUND)
+  message(FATAL_ERROR "no Kokkos 3.4.1 or newer (looked in CMAKE_PREFIX_PATH and in '${_percuss_kokkos}'). "
+    "Run scripts/install_dependencies, or name one with -DCMAKE_PREFIX_PATH=...")
 endif()
-list(APPEND CMAKE_PREFIX_PATH "${_percuss_cache}/kokkos")
-
-find_package(Kokkos 3.4.1 REQUIRED)
 string(TOUPPER "${PERCUSS_BACKEND}" _percuss_backend_upper)
 if(NOT _percuss_backend_upper IN_LIST Kokkos_DEVICES)
   message(FATAL_ERROR
     "PERCUSS_BACKEND is ${PERCUSS_BACKEND}, which this Kokkos (${Kokkos_DIR}) was not built for (it has ${Kokkos_DEVICES}). "
     "Choose another back end or run scripts/install_dependencies.")
 endif()
-find_package(KokkosKernels REQUIRED)
+find_package(KokkosKernels REQUIRED HINTS "${_percuss_kokkos}")
 find_package(MPI REQUIRED COMPONENTS CXX C)
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 REQUIRED COMPONENTS C)
