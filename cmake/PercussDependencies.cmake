@@ -25,7 +25,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
 
-find_library(EXODUS_LIBRARY NAMES exodusII exodus REQUIRED)
+find_library(EXODUS_LIBRARY NAMES exodusII exodus exoIIv2c REQUIRED)
 find_path(EXODUS_INCLUDE_DIR exodusII.h REQUIRED)
 add_library(percuss_exodus INTERFACE)
 target_link_libraries(percuss_exodus INTERFACE ${EXODUS_LIBRARY})
