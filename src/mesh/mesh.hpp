@@ -15,7 +15,8 @@
 namespace percuss {
 
 /// Corners of the six faces of a hexahedron (Exodus II / VTK corner order), outward by the right-hand rule.
-inline constexpr int hex_faces[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+inline constexpr int hex_faces[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},
+                                        {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
 /// A face as a side set names it.
 struct ElementFace {
@@ -30,15 +31,15 @@ struct MeshPart {
 };
 
 struct Mesh {
-  std::vector<Vec3> nodes;                     // position at time 0 [length]
-  std::vector<std::int64_t> node_ids;          // the user's ids, 1-based; unique within the mesh
-  std::vector<std::array<int, 8>> elements;    // corners, Exodus II HEX8 order
-  std::vector<std::int64_t> element_ids;       // the user's ids
-  std::vector<int> element_part;               // index into parts
-  std::vector<MeshPart> parts;                 // the deck's parts; a part's Exodus blocks all share its material
-  std::map<std::string, std::vector<int>> node_sets;          // "part", "part/side", "part/set"; ascending, unique
+  std::vector<Vec3> nodes;                            // position at time 0 [length]
+  std::vector<std::int64_t> node_ids;                 // the user's ids, 1-based; unique within the mesh
+  std::vector<std::array<int, 8>> elements;           // corners, Exodus II HEX8 order
+  std::vector<std::int64_t> element_ids;              // the user's ids
+  std::vector<int> element_part;                      // index into parts
+  std::vector<MeshPart> parts;                        // the deck's parts; a part's Exodus blocks all share its material
+  std::map<std::string, std::vector<int>> node_sets;  // "part", "part/side", "part/set"; ascending, unique
   std::map<std::string, std::vector<ElementFace>> side_sets;  // "part/side", "part/set"; ascending, unique
-  std::vector<std::string> warnings;           // found while building (unused nodes dropped, ...)
+  std::vector<std::string> warnings;                          // found while building (unused nodes dropped, ...)
 };
 
 /// Generates or reads the meshes of all parts, checks them and puts them together. Nodes of different parts are never

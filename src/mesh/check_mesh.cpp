@@ -1,0 +1,196 @@
+#include "src/mesh/check_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/mesh/hex_geometry.hpp"
+
+namespace percuss {
+namespace {
+
+/// Share of the product of edge lengths below which a volume or a Jacobian is round-off. Coordinates carry 1e-16 of the
+/// distance to the origin, which may be 1e4 element sizes away.
+constexpr double zero_share = 1e-10;
+
+/// Adds the text that `compose` returns, if it will be shown.
+template <class Compose>
+void report(Problems& problems, const Compose& compose) {
+  if (problems.shows_next()) {
+    problems.add(compose());
+  } else {
+    problems.add_unshown();
+  }
+}
+
+HexCorners gather_corners(const PartMesh& mesh, std::size_t element) {
+  HexCorners x;
+  for (std::size_t i = 0; i < 8; ++i) x[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
+  return x;
+}
+
+std::string describe_element(const PartMesh& mesh, std::size_t element) {
+  Vec3 center{};
+  for (const Vec3& x : gather_corners(mesh, element)) {
+    for (std::size_t d = 0; d < 3; ++d) center[d] += 0.125 * x[d];
+  }
+  return fmt::format("element {} at ({:.6g}, {:.6g}, {:.6g})", id_of(mesh.element_ids, element), center[0], center[1],
+                     center[2]);
+}
+
+std::array<int, 8> sort_corners(std::array<int, 8> corners) {
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+void check_repeated_nodes(const PartMesh& mesh, std::size_t element, Problems& problems) {
+  const std::array<int, 8> sorted = sort_corners(mesh.elements[element]);
+  const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
+  if (repeated == sorted.end()) return;
+  report(problems, [&] {
+    return fmt::format(
+        "{} names node {} more than once (a hexahedron needs eight different corners); mesh without degenerate "
+        "elements",
+        describe_element(mesh, element), id_of(mesh.node_ids, static_cast<std::size_t>(*repeated)));
+  });
+}
+
+/// Elements by their lowest node (compressed rows), so that equal ones meet without sorting them all.
+struct ElementsByLowestNode {
+  std::vector<int> first;  // nodes + 1
+  std::vector<int> elements;
+};
+
+ElementsByLowestNode bin_elements(const PartMesh& mesh) {
+  ElementsByLowestNode bins;
+  bins.first.assign(mesh.nodes.size() + 1, 0);
+  bins.elements.resize(mesh.elements.size());
+  const auto lowest = [](const std::array<int, 8>& e) {
+    return static_cast<std::size_t>(*std::min_element(e.begin(), e.end()));
+  };
+  for (const auto& element : mesh.elements) ++bins.first[lowest(element) + 1];
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) bins.first[n + 1] += bins.first[n];
+  std::vector<int> next(bins.first.begin(), bins.first.end() - 1);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    bins.elements[static_cast<std::size_t>(next[lowest(mesh.elements[e])]++)] = static_cast<int>(e);
+  }
+  return bins;
+}
+
+void check_duplicates(const PartMesh& mesh, Problems& problems) {
+  using Key = std::pair<std::array<int, 8>, int>;  // sorted corners, element
+  const ElementsByLowestNode bins = bin_elements(mesh);
+  std::vector<std::pair<int, int>> pairs;  // the later element first
+  std::vector<Key> keys;
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    if (bins.first[n + 1] - bins.first[n] < 2) continue;
+    keys.clear();
+    for (int i = bins.first[n]; i < bins.first[n + 1]; ++i) {
+      const int e = bins.elements[static_cast<std::size_t>(i)];
+      keys.emplace_back(sort_corners(mesh.elements[static_cast<std::size_t>(e)]), e);
+    }
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t i = 1; i < keys.size(); ++i) {
+      if (keys[i].first == keys[i - 1].first) pairs.emplace_back(keys[i].second, keys[i - 1].second);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  for (const auto& [later, earlier] : pairs) {
+    report(problems, [&, e = static_cast<std::size_t>(later), first = static_cast<std::size_t>(earlier)] {
+      return fmt::format("{} repeats element {} (both have the same eight corners); delete one of them",
+                         describe_element(mesh, e), id_of(mesh.element_ids, first));
+    });
+  }
+}
+
+bool check_coordinates(const PartMesh& mesh, Problems& problems) {
+  bool finite = true;
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    const Vec3& x = mesh.nodes[n];
+    if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2])) continue;
+    finite = false;
+    report(problems, [&] {
+      return fmt::format("node {} lies at ({}, {}, {}) (coordinates must be finite)", id_of(mesh.node_ids, n), x[0],
+                         x[1], x[2]);
+    });
+  }
+  return finite;
+}
+
+enum class Shape8 { good, flat_corner, inverted_corner, zero_volume, inverted };
+
+struct ShapeVerdict {
+  Shape8 shape = Shape8::good;
+  int corner = 0;
+  double value = 0;  // the volume, or the corner's Jacobian over the product of its edges
+};
+
+ShapeVerdict judge_shape(const HexCorners& x) {
+  double edges = 0;
+  ShapeVerdict worst{Shape8::good, 0, 1};
+  for (int i = 0; i < 8; ++i) {
+    const CornerJacobian jacobian = find_corner_jacobian(x, i);
+    edges = std::max(edges, jacobian.edge_product);
+    const double scaled = jacobian.edge_product > 0 ? jacobian.value / jacobian.edge_product : 0;
+    if (scaled < worst.value) worst = {Shape8::good, i, scaled};
+  }
+  const double volume = find_hex_volume(x);
+  if (volume < -zero_share * edges) return {Shape8::inverted, 0, volume};
+  // Written so that a volume that overflowed to NaN is refused as well.
+  if (!(volume > zero_share * edges)) return {Shape8::zero_volume, 0, volume};
+  if (worst.value < -zero_share) worst.shape = Shape8::inverted_corner;
+  if (std::abs(worst.value) <= zero_share) worst.shape = Shape8::flat_corner;
+  return worst;
+}
+
+std::string describe_verdict(const PartMesh& mesh, std::size_t element, const ShapeVerdict& verdict) {
+  const std::string name = describe_element(mesh, element);
+  switch (verdict.shape) {
+    case Shape8::inverted:
+      return fmt::format("{} is inverted (its volume is {:.6g}); check the order of its corners", name, verdict.value);
+    case Shape8::zero_volume:
+      return fmt::format("{} has no volume (it is {:.6g}); check the places of its corners", name, verdict.value);
+    default:
+      break;
+  }
+  const int node = mesh.elements[element][static_cast<std::size_t>(verdict.corner)];
+  return fmt::format(
+      "{} is inverted at its corner {}, node {} (the scaled Jacobian there is {:.3g}, it must not be negative)", name,
+      verdict.corner + 1, id_of(mesh.node_ids, static_cast<std::size_t>(node)), verdict.value);
+}
+
+}  // namespace
+
+std::string Problems::join(const std::string& prefix) const {
+  std::string joined;
+  for (const std::string& text : texts_) joined += fmt::format("{}{}{}", joined.empty() ? "" : "\n", prefix, text);
+  if (count_ > texts_.size()) joined += fmt::format("\n{}and {} more like these", prefix, count_ - texts_.size());
+  return joined;
+}
+
+void check_connectivity(const PartMesh& mesh, Problems& problems) {
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) check_repeated_nodes(mesh, e, problems);
+  check_duplicates(mesh, problems);
+}
+
+void check_geometry(PartMesh& mesh, Problems& problems) {
+  if (!check_coordinates(mesh, problems)) return;
+  std::size_t flat_corners = 0, first_flat = 0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const ShapeVerdict verdict = judge_shape(gather_corners(mesh, e));
+    if (verdict.shape == Shape8::good) continue;
+    if (verdict.shape == Shape8::flat_corner) {
+      if (flat_corners++ == 0) first_flat = e;
+    } else {
+      report(problems, [&] { return describe_verdict(mesh, e, verdict); });
+    }
+  }
+  if (flat_corners > 0) {
+    mesh.warnings.push_back(
+        fmt::format("{} element(s) have a corner without volume, the first is {} (it is at the brink of inversion)",
+                    flat_corners, describe_element(mesh, first_flat)));
+  }
+}
+
+}  // namespace percuss

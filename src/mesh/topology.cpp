@@ -1,0 +1,103 @@
+// What the connectivity alone says: exterior faces and bodies.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+
+#include "src/mesh/mesh.hpp"
+
+namespace percuss {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+std::array<int, 4> sort_face_nodes(const Mesh& mesh, const ElementFace& face) {
+  const std::array<int, 8>& corners = mesh.elements[at(face.element)];
+  const int* row = hex_faces[face.face];
+  std::array<int, 4> nodes{corners[at(row[0])], corners[at(row[1])], corners[at(row[2])], corners[at(row[3])]};
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+/// All faces of all elements by their lowest node (compressed rows): the same face of two elements meets in one row.
+struct FacesByLowestNode {
+  std::vector<std::int64_t> first;  // nodes + 1
+  std::vector<ElementFace> faces;
+};
+
+FacesByLowestNode bin_faces(const Mesh& mesh) {
+  const auto lowest = [&](const ElementFace& face) {
+    const std::array<int, 8>& corners = mesh.elements[at(face.element)];
+    const int* row = hex_faces[face.face];
+    return at(std::min({corners[at(row[0])], corners[at(row[1])], corners[at(row[2])], corners[at(row[3])]}));
+  };
+  const auto for_each_face = [&](auto&& visit) {
+    for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
+      for (int f = 0; f < 6; ++f) visit(ElementFace{e, f});
+    }
+  };
+  FacesByLowestNode bins;
+  bins.first.assign(mesh.nodes.size() + 1, 0);
+  bins.faces.resize(6 * mesh.elements.size());
+  for_each_face([&](const ElementFace& face) { ++bins.first[lowest(face) + 1]; });
+  std::partial_sum(bins.first.begin(), bins.first.end(), bins.first.begin());
+  std::vector<std::int64_t> next(bins.first.begin(), bins.first.end() - 1);
+  for_each_face([&](const ElementFace& face) { bins.faces[static_cast<std::size_t>(next[lowest(face)]++)] = face; });
+  return bins;
+}
+
+int find_root(std::vector<int>& parent, int node) {
+  while (parent[at(node)] != node) {
+    parent[at(node)] = parent[at(parent[at(node)])];
+    node = parent[at(node)];
+  }
+  return node;
+}
+
+}  // namespace
+
+std::vector<ElementFace> find_exterior_faces(const Mesh& mesh) {
+  const FacesByLowestNode bins = bin_faces(mesh);
+  using Key = std::pair<std::array<int, 4>, ElementFace>;
+  std::vector<Key> keys;
+  std::vector<ElementFace> exterior;
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    keys.clear();
+    for (std::int64_t i = bins.first[n]; i < bins.first[n + 1]; ++i) {
+      const ElementFace& face = bins.faces[static_cast<std::size_t>(i)];
+      keys.emplace_back(sort_face_nodes(mesh, face), face);
+    }
+    std::sort(keys.begin(), keys.end());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      const bool as_before = i > 0 && keys[i].first == keys[i - 1].first;
+      const bool as_after = i + 1 < keys.size() && keys[i].first == keys[i + 1].first;
+      if (!as_before && !as_after) exterior.push_back(keys[i].second);
+    }
+  }
+  std::sort(exterior.begin(), exterior.end());
+  return exterior;
+}
+
+std::vector<int> find_bodies(const Mesh& mesh) {
+  std::vector<int> parent(mesh.nodes.size());  // a forest over nodes; a root is the lowest node of its tree
+  std::iota(parent.begin(), parent.end(), 0);
+  for (const auto& element : mesh.elements) {
+    int root = find_root(parent, element[0]);
+    for (const int node : element) {
+      const int other = find_root(parent, node), low = std::min(root, other);
+      parent[at(std::max(root, other))] = low;
+      root = low;
+    }
+  }
+  std::vector<int> root_to_body(mesh.nodes.size(), -1), bodies(mesh.elements.size());
+  int count = 0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    int& body = root_to_body[at(find_root(parent, mesh.elements[e][0]))];
+    if (body < 0) body = count++;
+    bodies[e] = body;
+  }
+  return bodies;
+}
+
+}  // namespace percuss
