@@ -15,6 +15,8 @@ endif()
 if(PERCUSS_SANITIZE)
   target_compile_options(percuss_options INTERFACE -fsanitize=${PERCUSS_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(percuss_options INTERFACE -fsanitize=${PERCUSS_SANITIZE})
+  target_sources(percuss_options INTERFACE
+    $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/cmake/keep_plugins.cpp>)
 endif()
 string(TOUPPER "${PERCUSS_BACKEND}" _backend)
 target_compile_definitions(percuss_options INTERFACE PERCUSS_BACKEND_${_backend}=1 PERCUSS_VERSION="${PROJECT_VERSION}")
