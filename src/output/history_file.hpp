@@ -12,20 +12,28 @@ class HistoryFile {
  public:
   /// Creates the file with its heading row. Throws SystemError.
   HistoryFile(const std::string& path, std::span<const std::string> columns);
+  /// Flushes and closes; an error is lost here, so flush() first.
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
   HistoryFile& operator=(const HistoryFile&) = delete;
 
-  /// Appends a row; doubles are written so that they read back to the same bits. Throws SystemError (disk full).
+  /// Appends a row of as many values as there are columns (std::logic_error otherwise), in the shortest text that reads
+  /// back to the same bits. Rows reach the file whole, some at a time. Throws SystemError (disk full).
   void write_row(std::span<const double> values);
 
-  /// Flushes what was written to the disk.
+  /// Hands all rows to the system, so that they survive the end of the process. Throws SystemError; the file then ends
+  /// with the last row that fitted.
   void flush();
 
  private:
   std::string path_;
   std::size_t columns_ = 0;
   std::FILE* file_ = nullptr;
+  std::string pending_;  // whole rows that are not in the file yet
+  long long written_ = 0;  // bytes
 };
+
+/// The shortest text that reads back to the same double: whole numbers without a decimal point, nan, inf, -inf.
+std::string format_number(double value);
 
 }  // namespace percuss

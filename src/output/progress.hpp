@@ -29,11 +29,16 @@ class Progress {
   void finish(const ProgressState& state);
 
  private:
+  enum class Ending { open, closed };
+  using Clock = std::chrono::steady_clock;
+  void print(const ProgressState& state, Clock::time_point now, Ending ending);
+
   std::FILE* stream_;
   Style style_;
-  std::chrono::steady_clock::time_point start_, last_;
-  long last_step_ = 0;
-  int last_tenth_ = -1;
+  Clock::time_point start_, last_;  // last_: of the line printed before
+  long first_step_ = 0, last_step_ = 0;
+  double first_share_ = 0;  // a restart does not begin at 0
+  int last_tenth_ = -1;     // -1: nothing printed yet
 };
 
 }  // namespace percuss

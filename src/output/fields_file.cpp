@@ -1,0 +1,124 @@
+#include "src/output/fields_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "src/output/atomic_file.hpp"
+#include "src/output/hdf5_handle.hpp"
+#include "src/output/vtkhdf_file.hpp"
+#include "src/output/xdmf_text.hpp"
+
+namespace percuss {
+namespace {
+
+const std::string displacement_name = "displacement";
+
+XdmfIndex make_index(const Mesh& mesh, const FieldsOptions& options) {
+  XdmfIndex index;
+  index.file = "fields.vtkhdf";
+  index.title = options.title;
+  index.units = options.units;
+  for (const auto& part : mesh.parts) index.parts.push_back(part.name);
+  index.nodes = static_cast<std::int64_t>(mesh.nodes.size());
+  index.elements = static_cast<std::int64_t>(mesh.elements.size());
+  return index;
+}
+
+}  // namespace
+
+struct FieldsFile::Impl {
+  Impl(const std::string& directory, const Mesh& mesh, const FieldsOptions& options)
+      : xdmf_path(directory + "/fields.xdmf"),
+        initial(mesh.nodes),
+        precision(options.precision),
+        index(make_index(mesh, options)),
+        file(directory + "/fields.vtkhdf", mesh, options) {
+    write_index();
+  }
+
+  void write_index() const { write_file_atomically(xdmf_path, make_xdmf_text(index), Durability::system); }
+  std::vector<FieldData> complete_fields(std::span<const double> positions, std::span<const FieldData> given);
+  void check_fields(std::span<const FieldData> fields) const;
+  void remember_fields(std::span<const FieldData> fields);
+
+  std::string xdmf_path;
+  std::vector<Vec3> initial;          // positions of the mesh
+  std::vector<double> displacement;   // of the frame being written, [nodes][3]
+  FieldPrecision precision;
+  XdmfIndex index;
+  VtkhdfFile file;
+};
+
+// The fields of a frame with the displacement, which is put first unless it was given.
+std::vector<FieldData> FieldsFile::Impl::complete_fields(std::span<const double> positions,
+                                                         std::span<const FieldData> given) {
+  std::vector<FieldData> fields(given.begin(), given.end());
+  const auto is_displacement = [](const FieldData& field) { return field.name == displacement_name; };
+  if (std::any_of(fields.begin(), fields.end(), is_displacement)) return fields;
+  displacement.resize(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) displacement[i] = positions[i] - initial[i / 3][i % 3];
+  fields.insert(fields.begin(), {displacement_name, FieldPlace::node, 3, displacement});
+  return fields;
+}
+
+void FieldsFile::Impl::check_fields(std::span<const FieldData> fields) const {
+  for (const auto& field : fields) {
+    const auto items = static_cast<std::size_t>(field.place == FieldPlace::node ? index.nodes : index.elements);
+    if (field.values.size() != items * static_cast<std::size_t>(field.components))
+      throw std::logic_error(fmt::format("field {} has {} values (it has {} components on {} items)", field.name,
+                                         field.values.size(), field.components, items));
+  }
+  if (index.times.empty()) return;
+  const bool same = std::equal(fields.begin(), fields.end(), index.fields.begin(), index.fields.end(),
+                               [](const FieldData& a, const XdmfField& b) {
+                                 return a.name == b.name && a.place == b.place && a.components == b.components;
+                               });
+  if (!same) throw std::logic_error("a frame has other fields than the first one (every frame must have the same)");
+}
+
+void FieldsFile::Impl::remember_fields(std::span<const FieldData> fields) {
+  const int bytes = precision == FieldPrecision::float32 ? 4 : 8;
+  index.fields.clear();
+  for (const auto& field : fields) index.fields.push_back({field.name, field.place, field.components, bytes});
+}
+
+FieldsFile::FieldsFile(const std::string& directory, const Mesh& mesh, const FieldsOptions& options) {
+  const hdf5::QuietErrors quiet;
+  impl_ = std::make_unique<Impl>(directory, mesh, options);
+}
+
+FieldsFile::~FieldsFile() {
+  const hdf5::QuietErrors quiet;
+  impl_.reset();
+}
+
+FieldsFile::FieldsFile(FieldsFile&&) noexcept = default;
+
+FieldsFile& FieldsFile::operator=(FieldsFile&& other) noexcept {
+  const hdf5::QuietErrors quiet;
+  impl_ = std::move(other.impl_);
+  return *this;
+}
+
+void FieldsFile::write_frame(double time, long step, std::span<const double> positions,
+                             std::span<const FieldData> fields) {
+  if (!impl_) throw std::logic_error("a frame is written to a closed fields file");
+  const hdf5::QuietErrors quiet;
+  const auto all = impl_->complete_fields(positions, fields);
+  impl_->check_fields(all);
+  impl_->file.append_frame(time, step, positions, all);
+  impl_->remember_fields(all);
+  impl_->index.times.push_back(time);
+  impl_->write_index();
+}
+
+void FieldsFile::close() {
+  if (!impl_) return;
+  const hdf5::QuietErrors quiet;
+  const auto impl = std::move(impl_);
+  impl->file.close();
+}
+
+}  // namespace percuss

@@ -1,0 +1,131 @@
+#include "src/output/hdf5_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace percuss::hdf5 {
+namespace {
+
+// Chunks hold one frame of a field, within bounds: below, so that tiny meshes do not make a chunk of every number;
+// above, so that a reader of a few rows does not fetch a whole huge frame.
+constexpr hsize_t min_chunk_bytes = 4096;
+constexpr hsize_t max_chunk_bytes = hsize_t{16} << 20;
+
+hsize_t choose_chunk_rows(hsize_t rows_at_once, hsize_t row_bytes) {
+  const hsize_t lowest = std::max<hsize_t>(1, min_chunk_bytes / row_bytes);
+  const hsize_t highest = std::max<hsize_t>(lowest, max_chunk_bytes / row_bytes);
+  return std::clamp(rows_at_once, lowest, highest);
+}
+
+struct Extent {
+  std::array<hsize_t, 2> dims{};
+  int rank = 1;
+};
+
+Extent make_extent(RowShape shape) {
+  return {{shape.rows, static_cast<hsize_t>(shape.components)}, shape.components == 1 ? 1 : 2};
+}
+
+Handle create_space(RowShape shape) {
+  const Extent extent = make_extent(shape);
+  return {check(H5Screate_simple(extent.rank, extent.dims.data(), nullptr), "describe the shape of a dataset"), H5Sclose};
+}
+
+Handle create_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space, hid_t properties) {
+  return {check(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
+                fmt::format("create dataset {}", name)),
+          H5Dclose};
+}
+
+// Writes rows [first, first + shape.rows) of a dataset. To become collective when several ranks write.
+void write_rows(hid_t dataset, const std::string& name, hsize_t first, RowShape shape, hid_t type, const void* values) {
+  if (shape.rows == 0) return;
+  const std::string action = fmt::format("write dataset {}", name);
+  const Handle in_file(check(H5Dget_space(dataset), action), H5Sclose);
+  const Handle in_memory = create_space(shape);
+  const Extent count = make_extent(shape);
+  const std::array<hsize_t, 2> start{first, 0};
+  check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, count.dims.data(), nullptr), action);
+  check(H5Dwrite(dataset, type, in_memory.get(), in_file.get(), H5P_DEFAULT, values), action);
+}
+
+Handle create_text_type(std::size_t length) {
+  Handle type(check(H5Tcopy(H5T_C_S1), "describe a text"), H5Tclose);
+  check(H5Tset_size(type.get(), std::max<std::size_t>(1, length)), "describe a text");
+  check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD), "describe a text");
+  return type;
+}
+
+void write_attribute(hid_t object, const std::string& name, hid_t file_type, hid_t space, hid_t memory, const void* data) {
+  const std::string action = fmt::format("write attribute {}", name);
+  const bool exists = check(H5Aexists(object, name.c_str()), action) > 0;
+  const hid_t id = exists ? H5Aopen(object, name.c_str(), H5P_DEFAULT)
+                          : H5Acreate2(object, name.c_str(), file_type, space, H5P_DEFAULT, H5P_DEFAULT);
+  const Handle attribute(check(id, action), H5Aclose);
+  check(H5Awrite(attribute.get(), memory, data), action);
+}
+
+}  // namespace
+
+Handle create_group(hid_t parent, const std::string& name) {
+  return {check(H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                fmt::format("create group {}", name)),
+          H5Gclose};
+}
+
+void write_dataset(hid_t parent, const std::string& name, hid_t file_type, RowShape shape, hid_t memory_type,
+                   const void* values) {
+  const Handle space = create_space(shape);
+  const Handle dataset = create_dataset(parent, name, file_type, space.get(), H5P_DEFAULT);
+  write_rows(dataset.get(), name, 0, shape, memory_type, values);
+}
+
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values) {
+  const hsize_t count = values.size();
+  const Handle space(check(count == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr), "write " + name),
+                     H5Sclose);
+  write_attribute(object, name, H5T_STD_I64LE, space.get(), H5T_NATIVE_INT64, values.data());
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::string& text) {
+  const Handle type = create_text_type(text.size());
+  const Handle space(check(H5Screate(H5S_SCALAR), "write " + name), H5Sclose);
+  write_attribute(object, name, type.get(), space.get(), type.get(), text.c_str());
+}
+
+void write_texts(hid_t parent, const std::string& name, std::span<const std::string> texts) {
+  std::size_t length = 1;
+  for (const auto& text : texts) length = std::max(length, text.size());
+  std::vector<char> padded(texts.size() * length, '\0');
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    std::copy(texts[i].begin(), texts[i].end(), padded.begin() + static_cast<std::ptrdiff_t>(i * length));
+  const Handle type = create_text_type(length);
+  write_dataset(parent, name, type.get(), {texts.size(), 1}, type.get(), padded.data());
+}
+
+Table::Table(hid_t parent, const std::string& name, hid_t file_type, int components, hsize_t rows_at_once)
+    : name_(name), components_(components) {
+  const Extent none = make_extent({0, components});
+  const std::array<hsize_t, 2> unlimited{H5S_UNLIMITED, none.dims[1]};
+  const Handle space(check(H5Screate_simple(none.rank, none.dims.data(), unlimited.data()), "create dataset " + name),
+                     H5Sclose);
+  const Handle properties(check(H5Pcreate(H5P_DATASET_CREATE), "create dataset " + name), H5Pclose);
+  const hsize_t row_bytes = H5Tget_size(file_type) * none.dims[1];
+  const std::array<hsize_t, 2> chunk{choose_chunk_rows(rows_at_once, row_bytes), none.dims[1]};
+  check(H5Pset_chunk(properties.get(), none.rank, chunk.data()), "create dataset " + name);
+  // Every row is written before a reader may look at it, so filling chunks first would only write them twice.
+  check(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER), "create dataset " + name);
+  dataset_ = create_dataset(parent, name, file_type, space.get(), properties.get());
+}
+
+void Table::append(const void* values, hid_t type, hsize_t rows) {
+  const Extent extent = make_extent({rows_ + rows, components_});
+  check(H5Dset_extent(dataset_.get(), extent.dims.data()), fmt::format("extend dataset {}", name_));
+  write_rows(dataset_.get(), name_, rows_, {rows, components_}, type, values);
+  rows_ += rows;
+}
+
+}  // namespace percuss::hdf5

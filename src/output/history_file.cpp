@@ -1,0 +1,100 @@
+#include "src/output/history_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "src/output/atomic_file.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t pending_limit = std::size_t{64} << 10;  // bytes kept back, to write rows many at a time
+
+// A heading with a comma, a quote or a line break is quoted as RFC 4180 says.
+std::string quote_heading(const std::string& heading) {
+  if (heading.find_first_of(",\"\r\n") == std::string::npos) return heading;
+  std::string quoted = "\"";
+  for (const char c : heading) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + '"';
+}
+
+void append_number(std::string& text, double value) {
+  if (std::isnan(value)) {  // to_chars would give its sign, which readers of CSV files do not know
+    text += "nan";
+    return;
+  }
+  // Below 2^53 every whole number is exact; "100000" reads better than "1e+05". -0 keeps its sign.
+  constexpr double exact_limit = 9007199254740992.0;
+  std::array<char, 32> digits;
+  const bool whole = std::trunc(value) == value && std::fabs(value) < exact_limit;
+  const auto end = whole ? std::to_chars(digits.begin(), digits.end(), value, std::chars_format::fixed)
+                         : std::to_chars(digits.begin(), digits.end(), value);
+  text.append(digits.begin(), end.ptr);
+}
+
+}  // namespace
+
+std::string format_number(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+HistoryFile::HistoryFile(const std::string& path, std::span<const std::string> columns)
+    : path_(path), columns_(columns.size()), file_(std::fopen(path.c_str(), "wbe")) {
+  if (file_ == nullptr) throw make_io_error("write", path_, errno);
+  std::setvbuf(file_, nullptr, _IONBF, 0);  // pending_ is the buffer: it knows where rows end
+  for (const auto& column : columns) pending_ += quote_heading(column) + ',';
+  if (!columns.empty()) pending_.pop_back();
+  pending_ += '\n';
+  try {
+    flush();
+  } catch (...) {
+    std::fclose(file_);
+    throw;
+  }
+}
+
+HistoryFile::~HistoryFile() {
+  try {
+    flush();
+  } catch (...) {  // a destructor has nobody to tell
+  }
+  std::fclose(file_);
+}
+
+void HistoryFile::write_row(std::span<const double> values) {
+  if (values.size() != columns_)
+    throw std::logic_error(fmt::format("a row of {} has {} values (it has {} columns)", path_, values.size(), columns_));
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0) pending_ += ',';
+    append_number(pending_, values[i]);
+  }
+  pending_ += '\n';
+  if (pending_.size() >= pending_limit) flush();
+}
+
+void HistoryFile::flush() {
+  if (pending_.empty()) return;
+  const std::size_t written = std::fwrite(pending_.data(), 1, pending_.size(), file_);
+  if (written == pending_.size()) {
+    written_ += static_cast<long long>(written);
+    pending_.clear();
+    return;
+  }
+  const int error_number = errno;
+  // Cut off the row that fitted in part only, and forget the rest: one message, no second try on a full disk.
+  const auto last_row_end = std::string_view(pending_).substr(0, written).rfind('\n');
+  written_ += last_row_end == std::string::npos ? 0 : static_cast<long long>(last_row_end + 1);
+  [[maybe_unused]] const int cut = ::ftruncate(::fileno(file_), written_);
+  pending_.clear();
+  throw make_io_error("write", path_, error_number);
+}
+
+}  // namespace percuss

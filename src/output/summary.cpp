@@ -1,0 +1,232 @@
+#include "src/output/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+#include "src/error.hpp"
+#include "src/output/atomic_file.hpp"
+
+namespace percuss {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The keys of summary.json, in their order: the one place that names them. `visit` gets key and member; `group` gets a
+// key and a function that visits the members of that object.
+template <class S, class Visitor>
+void visit_phases(S& s, Visitor&& v) {
+  v.value("internal_force", s.internal_force);
+  v.value("halo", s.halo);
+  v.value("integrate", s.integrate);
+  v.value("contact_rcb", s.contact_rcb);
+  v.value("contact_search", s.contact_search);
+  v.value("contact_check", s.contact_check);
+  v.value("contact_enforce", s.contact_enforce);
+  v.value("reduce", s.reduce);
+  v.value("output", s.output);
+}
+
+template <class S, class Visitor>
+void visit_energy(S& s, Visitor&& v) {
+  v.value("initial", s.initial);
+  v.value("kinetic", s.kinetic);
+  v.value("internal", s.internal);
+  v.value("hourglass", s.hourglass);
+  v.value("viscous", s.viscous);
+  v.value("contact", s.contact);
+  v.value("friction", s.friction);
+  v.value("external", s.external);
+  v.value("error", s.error);
+}
+
+template <class S, class Visitor>
+void visit_head(S& s, Visitor&& v) {
+  v.value("status", s.status);
+  v.value("error", s.error);
+  v.value("version", s.version);
+  v.value("backend", s.backend);
+  v.value("precision", s.precision);
+  v.value("ranks", s.ranks);
+  v.value("threads", s.threads);
+  v.value("elements", s.elements);
+  v.value("nodes", s.nodes);
+  v.value("contact_nodes", s.contact_nodes);
+  v.value("contact_faces", s.contact_faces);
+  v.value("steps", s.steps);
+  v.value("time", s.time);
+}
+
+template <class S, class Visitor>
+void visit_summary(S& s, Visitor&& v) {
+  visit_head(s, v);
+  v.group("dt", [&] {
+    v.value("min", s.dt.min);
+    v.value("max", s.dt.max);
+    v.value("last", s.dt.last);
+    v.value("element", s.dt.element);
+  });
+  v.value("setup_s", s.setup_s);
+  v.value("loop_s", s.loop_s);
+  v.value("grind_ns", s.grind_ns);
+  v.group("phases_s", [&] { visit_phases(s.phases_s, v); });
+  v.group("skipped", [&] {
+    v.value("chunk_updates", s.skipped.chunk_updates);
+    v.value("searches", s.skipped.searches);
+    v.value("rebalances", s.skipped.rebalances);
+  });
+  v.group("energy", [&] { visit_energy(s.energy, v); });
+  v.group("momentum", [&] {
+    v.value("linear", s.momentum.linear);
+    v.value("angular", s.momentum.angular);
+    v.value("linear_error", s.momentum.linear_error);
+    v.value("angular_error", s.momentum.angular_error);
+  });
+  v.group("balance", [&] {
+    v.value("elements", s.balance.elements);
+    v.value("contact", s.balance.contact);
+  });
+  v.group("messages", [&] {
+    v.value("count", s.messages.count);
+    v.value("bytes", s.messages.bytes);
+  });
+  v.value("peak_bytes", s.peak_bytes);
+  v.value("state_hash", s.state_hash);
+}
+
+class Writer {
+ public:
+  Json take() { return std::move(root_); }
+
+  template <class T>
+  void value(const char* key, const T& member) {
+    (*object_)[key] = member;
+  }
+
+  template <class Visit>
+  void group(const char* key, Visit&& visit) {
+    Json* const outer = object_;
+    object_ = &((*outer)[key] = Json::object());
+    visit();
+    object_ = outer;
+  }
+
+ private:
+  Json root_ = Json::object();
+  Json* object_ = &root_;
+};
+
+class Reader {
+ public:
+  Reader(const Json& root, const std::string& path) : object_(&root), path_(path) {}
+
+  template <class T>
+  void value(const char* key, T& member) {
+    const Json& found = find(key);
+    if constexpr (std::is_array_v<T>) {
+      if (!found.is_array() || found.size() != std::extent_v<T>) fail(key, "is not a list of three numbers");
+      for (std::size_t i = 0; i < std::extent_v<T>; ++i) read(key, found[i], member[i]);
+    } else {
+      read(key, found, member);
+    }
+  }
+
+  template <class Visit>
+  void group(const char* key, Visit&& visit) {
+    const Json* const outer = object_;
+    const std::string outer_prefix = prefix_;
+    object_ = &find(key);
+    if (!object_->is_object()) fail(key, "is not an object");
+    prefix_ += fmt::format("{}.", key);
+    visit();
+    object_ = outer;
+    prefix_ = outer_prefix;
+  }
+
+ private:
+  const Json& find(const char* key) const {
+    const auto found = object_->find(key);
+    if (found == object_->end()) fail(key, "is missing");
+    return *found;
+  }
+
+  // JSON has no NaN or infinity: they are written as null.
+  void read(const char* key, const Json& found, double& member) const {
+    if (!found.is_number() && !found.is_null()) fail(key, "is not a number");
+    member = found.is_null() ? std::numeric_limits<double>::quiet_NaN() : found.get<double>();
+  }
+  template <class Int>
+    requires std::is_integral_v<Int>
+  void read(const char* key, const Json& found, Int& member) const {
+    if (!found.is_number_integer()) fail(key, "is not a whole number");
+    member = found.get<Int>();
+  }
+  void read(const char* key, const Json& found, std::string& member) const {
+    if (!found.is_string()) fail(key, "is not a text");
+    member = found.get<std::string>();
+  }
+
+  [[noreturn]] void fail(const char* key, const char* problem) const {
+    throw InputError(fmt::format("{}: error: '{}{}' {} (every key of a percuss summary has one type)", path_, prefix_, key,
+                                 problem));
+  }
+
+  const Json* object_;
+  const std::string& path_;
+  std::string prefix_;
+};
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw make_io_error("read", path, errno);
+  errno = 0;
+  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) throw make_io_error("read", path, errno);
+  return text;
+}
+
+// nlohmann counts bytes; users count lines and columns.
+std::string find_place(const std::string& text, std::size_t byte) {
+  std::size_t line = 1, column = 1;
+  for (std::size_t i = 0; i + 1 < byte && i < text.size(); ++i) {
+    column = text[i] == '\n' ? 1 : column + 1;
+    line += text[i] == '\n' ? 1 : 0;
+  }
+  return fmt::format("{}:{}", line, column);
+}
+
+}  // namespace
+
+void write_summary(const std::string& path, const Summary& summary) {
+  Writer writer;
+  visit_summary(summary, writer);
+  // An error text with bytes that are not UTF-8 (a file name) must not keep the summary from being written.
+  const std::string text = writer.take().dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  write_file_atomically(path, text, Durability::disk);
+}
+
+Summary read_summary(const std::string& path) {
+  const std::string text = read_text(path);
+  Json json;
+  try {
+    json = Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: error: this is not JSON (a summary.json of percuss is expected)", path,
+                                 find_place(text, error.byte)));
+  }
+  if (!json.is_object())
+    throw InputError(fmt::format("{}:1:1: error: this is not a JSON object (a summary.json of percuss is expected)", path));
+  Summary summary;
+  Reader reader(json, path);
+  visit_summary(summary, reader);
+  return summary;
+}
+
+}  // namespace percuss

@@ -1,0 +1,175 @@
+#include "src/output/vtkhdf_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+
+#include "src/output/atomic_file.hpp"
+
+namespace percuss {
+namespace {
+
+using hdf5::check;
+
+constexpr std::uint8_t vtk_hexahedron = 12;  // VTK's number of the cell type
+constexpr hsize_t steps_at_once = 512;       // entries of a chunk of the tables that get one number a frame
+
+// B-tree nodes of the chunk index hold 2 k entries. A node that does not split is only ever added to, which lets a file
+// survive a crash between two writes of its metadata; 512 frames of a field in one chunk fit before the first split.
+constexpr unsigned chunk_index_k = 256;
+
+// Metadata leave the cache at a flush only, so that a crash while a frame is computed or written changes nothing.
+void keep_metadata_until_flush(hid_t file, const std::string& action) {
+  H5AC_cache_config_t cache{};
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  check(H5Fget_mdc_config(file, &cache), action);
+  cache.evictions_enabled = false;
+  cache.incr_mode = H5C_incr__off;
+  cache.decr_mode = H5C_decr__off;
+  cache.flash_incr_mode = H5C_flash_incr__off;
+  check(H5Fset_mdc_config(file, &cache), action);
+}
+
+hdf5::Handle create_file(const std::string& path) {
+  const std::string action = fmt::format("create '{}'", path);
+  const hdf5::Handle access(check(H5Pcreate(H5P_FILE_ACCESS), action), H5Pclose);
+  // No lock, so that ParaView can look at a run that goes on; no chunk cache: frames go to the system as they come.
+  check(H5Pset_file_locking(access.get(), false, true), action);
+  check(H5Pset_cache(access.get(), 0, 1, 0, 1.0), action);
+  const hdf5::Handle creation(check(H5Pcreate(H5P_FILE_CREATE), action), H5Pclose);
+  check(H5Pset_istore_k(creation.get(), chunk_index_k), action);
+  ::unlink(path.c_str());  // who still reads an older run keeps its file
+  hdf5::Handle file(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), action), H5Fclose);
+  keep_metadata_until_flush(file.get(), action);
+  return file;
+}
+
+std::vector<std::int64_t> flatten_connectivity(const Mesh& mesh) {
+  std::vector<std::int64_t> corners;
+  corners.reserve(8 * mesh.elements.size());
+  for (const auto& element : mesh.elements) corners.insert(corners.end(), element.begin(), element.end());
+  return corners;
+}
+
+void write_whole_numbers(const hdf5::Handle& group, const std::string& name, std::span<const std::int64_t> values) {
+  hdf5::write_dataset(group.get(), name, H5T_STD_I64LE, 1, values);
+}
+
+}  // namespace
+
+VtkhdfFile::VtkhdfFile(const std::string& path, const Mesh& mesh, const FieldsOptions& options)
+    : path_(path), precision_(options.precision), nodes_(mesh.nodes.size()), elements_(mesh.elements.size()) {
+  file_ = create_file(path);
+  root_ = hdf5::create_group(file_.get(), "VTKHDF");
+  hdf5::write_attribute(root_.get(), "Version", std::array<std::int64_t, 2>{2, 0});
+  hdf5::write_attribute(root_.get(), "Type", std::string("UnstructuredGrid"));
+  point_data_ = hdf5::create_group(root_.get(), "PointData");
+  cell_data_ = hdf5::create_group(root_.get(), "CellData");
+  steps_ = hdf5::create_group(root_.get(), "Steps");
+  point_data_offsets_ = hdf5::create_group(steps_.get(), "PointDataOffsets");
+  cell_data_offsets_ = hdf5::create_group(steps_.get(), "CellDataOffsets");
+  own_ = hdf5::create_group(file_.get(), "percuss");
+  write_mesh(mesh, options);
+  create_steps(nodes_);
+  flush();
+}
+
+VtkhdfFile::~VtkhdfFile() = default;
+
+void VtkhdfFile::write_mesh(const Mesh& mesh, const FieldsOptions& options) {
+  const auto connectivity = flatten_connectivity(mesh);
+  std::vector<std::int64_t> offsets(mesh.elements.size() + 1);
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(8 * i);
+  const std::vector<std::uint8_t> types(mesh.elements.size(), vtk_hexahedron);
+  write_whole_numbers(root_, "NumberOfPoints", std::array{static_cast<std::int64_t>(mesh.nodes.size())});
+  write_whole_numbers(root_, "NumberOfCells", std::array{static_cast<std::int64_t>(mesh.elements.size())});
+  write_whole_numbers(root_, "NumberOfConnectivityIds", std::array{static_cast<std::int64_t>(connectivity.size())});
+  write_whole_numbers(root_, "Connectivity", connectivity);
+  write_whole_numbers(root_, "Offsets", offsets);
+  hdf5::write_dataset(root_.get(), "Types", H5T_STD_U8LE, 1, std::span<const std::uint8_t>(types));
+  write_whole_numbers(point_data_, "node_id", mesh.node_ids);
+  write_whole_numbers(cell_data_, "element_id", mesh.element_ids);
+  write_whole_numbers(cell_data_, "part", std::vector<std::int64_t>(mesh.element_part.begin(), mesh.element_part.end()));
+
+  std::vector<std::string> names;
+  for (const auto& part : mesh.parts) names.push_back(part.name);
+  hdf5::write_texts(own_.get(), "part_names", names);
+  hdf5::write_attribute(own_.get(), "title", options.title);
+  hdf5::write_attribute(own_.get(), "units", options.units);
+}
+
+void VtkhdfFile::add_constant(const hdf5::Handle& group, const std::string& name, std::int64_t value) {
+  constants_.push_back({hdf5::Table(group.get(), name, H5T_STD_I64LE, 1, steps_at_once), value});
+}
+
+void VtkhdfFile::create_steps(hsize_t nodes) {
+  hdf5::write_attribute(steps_.get(), "NSteps", std::array<std::int64_t, 1>{0});
+  points_.emplace(root_.get(), "Points", H5T_IEEE_F64LE, 3, nodes);
+  times_.emplace(steps_.get(), "Values", H5T_IEEE_F64LE, 1, steps_at_once);
+  point_offsets_.emplace(steps_.get(), "PointOffsets", H5T_STD_I64LE, 1, steps_at_once);
+  step_numbers_.emplace(own_.get(), "step", H5T_STD_I64LE, 1, steps_at_once);
+  add_constant(steps_, "PartOffsets", 0);
+  add_constant(steps_, "NumberOfParts", 1);
+  add_constant(steps_, "CellOffsets", 0);
+  add_constant(steps_, "ConnectivityIdOffsets", 0);
+  add_constant(point_data_offsets_, "node_id", 0);
+  add_constant(cell_data_offsets_, "element_id", 0);
+  add_constant(cell_data_offsets_, "part", 0);
+}
+
+void VtkhdfFile::create_fields(std::span<const FieldData> fields) {
+  const hid_t type = precision_ == FieldPrecision::float32 ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
+  for (const auto& field : fields) {
+    const bool on_nodes = field.place == FieldPlace::node;
+    const auto& group = on_nodes ? point_data_ : cell_data_;
+    const auto& offsets = on_nodes ? point_data_offsets_ : cell_data_offsets_;
+    fields_.push_back({hdf5::Table(group.get(), field.name, type, field.components, on_nodes ? nodes_ : elements_),
+                       hdf5::Table(offsets.get(), field.name, H5T_STD_I64LE, 1, steps_at_once)});
+  }
+}
+
+void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const double> positions,
+                              std::span<const FieldData> fields) {
+  if (frames_ == 0) create_fields(fields);
+  const auto append_one = [](hdf5::Table& table, auto value) { table.append(std::span<const decltype(value)>(&value, 1)); };
+  append_one(*point_offsets_, static_cast<std::int64_t>(points_->rows()));
+  points_->append(positions);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    append_one(fields_[i].offsets, static_cast<std::int64_t>(fields_[i].values.rows()));
+    fields_[i].values.append(fields[i].values);
+  }
+  for (auto& constant : constants_) append_one(constant.table, constant.value);
+  append_one(*step_numbers_, step);
+  append_one(*times_, time);
+  flush();
+  // Only now does the frame exist for a reader.
+  hdf5::write_attribute(steps_.get(), "NSteps", std::array<std::int64_t, 1>{frames_ + 1});
+  flush();
+  ++frames_;
+}
+
+void VtkhdfFile::flush() { check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), fmt::format("write '{}'", path_)); }
+
+void VtkhdfFile::close() {
+  const std::string action = fmt::format("write '{}'", path_);
+  flush();
+  void* descriptor = nullptr;
+  check(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor), action);
+  if (::fsync(*static_cast<int*>(descriptor)) != 0) throw make_io_error("write", path_, errno);
+  release_objects();
+  check(file_.reset(), action);
+}
+
+// HDF5 closes a file only when nothing within it is open.
+void VtkhdfFile::release_objects() {
+  fields_.clear();
+  constants_.clear();
+  for (auto* table : {&points_, &times_, &point_offsets_, &step_numbers_}) table->reset();
+  for (auto* group : {&own_, &cell_data_offsets_, &point_data_offsets_, &steps_, &cell_data_, &point_data_, &root_})
+    group->reset();
+}
+
+}  // namespace percuss
