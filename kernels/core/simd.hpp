@@ -1,0 +1,86 @@
+#pragma once
+// SIMD packs behind one alias, and the few scalar functions that physics is written with.
+//
+// The physics is templated on its scalar T: a double, a float, or a Pack of them, one element a lane. On a GPU a
+// Pack is the plain scalar. std::experimental::simd is the implementation on hosts.
+
+#include <Kokkos_Core.hpp>
+
+#include <cmath>
+
+#if !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
+#define PERCUSS_HAS_SIMD 1
+#include <experimental/simd>
+#endif
+
+namespace percuss {
+
+#ifdef PERCUSS_HAS_SIMD
+/// As many scalars as one vector register holds.
+template <class Scalar>
+using Pack = std::experimental::native_simd<Scalar>;
+
+template <class Scalar>
+inline constexpr int pack_size = static_cast<int>(Pack<Scalar>::size());
+
+/// Element-wise choice: mask ? yes : no.
+template <class Scalar, class Abi>
+inline std::experimental::simd<Scalar, Abi> select(const std::experimental::simd_mask<Scalar, Abi>& mask,
+                                                   const std::experimental::simd<Scalar, Abi>& yes,
+                                                   std::experimental::simd<Scalar, Abi> no) {
+  std::experimental::where(mask, no) = yes;
+  return no;
+}
+template <class Scalar, class Abi>
+inline std::experimental::simd<Scalar, Abi> square_root(const std::experimental::simd<Scalar, Abi>& a) {
+  return std::experimental::sqrt(a);
+}
+template <class Scalar, class Abi>
+inline std::experimental::simd<Scalar, Abi> larger(const std::experimental::simd<Scalar, Abi>& a,
+                                                   const std::experimental::simd<Scalar, Abi>& b) {
+  return select(a < b, b, a);
+}
+template <class Scalar, class Abi>
+inline std::experimental::simd<Scalar, Abi> smaller(const std::experimental::simd<Scalar, Abi>& a,
+                                                    const std::experimental::simd<Scalar, Abi>& b) {
+  return select(b < a, b, a);
+}
+template <class Scalar, class Abi>
+inline bool any(const std::experimental::simd_mask<Scalar, Abi>& mask) {
+  return std::experimental::any_of(mask);
+}
+/// Loads a pack from, or stores it to, memory that is aligned to the pack.
+template <class Scalar>
+inline Pack<Scalar> load_pack(const Scalar* from) {
+  return Pack<Scalar>(from, std::experimental::vector_aligned);
+}
+template <class Scalar>
+inline void store_pack(Scalar* to, const Pack<Scalar>& value) {
+  value.copy_to(to, std::experimental::vector_aligned);
+}
+#else
+template <class Scalar>
+using Pack = Scalar;
+template <class Scalar>
+inline constexpr int pack_size = 1;
+template <class Scalar>
+KOKKOS_INLINE_FUNCTION Scalar load_pack(const Scalar* from) {
+  return *from;
+}
+template <class Scalar>
+KOKKOS_INLINE_FUNCTION void store_pack(Scalar* to, const Scalar& value) {
+  *to = value;
+}
+#endif
+
+KOKKOS_INLINE_FUNCTION double select(bool mask, double yes, double no) { return mask ? yes : no; }
+KOKKOS_INLINE_FUNCTION float select(bool mask, float yes, float no) { return mask ? yes : no; }
+KOKKOS_INLINE_FUNCTION double square_root(double a) { return sqrt(a); }
+KOKKOS_INLINE_FUNCTION float square_root(float a) { return sqrtf(a); }
+KOKKOS_INLINE_FUNCTION double larger(double a, double b) { return a < b ? b : a; }
+KOKKOS_INLINE_FUNCTION float larger(float a, float b) { return a < b ? b : a; }
+KOKKOS_INLINE_FUNCTION double smaller(double a, double b) { return b < a ? b : a; }
+KOKKOS_INLINE_FUNCTION float smaller(float a, float b) { return b < a ? b : a; }
+KOKKOS_INLINE_FUNCTION bool any(bool mask) { return mask; }
+
+}  // namespace percuss

@@ -1,0 +1,162 @@
+#pragma once
+// The one-point hexahedron over one step: from corner motion to corner forces, as a pure function.
+//
+// Place in the step: (1.3) strain rate, (1.4) stress, (1.5) internal force of the paper's Figure 1. Positions are at
+// n+1, velocities at n+1/2; rates are taken on the geometry of the mid-point and turned half way, forces act on the
+// geometry of n+1 (Flanagan and Belytschko 1981; Flanagan and Taylor 1987).
+
+#include "kernels/element/bulk_viscosity.hpp"
+#include "kernels/element/hourglass.hpp"
+#include "kernels/element/kinematics.hpp"
+#include "kernels/element/stable_step.hpp"
+
+namespace percuss {
+
+enum class HourglassKind { stiffness, viscous };
+
+/// What one element, or a pack of them, remembers between steps; all in the unrotated frame but the stretch.
+template <class T, class Material, HourglassKind Kind>
+struct HexState {
+  T mass;               // constant
+  T viscous_pressure;   // q at n, for the trapezoid of its work
+  Polar<T> polar;       // R and V at n
+  Symmetric3<T> stress; // Cauchy, unrotated, at n
+  HourglassModes<T> hourglass;  // Q at n; only kept for the stiffness form
+  T history[Material::history_count > 0 ? Material::history_count : 1];
+};
+
+/// Numbers that are the same for all elements of a block.
+template <class Material>
+struct HexParameters {
+  Material material;
+  double lambda = 0, mu = 0;  // bound of the elastic stiffness; a negative lambda counts as 0
+  double hourglass = 0.05;
+  BulkViscosity viscosity;
+};
+
+/// Energy that one step put into the element [energy].
+template <class T>
+struct HexWork {
+  T internal, hourglass, viscous;
+};
+
+template <class T>
+struct HexResult {
+  HexWork<T> work;
+  T stable_step;  // bound for the next step, without the deck's scale
+  T volume;       // at n+1; not positive: the element is inverted
+};
+
+/// Corner forces from Cauchy stress t and hourglass forces q on the end geometry; x, y, z hold them by corner.
+/// Power balance: sum_I f_I . v_I = V t:D + sum_h Q_h . u_h, and sum_I x_I cross f_I = 0.
+template <class T>
+KOKKOS_INLINE_FUNCTION void find_corner_forces(const Symmetric3<T>& t, const HourglassModes<T>& q,
+                                               const VectorModes<T>& a, const VolumeGradient<T>& b, T (&fx)[8],
+                                               T (&fy)[8], T (&fz)[8]) {
+  const T inverse_volume = T(1) / b.volume;
+  Matrix3<T> p = full(t);
+  for (int h = 0; h < 4; ++h) {
+    const Vector3<T> s = inverse_volume * q.mode[h];
+    p.row[0] = p.row[0] - s.x * a[4 + h];
+    p.row[1] = p.row[1] - s.y * a[4 + h];
+    p.row[2] = p.row[2] - s.z * a[4 + h];
+  }
+  p = T(1.0 / 64.0) * p;
+  fx[0] = fy[0] = fz[0] = T(0);
+  for (int m = 1; m <= 6; ++m) {
+    const Vector3<T> f = p * b[m];
+    fx[m] = f.x;
+    fy[m] = f.y;
+    fz[m] = f.z;
+  }
+  fx[7] = fy[7] = fz[7] = T(0);
+  for (int h = 0; h < 4; ++h) {
+    fx[4 + h] = fx[4 + h] + q.mode[h].x;
+    fy[4 + h] = fy[4 + h] + q.mode[h].y;
+    fz[4 + h] = fz[4 + h] + q.mode[h].z;
+  }
+  to_corners(fx);
+  to_corners(fy);
+  to_corners(fz);
+}
+
+/// Advances the element from n to n+1. a, v: modes of x(n+1) and v(n+1/2). fx, fy, fz: out, the internal forces by
+/// corner (they resist the motion: the node feels their negative). With dt = 0 it evaluates forces and step only.
+template <class T, class Material, HourglassKind Kind>
+KOKKOS_INLINE_FUNCTION HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
+                                                 const VectorModes<T>& v, const T& dt,
+                                                 HexState<T, Material, Kind>& state, T (&fx)[8], T (&fy)[8],
+                                                 T (&fz)[8]) {
+  const T half = T(0.5);
+  // mid-point geometry and rates
+  VectorModes<T> am;
+  const T half_dt = half * dt;
+  for (int m = 1; m <= 7; ++m) am[m] = a[m] - half_dt * v[m];
+  const VolumeGradient<T> bm = find_volume_gradient(am);
+  const Matrix3<T> l = find_velocity_gradient(v, bm);
+  const Symmetric3<T> d = symmetric_part(l);
+  const T trace_d = trace(d);
+
+  // unrotated strain increment, turned half way
+  const Polar<T> polar = advance_polar(state.polar, l, dt);
+  const Matrix3<T> turn = half * (state.polar.rotation + polar.rotation);
+  const Symmetric3<T> de = dt * pull_back(turn, d);
+  state.polar = polar;
+
+  // stress
+  const Symmetric3<T> old_stress = state.stress;
+  const T share = par.material.update(state.stress, state.history, de);
+
+  // end geometry
+  const VolumeGradient<T> b = find_volume_gradient(a);
+  const GradientSize<T> size = find_gradient_size(b);
+  const T density = state.mass / b.volume;
+  const T speed = square_root(T(par.lambda + 2 * par.mu) / density);
+
+  const ViscousPressure<T> viscous =
+      find_viscous_pressure(par.viscosity, density, find_thickness(size, b.volume), speed, trace_d);
+  const T old_viscous_pressure = state.viscous_pressure;
+  state.viscous_pressure = viscous.pressure;
+
+  // hourglass forces, in the spatial frame for assembly
+  const HourglassModes<T> rate = find_hourglass_rates(v, am, l);
+  HourglassModes<T> q;
+  T hourglass_work;
+  T frequency_square = find_frequency_square(size, b.volume, state.mass, par.lambda, par.mu);
+  T damping_rate = find_damping_rate(size, b.volume, state.mass, viscous.tangent);
+  const T magnification = find_hourglass_magnification(a, b, size.largest);
+  const T mode_frequency_square = find_hourglass_frequency_square(size.trace, b.volume, state.mass, par.mu);
+  if constexpr (Kind == HourglassKind::stiffness) {
+    const T kappa_dt = dt * find_hourglass_stiffness(size.trace, b.volume, par.mu, par.hourglass);
+    hourglass_work = T(0);
+    for (int h = 0; h < 4; ++h) {
+      const Vector3<T> u = transpose_times(turn, rate.mode[h]);
+      const Vector3<T> old_q = state.hourglass.mode[h];
+      const Vector3<T> new_q = share * (old_q + kappa_dt * u);
+      hourglass_work = hourglass_work + half_dt * dot(old_q + new_q, u);
+      state.hourglass.mode[h] = new_q;
+      q.mode[h] = polar.rotation * new_q;
+    }
+    frequency_square = frequency_square + T(par.hourglass) * magnification * mode_frequency_square;
+  } else {
+    // damping ratio `hourglass` of the mode: eta = ratio * omega_h * m / 32
+    const T eta = T(par.hourglass / 32) * state.mass * square_root(mode_frequency_square);
+    for (int h = 0; h < 4; ++h) q.mode[h] = eta * rate.mode[h];
+    hourglass_work = dt * find_power(q, rate);
+    damping_rate = damping_rate + T(2 * par.hourglass) * magnification * square_root(mode_frequency_square);
+  }
+
+  Symmetric3<T> t = push_forward(polar.rotation, state.stress);
+  t.xx = t.xx - viscous.pressure;
+  t.yy = t.yy - viscous.pressure;
+  t.zz = t.zz - viscous.pressure;
+  find_corner_forces(t, q, a, b, fx, fy, fz);
+
+  const T half_volume = half * bm.volume;
+  return {{half_volume * contract(old_stress + state.stress, de), hourglass_work,
+           -half_volume * (old_viscous_pressure + viscous.pressure) * dt * trace_d},
+          find_stable_step(frequency_square, damping_rate),
+          b.volume};
+}
+
+}  // namespace percuss

@@ -1,0 +1,225 @@
+#include "kernels/element/internal_force.hpp"
+
+namespace percuss {
+
+namespace {
+
+using Lanes = Pack<double>;
+constexpr int width = pack_size<double>;
+constexpr int node_record = 8;  // x, y, z, -, vx, vy, vz, -: one cache line
+
+using Policy = Kokkos::TeamPolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
+using Member = Policy::member_type;
+
+template <class Material, HourglassKind Kind>
+using LaneState = HexState<Lanes, Material, Kind>;
+
+KOKKOS_INLINE_FUNCTION void load_symmetric(const double* from, Symmetric3<Lanes>& s) {
+  s = {load_pack(from),             load_pack(from + width),     load_pack(from + 2 * width),
+       load_pack(from + 3 * width), load_pack(from + 4 * width), load_pack(from + 5 * width)};
+}
+KOKKOS_INLINE_FUNCTION void store_symmetric(double* to, const Symmetric3<Lanes>& s) {
+  store_pack(to, s.xx);
+  store_pack(to + width, s.yy);
+  store_pack(to + 2 * width, s.zz);
+  store_pack(to + 3 * width, s.xy);
+  store_pack(to + 4 * width, s.yz);
+  store_pack(to + 5 * width, s.zx);
+}
+KOKKOS_INLINE_FUNCTION Vector3<Lanes> load_vector(const double* from) {
+  return {load_pack(from), load_pack(from + width), load_pack(from + 2 * width)};
+}
+KOKKOS_INLINE_FUNCTION void store_vector(double* to, const Vector3<Lanes>& v) {
+  store_pack(to, v.x);
+  store_pack(to + width, v.y);
+  store_pack(to + 2 * width, v.z);
+}
+
+template <class Material, HourglassKind Kind>
+KOKKOS_INLINE_FUNCTION void load_state(const double* record, LaneState<Material, Kind>& s) {
+  s.mass = load_pack(record + HexRecord::mass * width);
+  s.viscous_pressure = load_pack(record + HexRecord::viscous_pressure * width);
+  for (int i = 0; i < 3; ++i) s.polar.rotation.row[i] = load_vector(record + (HexRecord::rotation + 3 * i) * width);
+  load_symmetric(record + HexRecord::stretch * width, s.polar.stretch);
+  load_symmetric(record + HexRecord::stress * width, s.stress);
+  if constexpr (Kind == HourglassKind::stiffness) {
+    for (int h = 0; h < 4; ++h) s.hourglass.mode[h] = load_vector(record + (HexRecord::hourglass + 3 * h) * width);
+  }
+  for (int i = 0; i < Material::history_count; ++i) {
+    s.history[i] = load_pack(record + (HexRecord::history<Kind> + i) * width);
+  }
+}
+
+template <class Material, HourglassKind Kind>
+KOKKOS_INLINE_FUNCTION void store_state(double* record, const LaneState<Material, Kind>& s) {
+  store_pack(record + HexRecord::viscous_pressure * width, s.viscous_pressure);
+  for (int i = 0; i < 3; ++i) store_vector(record + (HexRecord::rotation + 3 * i) * width, s.polar.rotation.row[i]);
+  store_symmetric(record + HexRecord::stretch * width, s.polar.stretch);
+  store_symmetric(record + HexRecord::stress * width, s.stress);
+  if constexpr (Kind == HourglassKind::stiffness) {
+    for (int h = 0; h < 4; ++h) store_vector(record + (HexRecord::hourglass + 3 * h) * width, s.hourglass.mode[h]);
+  }
+  for (int i = 0; i < Material::history_count; ++i) {
+    store_pack(record + (HexRecord::history<Kind> + i) * width, s.history[i]);
+  }
+}
+
+/// Modes of positions and velocities of the pack's elements, from the chunk's node records.
+KOKKOS_INLINE_FUNCTION void gather_modes(const double* nodes, const std::uint16_t* corners, VectorModes<Lanes>& a,
+                                         VectorModes<Lanes>& v) {
+  constexpr int used[6] = {0, 1, 2, 4, 5, 6};
+  alignas(64) double rows[6][8][width];
+  for (int i = 0; i < 8; ++i) {
+    for (int lane = 0; lane < width; ++lane) {
+      const double* node = nodes + node_record * static_cast<int>(corners[i * width + lane]);
+      for (int k = 0; k < 6; ++k) rows[k][i][lane] = node[used[k]];
+    }
+  }
+  Lanes u[6][8];
+  for (int k = 0; k < 6; ++k) {
+    for (int i = 0; i < 8; ++i) u[k][i] = load_pack(rows[k][i]);
+    to_modes(u[k]);
+  }
+  for (int m = 1; m < 8; ++m) {
+    a[m] = {u[0][m], u[1][m], u[2][m]};
+    v[m] = {u[3][m], u[4][m], u[5][m]};
+  }
+}
+
+/// Subtracts the corner forces of the first `lanes` elements from the chunk's slots, element by element.
+KOKKOS_INLINE_FUNCTION void scatter_forces(const Lanes (&f)[3][8], const std::uint16_t* corners, int lanes,
+                                           double* slots) {
+  alignas(64) double rows[3][8][width];
+  for (int k = 0; k < 3; ++k) {
+    for (int i = 0; i < 8; ++i) store_pack(rows[k][i], f[k][i]);
+  }
+  for (int lane = 0; lane < lanes; ++lane) {
+    for (int i = 0; i < 8; ++i) {
+      double* slot = slots + 3 * static_cast<int>(corners[i * width + lane]);
+      slot[0] -= rows[0][i][lane];
+      slot[1] -= rows[1][i][lane];
+      slot[2] -= rows[2][i][lane];
+    }
+  }
+}
+
+/// Smallest step of a chunk and the element that has it; lowest element first among equals.
+struct ChunkStep {
+  double step;
+  int element;
+  int failed;
+};
+
+KOKKOS_INLINE_FUNCTION void take_lanes(const HexResult<Lanes>& result, int first_element, int lanes, ChunkStep& chunk) {
+  alignas(64) double step[width];
+  alignas(64) double volume[width];
+  store_pack(step, result.stable_step);
+  store_pack(volume, result.volume);
+  for (int lane = 0; lane < lanes; ++lane) {
+    const bool good = volume[lane] > 0 && step[lane] > 0;  // false for NaN
+    if (!good && chunk.failed < 0) chunk.failed = first_element + lane;
+    if (step[lane] < chunk.step) {
+      chunk.step = step[lane];
+      chunk.element = first_element + lane;
+    }
+  }
+}
+
+/// Sum over the first `lanes` lanes in their order.
+KOKKOS_INLINE_FUNCTION double sum_lanes(const Lanes& value, int lanes) {
+  alignas(64) double row[width];
+  store_pack(row, value);
+  double sum = 0;
+  for (int lane = 0; lane < lanes; ++lane) sum += row[lane];
+  return sum;
+}
+
+template <class Material, HourglassKind Kind>
+struct AdvanceChunk {
+  HexChunks chunks;
+  HexBlock<Material, Kind> block;
+  ElementMotion motion;
+  Array<double> state;
+  Rows3<double> slot_force;
+  ChunkResults results;
+
+  static std::size_t scratch_bytes(const HexChunks& chunks) {
+    return (static_cast<std::size_t>(chunks.largest_slot_count) * node_record + 8) * sizeof(double);
+  }
+
+  KOKKOS_FUNCTION void operator()(const Member& member) const {
+    const int c = block.chunks(member.league_rank());
+    const int first_slot = chunks.first_slot(c);
+    const int slot_count = chunks.first_slot(c + 1) - first_slot;
+    auto* nodes = static_cast<double*>(
+        member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(slot_count) * node_record * sizeof(double), 64));
+    double* slots = &slot_force(first_slot, 0);
+    for (int s = 0; s < slot_count; ++s) {
+      const int n = chunks.slots_to_nodes(first_slot + s);
+      double* node = nodes + node_record * s;
+      for (int k = 0; k < 3; ++k) {
+        node[k] = motion.x(n, k);
+        node[4 + k] = motion.v(n, k);
+        slots[3 * s + k] = 0;
+      }
+    }
+    advance_packs(c, nodes, slots);
+  }
+
+  KOKKOS_FUNCTION void advance_packs(int c, const double* nodes, double* slots) const {
+    constexpr int record_size = hex_record_size<Material, Kind> * width;
+    const HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
+    const int first = chunks.first_element(c);
+    const int end = chunks.first_element(c + 1);
+    double* record = &state(chunks.first_state(c));
+    const std::uint16_t* corners = &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
+    ChunkStep step{1e300, first, -1};
+    double work[3] = {0, 0, 0};
+    for (int e = first; e < end; e += width, record += record_size, corners += 8 * width) {
+      const int lanes = end - e < width ? end - e : width;
+      VectorModes<Lanes> a, v;
+      gather_modes(nodes, corners, a, v);
+      LaneState<Material, Kind> s;
+      load_state<Material, Kind>(record, s);
+      Lanes f[3][8];
+      const HexResult<Lanes> result = advance_hex8(parameters, a, v, Lanes(motion.dt), s, f[0], f[1], f[2]);
+      store_state<Material, Kind>(record, s);
+      scatter_forces(f, corners, lanes, slots);
+      take_lanes(result, e, lanes, step);
+      work[0] += sum_lanes(result.work.internal, lanes);
+      work[1] += sum_lanes(result.work.hourglass, lanes);
+      work[2] += sum_lanes(result.work.viscous, lanes);
+    }
+    results.stable_step(c) = step.step;
+    results.controlling_element(c) = step.element;
+    results.failed_element(c) = step.failed;
+    for (int k = 0; k < 3; ++k) results.work(c, k) += work[k];
+  }
+};
+
+}  // namespace
+
+template <class Material, HourglassKind Kind>
+void advance_elements(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
+                      const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                      const ChunkResults& results) {
+  const int count = static_cast<int>(block.chunks.extent(0));
+  if (count == 0) return;
+  using Kernel = AdvanceChunk<Material, Kind>;
+  const std::size_t scratch = Kernel::scratch_bytes(chunks);
+  Policy policy(space, count, 1);
+  policy.set_scratch_size(0, Kokkos::PerTeam(scratch + 64)).set_chunk_size(1);
+  Kokkos::parallel_for("percuss::advance_elements", policy,
+                       Kernel{chunks, block, motion, state, slot_force, results});
+}
+
+template void advance_elements(const ExecSpace&, const HexChunks&, const HexBlock<Elastic, HourglassKind::stiffness>&,
+                               const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
+template void advance_elements(const ExecSpace&, const HexChunks&, const HexBlock<Elastic, HourglassKind::viscous>&,
+                               const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
+template void advance_elements(const ExecSpace&, const HexChunks&, const HexBlock<J2Plasticity, HourglassKind::stiffness>&,
+                               const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
+template void advance_elements(const ExecSpace&, const HexChunks&, const HexBlock<J2Plasticity, HourglassKind::viscous>&,
+                               const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
+
+}  // namespace percuss

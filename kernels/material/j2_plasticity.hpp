@@ -1,0 +1,41 @@
+#pragma once
+// J2 plasticity with linear isotropic hardening, radial return (Wilkins 1964; Krieg and Krieg 1977).
+
+#include "kernels/material/elastic.hpp"
+
+namespace percuss {
+
+/// Yield stress sigma_y = yield_stress + hardening_modulus * p, with p the equivalent plastic strain.
+/// History: p. The hardening modulus is d(sigma_y)/dp, in units of stress.
+struct J2Plasticity {
+  static constexpr int history_count = 1;
+  double lambda = 0;
+  double mu = 0;
+  double yield_stress = 0;
+  double hardening_modulus = 0;
+
+  /// Advances the unrotated Cauchy stress and p by the strain increment d dt. Returns the share of the trial deviator
+  /// that the return leaves (1: elastic), by which stored hourglass forces relax too.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T update(Symmetric3<T>& stress, T* history, const Symmetric3<T>& de) const {
+    const T third = T(1.0 / 3.0);
+    // trial
+    const T volumetric = T(lambda) * trace(de);
+    const Symmetric3<T> trial =
+        stress + T(2 * mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
+    const T mean = third * trace(trial);
+    const Symmetric3<T> deviator{trial.xx - mean, trial.yy - mean, trial.zz - mean, trial.xy, trial.yz, trial.zx};
+    const T von_mises = square_root(T(1.5) * contract(deviator, deviator));
+    // admissible?
+    const T yield = T(yield_stress) + T(hardening_modulus) * history[0];
+    const T excess = larger(von_mises - yield, T(0));
+    // return: von_mises - 3 mu dp = yield + H dp
+    const T dp = excess * T(1.0 / (3 * mu + hardening_modulus));
+    const T share = T(1) - T(3 * mu) * dp / larger(von_mises, T(1e-300));
+    history[0] = history[0] + dp;
+    stress = share * deviator + Symmetric3<T>{mean, mean, mean, T(0), T(0), T(0)};
+    return share;
+  }
+};
+
+}  // namespace percuss
