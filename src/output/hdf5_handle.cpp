@@ -1,11 +1,7 @@
 #include "src/output/hdf5_handle.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdlib>
 #include <cstring>
-
-#include "src/output/atomic_file.hpp"
 
 namespace percuss::hdf5 {
 namespace {
@@ -19,12 +15,11 @@ int parse_errno(const char* description) {
 
 // Walking upward starts at the innermost error; the first one that carries an errno decides, else the innermost text.
 herr_t look_at_error(unsigned depth, const H5E_error2_t* error, void* data) {
-  auto& reason = *static_cast<Reason*>(data);
-  if (error->desc == nullptr) return 0;
-  if (depth == 0) reason.text = error->desc;
-  if (reason.error_number != 0) return 0;
-  reason.error_number = parse_errno(error->desc);
-  if (reason.error_number != 0) reason.text = std::strerror(reason.error_number);
+  auto& found = *static_cast<Error*>(data);
+  if (error->desc == nullptr || found.error_number != 0) return 0;
+  if (depth == 0) found.reason = error->desc;
+  found.error_number = parse_errno(error->desc);
+  if (found.error_number != 0) found.reason = std::strerror(found.error_number);
   return 0;
 }
 
@@ -37,16 +32,8 @@ QuietErrors::QuietErrors() {
 
 QuietErrors::~QuietErrors() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
 
-Reason find_reason() {
-  Reason reason;
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, look_at_error, &reason);
-  if (reason.text.empty()) reason.text = "HDF5 gives no reason";
-  return reason;
-}
-
-void throw_system_error(const std::string& action) {
-  const Reason reason = find_reason();
-  throw SystemError(fmt::format("cannot {} ({}){}", action, reason.text, suggest_for_errno(reason.error_number)));
+Error::Error(const std::string& action) : std::runtime_error(action), reason("HDF5 gives no reason") {
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, look_at_error, this);
 }
 
 }  // namespace percuss::hdf5

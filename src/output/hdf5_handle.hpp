@@ -3,6 +3,7 @@
 
 #include <hdf5.h>
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -52,20 +53,20 @@ class QuietErrors {
   void* data_ = nullptr;
 };
 
-/// The innermost reason on HDF5's error stack: "No space left on device" where the system gave one.
-struct Reason {
-  std::string text;
+/// An HDF5 call failed. what() is what HDF5 was to do: "write dataset velocity".
+class Error : public std::runtime_error {
+ public:
+  /// Takes the reason from HDF5's error stack: the innermost one, or that of the system where there is one.
+  explicit Error(const std::string& action);
+
+  std::string reason;    // "No space left on device"
   int error_number = 0;  // errno, 0 if HDF5 itself objects
 };
-Reason find_reason();
 
-/// Throws SystemError "cannot ACTION (REASON) SUGGESTION" from the error stack.
-[[noreturn]] void throw_system_error(const std::string& action);
-
-/// Passes on what an HDF5 call returned, or throws as throw_system_error does if that is negative.
+/// Passes on what an HDF5 call returned; throws Error if that is negative.
 template <class T>
 T check(T result, const std::string& action) {
-  if (result < 0) throw_system_error(action);
+  if (result < 0) throw Error(action);
   return result;
 }
 

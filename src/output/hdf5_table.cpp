@@ -113,12 +113,18 @@ Table::Table(hid_t parent, const std::string& name, hid_t file_type, int compone
   const Handle space(check(H5Screate_simple(none.rank, none.dims.data(), unlimited.data()), "create dataset " + name),
                      H5Sclose);
   const Handle properties(check(H5Pcreate(H5P_DATASET_CREATE), "create dataset " + name), H5Pclose);
-  const hsize_t row_bytes = H5Tget_size(file_type) * none.dims[1];
-  const std::array<hsize_t, 2> chunk{choose_chunk_rows(rows_at_once, row_bytes), none.dims[1]};
+  row_bytes_ = H5Tget_size(file_type) * none.dims[1];
+  chunk_rows_ = choose_chunk_rows(rows_at_once, row_bytes_);
+  const std::array<hsize_t, 2> chunk{chunk_rows_, none.dims[1]};
   check(H5Pset_chunk(properties.get(), none.rank, chunk.data()), "create dataset " + name);
   // Every row is written before a reader may look at it, so filling chunks first would only write them twice.
   check(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER), "create dataset " + name);
   dataset_ = create_dataset(parent, name, file_type, space.get(), properties.get());
+}
+
+hsize_t Table::growth_bytes(hsize_t rows) const {
+  const auto chunks = [&](hsize_t n) { return (n + chunk_rows_ - 1) / chunk_rows_; };
+  return (chunks(rows_ + rows) - chunks(rows_)) * chunk_rows_ * row_bytes_;
 }
 
 void Table::append(const void* values, hid_t type, hsize_t rows) {

@@ -1,7 +1,7 @@
 #pragma once
 // Datasets and attributes of fields.vtkhdf: the one place where numbers go into HDF5.
 //
-// Every write goes through write_rows(), so that a parallel run needs to change only that function: each rank will
+// Errors are hdf5::Error. Every write goes through write_rows(), so that a parallel run needs to change only that function: each rank will
 // select its own rows and the transfer will be collective.
 
 #include <cstdint>
@@ -68,12 +68,16 @@ class Table {
 
   hsize_t rows() const { return rows_; }
 
+  /// Most bytes that the next append of so many rows makes the file grow by.
+  hsize_t growth_bytes(hsize_t rows) const;
+
  private:
   void append(const void* values, hid_t memory_type, hsize_t rows);
 
   Handle dataset_;
   std::string name_;
   int components_;
+  hsize_t chunk_rows_ = 1, row_bytes_ = 1;
   hsize_t rows_ = 0;
 };
 

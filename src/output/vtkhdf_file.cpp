@@ -1,11 +1,11 @@
 #include "src/output/vtkhdf_file.hpp"
 
 #include <fmt/format.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 
 #include "src/output/atomic_file.hpp"
 
@@ -21,6 +21,13 @@ constexpr hsize_t steps_at_once = 512;       // entries of a chunk of the tables
 // survive a crash between two writes of its metadata; 512 frames of a field in one chunk fit before the first split.
 constexpr unsigned chunk_index_k = 256;
 
+// Most bytes of metadata (B-tree nodes on two levels, headers) that a table adds with a frame, and that a file starts
+// with; counted from the sizes in the HDF5 file format specification for the k above, and rounded up.
+constexpr hsize_t metadata_bytes_per_table = hsize_t{64} << 10;
+constexpr hsize_t metadata_bytes_of_file = hsize_t{256} << 10;
+constexpr hsize_t mesh_bytes_per_node = 8;                      // its id
+constexpr hsize_t mesh_bytes_per_element = 8 * 8 + 8 + 1 + 16;  // corners, offset, type, id and part
+
 // Metadata leave the cache at a flush only, so that a crash while a frame is computed or written changes nothing.
 void keep_metadata_until_flush(hid_t file, const std::string& action) {
   H5AC_cache_config_t cache{};
@@ -34,7 +41,7 @@ void keep_metadata_until_flush(hid_t file, const std::string& action) {
 }
 
 hdf5::Handle create_file(const std::string& path) {
-  const std::string action = fmt::format("create '{}'", path);
+  const std::string action = "create the file";
   const hdf5::Handle access(check(H5Pcreate(H5P_FILE_ACCESS), action), H5Pclose);
   // No lock, so that ParaView can look at a run that goes on; no chunk cache: frames go to the system as they come.
   check(H5Pset_file_locking(access.get(), false, true), action);
@@ -62,7 +69,35 @@ void write_whole_numbers(const hdf5::Handle& group, const std::string& name, std
 
 VtkhdfFile::VtkhdfFile(const std::string& path, const Mesh& mesh, const FieldsOptions& options)
     : path_(path), precision_(options.precision), nodes_(mesh.nodes.size()), elements_(mesh.elements.size()) {
-  file_ = create_file(path);
+  try {
+    run_or_abandon("create", [&] { create(mesh, options); });
+  } catch (...) {
+    ::unlink(path_.c_str());
+    throw;
+  }
+}
+
+VtkhdfFile::~VtkhdfFile() = default;
+
+// Does the work; if that fails, gives the file up as it is on the disk.
+template <class Work>
+void VtkhdfFile::run_or_abandon(const char* action, Work&& work) {
+  try {
+    work();
+  } catch (const hdf5::Error& error) {
+    abandon();
+    throw SystemError(fmt::format("cannot {} '{}' ({}; while HDF5 was to {}){}", action, path_, error.reason, error.what(),
+                                  suggest_for_errno(error.error_number)));
+  } catch (...) {
+    abandon();
+    throw;
+  }
+}
+
+void VtkhdfFile::create(const Mesh& mesh, const FieldsOptions& options) {
+  file_ = create_file(path_);
+  disk_ = DiskReservation(path_);
+  disk_.reserve(0, metadata_bytes_of_file + nodes_ * mesh_bytes_per_node + elements_ * mesh_bytes_per_element);
   root_ = hdf5::create_group(file_.get(), "VTKHDF");
   hdf5::write_attribute(root_.get(), "Version", std::array<std::int64_t, 2>{2, 0});
   hdf5::write_attribute(root_.get(), "Type", std::string("UnstructuredGrid"));
@@ -75,9 +110,8 @@ VtkhdfFile::VtkhdfFile(const std::string& path, const Mesh& mesh, const FieldsOp
   write_mesh(mesh, options);
   create_steps(nodes_);
   flush();
+  disk_.trim(file_bytes());
 }
-
-VtkhdfFile::~VtkhdfFile() = default;
 
 void VtkhdfFile::write_mesh(const Mesh& mesh, const FieldsOptions& options) {
   const auto connectivity = flatten_connectivity(mesh);
@@ -126,14 +160,39 @@ void VtkhdfFile::create_fields(std::span<const FieldData> fields) {
     const bool on_nodes = field.place == FieldPlace::node;
     const auto& group = on_nodes ? point_data_ : cell_data_;
     const auto& offsets = on_nodes ? point_data_offsets_ : cell_data_offsets_;
-    fields_.push_back({hdf5::Table(group.get(), field.name, type, field.components, on_nodes ? nodes_ : elements_),
+    fields_.push_back({field.place, hdf5::Table(group.get(), field.name, type, field.components,
+                                                 on_nodes ? nodes_ : elements_),
                        hdf5::Table(offsets.get(), field.name, H5T_STD_I64LE, 1, steps_at_once)});
   }
 }
 
+hsize_t VtkhdfFile::frame_bytes(std::span<const FieldData> fields) const {
+  const hsize_t tables = 4 + constants_.size() + 2 * fields.size();
+  hsize_t bytes = metadata_bytes_per_table * tables + points_->growth_bytes(nodes_);
+  for (const auto& table : fields_)
+    bytes += table.values.growth_bytes(table.place == FieldPlace::node ? nodes_ : elements_);
+  return bytes;
+}
+
 void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const double> positions,
                               std::span<const FieldData> fields) {
-  if (frames_ == 0) create_fields(fields);
+  if (!file_) throw SystemError(fmt::format("cannot write '{}' (it was given up after an error)", path_));
+  run_or_abandon("write", [&] {
+    const hsize_t size = file_bytes();
+    if (frames_ == 0) create_fields(fields);
+    disk_.reserve(size, frame_bytes(fields));
+    append_rows(time, step, positions, fields);
+    flush();
+    // Only now does the frame exist for a reader.
+    hdf5::write_attribute(steps_.get(), "NSteps", std::array<std::int64_t, 1>{frames_ + 1});
+    flush();
+    ++frames_;
+    disk_.trim(file_bytes());
+  });
+}
+
+void VtkhdfFile::append_rows(double time, std::int64_t step, std::span<const double> positions,
+                             std::span<const FieldData> fields) {
   const auto append_one = [](hdf5::Table& table, auto value) { table.append(std::span<const decltype(value)>(&value, 1)); };
   append_one(*point_offsets_, static_cast<std::int64_t>(points_->rows()));
   points_->append(positions);
@@ -144,23 +203,24 @@ void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const do
   for (auto& constant : constants_) append_one(constant.table, constant.value);
   append_one(*step_numbers_, step);
   append_one(*times_, time);
-  flush();
-  // Only now does the frame exist for a reader.
-  hdf5::write_attribute(steps_.get(), "NSteps", std::array<std::int64_t, 1>{frames_ + 1});
-  flush();
-  ++frames_;
 }
 
-void VtkhdfFile::flush() { check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), fmt::format("write '{}'", path_)); }
+void VtkhdfFile::flush() { check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flush the file"); }
+
+hsize_t VtkhdfFile::file_bytes() const {
+  hsize_t bytes = 0;
+  check(H5Fget_filesize(file_.get(), &bytes), "ask for the size of the file");
+  return bytes;
+}
 
 void VtkhdfFile::close() {
-  const std::string action = fmt::format("write '{}'", path_);
-  flush();
-  void* descriptor = nullptr;
-  check(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor), action);
-  if (::fsync(*static_cast<int*>(descriptor)) != 0) throw make_io_error("write", path_, errno);
-  release_objects();
-  check(file_.reset(), action);
+  if (!file_) return;
+  run_or_abandon("write", [&] {
+    flush();
+    release_objects();
+    check(file_.reset(), "close the file");
+    disk_.sync();
+  });
 }
 
 // HDF5 closes a file only when nothing within it is open.
@@ -170,6 +230,21 @@ void VtkhdfFile::release_objects() {
   for (auto* table : {&points_, &times_, &point_offsets_, &step_numbers_}) table->reset();
   for (auto* group : {&own_, &cell_data_offsets_, &point_data_offsets_, &steps_, &cell_data_, &point_data_, &root_})
     group->reset();
+}
+
+// After a failed write HDF5 must not write again: what its cache holds would refer to data that are not there, and
+// HDF5 1.10 crashes if closing fails. It cannot be told to forget a file, so its descriptor is turned to memory first.
+void VtkhdfFile::abandon() {
+  void* descriptor = nullptr;
+  if (file_ && H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor) >= 0) {
+    const int memory = ::memfd_create("abandoned", MFD_CLOEXEC);
+    if (memory >= 0) {
+      ::dup2(memory, *static_cast<int*>(descriptor));
+      ::close(memory);
+    }
+  }
+  release_objects();
+  file_.reset();
 }
 
 }  // namespace percuss

@@ -1,0 +1,32 @@
+#pragma once
+// Room on the disk, asked for before it is needed: a disk that is too full is found while nothing is half written.
+
+#include <cstdint>
+#include <string>
+
+namespace percuss {
+
+/// A second descriptor of a file that another library writes. All functions throw SystemError with path and reason.
+class DiskReservation {
+ public:
+  DiskReservation() = default;
+  explicit DiskReservation(const std::string& path);
+  ~DiskReservation();
+  DiskReservation(DiskReservation&& other) noexcept;
+  DiskReservation& operator=(DiskReservation&& other) noexcept;
+
+  /// Makes the disk hold `bytes` more behind the first `size` bytes; if it cannot, the file is `size` bytes long after.
+  void reserve(std::uint64_t size, std::uint64_t bytes);
+
+  /// Gives back what lies behind the first `size` bytes.
+  void trim(std::uint64_t size);
+
+  /// Waits until the disk holds the file.
+  void sync();
+
+ private:
+  std::string path_;
+  int descriptor_ = -1;
+};
+
+}  // namespace percuss
