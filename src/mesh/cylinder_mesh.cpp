@@ -7,9 +7,6 @@
 namespace percuss {
 namespace {
 
-/// Chosen by search for the largest stable step at a worst scaled Jacobian of at least 0.6; see docs/mesh.md.
-constexpr CoreForm disk_core{0.5, 0.5};
-
 /// The section: quadrilaterals, counter-clockwise seen from +z. Outside, their edge 1-2 lies on the circle.
 struct Disk {
   std::vector<std::array<double, 2>> nodes;
@@ -28,7 +25,7 @@ std::vector<std::array<int, 2>> list_core_boundary(int core) {
 }
 
 Disk make_disk(double radius, RoundSplit split) {
-  const RoundedLattice<2> lattice(radius, split, disk_core);
+  const RoundedLattice<2> lattice(radius, split);
   const int core = split.core;
   const std::vector<std::array<int, 2>> boundary = list_core_boundary(core);
   const int around = static_cast<int>(boundary.size()), core_nodes = (core + 1) * (core + 1);

@@ -25,9 +25,17 @@ inline RoundSplit split_round(int across) {
 
 /// Form of the core as shares of the radius.
 struct CoreForm {
-  double half_width = 0;  // middle of a side (of a face) to the centre
+  double half_width = 0;  // from the centre to the middle of a side (of a face)
   double roundness = 0;   // 0: a square (cube), 1: a circle (ball) of radius half_width
 };
+
+/// Found by a search over half width and roundness for the largest stable step of the worst element on 3 to 64 cells
+/// across, at a worst scaled Jacobian above 0.7 in the disk and above 0.57 (cosine of the cube's diagonal, the best
+/// that a core of one cell can have) in the ball. docs/mesh.md has the table.
+inline CoreForm choose_core_form(RoundSplit split) {
+  const double core_share = double(split.core) / (split.core + 2 * split.rings);
+  return {0.1 + 0.8 * core_share, 0.55};
+}
 
 /// Maps lattice points to places in the disk (N = 2) or ball (N = 3) of the given radius. Points that a symmetry of the
 /// square (cube) maps onto each other get coordinates that agree to the last bit.
@@ -38,6 +46,7 @@ class RoundedLattice {
   using Index = std::array<int, N>;  // 0..core in each direction
 
   RoundedLattice(double radius, RoundSplit split, CoreForm form) : radius_(radius), split_(split), form_(form) {}
+  RoundedLattice(double radius, RoundSplit split) : RoundedLattice(radius, split, choose_core_form(split)) {}
 
   /// Place of a point of the core (ring 0), or of the ring-th copy outwards of a point on the core's boundary.
   Point operator()(const Index& index, int ring) const {

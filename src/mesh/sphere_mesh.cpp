@@ -6,9 +6,6 @@
 namespace percuss {
 namespace {
 
-/// Chosen as the form of the cylinder's core is; see docs/mesh.md.
-constexpr CoreForm ball_core{0.5, 0.5};
-
 /// Nodes and elements of the core cube, counted along x first.
 struct CoreGrid {
   int cells;
@@ -50,7 +47,7 @@ std::vector<std::array<int, 4>> list_boundary_faces(const CoreGrid& grid) {
 
 PartMesh make_sphere(const SphereShape& shape) {
   const RoundSplit split = split_round(shape.across);
-  const RoundedLattice<3> lattice(shape.radius, split, ball_core);
+  const RoundedLattice<3> lattice(shape.radius, split);
   const CoreGrid grid{split.core};
   PartMesh mesh;
   std::vector<std::array<int, 3>> boundary;  // lattice points

@@ -1,0 +1,167 @@
+// Nodes and faces that a selector of the deck means.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+
+#include "src/deck/nearest_name.hpp"
+#include "src/error.hpp"
+#include "src/mesh/mesh.hpp"
+
+namespace percuss {
+namespace {
+
+/// Share of the mesh's diagonal by which `inside` is widened, so that nodes on its faces count in spite of round-off.
+constexpr double inside_margin = 1e-9;
+
+std::string fault(const Deck& deck, const Selector& selector, const std::string& text) {
+  return fmt::format("{}: error: {}", deck.where(selector.place), text);
+}
+
+class InsideBox {
+ public:
+  InsideBox(const Mesh& mesh, const Selector& selector) : mesh_(mesh) {
+    if (!selector.inside) return;
+    active_ = true;
+    low_ = (*selector.inside)[0];
+    high_ = (*selector.inside)[1];
+    const double margin = inside_margin * find_diagonal();
+    for (std::size_t d = 0; d < 3; ++d) {
+      low_[d] -= margin;
+      high_[d] += margin;
+    }
+  }
+
+  bool holds(int node) const {
+    if (!active_) return true;
+    const Vec3& x = mesh_.nodes[static_cast<std::size_t>(node)];
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (x[d] < low_[d] || x[d] > high_[d]) return false;
+    }
+    return true;
+  }
+
+  bool holds(const ElementFace& face) const {
+    const auto& corners = mesh_.elements[static_cast<std::size_t>(face.element)];
+    return std::all_of(std::begin(hex_faces[face.face]), std::end(hex_faces[face.face]),
+                       [&](int corner) { return holds(corners[static_cast<std::size_t>(corner)]); });
+  }
+
+ private:
+  double find_diagonal() const {
+    if (mesh_.nodes.empty()) return 0;
+    Vec3 low = mesh_.nodes.front(), high = low;
+    for (const Vec3& x : mesh_.nodes) {
+      for (std::size_t d = 0; d < 3; ++d) {
+        low[d] = std::min(low[d], x[d]);
+        high[d] = std::max(high[d], x[d]);
+      }
+    }
+    return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  }
+
+  const Mesh& mesh_;
+  bool active_ = false;
+  Vec3 low_{}, high_{};
+};
+
+/// The set of that name, or, for a name without its part ("nodes_7"), the only one of any part. Null if there is none.
+template <class Sets>
+const typename Sets::mapped_type* find_set(const Sets& sets, const Deck& deck, const Selector& selector) {
+  if (const auto exact = sets.find(selector.name); exact != sets.end()) return &exact->second;
+  const std::string ending = "/" + selector.name;
+  const typename Sets::value_type* found = nullptr;
+  for (const auto& entry : sets) {
+    if (!entry.first.ends_with(ending) || entry.first.find('/') + ending.size() != entry.first.size()) continue;
+    if (found) {
+      throw InputError(
+          fault(deck, selector,
+                fmt::format("'{}' may mean '{}' or '{}' (several parts have such a set); write the part's name as well",
+                            selector.name, found->first, entry.first)));
+    }
+    found = &entry;
+  }
+  return found ? &found->second : nullptr;
+}
+
+template <class Sets>
+std::vector<std::string> list_names(const Sets& sets) {
+  std::vector<std::string> names;
+  for (const auto& [name, set] : sets) names.push_back(name);
+  return names;
+}
+
+[[noreturn]] void refuse_unknown(const Deck& deck, const Selector& selector, const char* what,
+                                 std::vector<std::string> known) {
+  std::sort(known.begin(), known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  throw InputError(fault(deck, selector,
+                         fmt::format("no {} is called '{}'{}", what, selector.name, name_hint(selector.name, known))));
+}
+
+template <class T>
+void require_some(const std::vector<T>& selected, const Deck& deck, const Selector& selector, const char* what) {
+  if (!selected.empty()) return;
+  const std::string name = selector.name.empty() ? "the mesh" : fmt::format("'{}'", selector.name);
+  throw InputError(fault(deck, selector,
+                         selector.inside
+                             ? fmt::format("{} has no {} inside the box; check its corners and units", name, what)
+                             : fmt::format("{} has no {}", name, what)));
+}
+
+std::vector<ElementFace> list_candidate_faces(const Mesh& mesh, const Deck& deck, const Selector& selector,
+                                              const std::vector<ElementFace>& exterior) {
+  if (selector.name.empty()) return exterior;
+  const auto part =
+      std::find_if(mesh.parts.begin(), mesh.parts.end(), [&](const auto& p) { return p.name == selector.name; });
+  std::vector<ElementFace> faces;
+  if (part != mesh.parts.end()) {
+    const int index = static_cast<int>(part - mesh.parts.begin());
+    std::copy_if(exterior.begin(), exterior.end(), std::back_inserter(faces), [&](const ElementFace& face) {
+      return mesh.element_part[static_cast<std::size_t>(face.element)] == index;
+    });
+    return faces;
+  }
+  if (const auto* set = find_set(mesh.side_sets, deck, selector)) {
+    std::set_intersection(set->begin(), set->end(), exterior.begin(), exterior.end(), std::back_inserter(faces));
+    return faces;
+  }
+  std::vector<std::string> known = list_names(mesh.side_sets);
+  for (const MeshPart& p : mesh.parts) known.push_back(p.name);
+  const char* what = find_set(mesh.node_sets, deck, selector) ? "part or side set (it is a node set, faces are needed)"
+                                                              : "part or side set";
+  refuse_unknown(deck, selector, what, std::move(known));
+}
+
+}  // namespace
+
+std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector& selector) {
+  const InsideBox box(mesh, selector);
+  std::vector<int> nodes;
+  if (selector.name.empty()) {
+    for (int n = 0; n < static_cast<int>(mesh.nodes.size()); ++n) {
+      if (box.holds(n)) nodes.push_back(n);
+    }
+  } else {
+    const std::vector<int>* set = find_set(mesh.node_sets, deck, selector);
+    if (!set) refuse_unknown(deck, selector, "part, side or node set", list_names(mesh.node_sets));
+    std::copy_if(set->begin(), set->end(), std::back_inserter(nodes), [&](int n) { return box.holds(n); });
+  }
+  require_some(nodes, deck, selector, "nodes");
+  return nodes;
+}
+
+std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector) {
+  const InsideBox box(mesh, selector);
+  std::vector<ElementFace> faces;
+  for (const ElementFace& face : list_candidate_faces(mesh, deck, selector, find_exterior_faces(mesh))) {
+    if (box.holds(face)) faces.push_back(face);
+  }
+  require_some(faces, deck, selector, "exterior faces");
+  return faces;
+}
+
+}  // namespace percuss
