@@ -207,6 +207,7 @@ struct Deck {
   ContactDeck contact;
   OutputDeck output;
   AuditDeck audit;
+  std::vector<std::string> warnings;  // "deck.yaml:LINE:COLUMN: warning: ...", for the user to see
 
   /// "deck.yaml:LINE:COLUMN" for messages found after reading (meshing, selection).
   std::string where(Place place) const;

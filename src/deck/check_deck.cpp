@@ -1,0 +1,110 @@
+// What must hold between the sections of a deck.
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "src/deck/deck_keys.hpp"
+#include "src/deck/mesh_size.hpp"
+
+namespace percuss {
+namespace {
+
+template <class T>
+std::vector<std::string> names_of(const std::vector<T>& things) {
+  std::vector<std::string> names;
+  for (const T& thing : things) names.push_back(thing.name);
+  return names;
+}
+
+void check_materials(const Deck& deck, const Node& root, Reading& reading) {
+  const std::vector<std::string> known = names_of(deck.materials);
+  std::set<std::string> used;
+  for (const NameUse& use : reading.materials) {
+    used.insert(use.name);
+    if (known.empty() || std::find(known.begin(), known.end(), use.name) != known.end()) continue;
+    reading.errors.add(use.spot, fmt::format("unknown material {}{}{}", quote(use.name), use.in, name_hint(use.name, known)));
+  }
+  const Node* materials = root.find("materials");
+  for (const std::string& name : known) {
+    if (used.count(name) == 0) reading.errors.warn(materials->find(name)->key, fmt::format("material '{}' is used by no part", name));
+  }
+}
+
+void check_selector(const NameUse& use, const std::map<std::string, const PartDeck*>& parts, Reading& reading) {
+  const auto slash = use.name.find('/');
+  const std::string part_name = use.name.substr(0, slash);
+  const auto part = parts.find(part_name);
+  if (part == parts.end()) {
+    std::vector<std::string> known;
+    for (const auto& entry : parts) known.push_back(entry.first);
+    reading.errors.add(use.spot, fmt::format("unknown part {}{}{}", quote(part_name), use.in, name_hint(part_name, known)));
+    return;
+  }
+  if (slash == std::string::npos || reading.shapeless.count(part_name) > 0) return;
+  const std::string side = use.name.substr(slash + 1);
+  const std::vector<std::string> sides = side_names(part->second->shape);
+  if (sides.empty() && !side.empty()) return;  // sets of a mesh file are known when it is read
+  if (std::find(sides.begin(), sides.end(), side) != sides.end()) return;
+  reading.errors.add(use.spot, fmt::format("part '{}' has no side {}{}{}", part_name, quote(side), use.in, name_hint(side, sides)));
+}
+
+void check_selectors(const Deck& deck, Reading& reading) {
+  if (deck.parts.empty()) return;
+  std::map<std::string, const PartDeck*> parts;
+  for (const PartDeck& part : deck.parts) parts.emplace(part.name, &part);
+  for (const NameUse& use : reading.selectors) check_selector(use, parts, reading);
+}
+
+void check_size(const Deck& deck, const Node& root, Reading& reading) {
+  MeshSize total;
+  for (const PartDeck& part : deck.parts) {
+    const MeshSize size = count_cells(part);
+    if (size.elements > largest_mesh || size.nodes > largest_mesh) return;  // told already
+    total.elements += size.elements;
+    total.nodes += size.nodes;
+  }
+  if (total.elements <= largest_mesh && total.nodes <= largest_mesh) return;
+  reading.errors.add(root.find("parts")->key, fmt::format("the parts have {:.4g} elements and {:.4g} nodes (a mesh can have {:.0f} "
+                                                          "of each) make them coarser", total.elements, total.nodes, largest_mesh));
+}
+
+void check_curves(const Deck& deck, Reading& reading) {
+  constexpr int samples = 64;
+  for (const CurveUse& use : reading.curves) {
+    for (int i = 0; i <= samples; ++i) {
+      const double t = deck.time.end * i / samples;
+      const double value = use.curve(t);
+      if (std::isfinite(value)) continue;
+      reading.errors.add(use.spot, fmt::format("{} is {} at t = {} (must be finite from 0 to time.end)", use.name,
+                                               std::isnan(value) ? "not a number" : "infinite", t));
+      break;
+    }
+  }
+}
+
+void check_frames(const Deck& deck, const Node& root, Reading& reading) {
+  constexpr double most_frames = 1e6;
+  if (!deck.output.fields_every || deck.time.end / *deck.output.fields_every <= most_frames) return;
+  const Node* every = root.find("output")->find("fields")->find("every");
+  reading.errors.add(every->spot, fmt::format("output.fields.every is {} (it would write {:.3g} frames by time.end, {}; at most {:.0f})",
+                                              *deck.output.fields_every, deck.time.end / *deck.output.fields_every, deck.time.end,
+                                              most_frames));
+}
+
+}  // namespace
+
+void check_deck(const Deck& deck, const Node& root, Reading& reading) {
+  for (const char* section : {"parts", "materials"}) {
+    const Node* node = root.find(section);
+    if (node == nullptr || node->kind != Node::Kind::map || !node->entries.empty()) continue;
+    reading.errors.add(node->key, fmt::format("{} is empty (there must be at least one)", section));
+  }
+  check_materials(deck, root, reading);
+  check_selectors(deck, reading);
+  check_size(deck, root, reading);
+  check_curves(deck, reading);
+  check_frames(deck, root, reading);
+}
+
+}  // namespace percuss

@@ -1,0 +1,182 @@
+// Keys of `initial`, `loads`, `conditions` and `walls`.
+
+#include "src/deck/deck_keys.hpp"
+
+namespace percuss {
+namespace {
+
+const Keys<InitialDeck>& initial_keys() {
+  static const Keys<InitialDeck> keys = {
+      may("part", &InitialDeck::where, SelectorValue{}),
+      may("nodes", &InitialDeck::where, SelectorValue{}),
+      may("velocity", &InitialDeck::velocity, vector3()),
+      may("angular_velocity", &InitialDeck::angular_velocity, vector3()),
+      may("center", &InitialDeck::center, vector3()),
+  };
+  return keys;
+}
+
+bool check_initial(const Reader& reader, const Node& node, InitialDeck& initial) {
+  initial.where.place = node.spot.place;
+  if (const Node* both = node.find("part") != nullptr ? node.find("nodes") : nullptr) {
+    reader.error(both->key, fmt::format("{} has both part and nodes (must be one of them)", reader.self()));
+    return false;
+  }
+  const bool spins = node.find("angular_velocity") != nullptr;
+  if (!spins && node.find("velocity") == nullptr) {
+    reader.error(node.spot, fmt::format("{} has no velocity (required: velocity or angular_velocity)", reader.self()));
+    return false;
+  }
+  if (initial.center && !spins) {
+    reader.error(node.find("center")->key, fmt::format("{} is of no use (there is no angular_velocity)", reader.name_of("center")));
+    return false;
+  }
+  return true;
+}
+
+const Keys<PressureDeck>& pressure_keys() {
+  static const Keys<PressureDeck> keys = {
+      need("faces", &PressureDeck::where, SelectorValue{}),
+      need("value", &PressureDeck::value, CurveValue{}),
+  };
+  return keys;
+}
+
+// The axes x, y, z that a key names: sets them in `active`.
+bool read_axis(const Reader& reader, const std::string& name, const Node& node, std::array<bool, 3>& active) {
+  const ChoiceValue<std::size_t> axis{{{"x", 0}, {"y", 1}, {"z", 2}}};
+  std::size_t i = 0;
+  if (!axis.read(reader, name, node, i)) return false;
+  if (active[i]) {
+    reader.error(node.spot, fmt::format("{} is {} again (each axis once)", name, node.text));
+    return false;
+  }
+  active[i] = true;
+  return true;
+}
+
+struct FixedValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {
+    out.kind = ConditionDeck::Kind::fixed;
+    if (node.kind == Node::Kind::scalar) return read_axis(reader, name, node, out.active);
+    if (node.kind != Node::Kind::list || node.items.empty()) {
+      reader.refuse(node, name, takes());
+      return false;
+    }
+    bool good = true;
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      good = read_axis(reader, fmt::format("{}.{}", name, i), node.items[i], out.active) && good;
+    }
+    return good;
+  }
+  std::string takes() const { return "a list of axes: x, y, z"; }
+};
+
+struct SymmetryValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {
+    out.kind = ConditionDeck::Kind::symmetry;
+    return read_axis(reader, name, node, out.active);
+  }
+  std::string takes() const { return "x | y | z, the normal of the plane"; }
+};
+
+/// {x: curve, y: curve, z: curve}, at least one of them.
+struct MotionValue {
+  ConditionDeck::Kind kind;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {
+    out.kind = kind;
+    if (node.kind != Node::Kind::map || node.entries.empty()) {
+      reader.refuse(node, name, takes());
+      return false;
+    }
+    const Reader inner = reader.inside(name);
+    bool good = true;
+    for (const Entry& entry : node.entries) {
+      const auto i = std::string("xyz").find(entry.name);
+      if (entry.name.size() != 1 || i == std::string::npos) {
+        refuse_key(inner, entry, {"x", "y", "z"}, {});
+        good = false;
+      } else {
+        out.active[i] = true;
+        good = CurveValue{}.read(inner, inner.name_of(entry.name), entry.value, out.value[i]) && good;
+      }
+    }
+    return good;
+  }
+  std::string takes() const { return "a map from axes x, y, z to curves"; }
+};
+
+const Keys<ConditionDeck>& condition_kind_keys() {
+  static const Keys<ConditionDeck> keys = {
+      group<ConditionDeck>("fixed", FixedValue{}),
+      group<ConditionDeck>("symmetry", SymmetryValue{}),
+      group<ConditionDeck>("velocity", MotionValue{ConditionDeck::Kind::velocity}),
+      group<ConditionDeck>("displacement", MotionValue{ConditionDeck::Kind::displacement}),
+  };
+  return keys;
+}
+
+const Keys<ConditionDeck>& condition_keys() {
+  static const Keys<ConditionDeck> keys = [] {
+    Keys<ConditionDeck> all = {need("nodes", &ConditionDeck::where, SelectorValue{})};
+    for (const auto& key : condition_kind_keys()) all.push_back(key);
+    return all;
+  }();
+  return keys;
+}
+
+/// One selector or a list of them.
+struct SelectorsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<Selector>& out) const {
+    if (node.kind == Node::Kind::list) return ListValue<SelectorValue>{}.read(reader, name, node, out);
+    Selector one;
+    if (!SelectorValue{}.read(reader, name, node, one)) return false;
+    out.push_back(std::move(one));
+    return true;
+  }
+  std::string takes() const { return "a selector or a list of them"; }
+};
+
+const Keys<WallDeck>& wall_keys() {
+  static const Keys<WallDeck> keys = {
+      may("point", &WallDeck::point, vector3()),
+      need("normal", &WallDeck::normal, DirectionValue{}),
+      may("friction", &WallDeck::friction, NumberValue{not_negative}),
+      may("nodes", &WallDeck::nodes, SelectorsValue{}),
+  };
+  return keys;
+}
+
+bool check_wall(const Reader&, const Node& node, WallDeck& wall) {
+  wall.place = node.spot.place;
+  // A list that names the whole mesh says nothing more than no list.
+  const auto all = std::find_if(wall.nodes.begin(), wall.nodes.end(), [](const Selector& s) { return s.name.empty() && !s.inside; });
+  if (all != wall.nodes.end()) wall.nodes.clear();
+  return true;
+}
+
+}  // namespace
+
+MapValue<InitialDeck> initial_value() { return {initial_keys, check_initial}; }
+MapValue<PressureDeck> pressure_value() { return {pressure_keys}; }
+MapValue<WallDeck> wall_value() { return {wall_keys, check_wall}; }
+
+bool ConditionValue::read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {
+  if (!reader.expect(node, Node::Kind::map, name, takes())) return false;
+  const Reader inner = reader.inside(name);
+  const bool good = read_keys(inner, node, condition_keys(), out);
+  std::vector<std::string> given, known;
+  for (const auto& key : condition_kind_keys()) {
+    known.push_back(key.name);
+    if (node.find(key.name) != nullptr) given.push_back(key.name);
+  }
+  if (given.size() == 1) return good;
+  const std::string what = given.empty() ? "does nothing" : fmt::format("has {}", fmt::join(given, " and "));
+  reader.error(node.spot, fmt::format("'{}' {} (must have exactly one of {})", name, what, fmt::join(known, ", ")));
+  return false;
+}
+
+void ConditionValue::list(const std::string& path, std::vector<DeckKey>& out) const { list_keys(condition_keys(), path, out); }
+
+}  // namespace percuss

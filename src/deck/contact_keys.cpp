@@ -1,0 +1,76 @@
+// Keys of `contact`.
+
+#include "src/deck/deck_keys.hpp"
+
+namespace percuss {
+namespace {
+
+const Keys<SurfacePairDeck>& pair_keys() {
+  static const Keys<SurfacePairDeck> keys = {
+      need("a", &SurfacePairDeck::a, SelectorValue{}),
+      need("b", &SurfacePairDeck::b, SelectorValue{}),
+      may("friction", &SurfacePairDeck::friction, NumberValue{not_negative}),
+  };
+  return keys;
+}
+
+/// [a, b] or {a: ..., b: ..., friction: ...}.
+struct PairValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, SurfacePairDeck& out) const {
+    if (node.kind == Node::Kind::map) return MapValue<SurfacePairDeck>{pair_keys}.read(reader, name, node, out);
+    std::array<Selector, 2> surfaces;
+    if (node.kind != Node::Kind::list || node.items.size() != 2) {
+      reader.refuse(node, name, takes());
+      return false;
+    }
+    if (!TupleValue<SelectorValue, 2>{}.read(reader, name, node, surfaces)) return false;
+    out.a = surfaces[0];
+    out.b = surfaces[1];
+    return true;
+  }
+  std::string takes() const { return "a pair [a, b] or {a: ..., b: ..., friction: ...}"; }
+  void list(const std::string& path, std::vector<DeckKey>& out) const { list_keys(pair_keys(), path, out); }
+};
+
+/// all, none or a list of pairs.
+struct SurfacesValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, ContactDeck& out) const {
+    using Surfaces = ContactDeck::Surfaces;
+    if (node.kind == Node::Kind::list) {
+      out.surfaces = Surfaces::pairs;
+      if (node.items.empty()) {
+        reader.refuse(node, name, "all, none or at least one pair [a, b]");
+        return false;
+      }
+      return ListValue<PairValue>{}.read(reader, name, node, out.pairs);
+    }
+    const ChoiceValue<Surfaces> word{{{"all", Surfaces::all}, {"none", Surfaces::none}}};
+    if (node.kind == Node::Kind::scalar) return word.read(reader, name, node, out.surfaces);
+    reader.refuse(node, name, takes());
+    return false;
+  }
+  std::string takes() const { return "all | none or a list of pairs"; }
+  void list(const std::string& path, std::vector<DeckKey>& out) const { PairValue{}.list(path + ".N", out); }
+};
+
+const Keys<ContactDeck>& contact_keys() {
+  using Overlap = ContactDeck::Overlap;
+  static const Keys<ContactDeck> keys = {
+      group<ContactDeck>("surfaces", SurfacesValue{}),
+      may("friction", &ContactDeck::friction, NumberValue{not_negative}),
+      may("overlap", &ContactDeck::overlap, ChoiceValue<Overlap>{{{"accept", Overlap::accept}, {"push_out", Overlap::push_out}}}),
+      may("reuse_search", &ContactDeck::reuse_search, BooleanValue{}),
+  };
+  return keys;
+}
+
+}  // namespace
+
+bool ContactValue::read(const Reader& reader, const std::string& name, const Node& node, ContactDeck& out) const {
+  out.surfaces = ContactDeck::Surfaces::all;
+  return MapValue<ContactDeck>{contact_keys}.read(reader, name, node, out);
+}
+
+void ContactValue::list(const std::string& path, std::vector<DeckKey>& out) const { list_keys(contact_keys(), path, out); }
+
+}  // namespace percuss

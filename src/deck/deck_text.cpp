@@ -1,0 +1,114 @@
+#include "src/deck/deck_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "src/error.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+
+// Bytes of the UTF-8 sequence at the start of the text; 0 if it is none (RFC 3629, section 4: overlong forms, surrogates and
+// points above U+10FFFF are none).
+std::size_t match_utf8(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+  const unsigned a = byte(0), b = byte(1);
+  const auto tail = [&](std::size_t n) {
+    for (std::size_t i = 1; i < n; ++i) {
+      if ((byte(i) & 0xC0U) != 0x80U) return std::size_t{0};
+    }
+    return n;
+  };
+  if (a < 0x80) return 1;
+  if (a >= 0xC2 && a <= 0xDF) return tail(2);
+  if (a == 0xE0) return b >= 0xA0 ? tail(3) : 0;
+  if (a == 0xED) return b <= 0x9F ? tail(3) : 0;
+  if (a >= 0xE1 && a <= 0xEF) return tail(3);
+  if (a == 0xF0) return b >= 0x90 ? tail(4) : 0;
+  if (a >= 0xF1 && a <= 0xF3) return tail(4);
+  if (a == 0xF4) return b <= 0x8F ? tail(4) : 0;
+  return 0;
+}
+
+// What is wrong with the character at i; empty if nothing. `length` is its length in bytes.
+std::string find_fault(std::string_view text, std::size_t i, std::size_t& length) {
+  const auto c = static_cast<unsigned char>(text[i]);
+  length = match_utf8(text.substr(i));
+  if (c == 0) return "the file is not text (it holds a NUL byte) save the deck as UTF-8 text";
+  if (length == 0) return fmt::format("the file is not UTF-8 text (byte 0x{:02x} does not belong) save the deck as UTF-8", c);
+  if (c == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) {
+    return "a carriage return stands alone (lines end with LF or CR LF)";
+  }
+  const bool control = (c < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F;
+  if (control) return fmt::format("the file is not text (it holds the control character 0x{:02x})", c);
+  return {};
+}
+
+}  // namespace
+
+std::string load_deck_text(const std::string& file) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(file, ignored);
+  if (!std::filesystem::exists(status)) throw InputError(file + ": error: no such file");
+  if (std::filesystem::is_directory(status)) {
+    throw InputError(file + ": error: a folder, not a deck (perhaps " + (std::filesystem::path(file) / "deck.yaml").string() + ")");
+  }
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
+  if (!stream) throw SystemError(fmt::format("{}: cannot be opened ({})", file, std::strerror(errno)));
+  std::string text(largest_deck + 1, '\0');  // one more byte tells that there is more
+  text.resize(std::fread(text.data(), 1, text.size(), stream.get()));
+  if (std::ferror(stream.get()) != 0) throw SystemError(fmt::format("{}: reading failed ({})", file, std::strerror(errno)));
+  return text;
+}
+
+bool check_deck_text(std::string& text, DeckErrors& errors) {
+  if (text.size() > largest_deck) {
+    errors.add({}, fmt::format("the file is larger than {} MiB (the largest deck) is this a deck?", largest_deck >> 20U));
+    return false;
+  }
+  if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    errors.add({{1, 1}, -1}, "the file is UTF-16 text (must be UTF-8) save the deck as UTF-8");
+    return false;
+  }
+  Place place{1, 1};
+  for (std::size_t i = 0, length = 1; i < text.size(); i += length) {
+    if (std::string fault = find_fault(text, i, length); !fault.empty()) {
+      errors.add({place, -1}, std::move(fault));
+      return false;
+    }
+    place = text[i] == '\n' ? Place{place.line + 1, 1} : Place{place.line, place.column + 1};
+  }
+  return true;
+}
+
+PlaceFinder::PlaceFinder(std::string_view text) : text_(text), line_starts_{0} {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\n') line_starts_.push_back(i + 1);
+  }
+}
+
+Place PlaceFinder::place(int line, int byte_column) {
+  const auto index = std::min(static_cast<std::size_t>(std::max(line, 0)), line_starts_.size() - 1);
+  const auto end = static_cast<std::size_t>(std::max(byte_column, 0));
+  if (index != line_ || end < byte_) {
+    line_ = index;
+    byte_ = 0;
+    characters_ = 0;
+  }
+  const std::string_view rest = text_.substr(line_starts_[index]);
+  for (; byte_ < std::min(end, rest.size()); ++byte_) characters_ += is_continuation(rest[byte_]) ? 0 : 1;
+  return {static_cast<int>(index) + 1, characters_ + 1};
+}
+
+}  // namespace percuss

@@ -1,0 +1,55 @@
+#include "src/deck/mesh_size.hpp"
+
+#include <algorithm>
+
+namespace percuss {
+namespace {
+
+// A disc or ball of `across` cells on its diameter: a core of core cells an edge, and rings around it (CylinderShape).
+struct Rings {
+  double rings, core;
+};
+
+Rings split(int across) {
+  const int rings = std::max(1, across / 4);
+  return {static_cast<double>(rings), static_cast<double>(across - 2 * rings)};
+}
+
+MeshSize count(const BoxShape& box) {
+  const double x = box.cells[0], y = box.cells[1], z = box.cells[2];
+  return {x * y * z, (x + 1) * (y + 1) * (z + 1)};
+}
+
+MeshSize count(const CylinderShape& cylinder) {
+  const auto [rings, core] = split(cylinder.across);
+  const double along = cylinder.along;
+  return {(core * core + 4 * core * rings) * along, ((core + 1) * (core + 1) + 4 * core * rings) * (along + 1)};
+}
+
+MeshSize count(const TubeShape& tube) {
+  const double through = tube.cells[0], around = tube.cells[1], along = tube.cells[2];
+  return {through * around * along, (through + 1) * around * (along + 1)};
+}
+
+MeshSize count(const SphereShape& sphere) {
+  const auto [rings, core] = split(sphere.across);
+  const double shell = 6 * core * core;  // faces of the core's surface, which has two nodes more
+  return {core * core * core + shell * rings, (core + 1) * (core + 1) * (core + 1) + (shell + 2) * rings};
+}
+
+MeshSize count(const ExodusMesh&) { return {}; }
+
+}  // namespace
+
+MeshSize count_cells(const PartDeck& part) {
+  MeshSize size = std::visit([](const auto& shape) { return count(shape); }, part.shape);
+  if (part.array) {
+    for (const int copies : part.array->count) {
+      size.elements *= copies;
+      size.nodes *= copies;
+    }
+  }
+  return size;
+}
+
+}  // namespace percuss
