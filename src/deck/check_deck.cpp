@@ -23,11 +23,13 @@ void check_materials(const Deck& deck, const Node& root, Reading& reading) {
   for (const NameUse& use : reading.materials) {
     used.insert(use.name);
     if (known.empty() || std::find(known.begin(), known.end(), use.name) != known.end()) continue;
-    reading.errors.add(use.spot, fmt::format("unknown material {}{}{}", quote(use.name), use.in, name_hint(use.name, known)));
+    reading.errors.add(use.spot,
+                       fmt::format("unknown material {}{}{}", quote(use.name), use.in, name_hint(use.name, known)));
   }
   const Node* materials = root.find("materials");
   for (const std::string& name : known) {
-    if (used.count(name) == 0) reading.errors.warn(materials->find(name)->key, fmt::format("material '{}' is used by no part", name));
+    if (used.count(name) == 0)
+      reading.errors.warn(materials->find(name)->key, fmt::format("material '{}' is used by no part", name));
   }
 }
 
@@ -38,7 +40,8 @@ void check_selector(const NameUse& use, const std::map<std::string, const PartDe
   if (part == parts.end()) {
     std::vector<std::string> known;
     for (const auto& entry : parts) known.push_back(entry.first);
-    reading.errors.add(use.spot, fmt::format("unknown part {}{}{}", quote(part_name), use.in, name_hint(part_name, known)));
+    reading.errors.add(use.spot,
+                       fmt::format("unknown part {}{}{}", quote(part_name), use.in, name_hint(part_name, known)));
     return;
   }
   if (slash == std::string::npos || reading.shapeless.count(part_name) > 0) return;
@@ -46,7 +49,8 @@ void check_selector(const NameUse& use, const std::map<std::string, const PartDe
   const std::vector<std::string> sides = side_names(part->second->shape);
   if (sides.empty() && !side.empty()) return;  // sets of a mesh file are known when it is read
   if (std::find(sides.begin(), sides.end(), side) != sides.end()) return;
-  reading.errors.add(use.spot, fmt::format("part '{}' has no side {}{}{}", part_name, quote(side), use.in, name_hint(side, sides)));
+  reading.errors.add(
+      use.spot, fmt::format("part '{}' has no side {}{}{}", part_name, quote(side), use.in, name_hint(side, sides)));
 }
 
 void check_selectors(const Deck& deck, Reading& reading) {
@@ -65,8 +69,10 @@ void check_size(const Deck& deck, const Node& root, Reading& reading) {
     total.nodes += size.nodes;
   }
   if (total.elements <= largest_mesh && total.nodes <= largest_mesh) return;
-  reading.errors.add(root.find("parts")->key, fmt::format("the parts have {:.4g} elements and {:.4g} nodes (a mesh can have {:.0f} "
-                                                          "of each) make them coarser", total.elements, total.nodes, largest_mesh));
+  reading.errors.add(root.find("parts")->key,
+                     fmt::format("the parts have {:.4g} elements and {:.4g} nodes (a mesh can have {:.0f} "
+                                 "of each) make them coarser",
+                                 total.elements, total.nodes, largest_mesh));
 }
 
 void check_curves(const Deck& deck, Reading& reading) {
@@ -87,9 +93,10 @@ void check_frames(const Deck& deck, const Node& root, Reading& reading) {
   constexpr double most_frames = 1e6;
   if (!deck.output.fields_every || deck.time.end / *deck.output.fields_every <= most_frames) return;
   const Node* every = root.find("output")->find("fields")->find("every");
-  reading.errors.add(every->spot, fmt::format("output.fields.every is {} (it would write {:.3g} frames by time.end, {}; at most {:.0f})",
-                                              *deck.output.fields_every, deck.time.end / *deck.output.fields_every, deck.time.end,
-                                              most_frames));
+  reading.errors.add(
+      every->spot,
+      fmt::format("output.fields.every is {} (it would write {:.3g} frames by time.end, {}; at most {:.0f})",
+                  *deck.output.fields_every, deck.time.end / *deck.output.fields_every, deck.time.end, most_frames));
 }
 
 }  // namespace

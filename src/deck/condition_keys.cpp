@@ -28,7 +28,8 @@ bool check_initial(const Reader& reader, const Node& node, InitialDeck& initial)
     return false;
   }
   if (initial.center && !spins) {
-    reader.error(node.find("center")->key, fmt::format("{} is of no use (there is no angular_velocity)", reader.name_of("center")));
+    reader.error(node.find("center")->key,
+                 fmt::format("{} is of no use (there is no angular_velocity)", reader.name_of("center")));
     return false;
   }
   return true;
@@ -151,7 +152,8 @@ const Keys<WallDeck>& wall_keys() {
 bool check_wall(const Reader&, const Node& node, WallDeck& wall) {
   wall.place = node.spot.place;
   // A list that names the whole mesh says nothing more than no list.
-  const auto all = std::find_if(wall.nodes.begin(), wall.nodes.end(), [](const Selector& s) { return s.name.empty() && !s.inside; });
+  const auto all =
+      std::find_if(wall.nodes.begin(), wall.nodes.end(), [](const Selector& s) { return s.name.empty() && !s.inside; });
   if (all != wall.nodes.end()) wall.nodes.clear();
   return true;
 }
@@ -177,6 +179,8 @@ bool ConditionValue::read(const Reader& reader, const std::string& name, const N
   return false;
 }
 
-void ConditionValue::list(const std::string& path, std::vector<DeckKey>& out) const { list_keys(condition_keys(), path, out); }
+void ConditionValue::list(const std::string& path, std::vector<DeckKey>& out) const {
+  list_keys(condition_keys(), path, out);
+}
 
 }  // namespace percuss

@@ -58,7 +58,8 @@ const Keys<ContactDeck>& contact_keys() {
   static const Keys<ContactDeck> keys = {
       group<ContactDeck>("surfaces", SurfacesValue{}),
       may("friction", &ContactDeck::friction, NumberValue{not_negative}),
-      may("overlap", &ContactDeck::overlap, ChoiceValue<Overlap>{{{"accept", Overlap::accept}, {"push_out", Overlap::push_out}}}),
+      may("overlap", &ContactDeck::overlap,
+          ChoiceValue<Overlap>{{{"accept", Overlap::accept}, {"push_out", Overlap::push_out}}}),
       may("reuse_search", &ContactDeck::reuse_search, BooleanValue{}),
   };
   return keys;
@@ -71,6 +72,8 @@ bool ContactValue::read(const Reader& reader, const std::string& name, const Nod
   return MapValue<ContactDeck>{contact_keys}.read(reader, name, node, out);
 }
 
-void ContactValue::list(const std::string& path, std::vector<DeckKey>& out) const { list_keys(contact_keys(), path, out); }
+void ContactValue::list(const std::string& path, std::vector<DeckKey>& out) const {
+  list_keys(contact_keys(), path, out);
+}
 
 }  // namespace percuss

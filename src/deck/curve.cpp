@@ -49,7 +49,8 @@ class TableFunction final : public Curve::Function {
   }
 
   bool is_constant() const override {
-    return std::all_of(points_.begin(), points_.end(), [&](const auto& p) { return p.second == points_.front().second; });
+    return std::all_of(points_.begin(), points_.end(),
+                       [&](const auto& p) { return p.second == points_.front().second; });
   }
 
  private:
@@ -70,7 +71,8 @@ class ExpressionFunction final : public Curve::Function {
     try {
       parser_.SetExpr(text);
       parser_.Eval();
-      if (parser_.GetNumResults() != 1) throw std::invalid_argument("an expression gives one value; it has several, separated by commas");
+      if (parser_.GetNumResults() != 1)
+        throw std::invalid_argument("an expression gives one value; it has several, separated by commas");
       constant_ = parser_.GetUsedVar().empty();
     } catch (const mu::Parser::exception_type& error) {
       throw make_error(error);
@@ -95,15 +97,25 @@ class ExpressionFunction final : public Curve::Function {
     parser_.DefineConst("e", std::numbers::e);
     using Unary = double (*)(double);
     const std::pair<const char*, Unary> functions[] = {
-        {"sin", [](double x) { return std::sin(x); }},     {"cos", [](double x) { return std::cos(x); }},
-        {"tan", [](double x) { return std::tan(x); }},     {"asin", [](double x) { return std::asin(x); }},
-        {"acos", [](double x) { return std::acos(x); }},   {"atan", [](double x) { return std::atan(x); }},
-        {"sinh", [](double x) { return std::sinh(x); }},   {"cosh", [](double x) { return std::cosh(x); }},
-        {"tanh", [](double x) { return std::tanh(x); }},   {"exp", [](double x) { return std::exp(x); }},
-        {"log", [](double x) { return std::log(x); }},     {"log10", [](double x) { return std::log10(x); }},
-        {"sqrt", [](double x) { return std::sqrt(x); }},   {"abs", [](double x) { return std::abs(x); }},
-        {"floor", [](double x) { return std::floor(x); }}, {"ceil", [](double x) { return std::ceil(x); }},
-        {"sign", [](double x) { return x > 0 ? 1.0 : x < 0 ? -1.0 : 0.0; }},
+        {"sin", [](double x) { return std::sin(x); }},
+        {"cos", [](double x) { return std::cos(x); }},
+        {"tan", [](double x) { return std::tan(x); }},
+        {"asin", [](double x) { return std::asin(x); }},
+        {"acos", [](double x) { return std::acos(x); }},
+        {"atan", [](double x) { return std::atan(x); }},
+        {"sinh", [](double x) { return std::sinh(x); }},
+        {"cosh", [](double x) { return std::cosh(x); }},
+        {"tanh", [](double x) { return std::tanh(x); }},
+        {"exp", [](double x) { return std::exp(x); }},
+        {"log", [](double x) { return std::log(x); }},
+        {"log10", [](double x) { return std::log10(x); }},
+        {"sqrt", [](double x) { return std::sqrt(x); }},
+        {"abs", [](double x) { return std::abs(x); }},
+        {"floor", [](double x) { return std::floor(x); }},
+        {"ceil", [](double x) { return std::ceil(x); }},
+        {"sign", [](double x) { return x > 0   ? 1.0
+                                       : x < 0 ? -1.0
+                                               : 0.0; }},
         {"step", [](double x) { return x >= 0 ? 1.0 : 0.0; }}};
     for (const auto& [name, function] : functions) parser_.DefineFun(name, function);
     using Binary = double (*)(double, double);

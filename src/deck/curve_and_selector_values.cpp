@@ -45,8 +45,10 @@ bool read_curve_map(const Reader& reader, const std::string& name, const Node& n
   const Reader inner = reader.inside(name);
   bool good = true;
   for (const Entry& entry : node.entries) {
-    if (entry.name == "table") good = read_table(inner, inner.name_of(entry.name), entry.value, out) && good;
-    else if (entry.name == "expression") good = read_expression(inner, inner.name_of(entry.name), entry.value, out) && good;
+    if (entry.name == "table")
+      good = read_table(inner, inner.name_of(entry.name), entry.value, out) && good;
+    else if (entry.name == "expression")
+      good = read_expression(inner, inner.name_of(entry.name), entry.value, out) && good;
     else {
       refuse_key(inner, entry, {"table", "expression"}, {});
       good = false;
@@ -66,8 +68,8 @@ bool check_inside(const Reader& reader, const std::string& name, const Node& nod
   for (std::size_t i = 0; i < 3; ++i) {
     if (low[i] <= high[i]) continue;
     reader.error(node.find("inside")->spot,
-                 fmt::format("{}.inside holds nothing{} (the lowest corner comes first, but {} > {} in {})", name, reader.in(),
-                             low[i], high[i], "xyz"[i]));
+                 fmt::format("{}.inside holds nothing{} (the lowest corner comes first, but {} > {} in {})", name,
+                             reader.in(), low[i], high[i], "xyz"[i]));
     return false;
   }
   return true;
@@ -101,7 +103,8 @@ bool SelectorValue::read(const Reader& reader, const std::string& name, const No
   Selector selector;
   const Node* name_node = &node;
   if (node.kind == Node::Kind::map) {
-    if (!read_keys(reader.inside(name), node, selector_keys(), selector) || !check_inside(reader, name, node, selector)) return false;
+    if (!read_keys(reader.inside(name), node, selector_keys(), selector) || !check_inside(reader, name, node, selector))
+      return false;
     if (node.entries.empty()) {
       reader.refuse(node, name, "a map with name, inside or both");
       return false;
@@ -119,8 +122,10 @@ bool SelectorValue::read(const Reader& reader, const std::string& name, const No
       reader.refuse(*name_node, name, "a part, \"part/side\" or all");
       return false;
     }
-    if (selector.name == "all") selector.name.clear();
-    else reader.reading().selectors.push_back({name_node->spot, selector.name, reader.in()});
+    if (selector.name == "all")
+      selector.name.clear();
+    else
+      reader.reading().selectors.push_back({name_node->spot, selector.name, reader.in()});
   }
   out = std::move(selector);
   return true;

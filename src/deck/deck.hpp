@@ -31,8 +31,8 @@ struct BoxShape {
 };
 
 /// A solid cylinder without degenerate hexahedra: a square core and rings around it. Local origin: the middle of the
-/// start face, axis +z. `across` cells on a diameter: rings = max(1, across / 4), core = across - 2 rings (across >= 3).
-/// Sides: start, end, side.
+/// start face, axis +z. `across` cells on a diameter: rings = max(1, across / 4), core = across - 2 rings (across >=
+/// 3). Sides: start, end, side.
 struct CylinderShape {
   double radius = 0;
   double length = 0;
@@ -64,7 +64,8 @@ struct ExodusMesh {
 
 using Shape = std::variant<BoxShape, CylinderShape, TubeShape, SphereShape, ExodusMesh>;
 
-/// Copies of a shape on a grid. Odd courses (z index) are shifted by stagger * pitch along y (along x if count[1] == 1).
+/// Copies of a shape on a grid. Odd courses (z index) are shifted by stagger * pitch along y (along x if count[1] ==
+/// 1).
 struct ArrayCopies {
   std::array<int, 3> count{1, 1, 1};
   Vec3 pitch{};
@@ -113,8 +114,8 @@ struct Selector {
 struct InitialDeck {
   Selector where;
   Vec3 velocity{};
-  Vec3 angular_velocity{};      // rad/s
-  std::optional<Vec3> center;   // default: the mass centre of the selected nodes
+  Vec3 angular_velocity{};     // rad/s
+  std::optional<Vec3> center;  // default: the mass centre of the selected nodes
 };
 
 /// Exactly one of the kinds a list entry. Directions are the axes x, y, z.
@@ -166,24 +167,24 @@ struct ElementDeck {
 struct TimeDeck {
   double end = 0;
   double step_scale = 0.9;
-  std::optional<double> max_step;   // upper bound of the step [s]
-  std::optional<long> max_steps;    // stop as "completed" after so many
-  double collapse_ratio = 1e-4;     // a step below this share of the first one is an error
+  std::optional<double> max_step;  // upper bound of the step [s]
+  std::optional<long> max_steps;   // stop as "completed" after so many
+  double collapse_ratio = 1e-4;    // a step below this share of the first one is an error
 };
 
 struct HistoryPoint {
-  std::string name;                 // heading in history.csv
+  std::string name;  // heading in history.csv
   bool is_element = false;
-  std::optional<Vec3> near;         // closest node or element centre at time 0
-  std::optional<long> id;           // or the id of an Exodus mesh (1-based)
-  std::string part;                 // searched part; empty: the whole mesh
+  std::optional<Vec3> near;  // closest node or element centre at time 0
+  std::optional<long> id;    // or the id of an Exodus mesh (1-based)
+  std::string part;          // searched part; empty: the whole mesh
   Place place;
 };
 
 struct OutputDeck {
-  std::optional<double> fields_every;     // s; the first and last state are always written when set
-  std::vector<std::string> fields;        // names as listed in docs/output.md; displacement is always written
-  std::optional<double> history_every;    // s; 0: every step
+  std::optional<double> fields_every;   // s; the first and last state are always written when set
+  std::vector<std::string> fields;      // names as listed in docs/output.md; displacement is always written
+  std::optional<double> history_every;  // s; 0: every step
   std::vector<HistoryPoint> points;
 };
 
@@ -192,11 +193,11 @@ struct AuditDeck {
 };
 
 struct Deck {
-  std::string file;    // as given on the command line
+  std::string file;  // as given on the command line
   std::string title;
   std::string units;
   TimeDeck time;
-  std::vector<PartDeck> parts;          // in the order of the deck
+  std::vector<PartDeck> parts;  // in the order of the deck
   std::vector<MaterialDeck> materials;
   ElementDeck elements;
   std::vector<InitialDeck> initial;

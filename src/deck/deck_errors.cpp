@@ -38,7 +38,8 @@ void DeckErrors::throw_if_any() const {
   if (errors_.empty()) return;
   std::string text;
   for (const std::string& line : format(errors_, "error")) text += (text.empty() ? "" : "\n") + line;
-  if (errors_.size() >= most_errors) text += fmt::format("\n{}: error: too many errors (stopped at {})", file_, most_errors);
+  if (errors_.size() >= most_errors)
+    text += fmt::format("\n{}: error: too many errors (stopped at {})", file_, most_errors);
   throw InputError(text);
 }
 

@@ -18,8 +18,8 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-// Bytes of the UTF-8 sequence at the start of the text; 0 if it is none (RFC 3629, section 4: overlong forms, surrogates and
-// points above U+10FFFF are none).
+// Bytes of the UTF-8 sequence at the start of the text; 0 if it is none (RFC 3629, section 4: overlong forms,
+// surrogates and points above U+10FFFF are none).
 std::size_t match_utf8(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const unsigned a = byte(0), b = byte(1);
@@ -45,7 +45,8 @@ std::string find_fault(std::string_view text, std::size_t i, std::size_t& length
   const auto c = static_cast<unsigned char>(text[i]);
   length = match_utf8(text.substr(i));
   if (c == 0) return "the file is not text (it holds a NUL byte) save the deck as UTF-8 text";
-  if (length == 0) return fmt::format("the file is not UTF-8 text (byte 0x{:02x} does not belong) save the deck as UTF-8", c);
+  if (length == 0)
+    return fmt::format("the file is not UTF-8 text (byte 0x{:02x} does not belong) save the deck as UTF-8", c);
   if (c == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) {
     return "a carriage return stands alone (lines end with LF or CR LF)";
   }
@@ -61,19 +62,22 @@ std::string load_deck_text(const std::string& file) {
   const auto status = std::filesystem::status(file, ignored);
   if (!std::filesystem::exists(status)) throw InputError(file + ": error: no such file");
   if (std::filesystem::is_directory(status)) {
-    throw InputError(file + ": error: a folder, not a deck (perhaps " + (std::filesystem::path(file) / "deck.yaml").string() + ")");
+    throw InputError(file + ": error: a folder, not a deck (perhaps " +
+                     (std::filesystem::path(file) / "deck.yaml").string() + ")");
   }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
   if (!stream) throw SystemError(fmt::format("{}: cannot be opened ({})", file, std::strerror(errno)));
   std::string text(largest_deck + 1, '\0');  // one more byte tells that there is more
   text.resize(std::fread(text.data(), 1, text.size(), stream.get()));
-  if (std::ferror(stream.get()) != 0) throw SystemError(fmt::format("{}: reading failed ({})", file, std::strerror(errno)));
+  if (std::ferror(stream.get()) != 0)
+    throw SystemError(fmt::format("{}: reading failed ({})", file, std::strerror(errno)));
   return text;
 }
 
 bool check_deck_text(std::string& text, DeckErrors& errors) {
   if (text.size() > largest_deck) {
-    errors.add({}, fmt::format("the file is larger than {} MiB (the largest deck) is this a deck?", largest_deck >> 20U));
+    errors.add({},
+               fmt::format("the file is larger than {} MiB (the largest deck) is this a deck?", largest_deck >> 20U));
     return false;
   }
   if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
@@ -109,6 +113,22 @@ Place PlaceFinder::place(int line, int byte_column) {
   const std::string_view rest = text_.substr(line_starts_[index]);
   for (; byte_ < std::min(end, rest.size()); ++byte_) characters_ += is_continuation(rest[byte_]) ? 0 : 1;
   return {static_cast<int>(index) + 1, characters_ + 1};
+}
+
+bool PlaceFinder::is_quote_closed(int line, int byte_column) const {
+  if (line < 0 || byte_column < 0 || static_cast<std::size_t>(line) >= line_starts_.size()) return true;
+  std::size_t i = line_starts_[static_cast<std::size_t>(line)] + static_cast<std::size_t>(byte_column);
+  if (i >= text_.size() || (text_[i] != '"' && text_[i] != '\'')) return true;
+  const char quote = text_[i];
+  for (++i; i < text_.size(); ++i) {
+    if (quote == '"' && text_[i] == '\\')
+      ++i;
+    else if (text_[i] == quote && quote == '\'' && i + 1 < text_.size() && text_[i + 1] == quote)
+      ++i;  // '' is a quote
+    else if (text_[i] == quote)
+      return true;
+  }
+  return false;
 }
 
 }  // namespace percuss

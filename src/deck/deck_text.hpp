@@ -24,6 +24,9 @@ class PlaceFinder {
   explicit PlaceFinder(std::string_view text);  // must outlive the finder
   Place place(int line, int byte_column);
 
+  /// Whether the quoted scalar that begins there ends; true if no quote is there.
+  bool is_quote_closed(int line, int byte_column) const;
+
  private:
   std::string_view text_;
   std::vector<std::size_t> line_starts_;

@@ -8,7 +8,8 @@ void refuse_key(const Reader& reader, const Entry& entry, std::vector<std::strin
   // {a:1} is one key "a:1" in YAML, and "a b" without a colon is a key with nothing.
   const auto colon = entry.name.find(':');
   if (colon != std::string::npos) {
-    hint = fmt::format(" (a space must follow the colon: '{}: {}')", entry.name.substr(0, colon), entry.name.substr(colon + 1));
+    hint = fmt::format(" (a space must follow the colon: '{}: {}')", entry.name.substr(0, colon),
+                       entry.name.substr(colon + 1));
   }
   const std::string where = reader.self() == "the deck" ? "" : " in " + reader.self();
   reader.error(entry.value.key, fmt::format("unknown key {}{}{}", quote(entry.name), where, hint));

@@ -40,17 +40,18 @@ Key<Owner> make_key(std::string name, bool required, Value value, Read read) {
 
 template <class Owner, class Member, class Value>
 Key<Owner> member_key(std::string name, bool required, Member Owner::*member, Value value) {
-  return make_key<Owner>(std::move(name), required, std::move(value),
-                         [member](const Value& v, const Reader& reader, const std::string& full, const Node& node, Owner& owner) {
-                           if constexpr (requires { (owner.*member).emplace(); }) {
-                             typename Member::value_type inner{};
-                             if (!v.read(reader, full, node, inner)) return false;
-                             owner.*member = std::move(inner);
-                             return true;
-                           } else {
-                             return v.read(reader, full, node, owner.*member);
-                           }
-                         });
+  return make_key<Owner>(
+      std::move(name), required, std::move(value),
+      [member](const Value& v, const Reader& reader, const std::string& full, const Node& node, Owner& owner) {
+        if constexpr (requires { (owner.*member).emplace(); }) {
+          typename Member::value_type inner{};
+          if (!v.read(reader, full, node, inner)) return false;
+          owner.*member = std::move(inner);
+          return true;
+        } else {
+          return v.read(reader, full, node, owner.*member);
+        }
+      });
 }
 
 /// A key that must be there, and the member that it fills.
@@ -69,9 +70,8 @@ Key<Owner> may(std::string name, Member Owner::*member, Value value) {
 template <class Owner, class Value>
 Key<Owner> group(std::string name, Value value) {
   return make_key<Owner>(std::move(name), false, std::move(value),
-                         [](const Value& v, const Reader& reader, const std::string& full, const Node& node, Owner& owner) {
-                           return v.read(reader, full, node, owner);
-                         });
+                         [](const Value& v, const Reader& reader, const std::string& full, const Node& node,
+                            Owner& owner) { return v.read(reader, full, node, owner); });
 }
 
 /// Keys of the same map that another table reads, and a better hint for keys that are unknown here (or nothing).
@@ -85,7 +85,8 @@ void refuse_missing(const Reader& reader, const Node& node, const std::string& n
 
 /// Reads a map by its table: unknown keys are hinted at, missing ones told. Returns whether all went well.
 template <class Owner>
-bool read_keys(const Reader& reader, const Node& node, const Keys<Owner>& keys, Owner& out, const OtherKeys& others = {}) {
+bool read_keys(const Reader& reader, const Node& node, const Keys<Owner>& keys, Owner& out,
+               const OtherKeys& others = {}) {
   std::vector<std::string> known = others.names;
   for (const Key<Owner>& key : keys) known.push_back(key.name);
   bool good = true;
@@ -161,8 +162,10 @@ struct NamedMapValue {
  private:
   bool check_name(const Reader& reader, const Entry& entry) const {
     if (is_name(entry.name) && entry.name != "all") return true;
-    reader.error(entry.value.key, fmt::format("{} name {} cannot be used (must be letters, digits, '_' or '-', begin with a "
-                                              "letter, and not be the word all)", kind, quote(entry.name)));
+    reader.error(entry.value.key,
+                 fmt::format("{} name {} cannot be used (must be letters, digits, '_' or '-', begin with a "
+                             "letter, and not be the word all)",
+                             kind, quote(entry.name)));
     return false;
   }
 };

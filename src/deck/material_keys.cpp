@@ -95,7 +95,8 @@ void MaterialValue::list(const std::string& path, std::vector<DeckKey>& out) con
   for (const Model& model : models()) {
     for (DeckKey key : model.keys) {
       key.path = path + "." + key.path;
-      const bool listed = std::any_of(out.begin(), out.end(), [&](const DeckKey& known) { return known.path == key.path; });
+      const bool listed =
+          std::any_of(out.begin(), out.end(), [&](const DeckKey& known) { return known.path == key.path; });
       if (!listed) out.push_back(std::move(key));
     }
   }

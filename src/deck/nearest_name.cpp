@@ -48,7 +48,8 @@ std::string nearest_name(std::string_view wanted, const std::vector<std::string>
   for (const std::string& name : known) {
     int distance = edit_distance(wanted, name);
     // A third of the letters wrong is still a typing error; more is another word.
-    const int most = std::max<int>(1, static_cast<int>(std::min(wanted.size(), name.size())) / 3);
+    const int shorter = static_cast<int>(std::min(wanted.size(), name.size()));
+    const int most = std::min(std::max(1, shorter / 3), shorter - 1);
     if (distance > most) {
       if (!begins_with(name, wanted) && !begins_with(wanted, name)) continue;
       distance = most + 1;

@@ -22,7 +22,8 @@ std::size_t count_digits(std::string_view text) {
   return n;
 }
 
-// Length of the longest number that the text begins with: digits [. digits] [e [sign] digits], or . digits ...; 0 if none.
+// Length of the longest number that the text begins with: digits [. digits] [e [sign] digits], or . digits ...; 0 if
+// none.
 std::size_t match_number(std::string_view text) {
   const std::string_view body = without_sign(text);
   const std::size_t sign = text.size() - body.size();
@@ -60,8 +61,10 @@ bool is_nan_or_infinity(std::string_view text) {
 std::string mended(std::string_view text, std::string_view from, std::string_view to) {
   std::string copy;
   for (const char c : text) {
-    if (from.find(c) == std::string_view::npos) copy += c;
-    else copy += to;
+    if (from.find(c) == std::string_view::npos)
+      copy += c;
+    else
+      copy += to;
   }
   return match_number(copy) == copy.size() && !copy.empty() ? copy : std::string{};
 }
@@ -73,9 +76,12 @@ std::string advise(std::string_view text, const std::string& what) {
   if (body.size() > 2 && body[0] == '0' && std::string_view("xXoObB").find(body[1]) != std::string_view::npos) {
     return what + " in decimal digits";
   }
-  if (const std::string s = mended(text, ",", "."); !s.empty()) return fmt::format("{}; decimals take a point: {}", what, s);
-  if (const std::string s = mended(text, "_' ", ""); !s.empty()) return fmt::format("{} without separators: {}", what, s);
-  if (const std::string s = mended(text, "dD", "e"); !s.empty()) return fmt::format("{}; powers of ten take e: {}", what, s);
+  if (const std::string s = mended(text, ",", "."); !s.empty())
+    return fmt::format("{}; decimals take a point: {}", what, s);
+  if (const std::string s = mended(text, "_' ", ""); !s.empty())
+    return fmt::format("{} without separators: {}", what, s);
+  if (const std::string s = mended(text, "dD", "e"); !s.empty())
+    return fmt::format("{}; powers of ten take e: {}", what, s);
   const std::size_t n = match_number(text);
   if (n > 0) return fmt::format("{} without a unit or other text: {}", what, text.substr(0, n));
   return what;
@@ -90,7 +96,8 @@ std::variant<double, NumberProblem> read_number(std::string_view text) {
   double value = 0;
   const auto end = unsigned_plus.data() + unsigned_plus.size();
   const auto [stopped, error] = std::from_chars(unsigned_plus.data(), end, value);
-  if (error == std::errc::result_out_of_range) return NumberProblem{"within the range of double precision, 1e-308 to 1e308"};
+  if (error == std::errc::result_out_of_range)
+    return NumberProblem{"within the range of double precision, 1e-308 to 1e308"};
   if (error != std::errc{} || stopped != end || !std::isfinite(value)) return NumberProblem{"a number"};
   return value;
 }
@@ -104,7 +111,8 @@ std::variant<long long, NumberProblem> read_integer(std::string_view text) {
   if (has_leading_zero(text)) return NumberProblem{"an integer without leading zeros, which read as octal elsewhere"};
   const std::string_view unsigned_plus = text[0] == '+' ? text.substr(1) : text;
   long long value = 0;
-  const auto [stopped, error] = std::from_chars(unsigned_plus.data(), unsigned_plus.data() + unsigned_plus.size(), value);
+  const auto [stopped, error] =
+      std::from_chars(unsigned_plus.data(), unsigned_plus.data() + unsigned_plus.size(), value);
   if (error != std::errc{}) return NumberProblem{"an integer below 9e18"};
   return value;
 }

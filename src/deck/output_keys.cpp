@@ -16,7 +16,8 @@ struct FieldsValue {
       if (!reader.expect(item, Node::Kind::scalar, item_name, "the name of a field")) {
         good = false;
       } else if (const auto& known = field_names(); std::find(known.begin(), known.end(), item.text) == known.end()) {
-        reader.error(item.spot, fmt::format("unknown field {} in {}{}", quote(item.text), name, name_hint(item.text, known)));
+        reader.error(item.spot,
+                     fmt::format("unknown field {} in {}{}", quote(item.text), name, name_hint(item.text, known)));
         good = false;
       } else if (std::find(out.begin(), out.end(), item.text) != out.end()) {
         reader.error(item.spot, fmt::format("field '{}' is named twice in {}", item.text, name));
@@ -90,8 +91,8 @@ bool check_history(const Reader& reader, const Node& node, OutputDeck& output) {
       if (output.points[i].name != output.points[j].name) continue;
       const Place place = output.points[i].place;
       reader.error(place.line > 0 ? Spot{place, -1} : node.key,
-                   fmt::format("name '{}' is given twice in {} (columns of history.csv need different names)", output.points[i].name,
-                               reader.self()));
+                   fmt::format("name '{}' is given twice in {} (columns of history.csv need different names)",
+                               output.points[i].name, reader.self()));
       return false;
     }
   }
@@ -112,9 +113,9 @@ MapValue<OutputDeck> output_value() { return {output_keys}; }
 
 const std::vector<std::string>& field_names() {
   static const std::vector<std::string> names = {
-      "displacement", "velocity", "contact_force", "mass",          // of nodes
-      "stress", "pressure", "von_mises", "equivalent_plastic_strain",  // of elements
-      "body", "chunk"};
+      "displacement", "velocity", "contact_force", "mass",                       // of nodes
+      "stress",       "pressure", "von_mises",     "equivalent_plastic_strain",  // of elements
+      "body",         "chunk"};
   return names;
 }
 

@@ -15,8 +15,10 @@ namespace {
 std::vector<std::string> split_path(const std::string& path) {
   std::vector<std::string> keys(1);
   for (const char c : path) {
-    if (c == '.') keys.emplace_back();
-    else keys.back() += c;
+    if (c == '.')
+      keys.emplace_back();
+    else
+      keys.back() += c;
   }
   return keys;
 }
@@ -29,7 +31,8 @@ Node empty_map(Spot spot) {
 }
 
 // The value of a key of a map; made if it is not there. Fails only where making one would hide a misspelt name.
-Node* step_into_map(Node& map, const std::string& key, const std::string& above, bool is_last, Spot spot, DeckErrors& errors) {
+Node* step_into_map(Node& map, const std::string& key, const std::string& above, bool is_last, Spot spot,
+                    DeckErrors& errors) {
   for (Entry& entry : map.entries) {
     if (entry.name == key) return &entry.value;
   }
@@ -68,7 +71,8 @@ Node* walk(Node& root, const std::vector<std::string>& keys, Spot spot, DeckErro
     }
     if (node->kind == Node::Kind::null) node->kind = Node::Kind::map;
     if (node->kind == Node::Kind::scalar) {
-      errors.add(spot, fmt::format("'{}' is {} (a value, not a map that could hold {})", above, describe(*node), quote(keys[i])));
+      errors.add(spot, fmt::format("'{}' is {} (a value, not a map that could hold {})", above, describe(*node),
+                                   quote(keys[i])));
       return nullptr;
     }
     node = node->kind == Node::Kind::map ? step_into_map(*node, keys[i], above, i + 1 == keys.size(), spot, errors)

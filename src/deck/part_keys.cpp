@@ -52,14 +52,15 @@ const Keys<CylinderShape>& cylinder_keys() {
   static const Keys<CylinderShape> keys = {
       need("radius", &CylinderShape::radius, NumberValue{positive}),
       need("length", &CylinderShape::length, NumberValue{positive}),
-      make_key<CylinderShape>("cells", true, CellsValue<2>{{{{"across", least_across}, {"along", 1}}}},
-                              [](const auto& value, const Reader& reader, const std::string& name, const Node& node, CylinderShape& out) {
-                                std::array<int, 2> cells{};
-                                if (!value.read(reader, name, node, cells)) return false;
-                                out.across = cells[0];
-                                out.along = cells[1];
-                                return true;
-                              }),
+      make_key<CylinderShape>(
+          "cells", true, CellsValue<2>{{{{"across", least_across}, {"along", 1}}}},
+          [](const auto& value, const Reader& reader, const std::string& name, const Node& node, CylinderShape& out) {
+            std::array<int, 2> cells{};
+            if (!value.read(reader, name, node, cells)) return false;
+            out.across = cells[0];
+            out.along = cells[1];
+            return true;
+          }),
   };
   return keys;
 }
@@ -76,9 +77,9 @@ const Keys<TubeShape>& tube_keys() {
 
 bool check_tube(const Reader& reader, const Node& node, TubeShape& tube) {
   if (tube.inner_radius < tube.outer_radius) return true;
-  reader.error(node.find("outer_radius")->spot, fmt::format("{} is {}{} (must be larger than inner_radius, {})",
-                                                            reader.name_of("outer_radius"), tube.outer_radius, reader.in(),
-                                                            tube.inner_radius));
+  reader.error(node.find("outer_radius")->spot,
+               fmt::format("{} is {}{} (must be larger than inner_radius, {})", reader.name_of("outer_radius"),
+                           tube.outer_radius, reader.in(), tube.inner_radius));
   return false;
 }
 
@@ -96,8 +97,10 @@ struct FileValue {
     if (!reader.expect(node, Node::Kind::scalar, name, takes())) return false;
     const std::filesystem::path path = std::filesystem::path(reader.reading().folder) / node.text;
     std::error_code unreadable;
-    if (node.text.empty() || !std::filesystem::exists(path, unreadable) || std::filesystem::is_directory(path, unreadable)) {
-      reader.error(node.spot, fmt::format("{} is {}{} (there is no file {})", name, describe(node), reader.in(), path.string()));
+    if (node.text.empty() || !std::filesystem::exists(path, unreadable) ||
+        std::filesystem::is_directory(path, unreadable)) {
+      reader.error(node.spot,
+                   fmt::format("{} is {}{} (there is no file {})", name, describe(node), reader.in(), path.string()));
       return false;
     }
     out = path.string();
@@ -128,8 +131,9 @@ bool check_array(const Reader& reader, const Node& node, ArrayCopies& array) {
   bool good = true;
   for (std::size_t i = 0; i < 3; ++i) {
     if (array.count[i] == 1 || array.pitch[i] != 0) continue;
-    reader.error(node.find("pitch")->items[i].spot, fmt::format("{}.{} is 0{} (the {} copies along {} would coincide)",
-                                                                reader.name_of("pitch"), i, reader.in(), array.count[i], "xyz"[i]));
+    reader.error(node.find("pitch")->items[i].spot,
+                 fmt::format("{}.{} is 0{} (the {} copies along {} would coincide)", reader.name_of("pitch"), i,
+                             reader.in(), array.count[i], "xyz"[i]));
     good = false;
   }
   return good;
@@ -164,14 +168,16 @@ struct MaterialNameValue {
 };
 
 template <class S>
-Key<PartDeck> shape_key(const char* name, const Keys<S>& (*keys)(), bool (*check)(const Reader&, const Node&, S&) = nullptr) {
-  return make_key<PartDeck>(name, false, MapValue<S>{keys, check},
-                            [](const auto& value, const Reader& reader, const std::string& full, const Node& node, PartDeck& part) {
-                              S shape{};
-                              const bool good = value.read(reader, full, node, shape);
-                              part.shape = shape;  // even if bad: its sides have names
-                              return good;
-                            });
+Key<PartDeck> shape_key(const char* name, const Keys<S>& (*keys)(),
+                        bool (*check)(const Reader&, const Node&, S&) = nullptr) {
+  return make_key<PartDeck>(
+      name, false, MapValue<S>{keys, check},
+      [](const auto& value, const Reader& reader, const std::string& full, const Node& node, PartDeck& part) {
+        S shape{};
+        const bool good = value.read(reader, full, node, shape);
+        part.shape = shape;  // even if bad: its sides have names
+        return good;
+      });
 }
 
 const Keys<PartDeck>& shape_keys() {
@@ -185,7 +191,8 @@ const Keys<PartDeck>& shape_keys() {
   return keys;
 }
 
-bool read_axis(const DirectionValue& value, const Reader& reader, const std::string& name, const Node& node, PartDeck& part) {
+bool read_axis(const DirectionValue& value, const Reader& reader, const std::string& name, const Node& node,
+               PartDeck& part) {
   Vec3 direction{};
   if (!value.read(reader, name, node, direction)) return false;
   if (const auto turn = turn_z_onto(direction)) part.rotate.insert(part.rotate.begin(), *turn);
@@ -212,7 +219,8 @@ bool check_one_shape(const Reader& reader, const Node& node) {
     if (node.find(key.name) != nullptr) given.push_back(key.name);
   }
   if (given.size() == 1) return true;
-  const std::string what = given.empty() ? "no shape" : fmt::format("{} shapes, {}", given.size(), fmt::join(given, " and "));
+  const std::string what =
+      given.empty() ? "no shape" : fmt::format("{} shapes, {}", given.size(), fmt::join(given, " and "));
   const Spot spot = given.empty() ? node.key : node.find(given[1])->key;
   reader.error(spot, fmt::format("{} has {} (must be one of {})", reader.self(), what, fmt::join(known, ", ")));
   return false;
@@ -229,8 +237,9 @@ bool PartValue::read_inside(const Reader& reader, const Node& node, PartDeck& ou
   if (!good) return false;
   const MeshSize size = count_cells(out);
   if (size.elements <= largest_mesh && size.nodes <= largest_mesh) return true;
-  reader.error(node.key, fmt::format("{} has {:.4g} elements and {:.4g} nodes (a mesh can have {:.0f} of each) make it coarser",
-                                     reader.self(), size.elements, size.nodes, largest_mesh));
+  reader.error(node.key,
+               fmt::format("{} has {:.4g} elements and {:.4g} nodes (a mesh can have {:.0f} of each) make it coarser",
+                           reader.self(), size.elements, size.nodes, largest_mesh));
   return false;
 }
 
@@ -238,7 +247,9 @@ void PartValue::list(const std::string& path, std::vector<DeckKey>& out) const {
 
 std::vector<std::string> side_names(const Shape& shape) {
   struct Names {
-    std::vector<std::string> operator()(const BoxShape&) const { return {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"}; }
+    std::vector<std::string> operator()(const BoxShape&) const {
+      return {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
+    }
     std::vector<std::string> operator()(const CylinderShape&) const { return {"start", "end", "side"}; }
     std::vector<std::string> operator()(const TubeShape&) const { return {"start", "end", "inner", "outer"}; }
     std::vector<std::string> operator()(const SphereShape&) const { return {"surface"}; }

@@ -22,7 +22,8 @@ Node parse_tree(std::string text, const std::vector<std::string>& overrides, Dec
   }
   if (root->kind == Node::Kind::null) root->kind = Node::Kind::map;
   if (root->kind != Node::Kind::map) {
-    errors.add(root->spot, fmt::format("the deck is {} (must be a map of keys such as time, parts and materials)", describe(*root)));
+    errors.add(root->spot, fmt::format("the deck is {} (must be a map of keys such as time, parts and materials)",
+                                       describe(*root)));
     errors.throw_if_any();
   }
   root->spot = root->key = {{1, 1}, -1};  // where a missing section is told
@@ -35,7 +36,8 @@ Node parse_tree(std::string text, const std::vector<std::string>& overrides, Dec
 Deck parse_deck(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {
   std::vector<std::string> paths;
   for (const std::string& argument : overrides) paths.push_back(override_path(argument));
-  Reading reading{DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string(), {}, {}, {}, {}};
+  Reading reading{
+      DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string(), {}, {}, {}, {}};
   const Node root = parse_tree(text, overrides, reading.errors);
   Deck deck;
   deck.file = file;

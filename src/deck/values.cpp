@@ -13,10 +13,10 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // The text of a plain scalar; refuses everything else as not being `rule`.
-const std::string* plain_text(const Reader& reader, const std::string& name, const Node& node, const std::string& rule) {
+const std::string* plain_text(const Reader& reader, const std::string& name, const Node& node,
+                              const std::string& rule) {
   if (node.kind == Node::Kind::scalar && !node.quoted) return &node.text;
-  const bool quoted_number =
-      node.kind == Node::Kind::scalar && std::holds_alternative<double>(read_number(node.text));
+  const bool quoted_number = node.kind == Node::Kind::scalar && std::holds_alternative<double>(read_number(node.text));
   reader.refuse(node, name, quoted_number ? rule + "; remove the quotes" : rule);
   return nullptr;
 }

@@ -3,7 +3,8 @@
 //   bool read(reader, name, node, out) const   false after telling what is wrong; out is then unchanged
 //   std::string takes() const                  what the value is, for messages and docs/deck.md
 //   void list(path, keys) const                of maps: the keys in it
-// `name` is what messages call the value ("time.end", "initial.0.velocity"). A reader is named in one place for each key: the tables in *_keys.cpp.
+// `name` is what messages call the value ("time.end", "initial.0.velocity"). A reader is named in one place for each
+// key: the tables in *_keys.cpp.
 
 #include <fmt/format.h>
 
@@ -20,7 +21,9 @@
 namespace percuss {
 
 template <class Value>
-concept ListsKeys = requires(const Value value, std::vector<DeckKey> keys) { value.list("path", keys); };
+concept ListsKeys = requires(const Value value, std::vector<DeckKey> keys) {
+  value.list("path", keys);
+};
 
 /// Which numbers a key takes; `text` completes "must be".
 struct Range {
@@ -108,7 +111,8 @@ struct TupleValue {
     }
     std::array<T, N> values{};
     bool good = true;
-    for (std::size_t i = 0; i < N; ++i) good = item.read(reader, fmt::format("{}.{}", name, i), node.items[i], values[i]) && good;
+    for (std::size_t i = 0; i < N; ++i)
+      good = item.read(reader, fmt::format("{}.{}", name, i), node.items[i], values[i]) && good;
     if (good) out = values;
     return good;
   }
@@ -136,9 +140,7 @@ struct ListValue {
     return good;
   }
 
-  void list(const std::string& path, std::vector<DeckKey>& out) const
-    requires ListsKeys<Item>
-  {
+  void list(const std::string& path, std::vector<DeckKey>& out) const requires ListsKeys<Item> {
     item.list(path + ".N", out);
   }
 

@@ -29,7 +29,9 @@ class TreeBuilder final : public YAML::EventHandler {
 
   Node take_root() { return std::move(root_); }
 
-  Spot spot(const YAML::Mark& mark) { return {override_ >= 0 ? Place{} : places_.place(mark.line, mark.column), override_}; }
+  Spot spot(const YAML::Mark& mark) {
+    return {override_ >= 0 ? Place{} : places_.place(mark.line, mark.column), override_};
+  }
 
   /// The innermost list or map in brackets that is still open.
   const Node* innermost() const { return open_.empty() ? nullptr : &open_.back().node; }
@@ -50,19 +52,27 @@ class TreeBuilder final : public YAML::EventHandler {
     add(std::move(node));
   }
 
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
     Node node = make(Node::Kind::scalar, mark, tag, anchor);
     node.text = value;
     node.quoted = tag == "!";
+    // At the end of the text yaml-cpp takes a quoted scalar for complete.
+    if (node.quoted && !places_.is_quote_closed(mark.line, mark.column)) {
+      errors_.add(node.spot, "not valid YAML (a quote is not closed)");
+      throw GiveUp{};
+    }
     add(std::move(node));
   }
 
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
     open(make(Node::Kind::list, mark, tag, anchor));
   }
   void OnSequenceEnd() override { close(); }
 
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YAML::EmitterStyle::value) override {
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
     open(make(Node::Kind::map, mark, tag, anchor));
   }
   void OnMapEnd() override { close(); }
@@ -85,7 +95,8 @@ class TreeBuilder final : public YAML::EventHandler {
     Node node;
     node.kind = kind;
     node.spot = node.key = spot(mark);
-    if (anchor != 0) errors_.add(node.spot, "anchors are not supported (there are no aliases) remove the '&' and its name");
+    if (anchor != 0)
+      errors_.add(node.spot, "anchors are not supported (there are no aliases) remove the '&' and its name");
     if (!tag.empty() && tag != "?" && tag != "!") {
       errors_.add(node.spot, "tags are not supported (the keys give the types) remove the '!' and its name");
     }
@@ -156,15 +167,18 @@ std::string explain(const std::string& reason, const TreeBuilder& builder) {
   const Node* node = builder.innermost();
   const auto unclosed = [&](const char* bracket) {
     if (node == nullptr || node->spot.place.line == 0) return fmt::format("a '{}' is not closed", bracket);
-    return fmt::format("the '{}' of line {}, column {} is not closed", bracket, node->spot.place.line, node->spot.place.column);
+    return fmt::format("the '{}' of line {}, column {} is not closed", bracket, node->spot.place.line,
+                       node->spot.place.column);
   };
   if (reason == "end of sequence flow not found") return unclosed("[") + " or a comma is missing";
   if (reason == "end of map flow not found") return unclosed("{") + " or a comma is missing";
-  if (reason == "illegal flow end") return "a ']' or '}' closes nothing";
+  if (reason == "illegal flow end") return "this bracket closes nothing, or one opened before it is still open";
   if (reason == "illegal EOF in scalar") return "a quote is not closed";
   if (reason == "unknown token") return "a value cannot begin with this character; put it in quotes";
-  if (reason == "illegal map value") return "a ':' does not belong here; check the line above it, its indentation and tabs";
-  if (reason == "the referenced anchor is not defined") return "aliases are not supported; to begin a text with '*', put it in quotes";
+  if (reason == "illegal map value")
+    return "a ':' does not belong here; check the line above it, its indentation and tabs";
+  if (reason == "the referenced anchor is not defined")
+    return "aliases are not supported; to begin a text with '*', put it in quotes";
   return reason;
 }
 

@@ -42,10 +42,14 @@ const Node* Node::find(const std::string& name) const {
 std::string describe(const Node& node) {
   constexpr std::size_t most_shown = 4;
   switch (node.kind) {
-    case Node::Kind::null: return "empty";
-    case Node::Kind::scalar: return describe_scalar(node);
-    case Node::Kind::map: return "a map";
-    case Node::Kind::list: break;
+    case Node::Kind::null:
+      return "empty";
+    case Node::Kind::scalar:
+      return describe_scalar(node);
+    case Node::Kind::map:
+      return "a map";
+    case Node::Kind::list:
+      break;
   }
   std::string text;
   for (const Node& item : node.items) {

@@ -35,9 +35,9 @@ struct Entry {
 };
 
 /// Parses one YAML document. Adds errors for what is not YAML, for duplicate keys, keys that are no plain words,
-/// anchors, aliases, tags, a second document, nesting deeper than 32 and more values than a deck can have. Returns nothing
-/// if the rest of the text could not be understood. `override` is the number of the --set argument that the text came
-/// from, or -1.
+/// anchors, aliases, tags, a second document, nesting deeper than 32 and more values than a deck can have. Returns
+/// nothing if the rest of the text could not be understood. `override` is the number of the --set argument that the
+/// text came from, or -1.
 std::optional<Node> parse_yaml(const std::string& text, DeckErrors& errors, int override = -1);
 
 /// A text in single quotes on one line, shortened if it is long.

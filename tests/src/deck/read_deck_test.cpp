@@ -111,7 +111,8 @@ TEST(ReadDeck, ReadsEveryShape) {
 TEST(ReadDeck, PutsTheTurnOfTheAxisBeforeTheOtherTurns) {
   const Deck deck = parse(
       "time: {end: 1}\nmaterials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}\n"
-      "parts: {c: {rotate: [{axis: [0, 3, 4], angle: 30, center: [1, 2, 3]}], axis: [0, 0, -2], cylinder: {radius: 1, length: 1, "
+      "parts: {c: {rotate: [{axis: [0, 3, 4], angle: 30, center: [1, 2, 3]}], axis: [0, 0, -2], cylinder: {radius: 1, "
+      "length: 1, "
       "cells: [4, 1]}, material: m}}\n");
   ASSERT_EQ(deck.parts[0].rotate.size(), 2U);
   EXPECT_EQ(deck.parts[0].rotate[0].degrees, 180);
@@ -132,15 +133,17 @@ TEST(ReadDeck, TurnsTheLocalAxisOntoAnyDirection) {
 }
 
 TEST(ReadDeck, ReadsLoadsConditionsAndWalls) {
-  const Deck deck = parse(block(
-      "loads: {gravity: [0, 0, -9.81], pressure: [{faces: a/x_min, value: {table: [[0, 0], [1, 5]]}}]}\n"
-      "initial: [{velocity: [1, 2, 3]}, {nodes: {inside: [[0, 0, 0], [1, 1, 0.5]]}, angular_velocity: [0, 0, 7], center: [0, 0, 0]}]\n"
-      "conditions:\n"
-      "  - {nodes: a/z_min, fixed: [x, z]}\n"
-      "  - {nodes: a/x_min, symmetry: x}\n"
-      "  - {nodes: {name: a, inside: [[0, 0, 0], [1, 1, 0]]}, velocity: {y: 3, z: {expression: \"2 * t\"}}}\n"
-      "  - {nodes: all, displacement: {x: 0}}\n"
-      "walls: [{point: [0, 0, -1], normal: [0, 0, 5], friction: 0.4, nodes: [a, a/x_max]}, {normal: -x, nodes: all}]\n"));
+  const Deck deck = parse(
+      block("loads: {gravity: [0, 0, -9.81], pressure: [{faces: a/x_min, value: {table: [[0, 0], [1, 5]]}}]}\n"
+            "initial: [{velocity: [1, 2, 3]}, {nodes: {inside: [[0, 0, 0], [1, 1, 0.5]]}, angular_velocity: [0, 0, 7], "
+            "center: [0, 0, 0]}]\n"
+            "conditions:\n"
+            "  - {nodes: a/z_min, fixed: [x, z]}\n"
+            "  - {nodes: a/x_min, symmetry: x}\n"
+            "  - {nodes: {name: a, inside: [[0, 0, 0], [1, 1, 0]]}, velocity: {y: 3, z: {expression: \"2 * t\"}}}\n"
+            "  - {nodes: all, displacement: {x: 0}}\n"
+            "walls: [{point: [0, 0, -1], normal: [0, 0, 5], friction: 0.4, nodes: [a, a/x_max]}, {normal: -x, nodes: "
+            "all}]\n"));
   EXPECT_EQ(deck.gravity, (Vec3{0, 0, -9.81}));
   EXPECT_EQ(deck.pressures.at(0).where.name, "a/x_min");
   EXPECT_DOUBLE_EQ(deck.pressures.at(0).value(0.5), 2.5);
@@ -162,7 +165,9 @@ TEST(ReadDeck, ReadsLoadsConditionsAndWalls) {
 }
 
 TEST(ReadDeck, ReadsPairsOfSurfacesInBothForms) {
-  const Deck deck = parse(block("contact: {surfaces: [[a/x_min, a/x_max], {a: a, b: a, friction: 0.5}], overlap: push_out, reuse_search: false}"));
+  const Deck deck =
+      parse(block("contact: {surfaces: [[a/x_min, a/x_max], {a: a, b: a, friction: 0.5}], overlap: push_out, "
+                  "reuse_search: false}"));
   EXPECT_EQ(deck.contact.surfaces, ContactDeck::Surfaces::pairs);
   EXPECT_EQ(deck.contact.pairs.at(0).b.name, "a/x_max");
   EXPECT_FALSE(deck.contact.pairs.at(0).friction);
@@ -172,7 +177,9 @@ TEST(ReadDeck, ReadsPairsOfSurfacesInBothForms) {
 }
 
 TEST(ReadDeck, ReadsHistoryPoints) {
-  const Deck deck = parse(block("output: {history: {every: 0.1, nodes: [{name: tip, near: [1, 1, 1], part: a}], elements: [{name: mid, id: 4}]}}"));
+  const Deck deck =
+      parse(block("output: {history: {every: 0.1, nodes: [{name: tip, near: [1, 1, 1], part: a}], elements: [{name: "
+                  "mid, id: 4}]}}"));
   ASSERT_EQ(deck.output.points.size(), 2U);
   EXPECT_EQ(deck.output.points[0].name, "tip");
   EXPECT_EQ(deck.output.points[0].part, "a");
@@ -182,8 +189,10 @@ TEST(ReadDeck, ReadsHistoryPoints) {
 }
 
 TEST(ReadDeck, WarnsOfAMaterialThatNoPartUses) {
-  const Deck deck = parse(block(""), {"materials.spare={model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}"});
-  EXPECT_THAT(deck.warnings, testing::ElementsAre("--set materials.spare: warning: material 'spare' is used by no part"));
+  const Deck deck =
+      parse(block(""), {"materials.spare={model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}"});
+  EXPECT_THAT(deck.warnings,
+              testing::ElementsAre("--set materials.spare: warning: material 'spare' is used by no part"));
 }
 
 TEST(ReadDeck, AcceptsAByteOrderMarkWindowsLineEndsAndADocumentStart) {

@@ -1,0 +1,128 @@
+// Decks whose keys are missing, unknown or at odds with each other.
+
+#include "tests/src/deck/wrong_decks.hpp"
+
+namespace percuss {
+namespace {
+
+std::vector<WrongDeck> missing_keys() {
+  return {
+      {"NoTime", change("time: {end: 1.0, step_scale: 0.9}", "title: x"), "1:1", "time is missing (required: a map)"},
+      {"NoEnd", change("end: 1.0, ", ""), "1:1", "time.end is missing (required: a number, positive)"},
+      {"NoParts", "time: {end: 1}\nmaterials: {}\n", "1:1", "parts is missing", 2},
+      {"EmptyParts",
+       "time: {end: 1}\nparts: {}\nmaterials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: "
+       "0}}\n",
+       "2:1", "parts is empty (there must be at least one)"},
+      {"PartsWithoutValue",
+       "time: {end: 1}\nparts:\nmaterials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}\n",
+       "2:1", "parts is empty"},
+      {"NoMaterials", "time: {end: 1}\nparts: {rod: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: steel}}\n",
+       "1:1", "materials is missing"},
+      {"PartWithoutMaterial", change(", material: steel", ""), "3:3", "material is missing in part 'rod'"},
+      {"PartWithoutShape", change("box: {size: [1, 1, 1], cells: [2, 2, 2]}, ", ""), "3:3",
+       "part 'rod' has no shape (must be one of box, cylinder, tube, sphere, exodus)"},
+      {"PartWithTwoShapes", change("material: steel}", "material: steel, sphere: {radius: 1, cells: 4}}"), "3:68",
+       "part 'rod' has 2 shapes, box and sphere"},
+      {"PartIsAWord", change("{box: {size: [1, 1, 1], cells: [2, 2, 2]}, material: steel}", "steel"), "3:8",
+       "part 'rod' is 'steel' (must be a map)"},
+      {"BoxWithoutCells", change(", cells: [2, 2, 2]", ""), "3:9", "box.cells is missing in part 'rod'"},
+      {"MaterialWithoutModel", change("model: elastic, ", ""), "5:3",
+       "model is missing in material 'steel' (required: elastic | j2_plasticity)"},
+      {"MaterialWithoutDensity", change("density: 7850, ", ""), "5:3", "density is missing in material 'steel'"},
+      {"PlasticityWithoutYield", change("model: elastic", "model: j2_plasticity"), "5:3",
+       "yield_stress is missing in material 'steel'"},
+      {"InitialWithoutVelocity", append("initial: [{part: rod}]"), "6:11", "'initial.0' has no velocity"},
+      {"ConditionWithoutKind", append("conditions: [{nodes: rod}]"), "6:14",
+       "'conditions.0' does nothing (must have exactly one of fixed, symmetry, velocity, displacement)"},
+      {"ConditionWithoutNodes", append("conditions: [{fixed: x}]"), "6:14", "conditions.0.nodes is missing"},
+      {"PressureWithoutFaces", append("loads: {pressure: [{value: 1}]}"), "6:20", "loads.pressure.0.faces is missing"},
+      {"FieldsWithoutEvery", append("output: {fields: {write: [stress]}}"), "6:10", "output.fields.every is missing"},
+      {"PointWithoutPlace", append("output: {history: {nodes: [{name: tip}]}}"), "6:28", "neither near nor id"},
+      {"PointWithoutName", append("output: {history: {nodes: [{id: 3}]}}"), "6:28",
+       "output.history.nodes.0.name is missing"},
+      {"NoSuchMeshFile", change("box: {size: [1, 1, 1], cells: [2, 2, 2]}", "exodus: {file: no_such_mesh.e}"), "3:24",
+       "exodus.file is 'no_such_mesh.e' in part 'rod' (there is no file"},
+  };
+}
+
+std::vector<WrongDeck> unknown_names() {
+  return {
+      {"SectionMisspelt", append("contacts: {surfaces: all}"), "6:1",
+       "unknown key 'contacts' (did you mean 'contact'?)"},
+      {"KeyMisspelt", change("step_scale", "stepscale"), "1:18",
+       "unknown key 'stepscale' in 'time' (did you mean 'step_scale'?)"},
+      {"SwappedLetters", change("density", "denisty"), "5:27",
+       "unknown key 'denisty' in material 'steel' (did you mean 'density'?)", 2},
+      {"KeyInCapitals", change("end", "END"), "1:8", "did you mean 'end'?", 2},
+      {"KeyOfNothing", append("elements: {colour: red}"), "6:12",
+       "unknown key 'colour' in 'elements' (known: hourglass, bulk_viscosity)"},
+      {"KeyOfOtherModel", change("poissons_ratio: 0.3", "poissons_ratio: 0.3, yield_stress: 1e8"), "5:86",
+       "a key of model j2_plasticity, not of elastic"},
+      {"ShapeMisspelt", change("box:", "bx:"), "3:9", "unknown key 'bx' in part 'rod' (did you mean 'box'?)", 2},
+      {"UnknownModel", change("elastic", "elstic"), "5:18",
+       "model is 'elstic' in material 'steel' (must be elastic | j2_plasticity; did you mean 'elastic'?)"},
+      {"UnknownMaterial", change("material: steel", "material: stel"), "3:61",
+       "unknown material 'stel' in part 'rod' (did you mean 'steel'?)"},
+      {"UnknownPart", append("initial: [{part: rot, velocity: [1, 0, 0]}]"), "6:18",
+       "unknown part 'rot' (did you mean 'rod'?)"},
+      {"UnknownSide", append("conditions: [{nodes: rod/xmin, fixed: x}]"), "6:22",
+       "part 'rod' has no side 'xmin' (did you mean 'x_min'?)"},
+      {"UnknownSideListed", append("conditions: [{nodes: rod/left, fixed: x}]"), "6:22",
+       "known: x_min, x_max, y_min, y_max, z_min, z_max"},
+      {"EmptySide", append("conditions: [{nodes: rod/, fixed: x}]"), "6:22", "part 'rod' has no side ''"},
+      {"UnknownContactSurface", append("contact: {surfaces: [[rod, wall]]}"), "6:28", "unknown part 'wall'"},
+      {"UnknownField", append("output: {fields: {every: 1, write: [velocty]}}"), "6:37",
+       "unknown field 'velocty' in output.fields.write (did you mean 'velocity'?)"},
+      {"FieldTwice", append("output: {fields: {every: 1, write: [mass, mass]}}"), "6:43",
+       "field 'mass' is named twice"},
+      {"UnknownHourglass", append("elements: {hourglass: {kind: stifness}}"), "6:30", "did you mean 'stiffness'?"},
+      {"UnknownOverlap", append("contact: {overlap: ignore}"), "6:20",
+       "contact.overlap is 'ignore' (must be accept | push_out)"},
+      {"UnknownSurfaces", append("contact: {surfaces: al}"), "6:21", "contact.surfaces is 'al' (must be all | none"},
+      {"UnknownAxis", change("material: steel", "axis: w, material: steel"), "3:57",
+       "axis is 'w' in part 'rod' (must be x | y | z"},
+      {"UnknownFixedAxis", append("conditions: [{nodes: rod, fixed: [x, q]}]"), "6:38",
+       "conditions.0.fixed.1 is 'q' (must be x | y | z)"},
+      {"AxisTwice", append("conditions: [{nodes: rod, fixed: [x, x]}]"), "6:38", "each axis once"},
+  };
+}
+
+std::vector<WrongDeck> at_odds() {
+  return {
+      {"PartNamedAll", change("rod:", "all:"), "3:3", "part name 'all' cannot be used"},
+      {"PartNameWithSlash", change("rod:", "rod/a:"), "3:3", "part name 'rod/a' cannot be used"},
+      {"ConditionOfTwoKinds", append("conditions: [{nodes: rod, fixed: x, symmetry: y}]"), "6:14",
+       "'conditions.0' has fixed and symmetry"},
+      {"MotionWithoutAxis", append("conditions: [{nodes: rod, velocity: {}}]"), "6:37",
+       "conditions.0.velocity is a map (must be a map from axes x, y, z to curves)"},
+      {"MotionOfUnknownAxis", append("conditions: [{nodes: rod, velocity: {w: 1}}]"), "6:38",
+       "unknown key 'w' in 'conditions.0.velocity'"},
+      {"PartAndNodes", append("initial: [{part: rod, nodes: rod, velocity: [1, 0, 0]}]"), "6:23",
+       "both part and nodes"},
+      {"CenterWithoutSpin", append("initial: [{velocity: [1, 0, 0], center: [0, 0, 0]}]"), "6:33",
+       "there is no angular_velocity"},
+      {"NearAndId", append("output: {history: {nodes: [{name: a, id: 1, near: [0, 0, 0]}]}}"), "6:28",
+       "both near and id"},
+      {"PointNamedTwice", append("output: {history: {nodes: [{name: a, id: 1}], elements: [{name: a, id: 2}]}}"),
+       "6:58", "name 'a' is given twice"},
+      {"NoPairs", append("contact: {surfaces: []}"), "6:21", "at least one pair"},
+      {"PairOfThree", append("contact: {surfaces: [[rod, rod, rod]]}"), "6:22", "must be a pair [a, b]"},
+      {"PairWithoutB", append("contact: {surfaces: [{a: rod}]}"), "6:22", "contact.surfaces.0.b is missing"},
+      {"SectionIsAList", append("contact: [all]"), "6:10", "contact is ['all'] (must be a map)"},
+      {"ListIsAMap", append("initial: {part: rod, velocity: [1, 0, 0]}"), "6:10",
+       "initial is a map (must be a list, each a map)"},
+      {"AllAtOnce", change("7850", "-1") + "contacts: {}\ninitial: [{part: rot, velocity: [1, 0, x]}]\n", "6:1",
+       "unknown key 'contacts'", 4},
+  };
+}
+
+}  // namespace
+
+std::vector<WrongDeck> wrong_section_decks() {
+  std::vector<WrongDeck> all = missing_keys();
+  for (const auto& part : {unknown_names(), at_odds()}) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+}  // namespace percuss
