@@ -1,0 +1,1 @@
+"""Pictures of a percuss run: what scripts/render is made of."""

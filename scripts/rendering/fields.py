@@ -1,0 +1,86 @@
+"""Reads fields.vtkhdf: the mesh once, then frame after frame."""
+
+import os
+
+import h5py
+import numpy as np
+
+# Corners of the faces of a hexahedron, outward by the right-hand rule; the order of docs/output.md.
+HEX_FACES = np.array([[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [0, 4, 7, 3], [0, 3, 2, 1], [4, 5, 6, 7]])
+
+
+class NotAFieldsFile(Exception):
+    """The file is missing, damaged or of another program; str() is a message for the user."""
+
+
+class FieldsFile:
+    """One fields.vtkhdf. Attributes: times [s], title, units, part_names, hexahedra [elements][8], part [elements]."""
+
+    def __init__(self, folder):
+        self.path = os.path.join(folder, "fields.vtkhdf") if os.path.isdir(folder) else folder
+        try:
+            # A run that goes on may be looked at: percuss takes no lock, and none is needed here.
+            os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
+            self.file = h5py.File(self.path, "r")
+            self._read_mesh()
+        except (OSError, KeyError, ValueError) as error:
+            raise NotAFieldsFile(f"{self.path}: error: this is no fields file of percuss ({error})") from error
+        if not len(self.times):
+            raise NotAFieldsFile(f"{self.path}: error: there is no frame in it (the run ended before its first output)")
+
+    def _read_mesh(self):
+        root, own = self.file["VTKHDF"], self.file["percuss"]
+        self.root = root
+        count = int(root["Steps"].attrs["NSteps"])
+        self.times = root["Steps/Values"][:count]
+        self.nodes = int(root["NumberOfPoints"][0])
+        self.elements = int(root["NumberOfCells"][0])
+        self.hexahedra = root["Connectivity"][:].reshape(-1, 8)
+        self.part = root["CellData/part"][:]
+        self.part_names = [name.decode("utf-8", "replace") for name in own["part_names"][:]]
+        self.title = _text(own.attrs["title"])
+        self.units = _text(own.attrs["units"])
+
+    def names(self):
+        """Names of the fields that a surface can be coloured by, with the place (node or element) of each."""
+        steps = self.root["Steps"]
+        fixed = {"node_id", "element_id"}
+        found = {name: "node" for name in steps["PointDataOffsets"] if name not in fixed}
+        found.update({name: "element" for name in steps["CellDataOffsets"] if name not in fixed})
+        return found
+
+    def positions(self, frame):
+        first = int(self.root["Steps/PointOffsets"][frame])
+        return self.root["Points"][first : first + self.nodes]
+
+    def values(self, name, frame):
+        """A field as one number an item: the magnitude of a vector, von Mises' value of a stress."""
+        place = self.names()[name]
+        group, items = ("PointData", self.nodes) if place == "node" else ("CellData", self.elements)
+        first = int(self.root[f"Steps/{group}Offsets/{name}"][frame])
+        return to_scalar(self.root[f"{group}/{name}"][first : first + items])
+
+
+def _text(value):
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+
+
+def to_scalar(values):
+    """values: [n], [n][3] or [n][6] (xx, yy, zz, xy, yz, zx)."""
+    values = np.asarray(values, dtype=float)
+    if values.ndim == 1:
+        return values
+    if values.shape[1] == 3:
+        return np.linalg.norm(values, axis=1)
+    xx, yy, zz, xy, yz, zx = values.T
+    return np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * (xy**2 + yz**2 + zx**2))
+
+
+def exterior_faces(hexahedra, kept):
+    """Faces that belong to one of the kept elements only: their corners [faces][4] and their elements [faces]."""
+    elements = np.flatnonzero(kept)
+    corners = hexahedra[elements][:, HEX_FACES].reshape(-1, 4)
+    owners = np.repeat(elements, 6)
+    _, first, count = np.unique(np.sort(corners, axis=1), axis=0, return_index=True, return_counts=True)
+    single = np.sort(first[count == 1])
+    return corners[single], owners[single]

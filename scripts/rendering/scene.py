@@ -1,0 +1,182 @@
+"""One picture: the surface of a frame, lit and shaded, with colour bar, title and time."""
+
+import os
+
+import numpy as np
+import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws the text)
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (draws the rest)
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTextActor,
+    vtkWindowToImageFilter,
+)
+
+from .camera import VIEW_ANGLE
+from .colors import rgb
+
+FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+VTK_FONT_FILE = 4  # a constant of VTK that its Python modules do not name
+INK = rgb("#2b2f36")
+SMOOTH_BELOW = 35.0  # degrees between faces: round bodies look round, edges of blocks stay sharp
+
+
+class Surface:
+    """The exterior faces of the mesh as polygons whose points move from frame to frame."""
+
+    def __init__(self, faces):
+        self.nodes, corners = np.unique(faces, return_inverse=True)
+        cells = vtkCellArray()
+        offsets = np.arange(0, 4 * len(faces) + 1, 4, dtype=np.int64)
+        cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=1),
+                      numpy_to_vtkIdTypeArray(corners.reshape(-1).astype(np.int64), deep=1))
+        self.points = vtkPoints()
+        self.mesh = vtkPolyData()
+        self.mesh.SetPoints(self.points)
+        self.mesh.SetPolys(cells)
+
+    def move(self, positions):
+        self.points.SetData(numpy_to_vtk(np.ascontiguousarray(positions[self.nodes]), deep=1))
+        self.mesh.Modified()
+
+    def color(self, place, values):
+        """values: one number a node of `nodes` or a face."""
+        data = self.mesh.GetPointData() if place == "node" else self.mesh.GetCellData()
+        data.SetScalars(numpy_to_vtk(np.ascontiguousarray(values, dtype=float), deep=1))
+
+
+class Scene:
+    def __init__(self, surface, lut, size, supersampling, edges):
+        self.width, self.height = size
+        self.scale = supersampling
+        self.renderer = vtkRenderer()
+        self.renderer.SetBackground(1, 1, 1)
+        self.window = vtkRenderWindow()
+        self.window.SetOffScreenRendering(1)
+        self.window.SetMultiSamples(0)  # pictures are drawn larger and reduced, which smooths text and shading as well
+        self.window.SetSize(self.width * self.scale, self.height * self.scale)
+        self.window.AddRenderer(self.renderer)
+        self._add_surface(surface, lut, edges)
+        self._add_lights()
+
+    def _add_surface(self, surface, lut, edges):
+        normals = vtkPolyDataNormals()
+        normals.SetInputData(surface.mesh)
+        normals.SetFeatureAngle(SMOOTH_BELOW)
+        normals.ConsistencyOff()
+        self.mapper = vtkPolyDataMapper()
+        self.mapper.SetInputConnection(normals.GetOutputPort())
+        self.mapper.SetLookupTable(lut)
+        self.mapper.UseLookupTableScalarRangeOn()
+        self.mapper.InterpolateScalarsBeforeMappingOn()
+        actor = vtkActor()
+        actor.SetMapper(self.mapper)
+        look = actor.GetProperty()
+        look.SetInterpolationToPhong()
+        look.SetAmbient(0.30)
+        look.SetDiffuse(0.82)
+        look.SetSpecular(0.08)
+        look.SetSpecularPower(20)
+        if edges:
+            look.EdgeVisibilityOn()
+            look.SetEdgeColor(*rgb("#4a4f57"))
+            look.SetLineWidth(0.35 * self.scale)
+        self.renderer.AddActor(actor)
+
+    def _add_lights(self):
+        """Daylight: much from everywhere (ambient), a warm key light from above the camera's left, a cool fill from its right."""
+        self.renderer.AutomaticLightCreationOff()
+        for place, color, strength in (((-0.5, 0.95, 0.75), "#fff4e4", 0.50), ((0.9, 0.15, 0.75), "#eef3ff", 0.54),
+                                       ((0.0, 0.0, 1.0), "#ffffff", 0.20)):
+            light = vtkLight()
+            light.SetLightTypeToCameraLight()
+            light.SetPosition(*place)
+            light.SetFocalPoint(0, 0, 0)
+            light.SetColor(*rgb(color))
+            light.SetIntensity(strength)
+            self.renderer.AddLight(light)
+
+    def shade(self, size_of_scene, cell_size):
+        """Dims hollows and contacts, as scattered daylight does. Lengths in the units of the mesh."""
+        self.renderer.UseSSAOOn()
+        self.renderer.SetSSAORadius(max(0.06 * size_of_scene, 2 * cell_size))
+        self.renderer.SetSSAOBias(0.12 * cell_size)
+        self.renderer.SetSSAOKernelSize(32)
+        self.renderer.SSAOBlurOn()
+
+    def look(self, position, target, up, sample):
+        camera = self.renderer.GetActiveCamera()
+        camera.SetViewAngle(VIEW_ANGLE)
+        camera.SetPosition(*position)
+        camera.SetFocalPoint(*target)
+        camera.SetViewUp(*up)
+        depth = (sample - position) @ ((target - position) / np.linalg.norm(target - position))
+        near = max(depth.min() * 0.8, 1e-3 * depth.max())
+        camera.SetClippingRange(near, depth.max() * 1.2)
+
+    def add_color_bar(self, lut, title):
+        bar = vtkScalarBarActor()
+        bar.SetLookupTable(lut)
+        bar.SetTitle(title)
+        bar.SetNumberOfLabels(5)
+        bar.SetLabelFormat("%.4g")
+        bar.UnconstrainedFontSizeOn()
+        bar.SetVerticalTitleSeparation(round(0.014 * self.height * self.scale))
+        bar.SetBarRatio(0.22)
+        bar.SetTextPad(round(0.008 * self.height * self.scale))
+        for text, points in ((bar.GetTitleTextProperty(), 0.026), (bar.GetLabelTextProperty(), 0.023)):
+            self._set_font(text, points)
+        bar.SetPosition(0.885, 0.27)
+        bar.SetPosition2(0.1, 0.5)
+        self.renderer.AddActor2D(bar)
+
+    def add_text(self, text, x, y, points, right=False, color=INK, bold=False):
+        actor = vtkTextActor()
+        actor.SetInput(text)
+        self._set_font(actor.GetTextProperty(), points)
+        actor.GetTextProperty().SetColor(*color)
+        actor.GetTextProperty().SetBold(bold)
+        if right:
+            actor.GetTextProperty().SetJustificationToRight()
+        actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+        actor.SetPosition(x, y)
+        self.renderer.AddActor2D(actor)
+        return actor
+
+    def add_legend_entry(self, row, color, name):
+        y = 0.7 - 0.05 * row
+        patch = self.add_text("ii", 0.875, y, 0.026, color=color)  # its background hides the letters
+        patch.GetTextProperty().SetBackgroundColor(*color)
+        patch.GetTextProperty().SetBackgroundOpacity(1)
+        self.add_text(name, 0.9, y, 0.026)
+
+    def _set_font(self, text, points):
+        if os.path.exists(FONT):
+            text.SetFontFamily(VTK_FONT_FILE)
+            text.SetFontFile(FONT)
+        else:  # VTK's own, which has fewer signs
+            text.SetFontFamilyToArial()
+        text.SetFontSize(max(8, round(points * self.height * self.scale)))
+        text.SetColor(*INK)
+        text.SetBold(False)
+        text.SetItalic(False)
+        text.SetShadow(False)
+
+    def draw(self):
+        """The picture as [height][width][3] bytes, at `supersampling` times the size."""
+        self.window.Render()
+        grab = vtkWindowToImageFilter()
+        grab.SetInput(self.window)
+        grab.ReadFrontBufferOff()
+        grab.Update()
+        image = grab.GetOutput()
+        width, height, _ = image.GetDimensions()
+        return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3)[::-1]
