@@ -1,0 +1,107 @@
+#pragma once
+// What the tests of meshes measure: volumes by an independent rule, worst shapes, decks of a few parts.
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/mesh/hex_geometry.hpp"
+#include "src/mesh/mesh.hpp"
+#include "src/mesh/part_mesh.hpp"
+
+namespace percuss::testing_mesh {
+
+inline PartDeck make_part_deck(std::string name, Shape shape) {
+  PartDeck part;
+  part.name = std::move(name);
+  part.shape = std::move(shape);
+  part.material = "steel";
+  part.place = {3, 5};
+  return part;
+}
+
+inline Deck make_deck(std::vector<PartDeck> parts) {
+  Deck deck;
+  deck.file = "deck.yaml";
+  deck.parts = std::move(parts);
+  deck.materials.push_back({"steel", ElasticDeck{7850, 200e9, 0.3}, {}});
+  return deck;
+}
+
+template <class AnyMesh>
+HexCorners corners_of(const AnyMesh& mesh, std::size_t element) {
+  HexCorners x;
+  for (std::size_t i = 0; i < 8; ++i) x[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
+  return x;
+}
+
+/// Volume by 2 x 2 x 2 Gauss points: exact for the trilinear map, and nothing that the code under test uses.
+inline double gauss_volume(const HexCorners& x) {
+  constexpr double sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                                 {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+  const double g = 1 / std::sqrt(3.0);
+  double volume = 0;
+  for (const auto& at : sign) {
+    std::array<Vec3, 3> jacobian{};
+    for (std::size_t n = 0; n < 8; ++n) {
+      for (std::size_t d = 0; d < 3; ++d) {
+        double slope = sign[n][d] / 8;
+        for (std::size_t o = 0; o < 3; ++o) {
+          if (o != d) slope *= 1 + sign[n][o] * at[o] * g;
+        }
+        for (std::size_t i = 0; i < 3; ++i) jacobian[d][i] += slope * x[n][i];
+      }
+    }
+    volume += triple_product(jacobian[0], jacobian[1], jacobian[2]);
+  }
+  return volume;
+}
+
+template <class AnyMesh>
+double total_volume(const AnyMesh& mesh) {
+  double volume = 0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) volume += gauss_volume(corners_of(mesh, e));
+  return volume;
+}
+
+/// Least corner Jacobian over the product of its edges; 1 for a brick.
+template <class AnyMesh>
+double worst_scaled_jacobian(const AnyMesh& mesh) {
+  double worst = 1;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    for (int c = 0; c < 8; ++c) {
+      const CornerJacobian jacobian = find_corner_jacobian(corners_of(mesh, e), c);
+      worst = std::min(worst, jacobian.value / jacobian.edge_product);
+    }
+  }
+  return worst;
+}
+
+/// The places of the nodes, to compare meshes whatever their numbering. -0 counts as 0.
+inline std::vector<Vec3> sorted_places(std::vector<Vec3> nodes) {
+  for (Vec3& x : nodes) {
+    for (double& c : x) c += 0.0;
+  }
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+/// Places after a map of coordinates.
+template <class Map>
+std::vector<Vec3> mapped_places(std::vector<Vec3> nodes, const Map& map) {
+  for (Vec3& x : nodes) x = map(x);
+  return sorted_places(std::move(nodes));
+}
+
+template <class AnyMesh>
+std::vector<ElementFace> join_side_sets(const AnyMesh& mesh) {
+  std::vector<ElementFace> all;
+  for (const auto& [name, faces] : mesh.side_sets) all.insert(all.end(), faces.begin(), faces.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace percuss::testing_mesh
