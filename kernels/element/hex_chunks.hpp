@@ -24,6 +24,8 @@ struct HexChunks {
   Array<std::uint16_t> corner_slots;  // [packs][8][W] slot within the chunk; lanes past the end repeat the last element
   Array<std::size_t> first_state;     // [count] where the chunk's element state begins, in scalars
   Array<int> parameters;              // [count] row of the parameters of its material
+  Array<int> record_size;             // [count] scalars an element's record holds
+  Array<int> history;                 // [count] place of the material's history in the record, -1: it has none
 };
 
 /// What a step leaves for each chunk.

@@ -144,7 +144,7 @@ struct AdvanceChunk {
   ChunkResults results;
 
   static std::size_t scratch_bytes(const HexChunks& chunks) {
-    return (static_cast<std::size_t>(chunks.largest_slot_count) * node_record + 8) * sizeof(double);
+    return (static_cast<std::size_t>(chunks.largest_slot_count) * node_record + 8) * sizeof(double) + 64;
   }
 
   KOKKOS_FUNCTION void operator()(const Member& member) const {
@@ -197,29 +197,27 @@ struct AdvanceChunk {
   }
 };
 
-}  // namespace
-
 template <class Material, HourglassKind Kind>
-void advance_elements(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
-                      const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
-                      const ChunkResults& results) {
+void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
+                   const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                   const ChunkResults& results) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
   using Kernel = AdvanceChunk<Material, Kind>;
-  const std::size_t scratch = Kernel::scratch_bytes(chunks);
   Policy policy(space, count, 1);
-  policy.set_scratch_size(0, Kokkos::PerTeam(scratch + 64)).set_chunk_size(1);
+  policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(Kernel::scratch_bytes(chunks)))).set_chunk_size(1);
   Kokkos::parallel_for("percuss::advance_elements", policy,
                        Kernel{chunks, block, motion, state, slot_force, results});
 }
 
-template void advance_elements(const ExecSpace&, const HexChunks&, const HexBlock<Elastic, HourglassKind::stiffness>&,
-                               const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
-template void advance_elements(const ExecSpace&, const HexChunks&, const HexBlock<Elastic, HourglassKind::viscous>&,
-                               const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
-template void advance_elements(const ExecSpace&, const HexChunks&, const HexBlock<J2Plasticity, HourglassKind::stiffness>&,
-                               const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
-template void advance_elements(const ExecSpace&, const HexChunks&, const HexBlock<J2Plasticity, HourglassKind::viscous>&,
-                               const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
+}  // namespace
+
+void advance_elements(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
+                      const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                      const ChunkResults& results) {
+  std::apply(
+      [&](const auto&... block) { (advance_block(space, chunks, block, motion, state, slot_force, results), ...); },
+      blocks);
+}
 
 }  // namespace percuss

@@ -1,9 +1,10 @@
 #pragma once
-// Launchers of the element part of a step: (1.3) to (1.5) of the paper's Figure 1 for all chunks of one variant.
+// Launcher of the element part of a step: (1.3) to (1.5) of the paper's Figure 1, for all chunks.
+
+#include <tuple>
 
 #include "kernels/element/hex_chunks.hpp"
-#include "kernels/material/elastic.hpp"
-#include "kernels/material/j2_plasticity.hpp"
+#include "kernels/material/materials.hpp"
 
 namespace percuss {
 
@@ -21,22 +22,19 @@ struct HexBlock {
   Kokkos::View<HexParameters<Material>*, MemSpace> parameters;             // by HexChunks::parameters
 };
 
-/// Advances every element of the block's chunks from n to n+1. state: element records, in and out. slot_force: out,
-/// the chunk's share of the internal force of its nodes. results: out, work is added to.
-template <class Material, HourglassKind Kind>
-void advance_elements(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
+template <class List>
+struct AllHexBlocks;
+template <class... Material>
+struct AllHexBlocks<TypeList<Material...>> {
+  using type = std::tuple<HexBlock<Material, HourglassKind::stiffness>..., HexBlock<Material, HourglassKind::viscous>...>;
+};
+/// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
+using HexBlocks = AllHexBlocks<Materials>::type;
+
+/// Advances every element from n to n+1. state: element records, in and out. slot_force: out, the chunk's share of the
+/// force on its nodes (minus the internal force). results: out; work is added to.
+void advance_elements(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
                       const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
                       const ChunkResults& results);
-
-extern template void advance_elements(const ExecSpace&, const HexChunks&, const HexBlock<Elastic, HourglassKind::stiffness>&,
-                                      const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
-extern template void advance_elements(const ExecSpace&, const HexChunks&, const HexBlock<Elastic, HourglassKind::viscous>&,
-                                      const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
-extern template void advance_elements(const ExecSpace&, const HexChunks&,
-                                      const HexBlock<J2Plasticity, HourglassKind::stiffness>&, const ElementMotion&,
-                                      const Array<double>&, const Rows3<double>&, const ChunkResults&);
-extern template void advance_elements(const ExecSpace&, const HexChunks&,
-                                      const HexBlock<J2Plasticity, HourglassKind::viscous>&, const ElementMotion&,
-                                      const Array<double>&, const Rows3<double>&, const ChunkResults&);
 
 }  // namespace percuss

@@ -1,0 +1,31 @@
+#pragma once
+// The node part of a step: (1.2) and (1.6) of the paper's Figure 1, and the assembly that feeds it.
+
+#include "kernels/core/views.hpp"
+
+namespace percuss {
+
+/// Which slots a node sums, in their fixed order; const after set-up.
+struct NodeSlots {
+  Array<int> first;  // [nodes + 1]
+  Array<int> slots;  // ascending: chunk by chunk, then pressure faces
+};
+
+/// Constant acceleration of every free direction [length / time^2].
+struct Gravity {
+  double g[3] = {0, 0, 0};
+};
+
+/// Force of each node: its slots summed in ascending order. Shape [nodes][3].
+void assemble_forces(const ExecSpace& space, const NodeSlots& nodes_to_slots, const Rows3<const double>& slot_force,
+                     const Rows3<double>& force);
+
+/// v(n+1/2) = v(n-1/2) + dt_mean (f / m + g) in each direction with a finite mass; held directions keep their velocity.
+/// v_before: out, v(n-1/2).
+void predict_velocities(const ExecSpace& space, const Rows3<const double>& force, const Rows3<const double>& inverse_mass,
+                        const Gravity& gravity, double dt_mean, const Rows3<double>& v_before, const Rows3<double>& v);
+
+/// x(n+1) = x(n) + dt v(n+1/2).
+void move_nodes(const ExecSpace& space, const Rows3<const double>& v, double dt, const Rows3<double>& x);
+
+}  // namespace percuss

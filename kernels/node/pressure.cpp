@@ -1,0 +1,28 @@
+#include "kernels/node/pressure.hpp"
+
+#include "kernels/core/tensor.hpp"
+
+namespace percuss {
+
+void apply_pressure(const ExecSpace& space, const PressureFaces& faces, const Array<const double>& pressure,
+                    const Rows3<const double>& x, const Rows3<double>& slot_force) {
+  if (faces.count == 0) return;
+  Kokkos::parallel_for(
+      "percuss::apply_pressure", Range(space, 0, faces.count), KOKKOS_LAMBDA(const int f) {
+        Vector3<double> corner[4];
+        for (int i = 0; i < 4; ++i) {
+          const int n = faces.nodes(f, i);
+          corner[i] = {x(n, 0), x(n, 1), x(n, 2)};
+        }
+        const Vector3<double> twice_area = cross(corner[2] - corner[0], corner[3] - corner[1]);
+        const Vector3<double> share = (-0.125 * pressure(faces.load(f))) * twice_area;
+        for (int i = 0; i < 4; ++i) {
+          const int s = faces.first_slot + 4 * f + i;
+          slot_force(s, 0) = share.x;
+          slot_force(s, 1) = share.y;
+          slot_force(s, 2) = share.z;
+        }
+      });
+}
+
+}  // namespace percuss

@@ -1,0 +1,340 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <type_traits>
+
+#include "src/error.hpp"
+#include "src/step/host_copy.hpp"
+#include "src/step/model.hpp"
+
+namespace percuss {
+
+namespace {
+
+constexpr int width = pack_size<double>;
+
+// --- materials: the one place that turns a deck's material into the kernel's
+
+Elastic make_material(const ElasticDeck& d) {
+  const LameConstants c = find_lame_constants(d.youngs_modulus, d.poissons_ratio);
+  return {c.lambda, c.mu};
+}
+
+J2Plasticity make_material(const J2PlasticityDeck& d) {
+  const LameConstants c = find_lame_constants(d.youngs_modulus, d.poissons_ratio);
+  return {c.lambda, c.mu, d.yield_stress, d.hardening_modulus};
+}
+
+double find_density(const MaterialDeck& material) {
+  return std::visit([](const auto& m) { return m.density; }, material.model);
+}
+
+// --- chunks
+
+/// Fills the chunk tables: slots by first use within the chunk, corners as 16-bit slots, lane by lane.
+struct ChunkTables {
+  std::vector<int> first_element{0}, first_slot{0}, first_pack{0}, slots_to_nodes;
+  std::vector<std::uint16_t> corner_slots;
+  int largest_slot_count = 0;
+};
+
+void add_chunk(const Mesh& mesh, const Chunk& chunk, std::vector<int>& slot_of_node, ChunkTables& tables) {
+  const int first_slot = tables.first_slot.back();
+  const auto find_slot = [&](int node) {
+    int& slot = slot_of_node[static_cast<std::size_t>(node)];
+    if (slot < first_slot) {
+      slot = static_cast<int>(tables.slots_to_nodes.size());
+      tables.slots_to_nodes.push_back(node);
+    }
+    return static_cast<std::uint16_t>(slot - first_slot);
+  };
+  const int packs = (chunk.element_count + width - 1) / width;
+  const std::size_t base = tables.corner_slots.size();
+  tables.corner_slots.resize(base + static_cast<std::size_t>(packs) * 8 * width);
+  for (int i = 0; i < packs * width; ++i) {
+    const int element = chunk.first_element + std::min(i, chunk.element_count - 1);
+    for (int corner = 0; corner < 8; ++corner) {
+      const std::size_t place = base + (static_cast<std::size_t>(i / width) * 8 + static_cast<std::size_t>(corner)) * width +
+                                static_cast<std::size_t>(i % width);
+      tables.corner_slots[place] =
+          find_slot(mesh.elements[static_cast<std::size_t>(element)][static_cast<std::size_t>(corner)]);
+    }
+  }
+  tables.first_element.push_back(chunk.first_element + chunk.element_count);
+  tables.first_slot.push_back(static_cast<int>(tables.slots_to_nodes.size()));
+  tables.first_pack.push_back(tables.first_pack.back() + packs);
+  tables.largest_slot_count = std::max(tables.largest_slot_count, tables.first_slot.back() - first_slot);
+}
+
+ChunkTables make_chunk_tables(const ChunkedMesh& chunked) {
+  ChunkTables tables;
+  std::vector<int> slot_of_node(chunked.mesh.nodes.size(), -1);
+  for (const Chunk& chunk : chunked.chunks) add_chunk(chunked.mesh, chunk, slot_of_node, tables);
+  return tables;
+}
+
+// --- blocks
+
+/// Adds the chunks of one material to the variant that computes it, and says how long its records are.
+struct BlockBuilder {
+  const Deck& deck;
+  const ChunkedMesh& chunked;
+  std::vector<int> record_size, history, parameters;
+
+  template <class Material, HourglassKind Kind>
+  void build(HexBlock<Material, Kind>& block) {
+    std::vector<int> chunks;
+    std::vector<HexParameters<Material>> rows;
+    std::map<int, int> row_of_material;
+    const bool wanted = (deck.elements.hourglass == ElementDeck::Hourglass::stiffness) == (Kind == HourglassKind::stiffness);
+    for (std::size_t c = 0; wanted && c < chunked.chunks.size(); ++c) {
+      const int material = chunked.mesh.parts[static_cast<std::size_t>(chunked.chunks[c].part)].material;
+      std::visit(
+          [&](const auto& m) {
+            if constexpr (std::is_same_v<decltype(make_material(m)), Material>) {
+              const auto [row, is_new] = row_of_material.emplace(material, static_cast<int>(rows.size()));
+              if (is_new) rows.push_back(make_parameters(m));
+              chunks.push_back(static_cast<int>(c));
+              parameters[c] = row->second;
+              record_size[c] = hex_record_size<Material, Kind>;
+              history[c] = Material::history_count > 0 ? HexRecord::history<Kind> : -1;
+            }
+          },
+          deck.materials[static_cast<std::size_t>(material)].model);
+    }
+    block.chunks = to_view("percuss::chunks_of_block", chunks);
+    block.parameters = to_view("percuss::parameters", rows);
+  }
+
+  template <class MaterialModel>
+  auto make_parameters(const MaterialModel& m) const {
+    using Material = decltype(make_material(m));
+    HexParameters<Material> p;
+    p.material = make_material(m);
+    const LameConstants c = find_lame_constants(m.youngs_modulus, m.poissons_ratio);
+    p.lambda = std::max(c.lambda, 0.0);
+    p.mu = c.mu;
+    p.hourglass = deck.elements.hourglass_coefficient;
+    p.viscosity = {deck.elements.linear_viscosity, deck.elements.quadratic_viscosity};
+    return p;
+  }
+};
+
+void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
+  const ChunkTables tables = make_chunk_tables(chunked);
+  const std::size_t count = chunked.chunks.size();
+  BlockBuilder builder{deck, chunked, std::vector<int>(count), std::vector<int>(count), std::vector<int>(count)};
+  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.blocks);
+
+  std::vector<std::size_t> first_state(count);
+  for (std::size_t c = 0; c < count; ++c) {
+    first_state[c] = model.state_size;
+    const int packs = tables.first_pack[c + 1] - tables.first_pack[c];
+    model.state_size += static_cast<std::size_t>(packs) * static_cast<std::size_t>(builder.record_size[c]) * width;
+  }
+  HexChunks& chunks = model.chunks;
+  chunks.count = static_cast<int>(count);
+  chunks.largest_slot_count = tables.largest_slot_count;
+  chunks.first_element = to_view("percuss::first_element", tables.first_element);
+  chunks.first_slot = to_view("percuss::first_slot", tables.first_slot);
+  chunks.slots_to_nodes = to_view("percuss::slots_to_nodes", tables.slots_to_nodes);
+  chunks.first_pack = to_view("percuss::first_pack", tables.first_pack);
+  chunks.corner_slots = to_view("percuss::corner_slots", tables.corner_slots);
+  chunks.first_state = to_view("percuss::first_state", first_state);
+  chunks.parameters = to_view("percuss::parameters_of_chunk", builder.parameters);
+  chunks.record_size = to_view("percuss::record_size", builder.record_size);
+  chunks.history = to_view("percuss::history", builder.history);
+  model.slot_count = static_cast<int>(tables.slots_to_nodes.size());
+}
+
+// --- loads
+
+/// Every mesh node a slot stands for: chunk slots, then four a pressure face.
+std::vector<int> build_pressure_faces(const Deck& deck, const Mesh& mesh, Model& model) {
+  const auto chunk_slots = to_host(model.chunks.slots_to_nodes);
+  std::vector<int> slot_nodes(chunk_slots.data(), chunk_slots.data() + chunk_slots.extent(0));
+  std::vector<std::array<int, 4>> corners;
+  std::vector<int> loads;
+  for (const PressureDeck& pressure : deck.pressures) {
+    for (const ElementFace& face : select_faces(mesh, deck, pressure.where)) {
+      std::array<int, 4> nodes{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        const int corner = hex_faces[face.face][i];
+        nodes[i] = mesh.elements[static_cast<std::size_t>(face.element)][static_cast<std::size_t>(corner)];
+        slot_nodes.push_back(nodes[i]);
+      }
+      corners.push_back(nodes);
+      loads.push_back(static_cast<int>(model.pressures.size()));
+    }
+    model.pressures.push_back(pressure.value);
+  }
+  PressureFaces& faces = model.pressure_faces;
+  faces.first_slot = model.slot_count;
+  faces.count = static_cast<int>(corners.size());
+  faces.load = to_view("percuss::pressure_load", loads);
+  faces.nodes = Rows4<int>("percuss::pressure_nodes", corners.size());
+  const auto host = Kokkos::create_mirror_view(faces.nodes);
+  for (std::size_t f = 0; f < corners.size(); ++f) {
+    for (std::size_t i = 0; i < 4; ++i) host(f, i) = corners[f][i];
+  }
+  Kokkos::deep_copy(faces.nodes, host);
+  model.slot_count = static_cast<int>(slot_nodes.size());
+  return slot_nodes;
+}
+
+void build_node_slots(const std::vector<int>& slot_nodes, Model& model) {
+  std::vector<int> first(static_cast<std::size_t>(model.node_count) + 1, 0);
+  for (const int node : slot_nodes) ++first[static_cast<std::size_t>(node) + 1];
+  for (std::size_t n = 1; n < first.size(); ++n) first[n] += first[n - 1];
+  std::vector<int> next(first.begin(), first.end() - 1);
+  std::vector<int> slots(slot_nodes.size());
+  for (std::size_t s = 0; s < slot_nodes.size(); ++s) {
+    slots[static_cast<std::size_t>(next[static_cast<std::size_t>(slot_nodes[s])]++)] = static_cast<int>(s);
+  }
+  model.nodes_to_slots = {to_view("percuss::first_slot_of_node", first), to_view("percuss::slots_of_node", slots)};
+}
+
+// --- masses and conditions
+
+double find_element_volume(const Mesh& mesh, std::size_t element) {
+  double x[8], y[8], z[8];
+  for (std::size_t i = 0; i < 8; ++i) {
+    const Vec3& p = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
+    x[i] = p[0];
+    y[i] = p[1];
+    z[i] = p[2];
+  }
+  to_modes(x);
+  to_modes(y);
+  to_modes(z);
+  VectorModes<double> a{};
+  for (int m = 1; m < 8; ++m) a[m] = {x[m], y[m], z[m]};
+  return find_volume_gradient(a).volume;
+}
+
+std::vector<double> build_masses(const Deck& deck, const Mesh& mesh, Model& model) {
+  std::vector<double> mass(mesh.nodes.size(), 0.0);
+  std::vector<double> element_mass(mesh.elements.size());
+  Vec3 moment{};
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const int material = mesh.parts[static_cast<std::size_t>(mesh.element_part[e])].material;
+    element_mass[e] = find_density(deck.materials[static_cast<std::size_t>(material)]) * find_element_volume(mesh, e);
+    for (const int node : mesh.elements[e]) mass[static_cast<std::size_t>(node)] += element_mass[e] / 8;
+  }
+  for (std::size_t n = 0; n < mass.size(); ++n) {
+    model.total_mass += mass[n];
+    for (std::size_t k = 0; k < 3; ++k) moment[k] += mass[n] * mesh.nodes[n][k];
+  }
+  for (std::size_t k = 0; k < 3; ++k) model.mass_center[k] = moment[k] / model.total_mass;
+  model.mass = to_view("percuss::mass", mass);
+  model.element_mass = to_view("percuss::element_mass", element_mass);
+  return mass;
+}
+
+/// Held directions by (node, direction), so that the first condition of the deck that holds one is known.
+struct HeldDirection {
+  int motion = 0;
+  const ConditionDeck* condition = nullptr;
+};
+using HeldMap = std::map<std::pair<int, int>, HeldDirection>;
+
+bool is_rest(const ConditionDeck& condition) {
+  return condition.kind == ConditionDeck::Kind::fixed || condition.kind == ConditionDeck::Kind::symmetry;
+}
+
+HeldMap find_held_directions(const Deck& deck, const Mesh& mesh, Model& model) {
+  HeldMap held;
+  model.motions.push_back({});  // row 0: at rest
+  for (const ConditionDeck& condition : deck.conditions) {
+    const std::vector<int> nodes = select_nodes(mesh, deck, condition.where);
+    for (int k = 0; k < 3; ++k) {
+      if (!condition.active[static_cast<std::size_t>(k)]) continue;
+      int row = 0;
+      if (!is_rest(condition)) {
+        row = static_cast<int>(model.motions.size());
+        model.motions.push_back({condition.value[static_cast<std::size_t>(k)],
+                                 condition.kind == ConditionDeck::Kind::displacement});
+        model.is_driven = true;
+      }
+      for (const int node : nodes) {
+        const auto [entry, is_new] = held.emplace(std::pair{node, k}, HeldDirection{row, &condition});
+        if (!is_new && !(entry->second.motion == 0 && row == 0)) {
+          throw InputError(fmt::format(
+              "{}: error: node {} is held in direction {} by two conditions that move it (the other is at {}); leave it "
+              "out of one of them",
+              deck.where(condition.where.place), mesh.node_ids[static_cast<std::size_t>(node)], "xyz"[k],
+              deck.where(entry->second.condition->where.place)));
+        }
+      }
+    }
+  }
+  return held;
+}
+
+void build_conditions(const Deck& deck, const Mesh& mesh, const std::vector<double>& mass, Model& model) {
+  const HeldMap held = find_held_directions(deck, mesh, model);
+  std::vector<std::array<double, 3>> inverse_mass(mesh.nodes.size());
+  for (std::size_t n = 0; n < mass.size(); ++n) inverse_mass[n] = {1 / mass[n], 1 / mass[n], 1 / mass[n]};
+  std::vector<int> node, direction, motion;
+  std::vector<double> start;
+  for (const auto& [key, value] : held) {
+    const auto n = static_cast<std::size_t>(key.first);
+    const auto k = static_cast<std::size_t>(key.second);
+    inverse_mass[n][k] = 0;
+    node.push_back(key.first);
+    direction.push_back(key.second);
+    motion.push_back(value.motion);
+    start.push_back(mesh.nodes[n][k]);
+  }
+  model.inverse_mass = to_rows("percuss::inverse_mass", inverse_mass);
+  model.held = {to_view("percuss::held_node", node), to_view("percuss::held_direction", direction),
+                to_view("percuss::held_motion", motion), to_view("percuss::held_start", start),
+                static_cast<int>(node.size())};
+}
+
+Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+void build_initial_velocities(const Deck& deck, const Mesh& mesh, const std::vector<double>& mass, Model& model) {
+  std::vector<Vec3> velocity(mesh.nodes.size(), Vec3{});
+  for (const InitialDeck& initial : deck.initial) {
+    const std::vector<int> nodes = select_nodes(mesh, deck, initial.where);
+    Vec3 center = initial.center.value_or(Vec3{});
+    if (!initial.center) {
+      double sum = 0;
+      for (const int n : nodes) {
+        const double m = mass[static_cast<std::size_t>(n)];
+        sum += m;
+        for (std::size_t k = 0; k < 3; ++k) center[k] += m * mesh.nodes[static_cast<std::size_t>(n)][k];
+      }
+      for (double& c : center) c /= sum;
+    }
+    for (const int n : nodes) {
+      const Vec3& p = mesh.nodes[static_cast<std::size_t>(n)];
+      const Vec3 turn = cross(initial.angular_velocity, {p[0] - center[0], p[1] - center[1], p[2] - center[2]});
+      for (std::size_t k = 0; k < 3; ++k) velocity[static_cast<std::size_t>(n)][k] = initial.velocity[k] + turn[k];
+    }
+  }
+  model.start_velocity = to_rows("percuss::start_velocity", velocity);
+}
+
+}  // namespace
+
+Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
+  const Mesh& mesh = chunked.mesh;
+  Model model;
+  model.node_count = static_cast<int>(mesh.nodes.size());
+  model.element_count = static_cast<int>(mesh.elements.size());
+  build_chunks(deck, chunked, model);
+  build_node_slots(build_pressure_faces(deck, mesh, model), model);
+  model.start = to_rows("percuss::start", mesh.nodes);
+  const std::vector<double> mass = build_masses(deck, mesh, model);
+  build_conditions(deck, mesh, mass, model);
+  build_initial_velocities(deck, mesh, mass, model);
+  for (std::size_t k = 0; k < 3; ++k) model.gravity.g[k] = deck.gravity[k];
+  return model;
+}
+
+}  // namespace percuss

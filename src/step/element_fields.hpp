@@ -1,0 +1,23 @@
+#pragma once
+// Reads element records for output: stress in space axes and what follows from it.
+
+#include <vector>
+
+#include "src/step/model.hpp"
+#include "src/step/state.hpp"
+
+namespace percuss {
+
+/// Cauchy stress in space axes, one row of xx, yy, zz, xy, yz, zx an element. Bulk viscosity is not part of it.
+std::vector<double> find_stresses(const Model& model, const State& state);
+
+/// Equivalent plastic strain an element; 0 where the material has none.
+std::vector<double> find_plastic_strains(const Model& model, const State& state);
+
+/// Pressure -tr(stress)/3 of each row.
+std::vector<double> find_pressures(const std::vector<double>& stresses);
+
+/// von Mises equivalent stress of each row.
+std::vector<double> find_von_mises(const std::vector<double>& stresses);
+
+}  // namespace percuss

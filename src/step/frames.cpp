@@ -1,0 +1,85 @@
+#include "src/step/frames.hpp"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "src/step/element_fields.hpp"
+#include "src/step/host_copy.hpp"
+
+namespace percuss {
+
+namespace {
+
+std::vector<double> copy_rows(const Rows3<double>& rows) {
+  const auto host = to_host(rows);
+  return {host.data(), host.data() + host.extent(0) * 3};
+}
+
+bool has(const std::vector<std::string>& names, const char* name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model)
+    : deck_(deck),
+      model_(model),
+      file_(directory, chunked.mesh, FieldsOptions{.title = deck.title, .units = deck.units}) {
+  if (has(deck.output.fields, "body")) {
+    const std::vector<int> bodies = find_bodies(chunked.mesh);
+    body_.assign(bodies.begin(), bodies.end());
+  }
+  if (has(deck.output.fields, "chunk")) {
+    chunk_.resize(chunked.mesh.elements.size());
+    for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+      const auto first = chunk_.begin() + chunked.chunks[c].first_element;
+      std::fill(first, first + chunked.chunks[c].element_count, static_cast<double>(c));
+    }
+  }
+}
+
+void Frames::write(const State& state) {
+  std::map<std::string, std::vector<double>> values;  // keeps what the frame's spans point to
+  const auto& names = deck_.output.fields;
+  std::vector<double> stresses;
+  if (has(names, "stress") || has(names, "pressure") || has(names, "von_mises")) {
+    stresses = find_stresses(model_, state);
+  }
+  std::vector<FieldData> frame;
+  const auto add = [&](const std::string& name, FieldPlace place, int components, std::vector<double> data) {
+    const auto entry = values.emplace(name, std::move(data)).first;
+    frame.push_back({name, place, components, entry->second});
+  };
+  for (const std::string& name : names) {
+    if (name == "displacement") continue;  // the file always has it
+    if (name == "velocity") {
+      add(name, FieldPlace::node, 3, copy_rows(state.v));
+    } else if (name == "contact_force") {
+      std::vector<double> force = copy_rows(state.impulse);
+      for (double& f : force) f = state.dt > 0 ? f / state.dt : 0;
+      add(name, FieldPlace::node, 3, std::move(force));
+    } else if (name == "mass") {
+      const auto mass = to_host(model_.mass);
+      add(name, FieldPlace::node, 1, {mass.data(), mass.data() + mass.extent(0)});
+    } else if (name == "stress") {
+      add(name, FieldPlace::element, 6, stresses);
+    } else if (name == "pressure") {
+      add(name, FieldPlace::element, 1, find_pressures(stresses));
+    } else if (name == "von_mises") {
+      add(name, FieldPlace::element, 1, find_von_mises(stresses));
+    } else if (name == "equivalent_plastic_strain") {
+      add(name, FieldPlace::element, 1, find_plastic_strains(model_, state));
+    } else if (name == "body") {
+      add(name, FieldPlace::element, 1, body_);
+    } else if (name == "chunk") {
+      add(name, FieldPlace::element, 1, chunk_);
+    } else {
+      throw std::logic_error("no field is called '" + name + "' (the deck reader lets it through)");
+    }
+  }
+  const auto x = to_host(state.x);
+  file_.write_frame(state.time, state.step, {x.data(), x.extent(0) * 3}, frame);
+}
+
+}  // namespace percuss

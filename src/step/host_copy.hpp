@@ -1,0 +1,39 @@
+#pragma once
+// Between std::vector on the host and views where the kernels run.
+
+#include <string>
+#include <vector>
+
+#include "kernels/core/views.hpp"
+
+namespace percuss {
+
+/// A view with the values of a host vector.
+template <class T>
+Array<T> to_view(const std::string& label, const std::vector<T>& values) {
+  const Array<T> view(Kokkos::view_alloc(label, Kokkos::WithoutInitializing), values.size());
+  const Kokkos::View<const T*, Kokkos::LayoutRight, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(values.data(),
+                                                                                                     values.size());
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+/// Rows of three from a host vector of arrays.
+template <class T>
+Rows3<T> to_rows(const std::string& label, const std::vector<std::array<T, 3>>& values) {
+  const Rows3<T> view(Kokkos::view_alloc(label, Kokkos::WithoutInitializing), values.size());
+  const auto host = Kokkos::create_mirror_view(view);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) host(i, k) = values[i][k];
+  }
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+/// The view's values on the host: the view itself where it is host memory.
+template <class View>
+auto to_host(const View& view) {
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
+}
+
+}  // namespace percuss

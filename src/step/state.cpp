@@ -1,0 +1,116 @@
+#include "src/step/state.hpp"
+
+#include "src/step/host_copy.hpp"
+
+namespace percuss {
+
+namespace {
+
+constexpr int width = pack_size<double>;
+
+/// Each element starts undeformed: R = V = I, no stress, its mass from its own volume and density.
+Array<double> make_element_records(const Model& model) {
+  const Array<double> elements("percuss::elements", model.state_size);
+  const HexChunks chunks = model.chunks;
+  Kokkos::parallel_for(
+      "percuss::start_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
+        const int size = chunks.record_size(c);
+        for (int i = 0; i < packs * width; ++i) {
+          double* record = &elements(chunks.first_state(c)) + static_cast<std::size_t>(i / width) * size * width + i % width;
+          for (int k = 0; k < 3; ++k) {
+            record[(HexRecord::rotation + 4 * k) * width] = 1;
+            record[(HexRecord::stretch + k) * width] = 1;
+          }
+        }
+      });
+  return elements;
+}
+
+/// Element masses into the records.
+void set_element_masses(const Model& model, const Array<double>& elements) {
+  const HexChunks chunks = model.chunks;
+  const Array<double> mass = model.element_mass;
+  Kokkos::parallel_for(
+      "percuss::set_element_masses", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        const int first = chunks.first_element(c);
+        const int count = chunks.first_element(c + 1) - first;
+        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
+        for (int i = 0; i < packs * width; ++i) {
+          const int lane_element = i < count ? i : count - 1;
+          elements(chunks.first_state(c) + static_cast<std::size_t>(i / width) * static_cast<std::size_t>(chunks.record_size(c)) * width +
+                   static_cast<std::size_t>(HexRecord::mass * width + i % width)) = mass(first + lane_element);
+        }
+      });
+}
+
+KOKKOS_INLINE_FUNCTION std::uint64_t mix(std::uint64_t h) {  // the finaliser of SplitMix64 (Steele et al. 2014)
+  h += 0x9e3779b97f4a7c15ull;
+  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
+  h = (h ^ (h >> 27)) * 0x94d049bb133111ebull;
+  return h ^ (h >> 31);
+}
+
+KOKKOS_INLINE_FUNCTION std::uint64_t find_bits(double value) {
+  union {
+    double d;
+    std::uint64_t u;
+  } both;
+  both.d = value;
+  return both.u;
+}
+
+}  // namespace
+
+State make_initial_state(const Model& model) {
+  State s;
+  const auto nodes = static_cast<std::size_t>(model.node_count);
+  s.x = Rows3<double>("percuss::x", nodes);
+  s.v = Rows3<double>("percuss::v", nodes);
+  s.v_before = Rows3<double>("percuss::v_before", nodes);
+  s.force = Rows3<double>("percuss::force", nodes);
+  s.impulse = Rows3<double>("percuss::impulse", nodes);
+  Kokkos::deep_copy(s.x, model.start);
+  Kokkos::deep_copy(s.v, model.start_velocity);
+  s.elements = make_element_records(model);
+  set_element_masses(model, s.elements);
+  s.slot_force = Rows3<double>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
+  const auto chunks = static_cast<std::size_t>(model.chunks.count);
+  s.results = {Array<double>("percuss::stable_step", chunks), Array<int>("percuss::controlling_element", chunks),
+               Array<int>("percuss::failed_element", chunks), Rows3<double>("percuss::work", chunks)};
+  return s;
+}
+
+std::uint64_t hash_state(const Model& model, const State& state) {
+  const auto x = state.x;
+  const auto v = state.v;
+  std::uint64_t nodes = 0;
+  Kokkos::parallel_reduce(
+      "percuss::hash_nodes", Range(ExecSpace(), 0, model.node_count),
+      KOKKOS_LAMBDA(const int n, std::uint64_t& sum) {
+        std::uint64_t h = mix(static_cast<std::uint64_t>(n));
+        for (int k = 0; k < 3; ++k) h = mix(mix(h ^ find_bits(x(n, k))) ^ find_bits(v(n, k)));
+        sum += h;  // integers: any order gives the same sum
+      },
+      nodes);
+  const HexChunks chunks = model.chunks;
+  const auto elements = state.elements;
+  std::uint64_t records = 0;
+  Kokkos::parallel_reduce(
+      "percuss::hash_elements", Range(ExecSpace(), 0, chunks.count),
+      KOKKOS_LAMBDA(const int c, std::uint64_t& sum) {
+        const int first = chunks.first_element(c);
+        for (int e = first; e < chunks.first_element(c + 1); ++e) {
+          const int size = chunks.record_size(c);
+          const double* record =
+              &elements(chunks.first_state(c)) + static_cast<std::size_t>((e - first) / width) * size * width + (e - first) % width;
+          std::uint64_t h = mix(~static_cast<std::uint64_t>(e));
+          for (int i = 0; i < size; ++i) h = mix(h ^ find_bits(record[i * width]));
+          sum += h;
+        }
+      },
+      records);
+  return mix(nodes) + records;
+}
+
+}  // namespace percuss

@@ -1,0 +1,136 @@
+#include "src/step/step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/step/host_copy.hpp"
+#include "src/step/phases.hpp"
+
+namespace percuss {
+
+namespace {
+
+/// The step may grow by this factor at most, so that central differences stay second order.
+constexpr double largest_step_growth = 1.1;
+
+}  // namespace
+
+Stepper::Stepper(const Deck& deck, const Model& model, ContactStage& contact)
+    : deck_(deck),
+      model_(model),
+      contact_(contact),
+      bookkeeper_(deck, model),
+      pressures_("percuss::pressures", model.pressures.size()) {
+  std::vector<int> is_displacement;
+  for (const Motion& motion : model.motions) is_displacement.push_back(motion.is_displacement ? 1 : 0);
+  motions_ = {Array<double>("percuss::motion_values", model.motions.size()),
+              to_view("percuss::is_displacement", is_displacement)};
+}
+
+void Stepper::start(State& state) {
+  // Held directions begin at their prescribed velocity; a displacement curve begins at rest.
+  hold_conditions(state, 0);
+  compute_elements(state, 0);
+  apply_loads(state, 0);
+  choose_step(state);
+  bookkeeper_.start(state);
+}
+
+void Stepper::advance(State& state) {
+  const double dt = state.next_dt;
+  const double dt_mean = 0.5 * (state.dt + dt);
+  integrate_motion(state, dt_mean);
+  hold_conditions(state, dt);
+  resolve_contact(state, dt);
+  {
+    const Phase phase("percuss::book", seconds_.reduce);
+    bookkeeper_.book_impulses(state, dt, dt_mean);
+  }
+  {
+    const Phase phase("percuss::integrate", seconds_.integrate);
+    move_nodes(space_, state.v, dt, state.x);
+  }
+  compute_elements(state, dt);
+  apply_loads(state, state.time + dt);
+  {
+    const Phase phase("percuss::book", seconds_.reduce);
+    bookkeeper_.book_pressure_work(state, dt);
+  }
+  state.time += dt;
+  state.step += 1;
+  state.dt = dt;
+  choose_step(state);
+}
+
+void Stepper::integrate_motion(State& state, double dt_mean) {
+  const Phase phase("percuss::integrate", seconds_.integrate);
+  assemble_forces(space_, model_.nodes_to_slots, state.slot_force, state.force);
+  predict_velocities(space_, state.force, model_.inverse_mass, model_.gravity, dt_mean, state.v_before, state.v);
+}
+
+void Stepper::hold_conditions(State& state, double dt) {
+  if (model_.held.count == 0) return;
+  const Phase phase("percuss::conditions", seconds_.integrate);
+  const auto values = Kokkos::create_mirror_view(motions_.value);
+  for (std::size_t m = 0; m < model_.motions.size(); ++m) {
+    const Motion& motion = model_.motions[m];
+    values(m) = motion.curve(motion.is_displacement ? state.time + dt : state.time + 0.5 * dt);
+    if (motion.is_displacement && dt == 0) values(m) = 0;  // at the start: at rest where the mesh put it
+  }
+  Kokkos::deep_copy(motions_.value, values);
+  hold_velocities(space_, model_.held, motions_, state.x, dt > 0 ? dt : 1, state.v);
+}
+
+void Stepper::resolve_contact(State& state, double dt) {
+  if (!contact_.is_active()) return;
+  const ContactMotion motion{state.x, state.v_before, state.v, model_.inverse_mass, state.impulse, dt};
+  report_ = contact_.apply(motion);
+  state.books.contact_work += report_.normal_work;
+  state.books.friction_work += report_.friction_work;
+  const ContactSeconds& spent = contact_.seconds();
+  seconds_.contact_search = spent.search;
+  seconds_.contact_check = spent.check;
+  seconds_.contact_enforce = spent.enforce;
+}
+
+void Stepper::compute_elements(State& state, double dt) {
+  {
+    const Phase phase("percuss::internal_force", seconds_.internal_force);
+    advance_elements(space_, model_.chunks, model_.blocks, {state.x, state.v, dt}, state.elements, state.slot_force,
+                     state.results);
+  }
+  const Phase phase("percuss::reduce", seconds_.reduce);
+  const auto step = to_host(state.results.stable_step);
+  const auto element = to_host(state.results.controlling_element);
+  const auto failed = to_host(state.results.failed_element);
+  state.bound = {step(0), element(0), -1};
+  for (std::size_t c = 0; c < step.extent(0); ++c) {
+    if (step(c) < state.bound.step) state.bound = {step(c), element(c), state.bound.failed_element};
+    if (failed(c) >= 0 && state.bound.failed_element < 0) state.bound.failed_element = failed(c);
+  }
+}
+
+void Stepper::apply_loads(State& state, double time) {
+  if (model_.pressure_faces.count == 0) return;
+  const Phase phase("percuss::pressure", seconds_.internal_force);
+  const auto values = Kokkos::create_mirror_view(pressures_);
+  for (std::size_t i = 0; i < model_.pressures.size(); ++i) values(i) = model_.pressures[i](time);
+  Kokkos::deep_copy(pressures_, values);
+  apply_pressure(space_, model_.pressure_faces, pressures_, state.x, state.slot_force);
+}
+
+void Stepper::choose_step(State& state) const {
+  double dt = deck_.time.step_scale * state.bound.step;
+  if (state.step > 0) dt = std::min(dt, largest_step_growth * state.dt);
+  if (deck_.time.max_step) dt = std::min(dt, *deck_.time.max_step);
+  const double left = deck_.time.end - state.time;
+  // Land on the end exactly without a tiny last step: the last two steps share what is left.
+  if (left > 0 && left <= dt) {
+    dt = left;
+  } else if (left > 0 && left < 2 * dt) {
+    dt = 0.5 * left;
+  }
+  state.next_dt = dt;
+}
+
+}  // namespace percuss
