@@ -39,10 +39,12 @@ PartMesh make_box(const BoxShape& shape) {
   const auto place = [&](std::size_t axis, int index) {
     return shape.size[axis] * (double(index) / shape.cells[axis]);
   };
-  const MeshCount count = count_mesh(shape);
+  const auto count = [](int x, int y, int z) {
+    return static_cast<std::size_t>(x) * static_cast<std::size_t>(y) * static_cast<std::size_t>(z);
+  };
   PartMesh mesh;
-  mesh.nodes.reserve(static_cast<std::size_t>(count.nodes));
-  mesh.elements.reserve(static_cast<std::size_t>(count.elements));
+  mesh.nodes.reserve(count(nx + 1, ny + 1, nz + 1));
+  mesh.elements.reserve(count(nx, ny, nz));
   for (int k = 0; k <= nz; ++k) {
     for (int j = 0; j <= ny; ++j) {
       for (int i = 0; i <= nx; ++i) mesh.nodes.push_back({place(0, i), place(1, j), place(2, k)});

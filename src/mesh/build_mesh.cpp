@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <utility>
 
+#include "src/deck/mesh_size.hpp"
 #include "src/error.hpp"
 #include "src/mesh/check_mesh.hpp"
 #include "src/mesh/exodus_mesh.hpp"
@@ -25,12 +25,13 @@ struct MakeShape {
 };
 
 /// Nodes and elements are counted in int; a step beyond is refused before memory is asked for.
-void check_size(double nodes, double elements) {
-  constexpr double limit = std::numeric_limits<int>::max();
-  if (nodes <= limit && elements <= limit) return;
+void check_size(const Mesh& so_far, double nodes, double elements) {
+  nodes += double(so_far.nodes.size());
+  elements += double(so_far.elements.size());
+  if (nodes <= largest_mesh && elements <= largest_mesh) return;
   throw InputError(
       fmt::format("the mesh would have {:.3g} elements and {:.3g} nodes (percuss counts up to {:.0f}); use fewer cells",
-                  elements, nodes, limit));
+                  elements, nodes, largest_mesh));
 }
 
 double count_copies(const PartDeck& part) {
@@ -44,14 +45,11 @@ std::string describe_source(const PartDeck& part) {
 
 /// The part in the coordinates of the scene, checked. Throws InputError with the problem alone, without its place.
 PartMesh make_part(const PartDeck& part, const Mesh& so_far) {
-  const double copies = count_copies(part);
-  const auto check_total = [&](double nodes, double elements) {
-    check_size(double(so_far.nodes.size()) + copies * nodes, double(so_far.elements.size()) + copies * elements);
-  };
-  const MeshCount count = count_mesh(part.shape);
-  check_total(count.nodes, count.elements);
+  const MeshSize generated = count_cells(part);
+  check_size(so_far, generated.nodes, generated.elements);
   PartMesh mesh = std::visit(MakeShape{}, part.shape);
-  check_total(double(mesh.nodes.size()), double(mesh.elements.size()));
+  const double copies = count_copies(part);
+  check_size(so_far, copies * double(mesh.nodes.size()), copies * double(mesh.elements.size()));
   place_part(mesh, part);
   Problems problems;
   check_geometry(mesh, problems);

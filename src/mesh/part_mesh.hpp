@@ -39,13 +39,6 @@ PartMesh make_tube(const TubeShape& shape);
 /// the last bit under the 48 symmetries of the cube.
 PartMesh make_sphere(const SphereShape& shape);
 
-/// How many nodes and elements make_*() will make, in double so that it cannot overflow.
-struct MeshCount {
-  double nodes = 0;
-  double elements = 0;
-};
-MeshCount count_mesh(const Shape& generated);
-
 /// Copies (array), rotates and translates the part, in this order.
 void place_part(PartMesh& mesh, const PartDeck& part);
 

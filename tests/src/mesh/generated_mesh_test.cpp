@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "src/deck/mesh_size.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
 
 namespace percuss {
@@ -45,7 +46,7 @@ class GeneratedMesh : public testing::TestWithParam<Example> {};
 
 TEST_P(GeneratedMesh, HasTheCountedNodesAndElements) {
   const PartMesh mesh = generate(GetParam().shape);
-  const MeshCount count = count_mesh(GetParam().shape);
+  const MeshSize count = count_cells(make_part_deck("p", GetParam().shape));
   EXPECT_EQ(double(mesh.nodes.size()), count.nodes);
   EXPECT_EQ(double(mesh.elements.size()), count.elements);
 }
