@@ -27,16 +27,16 @@ struct ContactMotion {
 /// What one step's contact did. Work is positive where contact adds energy to the bodies; every impulse P of a node
 /// does the work P . (v(n-1/2) + v(n+1/2)) / 2, which closes the energy balance of the explicit midpoint rule exactly.
 struct ContactReport {
-  int interactions = 0;        // rows with a push, walls included
-  int candidates = 0;          // candidate pairs held
-  bool searched = false;       // whether the search was due
-  int iterations = 0;          // of the enforcement
-  double residual = 0;         // largest penetration left over / face edge of its face
+  int interactions = 0;   // rows with a push, walls included
+  int candidates = 0;     // candidate pairs held
+  bool searched = false;  // whether the search was due
+  int iterations = 0;     // of the enforcement
+  double residual = 0;    // largest penetration left over / face edge of its face
   bool converged = true;
-  double normal_work = 0;      // of the pushes
-  double friction_work = 0;    // of the tangential impulses (negative: dissipated)
-  double deepest = 0;          // deepest penetration at n among checked pairs / face edge, 0 if none
-  int deepest_node = -1;       // mesh node of it
+  double normal_work = 0;    // of the pushes
+  double friction_work = 0;  // of the tangential impulses (negative: dissipated)
+  double deepest = 0;        // deepest penetration at n among checked pairs / face edge, 0 if none
+  int deepest_node = -1;     // mesh node of it
 };
 
 /// Seconds since the start, by phase.

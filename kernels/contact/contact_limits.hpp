@@ -1,0 +1,42 @@
+#pragma once
+// The lengths and angles at which contact decides, each relative to the size of the face concerned.
+//
+// The size h of a face is its shortest edge or, where that is less, the thickness of the element behind it, so that
+// the far side of a thin part is never taken for its near side. docs/theory_contact.md says what each value guards.
+
+namespace percuss::contact_limits {
+
+/// A node beside a face by no more than this still hits it: wider than round-off, far below what a user would see.
+inline constexpr double new_band = 1e-3;
+/// The same for a node that has been pushed by this face or a neighbour: it may not fall off a curved edge.
+inline constexpr double history_band = 1e-2;
+/// A node behind a face by more than this, at the start of a step and without history, did not come through it.
+inline constexpr double new_depth = 0.02;
+/// The same with history: beyond it the contact is lost rather than pushed out violently.
+inline constexpr double history_depth = 0.25;
+/// A face that the node does not reach in the step still gets a row up to this distance: it may be pushed there.
+inline constexpr double row_gap = 0.02;
+/// No accepted pair is farther apart than this; capture boxes are widened by it.
+inline constexpr double capture = 0.27;
+/// Penetration of an earlier step is recovered by at most this a step; more would throw bodies apart.
+inline constexpr double recovery = 1e-4;
+/// Depths below this are round-off of a mesh that touches, not an overlap.
+inline constexpr double overlap = 1e-6;
+
+/// A node can hit a face only if one of the node's own faces looks against it, by this cosine.
+inline constexpr double opposing = -0.2;
+/// Faces of one smooth surface: within this cosine vertex normals are averaged ...
+inline constexpr double smooth = 0.9;
+/// ... and history passes from a face to a neighbour within this one.
+inline constexpr double inherited = 0.7;
+/// Two accepted normals of a node are further apart than this cosine.
+inline constexpr double independent = 0.95;
+
+/// Independent pushes a node may obey at once.
+inline constexpr int max_touches = 3;
+/// Quanta of the keys that order the faces of a node: share of the step, of h.
+inline constexpr double time_quantum = 1.0 / 1024;
+inline constexpr double depth_quantum = 1e-3;
+inline constexpr double off_quantum = 1e-4;
+
+}  // namespace percuss::contact_limits

@@ -1,0 +1,127 @@
+#pragma once
+// One row of the contact system: a node against a face or a wall, in the normal and two tangential directions.
+//
+// An impulse P on the node at x_s acts back on the face corners at x_i as -N_i P - q x rho_i, with rho_i = x_i -
+// mean(x), J = sum (rho^2 I - rho rho^T) and the couple q = J^-1 (r x P), r = x_s - sum N_i x_i, all at x_n. So the
+// impulses of a row sum to zero and their moments about any point do too, because sum N_i = 1, sum rho_i = 0 and sum
+// rho_i x (q x rho_i) = J q. The motion goes from x_n with the corrected velocity, so angular momentum sum x_n x m
+// v(n+1/2) is kept exactly when the moments are taken with the places at n.
+
+#include "kernels/contact/vector3.hpp"
+
+namespace percuss {
+
+/// Nodes of a row: the contact node, then the corners of the face.
+inline constexpr int row_nodes = 5;
+
+/// Impulses of a row: push along the normal (>= 0), rub along the two tangents. [force x time]
+struct RowImpulse {
+  double push = 0;
+  double rub[2] = {0, 0};
+};
+
+struct ContactRow {
+  int node[row_nodes] = {-1, -1, -1, -1, -1};   // mesh nodes; the last four -1 for a wall
+  int place[row_nodes] = {-1, -1, -1, -1, -1};  // of these in RowSystem::nodes
+  int face = -1;                                // contact face; -1: a wall
+  int record = -1;                              // history record that this row writes
+  double weight[4] = {0, 0, 0, 0};              // N
+  Vector3 rho[4];
+  Matrix3 inverse_inertia;  // J^-1
+  Vector3 arm;              // r
+  Vector3 normal, tangent[2];
+  double friction = 0;
+  double size = 0;               // h of the face
+  double gap_start = 0;          // gap at n
+  double gap = 0;                // predicted gap at n+1
+  double target = 0;             // gap wanted at n+1, <= 0
+  double reference = 0;          // overlap accepted at the start, >= 0
+  double slide[2] = {0, 0};      // predicted tangential displacement in the step plus what sticking still owes
+  double stiffness = 0;          // D of the normal: row sum of |G M^-1 G^T| [1/mass]
+  double rub_stiffness = 0;      // D of both tangents
+  RowImpulse impulse, previous;  // iterates k and k-1
+  Vector3 force, couple;         // P and q of `impulse`
+};
+
+KOKKOS_INLINE_FUNCTION int count_nodes(const ContactRow& row) { return row.face < 0 ? 1 : row_nodes; }
+KOKKOS_INLINE_FUNCTION int count_directions(const ContactRow& row) { return row.friction > 0 ? 3 : 1; }
+KOKKOS_INLINE_FUNCTION const Vector3& get_direction(const ContactRow& row, int d) {
+  return d == 0 ? row.normal : row.tangent[d - 1];
+}
+
+/// q of an impulse P on the node.
+KOKKOS_INLINE_FUNCTION Vector3 find_couple(const ContactRow& row, const Vector3& impulse) {
+  return row.inverse_inertia * cross(row.arm, impulse);
+}
+
+/// Impulse on node `slot` of the row for the impulse P on the contact node and its couple q.
+KOKKOS_INLINE_FUNCTION Vector3 spread_impulse(const ContactRow& row, int slot, const Vector3& impulse,
+                                              const Vector3& couple) {
+  if (slot == 0) return impulse;
+  return -(row.weight[slot - 1] * impulse) - cross(couple, row.rho[slot - 1]);
+}
+
+/// The vector u with (sum of impulses . velocities) = P . u for every P: the relative velocity of the row, the
+/// transpose of spread_impulse(). velocity(slot): velocity of node `slot`.
+template <class Velocity>
+KOKKOS_INLINE_FUNCTION Vector3 find_work_velocity(const ContactRow& row, const Velocity& velocity) {
+  Vector3 relative = velocity(0), spin;
+  if (row.face < 0) return relative;
+  for (int i = 0; i < 4; ++i) {
+    const Vector3 v = velocity(i + 1);
+    relative = relative - row.weight[i] * v;
+    spin = spin + cross(row.rho[i], v);
+  }
+  // P . u = P . relative - (J^-1 (r x P)) . spin, and J^-1 is symmetric.
+  return relative - cross(row.inverse_inertia * spin, row.arm);
+}
+
+/// Velocity of the node relative to the point of the face (without the couple).
+template <class Velocity>
+KOKKOS_INLINE_FUNCTION Vector3 find_relative_velocity(const ContactRow& row, const Velocity& velocity) {
+  Vector3 relative = velocity(0);
+  if (row.face < 0) return relative;
+  for (int i = 0; i < 4; ++i) relative = relative - row.weight[i] * velocity(i + 1);
+  return relative;
+}
+
+/// Two unit vectors that complete the normal, from the axis that is least along it.
+KOKKOS_INLINE_FUNCTION void set_tangents(ContactRow& row) {
+  const Vector3& n = row.normal;
+  const double x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;
+  const Vector3 axis = x <= y && x <= z ? Vector3{1, 0, 0} : (y <= z ? Vector3{0, 1, 0} : Vector3{0, 0, 1});
+  row.tangent[0] = normalize(cross(n, axis));
+  row.tangent[1] = cross(n, row.tangent[0]);
+}
+
+/// P of the impulses along the row's directions.
+KOKKOS_INLINE_FUNCTION Vector3 sum_impulse(const ContactRow& row, const RowImpulse& p) {
+  const Vector3 push = p.push * row.normal;
+  return row.friction > 0 ? push + (p.rub[0] * row.tangent[0] + p.rub[1] * row.tangent[1]) : push;
+}
+
+/// Shortens the rub to Coulomb's limit, friction times push.
+KOKKOS_INLINE_FUNCTION void limit_rub(const ContactRow& row, RowImpulse& p) {
+  const double limit = row.friction * p.push;
+  const double length = std::sqrt(p.rub[0] * p.rub[0] + p.rub[1] * p.rub[1]);
+  if (!(length > limit)) return;
+  const double factor = limit / length;
+  p.rub[0] *= factor;
+  p.rub[1] *= factor;
+}
+
+/// One corrected force of the iteration: the impulse that would close the row if its neighbours followed, pushing
+/// only, within Coulomb's limit. y: impulse to correct; u: work velocity of the correction that y and all others cause.
+KOKKOS_INLINE_FUNCTION RowImpulse correct_impulse(const ContactRow& row, const RowImpulse& y, const Vector3& u,
+                                                  double dt) {
+  RowImpulse p;
+  const double push = y.push - (row.gap - row.target + dt * dot(row.normal, u)) / (dt * row.stiffness);
+  p.push = push > 0 ? push : 0;
+  if (!(row.friction > 0)) return p;
+  for (int d = 0; d < 2; ++d)
+    p.rub[d] = y.rub[d] - (row.slide[d] + dt * dot(row.tangent[d], u)) / (dt * row.rub_stiffness);
+  limit_rub(row, p);
+  return p;
+}
+
+}  // namespace percuss

@@ -1,0 +1,87 @@
+#pragma once
+// What the detailed check reads besides the surface: the motion of the step, the faces' normals and sizes, history.
+
+#include "kernels/contact/contact_limits.hpp"
+#include "kernels/contact/contact_surface.hpp"
+#include "kernels/contact/face_geometry.hpp"
+
+namespace percuss {
+
+/// The motion of a step, one row a mesh node.
+struct SurfaceMotion {
+  Rows3<const double> x;  // position at n
+  Rows3<const double> v;  // velocity predicted from n to n+1
+  double dt = 0;
+};
+
+/// Geometry of faces in this step; valid for the faces listed in CandidateList::faces.
+struct FaceState {
+  Rows3<double> normal;  // outward unit normal at the predicted place
+  Array<double> size;    // h of contact_limits.hpp at n
+};
+
+/// What a contact remembers from one step to the next. Record 3 n + i belongs to push i of contact node n, the records
+/// after those to pairs of a wall and a node. Part of the state: a checkpoint must keep it.
+struct ContactHistory {
+  Array<int> face;          // [3 contact nodes] the face that pushed; -1: none
+  Rows3<double> impulse;    // [records] impulse on the node in the last step
+  Rows3<double> slip;       // [records] tangential displacement that sticking still owes
+  Array<double> reference;  // [records] overlap accepted at the start, >= 0
+};
+
+/// Corners at n relative to the node and their displacement over the step relative to the node's.
+struct RelativeFace {
+  FacePoints start, move;
+};
+
+KOKKOS_INLINE_FUNCTION RelativeFace load_relative_face(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                       int node, int face) {
+  const int s = surface.nodes(node);
+  const Vector3 x = load_row(motion.x, s), v = load_row(motion.v, s);
+  RelativeFace relative;
+  for (int i = 0; i < 4; ++i) {
+    const int a = surface.nodes(surface.face_corners(face, i));
+    relative.start.corner[i] = load_row(motion.x, a) - x;
+    relative.move.corner[i] = motion.dt * (load_row(motion.v, a) - v);
+  }
+  return relative;
+}
+
+KOKKOS_INLINE_FUNCTION FacePoints find_end(const RelativeFace& face) {
+  FacePoints end;
+  for (int i = 0; i < 4; ++i) end.corner[i] = face.start.corner[i] + face.move.corner[i];
+  return end;
+}
+
+/// Least cosine between the normals of the node's own faces and that of the face: negative if they look at each other.
+KOKKOS_INLINE_FUNCTION double find_opposition(const ContactSurface& surface, const FaceState& faces, int node,
+                                              int face) {
+  const Vector3 normal = load_row(faces.normal, face);
+  double least = 1;
+  for (int j = surface.nodes_to_faces_offset(node); j < surface.nodes_to_faces_offset(node + 1); ++j) {
+    const double cosine = dot(load_row(faces.normal, surface.nodes_to_faces(j)), normal);
+    if (cosine < least) least = cosine;
+  }
+  return least;
+}
+
+/// The push direction at a point of a face: vertex normals, averaged over the faces of one smooth surface, weighted.
+/// Continuous from face to face of a smooth surface, the face's own normal at a crease.
+KOKKOS_INLINE_FUNCTION Vector3 find_push_direction(const ContactSurface& surface, const FaceState& faces, int face,
+                                                   const double weight[4]) {
+  const Vector3 own = load_row(faces.normal, face);
+  Vector3 sum;
+  for (int i = 0; i < 4; ++i) {
+    if (weight[i] == 0) continue;
+    const int corner = surface.face_corners(face, i);
+    Vector3 vertex;
+    for (int j = surface.nodes_to_faces_offset(corner); j < surface.nodes_to_faces_offset(corner + 1); ++j) {
+      const Vector3 other = load_row(faces.normal, surface.nodes_to_faces(j));
+      if (dot(other, own) > contact_limits::smooth) vertex = vertex + other;
+    }
+    sum = sum + weight[i] * normalize(vertex);
+  }
+  return normalize(sum);
+}
+
+}  // namespace percuss

@@ -1,0 +1,72 @@
+#include "kernels/contact/detailed_check.hpp"
+
+namespace percuss {
+namespace {
+
+/// Distance from the middle of a face to that of the opposite side of its element.
+KOKKOS_INLINE_FUNCTION double find_thickness(const ContactSurface& surface, const Rows3<const double>& x, int face) {
+  Vector3 sum;
+  for (int i = 0; i < 4; ++i)
+    sum = sum + (load_row(x, surface.nodes(surface.face_corners(face, i))) - load_row(x, surface.face_backs(face, i)));
+  return 0.25 * norm(sum);
+}
+
+}  // namespace
+
+template <class Space>
+void update_faces(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+                  const CandidateList& candidates, const FaceState& faces) {
+  const ContactSurface s = surface;
+  const SurfaceMotion m = motion;
+  const FaceState out = faces;
+  const Array<const int> list = candidates.faces;
+  Kokkos::parallel_for(
+      "contact::update_faces", RangeOf<Space>(space, 0, candidates.num_faces), KOKKOS_LAMBDA(int i) {
+        const int face = list(i);
+        // Relative to the first corner, so that nothing degrades far from the origin of the coordinates.
+        const RelativeFace relative = load_relative_face(s, m, s.face_corners(face, 0), face);
+        store_row(out.normal, face, find_face_normal(find_end(relative)));
+        const double edge = find_shortest_edge(relative.start), thickness = find_thickness(s, m.x, face);
+        out.size(face) = edge < thickness ? edge : thickness;
+      });
+}
+
+template <class Space>
+void find_touches(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+                  const CandidateList& candidates, const FaceState& faces, const ContactHistory& history,
+                  TouchTable& table) {
+  reserve(table.by_node, candidates.num_nodes);
+  reserve(table.first, candidates.num_nodes);
+  const Array<NodeTouches> by_node = table.by_node;
+  const ContactSurface s = surface;
+  const SurfaceMotion m = motion;
+  const FaceState f = faces;
+  const ContactHistory h = history;
+  const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
+  Kokkos::parallel_for(
+      "contact::detailed_check", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
+        const int node = nodes(i);
+        by_node(i) = check_node(s, m, f, h, node, face, offset(node), offset(node + 1));
+      });
+  const Array<int> first = table.first;
+  Kokkos::parallel_scan(
+      "contact::first_touch", RangeOf<Space>(space, 0, candidates.num_nodes),
+      KOKKOS_LAMBDA(int i, int& place, bool final_pass) {
+        if (final_pass) first(i) = place;
+        place += by_node(i).count;
+      },
+      table.count);
+}
+
+#define PERCUSS_INSTANTIATE(Space)                                                                            \
+  template void update_faces(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
+                             const FaceState&);                                                               \
+  template void find_touches(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
+                             const FaceState&, const ContactHistory&, TouchTable&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss

@@ -1,0 +1,114 @@
+#pragma once
+// A contact face as a surface in space: a fan of four triangles around the mean of its corners.
+//
+// The fan is the same from whichever node it is looked at, its outer edges are the straight edges of the element, so
+// neighbours leave no crack. All points are relative to an origin near the face, chosen by the caller.
+
+#include "kernels/contact/vector3.hpp"
+
+namespace percuss {
+
+struct FacePoints {
+  Vector3 corner[4];
+};
+
+KOKKOS_INLINE_FUNCTION Vector3 find_middle(const FacePoints& face) {
+  return 0.25 * ((face.corner[0] + face.corner[1]) + (face.corner[2] + face.corner[3]));
+}
+
+/// Outward unit normal: half the cross product of the diagonals, which is the exact area vector of the fan.
+KOKKOS_INLINE_FUNCTION Vector3 find_face_normal(const FacePoints& face) {
+  return normalize(cross(face.corner[2] - face.corner[0], face.corner[3] - face.corner[1]));
+}
+
+KOKKOS_INLINE_FUNCTION double find_shortest_edge(const FacePoints& face) {
+  double shortest = norm(face.corner[1] - face.corner[0]);
+  for (int i = 1; i < 4; ++i) {
+    const double edge = norm(face.corner[(i + 1) % 4] - face.corner[i]);
+    if (edge < shortest) shortest = edge;
+  }
+  return shortest;
+}
+
+/// A point of a face.
+struct FacePoint {
+  double weight[4] = {0, 0, 0, 0};  // of the corners; their sum is 1
+  double distance = 0;              // of the asking point from it
+  double off = 0;                   // part of that distance along the face: 0 unless the point lies beside the face
+};
+
+/// Barycentric coordinates of the point of triangle (a, b, c) closest to the origin of the coordinates, by the region
+/// of the plane that the origin projects to.
+/// Source: Ericson, Real-Time Collision Detection (2005), section 5.1.5.
+KOKKOS_INLINE_FUNCTION Vector3 find_closest_on_triangle(const Vector3& a, const Vector3& b, const Vector3& c) {
+  const Vector3 ab = b - a, ac = c - a;
+  const double d1 = -dot(ab, a), d2 = -dot(ac, a);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  const double d3 = -dot(ab, b), d4 = -dot(ac, b);
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) {
+    const double v = d1 / (d1 - d3);
+    return {1 - v, v, 0};
+  }
+  const double d5 = -dot(ab, c), d6 = -dot(ac, c);
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) {
+    const double w = d2 / (d2 - d6);
+    return {1 - w, 0, w};
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - w, w};
+  }
+  const double sum = va + vb + vc;
+  if (!(sum > 0)) return {1, 0, 0};  // a triangle without area
+  const double v = vb / sum, w = vc / sum;
+  return {1 - v - w, v, w};
+}
+
+/// Weights of the corners for barycentric coordinates in triangle k of the fan: (middle, corner k, corner k + 1).
+KOKKOS_INLINE_FUNCTION void set_fan_weights(int k, const Vector3& barycentric, double weight[4]) {
+  for (int i = 0; i < 4; ++i) weight[i] = 0.25 * barycentric.x;
+  weight[k] += barycentric.y;
+  weight[(k + 1) % 4] += barycentric.z;
+}
+
+/// The vector from the point of triangle (a, b, c) with these coordinates to the origin, without its part along the
+/// normal of the triangle.
+KOKKOS_INLINE_FUNCTION double find_distance_in_plane(const Vector3& a, const Vector3& b, const Vector3& c,
+                                                     const Vector3& to_origin) {
+  const Vector3 normal = normalize(cross(b - a, c - a));
+  return norm(to_origin - dot(to_origin, normal) * normal);
+}
+
+/// The point of the face closest to the origin of the coordinates; on ties the first triangle of the fan.
+KOKKOS_INLINE_FUNCTION FacePoint find_closest_point(const FacePoints& face) {
+  const Vector3 middle = find_middle(face);
+  FacePoint best;
+  double best_square = -1;
+  for (int k = 0; k < 4; ++k) {
+    const Vector3& b = face.corner[k];
+    const Vector3& c = face.corner[(k + 1) % 4];
+    const Vector3 bary = find_closest_on_triangle(middle, b, c);
+    const Vector3 to_origin = -(bary.x * middle + (bary.y * b + bary.z * c));
+    const double square = dot(to_origin, to_origin);
+    if (best_square >= 0 && square >= best_square) continue;
+    best_square = square;
+    set_fan_weights(k, bary, best.weight);
+    // Only the outer edge of the fan ends the face.
+    best.off = bary.x > 0 ? 0 : find_distance_in_plane(middle, b, c, to_origin);
+  }
+  best.distance = std::sqrt(best_square);
+  return best;
+}
+
+/// The point of the face with these weights.
+KOKKOS_INLINE_FUNCTION Vector3 interpolate(const FacePoints& face, const double weight[4]) {
+  return (weight[0] * face.corner[0] + weight[1] * face.corner[1]) +
+         (weight[2] * face.corner[2] + weight[3] * face.corner[3]);
+}
+
+}  // namespace percuss

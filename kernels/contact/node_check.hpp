@@ -1,0 +1,132 @@
+#pragma once
+// The detailed check of one contact node: which of the faces it is in contact with does it obey?
+//
+// One face on a convex neighbourhood; several on a concave one (a corner between faces) and on other bodies, up to
+// three independent normals. Candidates are ordered by integer keys: a comparison with tolerances is no strict order.
+
+#include "kernels/contact/pair_check.hpp"
+
+namespace percuss {
+
+/// Order of the faces of a node: history, then time, then least penetration, then least distance beside the face,
+/// then the face of the last step, then the face's number.
+struct TouchKey {
+  int value[6] = {0, 0, 0, 0, 0, 0};
+};
+
+KOKKOS_INLINE_FUNCTION bool operator<(const TouchKey& a, const TouchKey& b) {
+  for (int i = 0; i < 6; ++i)
+    if (a.value[i] != b.value[i]) return a.value[i] < b.value[i];
+  return false;
+}
+
+/// value / quantum to the nearest integer, within the range of int.
+KOKKOS_INLINE_FUNCTION int quantise(double value, double quantum) {
+  constexpr double largest = 1e9;
+  const double ratio = value / quantum;
+  if (!(ratio < largest)) return static_cast<int>(largest);
+  return static_cast<int>(ratio + 0.5);
+}
+
+KOKKOS_INLINE_FUNCTION TouchKey make_key(const Touch& touch) {
+  const double depth = touch.gap_end < 0 ? -touch.gap_end : 0;
+  TouchKey key;
+  key.value[0] = touch.record >= 0 ? 0 : 1;
+  key.value[1] = touch.record >= 0 ? 0 : quantise(touch.tau, contact_limits::time_quantum);
+  key.value[2] = quantise(depth, contact_limits::depth_quantum * touch.size);
+  key.value[3] = quantise(touch.off, contact_limits::off_quantum * touch.size);
+  key.value[4] = touch.same_face ? 0 : 1;
+  key.value[5] = touch.face;
+  return key;
+}
+
+/// The best touches of a node in the order of their keys.
+struct TouchList {
+  static constexpr int capacity = 12;  // more faces than meet at a vertex of two bodies; the worst fall off the end
+  int count = 0;
+  Touch touch[capacity];
+  TouchKey key[capacity];
+
+  KOKKOS_INLINE_FUNCTION void insert(const Touch& t) {
+    const TouchKey k = make_key(t);
+    if (count == capacity && !(k < key[capacity - 1])) return;
+    if (count < capacity) ++count;
+    int place = count - 1;
+    for (; place > 0 && k < key[place - 1]; --place) {
+      touch[place] = touch[place - 1];
+      key[place] = key[place - 1];
+    }
+    touch[place] = t;
+    key[place] = k;
+  }
+};
+
+/// Whether two faces of one body bulge: each one's middle lies behind the other. A node cannot be held by both.
+KOKKOS_INLINE_FUNCTION bool are_convex(const ContactSurface& surface, const SurfaceMotion& motion,
+                                       const FaceState& faces, int a, int b) {
+  if (surface.face_body(a) != surface.face_body(b)) return false;
+  const int origin = surface.nodes(surface.face_corners(a, 0));
+  const Vector3 o = load_row(motion.x, origin), vo = load_row(motion.v, origin);
+  Vector3 from_a_to_b;
+  for (int i = 0; i < 4; ++i) {
+    const int p = surface.nodes(surface.face_corners(a, i)), q = surface.nodes(surface.face_corners(b, i));
+    const Vector3 at_p = (load_row(motion.x, p) - o) + motion.dt * (load_row(motion.v, p) - vo);
+    const Vector3 at_q = (load_row(motion.x, q) - o) + motion.dt * (load_row(motion.v, q) - vo);
+    from_a_to_b = from_a_to_b + (at_q - at_p);
+  }
+  return dot(from_a_to_b, load_row(faces.normal, a)) < 0 && dot(from_a_to_b, load_row(faces.normal, b)) > 0;
+}
+
+/// Up to three touches that the node obeys.
+struct NodeTouches {
+  int count = 0;
+  Touch touch[contact_limits::max_touches];
+};
+
+KOKKOS_INLINE_FUNCTION bool is_compatible(const ContactSurface& surface, const SurfaceMotion& motion,
+                                          const FaceState& faces, const NodeTouches& accepted, const Touch& touch) {
+  for (int i = 0; i < accepted.count; ++i) {
+    if (dot(accepted.touch[i].normal, touch.normal) > contact_limits::independent) return false;
+    if (are_convex(surface, motion, faces, accepted.touch[i].face, touch.face)) return false;
+  }
+  return true;
+}
+
+/// A history slot is continued by one touch only: the first that asks. The others start anew.
+KOKKOS_INLINE_FUNCTION void claim_record(const NodeTouches& accepted, Touch& touch) {
+  for (int i = 0; i < accepted.count; ++i)
+    if (accepted.touch[i].record == touch.record) touch.record = -1;
+}
+
+/// Sorts the accepted touches by face, the order of rows and sums.
+KOKKOS_INLINE_FUNCTION void sort_by_face(NodeTouches& touches) {
+  for (int i = 1; i < touches.count; ++i)
+    for (int j = i; j > 0 && touches.touch[j].face < touches.touch[j - 1].face; --j) {
+      const Touch swap = touches.touch[j];
+      touches.touch[j] = touches.touch[j - 1];
+      touches.touch[j - 1] = swap;
+    }
+}
+
+/// Checks the candidate faces of a node, candidates(first) to candidates(last - 1).
+template <class Faces>
+KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, const SurfaceMotion& motion,
+                                              const FaceState& faces, const ContactHistory& history, int node,
+                                              const Faces& candidates, int first, int last) {
+  TouchList found;
+  for (int c = first; c < last; ++c) {
+    Touch touch;
+    if (check_pair(surface, motion, faces, history, node, candidates(c), touch)) found.insert(touch);
+  }
+  NodeTouches accepted;
+  for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
+    Touch touch = found.touch[i];
+    if (!is_compatible(surface, motion, faces, accepted, touch)) continue;
+    claim_record(accepted, touch);
+    accepted.touch[accepted.count++] = touch;
+  }
+  sort_by_face(accepted);
+  return accepted;
+}
+
+}  // namespace percuss

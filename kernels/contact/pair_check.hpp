@@ -1,0 +1,140 @@
+#pragma once
+// The detailed check of one pair: is this contact node in contact with this face in this step, where, how deep?
+//
+// Ways into contact: the node is at the face at the end of the step (touching: the closest point at the predicted
+// place), goes through it within the step (swept, at any speed), or leaves it far behind (held). A node behind a face
+// that it did not go through is not in contact with it. Nothing here depends on what other pairs exist.
+
+#include "kernels/contact/contact_state.hpp"
+#include "kernels/contact/swept_root.hpp"
+
+namespace percuss {
+
+/// One node on one face.
+struct Touch {
+  int face = -1;
+  int record = -1;         // history slot of the node (0 to 2) that this contact continues; -1: new
+  bool same_face = false;  // the record is of this very face
+  double weight[4] = {0, 0, 0, 0};
+  Vector3 normal;        // push direction of the node
+  double gap_start = 0;  // distance along the normal at n, negative behind the face [length]
+  double gap_end = 0;    // the same at the predicted place
+  double off = 0;        // distance beside the face
+  double tau = 0;        // when contact begins, share of the step; 0: touching since the start
+  double size = 0;       // h of the face
+};
+
+/// Which history slot of the node a contact with this face would continue: that of the face itself, else that of a
+/// smooth neighbour.
+KOKKOS_INLINE_FUNCTION void find_record(const ContactSurface& surface, const FaceState& faces,
+                                        const ContactHistory& history, int node, Touch& touch) {
+  for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
+    const int old = history.face(node * contact_limits::max_touches + slot);
+    if (old < 0) continue;
+    if (old == touch.face) {
+      touch.record = slot;
+      touch.same_face = true;
+      return;
+    }
+    const double cosine = dot(load_row(faces.normal, old), load_row(faces.normal, touch.face));
+    if (touch.record < 0 && cosine > contact_limits::inherited && share_corner(surface, old, touch.face))
+      touch.record = slot;
+  }
+}
+
+/// Whether the box of the face over the step comes within reach of the node (the origin).
+KOKKOS_INLINE_FUNCTION bool is_within_reach(const FacePoints& start, const FacePoints& end, double reach) {
+  Vector3 low = start.corner[0], high = start.corner[0];
+  const auto include = [&](const Vector3& p) {
+    low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
+    high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
+  };
+  for (int i = 0; i < 4; ++i) {
+    include(start.corner[i]);
+    include(end.corner[i]);
+  }
+  return low.x <= reach && low.y <= reach && low.z <= reach && high.x >= -reach && high.y >= -reach && high.z >= -reach;
+}
+
+/// When contact begins, from the gaps at both ends of the step.
+KOKKOS_INLINE_FUNCTION double find_contact_time(const Touch& touch) {
+  if (touch.gap_start <= contact_limits::new_band * touch.size) return 0;
+  if (touch.gap_end >= 0) return 1;
+  return touch.gap_start / (touch.gap_start - touch.gap_end);
+}
+
+/// Sets place, direction and gaps of a touch at the point of the face with touch.weight.
+KOKKOS_INLINE_FUNCTION void measure_gaps(const ContactSurface& surface, const FaceState& faces, const FacePoints& start,
+                                         const FacePoints& end, Touch& touch) {
+  touch.normal = find_push_direction(surface, faces, touch.face, touch.weight);
+  touch.gap_start = -dot(touch.normal, interpolate(start, touch.weight));
+  touch.gap_end = -dot(touch.normal, interpolate(end, touch.weight));
+  touch.tau = find_contact_time(touch);
+}
+
+/// Touching: the closest point of the face at the predicted place.
+KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const FaceState& faces,
+                                           const FacePoints& start, const FacePoints& end, Touch& touch) {
+  const double h = touch.size;
+  const bool known = touch.record >= 0;
+  const FacePoint closest = find_closest_point(end);
+  if (closest.distance > contact_limits::capture * h) return false;
+  if (closest.off > (known ? contact_limits::history_band : contact_limits::new_band) * h) return false;
+  for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
+  touch.off = closest.off;
+  measure_gaps(surface, faces, start, end, touch);
+  if (touch.gap_end > contact_limits::row_gap * h) return false;
+  if (touch.gap_start < -(known ? contact_limits::history_depth : contact_limits::new_depth) * h) return false;
+  // New and behind the face since the start: only if it was not beside the face then, where another face is entered.
+  if (!known && touch.gap_start < -contact_limits::new_band * h)
+    return find_closest_point(start).off <= contact_limits::new_band * h;
+  return true;
+}
+
+/// Swept: the first time at which the node goes through the face.
+KOKKOS_INLINE_FUNCTION bool check_swept(const ContactSurface& surface, const FaceState& faces,
+                                        const RelativeFace& relative, const FacePoints& end, Touch& touch) {
+  const double h = touch.size;
+  const SweptHit hit = sweep_face(relative.start, relative.move, contact_limits::new_band * h);
+  if (!hit.hit) return false;
+  for (int i = 0; i < 4; ++i) touch.weight[i] = hit.weight[i];
+  touch.off = hit.off;
+  measure_gaps(surface, faces, relative.start, end, touch);
+  touch.tau = touch.gap_start <= contact_limits::new_band * h ? 0 : hit.tau;
+  return touch.gap_end <= contact_limits::row_gap * h && touch.gap_start >= -contact_limits::new_depth * h;
+}
+
+/// Held: at the face at the start of the step and so far behind it at the end that the closest point there says
+/// nothing. Only at speeds of the order of a face a step.
+KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const FaceState& faces, const FacePoints& start,
+                                       const FacePoints& end, Touch& touch) {
+  const double h = touch.size;
+  const bool known = touch.record >= 0;
+  const FacePoint closest = find_closest_point(start);
+  if (closest.distance > contact_limits::capture * h) return false;
+  if (closest.off > (known ? contact_limits::history_band : contact_limits::new_band) * h) return false;
+  for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
+  touch.off = closest.off;
+  measure_gaps(surface, faces, start, end, touch);
+  if (touch.gap_start > contact_limits::new_band * h || touch.gap_end > -contact_limits::capture * h) return false;
+  return touch.gap_start >= -(known ? contact_limits::history_depth : contact_limits::new_depth) * h;
+}
+
+/// Checks one pair; touch is meaningful if the answer is true.
+KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const SurfaceMotion& motion,
+                                       const FaceState& faces, const ContactHistory& history, int node, int face,
+                                       Touch& touch) {
+  touch = Touch{};
+  touch.face = face;
+  touch.size = faces.size(face);
+  const RelativeFace relative = load_relative_face(surface, motion, node, face);
+  const FacePoints end = find_end(relative);
+  if (!is_within_reach(relative.start, end, contact_limits::capture * touch.size)) return false;
+  if (find_opposition(surface, faces, node, face) > contact_limits::opposing) return false;
+  find_record(surface, faces, history, node, touch);
+  if (check_touching(surface, faces, relative.start, end, touch)) return true;
+  if (check_swept(surface, faces, relative, end, touch)) return true;
+  return check_held(surface, faces, relative.start, end, touch);
+}
+
+}  // namespace percuss

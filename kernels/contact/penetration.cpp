@@ -1,0 +1,101 @@
+#include "kernels/contact/penetration.hpp"
+
+namespace percuss {
+namespace {
+
+/// A node counts as projecting on a face up to this share of h beside it.
+constexpr double beside = 1e-6;
+/// Share of h behind a face beyond which the node is not said to be behind it.
+constexpr double deepest = 0.5;
+
+/// How deep a node is behind a face.
+struct FaceDepth {
+  bool known = false;  // whether the node projects on the face from nearby
+  double depth = 0;    // negative in front
+  double edge = 0;
+};
+
+KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                 const FaceState& faces, int node, int face) {
+  FaceDepth result;
+  if (surface.node_body(node) == surface.face_body(face) &&
+      find_opposition(surface, faces, node, face) > contact_limits::opposing)
+    return result;
+  const RelativeFace relative = load_relative_face(surface, motion, node, face);
+  const FacePoint closest = find_closest_point(relative.start);
+  const double size = faces.size(face);
+  if (closest.off > beside * size || closest.distance > deepest * size) return result;
+  result.known = true;
+  const Vector3 normal = find_push_direction(surface, faces, face, closest.weight);
+  result.depth = dot(normal, interpolate(relative.start, closest.weight));
+  result.edge = find_shortest_edge(relative.start);
+  return result;
+}
+
+/// The least depth behind the faces of the body of candidate `c`; face -1 if the node is outside.
+struct BodyDepth {
+  int face = -1;
+  FaceDepth least;
+};
+
+template <class Faces>
+KOKKOS_INLINE_FUNCTION BodyDepth find_body_depth(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                 const FaceState& faces, int node, const Faces& candidates, int c,
+                                                 int last) {
+  BodyDepth result;
+  const int body = surface.face_body(candidates(c));
+  for (int i = c; i < last; ++i) {
+    if (surface.face_body(candidates(i)) != body) continue;
+    const FaceDepth depth = find_face_depth(surface, motion, faces, node, candidates(i));
+    if (!depth.known || (result.least.known && depth.depth >= result.least.depth)) continue;
+    result.least = depth;
+    result.face = depth.depth > 0 ? candidates(i) : -1;
+  }
+  return result;
+}
+
+template <class Faces>
+KOKKOS_INLINE_FUNCTION bool is_first_of_body(const ContactSurface& surface, const Faces& candidates, int first, int c) {
+  for (int i = first; i < c; ++i)
+    if (surface.face_body(candidates(i)) == surface.face_body(candidates(c))) return false;
+  return true;
+}
+
+}  // namespace
+
+template <class Space>
+void find_penetrations(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+                       const CandidateList& candidates, const FaceState& faces, PenetrationTable& table) {
+  reserve(table.depth, surface.num_nodes);
+  reserve(table.ratio, surface.num_nodes);
+  reserve(table.face, surface.num_nodes);
+  const Array<double> depth = table.depth, ratio = table.ratio;
+  const Array<int> face = table.face;
+  const ContactSurface s = surface;
+  const SurfaceMotion m = motion;
+  const FaceState f = faces;
+  const Array<const int> offset = candidates.offset, list = candidates.face;
+  Kokkos::parallel_for(
+      "contact::penetrations", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
+        depth(node) = 0;
+        ratio(node) = 0;
+        face(node) = -1;
+        for (int c = offset(node); c < offset(node + 1); ++c) {
+          if (!is_first_of_body(s, list, offset(node), c)) continue;
+          const BodyDepth body = find_body_depth(s, m, f, node, list, c, offset(node + 1));
+          if (body.face < 0 || body.least.depth <= depth(node)) continue;
+          depth(node) = body.least.depth;
+          ratio(node) = body.least.depth / body.least.edge;
+          face(node) = body.face;
+        }
+      });
+}
+
+template void find_penetrations(const ExecSpace&, const ContactSurface&, const SurfaceMotion&, const CandidateList&,
+                                const FaceState&, PenetrationTable&);
+#if defined(PERCUSS_SMALL_SPACE)
+template void find_penetrations(const SmallSpace&, const ContactSurface&, const SurfaceMotion&, const CandidateList&,
+                                const FaceState&, PenetrationTable&);
+#endif
+
+}  // namespace percuss

@@ -1,0 +1,186 @@
+#include "kernels/contact/points_in_box.hpp"
+
+#include "kernels/contact/index_lists.hpp"
+
+namespace percuss {
+namespace {
+
+/// A run of one axis' list: places first to last - 1.
+struct Run {
+  int first = 0, last = 0;
+};
+
+struct RankLists {
+  Rows3<const double> x;
+  Array<const int> points;
+  Array<const int> order[3], rank[3];
+  int n = 0;
+
+  /// First place whose coordinate is at least (strict: above) the value.
+  KOKKOS_INLINE_FUNCTION int search(int axis, double value, bool strict) const {
+    int lo = 0, hi = n;
+    while (lo < hi) {
+      const int middle = lo + (hi - lo) / 2;
+      const double c = x(points(order[axis](middle)), axis);
+      if (strict ? c <= value : c < value)
+        lo = middle + 1;
+      else
+        hi = middle;
+    }
+    return lo;
+  }
+  KOKKOS_INLINE_FUNCTION Run find_run(int axis, const Boxes& boxes, int face) const {
+    return {search(axis, boxes(face, axis), false), search(axis, boxes(face, axis + 3), true)};
+  }
+};
+
+/// Pairs found so far, in no order; sorted afterwards.
+struct HitList {
+  Array<int> node, face;
+  Array<std::int64_t> total;
+  int capacity = 0;
+
+  KOKKOS_INLINE_FUNCTION void append(const int* nodes, int count, int hit_face) const {
+    const std::int64_t first = Kokkos::atomic_fetch_add(&total(0), static_cast<std::int64_t>(count));
+    for (int i = 0; i < count && first + i < capacity; ++i) {
+      node(first + i) = nodes[i];
+      face(first + i) = hit_face;
+    }
+  }
+};
+
+/// Walks the shortest of the three runs of a face's box.
+struct FaceQuery {
+  ContactSurface surface;
+  RankLists lists;
+  Boxes boxes;
+  HitList hits;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const {
+    constexpr int buffer_size = 32;
+    const int face = surface.searched_faces(i);
+    Run run[3];
+    int shortest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      run[axis] = lists.find_run(axis, boxes, face);
+      if (run[axis].last - run[axis].first < run[shortest].last - run[shortest].first) shortest = axis;
+    }
+    const int b = (shortest + 1) % 3, c = (shortest + 2) % 3;
+    int buffer[buffer_size], count = 0;
+    for (int place = run[shortest].first; place < run[shortest].last; ++place) {
+      const int point = lists.order[shortest](place);
+      const int rank_b = lists.rank[b](point), rank_c = lists.rank[c](point);
+      if (rank_b < run[b].first || rank_b >= run[b].last || rank_c < run[c].first || rank_c >= run[c].last) continue;
+      const int node = surface.searched_nodes(point);
+      if (find_friction(surface, node, face) < 0 || shares_element(surface, node, face)) continue;
+      buffer[count++] = node;
+      if (count == buffer_size) {
+        hits.append(buffer, count, face);
+        count = 0;
+      }
+    }
+    if (count > 0) hits.append(buffer, count, face);
+  }
+};
+
+template <class Space>
+RankLists rank_nodes(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
+                     SearchScratch& scratch) {
+  const int n = static_cast<int>(surface.searched_nodes.extent(0));
+  reserve(scratch.points, n);
+  const Array<int> points = scratch.points;
+  const ContactSurface s = surface;
+  Kokkos::parallel_for(
+      "contact::list_points", RangeOf<Space>(space, 0, n),
+      KOKKOS_LAMBDA(int i) { points(i) = s.nodes(s.searched_nodes(i)); });
+  RankLists lists;
+  lists.x = x;
+  lists.points = points;
+  lists.n = n;
+  for (int axis = 0; axis < 3; ++axis) {
+    reserve(scratch.order[axis], n);
+    reserve(scratch.rank[axis], n);
+    rank_points<Space>(space, x, points, n, axis, scratch.sort, scratch.order[axis], scratch.rank[axis]);
+    lists.order[axis] = scratch.order[axis];
+    lists.rank[axis] = scratch.rank[axis];
+  }
+  return lists;
+}
+
+/// Walks all boxes, again with more room if the hits do not fit; returns their number.
+template <class Space>
+std::int64_t collect_hits(const Space& space, const ContactSurface& surface, const RankLists& lists, const Boxes& boxes,
+                          std::int64_t max_pairs, SearchScratch& scratch) {
+  const int faces = static_cast<int>(surface.searched_faces.extent(0));
+  const Array<std::int64_t> total = scratch.total;
+  for (;;) {
+    HitList hits{scratch.hit_node, scratch.hit_face, total, static_cast<int>(scratch.hit_node.extent(0))};
+    Kokkos::deep_copy(space, total, std::int64_t{0});
+    Kokkos::parallel_for("contact::points_in_box", RangeOf<Space>(space, 0, faces),
+                         FaceQuery{surface, lists, boxes, hits});
+    const std::int64_t found = read_value(space, total, 0);
+    if (found <= hits.capacity || found > max_pairs) return found;
+    reserve(scratch.hit_node, static_cast<int>(found));
+    reserve(scratch.hit_face, static_cast<int>(found));
+  }
+}
+
+}  // namespace
+
+template <class Space>
+std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
+                                  const Boxes& boxes, std::int64_t max_pairs, SearchScratch& scratch,
+                                  CandidateList& list) {
+  const RankLists lists = rank_nodes(space, surface, x, scratch);
+  const std::int64_t found = collect_hits(space, surface, lists, boxes, max_pairs, scratch);
+  if (found > max_pairs) return found;
+  list.num_pairs = static_cast<int>(found);
+  reserve(list.offset, surface.num_nodes + 1);
+  reserve(list.face, list.num_pairs);
+  reserve(scratch.count, surface.num_nodes);
+  group_by_key<Space>(space, list.num_pairs, scratch.hit_node, scratch.hit_face, surface.num_nodes, scratch.count,
+                      list.offset, list.face);
+  return found;
+}
+
+template <class Space>
+void list_concerned(const Space& space, const ContactSurface& surface, const Array<const int>& history_face,
+                    SearchScratch& scratch, CandidateList& list) {
+  reserve(scratch.mark, surface.num_faces);
+  reserve(list.nodes, surface.num_nodes);
+  reserve(list.faces, surface.num_faces);
+  const ContactSurface s = surface;
+  const Array<int> mark = scratch.mark, offset = list.offset, face = list.face;
+  Kokkos::parallel_for(
+      "contact::clear_marks", RangeOf<Space>(space, 0, surface.num_faces), KOKKOS_LAMBDA(int f) { mark(f) = 0; });
+  Kokkos::parallel_for(
+      "contact::mark_faces", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
+        const auto mark_around = [&](int n) {
+          for (int j = s.nodes_to_faces_offset(n); j < s.nodes_to_faces_offset(n + 1); ++j)
+            Kokkos::atomic_fetch_or(&mark(s.nodes_to_faces(j)), 1);
+        };
+        if (offset(node) == offset(node + 1)) return;
+        mark_around(node);
+        for (int c = offset(node); c < offset(node + 1); ++c)
+          for (int i = 0; i < 4; ++i) mark_around(s.face_corners(face(c), i));
+        for (int slot = 0; slot < 3; ++slot)
+          if (history_face(3 * node + slot) >= 0) Kokkos::atomic_fetch_or(&mark(history_face(3 * node + slot)), 1);
+      });
+  list.num_faces = list_where<Space>(
+      space, surface.num_faces, [mark] KOKKOS_FUNCTION(int f) { return mark(f) != 0; }, list.faces);
+  list.num_nodes = list_where<Space>(
+      space, surface.num_nodes, [offset] KOKKOS_FUNCTION(int n) { return offset(n) < offset(n + 1); }, list.nodes);
+}
+
+template std::int64_t find_points_in_boxes(const ExecSpace&, const ContactSurface&, const Rows3<const double>&,
+                                           const Boxes&, std::int64_t, SearchScratch&, CandidateList&);
+template void list_concerned(const ExecSpace&, const ContactSurface&, const Array<const int>&, SearchScratch&,
+                             CandidateList&);
+#if defined(PERCUSS_SMALL_SPACE)
+template std::int64_t find_points_in_boxes(const SmallSpace&, const ContactSurface&, const Rows3<const double>&,
+                                           const Boxes&, std::int64_t, SearchScratch&, CandidateList&);
+template void list_concerned(const SmallSpace&, const ContactSurface&, const Array<const int>&, SearchScratch&,
+                             CandidateList&);
+#endif
+
+}  // namespace percuss

@@ -1,0 +1,60 @@
+#pragma once
+// Points-in-box: which contact nodes lie in which capture boxes (the paper's location phase, section 4.1.1).
+//
+// The nodes are ranked along each axis once: three lists and three ranks. For each box a binary search finds its
+// run in each list; the shortest run is walked and the other two axes are tested by rank. With the counts by node
+// that is 7 words a node; time n log n and a walk. Exact in double: the oracle for faster searches.
+
+#include "kernels/contact/contact_surface.hpp"
+#include "kernels/contact/point_order.hpp"
+
+namespace percuss {
+
+/// Boxes [n][6]: lowest x, y, z, highest x, y, z; both ends belong to the box.
+using Boxes = Kokkos::View<double* [6], Kokkos::LayoutRight, MemSpace>;
+
+/// Candidate pairs by node, faces ascending: the pair list sorted by (node, face).
+struct CandidateList {
+  int num_pairs = 0;
+  int num_nodes = 0;                                               // nodes with candidates
+  int num_faces = 0;                                               // faces whose geometry the detailed check reads
+  Array<int> offset = Array<int>("contact::candidate_offset", 0);  // [contact nodes + 1]
+  Array<int> face = Array<int>("contact::candidate_face", 0);      // [pairs]
+  Array<int> nodes = Array<int>("contact::candidate_nodes", 0);    // [num_nodes] contact nodes, ascending
+  Array<int> faces = Array<int>("contact::candidate_faces", 0);    // [num_faces] ascending
+};
+
+/// Memory of the search, kept between searches.
+struct SearchScratch {
+  Array<int> points = Array<int>("contact::points", 0);  // [searched nodes] mesh node
+  Array<int> order[3] = {Array<int>("contact::order_x", 0), Array<int>("contact::order_y", 0),
+                         Array<int>("contact::order_z", 0)};
+  Array<int> rank[3] = {Array<int>("contact::rank_x", 0), Array<int>("contact::rank_y", 0),
+                        Array<int>("contact::rank_z", 0)};
+  SortScratch sort;
+  Array<int> hit_node = Array<int>("contact::hit_node", 0), hit_face = Array<int>("contact::hit_face", 0);
+  Array<std::int64_t> total = Array<std::int64_t>("contact::hit_total", 1);
+  Array<int> count = Array<int>("contact::count", 0);
+  Array<int> mark = Array<int>("contact::mark", 0);
+};
+
+/// Finds all pairs of a searched node and a searched face whose box holds the node, that may touch (pair table) and do
+/// not share an element. boxes: by contact face; x: [mesh nodes][3]. Fills offset, face, num_pairs of the list and
+/// returns the number of pairs; if that is above max_pairs the list is not filled.
+template <class Space>
+std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
+                                  const Boxes& boxes, std::int64_t max_pairs, SearchScratch& scratch,
+                                  CandidateList& list);
+
+/// More pairs than this do not come from a sound motion (a runaway node makes every box hold every node).
+inline std::int64_t find_pair_limit(const ContactSurface& surface) {
+  return std::int64_t{1'000'000} + 2000 * static_cast<std::int64_t>(surface.searched_nodes.extent(0));
+}
+
+/// Lists the nodes that have candidates and the faces that their check reads: candidates, the faces around these, the
+/// nodes' own faces and those of history_face [3 contact nodes] (-1: none).
+template <class Space>
+void list_concerned(const Space& space, const ContactSurface& surface, const Array<const int>& history_face,
+                    SearchScratch& scratch, CandidateList& list);
+
+}  // namespace percuss

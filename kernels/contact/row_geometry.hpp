@@ -1,0 +1,140 @@
+#pragma once
+// From a touch to a row: geometry at x_n, the gap that is wanted, the first guess from the last step.
+
+#include "kernels/contact/row_system.hpp"
+
+namespace percuss {
+
+/// |coefficient| of a node in direction d of a row, component by component.
+KOKKOS_INLINE_FUNCTION Vector3 find_abs_coefficient(const ContactRow& row, int slot, int d) {
+  const Vector3& direction = get_direction(row, d);
+  const Vector3 c = spread_impulse(row, slot, direction, find_couple(row, direction));
+  return {c.x < 0 ? -c.x : c.x, c.y < 0 ? -c.y : c.y, c.z < 0 ? -c.z : c.z};
+}
+
+/// D of the directions. A row whose nodes are all held cannot be moved and asks for nothing.
+KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3]) {
+  const auto choose = [](double d) { return d > 0 ? d : 1; };
+  row.stiffness = choose(stiffness[0]);
+  row.rub_stiffness = choose(stiffness[1] > stiffness[2] ? stiffness[1] : stiffness[2]);
+  if (stiffness[0] > 0) return;
+  row.impulse = RowImpulse{};
+  row.previous = RowImpulse{};
+  row.force = Vector3{};
+  row.couple = Vector3{};
+  row.friction = 0;
+  row.target = row.gap;  // met as it is
+}
+
+/// A vector shortened to `longest`.
+KOKKOS_INLINE_FUNCTION Vector3 shorten(const Vector3& a, double longest) {
+  const double length = norm(a);
+  return length > longest ? (longest / length) * a : a;
+}
+
+/// The gap wanted at n+1. None that exists may be lost below zero; penetration is recovered slowly; an overlap accepted
+/// at the start stays as it is, and what opened of it stays open.
+KOKKOS_INLINE_FUNCTION void set_target(ContactRow& row) {
+  const double floor = -row.reference;
+  const double recovered = row.gap_start + contact_limits::recovery * row.size;
+  row.target = recovered < floor ? recovered : floor;
+}
+
+/// Continues history record `record`: first guess of the impulses, owed slip, accepted overlap.
+KOKKOS_INLINE_FUNCTION void continue_record(const ContactHistory& history, const RowInputs& inputs, int record,
+                                            ContactRow& row) {
+  const Vector3 last = inputs.impulse_scale * load_row(history.impulse, record);
+  const double push = dot(last, row.normal);
+  row.impulse.push = push > 0 ? push : 0;
+  const double overlap = row.gap_start < 0 ? -row.gap_start : 0;
+  row.reference = history.reference(record) < overlap ? history.reference(record) : overlap;
+  if (!(row.friction > 0)) return;
+  const Vector3 owed = shorten(load_row(history.slip, record), contact_limits::recovery * row.size);
+  for (int d = 0; d < 2; ++d) {
+    row.impulse.rub[d] = dot(last, row.tangent[d]);
+    row.slide[d] += dot(owed, row.tangent[d]);
+  }
+  limit_rub(row, row.impulse);
+}
+
+/// The rest of a row once its place and gaps are known. old_record: history that it continues, -1: none.
+KOKKOS_INLINE_FUNCTION void complete_row(const ContactHistory& history, const RowInputs& inputs, int old_record,
+                                         ContactRow& row) {
+  if (row.friction > 0) {
+    set_tangents(row);
+    const Vector3 v = find_relative_velocity(row, MeshVelocity{inputs.motion.v, row});
+    for (int d = 0; d < 2; ++d) row.slide[d] = inputs.motion.dt * dot(v, row.tangent[d]);
+  }
+  if (old_record >= 0) continue_record(history, inputs, old_record, row);
+  set_target(row);
+  row.previous = row.impulse;
+  row.force = sum_impulse(row, row.impulse);
+  row.couple = find_couple(row, row.force);
+}
+
+/// rho, J^-1 and r from the places at n.
+KOKKOS_INLINE_FUNCTION void set_arms(const Rows3<const double>& x, ContactRow& row) {
+  const Vector3 node = load_row(x, row.node[0]);
+  FacePoints corners;
+  for (int i = 0; i < 4; ++i) corners.corner[i] = load_row(x, row.node[i + 1]) - node;
+  const Vector3 middle = find_middle(corners);
+  Matrix3 inertia;
+  for (int i = 0; i < 4; ++i) {
+    const Vector3 p = corners.corner[i] - middle;
+    row.rho[i] = p;
+    const double square = dot(p, p);
+    const double c[3] = {p.x, p.y, p.z};
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k) inertia.m[j][k] += (j == k ? square : 0) - c[j] * c[k];
+  }
+  row.inverse_inertia = invert_symmetric(inertia);
+  row.arm = -interpolate(corners, row.weight);
+}
+
+/// The row of touch `j` of a contact node.
+KOKKOS_INLINE_FUNCTION ContactRow make_face_row(const ContactSurface& surface, const ContactHistory& history,
+                                                const RowInputs& inputs, int node, int j, const Touch& touch) {
+  ContactRow row;
+  row.node[0] = surface.nodes(node);
+  for (int i = 0; i < 4; ++i) {
+    row.node[i + 1] = surface.nodes(surface.face_corners(touch.face, i));
+    row.weight[i] = touch.weight[i];
+  }
+  row.face = touch.face;
+  row.record = contact_limits::max_touches * node + j;
+  row.normal = touch.normal;
+  row.friction = find_friction(surface, node, touch.face);
+  row.size = touch.size;
+  row.gap_start = touch.gap_start;
+  row.gap = touch.gap_end;
+  set_arms(inputs.motion.x, row);
+  complete_row(history, inputs, touch.record < 0 ? -1 : contact_limits::max_touches * node + touch.record, row);
+  return row;
+}
+
+/// Gap between the node and the wall of pair p, `share` of the step after n.
+KOKKOS_INLINE_FUNCTION double find_wall_gap(const ContactSurface& surface, const WallPairs& walls,
+                                            const SurfaceMotion& motion, int p, double share) {
+  const ContactWall& wall = walls.walls(walls.wall(p));
+  const int node = surface.nodes(walls.node(p));
+  const Vector3 from_wall = load_row(motion.x, node) - wall.point;
+  return dot(wall.normal, from_wall) + share * motion.dt * dot(wall.normal, load_row(motion.v, node));
+}
+
+/// The row of pair p of a wall and a node.
+KOKKOS_INLINE_FUNCTION ContactRow make_wall_row(const ContactSurface& surface, const WallPairs& walls,
+                                                const ContactHistory& history, const RowInputs& inputs, int p) {
+  const ContactWall& wall = walls.walls(walls.wall(p));
+  ContactRow row;
+  row.node[0] = surface.nodes(walls.node(p));
+  row.record = contact_limits::max_touches * surface.num_nodes + p;
+  row.normal = wall.normal;
+  row.friction = wall.friction;
+  row.size = walls.size(p);
+  row.gap_start = find_wall_gap(surface, walls, inputs.motion, p, 0);
+  row.gap = find_wall_gap(surface, walls, inputs.motion, p, 1);
+  complete_row(history, inputs, row.record, row);
+  return row;
+}
+
+}  // namespace percuss
