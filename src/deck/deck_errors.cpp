@@ -37,7 +37,10 @@ void DeckErrors::warn(Spot spot, std::string message) {
 void DeckErrors::throw_if_any() const {
   if (errors_.empty()) return;
   std::string text;
-  for (const std::string& line : format(errors_, "error")) text += (text.empty() ? "" : "\n") + line;
+  for (const std::string& line : format(errors_, "error")) {
+    if (!text.empty()) text += '\n';
+    text += line;
+  }
   if (errors_.size() >= most_errors)
     text += fmt::format("\n{}: error: too many errors (stopped at {})", file_, most_errors);
   throw InputError(text);

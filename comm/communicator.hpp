@@ -1,0 +1,51 @@
+#pragma once
+// MPI's start and end as an object, and the ranks that run together. Every MPI call of percuss is wrapped by check_mpi.
+
+#include <mpi.h>
+
+#include <stdexcept>
+
+namespace percuss {
+
+/// An MPI call failed; what() names the call and MPI's reason.
+class MpiError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws MpiError if `code`, returned by the MPI call named `call`, is not MPI_SUCCESS.
+void check_mpi(int code, const char* call);
+
+/// MPI is up while this lives. One in a program, in main. Collective: construction and destruction.
+class MpiSession {
+ public:
+  /// Starts MPI for one calling thread a rank (MPI_THREAD_FUNNELED). Throws MpiError.
+  MpiSession(int& argc, char**& argv);
+  ~MpiSession();
+  MpiSession(const MpiSession&) = delete;
+  MpiSession& operator=(const MpiSession&) = delete;
+};
+
+/// A group of ranks; a light handle that does not own the MPI communicator.
+class Communicator {
+ public:
+  /// All ranks of the program; its errors return to the caller instead of ending the program.
+  static Communicator world();
+
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  MPI_Comm handle() const { return handle_; }
+
+  /// Returns when every rank has called it. Collective.
+  void barrier() const;
+
+  /// Ends every rank at once with an exit code: for a failure that one rank alone has seen. Does not return.
+  [[noreturn]] void abort(int exit_code) const;
+
+ private:
+  explicit Communicator(MPI_Comm handle);
+
+  MPI_Comm handle_;
+  int rank_ = 0, size_ = 1;
+};
+
+}  // namespace percuss

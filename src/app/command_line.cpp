@@ -1,0 +1,178 @@
+#include "src/app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <Kokkos_Core.hpp>
+
+#include "kernels/core/views.hpp"
+#include "src/deck/nearest_name.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr const char* about =
+    "percuss simulates impact: solids that move fast, deform far and touch anywhere, by explicit finite elements.";
+
+constexpr const char* general_help = R"(
+Examples:
+  percuss check inputs/brick_wall/deck.yaml
+  percuss run inputs/brick_wall/deck.yaml --out wall
+  percuss run deck.yaml --set time.end=1e-3 --set 'initial.0.velocity=[100, 0, 0]'
+
+Exit codes:
+  0    done
+  2    the deck, a mesh or the command is wrong
+  3    the run failed: an element inverted, the energy balance broke, a value is not finite
+  4    the system failed: files, memory, MPI
+  130  interrupted (Ctrl-C or SIGTERM); what was computed is written
+
+Environment:
+  OMP_NUM_THREADS   threads to use; without it, every core that this process may use
+  OMP_PROC_BIND     how OpenMP binds threads to cores; without it, not at all
+
+`percuss COMMAND --help` tells more about a command; docs/deck.md describes the deck.
+)";
+
+constexpr const char* run_help = R"(
+Writes, as the deck's `output` asks, fields.vtkhdf with fields.xdmf beside it (ParaView, VisIt) and history.csv; always
+summary.json. Results go to the folder of --out; without it, to out/SCENE in the current folder, where SCENE is the
+deck's name, or the name of its folder if it is called deck.yaml. A folder that is not empty is left alone unless
+--force is given, which overwrites an earlier run's files and nothing else.
+
+A first Ctrl-C or SIGTERM ends the run after its step and writes what there is; a second one ends it at once.
+
+Examples:
+  percuss run inputs/taylor_bar/deck.yaml
+  percuss run deck.yaml --out slow --set time.step_scale=0.5
+  OMP_NUM_THREADS=4 percuss run deck.yaml --quiet
+)";
+
+constexpr const char* check_help = R"(
+Reads the deck, makes or reads its meshes, resolves every name, sums the masses and finds the first time step; tells of
+overlap at the start. Runs nothing and writes no file.
+
+Examples:
+  percuss check inputs/brick_wall/deck.yaml
+  percuss check deck.yaml --set 'parts.rod.cylinder.cells=[16, 64]'
+)";
+
+constexpr const char* info_help = R"(
+FILE is a summary.json, a fields.vtkhdf, a folder that holds them, or an Exodus II mesh.
+
+Examples:
+  percuss info out/brick_wall
+  percuss info mesh.e
+)";
+
+std::string describe_version() {
+  return fmt::format("percuss {} (Kokkos {}.{}.{}, {} back end, double precision)\n", PERCUSS_VERSION,
+                     KOKKOS_VERSION / 10000, KOKKOS_VERSION / 100 % 100, KOKKOS_VERSION % 100, ExecSpace::name());
+}
+
+struct Parser {
+  CLI::App app{about, "percuss"};
+  CLI::App *run = nullptr, *check = nullptr, *info = nullptr;
+  Command command;
+  bool version = false;
+
+  Parser() {
+    app.footer(general_help);
+    app.set_help_flag("-h,--help", "Print this help");
+    app.add_flag("--version", version, "Print the version");
+    run = add("run", "Run the scene of a deck", run_help);
+    check = add("check", "Read a deck and its meshes and say whether they can be run", check_help);
+    info = add("info", "Say what a file of results or a mesh holds", info_help);
+    add_deck(run);
+    add_deck(check);
+    run->add_option("-o,--out", command.out_dir, "Folder for the results (default: out/SCENE)")->type_name("DIR");
+    run->add_flag("-f,--force", command.force, "Overwrite the results of an earlier run in that folder");
+    run->add_flag("-q,--quiet", command.quiet, "No progress, no report");
+    info->add_option("FILE", command.file, "The file or folder")->required()->type_name("");
+    // Fallthrough and extras: wrong words come back to us, so that we can hint at the right ones.
+    app.allow_extras();
+  }
+
+  CLI::App* add(const char* name, const char* description, const char* help) {
+    CLI::App* sub = app.add_subcommand(name, description);
+    sub->footer(help);
+    sub->set_help_flag("-h,--help", "Print this help");
+    sub->allow_extras();
+    return sub;
+  }
+
+  void add_deck(CLI::App* sub) {
+    sub->add_option("DECK", command.file, "The deck (YAML); docs/deck.md describes it")->required()->type_name("");
+    sub->add_option("-s,--set", command.settings, "Change a value of the deck; lists by index from 0; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+  }
+};
+
+Answer wrong(const std::string& problem, const std::string& help_for = "") {
+  const std::string help = help_for.empty() ? "percuss --help" : "percuss " + help_for + " --help";
+  return {fmt::format("percuss: error: {}\nTry '{}'.\n", problem, help), ExitCode::wrong_input};
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+Answer refuse_extra(const std::string& extra, const CLI::App& app, const std::string& command) {
+  if (extra.starts_with('-') && extra.size() > 1) {
+    const std::string name = extra.substr(0, extra.find('='));
+    return wrong(fmt::format("unknown option '{}'{}", name, name_hint(name, option_names(app))), command);
+  }
+  if (command.empty()) {
+    return wrong(fmt::format("unknown command '{}'{}", extra, name_hint(extra, {"run", "check", "info"})));
+  }
+  return wrong(fmt::format("'{}' is one argument too many (percuss {} takes one file)", extra, command), command);
+}
+
+// CLI11's own reasons, in the words of this program.
+Answer explain(const CLI::ParseError& error, Parser& parser) {
+  for (const CLI::App* sub : {parser.run, parser.check, parser.info}) {
+    if (!sub->parsed()) continue;
+    const std::string name = sub->get_name();
+    if (!sub->remaining().empty()) return refuse_extra(sub->remaining().front(), *sub, name);
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+      return wrong(fmt::format("percuss {} needs {}", name, sub == parser.info ? "a file" : "a deck"), name);
+    }
+    return wrong(error.what(), name);
+  }
+  return wrong(error.what());
+}
+
+}  // namespace
+
+std::variant<Command, Answer> parse_command_line(int argc, const char* const* argv) {
+  Parser parser;
+  try {
+    parser.app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    for (const CLI::App* sub : {parser.run, parser.check, parser.info}) {
+      if (sub->parsed()) return Answer{sub->help(), ExitCode::done};
+    }
+    return Answer{parser.app.help(), ExitCode::done};
+  } catch (const CLI::ParseError& error) {
+    return explain(error, parser);
+  }
+  if (parser.version) return Answer{describe_version(), ExitCode::done};
+  const CLI::App* chosen = parser.run->parsed() ? parser.run : parser.check->parsed() ? parser.check : parser.info;
+  if (!chosen->parsed()) {
+    const auto extras = parser.app.remaining();
+    if (!extras.empty()) return refuse_extra(extras.front(), parser.app, "");
+    return Answer{parser.app.help(), ExitCode::wrong_input};
+  }
+  const auto extras = parser.app.remaining(true);
+  if (!extras.empty()) return refuse_extra(extras.front(), *chosen, chosen->get_name());
+  if (chosen == parser.check) parser.command.kind = Command::Kind::check;
+  if (chosen == parser.info) parser.command.kind = Command::Kind::info;
+  return parser.command;
+}
+
+}  // namespace percuss

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "src/app/commands.hpp"
+#include "src/app/mesh_report.hpp"
+#include "src/app/summary_report.hpp"
+#include "src/output/describe_fields.hpp"
+#include "src/output/summary.hpp"
+
+namespace percuss {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Content { json, hdf5, classic_netcdf, other };
+
+// By the first bytes; names mislead.
+Content identify(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 8> bytes{};
+  if (!stream) throw SystemError(fmt::format("{} cannot be opened", file));
+  stream.read(bytes.data(), bytes.size());
+  const std::string_view start(bytes.data(), static_cast<std::size_t>(stream.gcount()));
+  if (start == std::string_view("\x89HDF\r\n\x1a\n", 8)) return Content::hdf5;
+  if (start.starts_with("CDF")) return Content::classic_netcdf;
+  const auto first = start.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && start[first] == '{' ? Content::json : Content::other;
+}
+
+// A netCDF-4 mesh and a fields file are both HDF5.
+std::string describe_hdf5(const std::string& file) {
+  std::string not_fields;
+  try {
+    return describe_fields_file(file);
+  } catch (const InputError& error) {
+    not_fields = error.what();
+  }
+  try {
+    return describe_exodus_mesh(file);
+  } catch (const InputError& error) {
+    const std::string extension = fs::path(file).extension().string();
+    throw InputError(extension == ".vtkhdf" ? not_fields : std::string(error.what()));
+  }
+}
+
+std::string describe_folder(const std::string& folder) {
+  std::string text;
+  const fs::path path(folder);
+  if (fs::exists(path / "summary.json")) text += format_summary(read_summary((path / "summary.json").string()));
+  if (fs::exists(path / "fields.vtkhdf")) {
+    text += (text.empty() ? "" : "\n") + describe_fields_file((path / "fields.vtkhdf").string());
+  }
+  if (text.empty())
+    throw InputError(folder + ": error: no results of percuss (neither summary.json nor fields.vtkhdf)");
+  return text;
+}
+
+std::string describe(const std::string& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) throw InputError(file + ": error: no such file");
+  if (fs::is_directory(file, ignored)) return describe_folder(file);
+  switch (identify(file)) {
+    case Content::json:
+      return format_summary(read_summary(file));
+    case Content::hdf5:
+      return describe_hdf5(file);
+    case Content::classic_netcdf:
+      return describe_exodus_mesh(file);
+    case Content::other:
+      break;
+  }
+  const std::string extension = fs::path(file).extension().string();
+  const bool is_deck = extension == ".yaml" || extension == ".yml";
+  throw InputError(file + ": error: not a summary, a fields file or an Exodus II mesh" +
+                   (is_deck ? " (a deck? then: percuss check " + file + ")" : ""));
+}
+
+}  // namespace
+
+ExitCode info_command(const Command& command) {
+  std::string text = describe(command.file);
+  if (!text.ends_with('\n')) text += '\n';
+  fmt::print("{}", text);
+  return ExitCode::done;
+}
+
+}  // namespace percuss

@@ -1,0 +1,74 @@
+#include "src/app/output_folder.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "src/error.hpp"
+
+namespace percuss {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Every file that a run writes.
+constexpr std::array<const char*, 4> result_files{"summary.json", "history.csv", "fields.vtkhdf", "fields.xdmf"};
+
+bool holds_results(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* file : result_files) {
+    if (fs::exists(folder / file, ignored)) return true;
+  }
+  return false;
+}
+
+void remove_results(const fs::path& folder) {
+  for (const char* file : result_files) {
+    std::error_code error;
+    fs::remove(folder / file, error);
+    if (error) throw SystemError(fmt::format("{} cannot be removed ({})", (folder / file).string(), error.message()));
+  }
+}
+
+}  // namespace
+
+std::string default_output_folder(const std::string& deck_file) {
+  const fs::path deck = fs::path(deck_file).lexically_normal();
+  std::string scene = deck.stem().string();
+  if (scene == "deck") {
+    std::error_code ignored;
+    const std::string folder = fs::absolute(deck, ignored).lexically_normal().parent_path().filename().string();
+    if (!folder.empty()) scene = folder;
+  }
+  return (fs::path("out") / scene).string();
+}
+
+void prepare_output_folder(const std::string& folder, bool force) {
+  std::error_code error;
+  const fs::path path(folder);
+  if (fs::exists(path, error) && !fs::is_directory(path, error)) {
+    throw InputError(fmt::format("{}: error: not a folder (results go to a folder) choose another with --out", folder));
+  }
+  fs::create_directories(path, error);
+  if (error) throw SystemError(fmt::format("folder {} cannot be made ({})", folder, error.message()));
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    throw SystemError(fmt::format("folder {} cannot be written to ({})", folder, std::strerror(errno)));
+  }
+  const bool empty = fs::is_empty(path, error);
+  if (error) throw SystemError(fmt::format("folder {} cannot be read ({})", folder, error.message()));
+  if (empty) return;
+  if (!force) {
+    const char* what = holds_results(path) ? "it holds the results of an earlier run" : "it is not empty";
+    throw InputError(
+        fmt::format("{}: error: {} (nothing is overwritten unasked) choose another folder with --out, or give --force",
+                    folder, what));
+  }
+  remove_results(path);
+}
+
+}  // namespace percuss

@@ -1,0 +1,17 @@
+#pragma once
+// Where the files of a run go; nothing that a user has computed is lost unasked.
+
+#include <string>
+
+namespace percuss {
+
+/// The folder of a run without --out: out/SCENE, where SCENE is the deck's name without extension, or the name of its
+/// folder if the deck is called deck.yaml.
+std::string default_output_folder(const std::string& deck_file);
+
+/// Makes the folder if it is not there. If it is not empty, throws InputError, unless `force` is true: then the files
+/// that an earlier run wrote are removed, and others stay. Throws SystemError if the folder cannot be made or written
+/// to.
+void prepare_output_folder(const std::string& folder, bool force);
+
+}  // namespace percuss

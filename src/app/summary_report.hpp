@@ -1,0 +1,13 @@
+#pragma once
+// What a summary says, in words.
+
+#include <string>
+
+#include "src/output/summary.hpp"
+
+namespace percuss {
+
+/// Several lines: how the run ended, its size, time and steps, where the time went, energies, the hash of the state.
+std::string format_summary(const Summary& summary);
+
+}  // namespace percuss

@@ -1,0 +1,44 @@
+#include "src/app/threads.hpp"
+
+#include <sched.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace percuss {
+namespace {
+
+int count_cores_by_affinity() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  return sched_getaffinity(0, sizeof(set), &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;
+}
+
+// The processor quota of a control group (version 2) in cores, rounded up; large if there is none.
+int read_container_quota() {
+  constexpr int unlimited = 1 << 20;
+  std::ifstream file("/sys/fs/cgroup/cpu.max");
+  double quota = 0, period = 0;
+  if (!(file >> quota >> period) || quota <= 0 || period <= 0) return unlimited;  // "max 100000" is no number
+  return std::max(1, static_cast<int>(std::min(std::ceil(quota / period), static_cast<double>(unlimited))));
+}
+
+}  // namespace
+
+int count_available_cores() { return std::min(count_cores_by_affinity(), read_container_quota()); }
+
+void choose_threads() {
+#ifdef _OPENMP
+  if (std::getenv("OMP_NUM_THREADS") == nullptr) omp_set_num_threads(count_available_cores());
+#endif
+  // The OpenMP runtime has read its environment by now; this only tells Kokkos that the choice is made.
+  setenv("OMP_PROC_BIND", "false", 0);
+}
+
+}  // namespace percuss

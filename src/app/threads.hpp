@@ -1,0 +1,13 @@
+#pragma once
+// How many threads a run uses when the user does not say.
+
+namespace percuss {
+
+/// Cores that this process may use: its affinity, and the quota of its container if there is one. At least 1.
+int count_available_cores();
+
+/// To be called before Kokkos starts: without OMP_NUM_THREADS every available core gets a thread, without OMP_PROC_BIND
+/// threads are not bound, and Kokkos does not warn about it.
+void choose_threads();
+
+}  // namespace percuss
