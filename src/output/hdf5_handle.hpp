@@ -29,6 +29,9 @@ class Handle {
   hid_t get() const { return id_; }
   explicit operator bool() const { return id_ >= 0; }
 
+  /// Leaves the identifier open for good.
+  void release() { id_ = H5I_INVALID_HID; }
+
   /// Closes now; negative if HDF5 could not (the handle is empty all the same).
   herr_t reset() {
     const hid_t id = std::exchange(id_, H5I_INVALID_HID);

@@ -205,7 +205,11 @@ void VtkhdfFile::append_rows(double time, std::int64_t step, std::span<const dou
   append_one(*times_, time);
 }
 
-void VtkhdfFile::flush() { check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flush the file"); }
+void VtkhdfFile::flush() {
+  flushing_ = true;
+  check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flush the file");
+  flushing_ = false;
+}
 
 hsize_t VtkhdfFile::file_bytes() const {
   hsize_t bytes = 0;
@@ -232,8 +236,9 @@ void VtkhdfFile::release_objects() {
     group->reset();
 }
 
-// After a failed write HDF5 must not write again: what its cache holds would refer to data that are not there, and
-// HDF5 1.10 crashes if closing fails. It cannot be told to forget a file, so its descriptor is turned to memory first.
+// After a failed write HDF5 must not write again: what its cache holds would refer to data that are not there. It cannot
+// be told to forget a file, so the descriptor is turned to memory before it is closed. If it was a flush that failed, HDF5
+// 1.10 cannot close the file, and would crash at the end of the program because of the attempt: it stays open.
 void VtkhdfFile::abandon() {
   void* descriptor = nullptr;
   if (file_ && H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor) >= 0) {
@@ -244,7 +249,11 @@ void VtkhdfFile::abandon() {
     }
   }
   release_objects();
-  file_.reset();
+  if (flushing_) {
+    file_.release();
+  } else {
+    file_.reset();
+  }
 }
 
 }  // namespace percuss

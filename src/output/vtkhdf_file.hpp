@@ -64,6 +64,7 @@ class VtkhdfFile {
   FieldPrecision precision_;
   hsize_t nodes_, elements_;
   std::int64_t frames_ = 0;
+  bool flushing_ = false;  // stays true if that failed
   DiskReservation disk_;
   hdf5::Handle file_, root_, point_data_, cell_data_, steps_, point_data_offsets_, cell_data_offsets_, own_;
   std::optional<hdf5::Table> points_, times_, point_offsets_, step_numbers_;

@@ -1,0 +1,207 @@
+// What is left of fields.vtkhdf when the process dies, or the disk fails, at any write of a frame.
+//
+// This executable replaces the pwrite of the C library, so that HDF5's n-th write can end the process as kill -9 does, or
+// fail. Every n is tried.
+
+#include <dlfcn.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+
+#include "src/error.hpp"
+#include "src/output/fields_file.hpp"
+#include "tests/src/output/hdf5_file_view.hpp"
+#include "tests/src/output/sample_run.hpp"
+
+namespace {
+
+enum class Fault { none, kill, fail };
+Fault fault = Fault::none;
+int writes_left = 0;   // until the fault
+int writes_seen = 0;
+
+// Memory that looks like a file has no name.
+bool is_on_disk(int file) {
+  struct stat status {};
+  return ::fstat(file, &status) == 0 && status.st_nlink > 0;
+}
+
+using Pwrite = ssize_t (*)(int, const void*, std::size_t, off_t);
+
+ssize_t write_or_fail(const char* symbol, int file, const void* data, std::size_t size, off_t offset) {
+  static const auto real = reinterpret_cast<Pwrite>(::dlsym(RTLD_NEXT, symbol));
+  ++writes_seen;
+  if (fault != Fault::none && is_on_disk(file) && writes_left-- <= 0) {
+    if (fault == Fault::kill) {
+      if (size > 1) real(file, data, size / 2, offset);  // the write under way may be half done
+      ::kill(::getpid(), SIGKILL);
+    }
+    errno = EIO;
+    return -1;
+  }
+  return real(file, data, size, offset);
+}
+
+}  // namespace
+
+extern "C" ssize_t pwrite(int file, const void* data, std::size_t size, off_t offset) {
+  return write_or_fail("pwrite", file, data, size, offset);
+}
+extern "C" ssize_t pwrite64(int file, const void* data, std::size_t size, off_t offset) {
+  return write_or_fail("pwrite64", file, data, size, offset);
+}
+
+namespace percuss {
+namespace {
+
+using sample::Hdf5FileView;
+using sample::TemporaryFolder;
+using testing::HasSubstr;
+
+constexpr int good_frames = 2;
+
+// Runs `body` in a process of its own and tells how that ended (as waitpid says).
+template <class Body>
+int run_in_child(Body&& body) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    body();
+    std::_Exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+// Checks that the frames before the fault are in the file, bit for bit; a frame more may be if it was complete.
+// Looks at a copy, because HDF5 takes a file that it has given up for one that is still open.
+void expect_good_frames(const std::string& path, const Mesh& mesh, int least) {
+  const std::string copy = path + ".copy";
+  std::filesystem::copy_file(path, copy);
+  const Hdf5FileView file(copy);
+  ASSERT_TRUE(file.is_open());
+  const long found = file.attribute("VTKHDF/Steps", "NSteps").front();
+  ASSERT_GE(found, least);
+  ASSERT_LE(found, least + 1);
+  const auto times = file.numbers("VTKHDF/Steps/Values");
+  const auto points = file.numbers("VTKHDF/Points");
+  const auto stress = file.numbers("VTKHDF/CellData/stress");
+  for (int frame = 0; frame < found; ++frame) {
+    const sample::Frame expected(mesh, frame);
+    EXPECT_EQ(times.at(static_cast<std::size_t>(frame)), sample::time_of(frame));
+    const auto nodes = static_cast<long>(expected.positions.size()), cells = static_cast<long>(expected.stress.size());
+    EXPECT_TRUE(std::equal(expected.positions.begin(), expected.positions.end(), points.begin() + frame * nodes));
+    EXPECT_TRUE(std::equal(expected.stress.begin(), expected.stress.end(), stress.begin() + frame * cells));
+  }
+}
+
+int count_writes_of_a_frame(const Mesh& mesh) {
+  const TemporaryFolder folder;
+  FieldsFile file(folder.path(), mesh);
+  for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
+  writes_seen = 0;
+  sample::write_frame(file, mesh, good_frames);
+  return writes_seen;
+}
+
+TEST(FieldsFileInACrash, KeepsTheFramesBeforeWheneverTheProcessIsKilled) {
+  const Mesh mesh = sample::make_mesh();
+  const int writes = count_writes_of_a_frame(mesh);
+  ASSERT_GT(writes, 10);
+  for (int n = 0; n < writes; ++n) {
+    SCOPED_TRACE("killed at write " + std::to_string(n));
+    const TemporaryFolder folder;
+    const int status = run_in_child([&] {
+      FieldsFile file(folder.path(), mesh);
+      for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
+      fault = Fault::kill;
+      writes_left = n;
+      sample::write_frame(file, mesh, good_frames);
+    });
+    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+    expect_good_frames(folder.file("fields.vtkhdf"), mesh, good_frames);
+  }
+}
+
+TEST(FieldsFileInACrash, KeepsTheFramesBeforeWhicheverWriteFails) {
+  const Mesh mesh = sample::make_mesh();
+  const int writes = count_writes_of_a_frame(mesh);
+  // Kept to the end: HDF5 knows files by their inodes, and would take a new file on a freed one for that given up.
+  std::vector<TemporaryFolder> folders(static_cast<std::size_t>(writes));
+  for (int n = 0; n < writes; ++n) {
+    SCOPED_TRACE("failed at write " + std::to_string(n));
+    const TemporaryFolder& folder = folders[static_cast<std::size_t>(n)];
+    FieldsFile file(folder.path(), mesh);
+    for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
+    fault = Fault::fail;
+    writes_left = n;
+    try {
+      sample::write_frame(file, mesh, good_frames);
+      ADD_FAILURE() << "a failed write went unnoticed";
+    } catch (const SystemError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(folder.file("fields.vtkhdf")));
+      EXPECT_THAT(error.what(), HasSubstr("Input/output error"));
+    }
+    fault = Fault::none;
+    EXPECT_THROW(sample::write_frame(file, mesh, good_frames), SystemError) << "the file was given up";
+    file.close();
+    expect_good_frames(folder.file("fields.vtkhdf"), mesh, good_frames);
+  }
+}
+
+// A limit on the size of files fails as a full disk does, and needs no disk to be filled.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST(FieldsFileOnAFullDisk, FailsBeforeAFrameIsHalfWrittenAndKeepsTheOthers) {
+  const TemporaryFolder folder;
+  const Mesh mesh = sample::make_mesh();
+  FieldsFile file(folder.path(), mesh);
+  for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
+  const auto size = std::filesystem::file_size(folder.file("fields.vtkhdf"));
+  writes_seen = 0;
+  {
+    const FileSizeLimit limit(size);
+    try {
+      sample::write_frame(file, mesh, good_frames);
+      ADD_FAILURE() << "a frame went beyond the limit";
+    } catch (const SystemError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("cannot write '" + folder.file("fields.vtkhdf") + "' (File too large)"));
+    }
+  }
+  EXPECT_EQ(std::filesystem::file_size(folder.file("fields.vtkhdf")), size);
+  expect_good_frames(folder.file("fields.vtkhdf"), mesh, good_frames);
+}
+
+TEST(FieldsFileOnAFullDisk, LeavesNoFileWhenTheMeshDoesNotFit) {
+  const TemporaryFolder folder;
+  const FileSizeLimit limit(1000);
+  EXPECT_THROW(FieldsFile(folder.path(), sample::make_mesh()), SystemError);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("fields.vtkhdf")));
+}
+
+}  // namespace
+}  // namespace percuss

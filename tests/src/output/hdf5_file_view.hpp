@@ -1,0 +1,78 @@
+#pragma once
+// Reads HDF5 files in tests with the HDF5 library alone, none of percuss' own reading.
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <string>
+#include <vector>
+
+namespace percuss::sample {
+
+class Hdf5FileView {
+ public:
+  explicit Hdf5FileView(const std::string& path) : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {}
+  ~Hdf5FileView() {
+    if (file_ >= 0) H5Fclose(file_);
+  }
+  Hdf5FileView(const Hdf5FileView&) = delete;
+  Hdf5FileView& operator=(const Hdf5FileView&) = delete;
+  bool is_open() const { return file_ >= 0; }
+
+  bool has(const std::string& name) const { return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0; }
+
+  std::vector<hsize_t> shape(const std::string& name) const {
+    const hid_t set = H5Dopen2(file_, name.c_str(), H5P_DEFAULT), space = H5Dget_space(set);
+    std::vector<hsize_t> dims(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
+    H5Sget_simple_extent_dims(space, dims.data(), nullptr);
+    H5Sclose(space);
+    H5Dclose(set);
+    return dims;
+  }
+
+  std::vector<double> numbers(const std::string& name) const { return read<double>(name, H5T_NATIVE_DOUBLE); }
+  std::vector<long> whole_numbers(const std::string& name) const { return read<long>(name, H5T_NATIVE_LONG); }
+
+  std::size_t bytes_of_number(const std::string& name) const {
+    const hid_t set = H5Dopen2(file_, name.c_str(), H5P_DEFAULT), type = H5Dget_type(set);
+    const std::size_t bytes = H5Tget_size(type);
+    H5Tclose(type);
+    H5Dclose(set);
+    return bytes;
+  }
+
+  std::vector<long> attribute(const std::string& group, const std::string& name) const {
+    const hid_t id = H5Aopen_by_name(file_, group.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t space = H5Aget_space(id);
+    std::vector<long> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+    EXPECT_GE(H5Aread(id, H5T_NATIVE_LONG, values.data()), 0) << name;
+    H5Sclose(space);
+    H5Aclose(id);
+    return values;
+  }
+
+  std::string text_attribute(const std::string& group, const std::string& name) const {
+    const hid_t id = H5Aopen_by_name(file_, group.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t type = H5Aget_type(id);
+    std::string text(H5Tget_size(type), '\0');
+    EXPECT_GE(H5Aread(id, type, text.data()), 0) << name;
+    H5Tclose(type);
+    H5Aclose(id);
+    return text;
+  }
+
+ private:
+  template <class T>
+  std::vector<T> read(const std::string& name, hid_t type) const {
+    const hid_t set = H5Dopen2(file_, name.c_str(), H5P_DEFAULT), space = H5Dget_space(set);
+    std::vector<T> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+    EXPECT_GE(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0) << name;
+    H5Sclose(space);
+    H5Dclose(set);
+    return values;
+  }
+
+  hid_t file_;
+};
+
+}  // namespace percuss::sample
