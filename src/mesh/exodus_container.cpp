@@ -185,7 +185,7 @@ ExodusContainer inspect_exodus_container(const std::filesystem::path& file) {
     throw InputError(fmt::format("the file is truncated (it has {} bytes, its header promises {}); copy it again",
                                  length, promised));
   }
-  return {length, classic ? length : length * most_compression};
+  return {!classic, length, classic ? length : length * most_compression};
 }
 
 }  // namespace percuss

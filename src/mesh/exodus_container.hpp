@@ -9,6 +9,7 @@ namespace percuss {
 
 /// What the first bytes say.
 struct ExodusContainer {
+  bool is_hdf5 = false;
   std::uintmax_t bytes = 0;         // length of the file
   std::uintmax_t most_payload = 0;  // upper bound of the data that can be in it [bytes], compression included
 };

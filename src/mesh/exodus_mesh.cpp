@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cctype>
-#include <limits>
 #include <numeric>
 
+#include "src/deck/mesh_size.hpp"
 #include "src/deck/nearest_name.hpp"
 #include "src/error.hpp"
 #include "src/mesh/check_mesh.hpp"
 #include "src/mesh/exodus_file.hpp"
+#include "src/mesh/trial_process.hpp"
 
 namespace percuss {
 namespace {
@@ -209,14 +210,11 @@ class ExodusReader {
   Problems problems_;
 };
 
-}  // namespace
-
-PartMesh read_exodus_mesh(const ExodusMesh& source) {
+PartMesh read_file(const ExodusMesh& source) {
   const ExodusFile file(source.file);
-  constexpr std::int64_t most = std::numeric_limits<int>::max();
-  if (file.node_count() > most || file.element_count() > most) {
-    throw InputError(fmt::format("the file has {} elements and {} nodes (percuss counts up to {})",
-                                 file.element_count(), file.node_count(), most));
+  if (double(file.node_count()) > largest_mesh || double(file.element_count()) > largest_mesh) {
+    throw InputError(fmt::format("the file has {} elements and {} nodes (percuss counts up to {:.0f})",
+                                 file.element_count(), file.node_count(), largest_mesh));
   }
   if (file.element_count() == 0) throw InputError("the file has no elements");
   if (file.dimensions() != 3) {
@@ -225,7 +223,21 @@ PartMesh read_exodus_mesh(const ExodusMesh& source) {
   const std::vector<ExodusBlock> chosen = choose_blocks(file, source.blocks);
   if (chosen.empty()) throw InputError("the chosen blocks have no elements");
   check_kinds(file, chosen);
-  PartMesh mesh = ExodusReader(file, chosen).read();
+  return ExodusReader(file, chosen).read();
+}
+
+/// Far more than reading takes, on a slow network file system too: a minute and a second for every megabyte.
+unsigned find_patience(const ExodusContainer& container) {
+  constexpr std::uintmax_t least = 60, most = 86400, bytes_a_second = 1'000'000;
+  return static_cast<unsigned>(std::min(most, least + container.bytes / bytes_a_second));
+}
+
+}  // namespace
+
+PartMesh read_exodus_mesh(const ExodusMesh& source) {
+  const ExodusContainer container = inspect_exodus_container(source.file);
+  if (container.is_hdf5) run_trial_process([&] { read_file(source); }, find_patience(container));
+  PartMesh mesh = read_file(source);
   for (Vec3& x : mesh.nodes) {
     for (double& coordinate : x) coordinate *= source.scale;
   }

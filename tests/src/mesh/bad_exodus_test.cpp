@@ -192,19 +192,19 @@ INSTANTIATE_TEST_SUITE_P(All, DamagedExodusContainer,
                                          Container::netcdf4_int64));
 
 TEST(DamagedExodusFile, WithFlippedBytesIsReadOrRefused) {
-  for (const Container container : {Container::classic, Container::offset64}) {
+  for (const Container container : {Container::classic, Container::offset64, Container::netcdf4}) {
     const std::string good = write_exodus(make_two_cubes(), "whole.exo", container), bytes = read_bytes(good);
     std::remove(good.c_str());
     std::mt19937 random(3);  // NOLINT: a fixed seed is wanted
     int refused = 0;
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 100; ++i) {
       std::string damaged = bytes;
       for (int k = 0; k < 3; ++k) damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
       const std::string path = write_bytes(damaged, "flipped.exo");
       if (!find_error(path).empty()) ++refused;
       std::remove(path.c_str());
     }
-    EXPECT_GT(refused, 30);
+    EXPECT_GT(refused, 10);
   }
 }
 

@@ -1,0 +1,57 @@
+#include "src/mesh/trial_process.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+#include "src/error.hpp"
+
+namespace percuss {
+namespace {
+
+using testing::HasSubstr;
+using testing::StrEq;
+using testing::ThrowsMessage;
+
+TEST(TrialProcess, PassesWithoutChangingThisProcess) {
+  int value = 1;
+  run_trial_process([&] { value = 2; }, 60);
+  EXPECT_EQ(value, 1);
+}
+
+TEST(TrialProcess, HandsErrorsBack) {
+  const std::string text(100000, 'x');  // more than a pipe holds at once
+  EXPECT_THAT([&] { run_trial_process([&] { throw InputError(text); }, 60); }, ThrowsMessage<InputError>(StrEq(text)));
+  EXPECT_THAT([&] { run_trial_process([] { throw SystemError("full"); }, 60); },
+              ThrowsMessage<SystemError>(StrEq("full")));
+  EXPECT_THAT([&] { run_trial_process([] { throw std::runtime_error("odd"); }, 60); },
+              ThrowsMessage<SystemError>(StrEq("odd")));
+}
+
+TEST(TrialProcess, SurvivesACrash) {
+  EXPECT_THAT([] { run_trial_process([] { std::abort(); }, 60); }, ThrowsMessage<InputError>(HasSubstr("crashes")));
+}
+
+TEST(TrialProcess, EndsAHang) {
+  EXPECT_THAT(
+      [] {
+        run_trial_process(
+            [] {
+              for (;;) pause();
+            },
+            1);
+      },
+      ThrowsMessage<InputError>(HasSubstr("hangs")));
+}
+
+TEST(TrialProcess, KeepsTheTrialSilent) {
+  testing::internal::CaptureStderr();
+  run_trial_process([] { write(STDERR_FILENO, "noise", 5) == 5 ? _exit(0) : _exit(1); }, 60);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace percuss
