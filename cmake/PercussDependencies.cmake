@@ -3,10 +3,11 @@
 # The Kokkos that scripts/install_dependencies built is only a hint: CMAKE_PREFIX_PATH and Kokkos_ROOT win.
 execute_process(COMMAND ${PROJECT_SOURCE_DIR}/scripts/install_dependencies --print-prefix
   OUTPUT_VARIABLE _percuss_kokkos OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-find_package(Kokkos 3.4.1 QUIET HINTS "${_percuss_kokkos}")
-if(NOT Kokkos_FOUND)
-  message(FATAL_ERROR "no Kokkos 3.4.1 or newer (looked in CMAKE_PREFIX_PATH and in '${_percuss_kokkos}'). "
-    "Run scripts/install_dependencies, or name one with -DCMAKE_PREFIX_PATH=...")
+# No version is asked for here: Kokkos' own version file would refuse every other major version.
+find_package(Kokkos QUIET HINTS "${_percuss_kokkos}")
+if(NOT Kokkos_FOUND OR Kokkos_VERSION VERSION_LESS 3.4.1)
+  message(FATAL_ERROR "no Kokkos 3.4.1 or newer (found '${Kokkos_VERSION}' in '${Kokkos_DIR}', after CMAKE_PREFIX_PATH and "
+    "'${_percuss_kokkos}'). Run scripts/install_dependencies, or name one with -DCMAKE_PREFIX_PATH=...")
 endif()
 string(TOUPPER "${PERCUSS_BACKEND}" _percuss_backend_upper)
 if(NOT _percuss_backend_upper IN_LIST Kokkos_DEVICES)
@@ -14,7 +15,14 @@ if(NOT _percuss_backend_upper IN_LIST Kokkos_DEVICES)
     "PERCUSS_BACKEND is ${PERCUSS_BACKEND}, which this Kokkos (${Kokkos_DIR}) was not built for (it has ${Kokkos_DEVICES}). "
     "Choose another back end or run scripts/install_dependencies.")
 endif()
-find_package(KokkosKernels REQUIRED HINTS "${_percuss_kokkos}")
+# Kokkos Kernels comes from where that Kokkos is: those of another version would not compile with it.
+find_package(KokkosKernels QUIET HINTS "${Kokkos_DIR}/../../.." "${_percuss_kokkos}")
+string(REGEX MATCH "^[0-9]+\\.[0-9]+" _percuss_kokkos_minor "${Kokkos_VERSION}")
+string(REGEX MATCH "^[0-9]+\\.[0-9]+" _percuss_kernels_minor "${KokkosKernels_VERSION}")
+if(NOT KokkosKernels_FOUND OR NOT _percuss_kokkos_minor VERSION_EQUAL _percuss_kernels_minor)
+  message(FATAL_ERROR "no Kokkos Kernels ${_percuss_kokkos_minor} beside Kokkos ${Kokkos_VERSION} in '${Kokkos_DIR}' (found "
+    "'${KokkosKernels_VERSION}' in '${KokkosKernels_DIR}'). Install it there, or name it with -DKokkosKernels_DIR=...")
+endif()
 find_package(MPI REQUIRED COMPONENTS CXX C)
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 REQUIRED COMPONENTS C)

@@ -71,7 +71,7 @@ void group_by_key(const Space& space, int n, const Array<int>& key, const Array<
       "contact::group_clear", RangeOf<Space>(space, 0, num_keys), KOKKOS_LAMBDA(int k) { count(k) = 0; });
   Kokkos::parallel_for(
       "contact::group_count", RangeOf<Space>(space, 0, n),
-      KOKKOS_LAMBDA(int i) { Kokkos::atomic_increment(&count(key(i))); });
+      KOKKOS_LAMBDA(int i) { Kokkos::atomic_add(&count(key(i)), 1); });
   Kokkos::parallel_scan(
       "contact::group_offset", RangeOf<Space>(space, 0, num_keys + 1),
       KOKKOS_LAMBDA(int k, int& place, bool final_pass) {
