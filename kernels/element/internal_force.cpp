@@ -1,12 +1,15 @@
 #include "kernels/element/internal_force.hpp"
 
+#include "kernels/core/transpose.hpp"
+
 namespace percuss {
 
 namespace {
 
 using Lanes = Pack<double>;
 constexpr int width = pack_size<double>;
-constexpr int node_record = 8;  // x, y, z, -, vx, vy, vz, -: one cache line
+constexpr int node_record = 8;   // x, y, z, -, vx, vy, vz, -: one cache line
+constexpr int force_record = 4;  // fx, fy, fz, -
 
 using Policy = Kokkos::TeamPolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
 using Member = Policy::member_type;
@@ -64,41 +67,54 @@ KOKKOS_INLINE_FUNCTION void store_state(double* record, const LaneState<Material
   }
 }
 
+/// Asks for the next pack's record while this one is computed: the hardware does not see across the pack's long body.
+KOKKOS_INLINE_FUNCTION void prefetch([[maybe_unused]] const double* from, [[maybe_unused]] int count) {
+#ifdef PERCUSS_HAS_SIMD
+  constexpr int line = 8;
+  for (int i = 0; i < count; i += line) __builtin_prefetch(from + i, 1, 3);
+#endif
+}
+
 /// Modes of positions and velocities of the pack's elements, from the chunk's node records.
 KOKKOS_INLINE_FUNCTION void gather_modes(const double* nodes, const std::uint16_t* corners, VectorModes<Lanes>& a,
                                          VectorModes<Lanes>& v) {
-  constexpr int used[6] = {0, 1, 2, 4, 5, 6};
-  alignas(64) double rows[6][8][width];
+  Lanes u[6][8];
   for (int i = 0; i < 8; ++i) {
+    const double* records[width];
     for (int lane = 0; lane < width; ++lane) {
-      const double* node = nodes + node_record * static_cast<int>(corners[i * width + lane]);
-      for (int k = 0; k < 6; ++k) rows[k][i][lane] = node[used[k]];
+      records[lane] = nodes + node_record * static_cast<int>(corners[i * width + lane]);
+    }
+    alignas(64) double packs[8][width];
+    transpose_to_packs(records, packs);
+    for (int k = 0; k < 3; ++k) {
+      u[k][i] = load_pack(packs[k]);
+      u[3 + k][i] = load_pack(packs[4 + k]);
     }
   }
-  Lanes u[6][8];
-  for (int k = 0; k < 6; ++k) {
-    for (int i = 0; i < 8; ++i) u[k][i] = load_pack(rows[k][i]);
-    to_modes(u[k]);
-  }
+  for (int k = 0; k < 6; ++k) to_modes(u[k]);
   for (int m = 1; m < 8; ++m) {
     a[m] = {u[0][m], u[1][m], u[2][m]};
     v[m] = {u[3][m], u[4][m], u[5][m]};
   }
 }
 
-/// Subtracts the corner forces of the first `lanes` elements from the chunk's slots, element by element.
+/// Subtracts the corner forces of the first `lanes` elements from the chunk's force records, element by element.
 KOKKOS_INLINE_FUNCTION void scatter_forces(const Lanes (&f)[3][8], const std::uint16_t* corners, int lanes,
-                                           double* slots) {
-  alignas(64) double rows[3][8][width];
-  for (int k = 0; k < 3; ++k) {
-    for (int i = 0; i < 8; ++i) store_pack(rows[k][i], f[k][i]);
+                                           double* forces) {
+  alignas(64) double records[4][width][8];  // two corners a record
+  for (int pair = 0; pair < 4; ++pair) {
+    alignas(64) double packs[8][width];
+    for (int k = 0; k < 3; ++k) {
+      store_pack(packs[k], f[k][2 * pair]);
+      store_pack(packs[4 + k], f[k][2 * pair + 1]);
+    }
+    store_pack(packs[3], Lanes(0));
+    store_pack(packs[7], Lanes(0));
+    transpose_to_records(packs, records[pair]);
   }
   for (int lane = 0; lane < lanes; ++lane) {
     for (int i = 0; i < 8; ++i) {
-      double* slot = slots + 3 * static_cast<int>(corners[i * width + lane]);
-      slot[0] -= rows[0][i][lane];
-      slot[1] -= rows[1][i][lane];
-      slot[2] -= rows[2][i][lane];
+      subtract_record(&records[i / 2][lane][4 * (i % 2)], forces + force_record * static_cast<int>(corners[i * width + lane]));
     }
   }
 }
@@ -144,29 +160,35 @@ struct AdvanceChunk {
   ChunkResults results;
 
   static std::size_t scratch_bytes(const HexChunks& chunks) {
-    return (static_cast<std::size_t>(chunks.largest_slot_count) * node_record + 8) * sizeof(double) + 64;
+    return (static_cast<std::size_t>(chunks.largest_slot_count) * (node_record + force_record) + 8) * sizeof(double) + 128;
   }
 
   KOKKOS_FUNCTION void operator()(const Member& member) const {
     const int c = block.chunks(member.league_rank());
     const int first_slot = chunks.first_slot(c);
     const int slot_count = chunks.first_slot(c + 1) - first_slot;
-    auto* nodes = static_cast<double*>(
-        member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(slot_count) * node_record * sizeof(double), 64));
-    double* slots = &slot_force(first_slot, 0);
+    const auto scratch = [&](int record) {
+      return static_cast<double*>(
+          member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(slot_count * record) * sizeof(double), 64));
+    };
+    double* nodes = scratch(node_record);
+    double* forces = scratch(force_record);
     for (int s = 0; s < slot_count; ++s) {
       const int n = chunks.slots_to_nodes(first_slot + s);
-      double* node = nodes + node_record * s;
       for (int k = 0; k < 3; ++k) {
-        node[k] = motion.x(n, k);
-        node[4 + k] = motion.v(n, k);
-        slots[3 * s + k] = 0;
+        nodes[node_record * s + k] = motion.x(n, k);
+        nodes[node_record * s + 4 + k] = motion.v(n, k);
       }
+      nodes[node_record * s + 3] = nodes[node_record * s + 7] = 0;
+      for (int k = 0; k < force_record; ++k) forces[force_record * s + k] = 0;
     }
-    advance_packs(c, nodes, slots);
+    advance_packs(c, nodes, forces);
+    for (int s = 0; s < slot_count; ++s) {
+      for (int k = 0; k < 3; ++k) slot_force(first_slot + s, k) = forces[force_record * s + k];
+    }
   }
 
-  KOKKOS_FUNCTION void advance_packs(int c, const double* nodes, double* slots) const {
+  KOKKOS_FUNCTION void advance_packs(int c, const double* nodes, double* forces) const {
     constexpr int record_size = hex_record_size<Material, Kind> * width;
     const HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
     const int first = chunks.first_element(c);
@@ -177,6 +199,7 @@ struct AdvanceChunk {
     double work[3] = {0, 0, 0};
     for (int e = first; e < end; e += width, record += record_size, corners += 8 * width) {
       const int lanes = end - e < width ? end - e : width;
+      prefetch(record + record_size, record_size);
       VectorModes<Lanes> a, v;
       gather_modes(nodes, corners, a, v);
       LaneState<Material, Kind> s;
@@ -184,7 +207,7 @@ struct AdvanceChunk {
       Lanes f[3][8];
       const HexResult<Lanes> result = advance_hex8(parameters, a, v, Lanes(motion.dt), s, f[0], f[1], f[2]);
       store_state<Material, Kind>(record, s);
-      scatter_forces(f, corners, lanes, slots);
+      scatter_forces(f, corners, lanes, forces);
       take_lanes(result, e, lanes, step);
       work[0] += sum_lanes(result.work.internal, lanes);
       work[1] += sum_lanes(result.work.hourglass, lanes);
