@@ -9,10 +9,10 @@
 namespace percuss::hdf5 {
 namespace {
 
-// Chunks hold one frame of a field, within bounds: below, so that tiny meshes do not make a chunk of every number;
-// above, so that a reader of a few rows does not fetch a whole huge frame.
+// A chunk holds one frame of a field, so that its index stays small. A tiny mesh has several frames in one; HDF5 allows
+// chunks below 4 GiB.
 constexpr hsize_t min_chunk_bytes = 4096;
-constexpr hsize_t max_chunk_bytes = hsize_t{16} << 20;
+constexpr hsize_t max_chunk_bytes = hsize_t{1} << 30;
 
 hsize_t choose_chunk_rows(hsize_t rows_at_once, hsize_t row_bytes) {
   const hsize_t lowest = std::max<hsize_t>(1, min_chunk_bytes / row_bytes);

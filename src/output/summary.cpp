@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
@@ -184,11 +183,12 @@ class Reader {
 };
 
 std::string read_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rbe"), std::fclose);
   if (!file) throw make_io_error("read", path, errno);
-  errno = 0;
-  std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (file.bad()) throw make_io_error("read", path, errno);
+  std::string text;
+  std::array<char, 4096> part;
+  while (const std::size_t count = std::fread(part.data(), 1, part.size(), file.get())) text.append(part.data(), count);
+  if (std::ferror(file.get()) != 0) throw make_io_error("read", path, errno);
   return text;
 }
 

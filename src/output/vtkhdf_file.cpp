@@ -4,8 +4,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 
 #include "src/output/atomic_file.hpp"
 
@@ -17,8 +18,8 @@ using hdf5::check;
 constexpr std::uint8_t vtk_hexahedron = 12;  // VTK's number of the cell type
 constexpr hsize_t steps_at_once = 512;       // entries of a chunk of the tables that get one number a frame
 
-// B-tree nodes of the chunk index hold 2 k entries. A node that does not split is only ever added to, which lets a file
-// survive a crash between two writes of its metadata; 512 frames of a field in one chunk fit before the first split.
+// A B-tree node of the chunk index holds 2 k entries. A node that does not split is only ever added to, which lets a file
+// survive a crash between any two writes of its metadata; so only every 512th frame of a field has such a weak moment.
 constexpr unsigned chunk_index_k = 256;
 
 // Most bytes of metadata (B-tree nodes on two levels, headers) that a table adds with a frame, and that a file starts
@@ -63,6 +64,12 @@ std::vector<std::int64_t> flatten_connectivity(const Mesh& mesh) {
 
 void write_whole_numbers(const hdf5::Handle& group, const std::string& name, std::span<const std::int64_t> values) {
   hdf5::write_dataset(group.get(), name, H5T_STD_I64LE, 1, values);
+}
+
+// Ends the program, with the exit code that it has, before the functions that were registered earlier have their turn.
+void end_before_hdf5(int exit_code, void*) {
+  std::fflush(nullptr);
+  ::_exit(exit_code);
 }
 
 }  // namespace
@@ -238,7 +245,7 @@ void VtkhdfFile::release_objects() {
 
 // After a failed write HDF5 must not write again: what its cache holds would refer to data that are not there. It cannot
 // be told to forget a file, so the descriptor is turned to memory before it is closed. If it was a flush that failed, HDF5
-// 1.10 cannot close the file, and would crash at the end of the program because of the attempt: it stays open.
+// 1.10 can neither close the file nor end with the program without a crash.
 void VtkhdfFile::abandon() {
   void* descriptor = nullptr;
   if (file_ && H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor) >= 0) {
@@ -251,6 +258,7 @@ void VtkhdfFile::abandon() {
   release_objects();
   if (flushing_) {
     file_.release();
+    ::on_exit(end_before_hdf5, nullptr);
   } else {
     file_.reset();
   }

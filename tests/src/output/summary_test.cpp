@@ -1,0 +1,159 @@
+// summary.json: its keys, their order, and that it reads back.
+
+#include "src/output/summary.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "src/error.hpp"
+#include "tests/src/output/sample_run.hpp"
+
+namespace percuss {
+namespace {
+
+using testing::HasSubstr;
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// "dt.min" for a key within an object, in the order of the file.
+void list_keys(const nlohmann::ordered_json& object, const std::string& prefix, std::vector<std::string>& keys) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      list_keys(value, prefix + key + ".", keys);
+    } else {
+      keys.push_back(prefix + key);
+    }
+  }
+}
+
+Summary make_summary() {
+  Summary summary;
+  summary.status = "completed";
+  summary.version = "0.1.0";
+  summary.backend = "OpenMP";
+  summary.threads = 2;
+  summary.elements = 8400;
+  summary.steps = 123456789012;
+  summary.time = 0.1;
+  summary.dt.min = 1.0 / 3e6;
+  summary.dt.element = 17;
+  summary.phases_s.contact_check = 0.25;
+  summary.energy.error = 1e-300;
+  summary.momentum.linear[1] = -0.0;
+  summary.momentum.angular[2] = 5e-324;
+  summary.messages.bytes = 3;
+  summary.peak_bytes = 1234567890123;
+  summary.state_hash = "0123456789abcdef";
+  return summary;
+}
+
+TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
+  const sample::TemporaryFolder folder;
+  write_summary(folder.file("summary.json"), Summary{});
+  std::vector<std::string> keys;
+  list_keys(nlohmann::ordered_json::parse(read_text(folder.file("summary.json"))), "", keys);
+  const std::vector<std::string> promised{
+      "status", "error", "version", "backend", "precision", "ranks", "threads", "elements", "nodes", "contact_nodes",
+      "contact_faces", "steps", "time", "dt.min", "dt.max", "dt.last", "dt.element", "setup_s", "loop_s", "grind_ns",
+      "phases_s.internal_force", "phases_s.halo", "phases_s.integrate", "phases_s.contact_rcb", "phases_s.contact_search",
+      "phases_s.contact_check", "phases_s.contact_enforce", "phases_s.reduce", "phases_s.output", "skipped.chunk_updates",
+      "skipped.searches", "skipped.rebalances", "energy.initial", "energy.kinetic", "energy.internal", "energy.hourglass",
+      "energy.viscous", "energy.contact", "energy.friction", "energy.external", "energy.error", "momentum.linear",
+      "momentum.angular", "momentum.linear_error", "momentum.angular_error", "balance.elements", "balance.contact",
+      "messages.count", "messages.bytes", "peak_bytes", "state_hash"};
+  EXPECT_EQ(keys, promised);
+}
+
+TEST(Summary, ReadsBackToTheSameValues) {
+  const sample::TemporaryFolder folder;
+  const std::string path = folder.file("summary.json");
+  write_summary(path, make_summary());
+  const Summary read = read_summary(path);
+  EXPECT_EQ(read.status, "completed");
+  EXPECT_EQ(read.threads, 2);
+  EXPECT_EQ(read.steps, 123456789012);
+  EXPECT_EQ(read.time, 0.1);
+  EXPECT_EQ(read.dt.min, 1.0 / 3e6);
+  EXPECT_EQ(read.dt.element, 17);
+  EXPECT_EQ(read.phases_s.contact_check, 0.25);
+  EXPECT_EQ(read.energy.error, 1e-300);
+  EXPECT_TRUE(std::signbit(read.momentum.linear[1]));
+  EXPECT_EQ(read.momentum.angular[2], 5e-324);
+  EXPECT_EQ(read.peak_bytes, 1234567890123);
+  EXPECT_EQ(read.state_hash, "0123456789abcdef");
+  const std::string text = read_text(path);
+  write_summary(path, read);  // every other member as well
+  EXPECT_EQ(read_text(path), text);
+}
+
+TEST(Summary, WritesWhatIsNotFiniteAsNullAndReadsItAsNan) {
+  const sample::TemporaryFolder folder;
+  Summary summary = make_summary();
+  summary.energy.kinetic = NAN;
+  write_summary(folder.file("summary.json"), summary);
+  EXPECT_THAT(read_text(folder.file("summary.json")), HasSubstr("\"kinetic\": null"));
+  EXPECT_TRUE(std::isnan(read_summary(folder.file("summary.json")).energy.kinetic));
+}
+
+TEST(Summary, IsWrittenEvenIfTheErrorTextIsNotUtf8) {
+  const sample::TemporaryFolder folder;
+  Summary summary = make_summary();
+  summary.error = "cannot read '\xff\xfe.exo'";
+  write_summary(folder.file("summary.json"), summary);
+  EXPECT_THAT(read_summary(folder.file("summary.json")).error, HasSubstr(".exo"));
+}
+
+TEST(Summary, KeepsTheOldFileWhenTheNewOneCannotBeWritten) {
+  const sample::TemporaryFolder folder;
+  const std::string path = folder.file("summary.json");
+  write_summary(path, make_summary());
+  std::filesystem::create_directory(path + ".tmp");  // where the new one would be prepared
+  EXPECT_THROW(write_summary(path, Summary{}), SystemError);
+  EXPECT_EQ(read_summary(path).status, "completed");
+}
+
+void expect_refusal(const std::string& text, const std::string& message) {
+  const sample::TemporaryFolder folder;
+  const std::string path = folder.file("summary.json");
+  std::ofstream(path) << text;
+  try {
+    read_summary(path);
+    ADD_FAILURE() << "took for a summary: " << text;
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(path + message));
+  }
+}
+
+TEST(Summary, RefusesWhatIsNotASummaryWithItsPlace) {
+  expect_refusal("", ":1:1: error: this is not JSON");
+  expect_refusal("{\n  \"status\": completed\n}\n", ":2:13: error: this is not JSON");
+  expect_refusal("[1, 2]", ":1:1: error: this is not a JSON object");
+  expect_refusal("{}", ": error: 'status' is missing");
+}
+
+TEST(Summary, NamesTheKeyThatHasAWrongType) {
+  const sample::TemporaryFolder folder;
+  const std::string path = folder.file("summary.json");
+  write_summary(path, make_summary());
+  auto json = nlohmann::ordered_json::parse(read_text(path));
+  json["momentum"]["linear"] = {1, 2};
+  expect_refusal(json.dump(), ": error: 'momentum.linear' is not a list of three numbers");
+  json["dt"]["element"] = 1.5;
+  expect_refusal(json.dump(), ": error: 'dt.element' is not a whole number");
+}
+
+TEST(Summary, TellsWhyAFileCannotBeRead) {
+  EXPECT_THROW(read_summary("/dev/null/summary.json"), SystemError);
+  EXPECT_THROW(read_summary("/"), SystemError);
+}
+
+}  // namespace
+}  // namespace percuss
