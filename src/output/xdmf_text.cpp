@@ -28,28 +28,37 @@ std::string shape_text(std::int64_t rows, int components) {
   return components == 1 ? fmt::format("{}", rows) : fmt::format("{} {}", rows, components);
 }
 
-// A whole dataset that all frames share.
-void write_static_item(Out out, const XdmfIndex& index, const char* dataset, std::int64_t count) {
-  fmt::format_to(out, R"(<DataItem Dimensions="{}" NumberType="Int" Precision="8" Format="HDF">{}:/VTKHDF/{}</DataItem>)",
-                 count, index.file, dataset);
+// A dataset of the HDF5 file, row by row.
+struct Dataset {
+  std::string path;  // below /VTKHDF
+  const char* number;
+  int bytes, components;
+  std::int64_t rows;  // all of them
+};
+
+void write_dataset(Out out, const XdmfIndex& index, const Dataset& data) {
+  fmt::format_to(out, R"(<DataItem Dimensions="{}" NumberType="{}" Precision="{}" Format="HDF">{}:/VTKHDF/{}</DataItem>)",
+                 shape_text(data.rows, data.components), data.number, data.bytes, index.file, data.path);
+}
+
+// Some rows of a dataset.
+void write_slab(Out out, const XdmfIndex& index, const Dataset& data, std::int64_t first, std::int64_t rows) {
+  fmt::format_to(out, "\n    <DataItem ItemType=\"HyperSlab\" Dimensions=\"{}\">\n", shape_text(rows, data.components));
+  if (data.components == 1) {
+    fmt::format_to(out, "     <DataItem Dimensions=\"3 1\" Format=\"XML\">{} 1 {}</DataItem>\n     ", first, rows);
+  } else {
+    fmt::format_to(out, "     <DataItem Dimensions=\"3 2\" Format=\"XML\">{} 0 1 1 {} {}</DataItem>\n     ", first, rows,
+                   data.components);
+  }
+  write_dataset(out, index, data);
+  fmt::format_to(out, "\n    </DataItem>");
 }
 
 // The rows of one frame within a dataset that holds those of all frames.
-void write_frame_item(Out out, const XdmfIndex& index, const std::string& dataset, std::int64_t rows, int components,
-                      int bytes, std::size_t frame) {
-  const auto first = static_cast<std::int64_t>(frame) * rows;
+void write_frame_rows(Out out, const XdmfIndex& index, const std::string& path, std::int64_t rows, int components, int bytes,
+                      std::size_t frame) {
   const auto all = static_cast<std::int64_t>(index.times.size()) * rows;
-  fmt::format_to(out, "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{}\">\n", shape_text(rows, components));
-  if (components == 1) {
-    fmt::format_to(out, R"(     <DataItem Dimensions="3 1" Format="XML">{} 1 {}</DataItem>)", first, rows);
-  } else {
-    fmt::format_to(out, R"(     <DataItem Dimensions="3 2" Format="XML">{} 0 1 1 {} {}</DataItem>)", first, rows,
-                   components);
-  }
-  fmt::format_to(out,
-                 "\n     <DataItem Dimensions=\"{}\" NumberType=\"Float\" Precision=\"{}\" "
-                 "Format=\"HDF\">{}:/VTKHDF/{}</DataItem>\n    </DataItem>",
-                 shape_text(all, components), bytes, index.file, dataset);
+  write_slab(out, index, {path, "Float", bytes, components, all}, static_cast<std::int64_t>(frame) * rows, rows);
 }
 
 // Six components are a matrix, not a Tensor6, whose order in XDMF (xx, xy, xz, yy, yz, zz) is another one.
@@ -57,29 +66,41 @@ const char* attribute_type(int components) {
   return components == 1 ? "Scalar" : components == 3 ? "Vector" : "Matrix";
 }
 
-void write_ids(Out out, const XdmfIndex& index, const char* name, FieldPlace place) {
-  const bool on_nodes = place == FieldPlace::node;
-  fmt::format_to(out, "   <Attribute Name=\"{}\" AttributeType=\"Scalar\" Center=\"{}\">", name,
-                 on_nodes ? "Node" : "Cell");
-  write_static_item(out, index, fmt::format("{}/{}", on_nodes ? "PointData" : "CellData", name).c_str(),
-                    on_nodes ? index.nodes : index.elements);
+void open_attribute(Out out, const std::string& name, int components, FieldPlace place) {
+  fmt::format_to(out, "   <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">", name, attribute_type(components),
+                 place == FieldPlace::node ? "Node" : "Cell");
+}
+
+std::string path_of(const std::string& name, FieldPlace place) {
+  return fmt::format("{}/{}", place == FieldPlace::node ? "PointData" : "CellData", name);
+}
+
+// Whole numbers that all frames share.
+void write_ids(Out out, const XdmfIndex& index, const std::string& name, FieldPlace place) {
+  open_attribute(out, name, 1, place);
+  const auto items = place == FieldPlace::node ? index.nodes : index.elements;
+  write_dataset(out, index, {path_of(name, place), "Int", 8, 1, items});
   fmt::format_to(out, "</Attribute>\n");
+}
+
+void write_mesh(Out out, const XdmfIndex& index, std::size_t frame) {
+  fmt::format_to(out, "   <Topology TopologyType=\"Hexahedron\" NumberOfElements=\"{}\">", index.elements);
+  // As a slab, though it is the whole: VTK's reader would take text here for the name of a file whose mesh it may reuse for
+  // the next frame, and complain that the points have no such name.
+  write_slab(out, index, {"Connectivity", "Int", 8, 1, 8 * index.elements}, 0, 8 * index.elements);
+  fmt::format_to(out, "</Topology>\n   <Geometry GeometryType=\"XYZ\">");
+  write_frame_rows(out, index, "Points", index.nodes, 3, 8, frame);
+  fmt::format_to(out, "</Geometry>\n");
 }
 
 void write_frame(Out out, const XdmfIndex& index, std::size_t frame) {
   fmt::format_to(out, "  <Grid Name=\"frame {}\" GridType=\"Uniform\">\n   <Time Value=\"{}\"/>\n", frame,
                  index.times[frame]);
-  fmt::format_to(out, "   <Topology TopologyType=\"Hexahedron\" NumberOfElements=\"{}\">", index.elements);
-  write_static_item(out, index, "Connectivity", 8 * index.elements);
-  fmt::format_to(out, "</Topology>\n   <Geometry GeometryType=\"XYZ\">");
-  write_frame_item(out, index, "Points", index.nodes, 3, 8, frame);
-  fmt::format_to(out, "</Geometry>\n");
+  write_mesh(out, index, frame);
   for (const auto& field : index.fields) {
-    const bool on_nodes = field.place == FieldPlace::node;
-    fmt::format_to(out, "   <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">", field.name,
-                   attribute_type(field.components), on_nodes ? "Node" : "Cell");
-    write_frame_item(out, index, fmt::format("{}/{}", on_nodes ? "PointData" : "CellData", field.name),
-                     on_nodes ? index.nodes : index.elements, field.components, field.bytes, frame);
+    open_attribute(out, field.name, field.components, field.place);
+    const auto items = field.place == FieldPlace::node ? index.nodes : index.elements;
+    write_frame_rows(out, index, path_of(field.name, field.place), items, field.components, field.bytes, frame);
     fmt::format_to(out, "</Attribute>\n");
   }
   write_ids(out, index, "node_id", FieldPlace::node);
