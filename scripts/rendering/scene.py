@@ -127,11 +127,10 @@ class Scene:
         bar.SetLookupTable(lut)
         bar.SetTitle(title)
         bar.SetNumberOfLabels(5)
-        bar.SetLabelFormat("%.4g")
+        bar.SetLabelFormat(" %.4g")
         bar.UnconstrainedFontSizeOn()
         bar.SetVerticalTitleSeparation(round(0.014 * self.height * self.scale))
         bar.SetBarRatio(0.22)
-        bar.SetTextPad(round(0.008 * self.height * self.scale))
         for text, points in ((bar.GetTitleTextProperty(), 0.026), (bar.GetLabelTextProperty(), 0.023)):
             self._set_font(text, points)
         bar.SetPosition(0.885, 0.27)
