@@ -43,4 +43,40 @@ void Communicator::abort(int exit_code) const {
   std::abort();  // if MPI_Abort itself failed
 }
 
+// Errors return to the caller here too, whatever the MPI library lets new communicators inherit.
+OwnedCommunicator::OwnedCommunicator(MPI_Comm handle) : ranks_(handle) {
+  check_mpi(MPI_Comm_set_errhandler(handle, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
+}
+
+OwnedCommunicator OwnedCommunicator::duplicate(const Communicator& ranks) {
+  MPI_Comm copy = MPI_COMM_NULL;
+  check_mpi(MPI_Comm_dup(ranks.handle(), &copy), "MPI_Comm_dup");
+  return OwnedCommunicator(copy);
+}
+
+OwnedCommunicator OwnedCommunicator::of_range(const Communicator& ranks, int first, int last) {
+  MPI_Group all = MPI_GROUP_NULL, range = MPI_GROUP_NULL;
+  MPI_Comm part = MPI_COMM_NULL;
+  int triplet[1][3] = {{first, last - 1, 1}};
+  check_mpi(MPI_Comm_group(ranks.handle(), &all), "MPI_Comm_group");
+  check_mpi(MPI_Group_range_incl(all, 1, triplet, &range), "MPI_Group_range_incl");
+  // Groups that overlap may be made at the same time: the tag, unique to the range's start, keeps them apart.
+  check_mpi(MPI_Comm_create_group(ranks.handle(), range, first, &part), "MPI_Comm_create_group");
+  check_mpi(MPI_Group_free(&range), "MPI_Group_free");
+  check_mpi(MPI_Group_free(&all), "MPI_Group_free");
+  return OwnedCommunicator(part);
+}
+
+// As in ~MpiSession, a failure here cannot be told to anybody.
+OwnedCommunicator::~OwnedCommunicator() {
+  if (!ranks_) return;
+  MPI_Comm handle = ranks_->handle();
+  MPI_Comm_free(&handle);
+}
+
+OwnedCommunicator& OwnedCommunicator::operator=(OwnedCommunicator&& other) noexcept {
+  std::swap(ranks_, other.ranks_);
+  return *this;
+}
+
 }  // namespace percuss

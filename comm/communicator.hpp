@@ -3,7 +3,9 @@
 
 #include <mpi.h>
 
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 namespace percuss {
 
@@ -31,6 +33,9 @@ class Communicator {
   /// All ranks of the program; its errors return to the caller instead of ending the program.
   static Communicator world();
 
+  /// The ranks of an MPI communicator that lives longer than this. Throws MpiError.
+  explicit Communicator(MPI_Comm handle);
+
   int rank() const { return rank_; }
   int size() const { return size_; }
   MPI_Comm handle() const { return handle_; }
@@ -42,10 +47,30 @@ class Communicator {
   [[noreturn]] void abort(int exit_code) const;
 
  private:
-  explicit Communicator(MPI_Comm handle);
-
   MPI_Comm handle_;
   int rank_ = 0, size_ = 1;
+};
+
+/// An MPI communicator made for one use and freed with this: its messages never meet those of anybody else.
+class OwnedCommunicator {
+ public:
+  /// The same ranks. Collective over them. Throws MpiError.
+  static OwnedCommunicator duplicate(const Communicator& ranks);
+
+  /// The ranks first <= rank < last of `ranks`, renumbered from 0. Collective over those alone. Throws MpiError.
+  static OwnedCommunicator of_range(const Communicator& ranks, int first, int last);
+
+  ~OwnedCommunicator();
+  OwnedCommunicator(OwnedCommunicator&& other) noexcept : ranks_(std::exchange(other.ranks_, std::nullopt)) {}
+  OwnedCommunicator& operator=(OwnedCommunicator&& other) noexcept;
+
+  const Communicator& operator*() const { return *ranks_; }
+  const Communicator* operator->() const { return &*ranks_; }
+
+ private:
+  explicit OwnedCommunicator(MPI_Comm handle);
+
+  std::optional<Communicator> ranks_;
 };
 
 }  // namespace percuss

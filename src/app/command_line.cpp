@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <Kokkos_Core.hpp>
+#include <algorithm>
 
 #include "kernels/core/views.hpp"
 #include "src/deck/nearest_name.hpp"
@@ -78,6 +79,7 @@ struct Parser {
 
   Parser() {
     app.footer(general_help);
+    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
     app.set_help_flag("-h,--help", "Print this help");
     app.add_flag("--version", version, "Print the version");
     run = add("run", "Run the scene of a deck", run_help);
@@ -96,6 +98,7 @@ struct Parser {
   CLI::App* add(const char* name, const char* description, const char* help) {
     CLI::App* sub = app.add_subcommand(name, description);
     sub->footer(help);
+    sub->group("Commands");
     sub->set_help_flag("-h,--help", "Print this help");
     sub->allow_extras();
     return sub;
@@ -125,7 +128,12 @@ std::vector<std::string> option_names(const CLI::App& app) {
 Answer refuse_extra(const std::string& extra, const CLI::App& app, const std::string& command) {
   if (extra.starts_with('-') && extra.size() > 1) {
     const std::string name = extra.substr(0, extra.find('='));
-    return wrong(fmt::format("unknown option '{}'{}", name, name_hint(name, option_names(app))), command);
+    const auto known = option_names(app);
+    if (std::find(known.begin(), known.end(), name) != known.end()) {
+      return wrong(fmt::format("option '{}' stands before the command (it belongs after percuss {})", name, command),
+                   command);
+    }
+    return wrong(fmt::format("unknown option '{}'{}", name, name_hint(name, known)), command);
   }
   if (command.empty()) {
     return wrong(fmt::format("unknown command '{}'{}", extra, name_hint(extra, {"run", "check", "info"})));
@@ -139,6 +147,9 @@ Answer explain(const CLI::ParseError& error, Parser& parser) {
     if (!sub->parsed()) continue;
     const std::string name = sub->get_name();
     if (!sub->remaining().empty()) return refuse_extra(sub->remaining().front(), *sub, name);
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+      return wrong("an option at the end has no value (" + std::string(error.what()) + ")", name);
+    }
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
       return wrong(fmt::format("percuss {} needs {}", name, sub == parser.info ? "a file" : "a deck"), name);
     }
@@ -155,7 +166,7 @@ std::variant<Command, Answer> parse_command_line(int argc, const char* const* ar
     parser.app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     for (const CLI::App* sub : {parser.run, parser.check, parser.info}) {
-      if (sub->parsed()) return Answer{sub->help(), ExitCode::done};
+      if (sub->parsed()) return Answer{sub->help("percuss"), ExitCode::done};
     }
     return Answer{parser.app.help(), ExitCode::done};
   } catch (const CLI::ParseError& error) {

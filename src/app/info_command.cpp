@@ -54,7 +54,8 @@ std::string describe_folder(const std::string& folder) {
   const fs::path path(folder);
   if (fs::exists(path / "summary.json")) text += format_summary(read_summary((path / "summary.json").string()));
   if (fs::exists(path / "fields.vtkhdf")) {
-    text += (text.empty() ? "" : "\n") + describe_fields_file((path / "fields.vtkhdf").string());
+    if (!text.empty()) text += '\n';
+    text += describe_fields_file((path / "fields.vtkhdf").string());
   }
   if (text.empty())
     throw InputError(folder + ": error: no results of percuss (neither summary.json nor fields.vtkhdf)");
