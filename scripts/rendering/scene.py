@@ -107,7 +107,7 @@ class Scene:
     def shade(self, size_of_scene, cell_size):
         """Dims hollows and contacts, as scattered daylight does. Lengths in the units of the mesh."""
         self.renderer.UseSSAOOn()
-        self.renderer.SetSSAORadius(max(0.06 * size_of_scene, 2 * cell_size))
+        self.renderer.SetSSAORadius(0.05 * size_of_scene)
         self.renderer.SetSSAOBias(0.12 * cell_size)
         self.renderer.SetSSAOKernelSize(32)
         self.renderer.SSAOBlurOn()
@@ -155,7 +155,7 @@ class Scene:
         patch = self.add_text("ii", 0.875, y, 0.026, color=color)  # its background hides the letters
         patch.GetTextProperty().SetBackgroundColor(*color)
         patch.GetTextProperty().SetBackgroundOpacity(1)
-        self.add_text(name, 0.9, y, 0.026)
+        self.add_text(name if len(name) <= 14 else name[:13] + "\u2026", 0.9, y, 0.026)
 
     def _set_font(self, text, points):
         if os.path.exists(FONT):

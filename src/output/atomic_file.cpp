@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 namespace percuss {
 namespace {
@@ -54,14 +55,19 @@ void sync_folder(const std::string& path) {
 std::string suggest_for_errno(int error_number) {
   switch (error_number) {
     case ENOSPC:
-    case EDQUOT: return "; free some space, or choose another folder with --out";
-    case EFBIG: return "; raise the limit on file sizes (ulimit -f), or write fewer frames and fields";
+    case EDQUOT:
+      return "; free some space, or choose another folder with --out";
+    case EFBIG:
+      return "; raise the limit on file sizes (ulimit -f), or write fewer frames and fields";
     case EACCES:
     case EPERM:
-    case EROFS: return "; choose a folder that you may write to with --out";
+    case EROFS:
+      return "; choose a folder that you may write to with --out";
     case ENOENT:
-    case ENOTDIR: return "; check that its folder exists";
-    default: return "";
+    case ENOTDIR:
+      return "; check that its folder exists";
+    default:
+      return "";
   }
 }
 

@@ -141,8 +141,8 @@ std::string describe_fields_file(const std::string& path) {
            d.describe_fields("PointData", "node", d.nodes) + d.describe_fields("CellData", "element", d.elements);
   } catch (const hdf5::Error& error) {
     if (error.error_number != 0) throw make_io_error("read", path, error.error_number);
-    throw InputError(fmt::format("{}: error: this is not a fields file of percuss (cannot {}: {}), or it is damaged", path,
-                                 error.what(), error.reason));
+    throw InputError(fmt::format("{}: error: this is not a fields file of percuss (cannot {}: {}), or it is damaged",
+                                 path, error.what(), error.reason));
   }
 }
 

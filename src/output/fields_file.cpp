@@ -44,8 +44,8 @@ struct FieldsFile::Impl {
   void remember_fields(std::span<const FieldData> fields);
 
   std::string xdmf_path;
-  std::vector<Vec3> initial;          // positions of the mesh
-  std::vector<double> displacement;   // of the frame being written, [nodes][3]
+  std::vector<Vec3> initial;         // positions of the mesh
+  std::vector<double> displacement;  // of the frame being written, [nodes][3]
   FieldPrecision precision;
   XdmfIndex index;
   VtkhdfFile file;

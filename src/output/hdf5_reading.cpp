@@ -67,7 +67,8 @@ std::vector<T> read_rows(hid_t parent, const std::string& name, hsize_t first, h
   if (values.empty()) return values;
   const Handle in_file(check(H5Dget_space(dataset.get()), "read " + name), H5Sclose);
   const std::array<hsize_t, 2> start{first, 0}, count{rows, shape.components};
-  check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), "read " + name);
+  check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+        "read " + name);
   const hsize_t size = values.size();
   const Handle in_memory(check(H5Screate_simple(1, &size, nullptr), "read " + name), H5Sclose);
   check(H5Dread(dataset.get(), memory_type<T>(), in_memory.get(), in_file.get(), H5P_DEFAULT, values.data()),
@@ -103,14 +104,16 @@ std::vector<std::string> read_texts(hid_t parent, const std::string& name) {
   const Handle type = copy_text_type(H5Dget_type(dataset.get()), shape.rows, name);
   const std::size_t length = H5Tget_size(type.get());
   std::vector<char> bytes(shape.rows * length);
-  if (!bytes.empty()) check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read " + name);
+  if (!bytes.empty())
+    check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read " + name);
   return split_texts(bytes, length);
 }
 
 std::vector<std::string> list_names(hid_t parent, const std::string& group) {
   std::vector<std::string> names;
-  check(H5Literate_by_name(parent, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect_name, &names, H5P_DEFAULT),
-        "list group " + group);
+  check(
+      H5Literate_by_name(parent, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect_name, &names, H5P_DEFAULT),
+      "list group " + group);
   return names;
 }
 

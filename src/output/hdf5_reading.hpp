@@ -1,5 +1,6 @@
 #pragma once
-// Reading HDF5 files that may be damaged or come from elsewhere: whatever a file claims is checked before it is believed.
+// Reading HDF5 files that may be damaged or come from elsewhere: whatever a file claims is checked before it is
+// believed.
 
 #include <cstdint>
 #include <string>

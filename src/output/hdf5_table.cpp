@@ -31,7 +31,8 @@ Extent make_extent(RowShape shape) {
 
 Handle create_space(RowShape shape) {
   const Extent extent = make_extent(shape);
-  return {check(H5Screate_simple(extent.rank, extent.dims.data(), nullptr), "describe the shape of a dataset"), H5Sclose};
+  return {check(H5Screate_simple(extent.rank, extent.dims.data(), nullptr), "describe the shape of a dataset"),
+          H5Sclose};
 }
 
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space, hid_t properties) {
@@ -59,7 +60,8 @@ Handle create_text_type(std::size_t length) {
   return type;
 }
 
-void write_attribute(hid_t object, const std::string& name, hid_t file_type, hid_t space, hid_t memory, const void* data) {
+void write_attribute(hid_t object, const std::string& name, hid_t file_type, hid_t space, hid_t memory,
+                     const void* data) {
   const std::string action = fmt::format("write attribute {}", name);
   const bool exists = check(H5Aexists(object, name.c_str()), action) > 0;
   const hid_t id = exists ? H5Aopen(object, name.c_str(), H5P_DEFAULT)

@@ -1,8 +1,8 @@
 #pragma once
 // Datasets and attributes of fields.vtkhdf: the one place where numbers go into HDF5.
 //
-// Errors are hdf5::Error. Every write goes through write_rows(), so that a parallel run needs to change only that function: each rank will
-// select its own rows and the transfer will be collective.
+// Errors are hdf5::Error. Every write goes through write_rows(), so that a parallel run needs to change only that
+// function: each rank will select its own rows and the transfer will be collective.
 
 #include <cstdint>
 #include <span>

@@ -71,7 +71,8 @@ HistoryFile::~HistoryFile() {
 
 void HistoryFile::write_row(std::span<const double> values) {
   if (values.size() != columns_)
-    throw std::logic_error(fmt::format("a row of {} has {} values (it has {} columns)", path_, values.size(), columns_));
+    throw std::logic_error(
+        fmt::format("a row of {} has {} values (it has {} columns)", path_, values.size(), columns_));
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i > 0) pending_ += ',';
     append_number(pending_, values[i]);

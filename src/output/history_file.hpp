@@ -29,7 +29,7 @@ class HistoryFile {
   std::string path_;
   std::size_t columns_ = 0;
   std::FILE* file_ = nullptr;
-  std::string pending_;  // whole rows that are not in the file yet
+  std::string pending_;    // whole rows that are not in the file yet
   long long written_ = 0;  // bytes
 };
 

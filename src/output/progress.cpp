@@ -55,8 +55,8 @@ void Progress::report(const ProgressState& state) {
   const auto now = std::chrono::steady_clock::now();
   const int tenth = static_cast<int>(10 * share_done(state));
   const bool first = last_tenth_ < 0;
-  const bool due = style_ == Style::live ? now - last_ >= live_interval
-                                         : tenth > last_tenth_ || now - last_ >= plain_interval;
+  const bool due =
+      style_ == Style::live ? now - last_ >= live_interval : tenth > last_tenth_ || now - last_ >= plain_interval;
   if (first) first_step_ = last_step_ = state.step;
   if (first) first_share_ = share_done(state);
   if (!first && !due) return;
@@ -82,10 +82,11 @@ void Progress::print(const ProgressState& state, std::chrono::steady_clock::time
   // What is left takes as long as what was done since the start of this process (a restart does not begin at 0).
   const double done = share - first_share_;
   const double left = done > 0 ? elapsed * (1 - share) / done : HUGE_VAL;
-  std::string line = fmt::format("{:5.1f} %  t = {:.4e} s  step {}  dt {:.2e} s  {:.4g} steps/s  {} {}  energy error {:.1e}"
-                                 "  contacts {}",
-                                 100 * share, state.time, state.step, state.dt, speed, closed ? "took" : "ETA",
-                                 format_duration(closed ? elapsed : left), state.energy_error, state.contacts);
+  std::string line = fmt::format(
+      "{:5.1f} %  t = {:.4e} s  step {}  dt {:.2e} s  {:.4g} steps/s  {} {}  energy error {:.1e}"
+      "  contacts {}",
+      100 * share, state.time, state.step, state.dt, speed, closed ? "took" : "ETA",
+      format_duration(closed ? elapsed : left), state.energy_error, state.contacts);
   if (style_ == Style::plain) {
     fmt::print(stream_, "{}\n", line);
   } else {

@@ -162,7 +162,7 @@ class Reader {
     member = found.is_null() ? std::numeric_limits<double>::quiet_NaN() : found.get<double>();
   }
   template <class Int>
-    requires std::is_integral_v<Int>
+  requires std::is_integral_v<Int>
   void read(const char* key, const Json& found, Int& member) const {
     if (!found.is_number_integer()) fail(key, "is not a whole number");
     member = found.get<Int>();
@@ -173,8 +173,8 @@ class Reader {
   }
 
   [[noreturn]] void fail(const char* key, const char* problem) const {
-    throw InputError(fmt::format("{}: error: '{}{}' {} (every key of a percuss summary has one type)", path_, prefix_, key,
-                                 problem));
+    throw InputError(fmt::format("{}: error: '{}{}' {} (every key of a percuss summary has one type)", path_, prefix_,
+                                 key, problem));
   }
 
   const Json* object_;
@@ -222,7 +222,8 @@ Summary read_summary(const std::string& path) {
                                  find_place(text, error.byte)));
   }
   if (!json.is_object())
-    throw InputError(fmt::format("{}:1:1: error: this is not a JSON object (a summary.json of percuss is expected)", path));
+    throw InputError(
+        fmt::format("{}:1:1: error: this is not a JSON object (a summary.json of percuss is expected)", path));
   Summary summary;
   Reader reader(json, path);
   visit_summary(summary, reader);

@@ -1,14 +1,12 @@
 #include "src/output/vtkhdf_file.hpp"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 
 #include "src/output/atomic_file.hpp"
+#include "src/output/hdf5_file.hpp"
 
 namespace percuss {
 namespace {
@@ -18,42 +16,12 @@ using hdf5::check;
 constexpr std::uint8_t vtk_hexahedron = 12;  // VTK's number of the cell type
 constexpr hsize_t steps_at_once = 512;       // entries of a chunk of the tables that get one number a frame
 
-// A B-tree node of the chunk index holds 2 k entries. A node that does not split is only ever added to, which lets a file
-// survive a crash between any two writes of its metadata; so only every 512th frame of a field has such a weak moment.
-constexpr unsigned chunk_index_k = 256;
-
 // Most bytes of metadata (B-tree nodes on two levels, headers) that a table adds with a frame, and that a file starts
 // with; counted from the sizes in the HDF5 file format specification for the k above, and rounded up.
 constexpr hsize_t metadata_bytes_per_table = hsize_t{64} << 10;
 constexpr hsize_t metadata_bytes_of_file = hsize_t{256} << 10;
 constexpr hsize_t mesh_bytes_per_node = 8;                      // its id
 constexpr hsize_t mesh_bytes_per_element = 8 * 8 + 8 + 1 + 16;  // corners, offset, type, id and part
-
-// Metadata leave the cache at a flush only, so that a crash while a frame is computed or written changes nothing.
-void keep_metadata_until_flush(hid_t file, const std::string& action) {
-  H5AC_cache_config_t cache{};
-  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
-  check(H5Fget_mdc_config(file, &cache), action);
-  cache.evictions_enabled = false;
-  cache.incr_mode = H5C_incr__off;
-  cache.decr_mode = H5C_decr__off;
-  cache.flash_incr_mode = H5C_flash_incr__off;
-  check(H5Fset_mdc_config(file, &cache), action);
-}
-
-hdf5::Handle create_file(const std::string& path) {
-  const std::string action = "create the file";
-  const hdf5::Handle access(check(H5Pcreate(H5P_FILE_ACCESS), action), H5Pclose);
-  // No lock, so that ParaView can look at a run that goes on; no chunk cache: frames go to the system as they come.
-  check(H5Pset_file_locking(access.get(), false, true), action);
-  check(H5Pset_cache(access.get(), 0, 1, 0, 1.0), action);
-  const hdf5::Handle creation(check(H5Pcreate(H5P_FILE_CREATE), action), H5Pclose);
-  check(H5Pset_istore_k(creation.get(), chunk_index_k), action);
-  ::unlink(path.c_str());  // who still reads an older run keeps its file
-  hdf5::Handle file(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), action), H5Fclose);
-  keep_metadata_until_flush(file.get(), action);
-  return file;
-}
 
 std::vector<std::int64_t> flatten_connectivity(const Mesh& mesh) {
   std::vector<std::int64_t> corners;
@@ -64,12 +32,6 @@ std::vector<std::int64_t> flatten_connectivity(const Mesh& mesh) {
 
 void write_whole_numbers(const hdf5::Handle& group, const std::string& name, std::span<const std::int64_t> values) {
   hdf5::write_dataset(group.get(), name, H5T_STD_I64LE, 1, values);
-}
-
-// Ends the program, with the exit code that it has, before the functions that were registered earlier have their turn.
-void end_before_hdf5(int exit_code, void*) {
-  std::fflush(nullptr);
-  ::_exit(exit_code);
 }
 
 }  // namespace
@@ -93,8 +55,8 @@ void VtkhdfFile::run_or_abandon(const char* action, Work&& work) {
     work();
   } catch (const hdf5::Error& error) {
     abandon();
-    throw SystemError(fmt::format("cannot {} '{}' ({}; while HDF5 was to {}){}", action, path_, error.reason, error.what(),
-                                  suggest_for_errno(error.error_number)));
+    throw SystemError(fmt::format("cannot {} '{}' ({}; while HDF5 was to {}){}", action, path_, error.reason,
+                                  error.what(), suggest_for_errno(error.error_number)));
   } catch (...) {
     abandon();
     throw;
@@ -102,7 +64,7 @@ void VtkhdfFile::run_or_abandon(const char* action, Work&& work) {
 }
 
 void VtkhdfFile::create(const Mesh& mesh, const FieldsOptions& options) {
-  file_ = create_file(path_);
+  file_ = hdf5::create_durable_file(path_);
   disk_ = DiskReservation(path_);
   disk_.reserve(0, metadata_bytes_of_file + nodes_ * mesh_bytes_per_node + elements_ * mesh_bytes_per_element);
   root_ = hdf5::create_group(file_.get(), "VTKHDF");
@@ -133,7 +95,8 @@ void VtkhdfFile::write_mesh(const Mesh& mesh, const FieldsOptions& options) {
   hdf5::write_dataset(root_.get(), "Types", H5T_STD_U8LE, 1, std::span<const std::uint8_t>(types));
   write_whole_numbers(point_data_, "node_id", mesh.node_ids);
   write_whole_numbers(cell_data_, "element_id", mesh.element_ids);
-  write_whole_numbers(cell_data_, "part", std::vector<std::int64_t>(mesh.element_part.begin(), mesh.element_part.end()));
+  write_whole_numbers(cell_data_, "part",
+                      std::vector<std::int64_t>(mesh.element_part.begin(), mesh.element_part.end()));
 
   std::vector<std::string> names;
   for (const auto& part : mesh.parts) names.push_back(part.name);
@@ -167,8 +130,8 @@ void VtkhdfFile::create_fields(std::span<const FieldData> fields) {
     const bool on_nodes = field.place == FieldPlace::node;
     const auto& group = on_nodes ? point_data_ : cell_data_;
     const auto& offsets = on_nodes ? point_data_offsets_ : cell_data_offsets_;
-    fields_.push_back({field.place, hdf5::Table(group.get(), field.name, type, field.components,
-                                                 on_nodes ? nodes_ : elements_),
+    fields_.push_back({field.place,
+                       hdf5::Table(group.get(), field.name, type, field.components, on_nodes ? nodes_ : elements_),
                        hdf5::Table(offsets.get(), field.name, H5T_STD_I64LE, 1, steps_at_once)});
   }
 }
@@ -200,7 +163,9 @@ void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const do
 
 void VtkhdfFile::append_rows(double time, std::int64_t step, std::span<const double> positions,
                              std::span<const FieldData> fields) {
-  const auto append_one = [](hdf5::Table& table, auto value) { table.append(std::span<const decltype(value)>(&value, 1)); };
+  const auto append_one = [](hdf5::Table& table, auto value) {
+    table.append(std::span<const decltype(value)>(&value, 1));
+  };
   append_one(*point_offsets_, static_cast<std::int64_t>(points_->rows()));
   points_->append(positions);
   for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -243,25 +208,10 @@ void VtkhdfFile::release_objects() {
     group->reset();
 }
 
-// After a failed write HDF5 must not write again: what its cache holds would refer to data that are not there. It cannot
-// be told to forget a file, so the descriptor is turned to memory before it is closed. If it was a flush that failed, HDF5
-// 1.10 can neither close the file nor end with the program without a crash.
 void VtkhdfFile::abandon() {
-  void* descriptor = nullptr;
-  if (file_ && H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &descriptor) >= 0) {
-    const int memory = ::memfd_create("abandoned", MFD_CLOEXEC);
-    if (memory >= 0) {
-      ::dup2(memory, *static_cast<int*>(descriptor));
-      ::close(memory);
-    }
-  }
+  hdf5::turn_to_memory(file_);
   release_objects();
-  if (flushing_) {
-    file_.release();
-    ::on_exit(end_before_hdf5, nullptr);
-  } else {
-    file_.reset();
-  }
+  hdf5::close_abandoned(file_, flushing_ ? hdf5::Failure::in_a_flush : hdf5::Failure::elsewhere);
 }
 
 }  // namespace percuss

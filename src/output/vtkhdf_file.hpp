@@ -28,7 +28,8 @@ class VtkhdfFile {
   /// Appends a frame: room is reserved, data are written and flushed, then the number of steps, which is what shows the
   /// frame to readers. The first frame creates the fields. Throws SystemError; the file then keeps the frames before
   /// and takes no more.
-  void append_frame(double time, std::int64_t step, std::span<const double> positions, std::span<const FieldData> fields);
+  void append_frame(double time, std::int64_t step, std::span<const double> positions,
+                    std::span<const FieldData> fields);
 
   /// Waits for the disk and closes. Throws SystemError.
   void close();
@@ -53,7 +54,8 @@ class VtkhdfFile {
   void create_steps(hsize_t nodes);
   void create_fields(std::span<const FieldData> fields);
   void add_constant(const hdf5::Handle& group, const std::string& name, std::int64_t value);
-  void append_rows(double time, std::int64_t step, std::span<const double> positions, std::span<const FieldData> fields);
+  void append_rows(double time, std::int64_t step, std::span<const double> positions,
+                   std::span<const FieldData> fields);
   hsize_t frame_bytes(std::span<const FieldData> fields) const;
   hsize_t file_bytes() const;
   void flush();

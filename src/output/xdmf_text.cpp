@@ -14,11 +14,20 @@ std::string escape(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
     switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      default: escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
     }
   }
   return escaped;
@@ -37,7 +46,8 @@ struct Dataset {
 };
 
 void write_dataset(Out out, const XdmfIndex& index, const Dataset& data) {
-  fmt::format_to(out, R"(<DataItem Dimensions="{}" NumberType="{}" Precision="{}" Format="HDF">{}:/VTKHDF/{}</DataItem>)",
+  fmt::format_to(out,
+                 R"(<DataItem Dimensions="{}" NumberType="{}" Precision="{}" Format="HDF">{}:/VTKHDF/{}</DataItem>)",
                  shape_text(data.rows, data.components), data.number, data.bytes, index.file, data.path);
 }
 
@@ -47,16 +57,16 @@ void write_slab(Out out, const XdmfIndex& index, const Dataset& data, std::int64
   if (data.components == 1) {
     fmt::format_to(out, "     <DataItem Dimensions=\"3 1\" Format=\"XML\">{} 1 {}</DataItem>\n     ", first, rows);
   } else {
-    fmt::format_to(out, "     <DataItem Dimensions=\"3 2\" Format=\"XML\">{} 0 1 1 {} {}</DataItem>\n     ", first, rows,
-                   data.components);
+    fmt::format_to(out, "     <DataItem Dimensions=\"3 2\" Format=\"XML\">{} 0 1 1 {} {}</DataItem>\n     ", first,
+                   rows, data.components);
   }
   write_dataset(out, index, data);
   fmt::format_to(out, "\n    </DataItem>");
 }
 
 // The rows of one frame within a dataset that holds those of all frames.
-void write_frame_rows(Out out, const XdmfIndex& index, const std::string& path, std::int64_t rows, int components, int bytes,
-                      std::size_t frame) {
+void write_frame_rows(Out out, const XdmfIndex& index, const std::string& path, std::int64_t rows, int components,
+                      int bytes, std::size_t frame) {
   const auto all = static_cast<std::int64_t>(index.times.size()) * rows;
   write_slab(out, index, {path, "Float", bytes, components, all}, static_cast<std::int64_t>(frame) * rows, rows);
 }
@@ -85,8 +95,8 @@ void write_ids(Out out, const XdmfIndex& index, const std::string& name, FieldPl
 
 void write_mesh(Out out, const XdmfIndex& index, std::size_t frame) {
   fmt::format_to(out, "   <Topology TopologyType=\"Hexahedron\" NumberOfElements=\"{}\">", index.elements);
-  // As a slab, though it is the whole: VTK's reader would take text here for the name of a file whose mesh it may reuse for
-  // the next frame, and complain that the points have no such name.
+  // As a slab, though it is the whole: VTK's reader would take text here for the name of a file whose mesh it may reuse
+  // for the next frame, and complain that the points have no such name.
   write_slab(out, index, {"Connectivity", "Int", 8, 1, 8 * index.elements}, 0, 8 * index.elements);
   fmt::format_to(out, "</Topology>\n   <Geometry GeometryType=\"XYZ\">");
   write_frame_rows(out, index, "Points", index.nodes, 3, 8, frame);

@@ -1,7 +1,7 @@
 // What is left of fields.vtkhdf when the process dies, or the disk fails, at any write of a frame.
 //
-// This executable replaces the pwrite of the C library, so that HDF5's n-th write can end the process as kill -9 does, or
-// fail. Every n is tried.
+// This executable replaces the pwrite of the C library, so that HDF5's n-th write can end the process as kill -9 does,
+// or fail. Every n is tried.
 
 #include <dlfcn.h>
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ namespace {
 
 enum class Fault { none, kill, fail };
 Fault fault = Fault::none;
-int writes_left = 0;   // until the fault
+int writes_left = 0;  // until the fault
 int writes_seen = 0;
 
 // Memory that looks like a file has no name.
@@ -127,8 +127,8 @@ TEST(FieldsFileInACrash, KeepsTheFramesBeforeWheneverTheProcessIsKilled) {
   }
 }
 
-// Writes frames until the n-th write of the last one fails; ends the process as percuss does. Exit codes: 4 for the error
-// that is expected, others for what went wrong.
+// Writes frames until the n-th write of the last one fails; ends the process as percuss does. Exit codes: 4 for the
+// error that is expected, others for what went wrong.
 void run_into_failing_write(const std::string& folder, const Mesh& mesh, int n) {
   FieldsFile file(folder, mesh);
   for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);

@@ -19,8 +19,8 @@ namespace {
 
 using sample::Hdf5FileView;
 using sample::TemporaryFolder;
-using testing::ElementsAre;
 using testing::Each;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr int frames = 3;
@@ -37,8 +37,8 @@ void write_run(const TemporaryFolder& folder, const Mesh& mesh, const FieldsOpti
 }
 
 // The rows that a frame has in a dataset, by the offsets that a reader would use.
-std::vector<double> rows_of_frame(const Hdf5FileView& file, const std::string& group, const std::string& name, int frame,
-                                  std::size_t items, std::size_t components) {
+std::vector<double> rows_of_frame(const Hdf5FileView& file, const std::string& group, const std::string& name,
+                                  int frame, std::size_t items, std::size_t components) {
   const auto offsets = file.whole_numbers("VTKHDF/Steps/" + group + "Offsets/" + name);
   const auto all = file.numbers("VTKHDF/" + group + "/" + name);
   const auto first = all.begin() + offsets.at(static_cast<std::size_t>(frame)) * static_cast<long>(components);
@@ -66,7 +66,8 @@ TEST(FieldsFile, StoresTheCellsOnceAndSendsEveryStepBackToThem) {
   EXPECT_THAT(file.shape("VTKHDF/Connectivity"), ElementsAre(8 * elements));
   const auto connectivity = file.whole_numbers("VTKHDF/Connectivity");
   for (std::size_t e = 0; e < elements; ++e)
-    EXPECT_TRUE(std::equal(mesh.elements[e].begin(), mesh.elements[e].end(), connectivity.begin() + static_cast<long>(8 * e)));
+    EXPECT_TRUE(
+        std::equal(mesh.elements[e].begin(), mesh.elements[e].end(), connectivity.begin() + static_cast<long>(8 * e)));
   EXPECT_EQ(file.whole_numbers("VTKHDF/Offsets").back(), static_cast<long>(8 * elements));
   EXPECT_THAT(file.whole_numbers("VTKHDF/Types"), Each(12));
   EXPECT_THAT(file.whole_numbers("VTKHDF/NumberOfCells"), ElementsAre(elements));
@@ -153,7 +154,8 @@ TEST(FieldsFile, IsReadableAfterEveryFrameWithoutBeingClosed) {
     const Hdf5FileView copy(folder.file("copy"));
     ASSERT_TRUE(copy.is_open());
     EXPECT_THAT(copy.attribute("VTKHDF/Steps", "NSteps"), ElementsAre(frame + 1));
-    EXPECT_EQ(rows_of_frame(copy, "CellData", "stress", frame, mesh.elements.size(), 6), sample::Frame(mesh, frame).stress);
+    EXPECT_EQ(rows_of_frame(copy, "CellData", "stress", frame, mesh.elements.size(), 6),
+              sample::Frame(mesh, frame).stress);
   }
 }
 
@@ -162,7 +164,8 @@ TEST(FieldsFile, ReplacesAnOlderRun) {
   write_run(folder, sample::make_mesh(3));
   const Mesh mesh = sample::make_mesh(1);
   write_run(folder, mesh);
-  EXPECT_THAT(Hdf5FileView(folder.file("fields.vtkhdf")).shape("VTKHDF/Points"), ElementsAre(frames * mesh.nodes.size(), 3));
+  EXPECT_THAT(Hdf5FileView(folder.file("fields.vtkhdf")).shape("VTKHDF/Points"),
+              ElementsAre(frames * mesh.nodes.size(), 3));
 }
 
 TEST(FieldsFile, RefusesAFrameWithOtherFieldsThanTheFirst) {

@@ -41,8 +41,17 @@ bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == s
 
 TEST(HistoryFile, ReadsBackToTheSameBits) {
   std::mt19937_64 random(42);
-  std::vector<double> values{0.0, -0.0, 0.1, 1.0 / 3, 100000, 1e15, 9007199254740993.0, 1e300, -2.5e-308,
-                             std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max()};
+  std::vector<double> values{0.0,
+                             -0.0,
+                             0.1,
+                             1.0 / 3,
+                             100000,
+                             1e15,
+                             9007199254740993.0,
+                             1e300,
+                             -2.5e-308,
+                             std::numeric_limits<double>::denorm_min(),
+                             std::numeric_limits<double>::max()};
   while (values.size() < 4000) {  // any bits that are a finite number
     const auto value = std::bit_cast<double>(random());
     if (std::isfinite(value)) values.push_back(value);

@@ -1,0 +1,28 @@
+#pragma once
+// HDF5 files whose finished parts survive a crash and a failed write, and how such a file is given up.
+
+#include <string>
+
+#include "src/output/hdf5_handle.hpp"
+
+namespace percuss::hdf5 {
+
+/// Creates a file in place of an older one. Data go to the system when they are written, metadata when the file is
+/// flushed, both without a lock, so that others may read meanwhile. What was flushed is readable whenever the process
+/// ends, unless it ends within a flush that splits a node of a chunk index, which happens to every 512th chunk of a
+/// dataset. Throws Error.
+Handle create_durable_file(const std::string& path);
+
+// --- giving a file up, in this order; what is open within it is closed between the two
+
+/// From now on what HDF5 writes to the file goes to memory. After a failed write it must not reach the disk: it would
+/// refer to data that are not there.
+void turn_to_memory(const Handle& file);
+
+enum class Failure { in_a_flush, elsewhere };
+
+/// Closes the file. After a failed flush HDF5 1.10 can neither close it nor end with the program without a crash: then
+/// the file stays open, and the program will end, with its own exit code, before HDF5 has its turn.
+void close_abandoned(Handle& file, Failure failure);
+
+}  // namespace percuss::hdf5
