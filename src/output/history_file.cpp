@@ -15,6 +15,7 @@ namespace percuss {
 namespace {
 
 constexpr std::size_t pending_limit = std::size_t{64} << 10;  // bytes kept back, to write rows many at a time
+constexpr auto longest_wait = std::chrono::seconds(1);        // so that others can watch, and a kill loses little
 
 // A heading with a comma, a quote or a line break is quoted as RFC 4180 says.
 std::string quote_heading(const std::string& heading) {
@@ -78,10 +79,12 @@ void HistoryFile::write_row(std::span<const double> values) {
     append_number(pending_, values[i]);
   }
   pending_ += '\n';
-  if (pending_.size() >= pending_limit) flush();
+  const bool late = std::chrono::steady_clock::now() - flushed_ >= longest_wait;
+  if (late || pending_.size() >= pending_limit) flush();
 }
 
 void HistoryFile::flush() {
+  flushed_ = std::chrono::steady_clock::now();
   if (pending_.empty()) return;
   const std::size_t written = std::fwrite(pending_.data(), 1, pending_.size(), file_);
   if (written == pending_.size()) {

@@ -1,6 +1,7 @@
 #pragma once
 // history.csv: one row a due step; units and meaning of each column in docs/output.md.
 
+#include <chrono>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -18,7 +19,8 @@ class HistoryFile {
   HistoryFile& operator=(const HistoryFile&) = delete;
 
   /// Appends a row of as many values as there are columns (std::logic_error otherwise), in the shortest text that reads
-  /// back to the same bits. Rows reach the file whole, some at a time. Throws SystemError (disk full).
+  /// back to the same bits. Rows reach the file whole, some at a time, but within about a second while rows come.
+  /// Throws SystemError (disk full).
   void write_row(std::span<const double> values);
 
   /// Hands all rows to the system, so that they survive the end of the process. Throws SystemError; the file then ends
@@ -31,6 +33,7 @@ class HistoryFile {
   std::FILE* file_ = nullptr;
   std::string pending_;    // whole rows that are not in the file yet
   long long written_ = 0;  // bytes
+  std::chrono::steady_clock::time_point flushed_;
 };
 
 /// The shortest text that reads back to the same double: whole numbers without a decimal point, nan, inf, -inf.

@@ -12,7 +12,8 @@ struct PhaseSeconds {
          contact_enforce = 0, reduce = 0, output = 0;
 };
 
-/// Energies [energy unit] at the end of the run; `error` is relative to the larger of initial and added energy.
+/// Energies [energy unit] at the end of the run; `error` is relative to the largest energy held so far
+/// (docs/output.md).
 struct EnergySummary {
   double initial = 0, kinetic = 0, internal = 0, hourglass = 0, viscous = 0, contact = 0, friction = 0, external = 0,
          error = 0;
