@@ -8,7 +8,11 @@
 
 namespace percuss {
 
-void check_memory(const Deck& deck) {
+double find_machine_memory() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+void check_memory(const Deck& deck, double machine_bytes) {
   // Only the arrays of the mesh: eight corners, an id and a part of each element; a position and an id of each node. A
   // run needs several times that, so a scene refused here could never have run.
   constexpr double element_bytes = 8 * 4 + 8 + 4, node_bytes = 3 * 8 + 8;
@@ -18,12 +22,11 @@ void check_memory(const Deck& deck) {
     elements += size.elements;
     bytes += size.elements * element_bytes + size.nodes * node_bytes;
   }
-  const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  if (machine <= 0 || bytes <= machine) return;
+  if (machine_bytes <= 0 || bytes <= machine_bytes) return;
   throw SystemError(
       fmt::format("the mesh does not fit (its {:.4g} elements need more than {:.3g} GB, this machine has {:.3g} GB) "
                   "make it coarser",
-                  elements, bytes / 1e9, machine / 1e9));
+                  elements, bytes / 1e9, machine_bytes / 1e9));
 }
 
 }  // namespace percuss

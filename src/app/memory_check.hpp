@@ -5,7 +5,10 @@
 
 namespace percuss {
 
-/// Throws SystemError if the generated meshes of the deck need more memory than the machine has.
-void check_memory(const Deck& deck);
+/// Bytes of memory that this machine has.
+double find_machine_memory();
+
+/// Throws SystemError if the generated meshes of the deck alone need more memory than the machine has.
+void check_memory(const Deck& deck, double machine_bytes = find_machine_memory());
 
 }  // namespace percuss

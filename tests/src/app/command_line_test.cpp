@@ -1,0 +1,91 @@
+// What the arguments mean, and how wrong ones are answered.
+
+#include "src/app/command_line.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace percuss {
+namespace {
+
+using testing::HasSubstr;
+
+std::variant<Command, Answer> parse(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "percuss");
+  return parse_command_line(static_cast<int>(arguments.size()), arguments.data());
+}
+
+Command command(const std::vector<const char*>& arguments) { return std::get<Command>(parse(arguments)); }
+Answer answer(const std::vector<const char*>& arguments) { return std::get<Answer>(parse(arguments)); }
+
+TEST(CommandLine, ReadsARun) {
+  const Command run =
+      command({"run", "--set", "a.b=1", "deck.yaml", "-s", "c=[1, 0, 0]", "--out", "dir", "--force", "-q"});
+  EXPECT_EQ(run.kind, Command::Kind::run);
+  EXPECT_EQ(run.file, "deck.yaml");
+  EXPECT_THAT(run.settings, testing::ElementsAre("a.b=1", "c=[1, 0, 0]"));
+  EXPECT_EQ(run.out_dir, "dir");
+  EXPECT_TRUE(run.force);
+  EXPECT_TRUE(run.quiet);
+}
+
+TEST(CommandLine, ReadsCheckAndInfo) {
+  EXPECT_EQ(command({"check", "deck.yaml"}).kind, Command::Kind::check);
+  EXPECT_THAT(command({"check", "d", "--set=time.end=1"}).settings, testing::ElementsAre("time.end=1"));
+  EXPECT_EQ(command({"info", "out"}).kind, Command::Kind::info);
+  EXPECT_EQ(command({"info", "out"}).file, "out");
+}
+
+TEST(CommandLine, HelpsOnDemand) {
+  for (const char* flag : {"-h", "--help"}) {
+    const Answer help = answer({flag});
+    EXPECT_EQ(help.exit_code, ExitCode::done);
+    for (const char* part : {"run", "check", "info", "Examples", "Exit codes", "OMP_NUM_THREADS"}) {
+      EXPECT_THAT(help.text, HasSubstr(part));
+    }
+  }
+  EXPECT_THAT(answer({"run", "--help"}).text, HasSubstr("Usage: percuss run"));
+  EXPECT_THAT(answer({"check", "--help"}).text, HasSubstr("Usage: percuss check"));
+  EXPECT_THAT(answer({"info", "-h"}).text, HasSubstr("Usage: percuss info"));
+}
+
+TEST(CommandLine, TellsItsVersion) {
+  EXPECT_EQ(answer({"--version"}).exit_code, ExitCode::done);
+  EXPECT_THAT(answer({"--version"}).text, HasSubstr("percuss " PERCUSS_VERSION));
+}
+
+TEST(CommandLine, HelpsWhenNothingIsAsked) {
+  EXPECT_EQ(answer({}).exit_code, ExitCode::wrong_input);
+  EXPECT_THAT(answer({}).text, HasSubstr("Usage: percuss"));
+}
+
+TEST(CommandLine, HintsAtWhatWasMeant) {
+  EXPECT_THAT(answer({"rnu", "deck.yaml"}).text, HasSubstr("unknown command 'rnu' (did you mean 'run'?)"));
+  EXPECT_THAT(answer({"simulate"}).text, HasSubstr("(known: run, check, info)"));
+  EXPECT_THAT(answer({"run", "d", "--ouT", "x"}).text, HasSubstr("unknown option '--ouT' (did you mean '--out'?)"));
+  EXPECT_THAT(answer({"--hepl"}).text, HasSubstr("unknown option '--hepl' (did you mean '--help'?)"));
+  EXPECT_THAT(answer({"run"}).text, HasSubstr("percuss run needs a deck"));
+  EXPECT_THAT(answer({"info"}).text, HasSubstr("percuss info needs a file"));
+  EXPECT_THAT(answer({"check", "a", "b"}).text, HasSubstr("'b' is one argument too many"));
+  EXPECT_THAT(answer({"--force", "run", "d"}).text, HasSubstr("option '--force' stands before the command"));
+  EXPECT_THAT(answer({"run", "d", "--set"}).text, HasSubstr("has no value"));
+}
+
+TEST(CommandLine, AnswersEveryMistakeWithExitCodeTwo) {
+  const std::vector<std::vector<const char*>> mistakes = {{"rnu"},
+                                                          {"run"},
+                                                          {"run", "a", "b"},
+                                                          {"run", "a", "-x"},
+                                                          {"--bad"},
+                                                          {"check", "a", "--out", "b"},
+                                                          {"run", "a", "--set"}};
+  for (const auto& arguments : mistakes) {
+    EXPECT_EQ(answer(arguments).exit_code, ExitCode::wrong_input) << arguments.front();
+    EXPECT_THAT(answer(arguments).text, testing::StartsWith("percuss: error: "));
+  }
+}
+
+}  // namespace
+}  // namespace percuss

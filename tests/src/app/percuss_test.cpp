@@ -1,0 +1,201 @@
+// The executable: its commands, what they leave behind and their exit codes.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "src/output/summary.hpp"
+#include "tests/src/app/percuss_process.hpp"
+#include "tests/src/deck/wrong_decks.hpp"
+
+namespace percuss {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// A cube that hits a wall; some tens of steps.
+const char* const cube = R"yaml(title: A cube hits a wall
+time: {end: 0.5}
+parts: {cube: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, at: [0, 0, 0.001], material: soft}}
+materials: {soft: {model: elastic, density: 2, youngs_modulus: 100, poissons_ratio: 0.25}}
+initial: [{velocity: [0, 0, -0.1]}]
+walls: [{normal: z}]
+output: {fields: {every: 0.25, write: [velocity]}, history: {}}
+)yaml";
+
+TEST(PercussCheck, SaysWhatTheSceneIs) {
+  const TemporaryFolder folder;
+  const ProcessResult result = run_percuss({"check", folder.write("deck.yaml", cube)});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(result.out, HasSubstr("A cube hits a wall"));
+  EXPECT_THAT(result.out, HasSubstr("8 elements, 27 nodes, 1 body, mass 2\n"));
+  EXPECT_THAT(result.out, HasSubstr("1 wall"));
+  EXPECT_THAT(result.out, HasSubstr("The deck and its meshes are right."));
+}
+
+TEST(PercussCheck, WritesNoFile) {
+  const TemporaryFolder folder;
+  run_percuss({"check", folder.write("deck.yaml", cube)});
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(PercussCheck, ShowsWarnings) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", cube);
+  const ProcessResult result = run_percuss(
+      {"check", file, "--set", "materials.spare={model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("warning: material 'spare' is used by no part"));
+}
+
+TEST(PercussCheck, TellsEverySelectionThatFindsNothing) {
+  const TemporaryFolder folder;
+  const std::string empty = "{inside: [[8, 8, 8], [9, 9, 9]]}";
+  const std::string file =
+      folder.write("deck.yaml", std::string(cube) + "conditions: [{nodes: " + empty + ", fixed: x}]\n" +
+                                    "loads: {pressure: [{faces: " + empty + ", value: 1}]}\n");
+  const ProcessResult result = run_percuss({"check", file});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, HasSubstr(file + ":8:22"));
+  EXPECT_THAT(result.err, HasSubstr(file + ":9:28"));
+}
+
+TEST(PercussRun, WritesItsResultsAndInfoReadsThem) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/new/results";
+  const ProcessResult result = run_percuss({"run", folder.write("deck.yaml", cube), "--out", out});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(result.err, HasSubstr("completed"));
+  for (const char* file : {"summary.json", "history.csv", "fields.vtkhdf", "fields.xdmf"}) {
+    EXPECT_TRUE(fs::exists(out + "/" + file)) << file;
+  }
+  const Summary summary = read_summary(out + "/summary.json");
+  EXPECT_EQ(summary.status, "completed");
+  EXPECT_EQ(summary.elements, 8);
+  EXPECT_DOUBLE_EQ(summary.time, 0.5);
+  const ProcessResult info = run_percuss({"info", out});
+  EXPECT_EQ(info.exit_code, 0) << info.err;
+  EXPECT_THAT(info.out, HasSubstr("completed"));
+  EXPECT_THAT(info.out, HasSubstr(summary.state_hash));
+  EXPECT_THAT(info.out, HasSubstr("velocity"));
+  EXPECT_EQ(run_percuss({"info", out + "/fields.vtkhdf"}).exit_code, 0);
+  EXPECT_EQ(run_percuss({"info", out + "/summary.json"}).exit_code, 0);
+}
+
+TEST(PercussRun, GivesTheSameStateAgain) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", cube);
+  std::string hashes[2];
+  for (int i = 0; i < 2; ++i) {
+    const std::string out = folder.path() + "/" + std::to_string(i);
+    EXPECT_EQ(run_percuss({"run", file, "--quiet", "--out", out}, i == 0 ? "env OMP_NUM_THREADS=1" : "").exit_code, 0);
+    hashes[i] = read_summary(out + "/summary.json").state_hash;
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+TEST(PercussRun, IsSilentWhenItIsToldTo) {
+  const TemporaryFolder folder;
+  const ProcessResult result =
+      run_percuss({"run", folder.write("deck.yaml", cube), "-q", "-o", folder.path() + "/out"});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out + result.err, "");
+}
+
+TEST(PercussRun, TakesSettings) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/out";
+  const ProcessResult result = run_percuss({"run", "--set", "time.max_steps=3", folder.write("deck.yaml", cube), "-o",
+                                            out, "-s", "parts.cube.box.cells=[1, 1, 1]"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(read_summary(out + "/summary.json").steps, 3);
+  EXPECT_EQ(read_summary(out + "/summary.json").elements, 1);
+}
+
+TEST(PercussRun, OverwritesNothingUnasked) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", cube);
+  const std::string out = folder.path() + "/out";
+  fs::create_directory(out);
+  folder.write("out/notes.txt", "mine");
+  const ProcessResult refused = run_percuss({"run", file, "-o", out});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--force"));
+  EXPECT_EQ(run_percuss({"run", file, "-o", out, "--force"}).exit_code, 0);
+  EXPECT_TRUE(fs::exists(out + "/notes.txt"));
+  const auto written = fs::last_write_time(out + "/summary.json");
+  EXPECT_EQ(run_percuss({"run", file, "-o", out}).exit_code, 2);
+  EXPECT_EQ(fs::last_write_time(out + "/summary.json"), written);
+  EXPECT_EQ(run_percuss({"run", file, "-o", file}).exit_code, 2);
+}
+
+TEST(PercussRun, ExitsWithThreeWhenTheRunFails) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/out";
+  // No run keeps its energy to this.
+  const ProcessResult result =
+      run_percuss({"run", folder.write("deck.yaml", cube), "-o", out, "--set", "audit.max_energy_error=1e-30"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("audit.max_energy_error"));
+  EXPECT_EQ(read_summary(out + "/summary.json").status, "failed");
+}
+
+TEST(PercussRun, ExitsWithFourWhenTheSystemFails) {
+  const TemporaryFolder folder;
+  const ProcessResult result = run_percuss({"run", folder.write("deck.yaml", cube), "-o", "/proc/percuss/out"});
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_THAT(result.err, HasSubstr("/proc/percuss/out"));
+}
+
+TEST(PercussRun, EndsCleanlyWhenItIsInterrupted) {
+  for (const int signal_number : {SIGINT, SIGTERM}) {
+    const TemporaryFolder folder;
+    const std::string out = folder.path() + "/out";
+    const std::string file = folder.write("deck.yaml", cube);
+    const ProcessResult result =
+        interrupt_percuss({"run", file, "-o", out, "--set", "time.end=1e9", "--set", "output={history: {every: 1}}"},
+                          out + "/history.csv", signal_number);
+    EXPECT_EQ(result.exit_code, 130) << result.err;
+    EXPECT_EQ(read_summary(out + "/summary.json").status, "interrupted");
+  }
+}
+
+TEST(PercussRun, RefusesSeveralRanksAndSaysSoOnce) {
+  const TemporaryFolder folder;
+  const std::string launcher =
+      "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " PERCUSS_MPIEXEC " --oversubscribe -n 2";
+  const ProcessResult result = run_percuss({"run", folder.write("deck.yaml", cube)}, launcher);
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+  const std::string message = "started on 2 ranks (percuss runs on one rank so far)";
+  const auto first = result.err.find(message);
+  EXPECT_NE(first, std::string::npos) << result.err;
+  EXPECT_EQ(result.err.find(message, first + 1), std::string::npos);
+}
+
+TEST(PercussInfo, ReadsOnlyWhatItKnows) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(run_percuss({"info", folder.write("deck.yaml", cube)}).err, HasSubstr("percuss check"));
+  for (const std::string& file :
+       {folder.path(), folder.path() + "/none", folder.write("a.json", "{\"a\": 1}"),
+        folder.write("a.vtkhdf", "\x89HDF\r\n\x1a\n"), folder.write("a.e", "CDF\x01"), folder.write("empty", "")}) {
+    const ProcessResult result = run_percuss({"info", file});
+    EXPECT_EQ(result.exit_code, 2) << file << ": " << result.err;
+    EXPECT_THAT(result.err, HasSubstr("error: ")) << file;
+  }
+}
+
+TEST(Percuss, FailsWhenItsOutputIsLost) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", cube);
+  const std::string script = folder.write("full.sh", "\"$@\" >/dev/full\n");
+  EXPECT_EQ(run_percuss({"check", file}, "sh " + script).exit_code, 4);
+}
+
+}  // namespace
+}  // namespace percuss

@@ -1,0 +1,97 @@
+// Masses, folders, threads: the parts of the commands that can be asked alone.
+
+#include "src/app/scene_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "src/app/memory_check.hpp"
+#include "src/app/output_folder.hpp"
+#include "src/app/threads.hpp"
+#include "src/deck/read_deck.hpp"
+#include "src/error.hpp"
+#include "tests/src/app/percuss_process.hpp"
+
+namespace percuss {
+namespace {
+
+Deck two_blocks() {
+  return parse_deck(
+      "time: {end: 1}\n"
+      "materials:\n"
+      "  a: {model: elastic, density: 3, youngs_modulus: 1, poissons_ratio: 0}\n"
+      "  b: {model: j2_plasticity, density: 5, youngs_modulus: 1, poissons_ratio: 0, yield_stress: 1}\n"
+      "parts:\n"
+      "  one: {box: {size: [1, 2, 3], cells: [2, 3, 4]}, material: a}\n"
+      "  two: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, array: {count: [1, 1, 4], pitch: [0, 0, 2]}, at: [5, 0, 0], "
+      "material: b}\n",
+      "deck.yaml");
+}
+
+TEST(SceneReport, SumsTheMassOfEachPart) {
+  const Deck deck = two_blocks();
+  const std::vector<double> masses = sum_part_masses(build_mesh(deck), deck);
+  ASSERT_EQ(masses.size(), 2U);
+  EXPECT_NEAR(masses[0], 3 * 6, 1e-13);  // round-off of 24 volumes
+  EXPECT_NEAR(masses[1], 5 * 4, 1e-13);
+}
+
+TEST(SceneReport, CountsPartsAndBodies) {
+  const Deck deck = two_blocks();
+  const Mesh mesh = build_mesh(deck);
+  SceneReport scene{deck, mesh};
+  scene.first_step = 0.25;
+  const std::string text = format_scene(scene);
+  EXPECT_THAT(text, testing::HasSubstr("56 elements, 168 nodes, 5 bodies, mass 38\n"));
+  EXPECT_THAT(text, testing::HasSubstr("none (bodies pass through each other)"));
+  EXPECT_THAT(text, testing::HasSubstr("x 0 to 6, y 0 to 2, z 0 to 7"));
+  EXPECT_THAT(text, testing::HasSubstr("about 4 steps"));
+}
+
+TEST(OutputFolder, IsNamedAfterTheScene) {
+  EXPECT_EQ(default_output_folder("inputs/brick_wall/deck.yaml"), "out/brick_wall");
+  EXPECT_EQ(default_output_folder("inputs/brick_wall/../two_bars/deck.yaml"), "out/two_bars");
+  EXPECT_EQ(default_output_folder("inputs/bar.yaml"), "out/bar");
+  const std::string here = std::filesystem::current_path().filename().string();
+  EXPECT_EQ(default_output_folder("deck.yaml"), "out/" + here);
+}
+
+TEST(OutputFolder, IsMadeAndTakenWhenItIsEmpty) {
+  const TemporaryFolder folder;
+  prepare_output_folder(folder.path() + "/a/b", false);
+  EXPECT_TRUE(std::filesystem::is_directory(folder.path() + "/a/b"));
+  EXPECT_NO_THROW(prepare_output_folder(folder.path() + "/a/b", false));
+}
+
+TEST(OutputFolder, LosesOnlyResultsAndOnlyWhenForced) {
+  const TemporaryFolder folder;
+  folder.write("summary.json", "{}");
+  folder.write("picture.png", "");
+  EXPECT_THROW(prepare_output_folder(folder.path(), false), InputError);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() + "/summary.json"));
+  prepare_output_folder(folder.path(), true);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() + "/summary.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() + "/picture.png"));
+}
+
+TEST(MemoryCheck, LetsPassWhatFits) {
+  EXPECT_NO_THROW(check_memory(two_blocks()));
+  EXPECT_GT(find_machine_memory(), 1e8);
+}
+
+TEST(MemoryCheck, RefusesAMeshThatDoesNotFitBeforeItFillsTheMemory) {
+  Deck deck = two_blocks();
+  std::get<BoxShape>(deck.parts[0].shape).cells = {1000, 1000, 1000};
+  EXPECT_THROW(check_memory(deck, 8e9), SystemError);
+  EXPECT_NO_THROW(check_memory(deck, 1e12));
+}
+
+TEST(Threads, AreAtLeastOneAndAtMostTheMachines) {
+  EXPECT_GE(count_available_cores(), 1);
+  EXPECT_LE(count_available_cores(), 1 << 16);
+}
+
+}  // namespace
+}  // namespace percuss
