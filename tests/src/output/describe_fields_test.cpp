@@ -4,14 +4,21 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <random>
 
 #include "src/error.hpp"
 #include "tests/src/output/sample_run.hpp"
+
+// A damaged file makes HDF5 ask for absurd amounts of memory, which it is refused everywhere; under the address
+// sanitizer that must not end the test.
+extern "C" const char* __asan_default_options() { return "allocator_may_return_null=1"; }
 
 namespace percuss {
 namespace {
@@ -90,6 +97,26 @@ TEST(DescribeFields, RefusesAFileThatIsCutShortAnywhere) {
   }
 }
 
+// In a process of its own, which a crash would end, and with it what HDF5 leaks of a damaged file. 0: a text, 2:
+// refused as wrong input, 4: refused as unreadable, 1: anything else; -1: a signal.
+int describe_in_child(const std::string& path) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    try {
+      std::_Exit(describe_fields_file(path).empty() ? 1 : 0);
+    } catch (const InputError&) {
+      std::_Exit(2);
+    } catch (const SystemError&) {
+      std::_Exit(4);
+    } catch (...) {
+      std::_Exit(1);
+    }
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
 TEST(DescribeFields, AnswersADamagedFileWithTextOrWithAnError) {
   const TemporaryFolder folder;
   const std::string bytes = read_bytes(write_run(folder, 2));
@@ -101,11 +128,9 @@ TEST(DescribeFields, AnswersADamagedFileWithTextOrWithAnError) {
     const std::size_t reach = trial % 2 == 0 ? damaged.size() : 8192;
     for (int i = 0; i < 1 + trial; ++i) damaged[random() % reach] = static_cast<char>(random());
     write_bytes(folder.file("damaged"), damaged);
-    try {
-      EXPECT_FALSE(describe_fields_file(folder.file("damaged")).empty());
-    } catch (const InputError&) {
-      ++refused;
-    }
+    const int answer = describe_in_child(folder.file("damaged"));
+    EXPECT_TRUE(answer == 0 || answer == 2 || answer == 4) << "trial " << trial << " ended with " << answer;
+    refused += answer == 2 ? 1 : 0;
   }
   EXPECT_GT(refused, 50);
 }
