@@ -14,6 +14,8 @@ MAPS = {
     "grey": ["#f0f0f0", "#303030"],
 }
 
+CATEGORIES = {"part", "body", "chunk"}  # numbers that only tell things apart
+
 # Colours of parts: distinct, none of them shouting.
 PART_COLORS = ["#6f8fb0", "#c98a6b", "#8aa879", "#b3a06a", "#9b85ad", "#7fa9a6", "#c0788a", "#8d8d8d"]
 
@@ -57,12 +59,28 @@ def make_lut(name, low, high, reverse=False):
     return lut
 
 
+def part_color(number):
+    return rgb(PART_COLORS[number % len(PART_COLORS)])
+
+
+def make_category_lut(count):
+    """One colour for each of 0, 1, ..., count - 1."""
+    from vtkmodules.vtkCommonCore import vtkLookupTable
+
+    lut = vtkLookupTable()
+    lut.SetNumberOfTableValues(count)
+    for number in range(count):
+        lut.SetTableValue(number, *part_color(number), 1)
+    lut.SetRange(0, max(1, count - 1))
+    return lut
+
+
 def robust_range(samples):
-    """From the numbers of all frames the range to show: zero if that is near, and no few extreme numbers at the top."""
+    """From the numbers of all frames the range to show: zero if that is near, and without the most extreme 0.5 % at each end."""
     finite = np.concatenate([s[np.isfinite(s)] for s in samples]) if samples else np.empty(0)
     if not finite.size:
         return 0.0, 1.0
-    low, high = np.quantile(finite, [0.0005, 0.9995])
+    low, high = np.quantile(finite, [0.005, 0.995])
     if low >= 0 and low < 0.3 * high:
         low = 0.0
     elif low < 0 < high and min(-low, high) > 0.2 * max(-low, high):

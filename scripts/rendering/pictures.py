@@ -84,8 +84,8 @@ class Coloring:
             raise BadChoice(f"there is no field '{self.name}' in {fields.path} (it has {', '.join(sorted(names))})")
         self.place = names[self.name]
         self.factor, self.title = 1.0, None
-        if self.name == "part":
-            self.lut = make_part_lut(len(fields.part_names))
+        if self.name in colors.CATEGORIES:
+            self.lut = colors.make_category_lut(int(fields.values(self.name, 0).max()) + 1)
         else:
             self._make_bar(arguments)
 
@@ -105,21 +105,6 @@ class Coloring:
         return self.fields.values(self.name, frame) * self.factor
 
 
-def part_color(part):
-    return colors.rgb(colors.PART_COLORS[part % len(colors.PART_COLORS)])
-
-
-def make_part_lut(parts):
-    from vtkmodules.vtkCommonCore import vtkLookupTable
-
-    lut = vtkLookupTable()
-    lut.SetNumberOfTableValues(max(1, parts))
-    for part in range(max(1, parts)):
-        lut.SetTableValue(part, *part_color(part), 1)
-    lut.SetRange(0, max(1, parts - 1))
-    return lut
-
-
 def make_scene(fields, arguments, surface, coloring):
     edges = arguments.edges == "on" or (
         arguments.edges == "auto" and surface.mesh.GetNumberOfPolys() <= MOST_FACES_WITH_EDGES)
@@ -137,9 +122,9 @@ def make_scene(fields, arguments, surface, coloring):
     scene.add_text(fields.title, 0.03, 0.93, 0.034)
     if coloring.title is not None:
         scene.add_color_bar(coloring.lut, coloring.title)
-    else:
+    elif coloring.name == "part":
         for row, name in enumerate(fields.part_names[:MOST_LEGEND_ENTRIES]):
-            scene.add_legend_entry(row, part_color(row), name)
+            scene.add_legend_entry(row, colors.part_color(row), name)
     return scene
 
 
