@@ -38,7 +38,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (documents_++ == 0) return;
-    errors_.add(spot(mark), "a second document begins (a deck is one document) remove the '---'");
+    errors_.add(spot(mark), "a second document begins (a deck is one document) remove the '---' or what stands here");
     throw GiveUp{};
   }
   void OnDocumentEnd() override {}

@@ -1,0 +1,158 @@
+// Keys of the shapes in `parts`. A new shape is a struct in deck.hpp, a table and a row in shape_keys() here, and its
+// sides in side_names().
+
+#include <filesystem>
+
+#include "src/deck/deck_keys.hpp"
+
+namespace percuss {
+namespace {
+
+/// Cells of a shape by direction, each with its least number.
+template <std::size_t N>
+struct CellsValue {
+  std::array<std::pair<const char*, int>, N> directions;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::array<int, N>& out) const {
+    if (node.kind != Node::Kind::list || node.items.size() != N) {
+      reader.refuse(node, name, takes());
+      return false;
+    }
+    bool good = true;
+    for (std::size_t i = 0; i < N; ++i) {
+      const IntegerValue integer{directions[i].second};
+      good = integer.read(reader, fmt::format("{}.{}", name, i), node.items[i], out[i]) && good;
+    }
+    return good;
+  }
+
+  std::string takes() const {
+    std::string text;
+    for (const auto& [direction, least] : directions) {
+      text += fmt::format("{}{} (at least {})", text.empty() ? "" : ", ", direction, least);
+    }
+    return fmt::format("a list of {} integers: {}", N, text);
+  }
+};
+
+const Keys<BoxShape>& box_keys() {
+  static const Keys<BoxShape> keys = {
+      need("size", &BoxShape::size, vector3(positive)),
+      need("cells", &BoxShape::cells, CellsValue<3>{{{{"along x", 1}, {"along y", 1}, {"along z", 1}}}}),
+  };
+  return keys;
+}
+
+// The core of a disc or ball needs one cell between two rings: see CylinderShape.
+constexpr int least_across = 3;
+
+const Keys<CylinderShape>& cylinder_keys() {
+  static const Keys<CylinderShape> keys = {
+      need("radius", &CylinderShape::radius, NumberValue{positive}),
+      need("length", &CylinderShape::length, NumberValue{positive}),
+      make_key<CylinderShape>(
+          "cells", true, CellsValue<2>{{{{"across", least_across}, {"along", 1}}}},
+          [](const auto& value, const Reader& reader, const std::string& name, const Node& node, CylinderShape& out) {
+            std::array<int, 2> cells{};
+            if (!value.read(reader, name, node, cells)) return false;
+            out.across = cells[0];
+            out.along = cells[1];
+            return true;
+          }),
+  };
+  return keys;
+}
+
+const Keys<TubeShape>& tube_keys() {
+  static const Keys<TubeShape> keys = {
+      need("inner_radius", &TubeShape::inner_radius, NumberValue{positive}),
+      need("outer_radius", &TubeShape::outer_radius, NumberValue{positive}),
+      need("length", &TubeShape::length, NumberValue{positive}),
+      need("cells", &TubeShape::cells, CellsValue<3>{{{{"through", 1}, {"around", 3}, {"along", 1}}}}),
+  };
+  return keys;
+}
+
+bool check_tube(const Reader& reader, const Node& node, TubeShape& tube) {
+  if (tube.inner_radius < tube.outer_radius) return true;
+  reader.error(node.find("outer_radius")->spot,
+               fmt::format("{} is {}{} (must be larger than inner_radius, {})", reader.name_of("outer_radius"),
+                           tube.outer_radius, reader.in(), tube.inner_radius));
+  return false;
+}
+
+const Keys<SphereShape>& sphere_keys() {
+  static const Keys<SphereShape> keys = {
+      need("radius", &SphereShape::radius, NumberValue{positive}),
+      need("cells", &SphereShape::across, IntegerValue{least_across}),
+  };
+  return keys;
+}
+
+/// A file that the deck names: relative paths are relative to the deck.
+struct FileValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const {
+    if (!reader.expect(node, Node::Kind::scalar, name, takes())) return false;
+    const std::filesystem::path path = std::filesystem::path(reader.reading().folder) / node.text;
+    std::error_code unreadable;
+    if (node.text.empty() || !std::filesystem::exists(path, unreadable) ||
+        std::filesystem::is_directory(path, unreadable)) {
+      reader.error(node.spot,
+                   fmt::format("{} is {}{} (there is no file {})", name, describe(node), reader.in(), path.string()));
+      return false;
+    }
+    out = path.string();
+    return true;
+  }
+  std::string takes() const { return "a file, relative to the deck"; }
+};
+
+const Keys<ExodusMesh>& exodus_keys() {
+  static const Keys<ExodusMesh> keys = {
+      need("file", &ExodusMesh::file, FileValue{}),
+      may("blocks", &ExodusMesh::blocks, ListValue<TextValue>{}),
+      may("scale", &ExodusMesh::scale, NumberValue{positive}),
+  };
+  return keys;
+}
+
+template <class S>
+Key<PartDeck> shape_key(const char* name, const Keys<S>& (*keys)(),
+                        bool (*check)(const Reader&, const Node&, S&) = nullptr) {
+  return make_key<PartDeck>(
+      name, false, MapValue<S>{keys, check},
+      [](const auto& value, const Reader& reader, const std::string& full, const Node& node, PartDeck& part) {
+        S shape{};
+        const bool good = value.read(reader, full, node, shape);
+        part.shape = shape;  // even if bad: its sides have names
+        return good;
+      });
+}
+
+}  // namespace
+
+const Keys<PartDeck>& shape_keys() {
+  static const Keys<PartDeck> keys = {
+      shape_key<BoxShape>("box", box_keys),
+      shape_key<CylinderShape>("cylinder", cylinder_keys),
+      shape_key<TubeShape>("tube", tube_keys, check_tube),
+      shape_key<SphereShape>("sphere", sphere_keys),
+      shape_key<ExodusMesh>("exodus", exodus_keys),
+  };
+  return keys;
+}
+
+std::vector<std::string> side_names(const Shape& shape) {
+  struct Names {
+    std::vector<std::string> operator()(const BoxShape&) const {
+      return {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
+    }
+    std::vector<std::string> operator()(const CylinderShape&) const { return {"start", "end", "side"}; }
+    std::vector<std::string> operator()(const TubeShape&) const { return {"start", "end", "inner", "outer"}; }
+    std::vector<std::string> operator()(const SphereShape&) const { return {"surface"}; }
+    std::vector<std::string> operator()(const ExodusMesh&) const { return {}; }
+  };
+  return std::visit(Names{}, shape);
+}
+
+}  // namespace percuss
