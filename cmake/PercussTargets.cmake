@@ -36,3 +36,34 @@ function(percuss_add_test name)
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABEL}" ENVIRONMENT "OMP_NUM_THREADS=2;OMP_PROC_BIND=false")
 endfunction()
+
+# How tests start MPI. Ranks share cores, so none is bound and idle ones make way. Open MPI wants root to insist.
+set(PERCUSS_MPI_FLAGS "")
+set(PERCUSS_MPI_ENVIRONMENT "OMP_PROC_BIND=false")
+execute_process(COMMAND ${MPIEXEC_EXECUTABLE} --version OUTPUT_VARIABLE _percuss_mpiexec ERROR_QUIET)
+if(_percuss_mpiexec MATCHES "Open MPI|OpenRTE")
+  list(APPEND PERCUSS_MPI_FLAGS --oversubscribe --bind-to none)
+  list(APPEND PERCUSS_MPI_ENVIRONMENT OMPI_MCA_mpi_yield_when_idle=1)
+  execute_process(COMMAND id -u OUTPUT_VARIABLE _percuss_user OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(_percuss_user STREQUAL "0")
+    list(APPEND PERCUSS_MPI_ENVIRONMENT OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
+  endif()
+endif()
+
+# percuss_add_mpi_test(name RANKS 1 2 3 SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable that runs under
+# mpirun, with one ctest entry for each number of ranks, label mpi. Up to two ranks run two threads each.
+function(percuss_add_mpi_test name)
+  cmake_parse_arguments(arg "" "" "RANKS;SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/mpi_test_main.cpp)
+  target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} percuss_comm Kokkos::kokkos GTest::gtest GTest::gmock)
+  foreach(ranks IN LISTS arg_RANKS)
+    set(threads 1)
+    if(ranks LESS_EQUAL 2)
+      set(threads 2)
+    endif()
+    add_test(NAME ${name}_on_${ranks}_ranks COMMAND
+      ${MPIEXEC_EXECUTABLE} ${PERCUSS_MPI_FLAGS} ${MPIEXEC_NUMPROC_FLAG} ${ranks} ${MPIEXEC_PREFLAGS} $<TARGET_FILE:${name}>)
+    set_tests_properties(${name}_on_${ranks}_ranks PROPERTIES LABELS mpi TIMEOUT 120 PROCESSORS ${ranks}
+      ENVIRONMENT "${PERCUSS_MPI_ENVIRONMENT};OMP_NUM_THREADS=${threads}")
+  endforeach()
+endfunction()

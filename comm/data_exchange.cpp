@@ -29,7 +29,8 @@ DataExchange::~DataExchange() {
 
 void DataExchange::check_room(const ExchangePlan& plan, std::size_t send, std::size_t receive) const {
   if (!requests_.empty()) throw std::logic_error("an exchange was begun (the one before it has not ended)");
-  if (static_cast<std::int64_t>(send) < plan.send_count() || static_cast<std::int64_t>(receive) < plan.receive_count()) {
+  if (static_cast<std::int64_t>(send) < plan.send_count() ||
+      static_cast<std::int64_t>(receive) < plan.receive_count()) {
     throw std::logic_error("buffers of " + std::to_string(send) + " and " + std::to_string(receive) +
                            " items were given to an exchange (its plan sends " + std::to_string(plan.send_count()) +
                            " and receives " + std::to_string(plan.receive_count()) + ")");
@@ -39,7 +40,8 @@ void DataExchange::check_room(const ExchangePlan& plan, std::size_t send, std::s
 void DataExchange::begin_receive(const PeerRun& run, std::byte* buffer, std::size_t item_bytes) {
   for_each_piece(run, item_bytes, message_limit_, [&](std::int64_t offset, int length) {
     MPI_Request request = MPI_REQUEST_NULL;
-    check_mpi(MPI_Irecv(buffer + offset, length, MPI_BYTE, run.rank, data_tag, ranks_->handle(), &request), "MPI_Irecv");
+    check_mpi(MPI_Irecv(buffer + offset, length, MPI_BYTE, run.rank, data_tag, ranks_->handle(), &request),
+              "MPI_Irecv");
     requests_.push_back(request);
   });
 }
@@ -47,7 +49,8 @@ void DataExchange::begin_receive(const PeerRun& run, std::byte* buffer, std::siz
 void DataExchange::begin_send(const PeerRun& run, const std::byte* buffer, std::size_t item_bytes) {
   for_each_piece(run, item_bytes, message_limit_, [&](std::int64_t offset, int length) {
     MPI_Request request = MPI_REQUEST_NULL;
-    check_mpi(MPI_Isend(buffer + offset, length, MPI_BYTE, run.rank, data_tag, ranks_->handle(), &request), "MPI_Isend");
+    check_mpi(MPI_Isend(buffer + offset, length, MPI_BYTE, run.rank, data_tag, ranks_->handle(), &request),
+              "MPI_Isend");
     requests_.push_back(request);
     ++traffic_.messages;
     traffic_.bytes += length;
@@ -69,7 +72,8 @@ void DataExchange::begin_bytes(const ExchangePlan& plan, const std::byte* send, 
   for (const PeerRun& run : plan.to) {
     if (run.rank != me) continue;
     std::memcpy(receive + static_cast<std::size_t>(own->first) * item_bytes,
-                send + static_cast<std::size_t>(run.first) * item_bytes, static_cast<std::size_t>(run.count) * item_bytes);
+                send + static_cast<std::size_t>(run.first) * item_bytes,
+                static_cast<std::size_t>(run.count) * item_bytes);
   }
 }
 

@@ -108,7 +108,8 @@ Graph build_chunk_graph(const std::vector<int>& first, const std::vector<int>& n
 }
 
 Partition partition_graph(const Graph& graph, int part_count) {
-  if (part_count < 1) throw std::invalid_argument("a graph cannot be divided in " + std::to_string(part_count) + " parts");
+  if (part_count < 1)
+    throw std::invalid_argument("a graph cannot be divided in " + std::to_string(part_count) + " parts");
   Partition partition;
   const auto vertex_count = static_cast<int>(graph.vertex_weights.size());
   partition.parts.assign(graph.vertex_weights.size(), 0);

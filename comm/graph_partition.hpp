@@ -16,10 +16,10 @@ class PartitionError : public std::runtime_error {
 
 /// An undirected graph: each edge is listed at both its ends, with the same weight.
 struct Graph {
-  std::vector<int> first;            // [vertices + 1] into neighbours
-  std::vector<int> neighbours;       // ascending at each vertex
-  std::vector<int> edge_weights;     // [neighbours] what cutting the edge costs, at least 1
-  std::vector<int> vertex_weights;   // [vertices] cost of the vertex, at least 1
+  std::vector<int> first;           // [vertices + 1] into neighbours
+  std::vector<int> neighbours;      // ascending at each vertex
+  std::vector<int> edge_weights;    // [neighbours] what cutting the edge costs, at least 1
+  std::vector<int> vertex_weights;  // [vertices] cost of the vertex, at least 1
 };
 
 /// The graph of chunks: an edge joins chunks that share nodes, and weighs as many as they share.

@@ -27,9 +27,8 @@ SlotLists list_slots(std::size_t node_count, const std::vector<int>& nodes, cons
     lists.slots[static_cast<std::size_t>(next[static_cast<std::size_t>(nodes[s])]++)] = static_cast<int>(s);
   }
   for (std::size_t n = 0; n < node_count; ++n) {
-    std::sort(lists.slots.begin() + lists.first[n], lists.slots.begin() + lists.first[n + 1], [&](int a, int b) {
-      return orders[static_cast<std::size_t>(a)] < orders[static_cast<std::size_t>(b)];
-    });
+    std::sort(lists.slots.begin() + lists.first[n], lists.slots.begin() + lists.first[n + 1],
+              [&](int a, int b) { return orders[static_cast<std::size_t>(a)] < orders[static_cast<std::size_t>(b)]; });
   }
   return lists;
 }

@@ -3,9 +3,9 @@
 //
 // A slot is one contribution to one node: a chunk's corner forces, a pressure face's share. The paper (section 3) sums
 // the local contributions of a shared node and then swaps and adds those sums, which makes the bits depend on the
-// decomposition. Here a rank sends each of its slots of a shared node. Received slots are stored after the local ones in
-// the same array, and a node's list names all of them in one global order (ascending chunk id), local and remote mixed:
-// every copy of the node adds the same numbers in the same order, whatever the number of ranks.
+// decomposition. Here a rank sends each of its slots of a shared node. Received slots are stored after the local ones
+// in the same array, and a node's list names all of them in one global order (ascending chunk id), local and remote
+// mixed: every copy of the node adds the same numbers in the same order, whatever the number of ranks.
 
 #include <cstdint>
 #include <vector>

@@ -30,7 +30,7 @@ class HaloSwap {
   ExchangePlan exchange_;
   int first_remote_slot_;
   Array<int> send_slots_;
-  Rows3<double> send_values_, remote_values_;                  // remote_values_: the remote part of slot_values
+  Rows3<double> send_values_, remote_values_;               // remote_values_: the remote part of slot_values
   Rows3<double>::HostMirror send_buffer_, receive_buffer_;  // the same two where kernels run on host memory
   DataExchange data_;
 };

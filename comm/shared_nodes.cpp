@@ -56,7 +56,8 @@ std::vector<Holding> sort_holdings(const ExchangePlan& plan, const std::vector<s
 }
 
 /// For every holder of an id, one sighting of each other holder, with the rank that it is for.
-void report_sightings(const std::vector<Holding>& holdings, std::vector<int>& for_rank, std::vector<Sighting>& sightings) {
+void report_sightings(const std::vector<Holding>& holdings, std::vector<int>& for_rank,
+                      std::vector<Sighting>& sightings) {
   for (auto begin = holdings.begin(); begin != holdings.end();) {
     const auto end = std::find_if(begin, holdings.end(), [&](const Holding& h) { return h.id != begin->id; });
     for (auto holder = begin; holder != end; ++holder) {
