@@ -9,8 +9,6 @@ KOKKOS_INLINE_FUNCTION FacePoints load_face(const ContactSurface& surface, const
   return points;
 }
 
-KOKKOS_INLINE_FUNCTION double larger(double a, double b) { return a > b ? a : b; }
-
 }  // namespace
 
 template <class Space>
@@ -22,7 +20,7 @@ double find_largest_move(const Space& space, const ContactSurface& surface, cons
       "contact::largest_move", RangeOf<Space>(space, 0, s.num_nodes),
       KOKKOS_LAMBDA(int n, double& move) { move = larger(move, m.dt * max_component(load_row(m.v, s.nodes(n)))); },
       Kokkos::Max<double>(largest));
-  return larger(largest, 0);
+  return larger(largest, 0.0);
 }
 
 template <class Space>
@@ -35,11 +33,11 @@ double find_largest_travel(const Space& space, const ContactSurface& surface, co
       "contact::largest_travel", RangeOf<Space>(space, 0, s.num_nodes),
       KOKKOS_LAMBDA(int n, double& travel) {
         const int a = s.nodes(n);
-        const Vector3 moved = load_row(m.x, a) - load_row(origin, n);
+        const Point3 moved = load_row(m.x, a) - load_row(origin, n);
         travel = larger(travel, max_component(moved) + m.dt * max_component(load_row(m.v, a)));
       },
       Kokkos::Max<double>(largest));
-  return larger(largest, 0);
+  return larger(largest, 0.0);
 }
 
 template <class Space>

@@ -12,7 +12,10 @@ inline constexpr double new_band = 1e-3;
 inline constexpr double history_band = 1e-2;
 /// A node behind a face by more than this, at the start of a step and without history, did not come through it.
 inline constexpr double new_depth = 0.02;
-/// The same with history: beyond it the contact is lost rather than pushed out violently.
+/// A node that slipped in just below an edge is lifted over it up to this depth, beyond it is caught by the face that
+/// it came through.
+inline constexpr double lift_depth = 5e-3;
+/// new_depth with history: beyond it the contact is lost rather than pushed out violently.
 inline constexpr double history_depth = 0.25;
 /// A face that the node does not reach in the step still gets a row up to this distance: it may be pushed there.
 inline constexpr double row_gap = 0.02;

@@ -7,7 +7,7 @@
 // rho_i x (q x rho_i) = J q. The motion goes from x_n with the corrected velocity, so angular momentum sum x_n x m
 // v(n+1/2) is kept exactly when the moments are taken with the places at n.
 
-#include "kernels/contact/vector3.hpp"
+#include "kernels/contact/point3.hpp"
 
 namespace percuss {
 
@@ -25,11 +25,13 @@ struct ContactRow {
   int place[row_nodes] = {-1, -1, -1, -1, -1};  // of these in RowSystem::nodes
   int face = -1;                                // contact face; -1: a wall
   int record = -1;                              // history record that this row writes
+  bool is_caught = false;                       // by a face that looks past the node: kept while it is near
   double weight[4] = {0, 0, 0, 0};              // N
-  Vector3 rho[4];
-  Matrix3 inverse_inertia;  // J^-1
-  Vector3 arm;              // r
-  Vector3 normal, tangent[2];
+  Point3 rho[4]{};
+  Symmetric3<double> inverse_inertia{};  // J^-1
+  Point3 arm{};                          // r
+  Point3 normal{}, tangent[2]{};
+  Point3 gap_gradient{};  // of the gap by the place of the node; gap_gradient . normal = 1
   double friction = 0;
   double size = 0;               // h of the face
   double gap_start = 0;          // gap at n
@@ -40,23 +42,23 @@ struct ContactRow {
   double stiffness = 0;          // D of the normal: row sum of |G M^-1 G^T| [1/mass]
   double rub_stiffness = 0;      // D of both tangents
   RowImpulse impulse, previous;  // iterates k and k-1
-  Vector3 force, couple;         // P and q of `impulse`
+  Point3 force{}, couple{};      // P and q of `impulse`
 };
 
 KOKKOS_INLINE_FUNCTION int count_nodes(const ContactRow& row) { return row.face < 0 ? 1 : row_nodes; }
 KOKKOS_INLINE_FUNCTION int count_directions(const ContactRow& row) { return row.friction > 0 ? 3 : 1; }
-KOKKOS_INLINE_FUNCTION const Vector3& get_direction(const ContactRow& row, int d) {
+KOKKOS_INLINE_FUNCTION const Point3& get_direction(const ContactRow& row, int d) {
   return d == 0 ? row.normal : row.tangent[d - 1];
 }
 
 /// q of an impulse P on the node.
-KOKKOS_INLINE_FUNCTION Vector3 find_couple(const ContactRow& row, const Vector3& impulse) {
+KOKKOS_INLINE_FUNCTION Point3 find_couple(const ContactRow& row, const Point3& impulse) {
   return row.inverse_inertia * cross(row.arm, impulse);
 }
 
 /// Impulse on node `slot` of the row for the impulse P on the contact node and its couple q.
-KOKKOS_INLINE_FUNCTION Vector3 spread_impulse(const ContactRow& row, int slot, const Vector3& impulse,
-                                              const Vector3& couple) {
+KOKKOS_INLINE_FUNCTION Point3 spread_impulse(const ContactRow& row, int slot, const Point3& impulse,
+                                             const Point3& couple) {
   if (slot == 0) return impulse;
   return -(row.weight[slot - 1] * impulse) - cross(couple, row.rho[slot - 1]);
 }
@@ -64,11 +66,11 @@ KOKKOS_INLINE_FUNCTION Vector3 spread_impulse(const ContactRow& row, int slot, c
 /// The vector u with (sum of impulses . velocities) = P . u for every P: the relative velocity of the row, the
 /// transpose of spread_impulse(). velocity(slot): velocity of node `slot`.
 template <class Velocity>
-KOKKOS_INLINE_FUNCTION Vector3 find_work_velocity(const ContactRow& row, const Velocity& velocity) {
-  Vector3 relative = velocity(0), spin;
+KOKKOS_INLINE_FUNCTION Point3 find_work_velocity(const ContactRow& row, const Velocity& velocity) {
+  Point3 relative = velocity(0), spin;
   if (row.face < 0) return relative;
   for (int i = 0; i < 4; ++i) {
-    const Vector3 v = velocity(i + 1);
+    const Point3 v = velocity(i + 1);
     relative = relative - row.weight[i] * v;
     spin = spin + cross(row.rho[i], v);
   }
@@ -78,8 +80,8 @@ KOKKOS_INLINE_FUNCTION Vector3 find_work_velocity(const ContactRow& row, const V
 
 /// Velocity of the node relative to the point of the face (without the couple).
 template <class Velocity>
-KOKKOS_INLINE_FUNCTION Vector3 find_relative_velocity(const ContactRow& row, const Velocity& velocity) {
-  Vector3 relative = velocity(0);
+KOKKOS_INLINE_FUNCTION Point3 find_relative_velocity(const ContactRow& row, const Velocity& velocity) {
+  Point3 relative = velocity(0);
   if (row.face < 0) return relative;
   for (int i = 0; i < 4; ++i) relative = relative - row.weight[i] * velocity(i + 1);
   return relative;
@@ -87,16 +89,16 @@ KOKKOS_INLINE_FUNCTION Vector3 find_relative_velocity(const ContactRow& row, con
 
 /// Two unit vectors that complete the normal, from the axis that is least along it.
 KOKKOS_INLINE_FUNCTION void set_tangents(ContactRow& row) {
-  const Vector3& n = row.normal;
+  const Point3& n = row.normal;
   const double x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;
-  const Vector3 axis = x <= y && x <= z ? Vector3{1, 0, 0} : (y <= z ? Vector3{0, 1, 0} : Vector3{0, 0, 1});
+  const Point3 axis = x <= y && x <= z ? Point3{1, 0, 0} : (y <= z ? Point3{0, 1, 0} : Point3{0, 0, 1});
   row.tangent[0] = normalize(cross(n, axis));
   row.tangent[1] = cross(n, row.tangent[0]);
 }
 
 /// P of the impulses along the row's directions.
-KOKKOS_INLINE_FUNCTION Vector3 sum_impulse(const ContactRow& row, const RowImpulse& p) {
-  const Vector3 push = p.push * row.normal;
+KOKKOS_INLINE_FUNCTION Point3 sum_impulse(const ContactRow& row, const RowImpulse& p) {
+  const Point3 push = p.push * row.normal;
   return row.friction > 0 ? push + (p.rub[0] * row.tangent[0] + p.rub[1] * row.tangent[1]) : push;
 }
 
@@ -112,10 +114,10 @@ KOKKOS_INLINE_FUNCTION void limit_rub(const ContactRow& row, RowImpulse& p) {
 
 /// One corrected force of the iteration: the impulse that would close the row if its neighbours followed, pushing
 /// only, within Coulomb's limit. y: impulse to correct; u: work velocity of the correction that y and all others cause.
-KOKKOS_INLINE_FUNCTION RowImpulse correct_impulse(const ContactRow& row, const RowImpulse& y, const Vector3& u,
+KOKKOS_INLINE_FUNCTION RowImpulse correct_impulse(const ContactRow& row, const RowImpulse& y, const Point3& u,
                                                   double dt) {
   RowImpulse p;
-  const double push = y.push - (row.gap - row.target + dt * dot(row.normal, u)) / (dt * row.stiffness);
+  const double push = y.push - (row.gap - row.target + dt * dot(row.gap_gradient, u)) / (dt * row.stiffness);
   p.push = push > 0 ? push : 0;
   if (!(row.friction > 0)) return p;
   for (int d = 0; d < 2; ++d)

@@ -37,7 +37,7 @@ struct RelativeFace {
 KOKKOS_INLINE_FUNCTION RelativeFace load_relative_face(const ContactSurface& surface, const SurfaceMotion& motion,
                                                        int node, int face) {
   const int s = surface.nodes(node);
-  const Vector3 x = load_row(motion.x, s), v = load_row(motion.v, s);
+  const Point3 x = load_row(motion.x, s), v = load_row(motion.v, s);
   RelativeFace relative;
   for (int i = 0; i < 4; ++i) {
     const int a = surface.nodes(surface.face_corners(face, i));
@@ -56,7 +56,7 @@ KOKKOS_INLINE_FUNCTION FacePoints find_end(const RelativeFace& face) {
 /// Least cosine between the normals of the node's own faces and that of the face: negative if they look at each other.
 KOKKOS_INLINE_FUNCTION double find_opposition(const ContactSurface& surface, const FaceState& faces, int node,
                                               int face) {
-  const Vector3 normal = load_row(faces.normal, face);
+  const Point3 normal = load_row(faces.normal, face);
   double least = 1;
   for (int j = surface.nodes_to_faces_offset(node); j < surface.nodes_to_faces_offset(node + 1); ++j) {
     const double cosine = dot(load_row(faces.normal, surface.nodes_to_faces(j)), normal);
@@ -67,16 +67,16 @@ KOKKOS_INLINE_FUNCTION double find_opposition(const ContactSurface& surface, con
 
 /// The push direction at a point of a face: vertex normals, averaged over the faces of one smooth surface, weighted.
 /// Continuous from face to face of a smooth surface, the face's own normal at a crease.
-KOKKOS_INLINE_FUNCTION Vector3 find_push_direction(const ContactSurface& surface, const FaceState& faces, int face,
-                                                   const double weight[4]) {
-  const Vector3 own = load_row(faces.normal, face);
-  Vector3 sum;
+KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const ContactSurface& surface, const FaceState& faces, int face,
+                                                  const double weight[4]) {
+  const Point3 own = load_row(faces.normal, face);
+  Point3 sum{};
   for (int i = 0; i < 4; ++i) {
     if (weight[i] == 0) continue;
     const int corner = surface.face_corners(face, i);
-    Vector3 vertex;
+    Point3 vertex{};
     for (int j = surface.nodes_to_faces_offset(corner); j < surface.nodes_to_faces_offset(corner + 1); ++j) {
-      const Vector3 other = load_row(faces.normal, surface.nodes_to_faces(j));
+      const Point3 other = load_row(faces.normal, surface.nodes_to_faces(j));
       if (dot(other, own) > contact_limits::smooth) vertex = vertex + other;
     }
     sum = sum + weight[i] * normalize(vertex);

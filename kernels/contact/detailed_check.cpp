@@ -5,7 +5,7 @@ namespace {
 
 /// Distance from the middle of a face to that of the opposite side of its element.
 KOKKOS_INLINE_FUNCTION double find_thickness(const ContactSurface& surface, const Rows3<const double>& x, int face) {
-  Vector3 sum;
+  Point3 sum{};
   for (int i = 0; i < 4; ++i)
     sum = sum + (load_row(x, surface.nodes(surface.face_corners(face, i))) - load_row(x, surface.face_backs(face, i)));
   return 0.25 * norm(sum);

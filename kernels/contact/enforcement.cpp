@@ -17,8 +17,8 @@ void move_nodes(const Space& space, const Rows3<const double>& inverse_mass, dou
   const Rows3<double> correction = system.correction, extrapolated = system.extrapolated;
   Kokkos::parallel_for(
       "contact::move_nodes", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
-        const Vector3 p = gather_impulse(rows, offset, entry, a), w = load_row(inverse_mass, nodes(a));
-        const Vector3 dv = {w.x * p.x, w.y * p.y, w.z * p.z};
+        const Point3 p = gather_impulse(rows, offset, entry, a), w = load_row(inverse_mass, nodes(a));
+        const Point3 dv = {w.x * p.x, w.y * p.y, w.z * p.z};
         if (beta > 0)
           store_row(extrapolated, a, dv + beta * (dv - load_row(correction, a)));
         else
@@ -49,7 +49,7 @@ KOKKOS_INLINE_FUNCTION void correct_row(ContactRow& row, const Rows3<const doubl
   RowImpulse y = row.impulse;
   y.push += beta * (row.impulse.push - row.previous.push);
   for (int d = 0; d < 2; ++d) y.rub[d] += beta * (row.impulse.rub[d] - row.previous.rub[d]);
-  const Vector3 u = find_work_velocity(row, TouchedVelocity{dv, row});
+  const Point3 u = find_work_velocity(row, TouchedVelocity{dv, row});
   const RowImpulse p = correct_impulse(row, y, u, dt);
   add_change(y.push, p.push, row.impulse.push, row.stiffness, dt, sums);
   if (row.friction > 0)
@@ -57,7 +57,7 @@ KOKKOS_INLINE_FUNCTION void correct_row(ContactRow& row, const Rows3<const doubl
   row.previous = row.impulse;
   row.impulse = p;
   row.force = sum_impulse(row, p);
-  row.couple = row.face < 0 ? Vector3{} : find_couple(row, row.force);
+  row.couple = row.face < 0 ? Point3{} : find_couple(row, row.force);
 }
 
 /// What ends the iteration: a displacement.

@@ -4,20 +4,20 @@
 // The fan is the same from whichever node it is looked at, its outer edges are the straight edges of the element, so
 // neighbours leave no crack. All points are relative to an origin near the face, chosen by the caller.
 
-#include "kernels/contact/vector3.hpp"
+#include "kernels/contact/point3.hpp"
 
 namespace percuss {
 
 struct FacePoints {
-  Vector3 corner[4];
+  Point3 corner[4]{};
 };
 
-KOKKOS_INLINE_FUNCTION Vector3 find_middle(const FacePoints& face) {
+KOKKOS_INLINE_FUNCTION Point3 find_middle(const FacePoints& face) {
   return 0.25 * ((face.corner[0] + face.corner[1]) + (face.corner[2] + face.corner[3]));
 }
 
 /// Outward unit normal: half the cross product of the diagonals, which is the exact area vector of the fan.
-KOKKOS_INLINE_FUNCTION Vector3 find_face_normal(const FacePoints& face) {
+KOKKOS_INLINE_FUNCTION Point3 find_face_normal(const FacePoints& face) {
   return normalize(cross(face.corner[2] - face.corner[0], face.corner[3] - face.corner[1]));
 }
 
@@ -33,6 +33,7 @@ KOKKOS_INLINE_FUNCTION double find_shortest_edge(const FacePoints& face) {
 /// A point of a face.
 struct FacePoint {
   double weight[4] = {0, 0, 0, 0};  // of the corners; their sum is 1
+  int triangle = 0;                 // of the fan
   double distance = 0;              // of the asking point from it
   double off = 0;                   // part of that distance along the face: 0 unless the point lies beside the face
 };
@@ -40,8 +41,8 @@ struct FacePoint {
 /// Barycentric coordinates of the point of triangle (a, b, c) closest to the origin of the coordinates, by the region
 /// of the plane that the origin projects to.
 /// Source: Ericson, Real-Time Collision Detection (2005), section 5.1.5.
-KOKKOS_INLINE_FUNCTION Vector3 find_closest_on_triangle(const Vector3& a, const Vector3& b, const Vector3& c) {
-  const Vector3 ab = b - a, ac = c - a;
+KOKKOS_INLINE_FUNCTION Point3 find_closest_on_triangle(const Point3& a, const Point3& b, const Point3& c) {
+  const Point3 ab = b - a, ac = c - a;
   const double d1 = -dot(ab, a), d2 = -dot(ac, a);
   if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
   const double d3 = -dot(ab, b), d4 = -dot(ac, b);
@@ -70,7 +71,7 @@ KOKKOS_INLINE_FUNCTION Vector3 find_closest_on_triangle(const Vector3& a, const 
 }
 
 /// Weights of the corners for barycentric coordinates in triangle k of the fan: (middle, corner k, corner k + 1).
-KOKKOS_INLINE_FUNCTION void set_fan_weights(int k, const Vector3& barycentric, double weight[4]) {
+KOKKOS_INLINE_FUNCTION void set_fan_weights(int k, const Point3& barycentric, double weight[4]) {
   for (int i = 0; i < 4; ++i) weight[i] = 0.25 * barycentric.x;
   weight[k] += barycentric.y;
   weight[(k + 1) % 4] += barycentric.z;
@@ -78,25 +79,26 @@ KOKKOS_INLINE_FUNCTION void set_fan_weights(int k, const Vector3& barycentric, d
 
 /// The vector from the point of triangle (a, b, c) with these coordinates to the origin, without its part along the
 /// normal of the triangle.
-KOKKOS_INLINE_FUNCTION double find_distance_in_plane(const Vector3& a, const Vector3& b, const Vector3& c,
-                                                     const Vector3& to_origin) {
-  const Vector3 normal = normalize(cross(b - a, c - a));
+KOKKOS_INLINE_FUNCTION double find_distance_in_plane(const Point3& a, const Point3& b, const Point3& c,
+                                                     const Point3& to_origin) {
+  const Point3 normal = normalize(cross(b - a, c - a));
   return norm(to_origin - dot(to_origin, normal) * normal);
 }
 
 /// The point of the face closest to the origin of the coordinates; on ties the first triangle of the fan.
 KOKKOS_INLINE_FUNCTION FacePoint find_closest_point(const FacePoints& face) {
-  const Vector3 middle = find_middle(face);
+  const Point3 middle = find_middle(face);
   FacePoint best;
   double best_square = -1;
   for (int k = 0; k < 4; ++k) {
-    const Vector3& b = face.corner[k];
-    const Vector3& c = face.corner[(k + 1) % 4];
-    const Vector3 bary = find_closest_on_triangle(middle, b, c);
-    const Vector3 to_origin = -(bary.x * middle + (bary.y * b + bary.z * c));
+    const Point3& b = face.corner[k];
+    const Point3& c = face.corner[(k + 1) % 4];
+    const Point3 bary = find_closest_on_triangle(middle, b, c);
+    const Point3 to_origin = -(bary.x * middle + (bary.y * b + bary.z * c));
     const double square = dot(to_origin, to_origin);
     if (best_square >= 0 && square >= best_square) continue;
     best_square = square;
+    best.triangle = k;
     set_fan_weights(k, bary, best.weight);
     // Only the outer edge of the fan ends the face.
     best.off = bary.x > 0 ? 0 : find_distance_in_plane(middle, b, c, to_origin);
@@ -105,8 +107,14 @@ KOKKOS_INLINE_FUNCTION FacePoint find_closest_point(const FacePoints& face) {
   return best;
 }
 
+/// Outward unit normal of triangle k of the fan.
+KOKKOS_INLINE_FUNCTION Point3 find_triangle_normal(const FacePoints& face, int k) {
+  const Point3 middle = find_middle(face);
+  return normalize(cross(face.corner[k] - middle, face.corner[(k + 1) % 4] - middle));
+}
+
 /// The point of the face with these weights.
-KOKKOS_INLINE_FUNCTION Vector3 interpolate(const FacePoints& face, const double weight[4]) {
+KOKKOS_INLINE_FUNCTION Point3 interpolate(const FacePoints& face, const double weight[4]) {
   return (weight[0] * face.corner[0] + weight[1] * face.corner[1]) +
          (weight[2] * face.corner[2] + weight[3] * face.corner[3]);
 }

@@ -66,12 +66,12 @@ KOKKOS_INLINE_FUNCTION bool are_convex(const ContactSurface& surface, const Surf
                                        const FaceState& faces, int a, int b) {
   if (surface.face_body(a) != surface.face_body(b)) return false;
   const int origin = surface.nodes(surface.face_corners(a, 0));
-  const Vector3 o = load_row(motion.x, origin), vo = load_row(motion.v, origin);
-  Vector3 from_a_to_b;
+  const Point3 o = load_row(motion.x, origin), vo = load_row(motion.v, origin);
+  Point3 from_a_to_b{};
   for (int i = 0; i < 4; ++i) {
     const int p = surface.nodes(surface.face_corners(a, i)), q = surface.nodes(surface.face_corners(b, i));
-    const Vector3 at_p = (load_row(motion.x, p) - o) + motion.dt * (load_row(motion.v, p) - vo);
-    const Vector3 at_q = (load_row(motion.x, q) - o) + motion.dt * (load_row(motion.v, q) - vo);
+    const Point3 at_p = (load_row(motion.x, p) - o) + motion.dt * (load_row(motion.v, p) - vo);
+    const Point3 at_q = (load_row(motion.x, q) - o) + motion.dt * (load_row(motion.v, q) - vo);
     from_a_to_b = from_a_to_b + (at_q - at_p);
   }
   return dot(from_a_to_b, load_row(faces.normal, a)) < 0 && dot(from_a_to_b, load_row(faces.normal, b)) > 0;
@@ -90,6 +90,24 @@ KOKKOS_INLINE_FUNCTION bool is_compatible(const ContactSurface& surface, const S
     if (are_convex(surface, motion, faces, accepted.touch[i].face, touch.face)) return false;
   }
   return true;
+}
+
+/// A node that slips in just below an edge goes through a face that looks past it. It is lifted over the edge by the
+/// neighbour that it then lies behind by a little, rather than caught by the face; without such a neighbour it is
+/// caught.
+KOKKOS_INLINE_FUNCTION bool is_ruled_out(const ContactSurface& surface, const SurfaceMotion& motion,
+                                         const FaceState& faces, const TouchList& found, int i) {
+  const Touch& touch = found.touch[i];
+  if (touch.same_face || (touch.opposed && !touch.beside)) return false;
+  for (int j = 0; j < found.count; ++j) {
+    const Touch& other = found.touch[j];
+    const bool is_edge =
+        share_corner(surface, touch.face, other.face) && are_convex(surface, motion, faces, touch.face, other.face);
+    if (!is_edge || touch.opposed == other.opposed) continue;
+    const Touch& lift = touch.opposed ? touch : other;
+    return (lift.gap_start >= -contact_limits::lift_depth * lift.size) != touch.opposed;
+  }
+  return touch.beside;
 }
 
 /// A history slot is continued by one touch only: the first that asks. The others start anew.
@@ -121,6 +139,7 @@ KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, con
   NodeTouches accepted;
   for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
     Touch touch = found.touch[i];
+    if (is_ruled_out(surface, motion, faces, found, i)) continue;
     if (!is_compatible(surface, motion, faces, accepted, touch)) continue;
     claim_record(accepted, touch);
     accepted.touch[accepted.count++] = touch;

@@ -27,7 +27,7 @@ struct OutcomeSums {
 struct MeanVelocity {
   Rows3<const double> before, after;
   const ContactRow& row;
-  KOKKOS_INLINE_FUNCTION Vector3 operator()(int slot) const {
+  KOKKOS_INLINE_FUNCTION Point3 operator()(int slot) const {
     return 0.5 * (load_row(before, row.node[slot]) + load_row(after, row.node[slot]));
   }
 };
@@ -35,25 +35,25 @@ struct MeanVelocity {
 KOKKOS_INLINE_FUNCTION void sum_outcome(const ContactRow& row, const Rows3<const double>& before,
                                         const Rows3<const double>& after, const Rows3<const double>& dv, double dt,
                                         OutcomeSums& sums) {
-  const Vector3 mean = find_work_velocity(row, MeanVelocity{before, after, row});
+  const Point3 mean = find_work_velocity(row, MeanVelocity{before, after, row});
   OutcomeSums own;
   own.pushes = row.impulse.push > 0 ? 1 : 0;
   own.normal_work = row.impulse.push * dot(row.normal, mean);
   if (row.friction > 0)
     own.friction_work = row.impulse.rub[0] * dot(row.tangent[0], mean) + row.impulse.rub[1] * dot(row.tangent[1], mean);
-  const double gap = row.gap + dt * dot(row.normal, find_work_velocity(row, TouchedVelocity{dv, row}));
+  const double gap = row.gap + dt * dot(row.gap_gradient, find_work_velocity(row, TouchedVelocity{dv, row}));
   own.residual = row.target > gap ? (row.target - gap) / row.size : 0;
   own.add_depth((-row.gap_start - row.reference) / row.size, row.node[0]);
   sums.add(own);
 }
 
 /// The tangential displacement that sticking owes after the step; nothing when it slides.
-KOKKOS_INLINE_FUNCTION Vector3 find_owed_slip(const ContactRow& row, const Rows3<const double>& dv, double dt) {
+KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<const double>& dv, double dt) {
   constexpr double sticking = 1 - 1e-9;  // share of Coulomb's limit, below which a rub was not shortened
   const double* rub = row.impulse.rub;
   const double limit = sticking * row.friction * row.impulse.push;
   if (!(rub[0] * rub[0] + rub[1] * rub[1] < limit * limit)) return {};
-  const Vector3 moved = dt * find_relative_velocity(row, TouchedVelocity{dv, row});
+  const Point3 moved = dt * find_relative_velocity(row, TouchedVelocity{dv, row});
   return (row.slide[0] + dot(moved, row.tangent[0])) * row.tangent[0] +
          (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];
 }
@@ -61,9 +61,10 @@ KOKKOS_INLINE_FUNCTION Vector3 find_owed_slip(const ContactRow& row, const Rows3
 KOKKOS_INLINE_FUNCTION void write_record(const ContactRow& row, const Rows3<const double>& dv, double dt,
                                          const ContactHistory& history) {
   store_row(history.impulse, row.record, row.force);
-  store_row(history.slip, row.record, row.friction > 0 ? find_owed_slip(row, dv, dt) : Vector3{});
+  store_row(history.slip, row.record, row.friction > 0 ? find_owed_slip(row, dv, dt) : Point3{});
   history.reference(row.record) = row.reference;
-  if (row.face >= 0 && (row.impulse.push > 0 || row.reference > 0)) history.face(row.record) = row.face;
+  if (row.face >= 0 && (row.impulse.push > 0 || row.reference > 0 || row.is_caught))
+    history.face(row.record) = row.face;
 }
 
 }  // namespace
@@ -102,8 +103,8 @@ void write_history(const Space& space, const CandidateList& candidates, const Wa
   Kokkos::parallel_for(
       "contact::clear_wall_history", RangeOf<Space>(space, 0, static_cast<int>(walls.node.extent(0))),
       KOKKOS_LAMBDA(int p) {
-        store_row(h.impulse, first + p, Vector3{});
-        store_row(h.slip, first + p, Vector3{});
+        store_row(h.impulse, first + p, Point3{});
+        store_row(h.slip, first + p, Point3{});
         h.reference(first + p) = 0;
       });
   const Array<const ContactRow> rows = system.rows;
@@ -131,7 +132,7 @@ void clear_impulses(const Space& space, const RowSystem& system, const Rows3<dou
   const Array<const int> nodes = system.nodes;
   Kokkos::parallel_for(
       "contact::clear_impulses", RangeOf<Space>(space, 0, system.num_nodes),
-      KOKKOS_LAMBDA(int a) { store_row(impulse, nodes(a), Vector3{}); });
+      KOKKOS_LAMBDA(int a) { store_row(impulse, nodes(a), Point3{}); });
 }
 
 #define PERCUSS_INSTANTIATE(Space)                                                                              \

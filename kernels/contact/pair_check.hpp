@@ -15,13 +15,16 @@ struct Touch {
   int face = -1;
   int record = -1;         // history slot of the node (0 to 2) that this contact continues; -1: new
   bool same_face = false;  // the record is of this very face
+  bool opposed = true;     // whether some face of the node looks against this one
+  bool beside = false;     // behind the face since the start, but beside it then: it came in through another face
   double weight[4] = {0, 0, 0, 0};
-  Vector3 normal;        // push direction of the node
-  double gap_start = 0;  // distance along the normal at n, negative behind the face [length]
-  double gap_end = 0;    // the same at the predicted place
-  double off = 0;        // distance beside the face
-  double tau = 0;        // when contact begins, share of the step; 0: touching since the start
-  double size = 0;       // h of the face
+  Point3 normal{};        // push direction of the node
+  Point3 gap_gradient{};  // how the gap changes with the place of the node; its part along the push direction is 1
+  double gap_start = 0;   // distance along the normal at n, negative behind the face [length]
+  double gap_end = 0;     // the same at the predicted place
+  double off = 0;         // distance beside the face
+  double tau = 0;         // when contact begins, share of the step; 0: touching since the start
+  double size = 0;        // h of the face
 };
 
 /// Which history slot of the node a contact with this face would continue: that of the face itself, else that of a
@@ -44,8 +47,8 @@ KOKKOS_INLINE_FUNCTION void find_record(const ContactSurface& surface, const Fac
 
 /// Whether the box of the face over the step comes within reach of the node (the origin).
 KOKKOS_INLINE_FUNCTION bool is_within_reach(const FacePoints& start, const FacePoints& end, double reach) {
-  Vector3 low = start.corner[0], high = start.corner[0];
-  const auto include = [&](const Vector3& p) {
+  Point3 low = start.corner[0], high = start.corner[0];
+  const auto include = [&](const Point3& p) {
     low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
     high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
   };
@@ -63,16 +66,32 @@ KOKKOS_INLINE_FUNCTION double find_contact_time(const Touch& touch) {
   return touch.gap_start / (touch.gap_start - touch.gap_end);
 }
 
-/// Sets place, direction and gaps of a touch at the point of the face with touch.weight.
-KOKKOS_INLINE_FUNCTION void measure_gaps(const ContactSurface& surface, const FaceState& faces, const FacePoints& start,
-                                         const FacePoints& end, Touch& touch) {
-  touch.normal = find_push_direction(surface, faces, touch.face, touch.weight);
-  touch.gap_start = -dot(touch.normal, interpolate(start, touch.weight));
-  touch.gap_end = -dot(touch.normal, interpolate(end, touch.weight));
-  touch.tau = find_contact_time(touch);
+/// Change of the gap with the place of the node: the normal of the triangle, so scaled that moving along the push
+/// direction by one closes the gap by one. Push direction and triangle differ on smooth surfaces; without this every
+/// push would fall short by the square of the angle.
+KOKKOS_INLINE_FUNCTION Point3 find_gap_gradient(const FacePoints& face, int triangle, const Point3& push) {
+  constexpr double least_cosine = 0.5;
+  const Point3 normal = find_triangle_normal(face, triangle);
+  const double cosine = dot(normal, push);
+  return cosine > least_cosine ? (1 / cosine) * normal : push;
 }
 
-/// Touching: the closest point of the face at the predicted place.
+/// Sets direction and predicted gap of a touch at the point of the face with touch.weight.
+KOKKOS_INLINE_FUNCTION void measure_end(const ContactSurface& surface, const FaceState& faces, const FacePoints& end,
+                                        int triangle, Touch& touch) {
+  touch.normal = find_push_direction(surface, faces, touch.face, touch.weight);
+  touch.gap_gradient = find_gap_gradient(end, triangle, touch.normal);
+  touch.gap_end = -dot(touch.gap_gradient, interpolate(end, touch.weight));
+}
+
+/// Gap of the origin from a point of the face along the push direction of the touch.
+KOKKOS_INLINE_FUNCTION double measure_gap(const FacePoints& face, int triangle, const double weight[4],
+                                          const Touch& touch) {
+  return -dot(find_gap_gradient(face, triangle, touch.normal), interpolate(face, weight));
+}
+
+/// Touching: the closest point of the face at the predicted place. The gap at n is that of the closest point at n:
+/// that of the predicted point would count sliding as depth wherever push direction and face differ by a little.
 KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const FaceState& faces,
                                            const FacePoints& start, const FacePoints& end, Touch& touch) {
   const double h = touch.size;
@@ -82,12 +101,13 @@ KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const 
   if (closest.off > (known ? contact_limits::history_band : contact_limits::new_band) * h) return false;
   for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
   touch.off = closest.off;
-  measure_gaps(surface, faces, start, end, touch);
+  measure_end(surface, faces, end, closest.triangle, touch);
   if (touch.gap_end > contact_limits::row_gap * h) return false;
+  const FacePoint before = find_closest_point(start);
+  touch.gap_start = measure_gap(start, before.triangle, before.weight, touch);
+  touch.tau = find_contact_time(touch);
   if (touch.gap_start < -(known ? contact_limits::history_depth : contact_limits::new_depth) * h) return false;
-  // New and behind the face since the start: only if it was not beside the face then, where another face is entered.
-  if (!known && touch.gap_start < -contact_limits::new_band * h)
-    return find_closest_point(start).off <= contact_limits::new_band * h;
+  touch.beside = !known && touch.gap_start < -contact_limits::new_band * h && before.off > contact_limits::overlap * h;
   return true;
 }
 
@@ -99,7 +119,8 @@ KOKKOS_INLINE_FUNCTION bool check_swept(const ContactSurface& surface, const Fac
   if (!hit.hit) return false;
   for (int i = 0; i < 4; ++i) touch.weight[i] = hit.weight[i];
   touch.off = hit.off;
-  measure_gaps(surface, faces, relative.start, end, touch);
+  measure_end(surface, faces, end, hit.triangle, touch);
+  touch.gap_start = measure_gap(relative.start, hit.triangle, hit.weight, touch);
   touch.tau = touch.gap_start <= contact_limits::new_band * h ? 0 : hit.tau;
   return touch.gap_end <= contact_limits::row_gap * h && touch.gap_start >= -contact_limits::new_depth * h;
 }
@@ -115,7 +136,8 @@ KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const Face
   if (closest.off > (known ? contact_limits::history_band : contact_limits::new_band) * h) return false;
   for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
   touch.off = closest.off;
-  measure_gaps(surface, faces, start, end, touch);
+  measure_end(surface, faces, end, closest.triangle, touch);
+  touch.gap_start = measure_gap(start, closest.triangle, closest.weight, touch);
   if (touch.gap_start > contact_limits::new_band * h || touch.gap_end > -contact_limits::capture * h) return false;
   return touch.gap_start >= -(known ? contact_limits::history_depth : contact_limits::new_depth) * h;
 }
@@ -130,8 +152,11 @@ KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const Surf
   const RelativeFace relative = load_relative_face(surface, motion, node, face);
   const FacePoints end = find_end(relative);
   if (!is_within_reach(relative.start, end, contact_limits::capture * touch.size)) return false;
-  if (find_opposition(surface, faces, node, face) > contact_limits::opposing) return false;
   find_record(surface, faces, history, node, touch);
+  touch.opposed = find_opposition(surface, faces, node, face) <= contact_limits::opposing;
+  // Faces that only meet at an edge, as those of bricks in line do, are hit only by going through them for certain.
+  if (!touch.opposed && !touch.same_face)
+    return check_swept(surface, faces, relative, end, touch) && touch.gap_start > contact_limits::overlap * touch.size;
   if (check_touching(surface, faces, relative.start, end, touch)) return true;
   if (check_swept(surface, faces, relative, end, touch)) return true;
   return check_held(surface, faces, relative.start, end, touch);

@@ -10,23 +10,26 @@ constexpr double deepest = 0.5;
 
 /// How deep a node is behind a face.
 struct FaceDepth {
-  bool known = false;  // whether the node projects on the face from nearby
-  double depth = 0;    // negative in front
+  bool known = false;   // whether the node projects on the face from nearby
+  double distance = 0;  // from the face; negative: not looked at
+  double depth = 0;     // negative in front
   double edge = 0;
 };
 
 KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const ContactSurface& surface, const SurfaceMotion& motion,
                                                  const FaceState& faces, int node, int face) {
   FaceDepth result;
+  result.distance = -1;
   if (surface.node_body(node) == surface.face_body(face) &&
       find_opposition(surface, faces, node, face) > contact_limits::opposing)
     return result;
   const RelativeFace relative = load_relative_face(surface, motion, node, face);
   const FacePoint closest = find_closest_point(relative.start);
   const double size = faces.size(face);
+  result.distance = closest.distance;
   if (closest.off > beside * size || closest.distance > deepest * size) return result;
   result.known = true;
-  const Vector3 normal = find_push_direction(surface, faces, face, closest.weight);
+  const Point3 normal = find_push_direction(surface, faces, face, closest.weight);
   result.depth = dot(normal, interpolate(relative.start, closest.weight));
   result.edge = find_shortest_edge(relative.start);
   return result;
@@ -43,14 +46,18 @@ KOKKOS_INLINE_FUNCTION BodyDepth find_body_depth(const ContactSurface& surface, 
                                                  const FaceState& faces, int node, const Faces& candidates, int c,
                                                  int last) {
   BodyDepth result;
+  double nearest = -1;
   const int body = surface.face_body(candidates(c));
   for (int i = c; i < last; ++i) {
     if (surface.face_body(candidates(i)) != body) continue;
     const FaceDepth depth = find_face_depth(surface, motion, faces, node, candidates(i));
+    if (depth.distance >= 0 && (nearest < 0 || depth.distance < nearest)) nearest = depth.distance;
     if (!depth.known || (result.least.known && depth.depth >= result.least.depth)) continue;
     result.least = depth;
     result.face = depth.depth > 0 ? candidates(i) : -1;
   }
+  // Beside an edge a node projects on one face only; no node is deeper than its distance from the nearest face.
+  if (result.face >= 0 && result.least.depth > nearest) result.least.depth = nearest;
   return result;
 }
 

@@ -6,9 +6,9 @@
 namespace percuss {
 
 /// |coefficient| of a node in direction d of a row, component by component.
-KOKKOS_INLINE_FUNCTION Vector3 find_abs_coefficient(const ContactRow& row, int slot, int d) {
-  const Vector3& direction = get_direction(row, d);
-  const Vector3 c = spread_impulse(row, slot, direction, find_couple(row, direction));
+KOKKOS_INLINE_FUNCTION Point3 find_abs_coefficient(const ContactRow& row, int slot, int d) {
+  const Point3& direction = get_direction(row, d);
+  const Point3 c = spread_impulse(row, slot, direction, find_couple(row, direction));
   return {c.x < 0 ? -c.x : c.x, c.y < 0 ? -c.y : c.y, c.z < 0 ? -c.z : c.z};
 }
 
@@ -20,14 +20,14 @@ KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffnes
   if (stiffness[0] > 0) return;
   row.impulse = RowImpulse{};
   row.previous = RowImpulse{};
-  row.force = Vector3{};
-  row.couple = Vector3{};
+  row.force = Point3{};
+  row.couple = Point3{};
   row.friction = 0;
   row.target = row.gap;  // met as it is
 }
 
 /// A vector shortened to `longest`.
-KOKKOS_INLINE_FUNCTION Vector3 shorten(const Vector3& a, double longest) {
+KOKKOS_INLINE_FUNCTION Point3 shorten(const Point3& a, double longest) {
   const double length = norm(a);
   return length > longest ? (longest / length) * a : a;
 }
@@ -43,13 +43,13 @@ KOKKOS_INLINE_FUNCTION void set_target(ContactRow& row) {
 /// Continues history record `record`: first guess of the impulses, owed slip, accepted overlap.
 KOKKOS_INLINE_FUNCTION void continue_record(const ContactHistory& history, const RowInputs& inputs, int record,
                                             ContactRow& row) {
-  const Vector3 last = inputs.impulse_scale * load_row(history.impulse, record);
+  const Point3 last = inputs.impulse_scale * load_row(history.impulse, record);
   const double push = dot(last, row.normal);
   row.impulse.push = push > 0 ? push : 0;
   const double overlap = row.gap_start < 0 ? -row.gap_start : 0;
   row.reference = history.reference(record) < overlap ? history.reference(record) : overlap;
   if (!(row.friction > 0)) return;
-  const Vector3 owed = shorten(load_row(history.slip, record), contact_limits::recovery * row.size);
+  const Point3 owed = shorten(load_row(history.slip, record), contact_limits::recovery * row.size);
   for (int d = 0; d < 2; ++d) {
     row.impulse.rub[d] = dot(last, row.tangent[d]);
     row.slide[d] += dot(owed, row.tangent[d]);
@@ -62,7 +62,7 @@ KOKKOS_INLINE_FUNCTION void complete_row(const ContactHistory& history, const Ro
                                          ContactRow& row) {
   if (row.friction > 0) {
     set_tangents(row);
-    const Vector3 v = find_relative_velocity(row, MeshVelocity{inputs.motion.v, row});
+    const Point3 v = find_relative_velocity(row, MeshVelocity{inputs.motion.v, row});
     for (int d = 0; d < 2; ++d) row.slide[d] = inputs.motion.dt * dot(v, row.tangent[d]);
   }
   if (old_record >= 0) continue_record(history, inputs, old_record, row);
@@ -74,20 +74,18 @@ KOKKOS_INLINE_FUNCTION void complete_row(const ContactHistory& history, const Ro
 
 /// rho, J^-1 and r from the places at n.
 KOKKOS_INLINE_FUNCTION void set_arms(const Rows3<const double>& x, ContactRow& row) {
-  const Vector3 node = load_row(x, row.node[0]);
+  const Point3 node = load_row(x, row.node[0]);
   FacePoints corners;
   for (int i = 0; i < 4; ++i) corners.corner[i] = load_row(x, row.node[i + 1]) - node;
-  const Vector3 middle = find_middle(corners);
-  Matrix3 inertia;
+  const Point3 middle = find_middle(corners);
+  Symmetric3<double> inertia{};
   for (int i = 0; i < 4; ++i) {
-    const Vector3 p = corners.corner[i] - middle;
+    const Point3 p = corners.corner[i] - middle;
     row.rho[i] = p;
-    const double square = dot(p, p);
-    const double c[3] = {p.x, p.y, p.z};
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k) inertia.m[j][k] += (j == k ? square : 0) - c[j] * c[k];
+    inertia = inertia + Symmetric3<double>{p.y * p.y + p.z * p.z, p.z * p.z + p.x * p.x, p.x * p.x + p.y * p.y,
+                                           -(p.x * p.y),          -(p.y * p.z),          -(p.z * p.x)};
   }
-  row.inverse_inertia = invert_symmetric(inertia);
+  row.inverse_inertia = invert(inertia);
   row.arm = -interpolate(corners, row.weight);
 }
 
@@ -102,7 +100,9 @@ KOKKOS_INLINE_FUNCTION ContactRow make_face_row(const ContactSurface& surface, c
   }
   row.face = touch.face;
   row.record = contact_limits::max_touches * node + j;
+  row.is_caught = !touch.opposed;
   row.normal = touch.normal;
+  row.gap_gradient = touch.gap_gradient;
   row.friction = find_friction(surface, node, touch.face);
   row.size = touch.size;
   row.gap_start = touch.gap_start;
@@ -117,7 +117,7 @@ KOKKOS_INLINE_FUNCTION double find_wall_gap(const ContactSurface& surface, const
                                             const SurfaceMotion& motion, int p, double share) {
   const ContactWall& wall = walls.walls(walls.wall(p));
   const int node = surface.nodes(walls.node(p));
-  const Vector3 from_wall = load_row(motion.x, node) - wall.point;
+  const Point3 from_wall = load_row(motion.x, node) - wall.point;
   return dot(wall.normal, from_wall) + share * motion.dt * dot(wall.normal, load_row(motion.v, node));
 }
 
@@ -129,6 +129,7 @@ KOKKOS_INLINE_FUNCTION ContactRow make_wall_row(const ContactSurface& surface, c
   row.node[0] = surface.nodes(walls.node(p));
   row.record = contact_limits::max_touches * surface.num_nodes + p;
   row.normal = wall.normal;
+  row.gap_gradient = wall.normal;
   row.friction = wall.friction;
   row.size = walls.size(p);
   row.gap_start = find_wall_gap(surface, walls, inputs.motion, p, 0);

@@ -111,7 +111,7 @@ void sum_coefficients(const Space& space, const RowSystem& system) {
   const Rows3<double> sum = system.abs_sum;
   Kokkos::parallel_for(
       "contact::sum_coefficients", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
-        Vector3 s;
+        Point3 s{};
         for (int e = offset(a); e < offset(a + 1); ++e) {
           const ContactRow& row = rows(entry(e) / row_nodes);
           for (int d = 0; d < count_directions(row); ++d) s = s + find_abs_coefficient(row, entry(e) % row_nodes, d);
@@ -131,8 +131,8 @@ void sum_stiffness(const Space& space, const Rows3<const double>& inverse_mass, 
         double stiffness[3] = {0, 0, 0};
         for (int d = 0; d < count_directions(row); ++d)
           for (int slot = 0; slot < count_nodes(row); ++slot) {
-            const Vector3 c = find_abs_coefficient(row, slot, d);
-            const Vector3 s = load_row(sum, row.place[slot]), w = load_row(inverse_mass, row.node[slot]);
+            const Point3 c = find_abs_coefficient(row, slot, d);
+            const Point3 s = load_row(sum, row.place[slot]), w = load_row(inverse_mass, row.node[slot]);
             stiffness[d] += (c.x * s.x * w.x + c.y * s.y * w.y) + c.z * s.z * w.z;
           }
         set_stiffness(row, stiffness);

@@ -12,7 +12,7 @@ namespace percuss {
 
 /// A rigid plane; bodies live where (x - point) . normal > 0.
 struct ContactWall {
-  Vector3 point, normal;
+  Point3 point{}, normal{};
   double friction = 0;
 };
 
@@ -50,9 +50,9 @@ struct RowSystem {
 };
 
 /// Impulse of all rows on touched node a, in row order.
-KOKKOS_INLINE_FUNCTION Vector3 gather_impulse(const Array<const ContactRow>& rows, const Array<const int>& offset,
-                                              const Array<const int>& entry, int a) {
-  Vector3 sum;
+KOKKOS_INLINE_FUNCTION Point3 gather_impulse(const Array<const ContactRow>& rows, const Array<const int>& offset,
+                                             const Array<const int>& entry, int a) {
+  Point3 sum{};
   for (int e = offset(a); e < offset(a + 1); ++e) {
     const ContactRow& row = rows(entry(e) / row_nodes);
     sum = sum + spread_impulse(row, entry(e) % row_nodes, row.force, row.couple);
@@ -64,14 +64,14 @@ KOKKOS_INLINE_FUNCTION Vector3 gather_impulse(const Array<const ContactRow>& row
 struct MeshVelocity {
   Rows3<const double> v;
   const ContactRow& row;
-  KOKKOS_INLINE_FUNCTION Vector3 operator()(int slot) const { return load_row(v, row.node[slot]); }
+  KOKKOS_INLINE_FUNCTION Point3 operator()(int slot) const { return load_row(v, row.node[slot]); }
 };
 
 /// Velocity of the nodes of a row in data of the touched nodes.
 struct TouchedVelocity {
   Rows3<const double> v;
   const ContactRow& row;
-  KOKKOS_INLINE_FUNCTION Vector3 operator()(int slot) const { return load_row(v, row.place[slot]); }
+  KOKKOS_INLINE_FUNCTION Point3 operator()(int slot) const { return load_row(v, row.place[slot]); }
 };
 
 /// Makes the rows of this step from touches and walls, first guess from history; sums S and row sums D.

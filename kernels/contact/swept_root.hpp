@@ -65,10 +65,10 @@ KOKKOS_INLINE_FUNCTION int find_falling_roots(const Cubic& f, double root[2]) {
 }
 
 /// The cubic of a triangle: corners a, b, c at tau = 0 and their displacements over the step, relative to the node.
-KOKKOS_INLINE_FUNCTION Cubic find_plane_cubic(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& da,
-                                              const Vector3& db, const Vector3& dc) {
-  const Vector3 e = b - a, f = c - a, de = db - da, df = dc - da;
-  const Vector3 n0 = cross(e, f), n1 = cross(de, f) + cross(e, df), n2 = cross(de, df);
+KOKKOS_INLINE_FUNCTION Cubic find_plane_cubic(const Point3& a, const Point3& b, const Point3& c, const Point3& da,
+                                              const Point3& db, const Point3& dc) {
+  const Point3 e = b - a, f = c - a, de = db - da, df = dc - da;
+  const Point3 n0 = cross(e, f), n1 = cross(de, f) + cross(e, df), n2 = cross(de, df);
   return {{-dot(a, n0), -(dot(da, n0) + dot(a, n1)), -(dot(da, n1) + dot(a, n2)), -dot(da, n2)}};
 }
 
@@ -77,13 +77,14 @@ struct SweptHit {
   bool hit = false;
   double tau = 0;
   double weight[4] = {0, 0, 0, 0};
-  double off = 0;  // distance from the face at that time
+  int triangle = 0;  // of the fan
+  double off = 0;    // distance from the face at that time
 };
 
 /// The first time at which the node (the origin) goes through the fan from front to back, at most `band` beside it.
 /// face: corners at tau = 0; moves: their displacements over the step; both relative to the node.
 KOKKOS_INLINE_FUNCTION SweptHit sweep_face(const FacePoints& face, const FacePoints& moves, double band) {
-  const Vector3 middle = find_middle(face), middle_move = find_middle(moves);
+  const Point3 middle = find_middle(face), middle_move = find_middle(moves);
   SweptHit first;
   for (int k = 0; k < 4; ++k) {
     const int l = (k + 1) % 4;
@@ -92,16 +93,17 @@ KOKKOS_INLINE_FUNCTION SweptHit sweep_face(const FacePoints& face, const FacePoi
     double root[2] = {0, 0};
     const int roots = find_falling_roots(plane, root);
     for (int r = 0; r < roots; ++r) {
-      const Vector3 a = middle + root[r] * middle_move;
-      const Vector3 b = face.corner[k] + root[r] * moves.corner[k];
-      const Vector3 c = face.corner[l] + root[r] * moves.corner[l];
-      const Vector3 bary = find_closest_on_triangle(a, b, c);
+      const Point3 a = middle + root[r] * middle_move;
+      const Point3 b = face.corner[k] + root[r] * moves.corner[k];
+      const Point3 c = face.corner[l] + root[r] * moves.corner[l];
+      const Point3 bary = find_closest_on_triangle(a, b, c);
       const double off = norm(bary.x * a + (bary.y * b + bary.z * c));
       const bool earlier = !first.hit || root[r] < first.tau || (root[r] == first.tau && off < first.off);
       if (!(off <= band) || !earlier) continue;
       first.hit = true;
       first.tau = root[r];
       first.off = off;
+      first.triangle = k;
       set_fan_weights(k, bary, first.weight);
     }
   }
