@@ -11,6 +11,11 @@
 #if !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
 #define PERCUSS_HAS_SIMD 1
 #include <experimental/simd>
+#if defined(__clang__) && defined(__AVX512F__)
+// Compiled by Clang for AVX-512, where(mask, a) = b of libstdc++ 12 assigns every lane or none, as a note in its
+// _S_blend_avx512 says; select() goes around it.
+#define PERCUSS_WHERE_IS_ALL_OR_NOTHING 1
+#endif
 #endif
 
 namespace percuss {
@@ -28,9 +33,23 @@ template <class Scalar, class Abi>
 inline std::experimental::simd<Scalar, Abi> select(const std::experimental::simd_mask<Scalar, Abi>& mask,
                                                    const std::experimental::simd<Scalar, Abi>& yes,
                                                    std::experimental::simd<Scalar, Abi> no) {
+#ifdef PERCUSS_WHERE_IS_ALL_OR_NOTHING
+  return std::experimental::simd<Scalar, Abi>([&](auto lane) { return mask[lane] ? yes[lane] : no[lane]; });
+#else
   std::experimental::where(mask, no) = yes;
   return no;
+#endif
 }
+#ifdef PERCUSS_WHERE_IS_ALL_OR_NOTHING
+inline Pack<double> select(const Pack<double>::mask_type& mask, const Pack<double>& yes, const Pack<double>& no) {
+  return Pack<double>(_mm512_mask_blend_pd(static_cast<__mmask8>(mask.__to_bitset().to_ulong()),
+                                           static_cast<__m512d>(no), static_cast<__m512d>(yes)));
+}
+inline Pack<float> select(const Pack<float>::mask_type& mask, const Pack<float>& yes, const Pack<float>& no) {
+  return Pack<float>(_mm512_mask_blend_ps(static_cast<__mmask16>(mask.__to_bitset().to_ulong()),
+                                          static_cast<__m512>(no), static_cast<__m512>(yes)));
+}
+#endif
 // GCC 12 takes the undefined vector that its own 512-bit square root starts from for a mistake (GCC bug 105593).
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
