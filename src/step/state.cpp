@@ -17,7 +17,7 @@ Array<double> make_element_records(const Model& model) {
         const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
         const int size = chunks.record_size(c);
         for (int i = 0; i < packs * width; ++i) {
-          double* record = &elements(chunks.first_state(c)) + static_cast<std::size_t>(i / width) * size * width + i % width;
+          double* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
           for (int k = 0; k < 3; ++k) {
             record[(HexRecord::rotation + 4 * k) * width] = 1;
             record[(HexRecord::stretch + k) * width] = 1;
@@ -38,7 +38,8 @@ void set_element_masses(const Model& model, const Array<double>& elements) {
         const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
         for (int i = 0; i < packs * width; ++i) {
           const int lane_element = i < count ? i : count - 1;
-          elements(chunks.first_state(c) + static_cast<std::size_t>(i / width) * static_cast<std::size_t>(chunks.record_size(c)) * width +
+          elements(chunks.first_state(c) +
+                   static_cast<std::size_t>(i / width) * static_cast<std::size_t>(chunks.record_size(c)) * width +
                    static_cast<std::size_t>(HexRecord::mass * width + i % width)) = mass(first + lane_element);
         }
       });
@@ -103,7 +104,7 @@ std::uint64_t hash_state(const Model& model, const State& state) {
         for (int e = first; e < chunks.first_element(c + 1); ++e) {
           const int size = chunks.record_size(c);
           const double* record =
-              &elements(chunks.first_state(c)) + static_cast<std::size_t>((e - first) / width) * size * width + (e - first) % width;
+              &elements(chunks.first_state(c)) + (e - first) / width * size * width + (e - first) % width;
           std::uint64_t h = mix(~static_cast<std::uint64_t>(e));
           for (int i = 0; i < size; ++i) h = mix(h ^ find_bits(record[i * width]));
           sum += h;
