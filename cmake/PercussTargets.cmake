@@ -37,9 +37,10 @@ function(percuss_add_test name)
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABEL}" ENVIRONMENT "OMP_NUM_THREADS=2;OMP_PROC_BIND=false")
 endfunction()
 
-# How tests start MPI. Ranks share cores, so none is bound and idle ones make way. Open MPI wants root to insist.
+# How tests start MPI. Ranks share cores, so none is bound, and ranks and threads that wait make way for others. Open MPI
+# wants root to insist.
 set(PERCUSS_MPI_FLAGS "")
-set(PERCUSS_MPI_ENVIRONMENT "OMP_PROC_BIND=false")
+set(PERCUSS_MPI_ENVIRONMENT OMP_PROC_BIND=false OMP_WAIT_POLICY=passive)
 execute_process(COMMAND ${MPIEXEC_EXECUTABLE} --version OUTPUT_VARIABLE _percuss_mpiexec ERROR_QUIET)
 if(_percuss_mpiexec MATCHES "Open MPI|OpenRTE")
   list(APPEND PERCUSS_MPI_FLAGS --oversubscribe --bind-to none)

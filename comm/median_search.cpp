@@ -20,16 +20,6 @@ std::int64_t find_lower_share(std::int64_t weight, int lower_ranks, int ranks) {
   return weight / ranks * lower_ranks + weight % ranks * lower_ranks / ranks;
 }
 
-std::int64_t add_weights(const ProbeCounts& counts) {
-  return std::accumulate(std::begin(counts.bins), std::end(counts.bins), std::int64_t{0},
-                         [](std::int64_t sum, const BinCount& bin) { return sum + bin.weight; });
-}
-
-std::int64_t add_points(const ProbeCounts& counts) {
-  return std::accumulate(std::begin(counts.bins), std::end(counts.bins), std::int64_t{0},
-                         [](std::int64_t sum, const BinCount& bin) { return sum + bin.points; });
-}
-
 /// The first n entries on the host.
 template <class View>
 auto copy_to_host(const View& view, int n) {
@@ -86,6 +76,10 @@ GroupSurvey MedianSearch::survey(const ExecSpace& space, const Communicator& gro
   if (result.has_probes) result.probes = probe_around(previous);
   result.survey = counter_.survey(space, AxisPoints{points, result.axis}, points.count(), result.probes);
   reduce_survey_(group, result.survey);
+  for (const BinCount& bin : result.survey.counts.bins) {
+    result.points += bin.points;
+    result.weight += bin.weight;
+  }
   return result;
 }
 
@@ -168,20 +162,18 @@ void MedianSearch::pick_gathered(Progress& progress) {
 FoundCut MedianSearch::find_cut(const ExecSpace& space, const Communicator& group, const RcbPoints& points,
                                 const GroupSurvey& survey, int axis, int lower_ranks) {
   FoundCut found;
-  found.points = add_points(survey.survey.counts);
-  found.total_weight = add_weights(survey.survey.counts);
   found.cut.axis = axis;
-  if (found.total_weight == 0) return found;
+  if (survey.weight == 0) return found;
 
-  const std::int64_t target = find_lower_share(found.total_weight, lower_ranks, group.size());
+  const std::int64_t target = find_lower_share(survey.weight, lower_ranks, group.size());
   Progress progress{space, group, {}, AxisPoints{points, axis}, {}};
   progress.n = points.count();
   Bracket& bracket = progress.bracket;
   bracket = {{survey.survey.lowest[axis], first_key.id},
              {survey.survey.highest[axis], last_key.id},
              false,
-             found.points,
-             found.total_weight,
+             survey.points,
+             survey.weight,
              target};
   if (survey.has_probes && survey.axis == axis) narrow_to_bin(progress, survey.survey.counts);
   while (!find_at_ends(bracket)) {

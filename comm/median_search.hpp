@@ -33,14 +33,14 @@ struct GroupSurvey {
   Probes probes;            // what was counted against
   int axis = 0;             // the previous cut's, 0 without one
   bool has_probes = false;  // there was a previous cut
+  std::int64_t points = 0;  // of the group
+  std::int64_t weight = 0;
 };
 
 struct FoundCut {
   Cut cut;
   std::int64_t lower_weight = 0;  // of the points before the cut
-  std::int64_t points = 0;
-  std::int64_t total_weight = 0;
-  int rounds = 0;  // reductions over the group, the survey's included
+  int rounds = 0;                 // reductions over the group, the survey's included
 };
 
 class MedianSearch {

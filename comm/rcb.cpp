@@ -24,6 +24,7 @@ int choose_axis(const Survey& survey, int previous_axis) {
   return keep ? previous_axis : longest;
 }
 
+/// Throws on all ranks if a point cannot be divided.
 void check_points(const Survey& survey) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::uint64_t least = order_coordinate(-infinity), most = order_coordinate(infinity);
@@ -36,6 +37,12 @@ void check_points(const Survey& survey) {
   if (survey.lowest_weight < 1) {
     throw RcbError("a contact point has the weight " + std::to_string(survey.lowest_weight) + " (must be positive)");
   }
+}
+
+void check_and_report(const GroupSurvey& survey, RcbReport& report) {
+  check_points(survey.survey);
+  report.points = survey.points;
+  report.weight = survey.weight;
 }
 
 /// What a rank tells all others at the end.
@@ -68,18 +75,14 @@ void Rcb::bisect(const ExecSpace& space, std::size_t level, RcbReport& report) {
   Cut& cut = cuts_[static_cast<std::size_t>(middle)];
 
   const GroupSurvey survey = search_.survey(space, group, travelling_.points(), cut);
-  if (level == 0) check_points(survey.survey);
+  if (level == 0) check_and_report(survey, report);
   const int axis = choose_axis(survey.survey, cut.axis);                                                   // (4.1)
   const FoundCut found = search_.find_cut(space, group, travelling_.points(), survey, axis, lower_ranks);  // (4.2)
   cut = found.cut;
   report.moved += travelling_.cross(space, group, cut, lower_ranks);  // (4.3) and (4.4)
 
-  if (level == 0) {
-    report.points = found.points;
-    report.weight = found.total_weight;
-  }
   if (ranks_->rank() == middle) own_rounds_ = found.rounds;
-  own_weight_ = ranks_->rank() < middle ? found.lower_weight : found.total_weight - found.lower_weight;
+  own_weight_ = ranks_->rank() < middle ? found.lower_weight : survey.weight - found.lower_weight;
   bisect(space, level + 1, report);  // (4.5) Recurse
 }
 
@@ -108,6 +111,7 @@ void Rcb::share_cuts(RcbReport& report) {
 RcbReport Rcb::decompose(const ExecSpace& space, const RcbPoints& points) {
   RcbReport report;
   travelling_.begin(points);
+  if (groups_.empty()) check_and_report(search_.survey(space, *ranks_, points, Cut{}), report);
   bisect(space, 0, report);
   share_cuts(report);
   publish();

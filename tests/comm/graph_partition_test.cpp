@@ -72,8 +72,8 @@ TEST(Partition, IsEvenAndHasTheCutThatItReports) {
     EXPECT_LE(partition.imbalance, 1.05) << parts;
     EXPECT_EQ(partition.cut, count_cut(grid, partition.parts));
     EXPECT_EQ(partition.empty_parts, 0);
-    // Squares would cut about 2 sqrt(parts * vertices) / 2 edges; half as much again is a partition that works.
-    EXPECT_LE(static_cast<double>(partition.cut), 1.5 * std::sqrt(3000.0 * parts)) << parts;
+    // Squares of vertices, each side counted for both its parts, cut less than 2 sqrt(parts * vertices) edges.
+    EXPECT_LE(static_cast<double>(partition.cut), 2 * std::sqrt(3000.0 * parts)) << parts;
   }
 }
 
