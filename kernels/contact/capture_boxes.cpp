@@ -72,18 +72,7 @@ void bound_faces(const Space& space, const ContactSurface& surface, const Surfac
         const int face = s.searched_faces(i);
         const FacePoints points = load_face(s, m.x, face);
         const double reach = margin + contact_limits::capture * find_shortest_edge(points);
-        for (int axis = 0; axis < 3; ++axis) {
-          double low = 0, high = 0;
-          for (int corner = 0; corner < 4; ++corner) {
-            const int a = s.nodes(s.face_corners(face, corner));
-            const double known = m.x(a, axis), move = m.dt * m.v(a, axis);
-            const double before = move < 0 ? known + move : known, after = move < 0 ? known : known + move;
-            low = corner == 0 || before < low ? before : low;
-            high = corner == 0 || after > high ? after : high;
-          }
-          out(face, axis) = low - reach;
-          out(face, axis + 3) = high + reach;
-        }
+        bound_face(s, m, face, reach, out);
       });
 }
 

@@ -10,6 +10,23 @@
 
 namespace percuss {
 
+/// Box of a face at n and at its predicted place, widened by `reach`.
+KOKKOS_INLINE_FUNCTION void bound_face(const ContactSurface& surface, const SurfaceMotion& motion, int face,
+                                       double reach, const Boxes& boxes) {
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = 0, high = 0;
+    for (int corner = 0; corner < 4; ++corner) {
+      const int a = surface.nodes(surface.face_corners(face, corner));
+      const double known = motion.x(a, axis), move = motion.dt * motion.v(a, axis);
+      const double before = move < 0 ? known + move : known, after = move < 0 ? known : known + move;
+      low = corner == 0 || before < low ? before : low;
+      high = corner == 0 || after > high ? after : high;
+    }
+    boxes(face, axis) = low - reach;
+    boxes(face, axis + 3) = high + reach;
+  }
+}
+
 /// Largest component of any contact node's displacement in the step.
 template <class Space>
 double find_largest_move(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion);

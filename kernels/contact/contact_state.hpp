@@ -14,10 +14,21 @@ struct SurfaceMotion {
   double dt = 0;
 };
 
+/// Boxes [n][6]: lowest x, y, z, highest x, y, z; both ends belong to the box.
+using Boxes = Kokkos::View<double* [6], Kokkos::LayoutRight, MemSpace>;
+
 /// Geometry of faces in this step; valid for the faces listed in CandidateList::faces.
 struct FaceState {
   Rows3<double> normal;  // outward unit normal at the predicted place
   Array<double> size;    // h of contact_limits.hpp at n
+  Boxes box;             // of the face over the step, widened by the reach of the check
+};
+
+/// A node as the check of its candidate faces sees it, loaded once.
+struct CheckedNode {
+  int node = -1;  // contact node
+  Point3 x{}, v{};
+  Point3 low{}, high{};  // box of the node over the step
 };
 
 /// What a contact remembers from one step to the next. Record 3 n + i belongs to push i of contact node n, the records
@@ -35,9 +46,7 @@ struct RelativeFace {
 };
 
 KOKKOS_INLINE_FUNCTION RelativeFace load_relative_face(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                       int node, int face) {
-  const int s = surface.nodes(node);
-  const Point3 x = load_row(motion.x, s), v = load_row(motion.v, s);
+                                                       const Point3& x, const Point3& v, int face) {
   RelativeFace relative;
   for (int i = 0; i < 4; ++i) {
     const int a = surface.nodes(surface.face_corners(face, i));
@@ -45,6 +54,30 @@ KOKKOS_INLINE_FUNCTION RelativeFace load_relative_face(const ContactSurface& sur
     relative.move.corner[i] = motion.dt * (load_row(motion.v, a) - v);
   }
   return relative;
+}
+
+KOKKOS_INLINE_FUNCTION RelativeFace load_relative_face(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                       int node, int face) {
+  const int s = surface.nodes(node);
+  return load_relative_face(surface, motion, load_row(motion.x, s), load_row(motion.v, s), face);
+}
+
+KOKKOS_INLINE_FUNCTION CheckedNode load_checked_node(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                     int node) {
+  CheckedNode n;
+  n.node = node;
+  n.x = load_row(motion.x, surface.nodes(node));
+  n.v = load_row(motion.v, surface.nodes(node));
+  const Point3 end = n.x + motion.dt * n.v;
+  n.low = {end.x < n.x.x ? end.x : n.x.x, end.y < n.x.y ? end.y : n.x.y, end.z < n.x.z ? end.z : n.x.z};
+  n.high = {end.x > n.x.x ? end.x : n.x.x, end.y > n.x.y ? end.y : n.x.y, end.z > n.x.z ? end.z : n.x.z};
+  return n;
+}
+
+/// Whether the boxes of node and face over the step meet.
+KOKKOS_INLINE_FUNCTION bool is_in_box(const CheckedNode& n, const Boxes& box, int face) {
+  return n.high.x >= box(face, 0) && n.high.y >= box(face, 1) && n.high.z >= box(face, 2) && n.low.x <= box(face, 3) &&
+         n.low.y <= box(face, 4) && n.low.z <= box(face, 5);
 }
 
 KOKKOS_INLINE_FUNCTION FacePoints find_end(const RelativeFace& face) {

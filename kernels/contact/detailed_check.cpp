@@ -28,6 +28,7 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
         store_row(out.normal, face, find_face_normal(find_end(relative)));
         const double edge = find_shortest_edge(relative.start), thickness = find_thickness(s, m.x, face);
         out.size(face) = edge < thickness ? edge : thickness;
+        bound_face(s, m, face, contact_limits::capture * out.size(face), out.box);
       });
 }
 

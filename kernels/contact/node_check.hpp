@@ -131,10 +131,11 @@ template <class Faces>
 KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, const SurfaceMotion& motion,
                                               const FaceState& faces, const ContactHistory& history, int node,
                                               const Faces& candidates, int first, int last) {
+  const CheckedNode checked = load_checked_node(surface, motion, node);
   TouchList found;
   for (int c = first; c < last; ++c) {
     Touch touch;
-    if (check_pair(surface, motion, faces, history, node, candidates(c), touch)) found.insert(touch);
+    if (check_pair(surface, motion, faces, history, checked, candidates(c), touch)) found.insert(touch);
   }
   NodeTouches accepted;
   for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {

@@ -45,18 +45,18 @@ KOKKOS_INLINE_FUNCTION void find_record(const ContactSurface& surface, const Fac
   }
 }
 
-/// Whether the box of the face over the step comes within reach of the node (the origin).
-KOKKOS_INLINE_FUNCTION bool is_within_reach(const FacePoints& start, const FacePoints& end, double reach) {
-  Point3 low = start.corner[0], high = start.corner[0];
-  const auto include = [&](const Point3& p) {
-    low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
-    high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
-  };
+/// Whether the plane of the face leaves the pair a chance: at both ends of the step, and so at any time between, all
+/// corners lie on one side of the node (the origin) farther away than any contact, in front or behind.
+KOKKOS_INLINE_FUNCTION bool is_near_plane(const FacePoints& start, const FacePoints& end, const Point3& normal,
+                                          double h) {
+  double least = 0, most = 0;
   for (int i = 0; i < 4; ++i) {
-    include(start.corner[i]);
-    include(end.corner[i]);
+    const double before = -dot(normal, start.corner[i]), after = -dot(normal, end.corner[i]);
+    const double low = before < after ? before : after, high = before < after ? after : before;
+    least = i == 0 || low < least ? low : least;
+    most = i == 0 || high > most ? high : most;
   }
-  return low.x <= reach && low.y <= reach && low.z <= reach && high.x >= -reach && high.y >= -reach && high.z >= -reach;
+  return least <= contact_limits::row_gap * h && most >= -contact_limits::capture * h;
 }
 
 /// When contact begins, from the gaps at both ends of the step.
@@ -144,16 +144,17 @@ KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const Face
 
 /// Checks one pair; touch is meaningful if the answer is true.
 KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const SurfaceMotion& motion,
-                                       const FaceState& faces, const ContactHistory& history, int node, int face,
-                                       Touch& touch) {
+                                       const FaceState& faces, const ContactHistory& history, const CheckedNode& node,
+                                       int face, Touch& touch) {
+  if (!is_in_box(node, faces.box, face)) return false;
+  const RelativeFace relative = load_relative_face(surface, motion, node.x, node.v, face);
+  const FacePoints end = find_end(relative);
+  if (!is_near_plane(relative.start, end, load_row(faces.normal, face), faces.size(face))) return false;
   touch = Touch{};
   touch.face = face;
   touch.size = faces.size(face);
-  const RelativeFace relative = load_relative_face(surface, motion, node, face);
-  const FacePoints end = find_end(relative);
-  if (!is_within_reach(relative.start, end, contact_limits::capture * touch.size)) return false;
-  find_record(surface, faces, history, node, touch);
-  touch.opposed = find_opposition(surface, faces, node, face) <= contact_limits::opposing;
+  find_record(surface, faces, history, node.node, touch);
+  touch.opposed = find_opposition(surface, faces, node.node, face) <= contact_limits::opposing;
   // Faces that only meet at an edge, as those of bricks in line do, are hit only by going through them for certain.
   if (!touch.opposed && !touch.same_face)
     return check_swept(surface, faces, relative, end, touch) && touch.gap_start > contact_limits::overlap * touch.size;

@@ -5,13 +5,10 @@
 // run in each list; the shortest run is walked and the other two axes are tested by rank. With the counts by node
 // that is 7 words a node; time n log n and a walk. Exact in double: the oracle for faster searches.
 
-#include "kernels/contact/contact_surface.hpp"
+#include "kernels/contact/contact_state.hpp"
 #include "kernels/contact/point_order.hpp"
 
 namespace percuss {
-
-/// Boxes [n][6]: lowest x, y, z, highest x, y, z; both ends belong to the box.
-using Boxes = Kokkos::View<double* [6], Kokkos::LayoutRight, MemSpace>;
 
 /// Candidate pairs by node, faces ascending: the pair list sorted by (node, face).
 struct CandidateList {

@@ -18,7 +18,8 @@ constexpr double travels_in_margin = 3;
 SearchMemory::SearchMemory(const ContactSurface& surface)
     : boxes("contact::boxes", static_cast<std::size_t>(surface.num_faces)),
       faces{Rows3<double>("contact::face_normal", static_cast<std::size_t>(surface.num_faces)),
-            Array<double>("contact::face_size", static_cast<std::size_t>(surface.num_faces))} {}
+            Array<double>("contact::face_size", static_cast<std::size_t>(surface.num_faces)),
+            Boxes("contact::face_box", static_cast<std::size_t>(surface.num_faces))} {}
 
 void search_pairs(const ContactSurface& surface, const SurfaceMotion& motion, double margin,
                   const Array<const int>& history_face, SearchMemory& memory) {
