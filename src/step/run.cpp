@@ -123,8 +123,9 @@ void Run::loop() {
     check_elements();
     summary_.dt.min = std::min(summary_.dt.min, state_.dt);
     summary_.dt.max = std::max(summary_.dt.max, state_.dt);
-    observe(is_finished() || stop_requested != 0);
-    progress_.report(find_progress());
+    const bool is_last = is_finished() || stop_requested != 0;
+    observe(is_last);
+    if (!is_last) progress_.report(find_progress());  // finish() has the last word
   }
 }
 
