@@ -5,6 +5,8 @@
 // below middle. Cut and middle belong together, so the tree needs no pointers: entry m of the array is the cut whose
 // upper ranks begin at m. Everything here runs on the device, for each node or face in parallel.
 
+#include <limits>
+
 #include "comm/coordinate_key.hpp"
 #include "kernels/core/views.hpp"
 
@@ -12,11 +14,14 @@ namespace percuss {
 
 /// One cut. The upper side has the points whose key along the axis is not before `key`.
 struct Cut {
-  CoordinateKey key = last_key;
-  int axis = -1;           // 0, 1, 2; -1: never cut
-  double lower_end = 0;    // no point of the lower side lies above this along the axis [length]
-  double upper_begin = 0;  // no point of the upper side lies below this [length]
-  double spacing = 0;      // mean distance of points along the axis near the cut: where the next search begins [length]
+  CoordinateKey key = last_key;  // every point is before it: all go to the lower side
+  int axis = -1;                 // 0, 1, 2; -1: never cut
+  // No point of the lower side lies above, no point of the upper side below these along the axis [length].
+  double lower_end = std::numeric_limits<double>::infinity();
+  double upper_begin = std::numeric_limits<double>::infinity();
+  // Where the next search begins; the cut that it finds does not depend on these.
+  double spacing = 0;  // mean distance of points along the axis, near the cut [length]
+  double travel = 0;   // how far the cut has moved lately from one bisection to the next [length]
 };
 
 /// All cuts; const once made. Only the owners of points follow from it; nothing physical may.

@@ -1,6 +1,7 @@
 #include "comm/median_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
@@ -71,9 +72,10 @@ struct MedianSearch::Progress {
 GroupSurvey MedianSearch::survey(const ExecSpace& space, const Communicator& group, const RcbPoints& points,
                                  const Cut& previous) {
   GroupSurvey result;
-  result.has_probes = previous.axis >= 0;
+  result.previous = previous;
   result.axis = std::max(previous.axis, 0);
-  if (result.has_probes) result.probes = probe_around(previous);
+  result.has_guess = previous.axis >= 0 && !(previous.key == last_key);
+  if (result.has_guess) result.probes = probe_around(previous);
   result.survey = counter_.survey(space, AxisPoints{points, result.axis}, points.count(), result.probes);
   reduce_survey_(group, result.survey);
   for (const BinCount& bin : result.survey.counts.bins) {
@@ -94,11 +96,8 @@ void MedianSearch::narrow_to_bin(Progress& progress, const ProbeCounts& counts) 
                             : counter_.take_bin(progress.space, progress.points, progress.n, bin);
   progress.has_candidates = true;
   progress.n = n;
-  const Bracket& bracket = progress.bracket;
-  if (bracket.lowest.coordinate < bracket.highest.coordinate) {
-    const double width = restore_coordinate(bracket.highest.coordinate) - restore_coordinate(bracket.lowest.coordinate);
-    progress.spacing = width / static_cast<double>(bracket.points);
-  }
+  const double spacing = measure_spacing(counts, bin);
+  if (spacing > 0) progress.spacing = spacing;
 }
 
 void MedianSearch::count_round(Progress& progress, const Probes& probes) {
@@ -165,27 +164,29 @@ FoundCut MedianSearch::find_cut(const ExecSpace& space, const Communicator& grou
   found.cut.axis = axis;
   if (survey.weight == 0) return found;
 
+  const Cut& previous = survey.previous;
   const std::int64_t target = find_lower_share(survey.weight, lower_ranks, group.size());
-  Progress progress{space, group, {}, AxisPoints{points, axis}, {}};
-  progress.n = points.count();
+  const CoordinateKey lowest{survey.survey.lowest[axis], first_key.id},
+      highest{survey.survey.highest[axis], last_key.id};
+  Progress progress{
+      space, group, {lowest, highest, false, survey.points, survey.weight, target}, AxisPoints{points, axis}, {}};
   Bracket& bracket = progress.bracket;
-  bracket = {{survey.survey.lowest[axis], first_key.id},
-             {survey.survey.highest[axis], last_key.id},
-             false,
-             survey.points,
-             survey.weight,
-             target};
-  if (survey.has_probes && survey.axis == axis) narrow_to_bin(progress, survey.survey.counts);
-  while (!find_at_ends(bracket)) {
-    if (bracket.points <= gathered_keys) {
-      pick_gathered(progress);
-      break;
-    }
-    count_round(progress, choose_probes(progress));
+  progress.n = points.count();
+  if (survey.has_guess && previous.axis == axis) {
+    progress.spacing = previous.spacing;
+    narrow_to_bin(progress, survey.survey.counts);
   }
-  found.cut.key = bracket.lowest;
-  found.cut.lower_end = found.cut.upper_begin = restore_coordinate(bracket.lowest.coordinate);
-  found.cut.spacing = progress.spacing;
+  while (!find_at_ends(bracket) && bracket.points > gathered_keys) count_round(progress, choose_probes(progress));
+  if (!find_at_ends(bracket)) pick_gathered(progress);
+
+  Cut& cut = found.cut;
+  cut.key = bracket.lowest;
+  cut.lower_end = cut.upper_begin = restore_coordinate(cut.key.coordinate);
+  cut.spacing = progress.spacing;
+  if (survey.has_guess && previous.axis == axis) {
+    const double travel = std::abs(cut.lower_end - restore_coordinate(previous.key.coordinate));
+    cut.travel = std::max(travel, previous.travel / 2);
+  }
   found.lower_weight = target - bracket.target;
   found.rounds = progress.rounds;
   return found;

@@ -30,9 +30,10 @@ struct KeyList {
 /// Points of the group before a cut is sought.
 struct GroupSurvey {
   Survey survey;            // over all ranks; counts along `axis`
+  Cut previous;             // axis -1: none
+  bool has_guess = false;   // the previous cut was found among points, and they were counted around it
   Probes probes;            // what was counted against
-  int axis = 0;             // the previous cut's, 0 without one
-  bool has_probes = false;  // there was a previous cut
+  int axis = 0;             // along which was counted
   std::int64_t points = 0;  // of the group
   std::int64_t weight = 0;
 };

@@ -20,12 +20,15 @@ void sort(Probes& probes) { std::sort(std::begin(probes.keys), std::end(probes.k
 }  // namespace
 
 Probes probe_around(const Cut& previous) {
-  constexpr double ratio = 4;
-  // Between q and 4 q from the old cut lie 3 q / spacing points.
-  constexpr double points_in_step = gathered_keys / (ratio - 1) * 0.75;
+  constexpr int steps = probe_count / 2;
+  constexpr double least_ratio = 4, reach_of_travel = 4;
+  // Between q and 4 q from the old cut lie 3 q / spacing points: let them be three quarters of what is gathered.
+  constexpr double points_in_step = 0.75 * gathered_keys / (least_ratio - 1);
   const double center = restore_coordinate(previous.key.coordinate);
   const double smallest = std::abs(center) * std::numeric_limits<double>::epsilon();
   double step = std::max(points_in_step * previous.spacing, smallest);
+  double ratio = least_ratio;
+  if (step > 0) ratio = std::max(ratio, std::pow(reach_of_travel * previous.travel / step, 1.0 / (steps - 1)));
   Probes probes;
   probes.keys[0] = previous.key;
   for (int k = 1; k < probe_count; k += 2) {
@@ -81,6 +84,22 @@ Bracket narrow(const Bracket& bracket, const ProbeCounts& counts, int& bin) {
   narrower.points = count.points;
   narrower.weight = count.weight;
   return narrower;
+}
+
+double measure_spacing(const ProbeCounts& counts, int bin) {
+  constexpr std::int64_t enough_points = 2 * gathered_keys;
+  CoordinateKey lowest = counts.bins[bin].lowest, highest = counts.bins[bin].highest;
+  std::int64_t points = counts.bins[bin].points;
+  for (int distance = 1; distance < bin_count; ++distance) {
+    if (points >= enough_points && lowest.coordinate < highest.coordinate) break;
+    for (const int neighbour : {bin - distance, bin + distance}) {
+      if (neighbour < 0 || neighbour >= bin_count) continue;
+      lowest = std::min(lowest, counts.bins[neighbour].lowest);
+      highest = std::max(highest, counts.bins[neighbour].highest);
+      points += counts.bins[neighbour].points;
+    }
+  }
+  return (restore_coordinate(highest.coordinate) - restore_coordinate(lowest.coordinate)) / static_cast<double>(points);
 }
 
 // Every weight is at least 1: nothing but the lowest point can meet a target of 0, and where all weights are 1 nothing

@@ -24,9 +24,9 @@ struct KeySample {
   double weight = 0;  // 0: no sample
 };
 
-/// The previous cut itself and, on both sides, its coordinate +- q 4^j: the cut's travel may be anything from a few
-/// points to a large part of the domain. q spans so many points that a cut that stays within 4 q leaves few enough to
-/// be gathered.
+/// The previous cut itself and, on both sides, its coordinate +- q r^j. q spans so many points that a cut that stays
+/// within 4 q leaves few enough to be gathered; r is 4, or more where the probes would else not reach beyond four times
+/// the cut's recent travel.
 Probes probe_around(const Cut& previous);
 
 /// Evenly between the lowest and the highest coordinate; between their ids if all coordinates are equal.
@@ -38,6 +38,10 @@ Probes probe_quantiles(std::vector<KeySample> samples, const Bracket& bracket);
 
 /// The bin with the target, with its target, out of the bracket that was counted.
 Bracket narrow(const Bracket& bracket, const ProbeCounts& counts, int& bin);
+
+/// The mean distance of points in a bin and, as far as it takes to see a few hundred that do not all coincide, in its
+/// neighbours; 0 if all counted points coincide.
+double measure_spacing(const ProbeCounts& counts, int bin);
 
 /// Reduces a bracket to the cut alone, if the cut is known without another look because it must be the bracket's lowest
 /// or highest point. Returns whether it is.
