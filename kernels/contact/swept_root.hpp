@@ -53,9 +53,17 @@ KOKKOS_INLINE_FUNCTION int split_monotone(const Cubic& f, double part[4]) {
   return n;
 }
 
+/// Whether the cubic keeps one sign on [0, 1] for certain: all its Bernstein coefficients do.
+KOKKOS_INLINE_FUNCTION bool keeps_sign(const Cubic& f) {
+  const double b0 = f.c[0], b1 = b0 + f.c[1] / 3, b2 = b0 + (2 * f.c[1] + f.c[2]) / 3;
+  const double b3 = f.c[0] + f.c[1] + f.c[2] + f.c[3];
+  return (b0 > 0 && b1 > 0 && b2 > 0 && b3 > 0) || (b0 < 0 && b1 < 0 && b2 < 0 && b3 < 0);
+}
+
 /// The tau in (0, 1] at which f falls below 0 after having been at least 0, at most two of them (a cubic has no
 /// more), ascending; returns how many.
 KOKKOS_INLINE_FUNCTION int find_falling_roots(const Cubic& f, double root[2]) {
+  if (keeps_sign(f)) return 0;
   double part[4] = {0, 0, 0, 0};
   const int parts = split_monotone(f, part);
   int n = 0;

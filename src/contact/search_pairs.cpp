@@ -7,7 +7,7 @@ namespace percuss {
 namespace {
 
 /// Margin of capture boxes in mean face edges: searches less often against more pairs to check.
-constexpr double margin_edges = 0.25;
+constexpr double margin_edges = 0.5;
 
 /// Travel of any node that uses up the margin: node and face may each move by it, and the reach of the check grows with
 /// the edges of a face, 2 sqrt(3) * contact_limits::capture < 1 times as much.
