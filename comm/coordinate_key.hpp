@@ -16,7 +16,7 @@ namespace percuss {
 /// both infinities.
 KOKKOS_INLINE_FUNCTION std::uint64_t order_coordinate(double coordinate) {
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
-  const double one_zero = coordinate == 0 ? 0 : coordinate;
+  const double one_zero = coordinate + 0.0;  // -0.0 + 0.0 is 0.0
   std::uint64_t bits = 0;
   memcpy(&bits, &one_zero, sizeof(bits));
   return (bits & sign) != 0 ? ~bits : bits | sign;

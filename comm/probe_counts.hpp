@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// Probes of a round; a power of two less one, for a search without a remainder.
+/// Probes of a round.
 inline constexpr int probe_count = 15;
 inline constexpr int bin_count = probe_count + 1;
 
@@ -27,11 +27,19 @@ struct BinCount {
   std::int64_t weight = 0;
   CoordinateKey lowest = last_key, highest = first_key;
 
-  KOKKOS_INLINE_FUNCTION void add(const CoordinateKey& key, int key_weight) {
+  /// Adds point i of a source; its id is only looked at where it decides.
+  template <class Source>
+  KOKKOS_INLINE_FUNCTION void add(const Source& source, int i, std::uint64_t coordinate) {
     ++points;
-    weight += key_weight;
-    if (key < lowest) lowest = key;
-    if (highest < key) highest = key;
+    weight += source.weight(i);
+    if (coordinate <= lowest.coordinate) {
+      const CoordinateKey key{coordinate, source.id(i)};
+      if (key < lowest) lowest = key;
+    }
+    if (coordinate >= highest.coordinate) {
+      const CoordinateKey key{coordinate, source.id(i)};
+      if (highest < key) highest = key;
+    }
   }
   KOKKOS_INLINE_FUNCTION void merge(const BinCount& other) {
     points += other.points;
@@ -69,13 +77,6 @@ struct Survey {
     if (other.lowest_weight < lowest_weight) lowest_weight = other.lowest_weight;
   }
 };
-
-/// Bin of a key: the number of probes that are not after it.
-KOKKOS_INLINE_FUNCTION int find_bin(const Probes& probes, const CoordinateKey& key) {
-  int bin = 0;
-  for (int step = bin_count / 2; step > 0; step /= 2) bin += key < probes.keys[bin + step - 1] ? 0 : step;
-  return bin;
-}
 
 /// Counts on this rank; holds the memory that it needs, from one search to the next.
 class PointCounter {

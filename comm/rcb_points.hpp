@@ -18,9 +18,9 @@ struct RcbPoints {
 struct AxisPoints {
   RcbPoints points;
   int axis = 0;
-  KOKKOS_INLINE_FUNCTION CoordinateKey key(int i) const {
-    return {order_coordinate(points.positions(i, axis)), points.ids(i)};
-  }
+  KOKKOS_INLINE_FUNCTION std::uint64_t coordinate(int i) const { return order_coordinate(points.positions(i, axis)); }
+  KOKKOS_INLINE_FUNCTION std::int64_t id(int i) const { return points.ids(i); }
+  KOKKOS_INLINE_FUNCTION CoordinateKey key(int i) const { return {coordinate(i), id(i)}; }
   KOKKOS_INLINE_FUNCTION int weight(int i) const { return points.weights.extent(0) == 0 ? 1 : points.weights(i); }
 };
 
@@ -28,6 +28,8 @@ struct AxisPoints {
 struct CandidateKeys {
   Array<CoordinateKey> keys;
   Array<int> weights;
+  KOKKOS_INLINE_FUNCTION std::uint64_t coordinate(int i) const { return keys(i).coordinate; }
+  KOKKOS_INLINE_FUNCTION std::int64_t id(int i) const { return keys(i).id; }
   KOKKOS_INLINE_FUNCTION CoordinateKey key(int i) const { return keys(i); }
   KOKKOS_INLINE_FUNCTION int weight(int i) const { return weights(i); }
 };

@@ -26,18 +26,6 @@ Bracket bracket_of(CoordinateKey lowest, CoordinateKey highest, std::int64_t poi
 
 }  // namespace
 
-TEST(Probes, BinOfAKeyIsTheNumberOfProbesNotAfterIt) {
-  Probes probes;
-  for (int k = 0; k < probe_count; ++k) probes.keys[k] = key_at(k, 5);
-  for (int k = 0; k < probe_count; ++k) {
-    EXPECT_EQ(find_bin(probes, key_at(k, 4)), k);
-    EXPECT_EQ(find_bin(probes, key_at(k, 5)), k + 1);
-    EXPECT_EQ(find_bin(probes, key_at(k + 0.5)), k + 1);
-  }
-}
-
-TEST(Probes, UnusedOnesHoldNoPoints) { EXPECT_EQ(find_bin(Probes{}, key_at(1e308, 1'000'000)), 0); }
-
 TEST(Probes, AroundACutHoldTheCutItselfAndReachFarOnBothSides) {
   Cut cut;
   cut.key = key_at(10, 77);
@@ -50,6 +38,17 @@ TEST(Probes, AroundACutHoldTheCutItselfAndReachFarOnBothSides) {
   const double farthest = restore_coordinate(probes.keys[probe_count - 1].coordinate) - 10;
   EXPECT_LT(nearest / cut.spacing, 256 / 3.0);  // a cut that moved by less than 4 nearest leaves at most 256 points
   EXPECT_NEAR(farthest / nearest, 4096, 1e-6);  // 4^6; the probes are rounded to doubles near 10
+}
+
+TEST(Probes, AroundACutThatTravelsReachBeyondItsNextPlace) {
+  Cut cut;
+  cut.key = key_at(10, 77);
+  cut.axis = 0;
+  cut.spacing = 1e-12;
+  cut.travel = 0.5;
+  const Probes probes = probe_around(cut);
+  EXPECT_NEAR(restore_coordinate(probes.keys[probe_count - 1].coordinate) - 10, 4 * 0.5, 1e-6);
+  EXPECT_NEAR(10 - restore_coordinate(probes.keys[0].coordinate), 4 * 0.5, 1e-6);
 }
 
 TEST(Probes, AroundACutWithoutSpacingAreStillDifferentKeys) {
@@ -86,6 +85,26 @@ TEST(Probes, QuantilesFollowTheWeightsOfTheSamples) {
                                        [](const CoordinateKey& key) { return key < key_at(1.0); });
   EXPECT_EQ(below_one, 13);
   EXPECT_TRUE(probes.keys[probe_count - 1] == key_at(1000, 9));
+}
+
+TEST(Spacing, IsTheMeanDistanceWhereEnoughPointsAreNotCoincident) {
+  // Bins of 1000 points over a length of 1 each; in bin 5 all points coincide.
+  ProbeCounts counts;
+  for (int k = 0; k < bin_count; ++k) {
+    counts.bins[k].points = 1000;
+    counts.bins[k].lowest = key_at(k);
+    counts.bins[k].highest = key_at(k == 5 ? k : k + 1, 1);
+  }
+  EXPECT_DOUBLE_EQ(measure_spacing(counts, 3), 1e-3);
+  EXPECT_DOUBLE_EQ(measure_spacing(counts, 5), 3.0 / 3000);  // with both neighbours
+}
+
+TEST(Spacing, IsZeroIfAllPointsCoincide) {
+  ProbeCounts counts;
+  counts.bins[4].points = 10'000;
+  counts.bins[4].lowest = key_at(2, 0);
+  counts.bins[4].highest = key_at(2, 9'999);
+  EXPECT_EQ(measure_spacing(counts, 4), 0);
 }
 
 TEST(Bracket, NarrowsToTheBinThatHoldsTheTarget) {
