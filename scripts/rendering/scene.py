@@ -1,6 +1,7 @@
 """One picture: the surface of a frame, lit and shaded, with colour bar, title and time."""
 
 import os
+import textwrap
 
 import numpy as np
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (draws the text)
@@ -125,17 +126,18 @@ class Scene:
     def add_color_bar(self, lut, title):
         bar = vtkScalarBarActor()
         bar.SetLookupTable(lut)
-        bar.SetTitle(title)
+        bar.SetTitle("")
         bar.SetNumberOfLabels(5)
         bar.SetLabelFormat(" %.4g")
         bar.UnconstrainedFontSizeOn()
-        bar.SetVerticalTitleSeparation(round(0.014 * self.height * self.scale))
         bar.SetBarRatio(0.22)
-        for text, points in ((bar.GetTitleTextProperty(), 0.026), (bar.GetLabelTextProperty(), 0.023)):
-            self._set_font(text, points)
+        self._set_font(bar.GetLabelTextProperty(), 0.023)
         bar.SetPosition(0.885, 0.27)
         bar.SetPosition2(0.1, 0.5)
         self.renderer.AddActor2D(bar)
+        # VTK would centre the title over the bar, where a long one runs out of the picture.
+        lines = [part for line in title.split("\n") for part in textwrap.wrap(line, 18)]
+        self.add_text("\n".join(lines), 0.975, 0.79, 0.026, right=True)
 
     def add_text(self, text, x, y, points, right=False, color=INK, bold=False):
         actor = vtkTextActor()
