@@ -67,7 +67,7 @@ KOKKOS_INLINE_FUNCTION Point3 spread_impulse(const ContactRow& row, int slot, co
 /// transpose of spread_impulse(). velocity(slot): velocity of node `slot`.
 template <class Velocity>
 KOKKOS_INLINE_FUNCTION Point3 find_work_velocity(const ContactRow& row, const Velocity& velocity) {
-  Point3 relative = velocity(0), spin;
+  Point3 relative = velocity(0), spin{};
   if (row.face < 0) return relative;
   for (int i = 0; i < 4; ++i) {
     const Point3 v = velocity(i + 1);

@@ -83,13 +83,18 @@ struct NodeTouches {
   Touch touch[contact_limits::max_touches];
 };
 
-KOKKOS_INLINE_FUNCTION bool is_compatible(const ContactSurface& surface, const SurfaceMotion& motion,
-                                          const FaceState& faces, const NodeTouches& accepted, const Touch& touch) {
-  for (int i = 0; i < accepted.count; ++i) {
-    if (dot(accepted.touch[i].normal, touch.normal) > contact_limits::independent) return false;
-    if (are_convex(surface, motion, faces, accepted.touch[i].face, touch.face)) return false;
+/// Takes found touch `best` into the accepted ones: itself and all that push the same way, of which one is enough, are
+/// then decided, and so are the faces that bulge away from any of these: the node passes them by. On a seam between
+/// level bodies it is thus not caught by the side of the next one.
+KOKKOS_INLINE_FUNCTION void decide_around(const ContactSurface& surface, const SurfaceMotion& motion,
+                                          const FaceState& faces, const TouchList& found, int best, bool* decided) {
+  for (int i = 0; i < found.count; ++i) {
+    if (decided[i] || dot(found.touch[i].normal, found.touch[best].normal) <= contact_limits::independent) continue;
+    decided[i] = true;
+    for (int j = 0; j < found.count; ++j)
+      if (!decided[j] && are_convex(surface, motion, faces, found.touch[i].face, found.touch[j].face))
+        decided[j] = true;
   }
-  return true;
 }
 
 /// A node that slips in just below an edge goes through a face that looks past it. It is lifted over the edge by the
@@ -137,13 +142,15 @@ KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, con
     Touch touch;
     if (check_pair(surface, motion, faces, history, checked, candidates(c), touch)) found.insert(touch);
   }
+  bool decided[TouchList::capacity];
+  for (int i = 0; i < found.count; ++i) decided[i] = is_ruled_out(surface, motion, faces, found, i);
   NodeTouches accepted;
   for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
+    if (decided[i]) continue;
     Touch touch = found.touch[i];
-    if (is_ruled_out(surface, motion, faces, found, i)) continue;
-    if (!is_compatible(surface, motion, faces, accepted, touch)) continue;
     claim_record(accepted, touch);
     accepted.touch[accepted.count++] = touch;
+    decide_around(surface, motion, faces, found, i, decided);
   }
   sort_by_face(accepted);
   return accepted;

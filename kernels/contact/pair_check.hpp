@@ -105,7 +105,8 @@ KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const 
   if (touch.gap_end > contact_limits::row_gap * h) return false;
   const FacePoint before = find_closest_point(start);
   touch.gap_start = measure_gap(start, before.triangle, before.weight, touch);
-  touch.tau = find_contact_time(touch);
+  // Sliding in along the plane of the face is later than going through another one.
+  touch.tau = before.off > contact_limits::new_band * h ? 1 : find_contact_time(touch);
   if (touch.gap_start < -(known ? contact_limits::history_depth : contact_limits::new_depth) * h) return false;
   touch.beside = !known && touch.gap_start < -contact_limits::new_band * h && before.off > contact_limits::overlap * h;
   return true;

@@ -1,0 +1,87 @@
+#include "kernels/contact/face_geometry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace percuss {
+namespace {
+
+constexpr double tight = 1e-14;
+
+FacePoints shift(const FacePoints& face, const Point3& point) {
+  FacePoints shifted = face;
+  for (Point3& corner : shifted.corner) corner = corner - point;
+  return shifted;
+}
+
+const FacePoints unit_square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+
+TEST(FaceGeometry, ClosestPointAboveTheInsideIsTheFootOfThePerpendicular) {
+  const FacePoint p = find_closest_point(shift(unit_square, {0.3, 0.6, 2}));
+  EXPECT_NEAR(p.distance, 2, tight);
+  EXPECT_EQ(p.off, 0);
+  const Point3 place = interpolate(unit_square, p.weight);
+  EXPECT_NEAR(place.x, 0.3, tight);
+  EXPECT_NEAR(place.y, 0.6, tight);
+}
+
+TEST(FaceGeometry, ClosestPointBesideAnEdgeIsOnTheEdgeAndSaysHowFarBeside) {
+  const FacePoint p = find_closest_point(shift(unit_square, {0.5, -3, 4}));
+  EXPECT_NEAR(p.distance, 5, tight);
+  EXPECT_NEAR(p.off, 3, tight);
+  EXPECT_NEAR(p.weight[0], 0.5, tight);
+  EXPECT_NEAR(p.weight[1], 0.5, tight);
+}
+
+TEST(FaceGeometry, ClosestPointBeyondACornerIsTheCorner) {
+  const FacePoint p = find_closest_point(shift(unit_square, {4, 5, 0}));
+  EXPECT_NEAR(p.distance, 5, tight);
+  EXPECT_NEAR(p.off, 5, tight);
+  EXPECT_EQ(p.weight[2], 1);
+}
+
+TEST(FaceGeometry, PointsOverAnEdgeOrCornerOfTheFaceAreNotBesideIt) {
+  for (const Point3 point : {Point3{0.5, 0, 1}, Point3{1, 1, -2}, Point3{0, 0.25, 0.5}})
+    EXPECT_LT(find_closest_point(shift(unit_square, point)).off, tight);
+}
+
+TEST(FaceGeometry, WeightsSumToOneAndNoPointOfTheFaceIsCloser) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-2, 3), warp(-0.3, 0.3), fraction(0, 1);
+  for (int i = 0; i < 200; ++i) {
+    FacePoints face = unit_square;
+    for (Point3& corner : face.corner) corner = corner + Point3{warp(random), warp(random), warp(random)};
+    const FacePoints local = shift(face, {uniform(random), uniform(random), uniform(random)});
+    const FacePoint p = find_closest_point(local);
+    EXPECT_NEAR(p.weight[0] + p.weight[1] + p.weight[2] + p.weight[3], 1, tight);
+    EXPECT_NEAR(norm(interpolate(local, p.weight)), p.distance, 1e-13);
+    for (int j = 0; j < 50; ++j) {
+      double weight[4];
+      const double a = fraction(random), b = fraction(random) * (1 - a);
+      set_fan_weights(j % 4, {1 - a - b, a, b}, weight);
+      EXPECT_GE(norm(interpolate(local, weight)), p.distance - 1e-13);
+    }
+  }
+}
+
+TEST(FaceGeometry, NormalOfTheFanIsThatOfItsArea) {
+  const FacePoints warped{{{0, 0, 0.2}, {1, 0, -0.2}, {1, 1, 0.2}, {0, 1, -0.2}}};
+  Point3 area{};
+  for (int k = 0; k < 4; ++k) {
+    const Point3 m = find_middle(warped);
+    area = area + cross(warped.corner[k] - m, warped.corner[(k + 1) % 4] - m);
+  }
+  const Point3 expected = normalize(area), normal = find_face_normal(warped);
+  EXPECT_NEAR(norm(normal - expected), 0, tight);
+}
+
+TEST(FaceGeometry, ADegenerateFaceGivesNumbers) {
+  const FacePoints line{{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 0, 0}}};
+  const FacePoint p = find_closest_point(shift(line, {0.25, 1, 0}));
+  EXPECT_NEAR(p.weight[0] + p.weight[1] + p.weight[2] + p.weight[3], 1, tight);
+  EXPECT_TRUE(std::isfinite(p.distance) && std::isfinite(p.off));
+}
+
+}  // namespace
+}  // namespace percuss

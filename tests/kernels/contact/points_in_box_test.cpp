@@ -1,0 +1,126 @@
+#include "kernels/contact/points_in_box.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+#include "tests/kernels/contact/brick_scene.hpp"
+
+namespace percuss::testing {
+namespace {
+
+using Pairs = std::vector<std::pair<int, int>>;
+
+Boxes bound_all(const BrickScene& scene, double reach) {
+  const ContactSurface s = scene.surface();
+  Boxes boxes("test::boxes", static_cast<std::size_t>(s.num_faces));
+  const Rows3<double> x = to_rows(scene.x);
+  for (int f = 0; f < s.num_faces; ++f) bound_face(s, {x, x, 0}, f, reach, boxes);
+  return boxes;
+}
+
+/// Every node against every face.
+Pairs find_by_brute_force(const BrickScene& scene, const Boxes& boxes) {
+  const ContactSurface s = scene.surface();
+  Pairs pairs;
+  for (int n = 0; n < s.num_nodes; ++n)
+    for (int f = 0; f < s.num_faces; ++f) {
+      const Point3 p = scene.x[static_cast<std::size_t>(n)];
+      const bool inside = p.x >= boxes(f, 0) && p.y >= boxes(f, 1) && p.z >= boxes(f, 2) && p.x <= boxes(f, 3) &&
+                          p.y <= boxes(f, 4) && p.z <= boxes(f, 5);
+      if (inside && n / 8 != f / 6) pairs.emplace_back(n, f);
+    }
+  return pairs;
+}
+
+template <class Space>
+Pairs find_pairs(const BrickScene& scene, const Boxes& boxes) {
+  SearchScratch scratch;
+  CandidateList list;
+  const Rows3<double> x = to_rows(scene.x);
+  find_points_in_boxes(Space(), scene.surface(), x, boxes, 10'000'000, scratch, list);
+  Pairs pairs;
+  for (int n = 0; n < scene.num_nodes(); ++n)
+    for (int c = list.offset(n); c < list.offset(n + 1); ++c) pairs.emplace_back(n, list.face(c));
+  EXPECT_EQ(static_cast<int>(pairs.size()), list.num_pairs);
+  return pairs;
+}
+
+void expect_same_as_brute_force(const BrickScene& scene, double reach) {
+  const Boxes boxes = bound_all(scene, reach);
+  const Pairs expected = find_by_brute_force(scene, boxes);
+  EXPECT_EQ(find_pairs<SmallSpace>(scene, boxes), expected);  // and so sorted by (node, face)
+  EXPECT_EQ(find_pairs<ExecSpace>(scene, boxes), expected);
+}
+
+TEST(PointsInBox, FindsTheRandomPairsOfBruteForce) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> place(-5, 5), size(0.1, 1);
+  BrickScene scene;
+  for (int i = 0; i < 150; ++i)
+    scene.add_brick({place(random), place(random), place(random)}, {size(random), size(random), size(random)});
+  expect_same_as_brute_force(scene, 0.2);
+}
+
+TEST(PointsInBox, FindsCoincidentNodesOfStackedBricks) {
+  BrickScene scene;
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j)
+      for (int k = 0; k < 5; ++k)
+        scene.add_brick({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)}, {1, 1, 1});
+  expect_same_as_brute_force(scene, 0);  // boxes without volume: the ends belong to them
+  expect_same_as_brute_force(scene, 0.25);
+}
+
+TEST(PointsInBox, FindsPairsWhenAllNodesLieInOnePlane) {
+  BrickScene scene;
+  for (int i = 0; i < 60; ++i) scene.add_brick({0.37 * i, 0.11 * (i % 7), 0}, {1, 1, 0});
+  expect_same_as_brute_force(scene, 0.1);
+}
+
+TEST(PointsInBox, FindsPairsOfVeryDifferentSizesFarFromTheOrigin) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> place(0, 1);
+  BrickScene scene;
+  for (int i = 0; i < 100; ++i) {
+    const double size = i % 10 == 0 ? 1.0 : 0.01;
+    scene.add_brick({1e6 + place(random), -1e6 + place(random), place(random)}, {size, size, size});
+  }
+  expect_same_as_brute_force(scene, 0.01);
+}
+
+TEST(PointsInBox, ReportsTooManyPairsInsteadOfListingThem) {
+  BrickScene scene;
+  for (int i = 0; i < 20; ++i) scene.add_brick({}, {1, 1, 1});
+  SearchScratch scratch;
+  CandidateList list;
+  const Rows3<double> x = to_rows(scene.x);
+  EXPECT_GT(find_points_in_boxes(SmallSpace(), scene.surface(), x, bound_all(scene, 1), 100, scratch, list), 100);
+  EXPECT_EQ(list.num_pairs, 0);
+}
+
+TEST(PointOrder, RanksByCoordinateThenByPlaceInTheList) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> few(-8, 8);
+  std::vector<Point3> x;
+  for (int i = 0; i < 9000; ++i) x.push_back({i % 5 == 0 ? -0.0 : 0.25 * few(random), 1e300 * few(random), 1e-300});
+  std::vector<int> points(x.size());
+  std::iota(points.begin(), points.end(), 0);
+  const Rows3<double> rows = to_rows(x);
+  const Array<int> list = to_array(points), order("test::order", x.size()), rank("test::rank", x.size());
+  SortScratch scratch;
+  for (int axis = 0; axis < 3; ++axis) {
+    rank_points(ExecSpace(), rows, list, static_cast<int>(x.size()), axis, scratch, order, rank);
+    std::vector<int> expected = points;
+    std::stable_sort(expected.begin(), expected.end(), [&](int a, int b) { return rows(a, axis) < rows(b, axis); });
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      ASSERT_EQ(order(i), expected[i]);
+      ASSERT_EQ(rank(expected[i]), static_cast<int>(i));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace percuss::testing
