@@ -1,0 +1,66 @@
+#include "kernels/contact/index_lists.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "kernels/contact/row_sums.hpp"
+#include "tests/kernels/contact/brick_scene.hpp"
+
+namespace percuss::testing {
+namespace {
+
+TEST(IndexLists, GroupsAreSortedWithinEachKeyShortAndLong) {
+  std::mt19937 random(2);
+  std::uniform_int_distribution<int> pick(0, 9);
+  std::vector<int> key, value;
+  for (int i = 0; i < 3000; ++i) {
+    key.push_back(i % 2 == 0 ? 4 : pick(random));  // one key with more than half of all
+    value.push_back((i * 1237) % 3000);
+  }
+  Array<int> count("test::count", 12), offset("test::offset", 13), grouped("test::grouped", 3000);
+  group_by_key(ExecSpace(), 3000, to_array(key), to_array(value), 12, count, offset, grouped);
+  for (int k = 0; k < 12; ++k) {
+    std::vector<int> expected;
+    for (std::size_t i = 0; i < key.size(); ++i)
+      if (key[i] == k) expected.push_back(value[i]);
+    std::sort(expected.begin(), expected.end());
+    ASSERT_EQ(offset(k + 1) - offset(k), static_cast<int>(expected.size()));
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      ASSERT_EQ(grouped(static_cast<std::size_t>(offset(k)) + i), expected[i]);
+  }
+}
+
+TEST(IndexLists, ListsTheWantedInAscendingOrder) {
+  Array<int> list("test::list", 1000);
+  const int found = list_where(
+      ExecSpace(), 1000, [] KOKKOS_FUNCTION(int i) { return i % 7 == 3; }, list);
+  ASSERT_EQ(found, 143);
+  for (int i = 0; i < found; ++i) ASSERT_EQ(list(i), 7 * i + 3);
+}
+
+struct OneSum {
+  double total = 0;
+  KOKKOS_INLINE_FUNCTION void add(const OneSum& other) { total += other.total; }
+};
+
+TEST(RowSums, HaveTheSameBitsInBothSpaces) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> value(-1, 1);
+  std::vector<double> values;
+  for (int i = 0; i < 10007; ++i) values.push_back(value(random) * std::pow(10.0, i % 17));
+  const Array<double> view = to_array(values);
+  const auto body = [view] KOKKOS_FUNCTION(int i, OneSum& s) { s.total += view(i); };
+  SumScratch scratch("test::sums", 0);
+  const double small = sum_rows<OneSum>(SmallSpace(), 10007, scratch, body).total;
+  const double threads = sum_rows<OneSum>(ExecSpace(), 10007, scratch, body).total;
+  EXPECT_EQ(small, threads);
+  double plain = 0;
+  for (const double v : values) plain += v;
+  EXPECT_NEAR(small, plain, 1e-15 * 1e16 * 100);  // another order of the same sum
+}
+
+}  // namespace
+}  // namespace percuss::testing
