@@ -13,7 +13,7 @@
 namespace percuss {
 
 /// The bits of a coordinate as an integer that orders like the coordinate. -0.0 counts as 0.0; NaN comes out beyond
-/// both infinities.
+/// one of the infinities.
 KOKKOS_INLINE_FUNCTION std::uint64_t order_coordinate(double coordinate) {
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
   const double one_zero = coordinate + 0.0;  // -0.0 + 0.0 is 0.0

@@ -39,7 +39,8 @@ KOKKOS_INLINE_FUNCTION int find_owner(const CutTree& tree, const Position& posit
   while (last - first > 1) {
     const int middle = find_middle_rank(first, last);
     const Cut& cut = tree.cuts(middle);
-    const bool is_lower = CoordinateKey{order_coordinate(position[cut.axis]), id} < cut.key;
+    const auto axis = static_cast<unsigned>(cut.axis);
+    const bool is_lower = CoordinateKey{order_coordinate(position[axis]), id} < cut.key;
     (is_lower ? last : first) = middle;
   }
   return first;
@@ -57,7 +58,8 @@ KOKKOS_INLINE_FUNCTION void visit_reached_ranks(const CutTree& tree, const Posit
     while (reached && last - first > 1) {
       const int middle = find_middle_rank(first, last);
       const Cut& cut = tree.cuts(middle);
-      const bool lower = low[cut.axis] <= cut.lower_end, upper = high[cut.axis] >= cut.upper_begin;
+      const auto axis = static_cast<unsigned>(cut.axis);
+      const bool lower = low[axis] <= cut.lower_end, upper = high[axis] >= cut.upper_begin;
       if (lower && upper) {
         waiting_first[waiting] = middle;
         waiting_last[waiting++] = last;
