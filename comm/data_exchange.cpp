@@ -57,23 +57,35 @@ void DataExchange::begin_send(const PeerRun& run, const std::byte* buffer, std::
   });
 }
 
-// Receives first, so that messages find their place; what stays on this rank is copied without MPI.
+namespace {
+
+/// What stays on this rank is copied without MPI.
+void copy_own(const PeerRun& from, const PeerRun& to, const std::byte* send, std::byte* receive,
+              std::size_t item_bytes) {
+  std::memcpy(receive + static_cast<std::size_t>(to.first) * item_bytes,
+              send + static_cast<std::size_t>(from.first) * item_bytes,
+              static_cast<std::size_t>(from.count) * item_bytes);
+}
+
+}  // namespace
+
+// Receives first, so that messages find their place.
 void DataExchange::begin_bytes(const ExchangePlan& plan, const std::byte* send, std::byte* receive,
                                std::size_t item_bytes) {
-  const int me = ranks_->rank();
-  const PeerRun* own = nullptr;
+  PeerRun own;
   for (const PeerRun& run : plan.from) {
-    if (run.rank == me) own = &run;
-    if (run.rank != me) begin_receive(run, receive, item_bytes);
+    if (run.rank == ranks_->rank()) {
+      own = run;
+    } else {
+      begin_receive(run, receive, item_bytes);
+    }
   }
   for (const PeerRun& run : plan.to) {
-    if (run.rank != me) begin_send(run, send, item_bytes);
-  }
-  for (const PeerRun& run : plan.to) {
-    if (run.rank != me) continue;
-    std::memcpy(receive + static_cast<std::size_t>(own->first) * item_bytes,
-                send + static_cast<std::size_t>(run.first) * item_bytes,
-                static_cast<std::size_t>(run.count) * item_bytes);
+    if (run.rank == ranks_->rank()) {
+      copy_own(run, own, send, receive, item_bytes);
+    } else {
+      begin_send(run, send, item_bytes);
+    }
   }
 }
 

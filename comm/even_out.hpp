@@ -12,11 +12,11 @@ namespace percuss {
 inline constexpr double even_enough = 1.02;
 
 /// Gives each empty part the vertex of the heaviest part of several vertices that adds least to the cut.
-/// parts: [vertices] in and out; at least as many vertices as parts.
-void fill_empty_parts(const Graph& graph, int part_count, std::vector<int>& parts);
+/// assignment: [vertices] part of each, in and out; at least as many vertices as parts.
+void fill_empty_parts(const Graph& graph, int part_count, std::vector<int>& assignment);
 
 /// Moves vertices out of the heaviest part while that makes it lighter, cheapest for the cut first, until the parts are
-/// even enough or no single move helps. parts: [vertices] in and out.
-void even_out(const Graph& graph, int part_count, std::vector<int>& parts);
+/// even enough or no single move helps. assignment: [vertices] in and out.
+void even_out(const Graph& graph, int part_count, std::vector<int>& assignment);
 
 }  // namespace percuss

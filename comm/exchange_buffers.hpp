@@ -22,7 +22,7 @@ inline std::span<RowItem> as_items(const Rows3<double>::HostMirror& rows) {
 /// A view with the values of a host vector.
 template <class T>
 Array<T> copy_to_view(const std::string& label, const std::vector<T>& values) {
-  const Array<T> view(Kokkos::view_alloc(label, Kokkos::WithoutInitializing), values.size());
+  Array<T> view(Kokkos::view_alloc(label, Kokkos::WithoutInitializing), values.size());
   const auto host = Kokkos::create_mirror_view(view);
   for (std::size_t i = 0; i < values.size(); ++i) host(i) = values[i];
   Kokkos::deep_copy(view, host);

@@ -133,8 +133,8 @@ void TravellingPoints::list_leaving(const ExecSpace& space, const Cut& cut, bool
 }
 
 TravellingPoints::Records TravellingPoints::pack_leaving(const ExecSpace& space) const {
-  const Records records(Kokkos::view_alloc("percuss::rcb_sent", Kokkos::WithoutInitializing),
-                        static_cast<std::size_t>(leaving_count_));
+  Records records(Kokkos::view_alloc("percuss::rcb_sent", Kokkos::WithoutInitializing),
+                  static_cast<std::size_t>(leaving_count_));
   const AxisPoints source{points_, 0};
   const auto leaving = leaving_;
   Kokkos::parallel_for(

@@ -147,7 +147,7 @@ CandidateKeys PointCounter::take(const ExecSpace& space, const Source& source, i
   turn_ = 1 - turn_;
   make_room(candidates.keys, "percuss::rcb_candidates", count_of(bin));
   make_room(candidates.weights, "percuss::rcb_candidate_weights", count_of(bin));
-  const CandidateKeys taken = candidates;
+  CandidateKeys taken = candidates;
   const auto bins = bins_;
   Kokkos::parallel_scan(
       "percuss::rcb_take", Range(space, 0, n), KOKKOS_LAMBDA(const int i, int& place, const bool is_final) {
