@@ -26,7 +26,7 @@ using RangeOf = Kokkos::RangePolicy<Space, Kokkos::IndexType<int>>;
 /// Calls work(space) with the space that suits `items` items of about the cost of a contact pair.
 template <class Work>
 void run_where_it_pays(int items, Work&& work) {
-  constexpr int worth_threads = 400;  // items: some tens of microseconds, against a few to wake the threads
+  constexpr int worth_threads = 1000;  // items: a hundred microseconds or more, against some to wake the threads
   if (items < worth_threads)
     work(SmallSpace());
   else

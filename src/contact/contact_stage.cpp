@@ -72,7 +72,7 @@ bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   if (bound.covers(surface, motion)) return false;
   const double margin = bound.restart(surface, motion);
   search_pairs(surface, motion, margin, history.face, memory);
-  run_where_it_pays(surface.num_nodes,
+  run_where_it_pays(surface.num_nodes / 10,
                     [&](const auto& space) { drop_history(space, surface, memory.candidates, history); });
   ++searches;
   return true;
@@ -119,7 +119,7 @@ void ContactStage::Impl::clear_last_impulse(const ContactMotion& motion) {
   if (last_impulse != motion.impulse.data()) {
     Kokkos::deep_copy(ExecSpace(), motion.impulse, 0.0);
   } else if (system.num_nodes > 0) {
-    run_where_it_pays(system.num_nodes, [&](const auto& space) { clear_impulses(space, system, motion.impulse); });
+    run_where_it_pays(system.num_nodes / 10, [&](const auto& space) { clear_impulses(space, system, motion.impulse); });
   }
   last_impulse = motion.impulse.data();
 }

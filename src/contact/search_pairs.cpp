@@ -24,7 +24,8 @@ SearchMemory::SearchMemory(const ContactSurface& surface)
 void search_pairs(const ContactSurface& surface, const SurfaceMotion& motion, double margin,
                   const Array<const int>& history_face, SearchMemory& memory) {
   const auto searched = static_cast<int>(surface.searched_faces.extent(0));
-  run_where_it_pays(searched, [&](const auto& space) {
+  // A search is some eighty launches, most of them of the sorts.
+  run_where_it_pays(searched / 2, [&](const auto& space) {
     bound_faces(space, surface, motion, margin, memory.boxes);
     const std::int64_t limit = find_pair_limit(surface);
     const std::int64_t pairs =
@@ -44,13 +45,13 @@ ReuseBound::ReuseBound(const ContactSurface& surface, bool enabled)
 bool ReuseBound::covers(const ContactSurface& surface, const SurfaceMotion& motion) const {
   if (!enabled_ || !valid_) return false;
   double travel = 0;
-  run_where_it_pays(surface.num_nodes,
+  run_where_it_pays(surface.num_nodes / 10,
                     [&](const auto& space) { travel = find_largest_travel(space, surface, motion, origin_); });
   return travels_in_margin * travel <= margin_;
 }
 
 double ReuseBound::restart(const ContactSurface& surface, const SurfaceMotion& motion) {
-  run_where_it_pays(surface.num_nodes, [&](const auto& space) {
+  run_where_it_pays(surface.num_nodes / 10, [&](const auto& space) {
     const double move = find_largest_move(space, surface, motion);
     // Without reuse the boxes only need what a node moves in this step.
     margin_ = move + (enabled_ ? margin_edges * find_mean_edge(space, surface, motion.x) : 0);

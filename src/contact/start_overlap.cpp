@@ -20,7 +20,7 @@ PenetrationTable look_everywhere(const ContactSurface& surface, const SurfaceMot
   const Array<int> no_history("contact::no_history", static_cast<std::size_t>(3 * surface.num_nodes));
   Kokkos::deep_copy(no_history, -1);
   double margin = 0;
-  run_where_it_pays(surface.num_nodes,
+  run_where_it_pays(surface.num_nodes / 10,
                     [&](const auto& space) { margin = audit_margin * find_mean_edge(space, surface, motion.x); });
   search_pairs(surface, motion, margin, no_history, memory);
   run_where_it_pays(memory.candidates.num_pairs, [&](const auto& space) {

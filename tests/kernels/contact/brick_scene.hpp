@@ -6,7 +6,7 @@
 
 #include "kernels/contact/row_system.hpp"
 
-namespace percuss::testing {
+namespace percuss::test {
 
 inline constexpr int brick_faces[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},
                                           {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
@@ -157,4 +157,4 @@ struct CheckedScene {
   TouchTable touches;
 };
 
-}  // namespace percuss::testing
+}  // namespace percuss::test

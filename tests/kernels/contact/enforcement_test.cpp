@@ -7,7 +7,7 @@
 
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::testing {
+namespace percuss::test {
 namespace {
 
 /// A scene taken through one enforcement; v is corrected.
@@ -249,4 +249,4 @@ TEST(Enforcement, BothSpacesGiveTheSameBits) {
 }
 
 }  // namespace
-}  // namespace percuss::testing
+}  // namespace percuss::test

@@ -9,7 +9,7 @@
 #include "kernels/contact/row_sums.hpp"
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::testing {
+namespace percuss::test {
 namespace {
 
 TEST(IndexLists, GroupsAreSortedWithinEachKeyShortAndLong) {
@@ -63,4 +63,4 @@ TEST(RowSums, HaveTheSameBitsInBothSpaces) {
 }
 
 }  // namespace
-}  // namespace percuss::testing
+}  // namespace percuss::test

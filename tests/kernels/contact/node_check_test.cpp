@@ -4,7 +4,7 @@
 
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::testing {
+namespace percuss::test {
 namespace {
 
 constexpr double tight = 1e-14;
@@ -195,4 +195,4 @@ TEST(NodeCheck, TheListOfTouchesKeepsTheBestInOrderOfTheirKeys) {
 }
 
 }  // namespace
-}  // namespace percuss::testing
+}  // namespace percuss::test

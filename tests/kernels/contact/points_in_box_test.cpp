@@ -8,7 +8,7 @@
 
 #include "tests/kernels/contact/brick_scene.hpp"
 
-namespace percuss::testing {
+namespace percuss::test {
 namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
@@ -123,4 +123,4 @@ TEST(PointOrder, RanksByCoordinateThenByPlaceInTheList) {
 }
 
 }  // namespace
-}  // namespace percuss::testing
+}  // namespace percuss::test

@@ -1,0 +1,15 @@
+# cmake -DPROGRAM=... -P compare_threads.cmake: the program must print the same with 1, 2 and 3 threads and when repeated.
+foreach(threads 1 2 3 2)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env OMP_NUM_THREADS=${threads} OMP_PROC_BIND=false ${PROGRAM}
+    OUTPUT_VARIABLE output RESULT_VARIABLE result ERROR_VARIABLE ignored)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${PROGRAM} ends with ${result} at ${threads} threads")
+  endif()
+  if(DEFINED first AND NOT output STREQUAL first)
+    message(FATAL_ERROR "state differs at ${threads} threads:\n${output}first was:\n${first}")
+  endif()
+  if(NOT DEFINED first)
+    set(first "${output}")
+  endif()
+endforeach()
+message(STATUS "${first}")

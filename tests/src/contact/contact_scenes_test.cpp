@@ -1,0 +1,119 @@
+// Small whole scenes that are hard for contact: momentum, energy, penetration.
+
+#include <gtest/gtest.h>
+
+#include "src/step/audit.hpp"
+#include "tests/src/step/scene.hpp"
+
+namespace percuss::test {
+namespace {
+
+const std::string steel =
+    "\nmaterials: {steel: {model: elastic, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n";
+
+struct Outcome {
+  AuditResult audit;
+  double deepest = 0;  // at any tenth step / face edge
+  int pushes = 0;
+  bool converged = true;
+};
+
+Outcome run_scene_text(const std::string& text, int steps) {
+  Scene scene(text + steel);
+  scene.contact.prepare(scene.state.x, scene.state.v, scene.model.inverse_mass);
+  Audit audit(scene.model);
+  scene.stepper.start(scene.state);
+  Outcome outcome;
+  outcome.audit = audit(scene.state);
+  for (int i = 0; i < steps; ++i) {
+    scene.stepper.advance(scene.state);
+    outcome.pushes += scene.stepper.contact_report().interactions;
+    outcome.converged = outcome.converged && scene.stepper.contact_report().converged;
+    if (i % 10 == 9) outcome.deepest = std::max(outcome.deepest, scene.contact.measure_penetration(scene.state.x));
+  }
+  outcome.audit = audit(scene.state);
+  return outcome;
+}
+
+void expect_sound(const Outcome& o) {
+  EXPECT_GT(o.pushes, 0);
+  EXPECT_TRUE(o.converged);
+  EXPECT_LT(o.deepest, 0.01);
+  EXPECT_LT(o.audit.momentum.linear_error, 1e-12);
+  EXPECT_LT(o.audit.momentum.angular_error, 1e-12);
+  // Elastic scenes at default settings.
+  EXPECT_LT(std::abs(o.audit.energy.error), 1e-3);
+}
+
+std::string drop(const std::string& placing) {
+  return R"(
+time: {end: 1}
+parts:
+  floor: {box: {size: [0.4, 0.4, 0.1], cells: [8, 8, 2]}, at: [-0.2, -0.2, -0.1], material: steel}
+  cube: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, )" +
+         placing + R"(, material: steel}
+initial: [{part: cube, velocity: [3, 0, -20]}]
+contact: {surfaces: all, friction: 0.2})";
+}
+
+TEST(ContactScenes, ACubeDropsOnItsFace) { expect_sound(run_scene_text(drop("at: [0.013, 0.017, 0.0006]"), 80)); }
+
+TEST(ContactScenes, ACubeDropsOnItsEdge) {
+  expect_sound(run_scene_text(drop("rotate: [{axis: [0, 1, 0], angle: 45}], at: [0.013, 0.017, 0.0713]"), 80));
+}
+
+TEST(ContactScenes, ACubeDropsOnItsCorner) {
+  const std::string placing =
+      "rotate: [{axis: [0, 0, 1], angle: 45}, {axis: [1, 0, 0], angle: 54.7356}], at: [0.013, 0.017, 0.0006]";
+  expect_sound(run_scene_text(drop(placing), 120));
+}
+
+TEST(ContactScenes, SpinningCubesOfUnlikeMeshesCollide) {
+  expect_sound(run_scene_text(R"(
+time: {end: 1}
+parts:
+  a: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [-0.1505, 0.02, 0.01], material: steel}
+  b: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, at: [-0.05, 0, 0], material: steel}
+initial: [{part: a, velocity: [60, 5, 0], angular_velocity: [300, 200, 500]}, {part: b, velocity: [-40, 0, 3], angular_velocity: [0, -400, -200]}]
+contact: {surfaces: all, friction: 0.4})",
+                              150));
+}
+
+TEST(ContactScenes, AStaggeredWallWithoutGapsIsStruck) {
+  expect_sound(run_scene_text(R"(
+time: {end: 1}
+parts:
+  ball: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, at: [-0.1001, 0.15, 0.03], material: steel}
+  bricks: {box: {size: [0.1, 0.2, 0.06], cells: [2, 4, 2]}, array: {count: [1, 2, 3], pitch: [0.1, 0.2, 0.06], stagger: 0.5}, material: steel}
+initial: [{part: ball, velocity: [50, 0, 0]}]
+contact: {surfaces: all, friction: 0.3})",
+                              150));
+}
+
+TEST(ContactScenes, ATubeIsCrushedUntilItTouchesItself) {
+  // Thin enough for its flattened sides to meet; between two fast plates that are held on their course.
+  const Outcome o = run_scene_text(R"(
+time: {end: 1}
+parts:
+  tube: {tube: {inner_radius: 0.02, outer_radius: 0.024, length: 0.01, cells: [1, 24, 1]}, material: steel}
+  top: {box: {size: [0.1, 0.02, 0.03], cells: [4, 1, 1]}, at: [-0.05, 0.0241, -0.01], material: steel}
+  bottom: {box: {size: [0.1, 0.02, 0.03], cells: [4, 1, 1]}, at: [-0.05, -0.0441, -0.01], material: steel}
+initial: [{part: top, velocity: [0, -100, 0]}, {part: bottom, velocity: [0, 100, 0]}]
+contact: {surfaces: all, friction: 0.1})",
+                                   900);
+  EXPECT_LT(o.deepest, 0.01);
+  EXPECT_LT(o.audit.momentum.angular_error, 1e-12);
+  EXPECT_LT(std::abs(o.audit.energy.error), 1e-3);
+}
+
+TEST(ContactScenes, TheSwitchForReuseOfSearchesChangesNoBit) {
+  const auto hash = [](const std::string& reuse) {
+    Scene scene(parse_deck(drop("at: [0.013, 0.017, 0.0006]") + steel, "deck.yaml", {"contact.reuse_search=" + reuse}));
+    scene.run(80);
+    return hash_state(scene.model, scene.state);
+  };
+  EXPECT_EQ(hash("true"), hash("false"));
+}
+
+}  // namespace
+}  // namespace percuss::test

@@ -1,0 +1,225 @@
+// The stage by itself: free nodes with given velocities, no elements behind them.
+
+#include "src/contact/contact_stage.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "kernels/contact/point3.hpp"
+#include "src/deck/read_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+const std::string material = "\nmaterials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}\n";
+
+/// Places and velocities of a deck's nodes, unit masses, moved by the stage alone.
+struct FreeNodes {
+  explicit FreeNodes(const std::string& text, const Point3& shift = {})
+      : deck(parse_deck("time: {end: 1}\n" + text + material, "deck.yaml")),
+        mesh(build_mesh(deck)),
+        stage(mesh, deck),
+        x("test::x", mesh.nodes.size()),
+        v("test::v", mesh.nodes.size()),
+        before("test::before", mesh.nodes.size()),
+        inverse_mass("test::inverse_mass", mesh.nodes.size()),
+        impulse("test::impulse", mesh.nodes.size()) {
+    Kokkos::deep_copy(inverse_mass, 1.0);
+    for (int n = 0; n < count(); ++n) {
+      const Vec3& p = mesh.nodes[static_cast<std::size_t>(n)];
+      store_row(x, n, Point3{p[0], p[1], p[2]} + shift);
+    }
+  }
+
+  int count() const { return static_cast<int>(mesh.nodes.size()); }
+  const std::vector<int>& part(const std::string& name) const { return mesh.node_sets.at(name); }
+  void set_velocity(const std::string& name, const Point3& velocity) {
+    for (const int n : part(name)) store_row(v, n, velocity);
+  }
+  void hold(const std::string& name) {
+    for (const int n : part(name)) store_row(inverse_mass, n, {0, 0, 0});
+  }
+  std::string prepare() { return stage.prepare(x, v, inverse_mass); }
+  ContactReport step(double dt) {
+    Kokkos::deep_copy(before, v);
+    const ContactReport report = stage.apply({x, before, v, inverse_mass, impulse, dt});
+    for (int n = 0; n < count(); ++n) store_row(x, n, load_row(x, n) + dt * load_row(v, n));
+    return report;
+  }
+
+  Deck deck;
+  Mesh mesh;
+  ContactStage stage;
+  Rows3<double> x, v, before, inverse_mass, impulse;
+};
+
+const std::string plate_and_cube = R"(
+parts:
+  plate: {box: {size: [4, 4, 0.1], cells: [4, 4, 1]}, at: [0, 0, 0], material: m}
+  cube: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [1.25, 1.5, 0.25], material: m}
+contact: {surfaces: all}
+)";
+
+TEST(ContactStage, DoesNothingWhileNothingIsNear) {
+  FreeNodes nodes(plate_and_cube);
+  nodes.set_velocity("cube", {0, 0, 1});
+  EXPECT_TRUE(nodes.stage.is_active());
+  EXPECT_EQ(nodes.prepare(), "");
+  ContactReport report;
+  for (int i = 0; i < 30; ++i) report = nodes.step(0.1);
+  EXPECT_EQ(report.candidates, 0);
+  EXPECT_EQ(report.iterations, 0);
+  EXPECT_EQ(nodes.v(nodes.part("cube")[0], 2), 1);
+}
+
+TEST(ContactStage, StopsACubeThatWouldPassAPlateAtTenThicknessesAStep) {
+  FreeNodes nodes(plate_and_cube);
+  nodes.hold("plate");
+  nodes.set_velocity("cube", {0, 0, -10});
+  const ContactReport report = nodes.step(0.125);  // 1.25 in one step, the plate is 0.1 thick
+  EXPECT_GE(report.interactions, 4);
+  EXPECT_TRUE(report.converged);
+  for (const int n : nodes.part("cube/z_min"))
+    EXPECT_NEAR(nodes.x(n, 2), 0.1, 1e-3 * 1.1);  // the tolerance of the solver
+  EXPECT_LT(nodes.stage.measure_penetration(nodes.x), 0.01);
+  EXPECT_LT(report.normal_work, 0);
+}
+
+TEST(ContactStage, ImpulsesAreEqualAndOppositeAndGoneWhenContactIs) {
+  FreeNodes nodes(plate_and_cube);
+  nodes.hold("plate");
+  nodes.set_velocity("cube", {0.5, 0, -10});
+  nodes.step(0.0625);
+  Point3 sum{};
+  double largest = 0;
+  for (int n = 0; n < nodes.count(); ++n) {
+    sum = sum + load_row(nodes.impulse, n);
+    largest = std::max(largest, norm(load_row(nodes.impulse, n)));
+  }
+  EXPECT_GT(largest, 0.1);
+  EXPECT_LT(norm(sum), 1e-14);
+  nodes.set_velocity("cube", {0, 0, 1});
+  nodes.step(0.0625);
+  for (int n = 0; n < nodes.count(); ++n) EXPECT_EQ(norm(load_row(nodes.impulse, n)), 0);
+}
+
+TEST(ContactStage, TheReuseOfCandidatesChangesNoBit) {
+  const std::string bricks = R"(
+parts:
+  pile: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, array: {count: [4, 4, 3], pitch: [1.05, 1.03, 1.01]}, material: m}
+contact: {surfaces: all, friction: 0.3, reuse_search: )";
+  FreeNodes reused(bricks + "true}"), fresh(bricks + "false}");
+  for (FreeNodes* nodes : {&reused, &fresh})
+    for (int n = 0; n < nodes->count(); ++n) {
+      const int brick = n / 8;
+      store_row(nodes->v, n, {0.3 * ((brick * 7) % 5 - 2), 0.3 * ((brick * 11) % 7 - 3), 0.2 * ((brick * 3) % 5 - 2)});
+    }
+  int pushes = 0;
+  for (int i = 0; i < 120; ++i) {
+    const ContactReport a = reused.step(0.01), b = fresh.step(0.01);
+    pushes += a.interactions;
+    ASSERT_EQ(a.interactions, b.interactions) << "step " << i;
+    for (int n = 0; n < reused.count(); ++n)
+      for (int d = 0; d < 3; ++d) ASSERT_EQ(reused.v(n, d), fresh.v(n, d)) << "step " << i << " node " << n;
+  }
+  EXPECT_GT(pushes, 1000);
+  EXPECT_EQ(fresh.stage.searches(), 120);
+  EXPECT_LT(reused.stage.searches(), 40);
+}
+
+TEST(ContactStage, FarFromTheOriginTheSameContactsAreFound) {
+  // Shifts by powers of two; all coordinates are multiples of 2^-8 and keep their bits.
+  FreeNodes here(plate_and_cube), there(plate_and_cube, {1048576, -2097152, 4194304});
+  for (FreeNodes* nodes : {&here, &there}) {
+    for (const int n : nodes->part("plate/z_max")) nodes->x(n, 2) += 0.125 - 0.1;
+    nodes->set_velocity("cube", {0.25, 0.5, -1});
+    const ContactReport report = nodes->step(0.25);
+    EXPECT_EQ(report.interactions, 4);
+  }
+  for (int n = 0; n < here.count(); ++n)
+    for (int d = 0; d < 3; ++d) EXPECT_NEAR(here.v(n, d), there.v(n, d), 1e-9);
+}
+
+const std::string overlapping = R"(
+parts:
+  a: {box: {size: [2, 2, 1], cells: [2, 2, 1]}, material: m}
+  b: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [0.25, 0.5, 0.95], material: m}
+contact: {surfaces: all, overlap: )";
+
+TEST(ContactStage, OverlapAtTheStartIsReportedAndAcceptedWithoutForce) {
+  FreeNodes nodes(overlapping + "accept}");
+  EXPECT_THAT(nodes.prepare(), testing::AllOf(testing::HasSubstr("5 contact nodes"), testing::HasSubstr("0.05"),
+                                              testing::HasSubstr("accepted")));
+  for (int i = 0; i < 10; ++i) {
+    const ContactReport report = nodes.step(0.01);
+    EXPECT_EQ(report.normal_work, 0);
+  }
+  EXPECT_NEAR(nodes.stage.measure_penetration(nodes.x), 0.05, 1e-12);
+  // Deeper than accepted it does not get.
+  nodes.set_velocity("b", {0, 0, -1});
+  for (int i = 0; i < 10; ++i) nodes.step(0.01);
+  EXPECT_NEAR(nodes.stage.measure_penetration(nodes.x), 0.05, 1e-3);
+}
+
+TEST(ContactStage, OverlapAtTheStartIsPushedOutSlowlyIfTheDeckSaysSo) {
+  FreeNodes nodes(overlapping + "push_out}");
+  EXPECT_THAT(nodes.prepare(), testing::HasSubstr("pushed out"));
+  nodes.step(0.01);
+  double fastest = 0;
+  for (int n = 0; n < nodes.count(); ++n) fastest = std::max(fastest, norm(load_row(nodes.v, n)));
+  EXPECT_GT(fastest, 0);
+  EXPECT_LT(fastest, 1e-4 / 0.01 + 1e-6);  // 1e-4 of a face edge a step
+  for (int i = 0; i < 1000; ++i) nodes.step(0.01);
+  EXPECT_LT(nodes.stage.measure_penetration(nodes.x), 0.01);
+}
+
+TEST(ContactStage, OverlapTooDeepToHoldIsSaidToBe) {
+  FreeNodes nodes(R"(
+parts:
+  a: {box: {size: [2, 2, 1], cells: [2, 2, 1]}, material: m}
+  b: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [0.5, 0.5, 0.6], material: m}
+contact: {surfaces: all})");
+  EXPECT_THAT(nodes.prepare(), testing::HasSubstr("5 of them lie deeper"));
+}
+
+TEST(ContactStage, AWallStopsNodesWithoutContactBetweenBodies) {
+  FreeNodes nodes(R"(
+parts: {a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [0, 0, 0.05], material: m}}
+walls: [{point: [0, 0, 0], normal: [0, 0, 1]}])");
+  ASSERT_TRUE(nodes.stage.is_active());
+  EXPECT_EQ(nodes.prepare(), "");
+  nodes.set_velocity("a", {0, 0, -1});
+  const ContactReport report = nodes.step(0.1);
+  EXPECT_EQ(report.interactions, 4);
+  for (const int n : nodes.part("a/z_min")) EXPECT_NEAR(nodes.x(n, 2), 0, 1e-15);
+  EXPECT_EQ(nodes.stage.measure_penetration(nodes.x), 0);
+}
+
+TEST(ContactStage, AuditsSeeANodeInsideABodyWhateverIsInUse) {
+  FreeNodes nodes(plate_and_cube);
+  for (const int n : nodes.part("cube")) nodes.x(n, 2) -= 0.17;        // 0.02 into the plate of 0.1
+  EXPECT_NEAR(nodes.stage.measure_penetration(nodes.x), 0.02, 1e-12);  // edges of the plate's faces are 1
+  for (const int n : nodes.part("cube")) nodes.x(n, 2) += 0.17;
+  EXPECT_EQ(nodes.stage.measure_penetration(nodes.x), 0);
+}
+
+TEST(ContactStage, StickingDoesNotCreep) {
+  // A block on a wall, pressed and pulled below Coulomb's limit for 20 000 steps.
+  FreeNodes nodes(R"(
+parts: {a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: m}}
+walls: [{point: [0, 0, 0], normal: [0, 0, 1], friction: 0.5}])");
+  nodes.prepare();
+  const double dt = 0.01;
+  for (int i = 0; i < 20000; ++i) {
+    for (const int n : nodes.part("a/z_min")) store_row(nodes.v, n, load_row(nodes.v, n) + dt * Point3{0.4, 0.1, -1});
+    nodes.step(dt);
+  }
+  for (const int n : nodes.part("a/z_min")) {
+    const Vec3& start = nodes.mesh.nodes[static_cast<std::size_t>(n)];
+    EXPECT_NEAR(nodes.x(n, 0), start[0], 1e-9);
+    EXPECT_NEAR(nodes.x(n, 1), start[1], 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace percuss::test
