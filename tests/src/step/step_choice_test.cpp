@@ -1,0 +1,73 @@
+// How long the next step is, and where a run ends.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "src/step/run.hpp"
+#include "tests/src/step/scene.hpp"
+
+namespace percuss::test {
+namespace {
+
+std::string make_text(const std::string& time) {
+  return "time: {" + time + "}\nparts: {a: {box: {size: [1, 1, 1], cells: [3, 3, 3]}, material: steel}}\n" +
+         "initial: [{part: a, angular_velocity: [1, 2, 3]}]\n" + steel_text;
+}
+
+Summary run_text(const std::string& time) { return run_scene(parse_deck(make_text(time), "deck.yaml"), {}).summary; }
+
+}  // namespace
+
+TEST(StepChoice, EndTimesAreHitExactlyWithoutATinyLastStep) {
+  Scene scene(make_text("end: 1"));
+  scene.stepper.start(scene.state);
+  const double first = scene.state.next_dt;
+  for (const double steps : {0.3, 1.0, 1.5, 2.0, 2.0001, 7.3, 19.99, 100.001}) {
+    const Summary summary = run_text(fmt::format("end: {}", steps * first));
+    EXPECT_DOUBLE_EQ(summary.time, steps * first) << steps << " steps";
+    EXPECT_EQ(summary.status, "completed");
+    EXPECT_GE(summary.dt.min, 0.49 * std::min(steps, 1.0) * first) << steps << " steps";
+    EXPECT_LE(summary.dt.max, 1.01 * first);
+  }
+}
+
+TEST(StepChoice, AStepIsTheScaledBoundOfTheElements) {
+  Scene scene(make_text("end: 1, step_scale: 0.7"));
+  scene.run(10);
+  EXPECT_DOUBLE_EQ(scene.state.next_dt, 0.7 * scene.state.bound.step);
+  // a cube of edge h: 0.9 h / c_L comes from the proven bound only in one dimension; here omega^2 <= 8 (lambda tr G +
+  // 2 mu g_max) / (rho V^2) with G = 2 h^4 I / ... gives h / sqrt(3 lambda + 2 mu) * sqrt(rho)
+  const double lambda = 200e9 * 0.3 / (1.3 * 0.4), mu = 200e9 / 2.6, h = 1.0 / 3;
+  const double elastic = h * std::sqrt(7850 / (3 * lambda + 2 * mu));
+  EXPECT_LT(scene.state.bound.step, elastic);  // hourglass control and viscosity shorten it
+  EXPECT_GT(scene.state.bound.step, 0.85 * elastic);
+}
+
+TEST(StepChoice, MaxStepBoundsEveryStep) {
+  const Summary summary = run_text("end: 1e-3, max_step: 1e-5");
+  EXPECT_EQ(summary.steps, 100);
+  EXPECT_DOUBLE_EQ(summary.dt.max, 1e-5);
+  EXPECT_DOUBLE_EQ(summary.time, 1e-3);
+}
+
+TEST(StepChoice, MaxStepsEndsARunAsCompleted) {
+  const Summary summary = run_text("end: 1, max_steps: 7");
+  EXPECT_EQ(summary.steps, 7);
+  EXPECT_EQ(summary.status, "completed");
+  EXPECT_LT(summary.time, 1e-3);
+}
+
+TEST(StepChoice, AStepGrowsByATenthAtMost) {
+  Scene scene(make_text("end: 1"));
+  scene.run(1);
+  const double full = scene.state.next_dt;
+  scene.state.dt = scene.state.next_dt = 0.01 * full;
+  scene.stepper.advance(scene.state);
+  for (int i = 0; i < 100 && scene.state.next_dt < 0.99 * full; ++i) {
+    EXPECT_LE(scene.state.next_dt, 1.1 * scene.state.dt * (1 + 1e-15));
+    scene.stepper.advance(scene.state);
+  }
+  EXPECT_NEAR(scene.state.next_dt, full, 0.01 * full);  // and reaches the bound again
+}
+
+}  // namespace percuss::test
