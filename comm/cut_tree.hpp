@@ -12,10 +12,11 @@
 
 namespace percuss {
 
-/// One cut. The upper side has the points whose key along the axis is not before `key`.
+/// One cut. The upper side has the points whose key along the axis is not before `key`. A cut that was never made, for
+/// want of a bisection or of points, leaves all to the lower side.
 struct Cut {
-  CoordinateKey key = last_key;  // every point is before it: all go to the lower side
-  int axis = -1;                 // 0, 1, 2; -1: never cut
+  CoordinateKey key = last_key;  // last_key: never made
+  int axis = 0;                  // 0, 1, 2
   // No point of the lower side lies above, no point of the upper side below these along the axis [length].
   double lower_end = std::numeric_limits<double>::infinity();
   double upper_begin = std::numeric_limits<double>::infinity();
@@ -23,6 +24,8 @@ struct Cut {
   double spacing = 0;  // mean distance of points along the axis, near the cut [length]
   double travel = 0;   // how far the cut has moved lately from one bisection to the next [length]
 };
+
+inline bool is_made(const Cut& cut) { return !(cut.key == last_key); }
 
 /// All cuts; const once made. Only the owners of points follow from it; nothing physical may.
 struct CutTree {

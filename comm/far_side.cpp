@@ -28,6 +28,7 @@ struct RecordType {
 struct Partners {
   int to = -1;            // -1: nobody
   std::vector<int> from;  // ascending
+  bool is_alone = false;  // on its side of the cut
 };
 
 Partners find_partners(int rank, int rank_count, int lower_ranks) {
@@ -37,7 +38,8 @@ Partners find_partners(int rank, int rank_count, int lower_ranks) {
   if ((is_lower ? upper_ranks : lower_ranks) > 1) {
     partners.to = is_lower ? lower_ranks + rank : std::min(rank - lower_ranks, lower_ranks - 1);
   }
-  if ((is_lower ? lower_ranks : upper_ranks) == 1) return partners;
+  partners.is_alone = (is_lower ? lower_ranks : upper_ranks) == 1;
+  if (partners.is_alone) return partners;
   if (!is_lower && rank - lower_ranks < lower_ranks) partners.from.push_back(rank - lower_ranks);
   if (is_lower) partners.from.push_back(lower_ranks + rank);
   if (is_lower && rank == lower_ranks - 1 && upper_ranks > lower_ranks) partners.from.push_back(rank_count - 1);
@@ -181,30 +183,30 @@ void TravellingPoints::replace_leaving(const ExecSpace& space, const std::vector
   points_.weights = Kokkos::subview(own_weights_, held);
 }
 
-std::int64_t TravellingPoints::cross(const ExecSpace& space, const Communicator& group, const Cut& cut,
-                                     int lower_ranks) {
-  const bool is_lower = group.rank() < lower_ranks;
-  const bool is_alone = (is_lower ? lower_ranks : group.size() - lower_ranks) == 1;
+std::int64_t TravellingPoints::send_far_points(const ExecSpace& space, const Communicator& group, const Cut& cut,
+                                               int lower_ranks) {
   const Partners partners = find_partners(group.rank(), group.size(), lower_ranks);
+  if (partners.to < 0 && partners.is_alone) return 0;
+  list_leaving(space, cut, group.rank() < lower_ranks);
+  if (partners.to < 0) return 0;
   const RecordType record;
-  MPI_Request request = MPI_REQUEST_NULL;
-  std::int64_t sent = 0;
-  Records::HostMirror buffer;
-  if (partners.to >= 0 || !is_alone) list_leaving(space, cut, is_lower);
-  if (partners.to >= 0) {
-    buffer = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), pack_leaving(space));
-    sent = leaving_count_;
-    check_mpi(
-        MPI_Isend(buffer.data(), leaving_count_, record.handle, partners.to, far_side_tag, group.handle(), &request),
-        "MPI_Isend");
-  }
-  if (is_alone) {
+  sent_ = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), pack_leaving(space));
+  check_mpi(
+      MPI_Isend(sent_.data(), leaving_count_, record.handle, partners.to, far_side_tag, group.handle(), &request_),
+      "MPI_Isend");
+  return leaving_count_;
+}
+
+void TravellingPoints::receive_near_points(const ExecSpace& space, const Communicator& group, int lower_ranks) {
+  const Partners partners = find_partners(group.rank(), group.size(), lower_ranks);
+  if (partners.is_alone) {
     points_ = RcbPoints{};
   } else {
+    const RecordType record;
     replace_leaving(space, receive_points(group, partners.from, record.handle));
   }
-  check_mpi(MPI_Wait(&request, MPI_STATUS_IGNORE), "MPI_Wait");
-  return sent;
+  check_mpi(MPI_Wait(&request_, MPI_STATUS_IGNORE), "MPI_Wait");
+  sent_ = {};
 }
 
 }  // namespace percuss

@@ -30,11 +30,14 @@ class TravellingPoints {
 
   const RcbPoints& points() const { return points_; }
 
-  /// (4.3) Send points that lie on far side of cut, (4.4) receive points that lie on my side of cut. All points held
-  /// then lie on this rank's side. A side of one rank is not sent to, as nobody cuts there again; its rank ends without
-  /// points. group: the ranks that the cut divides, lower_ranks of them on its lower side. Returns how many this rank
-  /// has sent. Collective over the group. Throws MpiError.
-  std::int64_t cross(const ExecSpace& space, const Communicator& group, const Cut& cut, int lower_ranks);
+  /// (4.3) Send points that lie on far side of cut: takes them out and starts their message. Nobody cuts again on a
+  /// side of one rank, so points are not sent there, and its own rank is left without any. group: the ranks that the
+  /// cut divides, lower_ranks of them on its lower side. Returns the number sent. Throws MpiError.
+  std::int64_t send_far_points(const ExecSpace& space, const Communicator& group, const Cut& cut, int lower_ranks);
+
+  /// (4.4) Receive points that lie on my side of cut: those of the partners. All points held then lie on this rank's
+  /// side. Follows send_far_points() on every rank of the group. Throws MpiError.
+  void receive_near_points(const ExecSpace& space, const Communicator& group, int lower_ranks);
 
  private:
   using Records = Kokkos::View<PointRecord*, Kokkos::LayoutRight, MemSpace>;
@@ -46,6 +49,8 @@ class TravellingPoints {
   void make_room(std::size_t count);
 
   RcbPoints points_;
+  Records::HostMirror sent_;  // under way
+  MPI_Request request_ = MPI_REQUEST_NULL;
   Array<int> leaving_;  // [room] ascending, leaving_count_ of them
   int leaving_count_ = 0;
   Rows3<double> own_positions_;  // [room]: what points_ shows the beginning of, once points have moved

@@ -73,9 +73,8 @@ GroupSurvey MedianSearch::survey(const ExecSpace& space, const Communicator& gro
                                  const Cut& previous) {
   GroupSurvey result;
   result.previous = previous;
-  result.axis = std::max(previous.axis, 0);
-  result.has_guess = previous.axis >= 0 && !(previous.key == last_key);
-  if (result.has_guess) result.probes = probe_around(previous);
+  result.axis = previous.axis;
+  if (is_made(previous)) result.probes = probe_around(previous);
   result.survey = counter_.survey(space, AxisPoints{points, result.axis}, points.count(), result.probes);
   reduce_survey_(group, result.survey);
   for (const BinCount& bin : result.survey.counts.bins) {
@@ -165,6 +164,7 @@ FoundCut MedianSearch::find_cut(const ExecSpace& space, const Communicator& grou
   if (survey.weight == 0) return found;
 
   const Cut& previous = survey.previous;
+  const bool has_guess = is_made(previous) && previous.axis == axis;
   const std::int64_t target = find_lower_share(survey.weight, lower_ranks, group.size());
   const CoordinateKey lowest{survey.survey.lowest[axis], first_key.id},
       highest{survey.survey.highest[axis], last_key.id};
@@ -172,7 +172,7 @@ FoundCut MedianSearch::find_cut(const ExecSpace& space, const Communicator& grou
       space, group, {lowest, highest, false, survey.points, survey.weight, target}, AxisPoints{points, axis}, {}};
   Bracket& bracket = progress.bracket;
   progress.n = points.count();
-  if (survey.has_guess && previous.axis == axis) {
+  if (has_guess) {
     progress.spacing = previous.spacing;
     narrow_to_bin(progress, survey.survey.counts);
   }
@@ -183,7 +183,7 @@ FoundCut MedianSearch::find_cut(const ExecSpace& space, const Communicator& grou
   cut.key = bracket.lowest;
   cut.lower_end = cut.upper_begin = restore_coordinate(cut.key.coordinate);
   cut.spacing = progress.spacing;
-  if (survey.has_guess && previous.axis == axis) {
+  if (has_guess) {
     const double travel = std::abs(cut.lower_end - restore_coordinate(previous.key.coordinate));
     cut.travel = std::max(travel, previous.travel / 2);
   }

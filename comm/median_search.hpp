@@ -16,9 +16,6 @@
 
 namespace percuss {
 
-/// At most so many keys are gathered.
-inline constexpr int gathered_keys = 256;
-
 /// Keys of several ranks in ascending order, with their weights.
 struct KeyList {
   int count = 0;
@@ -30,8 +27,7 @@ struct KeyList {
 /// Points of the group before a cut is sought.
 struct GroupSurvey {
   Survey survey;            // over all ranks; counts along `axis`
-  Cut previous;             // axis -1: none
-  bool has_guess = false;   // the previous cut was found among points, and they were counted around it
+  Cut previous;             // if it was made, points were counted around it
   Probes probes;            // what was counted against
   int axis = 0;             // along which was counted
   std::int64_t points = 0;  // of the group
@@ -47,7 +43,7 @@ struct FoundCut {
 class MedianSearch {
  public:
   /// The first round: extents and weights of the group's points and, if there is a previous cut, the counts at probes
-  /// around it, in one reduction. previous: axis -1 for none. Collective over the group. Throws MpiError.
+  /// around it, in one reduction. previous: may be one that was never made. Collective over the group. Throws MpiError.
   GroupSurvey survey(const ExecSpace& space, const Communicator& group, const RcbPoints& points, const Cut& previous);
 
   /// Finds the cut along `axis` that gives the lower side floor(total weight * lower_ranks / ranks), or the most below

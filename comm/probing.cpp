@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "comm/median_search.hpp"
-
 namespace percuss {
 
 namespace {

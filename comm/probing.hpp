@@ -9,6 +9,9 @@
 
 namespace percuss {
 
+/// Once at most so many points are left, their keys are gathered instead of probed.
+inline constexpr int gathered_keys = 256;
+
 /// What is left of a search: the points, over all ranks, one of which is the cut.
 struct Bracket {
   CoordinateKey lowest, highest;  // of the points

@@ -13,15 +13,15 @@ namespace percuss {
 namespace {
 
 /// (4.1) Choose a coordinate axis (xyz): the longest extent makes the sub-domains most cubic.
-int choose_axis(const Survey& survey, int previous_axis) {
+int choose_axis(const Survey& survey, const Cut& previous) {
   double extents[3];
   for (int k = 0; k < 3; ++k) {
     const bool is_empty = survey.highest[k] < survey.lowest[k];
     extents[k] = is_empty ? 0 : restore_coordinate(survey.highest[k]) - restore_coordinate(survey.lowest[k]);
   }
   const auto longest = static_cast<int>(std::max_element(extents, extents + 3) - extents);
-  const bool keep = previous_axis >= 0 && extents[longest] <= axis_change * extents[previous_axis];
-  return keep ? previous_axis : longest;
+  const bool keep = is_made(previous) && extents[longest] <= axis_change * extents[previous.axis];
+  return keep ? previous.axis : longest;
 }
 
 /// Throws on all ranks if a point cannot be divided.
@@ -76,10 +76,11 @@ void Rcb::bisect(const ExecSpace& space, std::size_t level, RcbReport& report) {
 
   const GroupSurvey survey = search_.survey(space, group, travelling_.points(), cut);
   if (level == 0) check_and_report(survey, report);
-  const int axis = choose_axis(survey.survey, cut.axis);                                                   // (4.1)
+  const int axis = choose_axis(survey.survey, cut);                                                        // (4.1)
   const FoundCut found = search_.find_cut(space, group, travelling_.points(), survey, axis, lower_ranks);  // (4.2)
   cut = found.cut;
-  report.moved += travelling_.cross(space, group, cut, lower_ranks);  // (4.3) and (4.4)
+  report.moved += travelling_.send_far_points(space, group, cut, lower_ranks);  // (4.3)
+  travelling_.receive_near_points(space, group, lower_ranks);                   // (4.4)
 
   if (ranks_->rank() == middle) own_rounds_ = found.rounds;
   own_weight_ = ranks_->rank() < middle ? found.lower_weight : survey.weight - found.lower_weight;
@@ -111,7 +112,10 @@ void Rcb::share_cuts(RcbReport& report) {
 RcbReport Rcb::decompose(const ExecSpace& space, const RcbPoints& points) {
   RcbReport report;
   travelling_.begin(points);
-  if (groups_.empty()) check_and_report(search_.survey(space, *ranks_, points, Cut{}), report);
+  if (groups_.empty()) {
+    check_and_report(search_.survey(space, *ranks_, points, Cut{}), report);
+    own_weight_ = report.weight;
+  }
   bisect(space, 0, report);
   share_cuts(report);
   publish();

@@ -10,6 +10,12 @@ namespace percuss::test {
 
 using RcbQuery = RcbTest;
 
+TEST_F(RcbQuery, FindsRankZeroBeforeTheFirstBisection) {
+  const double x[3] = {1, 2, 3};
+  EXPECT_EQ(find_owner(rcb_.tree(), x, 7), 0);
+  visit_reached_ranks(rcb_.tree(), x, x, [](int rank) { EXPECT_EQ(rank, 0); });
+}
+
 TEST_F(RcbQuery, FindsOwnersOnTheDevice) {
   const Points points = make_random_points(3'000, 17);
   decompose(points);
