@@ -21,9 +21,11 @@ struct RowImpulse {
 };
 
 struct ContactRow {
-  int node[row_nodes] = {-1, -1, -1, -1, -1};   // mesh nodes; the last four -1 for a wall
-  int place[row_nodes] = {-1, -1, -1, -1, -1};  // of these in RowSystem::nodes
+  int place[row_nodes] = {-1, -1, -1, -1, -1};  // of its nodes in RowSystem::nodes
   int face = -1;                                // contact face; -1: a wall
+  double gap = 0;                               // predicted gap at n+1
+  double target = 0;                            // gap wanted at n+1, <= 0
+  int node[row_nodes] = {-1, -1, -1, -1, -1};   // mesh nodes; the last four -1 for a wall
   int record = -1;                              // history record that this row writes
   bool is_caught = false;                       // by a face that looks past the node: kept while it is near
   double weight[4] = {0, 0, 0, 0};              // N
@@ -35,8 +37,6 @@ struct ContactRow {
   double friction = 0;
   double size = 0;               // h of the face
   double gap_start = 0;          // gap at n
-  double gap = 0;                // predicted gap at n+1
-  double target = 0;             // gap wanted at n+1, <= 0
   double reference = 0;          // overlap accepted at the start, >= 0
   double slide[2] = {0, 0};      // predicted tangential displacement in the step plus what sticking still owes
   double stiffness = 0;          // D of the normal: row sum of |G M^-1 G^T| [1/mass]

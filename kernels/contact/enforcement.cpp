@@ -13,11 +13,11 @@ constexpr int max_iterations = 1000;
 template <class Space>
 void move_nodes(const Space& space, const Rows3<const double>& inverse_mass, double beta, const RowSystem& system) {
   const Array<const ContactRow> rows = system.rows;
-  const Array<const int> offset = system.offset, entry = system.entry, nodes = system.nodes;
+  const Array<const int> offset = system.offset, entry = system.entry, nodes = system.nodes, awake = system.awake;
   const Rows3<double> correction = system.correction, extrapolated = system.extrapolated;
   Kokkos::parallel_for(
       "contact::move_nodes", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
-        const Point3 p = gather_impulse(rows, offset, entry, a), w = load_row(inverse_mass, nodes(a));
+        const Point3 p = gather_impulse(rows, awake, offset, entry, a), w = load_row(inverse_mass, nodes(a));
         const Point3 dv = {w.x * p.x, w.y * p.y, w.z * p.z};
         if (beta > 0)
           store_row(extrapolated, a, dv + beta * (dv - load_row(correction, a)));
@@ -43,6 +43,16 @@ KOKKOS_INLINE_FUNCTION void add_change(double y, double fresh, double old, doubl
   sums.add({dt * stiffness * change, stiffness * (y - fresh) * (fresh - old)});
 }
 
+/// Whether a row has no push, needs none as things lie, and none of its nodes is moved: it stays as it is.
+KOKKOS_INLINE_FUNCTION bool is_at_rest(const ContactRow& row, const Rows3<const double>& dv) {
+  if (row.gap < row.target) return false;
+  for (int slot = 0; slot < count_nodes(row); ++slot) {
+    const int a = row.place[slot];
+    if (dv(a, 0) != 0 || dv(a, 1) != 0 || dv(a, 2) != 0) return false;
+  }
+  return true;
+}
+
 /// Corrects the impulses of one row from its extrapolated iterate.
 KOKKOS_INLINE_FUNCTION void correct_row(ContactRow& row, const Rows3<const double>& dv, double beta, double dt,
                                         PassSums& sums) {
@@ -58,6 +68,10 @@ KOKKOS_INLINE_FUNCTION void correct_row(ContactRow& row, const Rows3<const doubl
   row.impulse = p;
   row.force = sum_impulse(row, p);
   row.couple = row.face < 0 ? Point3{} : find_couple(row, row.force);
+}
+
+KOKKOS_INLINE_FUNCTION int find_awake(const ContactRow& row) {
+  return (row.impulse.push > 0 ? pushes_now : 0) | (row.previous.push > 0 ? pushed_before : 0);
 }
 
 /// What ends the iteration: a displacement.
@@ -91,11 +105,15 @@ SolveReport solve_rows(const Space& space, const Rows3<const double>& inverse_ma
   move_nodes(space, inverse_mass, beta, system);
   while (!report.converged && report.iterations < max_iterations) {
     const Array<ContactRow> rows = system.rows;
+    const Array<int> awake = system.awake;
     const Rows3<const double> dv = system.extrapolated;
     const double step_beta = beta;
-    const PassSums sums = sum_rows<PassSums>(
-        space, system.num_rows, system.sums,
-        [rows, dv, step_beta, dt] KOKKOS_FUNCTION(int r, PassSums& s) { correct_row(rows(r), dv, step_beta, dt, s); });
+    const PassSums sums = sum_rows<PassSums>(space, system.num_rows, system.sums,
+                                             [rows, awake, dv, step_beta, dt] KOKKOS_FUNCTION(int r, PassSums& s) {
+                                               if (awake(r) == 0 && is_at_rest(rows(r), dv)) return;
+                                               correct_row(rows(r), dv, step_beta, dt, s);
+                                               awake(r) = find_awake(rows(r));
+                                             });
     ++report.iterations;
     report.converged = sums.change <= tolerance;
     const double next_t = 0.5 * (1 + std::sqrt(1 + 4 * t * t));

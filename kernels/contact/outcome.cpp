@@ -73,12 +73,12 @@ template <class Space>
 EnforcementSums apply_impulses(const Space& space, const Rows3<const double>& v_before, double dt, RowSystem& system,
                                const Rows3<double>& v, const Rows3<double>& impulse) {
   const Array<const ContactRow> rows = system.rows;
-  const Array<const int> offset = system.offset, entry = system.entry, nodes = system.nodes;
+  const Array<const int> offset = system.offset, entry = system.entry, nodes = system.nodes, awake = system.awake;
   const Rows3<const double> dv = system.correction;
   Kokkos::parallel_for(
       "contact::apply_impulses", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
         store_row(v, nodes(a), load_row(v, nodes(a)) + load_row(dv, a));
-        store_row(impulse, nodes(a), gather_impulse(rows, offset, entry, a));
+        store_row(impulse, nodes(a), gather_impulse(rows, awake, offset, entry, a));
       });
   const Rows3<const double> after = v, before = v_before;
   const OutcomeSums sums = sum_rows<OutcomeSums>(space, system.num_rows, system.sums,

@@ -45,18 +45,23 @@ KOKKOS_INLINE_FUNCTION void find_record(const ContactSurface& surface, const Fac
   }
 }
 
-/// Whether the plane of the face leaves the pair a chance: at both ends of the step, and so at any time between, all
-/// corners lie on one side of the node (the origin) farther away than any contact, in front or behind.
-KOKKOS_INLINE_FUNCTION bool is_near_plane(const FacePoints& start, const FacePoints& end, const Point3& normal,
-                                          double h) {
-  double least = 0, most = 0;
+/// Signed distances of the node (the origin) from the corners of a face along its normal, positive in front.
+struct PlaneRange {
+  double least = 0, most = 0;  // over the corners and both ends of the step, and so at any time between
+  double most_start = 0;       // over the corners at the start
+};
+
+KOKKOS_INLINE_FUNCTION PlaneRange find_plane_range(const FacePoints& start, const FacePoints& end,
+                                                   const Point3& normal) {
+  PlaneRange range;
   for (int i = 0; i < 4; ++i) {
     const double before = -dot(normal, start.corner[i]), after = -dot(normal, end.corner[i]);
     const double low = before < after ? before : after, high = before < after ? after : before;
-    least = i == 0 || low < least ? low : least;
-    most = i == 0 || high > most ? high : most;
+    range.least = i == 0 || low < range.least ? low : range.least;
+    range.most = i == 0 || high > range.most ? high : range.most;
+    range.most_start = i == 0 || before > range.most_start ? before : range.most_start;
   }
-  return least <= contact_limits::row_gap * h && most >= -contact_limits::capture * h;
+  return range;
 }
 
 /// When contact begins, from the gaps at both ends of the step.
@@ -150,17 +155,21 @@ KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const Surf
   if (!is_in_box(node, faces.box, face)) return false;
   const RelativeFace relative = load_relative_face(surface, motion, node.x, node.v, face);
   const FacePoints end = find_end(relative);
-  if (!is_near_plane(relative.start, end, load_row(faces.normal, face), faces.size(face))) return false;
+  const double h = faces.size(face);
+  const PlaneRange range = find_plane_range(relative.start, end, load_row(faces.normal, face));
+  if (range.least > contact_limits::row_gap * h || range.most < -contact_limits::capture * h) return false;
   touch = Touch{};
   touch.face = face;
-  touch.size = faces.size(face);
+  touch.size = h;
   find_record(surface, faces, history, node.node, touch);
   touch.opposed = find_opposition(surface, faces, node.node, face) <= contact_limits::opposing;
   // Faces that only meet at an edge, as those of bricks in line do, are hit only by going through them for certain.
+  const bool starts_in_front = range.most_start > contact_limits::overlap * h;
   if (!touch.opposed && !touch.same_face)
-    return check_swept(surface, faces, relative, end, touch) && touch.gap_start > contact_limits::overlap * touch.size;
+    return starts_in_front && check_swept(surface, faces, relative, end, touch) &&
+           touch.gap_start > contact_limits::overlap * h;
   if (check_touching(surface, faces, relative.start, end, touch)) return true;
-  if (check_swept(surface, faces, relative, end, touch)) return true;
+  if (starts_in_front && check_swept(surface, faces, relative, end, touch)) return true;
   return check_held(surface, faces, relative.start, end, touch);
 }
 

@@ -124,6 +124,7 @@ void sum_coefficients(const Space& space, const RowSystem& system) {
 template <class Space>
 void sum_stiffness(const Space& space, const Rows3<const double>& inverse_mass, const RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
+  const Array<int> awake = system.awake;
   const Rows3<const double> sum = system.abs_sum;
   Kokkos::parallel_for(
       "contact::sum_stiffness", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
@@ -136,6 +137,7 @@ void sum_stiffness(const Space& space, const Rows3<const double>& inverse_mass, 
             stiffness[d] += (c.x * s.x * w.x + c.y * s.y * w.y) + c.z * s.z * w.z;
           }
         set_stiffness(row, stiffness);
+        awake(r) = row.impulse.push > 0 ? pushes_now | pushed_before : 0;
       });
 }
 
@@ -152,6 +154,7 @@ void build_rows(const Space& space, const ContactSurface& surface, const Candida
   if (system.num_rows == 0) return;
   number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)), system);
   group_entries(space, system);
+  reserve(system.awake, system.num_rows);
   reserve(system.abs_sum, system.num_nodes);
   reserve(system.correction, system.num_nodes);
   reserve(system.extrapolated, system.num_nodes);

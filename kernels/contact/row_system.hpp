@@ -35,6 +35,8 @@ struct RowSystem {
   int num_rows = 0;
   int num_nodes = 0;
   Array<ContactRow> rows = Array<ContactRow>("contact::rows", 0);
+  // Per row: 1 if it pushes, 2 if it did in the iterate before. Rows at rest are passed over without being read.
+  Array<int> awake = Array<int>("contact::awake_rows", 0);
   Array<int> nodes = Array<int>("contact::touched_nodes", 0);              // [num_nodes] mesh nodes, in no order
   Array<int> offset = Array<int>("contact::entry_offset", 0);              // [num_nodes + 1]
   Array<int> entry = Array<int>("contact::entries", 0);                    // row * row_nodes + slot, ascending by node
@@ -49,11 +51,14 @@ struct RowSystem {
   SumScratch sums = SumScratch("contact::row_sums", 0);
 };
 
+inline constexpr int pushes_now = 1, pushed_before = 2;
+
 /// Impulse of all rows on touched node a, in row order.
-KOKKOS_INLINE_FUNCTION Point3 gather_impulse(const Array<const ContactRow>& rows, const Array<const int>& offset,
-                                             const Array<const int>& entry, int a) {
+KOKKOS_INLINE_FUNCTION Point3 gather_impulse(const Array<const ContactRow>& rows, const Array<const int>& awake,
+                                             const Array<const int>& offset, const Array<const int>& entry, int a) {
   Point3 sum{};
   for (int e = offset(a); e < offset(a + 1); ++e) {
+    if ((awake(entry(e) / row_nodes) & pushes_now) == 0) continue;
     const ContactRow& row = rows(entry(e) / row_nodes);
     sum = sum + spread_impulse(row, entry(e) % row_nodes, row.force, row.couple);
   }
