@@ -31,6 +31,7 @@ AuditResult Audit::operator()(const State& state) {
   const auto x = state.x, v = state.v, slot_force = state.slot_force, start = model_.start;
   const auto nodes_to_slots = model_.nodes_to_slots;
   const auto mass = model_.mass;
+  const auto inverse_mass = model_.inverse_mass;
   const auto gravity = model_.gravity;
   const double dt_mean = state.step == 0 ? 0.0 : 0.5 * (state.dt + state.next_dt);
   const Kokkos::Array<double, 3> center{{model_.mass_center[0], model_.mass_center[1], model_.mass_center[2]}};
@@ -44,7 +45,8 @@ AuditResult Audit::operator()(const State& state) {
         const double p[3] = {m * v(n, 0), m * v(n, 1), m * v(n, 2)};
         const double r[3] = {x(n, 0) - center[0], x(n, 1) - center[1], x(n, 2) - center[2]};
         for (int k = 0; k < 3; ++k) {
-          sum[kinetic] += 0.5 * v(n, k) * (p[k] + dt_mean * f[k]);
+          const double change = inverse_mass(n, k) > 0 ? dt_mean * f[k] : 0;  // a held direction goes its own way
+          sum[kinetic] += 0.5 * v(n, k) * (p[k] + change);
           sum[potential] += m * gravity.g[k] * (x(n, k) - start(n, k));
           sum[px + k] += p[k];
         }

@@ -21,8 +21,9 @@ void add_to_books(const std::array<double, K>& sums, std::size_t first, double s
   }
 }
 
-/// Whatever holds a direction gives J = m (v+ - v-) - dt_mean (f + m g) - P and does the work J (v- + v+) / 2.
-void book_conditions(const Model& model, const OrderedSum<7>& held_sum, State& state, double dt_mean) {
+/// Whatever holds a direction gives J = m (v+ - v-) - dt_mean (f + m g) - P. Its work is what the kinetic energy gains
+/// and the other forces take over the step; this is the part of it that is known before the elements are computed.
+void book_conditions(const Model& model, const OrderedSum<7>& held_sum, State& state, double dt, double dt_mean) {
   if (model.held.count == 0) return;
   const auto held = model.held;
   const auto mass = model.mass;
@@ -33,14 +34,35 @@ void book_conditions(const Model& model, const OrderedSum<7>& held_sum, State& s
       ExecSpace(), KOKKOS_LAMBDA(const int i, Kokkos::Array<double, 7>& sum) {
         const int n = held.node(i);
         const int k = held.direction(i);
+        const double m = mass(n), v_mean = 0.5 * (v(n, k) + v_before(n, k));
         double j[3] = {0, 0, 0};
-        j[k] = mass(n) * (v(n, k) - v_before(n, k)) - dt_mean * (force(n, k) + mass(n) * gravity.g[k]) - impulse(n, k);
-        sum[0] += 0.5 * j[k] * (v(n, k) + v_before(n, k));
+        j[k] = m * (v(n, k) - v_before(n, k)) - dt_mean * (force(n, k) + m * gravity.g[k]) - impulse(n, k);
+        sum[0] += (m * (v(n, k) - v_before(n, k)) - impulse(n, k)) * v_mean -
+                  dt * v(n, k) * (0.5 * force(n, k) + m * gravity.g[k]);
         const double r[3] = {x(n, 0) - center[0], x(n, 1) - center[1], x(n, 2) - center[2]};
         add_impulse(r, j, &sum[1]);
       });
   state.books.external_work += sums[0];
   add_to_books(sums, 1, 1.0, state.books);
+}
+
+/// The rest of the conditions' work: half a step of what the forces at n+1 take, which stand in the slots.
+void book_condition_forces(const Model& model, const OrderedSum<1>& held_force_sum, State& state, double dt) {
+  if (!model.is_driven) return;
+  const auto held = model.held;
+  const auto nodes_to_slots = model.nodes_to_slots;
+  const auto v = state.v, slot_force = state.slot_force;
+  const auto power = held_force_sum(
+      ExecSpace(), KOKKOS_LAMBDA(const int i, Kokkos::Array<double, 1>& sum) {
+        const int n = held.node(i);
+        const int k = held.direction(i);
+        double force = 0;
+        for (int s = nodes_to_slots.first(n); s < nodes_to_slots.first(n + 1); ++s) {
+          force += slot_force(nodes_to_slots.slots(s), k);
+        }
+        sum[0] += v(n, k) * force;
+      });
+  state.books.external_work -= 0.5 * dt * power[0];
 }
 
 Vec3 book_walls(const Model& model, const OrderedSum<6>& wall_sum, State& state, double dt) {
@@ -75,7 +97,8 @@ std::array<double, 7> sum_pressure(const Model& model, const OrderedSum<7>& pres
 }
 
 /// Gravity acts on the mass centre, which moves with the momentum: no sum over nodes.
-void book_gravity(const Model& model, const Vec3& start_momentum, double dt, double dt_mean, Vec3& center, Books& books) {
+void book_gravity(const Model& model, const Vec3& start_momentum, double dt, double dt_mean, Vec3& center,
+                  Books& books) {
   const double* g = model.gravity.g;
   if (g[0] == 0 && g[1] == 0 && g[2] == 0) return;
   const double weight = dt_mean * model.total_mass;
@@ -94,6 +117,7 @@ Bookkeeper::Bookkeeper(const Deck& deck, const Model& model)
     : deck_(deck),
       model_(model),
       held_sum_("percuss::held_sum", model.held.count),
+      held_force_sum_("percuss::held_force_sum", model.is_driven ? model.held.count : 0),
       wall_sum_("percuss::wall_sum", deck.walls.empty() ? 0 : model.node_count),
       pressure_sum_("percuss::pressure_sum", model.pressure_faces.count) {}
 
@@ -107,7 +131,7 @@ void Bookkeeper::start(const State& state) {
 }
 
 void Bookkeeper::book_impulses(State& state, double dt, double dt_mean) {
-  book_conditions(model_, held_sum_, state, dt_mean);
+  book_conditions(model_, held_sum_, state, dt, dt_mean);
   if (!deck_.walls.empty()) wall_force_ = book_walls(model_, wall_sum_, state, dt);
   if (model_.pressure_faces.count > 0) {
     const auto sums = sum_pressure(model_, pressure_sum_, state);
@@ -117,7 +141,8 @@ void Bookkeeper::book_impulses(State& state, double dt, double dt_mean) {
   book_gravity(model_, momentum_, dt, dt_mean, center_shift_, state.books);
 }
 
-void Bookkeeper::book_pressure_work(State& state, double dt) {
+void Bookkeeper::book_new_forces(State& state, double dt) {
+  book_condition_forces(model_, held_force_sum_, state, dt);
   if (model_.pressure_faces.count == 0) return;
   state.books.external_work += 0.5 * dt * sum_pressure(model_, pressure_sum_, state)[0];
 }

@@ -18,11 +18,12 @@ class Bookkeeper {
   /// Notes the momentum at time 0.
   void start(const State& state);
 
-  /// Books the impulses of a step and the first half of the pressure's work. Call with v at n+1/2, x and forces at n.
+  /// Books the impulses of a step and the first half of the work of pressure and conditions. Call with v at n+1/2, x
+  /// and forces at n.
   void book_impulses(State& state, double dt, double dt_mean);
 
-  /// Books the second half of the pressure's work. Call with v at n+1/2 and the pressure forces at n+1.
-  void book_pressure_work(State& state, double dt);
+  /// Books the second half of that work. Call with v at n+1/2 and the slots' forces at n+1.
+  void book_new_forces(State& state, double dt);
 
   /// Force of all walls on the scene in the last step: their impulses over dt.
   const Vec3& wall_force() const { return wall_force_; }
@@ -30,7 +31,8 @@ class Bookkeeper {
  private:
   const Deck& deck_;
   const Model& model_;
-  OrderedSum<7> held_sum_;      // work, impulse, moment of impulse
+  OrderedSum<7> held_sum_;  // work, impulse, moment of impulse
+  OrderedSum<1> held_force_sum_;
   OrderedSum<6> wall_sum_;      // impulse, moment of impulse
   OrderedSum<7> pressure_sum_;  // power, force, moment
   Vec3 wall_force_{};

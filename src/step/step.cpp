@@ -54,7 +54,7 @@ void Stepper::advance(State& state) {
   apply_loads(state, state.time + dt);
   {
     const Phase phase("percuss::book", seconds_.reduce);
-    bookkeeper_.book_pressure_work(state, dt);
+    bookkeeper_.book_new_forces(state, dt);
   }
   state.time += dt;
   state.step += 1;
