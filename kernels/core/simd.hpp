@@ -51,13 +51,18 @@ inline Pack<float> select(const Pack<float>::mask_type& mask, const Pack<float>&
 }
 #endif
 // GCC 12 takes the undefined vector that its own 512-bit square root starts from for a mistake (GCC bug 105593).
+#ifndef __clang__
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 template <class Scalar, class Abi>
 inline std::experimental::simd<Scalar, Abi> square_root(const std::experimental::simd<Scalar, Abi>& a) {
   return std::experimental::sqrt(a);
 }
+#ifndef __clang__
 #pragma GCC diagnostic pop
+#endif
 template <class Scalar, class Abi>
 inline std::experimental::simd<Scalar, Abi> larger(const std::experimental::simd<Scalar, Abi>& a,
                                                    const std::experimental::simd<Scalar, Abi>& b) {
