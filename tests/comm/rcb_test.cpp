@@ -14,7 +14,8 @@ TEST_F(RcbTest, CutsRandomPointsLikeTheSerialOne) {
   EXPECT_EQ(report.points, 20'000);
   EXPECT_EQ(report.weight, 20'000);
   EXPECT_GE(report.imbalance, 1);
-  EXPECT_LE(report.imbalance, 1.001);
+  // At each cut the upper side may get a point more than its share, which it divides among its ranks: 1 + 1/2 + 1/4 ...
+  EXPECT_LE(report.imbalance, 1 + 2 * world_.size() / 20'000.0);
 }
 
 TEST_F(RcbTest, CutsDoNotDependOnWhoHoldsThePoints) {
