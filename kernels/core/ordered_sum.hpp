@@ -19,7 +19,9 @@ class OrderedSum {
   static constexpr int block_length = 1024;
 
   OrderedSum(const std::string& label, int count)
-      : label_(label), count_(count), blocks_(label, static_cast<std::size_t>((count + block_length - 1) / block_length)) {}
+      : label_(label),
+        count_(count),
+        blocks_(label, static_cast<std::size_t>((count + block_length - 1) / block_length)) {}
 
   /// add(i, sums) adds item i to sums[0..K). Returns the K totals on the host.
   template <class Add>

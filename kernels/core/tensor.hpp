@@ -104,7 +104,9 @@ KOKKOS_INLINE_FUNCTION Vector3<T> operator*(const Matrix3<T>& a, const Vector3<T
 }
 template <class T>
 KOKKOS_INLINE_FUNCTION Matrix3<T> transpose(const Matrix3<T>& a) {
-  return {{{a.row[0].x, a.row[1].x, a.row[2].x}, {a.row[0].y, a.row[1].y, a.row[2].y}, {a.row[0].z, a.row[1].z, a.row[2].z}}};
+  return {{{a.row[0].x, a.row[1].x, a.row[2].x},
+           {a.row[0].y, a.row[1].y, a.row[2].y},
+           {a.row[0].z, a.row[1].z, a.row[2].z}}};
 }
 /// transpose(a) b.
 template <class T>

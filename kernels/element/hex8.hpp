@@ -17,10 +17,10 @@ enum class HourglassKind { stiffness, viscous };
 /// What one element, or a pack of them, remembers between steps; all in the unrotated frame but the stretch.
 template <class T, class Material, HourglassKind Kind>
 struct HexState {
-  T mass;               // constant
-  T viscous_pressure;   // q at n, for the trapezoid of its work
-  Polar<T> polar;       // R and V at n
-  Symmetric3<T> stress; // Cauchy, unrotated, at n
+  T mass;                       // constant
+  T viscous_pressure;           // q at n, for the trapezoid of its work
+  Polar<T> polar;               // R and V at n
+  Symmetric3<T> stress;         // Cauchy, unrotated, at n
   HourglassModes<T> hourglass;  // Q at n; only kept for the stiffness form
   T history[Material::history_count > 0 ? Material::history_count : 1];
 };

@@ -30,10 +30,10 @@ struct HexChunks {
 
 /// What a step leaves for each chunk.
 struct ChunkResults {
-  Array<double> stable_step;        // [count] smallest bound of the chunk's elements
-  Array<int> controlling_element;   // [count] element that has it
-  Array<int> failed_element;        // [count] lowest element with no positive volume or no step, -1: none
-  Rows3<double> work;               // [count][3] internal, hourglass, viscous energy put in since the start
+  Array<double> stable_step;       // [count] smallest bound of the chunk's elements
+  Array<int> controlling_element;  // [count] element that has it
+  Array<int> failed_element;       // [count] lowest element with no positive volume or no step, -1: none
+  Rows3<double> work;              // [count][3] internal, hourglass, viscous energy put in since the start
 };
 
 /// Scalars that one element's record holds: mass, q, R (9), V (6), stress (6), then hourglass forces, then history.

@@ -44,7 +44,8 @@ KOKKOS_INLINE_FUNCTION T find_hourglass_frequency_square(const T& gradient_squar
 }
 
 /// How much larger than on a parallelepiped the stiffest hourglass pattern is: a bound of the largest eigenvalue of
-/// gamma_h . gamma_k / 8, gamma_h = phi_h - sum_j a_jh B_j / V, from the norms of its three terms. 1 without distortion.
+/// gamma_h . gamma_k / 8, gamma_h = phi_h - sum_j a_jh B_j / V, from the norms of its three terms. 1 without
+/// distortion.
 template <class T>
 KOKKOS_INLINE_FUNCTION T find_hourglass_magnification(const VectorModes<T>& a, const VolumeGradient<T>& b,
                                                       const T& largest_gradient) {

@@ -18,8 +18,12 @@ template <class Material, HourglassKind Kind>
 using LaneState = HexState<Lanes, Material, Kind>;
 
 KOKKOS_INLINE_FUNCTION void load_symmetric(const double* from, Symmetric3<Lanes>& s) {
-  s = {load_pack(from),             load_pack(from + width),     load_pack(from + 2 * width),
-       load_pack(from + 3 * width), load_pack(from + 4 * width), load_pack(from + 5 * width)};
+  s = {load_pack(from),
+       load_pack(from + width),
+       load_pack(from + 2 * width),
+       load_pack(from + 3 * width),
+       load_pack(from + 4 * width),
+       load_pack(from + 5 * width)};
 }
 KOKKOS_INLINE_FUNCTION void store_symmetric(double* to, const Symmetric3<Lanes>& s) {
   store_pack(to, s.xx);
@@ -114,7 +118,8 @@ KOKKOS_INLINE_FUNCTION void scatter_forces(const Lanes (&f)[3][8], const std::ui
   }
   for (int lane = 0; lane < lanes; ++lane) {
     for (int i = 0; i < 8; ++i) {
-      subtract_record(&records[i / 2][lane][4 * (i % 2)], forces + force_record * static_cast<int>(corners[i * width + lane]));
+      subtract_record(&records[i / 2][lane][4 * (i % 2)],
+                      forces + force_record * static_cast<int>(corners[i * width + lane]));
     }
   }
 }
@@ -160,7 +165,8 @@ struct AdvanceChunk {
   ChunkResults results;
 
   static std::size_t scratch_bytes(const HexChunks& chunks) {
-    return (static_cast<std::size_t>(chunks.largest_slot_count) * (node_record + force_record) + 8) * sizeof(double) + 128;
+    return (static_cast<std::size_t>(chunks.largest_slot_count) * (node_record + force_record) + 8) * sizeof(double) +
+           128;
   }
 
   KOKKOS_FUNCTION void operator()(const Member& member) const {
@@ -229,8 +235,7 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlo
   using Kernel = AdvanceChunk<Material, Kind>;
   Policy policy(space, count, 1);
   policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(Kernel::scratch_bytes(chunks)))).set_chunk_size(1);
-  Kokkos::parallel_for("percuss::advance_elements", policy,
-                       Kernel{chunks, block, motion, state, slot_force, results});
+  Kokkos::parallel_for("percuss::advance_elements", policy, Kernel{chunks, block, motion, state, slot_force, results});
 }
 
 }  // namespace

@@ -18,15 +18,16 @@ struct ElementMotion {
 /// One compiled variant of the element: a material and an hourglass control, with the chunks that use it.
 template <class Material, HourglassKind Kind>
 struct HexBlock {
-  Array<int> chunks;                                                       // ascending chunk ids
-  Kokkos::View<HexParameters<Material>*, MemSpace> parameters;             // by HexChunks::parameters
+  Array<int> chunks;                                            // ascending chunk ids
+  Kokkos::View<HexParameters<Material>*, MemSpace> parameters;  // by HexChunks::parameters
 };
 
 template <class List>
 struct AllHexBlocks;
 template <class... Material>
 struct AllHexBlocks<TypeList<Material...>> {
-  using type = std::tuple<HexBlock<Material, HourglassKind::stiffness>..., HexBlock<Material, HourglassKind::viscous>...>;
+  using type =
+      std::tuple<HexBlock<Material, HourglassKind::stiffness>..., HexBlock<Material, HourglassKind::viscous>...>;
 };
 /// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
 using HexBlocks = AllHexBlocks<Materials>::type;

@@ -40,8 +40,8 @@ KOKKOS_INLINE_FUNCTION Matrix3<T> find_rotation_increment(const Vector3<T>& w, c
 
 /// Advances R and V from n to n+1 with the velocity gradient l of the mid-point.
 ///
-/// The spin at n turns the axes to first order; what is left of the antisymmetric part of F(n+1) transpose(R) then gives
-/// the missing rotation (one Newton step of the polar decomposition), so that V R = F to fourth order in a step.
+/// The spin at n turns the axes to first order; what is left of the antisymmetric part of F(n+1) transpose(R) then
+/// gives the missing rotation (one Newton step of the polar decomposition), so that V R = F to fourth order in a step.
 template <class T>
 KOKKOS_INLINE_FUNCTION Polar<T> advance_polar(const Polar<T>& old, const Matrix3<T>& l, const T& dt) {
   const Vector3<T> spin = find_material_spin(symmetric_part(l), axial_vector(l), old.stretch);

@@ -8,9 +8,9 @@ namespace percuss {
 /// One held direction of one node an entry; const after set-up. A node and direction occurs once.
 struct HeldDirections {
   Array<int> node;
-  Array<int> direction;    // 0, 1, 2
-  Array<int> motion;       // row of the prescribed motions
-  Array<double> start;     // coordinate at time 0 [length]
+  Array<int> direction;  // 0, 1, 2
+  Array<int> motion;     // row of the prescribed motions
+  Array<double> start;   // coordinate at time 0 [length]
   int count = 0;
 };
 

@@ -15,8 +15,9 @@ void assemble_forces(const ExecSpace& space, const NodeSlots& nodes_to_slots, co
       });
 }
 
-void predict_velocities(const ExecSpace& space, const Rows3<const double>& force, const Rows3<const double>& inverse_mass,
-                        const Gravity& gravity, double dt_mean, const Rows3<double>& v_before, const Rows3<double>& v) {
+void predict_velocities(const ExecSpace& space, const Rows3<const double>& force,
+                        const Rows3<const double>& inverse_mass, const Gravity& gravity, double dt_mean,
+                        const Rows3<double>& v_before, const Rows3<double>& v) {
   Kokkos::parallel_for(
       "percuss::predict_velocities", Range(space, 0, static_cast<int>(v.extent(0))), KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k) {

@@ -22,8 +22,9 @@ void assemble_forces(const ExecSpace& space, const NodeSlots& nodes_to_slots, co
 
 /// v(n+1/2) = v(n-1/2) + dt_mean (f / m + g) in each direction with a finite mass; held directions keep their velocity.
 /// v_before: out, v(n-1/2).
-void predict_velocities(const ExecSpace& space, const Rows3<const double>& force, const Rows3<const double>& inverse_mass,
-                        const Gravity& gravity, double dt_mean, const Rows3<double>& v_before, const Rows3<double>& v);
+void predict_velocities(const ExecSpace& space, const Rows3<const double>& force,
+                        const Rows3<const double>& inverse_mass, const Gravity& gravity, double dt_mean,
+                        const Rows3<double>& v_before, const Rows3<double>& v);
 
 /// x(n+1) = x(n) + dt v(n+1/2).
 void move_nodes(const ExecSpace& space, const Rows3<const double>& v, double dt, const Rows3<double>& x);

@@ -7,8 +7,8 @@ namespace percuss {
 
 /// Loaded faces; const after set-up. Face f writes its four corner shares to the slots first_slot + 4 f + corner.
 struct PressureFaces {
-  Rows4<int> nodes;   // corners, outward by the right-hand rule
-  Array<int> load;    // which pressure acts on the face
+  Rows4<int> nodes;  // corners, outward by the right-hand rule
+  Array<int> load;   // which pressure acts on the face
   int first_slot = 0;
   int count = 0;
 };

@@ -43,18 +43,18 @@ struct Mesh {
 };
 
 /// Generates or reads the meshes of all parts, checks them and puts them together. Nodes of different parts are never
-/// merged. Throws InputError with all problems found, each with the deck's place, the file and the element (inverted, no
-/// volume, repeated nodes, duplicates, numbers out of range; file missing, damaged or without hexahedra); SystemError if a
-/// file is there but the system does not let it be read.
+/// merged. Throws InputError with all problems found, each with the deck's place, the file and the element (inverted,
+/// no volume, repeated nodes, duplicates, numbers out of range; file missing, damaged or without hexahedra);
+/// SystemError if a file is there but the system does not let it be read.
 Mesh build_mesh(const Deck& deck);
 
-/// Nodes that the selector means, ascending; a side set means the nodes of its faces. `inside` counts nodes on the faces
-/// of the box in (within 1e-9 of the mesh's diagonal). A set's name without its part will do where only one part has it.
-/// Throws InputError (nearest name hinted) if the name is unknown or ambiguous or if nothing is selected.
+/// Nodes that the selector means, ascending; a side set means the nodes of its faces. `inside` counts nodes on the
+/// faces of the box in (within 1e-9 of the mesh's diagonal). A set's name without its part will do where only one part
+/// has it. Throws InputError (nearest name hinted) if the name is unknown or ambiguous or if nothing is selected.
 std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector& selector);
 
-/// Exterior faces that the selector means, ascending: those of a side set (its interior faces left out), of a part or of
-/// the whole mesh; with `inside` only those with all four corners inside. Throws InputError likewise.
+/// Exterior faces that the selector means, ascending: those of a side set (its interior faces left out), of a part or
+/// of the whole mesh; with `inside` only those with all four corners inside. Throws InputError likewise.
 std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector);
 
 /// Faces that belong to one element only, ascending.

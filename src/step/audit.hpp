@@ -2,9 +2,9 @@
 // The audit of a state: energies and momentum at consistent times.
 //
 // With velocities at n-1/2 and forces at n, the energy that central differences conserve has the kinetic part
-// sum m v(n-1/2) . v*(n+1/2) / 2, v* the velocity predicted without contact; held directions have m v(n-1/2)^2 / 2, since
-// the forces on them move nothing. Work terms are those of books.hpp; internal, hourglass and viscous energy come from the elements' own stresses and rates, so that the
-// balance is a check and not an identity.
+// sum m v(n-1/2) . v*(n+1/2) / 2, v* the velocity predicted without contact; held directions have m v(n-1/2)^2 / 2,
+// since the forces on them move nothing. Work terms are those of books.hpp; internal, hourglass and viscous energy come
+// from the elements' own stresses and rates, so that the balance is a check and not an identity.
 
 #include "kernels/core/ordered_sum.hpp"
 #include "src/output/summary.hpp"

@@ -21,7 +21,9 @@ void for_each_record(const Model& model, const State& state, const Write& write)
         const int size = chunks.record_size(c);
         const double* base = &elements(chunks.first_state(c));
         for (int e = first; e < chunks.first_element(c + 1); ++e) {
-          write(e, c, base + static_cast<std::size_t>((e - first) / width) * static_cast<std::size_t>(size) * width + (e - first) % width);
+          write(e, c,
+                base + static_cast<std::size_t>((e - first) / width) * static_cast<std::size_t>(size) * width +
+                    (e - first) % width);
         }
       });
   ExecSpace().fence();

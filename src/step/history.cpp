@@ -31,9 +31,11 @@ double find_square_distance(const Vec3& a, const Vec3& b) {
 std::vector<bool> find_searched_elements(const Mesh& mesh, const Deck& deck, const HistoryPoint& point) {
   std::vector<bool> searched(mesh.elements.size(), point.part.empty());
   if (point.part.empty()) return searched;
-  const auto part = std::find_if(mesh.parts.begin(), mesh.parts.end(), [&](const MeshPart& p) { return p.name == point.part; });
+  const auto part =
+      std::find_if(mesh.parts.begin(), mesh.parts.end(), [&](const MeshPart& p) { return p.name == point.part; });
   if (part == mesh.parts.end()) {
-    throw InputError(fmt::format("{}: error: no part is called '{}' (history point '{}')", deck.where(point.place), point.part, point.name));
+    throw InputError(fmt::format("{}: error: no part is called '{}' (history point '{}')", deck.where(point.place),
+                                 point.part, point.name));
   }
   for (std::size_t e = 0; e < searched.size(); ++e) searched[e] = mesh.element_part[e] == part - mesh.parts.begin();
   return searched;
@@ -78,15 +80,15 @@ int find_point(const Mesh& mesh, const Deck& deck, const HistoryPoint& point) {
 }
 
 std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, bool has_walls) {
-  std::vector<std::string> columns{"time",       "step",       "dt",         "dt_element", "kinetic",    "internal",
-                                   "hourglass",  "viscous",    "contact",    "friction",   "external",   "energy_error",
-                                   "momentum_x", "momentum_y", "momentum_z", "angular_x",  "angular_y",  "angular_z",
+  std::vector<std::string> columns{"time",       "step",       "dt",         "dt_element", "kinetic",   "internal",
+                                   "hourglass",  "viscous",    "contact",    "friction",   "external",  "energy_error",
+                                   "momentum_x", "momentum_y", "momentum_z", "angular_x",  "angular_y", "angular_z",
                                    "contacts",   "candidates", "iterations", "residual"};
   if (has_walls) columns.insert(columns.end(), {"wall_force_x", "wall_force_y", "wall_force_z"});
   for (const FollowedPoint& p : points) {
     const std::vector<const char*> suffixes =
         p.is_element ? std::vector<const char*>{"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz",
-                                                "stress_zx", "pressure", "von_mises", "eps"}
+                                                "stress_zx", "pressure",  "von_mises", "eps"}
                      : std::vector<const char*>{"x", "y", "z", "vx", "vy", "vz"};
     for (const char* suffix : suffixes) columns.push_back(p.name + "_" + suffix);
   }
@@ -112,11 +114,28 @@ void History::write(const Model& model, const State& state, const AuditResult& a
   const EnergySummary& e = audit.energy;
   const MomentumSummary& m = audit.momentum;
   const auto controlling = static_cast<double>(mesh_.element_ids[static_cast<std::size_t>(state.bound.element)]);
-  std::vector<double> row{state.time, static_cast<double>(state.step), state.dt, controlling, e.kinetic, e.internal,
-                          e.hourglass, e.viscous, e.contact, e.friction, e.external, e.error, m.linear[0], m.linear[1],
-                          m.linear[2], m.angular[0], m.angular[1], m.angular[2],
-                          static_cast<double>(contact.interactions), static_cast<double>(contact.candidates),
-                          static_cast<double>(contact.iterations), contact.residual};
+  std::vector<double> row{state.time,
+                          static_cast<double>(state.step),
+                          state.dt,
+                          controlling,
+                          e.kinetic,
+                          e.internal,
+                          e.hourglass,
+                          e.viscous,
+                          e.contact,
+                          e.friction,
+                          e.external,
+                          e.error,
+                          m.linear[0],
+                          m.linear[1],
+                          m.linear[2],
+                          m.angular[0],
+                          m.angular[1],
+                          m.angular[2],
+                          static_cast<double>(contact.interactions),
+                          static_cast<double>(contact.candidates),
+                          static_cast<double>(contact.iterations),
+                          contact.residual};
   if (has_walls_) row.insert(row.end(), wall_force.begin(), wall_force.end());
   std::vector<double> stresses, strains, pressures, von_mises;
   if (std::any_of(points_.begin(), points_.end(), [](const FollowedPoint& p) { return p.is_element; })) {

@@ -99,7 +99,8 @@ Run::Run(const Deck& deck, const RunOptions& options)
     for (const std::string& warning : chunked_.mesh.warnings) fmt::print(stderr, "warning: {}\n", warning);
   }
   if (contact_.is_active()) contact_notice_ = contact_.prepare(state_.x, state_.v, model_.inverse_mass);
-  if (!contact_notice_.empty() && options.progress != Progress::Style::quiet) fmt::print(stderr, "{}\n", contact_notice_);
+  if (!contact_notice_.empty() && options.progress != Progress::Style::quiet)
+    fmt::print(stderr, "{}\n", contact_notice_);
   if (!options.out_dir.empty()) {
     if (deck.output.fields_every) frames_.emplace(options.out_dir, deck, chunked_, model_);
     if (deck.output.history_every) history_.emplace(options.out_dir, deck, chunked_.mesh);
@@ -175,24 +176,27 @@ void Run::check_elements() const {
     throw RunError(fmt::format(
         "the time step has collapsed to {:.3g} (it began at {:.3g}) in step {} at t = {:.6g}; {} controls it; try a "
         "coarser mesh there, or lower time.collapse_ratio (now {:g}) to go on",
-        state_.next_dt, first_dt_, state_.step, state_.time, describe(state_.bound.element), deck_.time.collapse_ratio));
+        state_.next_dt, first_dt_, state_.step, state_.time, describe(state_.bound.element),
+        deck_.time.collapse_ratio));
   }
 }
 
 void Run::check_energy() const {
   const double error = audited_.energy.error;
   if (std::abs(error) <= deck_.audit.max_energy_error) return;  // false for NaN
-  throw RunError(fmt::format(
-      "the energy balance is off by {:.3g} of the largest energy, more than audit.max_energy_error = {:g}, in step {} at "
-      "t = {:.6g} (kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, contact {:.6g}); look at history.csv for what grows, "
-      "try a smaller time.step_scale (now {})",
-      error, deck_.audit.max_energy_error, state_.step, state_.time, audited_.energy.kinetic, audited_.energy.internal,
-      audited_.energy.hourglass, audited_.energy.contact, deck_.time.step_scale));
+  throw RunError(
+      fmt::format("the energy balance is off by {:.3g} of the largest energy, more than audit.max_energy_error = {:g}, "
+                  "in step {} at "
+                  "t = {:.6g} (kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, contact {:.6g}); look at history.csv "
+                  "for what grows, "
+                  "try a smaller time.step_scale (now {})",
+                  error, deck_.audit.max_energy_error, state_.step, state_.time, audited_.energy.kinetic,
+                  audited_.energy.internal, audited_.energy.hourglass, audited_.energy.contact, deck_.time.step_scale));
 }
 
 ProgressState Run::find_progress() const {
-  return {state_.step, state_.time, deck_.time.end, state_.dt, audited_.energy.error,
-          stepper_.contact_report().interactions};
+  return {state_.step, state_.time,           deck_.time.end,
+          state_.dt,   audited_.energy.error, stepper_.contact_report().interactions};
 }
 
 void Run::finish(const std::string& status, const std::string& error) {

@@ -116,8 +116,7 @@ TEST(Hex8Force, ForcesBalanceInSumMomentAndPower) {
     EXPECT_LT(norm(force), 1e-13);
     EXPECT_LT(norm(moment), 1e-13);
     const Matrix3<double> l = find_velocity_gradient(vm, b);
-    const double expected =
-        b.volume * contract(t, symmetric_part(l)) + find_power(q, find_hourglass_rates(vm, a, l));
+    const double expected = b.volume * contract(t, symmetric_part(l)) + find_power(q, find_hourglass_rates(vm, a, l));
     EXPECT_NEAR(power, expected, 1e-12);
   }
 }

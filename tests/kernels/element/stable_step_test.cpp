@@ -18,8 +18,8 @@ namespace {
 constexpr double density = 1000;
 
 /// K v of the element at rest: corner forces of an infinitesimal displacement v, through the element's own pieces.
-Corners apply_stiffness(const HexParameters<Elastic>& par, const VectorModes<double>& a, const VolumeGradient<double>& b,
-                        const Corners& v) {
+Corners apply_stiffness(const HexParameters<Elastic>& par, const VectorModes<double>& a,
+                        const VolumeGradient<double>& b, const Corners& v) {
   const VectorModes<double> vm = find_modes(v);
   const Matrix3<double> l = find_velocity_gradient(vm, b);
   Symmetric3<double> stress{};
@@ -66,10 +66,12 @@ TEST(StableStep, BoundIsExactForTheCubeWithoutShearCoupling) {
   EXPECT_NEAR(g.largest / (h * h * h * h / 2), 1, 1e-14);
   EXPECT_NEAR(find_thickness(g, b.volume) / h, 1, 1e-14);
   const double mass = density * b.volume;
-  EXPECT_NEAR(find_frequency_square(g, b.volume, mass, lambda, mu) / (4 * (3 * lambda + 2 * mu) / (density * h * h)), 1, 1e-14);
+  EXPECT_NEAR(find_frequency_square(g, b.volume, mass, lambda, mu) / (4 * (3 * lambda + 2 * mu) / (density * h * h)), 1,
+              1e-14);
   const HexParameters<Elastic> par{{lambda, mu}, lambda, mu, 0.0, {0, 0}};
-  EXPECT_NEAR(find_largest_frequency_square(par, c, mass, random) / find_frequency_square(g, b.volume, mass, lambda, mu), 1,
-              1e-6);
+  EXPECT_NEAR(
+      find_largest_frequency_square(par, c, mass, random) / find_frequency_square(g, b.volume, mass, lambda, mu), 1,
+      1e-6);
 }
 
 TEST(StableStep, BoundHoldsForEveryShapeAndPoissonRatioTried) {
