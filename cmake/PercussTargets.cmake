@@ -36,7 +36,7 @@ function(percuss_add_test name)
   add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/test_main.cpp)
   target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} Kokkos::kokkos GTest::gtest GTest::gmock)
   add_test(NAME ${name} COMMAND ${name})
-  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABEL}" ENVIRONMENT "OMP_NUM_THREADS=2;OMP_PROC_BIND=false")
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABEL}" ENVIRONMENT "OMP_NUM_THREADS=2;OMP_PROC_BIND=false;OMP_WAIT_POLICY=passive")
 endfunction()
 
 # How tests start MPI. Ranks share cores, so none is bound, and ranks and threads that wait make way for others. Open MPI
