@@ -44,6 +44,7 @@ TEST(BarWaves, WithLateralRollersTravelAtTheDilatationalSpeed) {
   // of one.
   const double travel = history.time_of_rise("b_von_mises", 0.5 * stress * (1 - 2 * poisson) / (1 - poisson)) -
                         history.time_of_rise("a_von_mises", 0.5 * stress * (1 - 2 * poisson) / (1 - poisson));
+  fmt::print("speed {:.1f} of {:.1f} m/s\n", 1.0 / travel, c);
   EXPECT_NEAR(1.0 / travel, c, 2e-3 * c);
   // behind the front: 0.1 % is what is left of its ringing 100 elements later
   EXPECT_NEAR(history.at(2.8e-4, "a_stress_xx"), -stress, 1e-3 * stress);
@@ -59,6 +60,7 @@ TEST(BarWaves, InASlenderBarTravelAtTheBarSpeed) {
   // one.
   const double travel =
       history.time_of_rise("b_von_mises", stress / 3) - history.time_of_rise("a_von_mises", stress / 3);
+  fmt::print("speed {:.1f} of {:.1f} m/s\n", 1.0 / travel, c);
   EXPECT_NEAR(1.0 / travel, c, 2e-3 * c);
   EXPECT_NEAR(history.mean(1.5e-4, 3.9e-4, "a_stress_xx"), -stress, 5e-3 * stress);
   EXPECT_NEAR(history.mean(1.5e-4, 3.9e-4, "n_vx"), 1, 5e-3);
@@ -119,6 +121,8 @@ output: {history: {elements: [{name: middle, near: [5, 0.5, 0.5]}]}}
     last = h["time"][i];
   }
   // The first push is in the step that reaches the wall; the last one within a front of some elements.
+  fmt::print("contact {:.5e} to {:.5e} s, force {:.1f} lbf, rebound {:.4f}\n", first, last,
+             h.mean(5.5e-5, 1.4e-4, "wall_force_x"), -h.last("momentum_x") / h["momentum_x"][0]);
   EXPECT_NEAR(first, 4.9456e-5, 1.1 * run.summary.dt.max);
   EXPECT_NEAR(last - first, 2 * 10 / 202721.0, 0.01 * 2 * 10 / 202721.0);
   EXPECT_NEAR(h.mean(5.5e-5, 1.4e-4, "wall_force_x"), 29923, 1e-3 * 29923);
@@ -136,7 +140,8 @@ struct Bar {
   int cells;
 };
 
-/// Two bars of section 0.01 x 0.01 that touch at x = 0 at the start, the first on the left; Poisson's ratio is 0.
+/// Two bars of section 0.01 x 0.01 that touch at x = 0 at the start, the first on the left; Poisson's ratio is 0. Bulk
+/// viscosity is weak: at its default it rounds the fronts enough to keep 1 % of the speed.
 Outcome strike(const std::string& title, const Bar& left, const Bar& right, double end) {
   return run_deck(fmt::format(R"(
 title: {}
@@ -147,6 +152,7 @@ parts:
 materials:
   a: {{model: elastic, density: {}, youngs_modulus: {}, poissons_ratio: 0}}
   b: {{model: elastic, density: {}, youngs_modulus: {}, poissons_ratio: 0}}
+elements: {{bulk_viscosity: {{linear: 0.02}}}}
 initial: [{{part: left, velocity: [{}, 0, 0]}}, {{part: right, velocity: [{}, 0, 0]}}]
 contact: {{surfaces: all}}
 output:
@@ -173,15 +179,18 @@ constexpr double area = 1e-4;
 
 TEST(BarImpact, EqualBarsExchangeTheirSpeedsAfterTwoTransits) {
   const double c = std::sqrt(young / density), transit = 0.5 / c;
-  const Outcome run = strike("equal bars", {0.5, 8, young, density, 100}, {0.5, -2, young, density, 100}, 3 * transit);
+  const Outcome run =
+      strike("equal bars", {0.5, 8, young, density, 200}, {0.5, -2, young, density, 200}, 4.3 * transit);
   const HistoryTable& h = run.history;
   const double stress = density * c * 5;  // rho c (v1 - v2) / 2
   EXPECT_NEAR(h.mean(0.2 * transit, 1.8 * transit, "left_vx"), 3, 0.01 * 5);
   EXPECT_NEAR(h.mean(0.2 * transit, 1.8 * transit, "right_vx"), 3, 0.01 * 5);
   EXPECT_NEAR(h.mean(0.5 * transit, 1.5 * transit, "stress_stress_xx"), -stress, 2e-3 * stress);
   EXPECT_NEAR(last_contact(h), 2 * transit, 0.02 * 2 * transit);
-  EXPECT_NEAR(h.mean(2.2 * transit, 3 * transit, "left_vx"), -2, 0.01 * 10);
-  EXPECT_NEAR(h.mean(2.2 * transit, 3 * transit, "right_vx"), 8, 0.01 * 10);
+  EXPECT_NEAR(h.mean(2.2 * transit, 4.2 * transit, "left_vx"), -2, 0.01 * 10);  // over one period
+  EXPECT_NEAR(h.mean(2.2 * transit, 4.2 * transit, "right_vx"), 8, 0.01 * 10);
+  fmt::print("speeds after it {:.4f} and {:.4f}\n", h.mean(2.2 * transit, 4.2 * transit, "left_vx"),
+             h.mean(2.2 * transit, 4.2 * transit, "right_vx"));
   EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
 }

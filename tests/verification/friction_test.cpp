@@ -48,9 +48,11 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [0.2, 0.2, 0.05]}]}}
 )" + block);
   const HistoryTable& h = run.history;
   EXPECT_NEAR(h.last("n_x") - 0.2, 25 / (2 * 0.3 * g), 5e-3 * 4.2474);  // 4.2474 m
+  fmt::print("stops after {:.4f} m\n", h.last("n_x") - 0.2);
   // The momentum falls along a straight line; a twentieth before its end the line is still straight.
   double at_twentieth = 0;
   for (std::size_t i = 0; i < h.rows() && h["momentum_x"][i] > 0.05 * mass * 5; ++i) at_twentieth = h["time"][i];
+  fmt::print("and {:.4f} s, friction {:.2f} J\n", at_twentieth / 0.95, run.summary.energy.friction);
   EXPECT_NEAR(at_twentieth / 0.95, 5 / (0.3 * g), 5e-3 * 1.6989);  // 1.6989 s
   // All but the ringing of the start, some weight times sag, goes into friction.
   EXPECT_NEAR(run.summary.energy.friction, -0.5 * mass * 25, 0.02 * 0.5 * mass * 25);
@@ -62,6 +64,7 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [0.2, 0.2, 0.05]}]}}
 TEST(Friction, ABlockSlidesDownAnInclineAtTheRigidAcceleration) {
   const Outcome run = slide_down(30, 0.3, 1);
   const double a = g * (std::sin(std::numbers::pi / 6) - 0.3 * std::cos(std::numbers::pi / 6));
+  fmt::print("acceleration {:.4f} of {:.4f} m/s^2\n", 2 * (run.history.last("n_x") - 0.2), a);
   EXPECT_NEAR(a, 2.3563, 1e-4);
   EXPECT_NEAR(run.history.last("n_x") - 0.2, 0.5 * a, 5e-3 * 0.5 * a);
   EXPECT_NEAR(run.history.last("momentum_x"), mass * a, 5e-3 * mass * a);
@@ -90,6 +93,7 @@ contact: {surfaces: all, friction: 0.3}
 output: {history: {every: 1e-3, nodes: [{name: n, near: [0.3, 0.4, 0.05], part: block}]}}
 )" + block);
   EXPECT_NEAR(run.history.last("n_x") - 0.3, 4 / (2 * 0.3 * g), 5e-3 * 0.6796);
+  fmt::print("stops after {:.4f} m, {:.1e} m aside\n", run.history.last("n_x") - 0.3, run.history.last("n_y") - 0.4);
   // corners of the plate's faces must not steer it
   EXPECT_NEAR(run.history.last("n_y"), 0.4, 1e-3);
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-3);
