@@ -41,7 +41,7 @@ void expect_hertz(const HertzImpact& hertz, double time, double force) {
 TEST(Hertz, ABallOnARigidWallTouchesAndPushesAsLongAndAsHardAsHertzSays) {
   const double speed = 3;
   // a quarter of the ball; elements of 0.125 mm where it touches
-  const std::string file = testing_mesh::write_exodus(make_graded_quarter_ball(radius, 36, 0.75), "hertz.exo");
+  const TemporaryFile file(testing_mesh::write_exodus(make_graded_quarter_ball(radius, 36, 0.75), "hertz.exo"));
   const Outcome run = run_deck(fmt::format(R"(
 title: Hertz impact
 time: {{end: 4.6e-5}}
@@ -54,7 +54,7 @@ conditions:
 walls: [{{normal: [0, 0, 1]}}]
 output: {{history: {{every: 1e-7}}}}
 )",
-                                           file));
+                                           file.path()));
   const HistoryTable& h = run.history;
   // The mass of the mesh: its far side is coarse, and its facets cut 7 % off the ball.
   const double mass = -4 * h["momentum_z"][0] / speed;
@@ -74,8 +74,8 @@ output: {{history: {{every: 1e-7}}}}
 
 TEST(Hertz, TwoBallsOfDifferentMeshesPushEachOtherAsHertzSays) {
   const double speed = 3;  // of one against the other
-  const std::string low = testing_mesh::write_exodus(make_graded_quarter_ball(radius, 28, 0.75), "hertz_low.exo");
-  const std::string high = testing_mesh::write_exodus(make_graded_quarter_ball(radius, 24, 0.75), "hertz_high.exo");
+  const TemporaryFile low(testing_mesh::write_exodus(make_graded_quarter_ball(radius, 28, 0.75), "hertz_low.exo"));
+  const TemporaryFile high(testing_mesh::write_exodus(make_graded_quarter_ball(radius, 24, 0.75), "hertz_high.exo"));
   Scene scene(fmt::format(R"(
 title: Hertz impact of two balls
 time: {{end: 6e-5}}
@@ -89,7 +89,7 @@ conditions:
   - {{nodes: {{inside: [[-1, 0, -1], [1, 0, 1]]}}, symmetry: y}}
 contact: {{surfaces: [[low, high]]}}
 )",
-                          low, high));
+                          low.path(), high.path()));
   double masses[2] = {0, 0};
   const std::vector<int>* sets[2] = {&scene.chunked.mesh.node_sets.at("low"), &scene.chunked.mesh.node_sets.at("high")};
   const auto mass = to_host(scene.model.mass);

@@ -42,6 +42,7 @@ void impose_linear_velocity(const RandomMesh& mesh, const Matrix3<double>& g, De
 Outcome run_patch(const RandomMesh& mesh, const Matrix3<double>& g) {
   std::string points;
   for (int e = 1; e <= 27; ++e) points += fmt::format("{{name: e{}, id: {}}}, ", e, e);
+  const TemporaryFile file(testing_mesh::write_exodus(mesh.written, "patch.exo"));
   Deck deck = parse_deck(fmt::format(R"(
 title: patch test
 time: {{end: 4e-3}}
@@ -50,7 +51,7 @@ materials: {{steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, pois
 elements: {{bulk_viscosity: {{linear: 0, quadratic: 0}}}}
 output: {{history: {{every: 1, elements: [{}]}}}}
 )",
-                                     testing_mesh::write_exodus(mesh.written, "patch.exo"), points),
+                                     file.path(), points),
                          "deck.yaml");
   impose_linear_velocity(mesh, g, deck);
   return run_deck(deck);

@@ -45,7 +45,7 @@ void impose_rotation(const std::vector<Vec3>& nodes, double w, Deck& deck) {
 
 TEST(RigidMotion, HundredImposedTurnsLeaveNoStressAndNoHourglassEnergy) {
   const RandomMesh mesh = make_random_mesh(2, 0.15, 3);  // 8 distorted elements about the origin, edge 0.5 m
-  const std::string file = testing_mesh::write_exodus(mesh.written, "imposed_rotation.exo");
+  const TemporaryFile file(testing_mesh::write_exodus(mesh.written, "imposed_rotation.exo"));
   const double w = 500;
   Deck deck = parse_deck(fmt::format(R"(
 title: imposed rotation
@@ -53,7 +53,7 @@ time: {{end: {:.17g}, max_step: 6e-5}}
 parts: {{body: {{exodus: {{file: {}}}, material: steel}}}}
 output: {{history: {{every: 1e-2, elements: [{{name: a, id: 1}}, {{name: b, id: 2}}, {{name: c, id: 7}}, {{name: d, id: 8}}]}}}}
 )",
-                                     100 * 2 * std::numbers::pi / w, file) +
+                                     100 * 2 * std::numbers::pi / w, file.path()) +
                              steel,
                          "deck.yaml");
   impose_rotation(mesh.written.nodes, w, deck);

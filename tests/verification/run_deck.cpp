@@ -27,6 +27,11 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
+TemporaryFile::~TemporaryFile() {
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
 HistoryTable::HistoryTable(const std::string& file) {
   std::ifstream in(file);
   std::string line, cell;
