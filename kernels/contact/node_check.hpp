@@ -25,7 +25,7 @@ KOKKOS_INLINE_FUNCTION int quantise(double value, double quantum) {
   constexpr double largest = 1e9;
   const double ratio = value / quantum;
   if (!(ratio < largest)) return static_cast<int>(largest);
-  return static_cast<int>(ratio + 0.5);
+  return static_cast<int>(floor(ratio + 0.5));
 }
 
 KOKKOS_INLINE_FUNCTION TouchKey make_key(const Touch& touch) {
