@@ -1,5 +1,7 @@
 #include "kernels/contact/capture_boxes.hpp"
 
+#include <cstdint>
+
 namespace percuss {
 namespace {
 
@@ -51,13 +53,24 @@ void store_places(const Space& space, const ContactSurface& surface, const Rows3
 
 template <class Space>
 double find_mean_edge(const Space& space, const ContactSurface& surface, const Rows3<const double>& x) {
-  // Used for the width of boxes only, which decides nothing: the order of this sum is free.
-  double sum = 0;
+  // In a fixed order: it sets the width of the boxes, and with it when the next search comes and what it lists.
+  constexpr int runs = 64;
   const ContactSurface s = surface;
-  Kokkos::parallel_reduce(
-      "contact::mean_edge", RangeOf<Space>(space, 0, s.num_faces),
-      KOKKOS_LAMBDA(int f, double& edges) { edges += find_shortest_edge(load_face(s, x, f)); }, sum);
-  return s.num_faces > 0 ? sum / s.num_faces : 0;
+  if (s.num_faces == 0) return 0;
+  const Array<double> partial(Kokkos::view_alloc("contact::edge_sums", Kokkos::WithoutInitializing), runs);
+  Kokkos::parallel_for(
+      "contact::mean_edge", RangeOf<Space>(space, 0, runs), KOKKOS_LAMBDA(int run) {
+        const int first = static_cast<int>(static_cast<std::int64_t>(s.num_faces) * run / runs);
+        const int last = static_cast<int>(static_cast<std::int64_t>(s.num_faces) * (run + 1) / runs);
+        double edges = 0;
+        for (int f = first; f < last; ++f) edges += find_shortest_edge(load_face(s, x, f));
+        partial(run) = edges;
+      });
+  space.fence();
+  const auto on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), partial);
+  double sum = 0;
+  for (int run = 0; run < runs; ++run) sum += on_host(run);
+  return sum / s.num_faces;
 }
 
 template <class Space>

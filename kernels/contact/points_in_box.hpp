@@ -45,7 +45,10 @@ std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surf
 
 /// More pairs than this do not come from a sound motion (a runaway node makes every box hold every node).
 inline std::int64_t find_pair_limit(const ContactSurface& surface) {
-  return std::int64_t{1'000'000} + 2000 * static_cast<std::int64_t>(surface.searched_nodes.extent(0));
+  constexpr std::int64_t most_indexed = 1'400'000'000;  // pairs are numbered by int, and memory grows by half
+  const std::int64_t limit =
+      std::int64_t{1'000'000} + 2000 * static_cast<std::int64_t>(surface.searched_nodes.extent(0));
+  return limit < most_indexed ? limit : most_indexed;
 }
 
 /// Lists the nodes that have candidates and the faces that their check reads: candidates, the faces around these, the

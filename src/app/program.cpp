@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Kokkos_Core.hpp>
+#include <csignal>
 #include <cstdio>
 #include <functional>
 #include <new>
@@ -11,6 +12,7 @@
 #include "comm/communicator.hpp"
 #include "src/app/commands.hpp"
 #include "src/app/threads.hpp"
+#include "src/output/progress.hpp"
 
 namespace percuss {
 namespace {
@@ -19,7 +21,7 @@ ExitCode tell(ExitCode code, const std::string& message) {
   // Messages about a file begin with its name and "error:"; the others need the program's name.
   const bool named = message.find(": error: ") != std::string::npos;
   std::fflush(stdout);
-  fmt::print(stderr, "{}{}\n", named ? "" : "percuss: error: ", message);
+  print_quietly(stderr, "{}{}\n", named ? "" : "percuss: error: ", message);
   return code;
 }
 
@@ -93,6 +95,9 @@ ExitCode finish_output(ExitCode code) {
 }  // namespace
 
 int run_program(int argc, char** argv) {
+  // A reader that went away or a file size limit is an error of the write, which is told; not a silent death.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   const ExitCode code = guard([&] {
     const auto parsed = parse_command_line(argc, argv);
     if (const auto* answer = std::get_if<Answer>(&parsed)) {

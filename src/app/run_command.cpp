@@ -27,22 +27,26 @@ void install_signal_handlers() {
 
 void report(const RunResult& result, const std::string& out_dir) {
   const Summary& s = result.summary;
-  fmt::print(stderr, "{}: t = {:.6g} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.2g} %\n",
-             s.status, s.time, s.steps, s.setup_s + s.loop_s, s.grind_ns, 100 * s.energy.error);
-  fmt::print(stderr, "results: {}\n", out_dir);
+  print_quietly(stderr, "{}: t = {:.6g} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.2g} %\n",
+                s.status, s.time, s.steps, s.setup_s + s.loop_s, s.grind_ns, 100 * s.energy.error);
+  print_quietly(stderr, "results: {}\n", out_dir);
 }
 
 }  // namespace
 
 ExitCode run_command(const Command& command) {
   const Deck deck = read_deck(command.file, command.settings);
-  for (const std::string& warning : deck.warnings) fmt::print(stderr, "{}\n", warning);
+  for (const std::string& warning : deck.warnings) print_quietly(stderr, "{}\n", warning);
   check_memory(deck);
   const std::string out_dir = command.out_dir.empty() ? default_output_folder(command.file) : command.out_dir;
-  prepare_output_folder(out_dir, command.force);
-  install_signal_handlers();
   RunOptions options;
   options.out_dir = out_dir;
+  if (command.force) {  // earlier results go only when the scene is known to be sound
+    options.prepare_output = [&] { prepare_output_folder(out_dir, true); };
+  } else {
+    prepare_output_folder(out_dir, false);
+  }
+  install_signal_handlers();
   options.progress = command.quiet ? Progress::Style::quiet : Progress::choose_style(stderr);
   const RunResult result = run_scene(deck, options);
   if (!command.quiet) report(result, out_dir);

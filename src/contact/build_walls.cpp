@@ -32,8 +32,9 @@ std::vector<int> list_wall_nodes(const Mesh& mesh, const Deck& deck, const WallD
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   if (nodes.empty())
-    throw InputError("wall touches no node (the nodes named are all inside their bodies) name a part or a side: " +
-                     deck.where(wall.place));
+    throw InputError(
+        deck.where(wall.place) +
+        ": error: wall touches no node (the nodes named are all inside their bodies) name a part or a side");
   return nodes;
 }
 

@@ -100,12 +100,23 @@ struct MotionValue {
         good = false;
       } else {
         out.active[i] = true;
-        good = CurveValue{}.read(inner, inner.name_of(entry.name), entry.value, out.value[i]) && good;
+        good = read_motion(inner, entry, out.value[i]) && good;
       }
     }
     return good;
   }
   std::string takes() const { return "a map from axes x, y, z to curves"; }
+
+ private:
+  bool read_motion(const Reader& reader, const Entry& entry, Curve& curve) const {
+    const std::string name = reader.name_of(entry.name);
+    if (!CurveValue{}.read(reader, name, entry.value, curve)) return false;
+    if (kind != ConditionDeck::Kind::displacement || curve(0) == 0) return true;
+    reader.error(entry.value.spot,
+                 fmt::format("{} is {:g} at time 0 (must be 0 there: the node would jump) start the table at [0, 0]",
+                             name, curve(0)));
+    return false;
+  }
 };
 
 const Keys<ConditionDeck>& condition_kind_keys() {

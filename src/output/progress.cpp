@@ -83,15 +83,15 @@ void Progress::print(const ProgressState& state, std::chrono::steady_clock::time
   const double done = share - first_share_;
   const double left = done > 0 ? elapsed * (1 - share) / done : HUGE_VAL;
   std::string line = fmt::format(
-      "{:5.1f} %  t = {:.4e} s  step {}  dt {:.2e} s  {:.4g} steps/s  {} {}  energy error {:.1e}"
+      "{:5.1f} %  t = {:.4e}  step {}  dt {:.2e}  {:.4g} steps/s  {} {}  energy error {:.1e}"
       "  contacts {}",
       100 * share, state.time, state.step, state.dt, speed, closed ? "took" : "ETA",
       format_duration(closed ? elapsed : left), state.energy_error, state.contacts);
   if (style_ == Style::plain) {
-    fmt::print(stream_, "{}\n", line);
+    print_quietly(stream_, "{}\n", line);
   } else {
     line.resize(std::min(line.size(), terminal_width(stream_) - 1));  // a wrapped line could not be overwritten
-    fmt::print(stream_, "\r{}\x1b[K{}", line, closed ? "\n" : "");
+    print_quietly(stream_, "\r{}\x1b[K{}", line, closed ? "\n" : "");
   }
   std::fflush(stream_);
 }

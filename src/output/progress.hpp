@@ -1,11 +1,21 @@
 #pragma once
 // The progress of a run: one live line on a terminal, sparse plain lines elsewhere (log files, pipes).
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace percuss {
+
+/// Prints what is only told on the way. That nobody reads it (a closed pipe, a full disk) must not end a run, so errors
+/// of the stream are ignored, where fmt::print would throw.
+template <class... Args>
+void print_quietly(std::FILE* stream, fmt::format_string<Args...> format, Args&&... args) {
+  std::fputs(fmt::format(format, std::forward<Args>(args)...).c_str(), stream);
+}
 
 struct ProgressState {
   long step = 0;

@@ -130,9 +130,10 @@ void Bookkeeper::start(const State& state) {
       });
 }
 
-void Bookkeeper::book_impulses(State& state, double dt, double dt_mean) {
+void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, bool has_contact) {
   book_conditions(model_, held_sum_, state, dt, dt_mean);
-  if (!deck_.walls.empty()) wall_force_ = book_walls(model_, wall_sum_, state, dt);
+  wall_force_ = {};
+  if (has_contact && !deck_.walls.empty()) wall_force_ = book_walls(model_, wall_sum_, state, dt);
   if (model_.pressure_faces.count > 0) {
     const auto sums = sum_pressure(model_, pressure_sum_, state);
     state.books.external_work += 0.5 * dt * sums[0];

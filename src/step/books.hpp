@@ -20,7 +20,7 @@ class Bookkeeper {
 
   /// Books the impulses of a step and the first half of the work of pressure and conditions. Call with v at n+1/2, x
   /// and forces at n.
-  void book_impulses(State& state, double dt, double dt_mean);
+  void book_impulses(State& state, double dt, double dt_mean, bool has_contact);
 
   /// Books the second half of that work. Call with v at n+1/2 and the slots' forces at n+1.
   void book_new_forces(State& state, double dt);

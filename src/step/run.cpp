@@ -24,6 +24,9 @@ namespace {
 
 volatile std::sig_atomic_t stop_requested = 0;
 
+/// The energy is judged at least this often, also without output.
+constexpr long steps_between_audits = 500;
+
 using Clock = std::chrono::steady_clock;
 
 double find_seconds(Clock::time_point since) { return std::chrono::duration<double>(Clock::now() - since).count(); }
@@ -58,6 +61,8 @@ class Run {
   bool is_finished() const;
   void loop();
   void observe(bool is_last);
+  void note_contact();
+  std::string describe(int element) const;
   void check_elements() const;
   void check_energy() const;
   void finish(const std::string& status, const std::string& error);
@@ -77,6 +82,9 @@ class Run {
   std::optional<History> history_;
   Schedule frame_schedule_, history_schedule_;
   double first_dt_ = 0;
+  int limiting_element_ = 0;     // bounded the last step
+  long unconverged_steps_ = 0;   // of the contact enforcement
+  long first_unconverged_ = -1;  // the first such step
   Clock::time_point loop_start_;
   std::string contact_notice_;
   Progress progress_;
@@ -96,11 +104,12 @@ Run::Run(const Deck& deck, const RunOptions& options)
       history_schedule_(deck.output.history_every),
       progress_(stderr, options.progress) {
   if (options.progress != Progress::Style::quiet) {
-    for (const std::string& warning : chunked_.mesh.warnings) fmt::print(stderr, "warning: {}\n", warning);
+    for (const std::string& warning : chunked_.mesh.warnings) print_quietly(stderr, "warning: {}\n", warning);
   }
   if (contact_.is_active()) contact_notice_ = contact_.prepare(state_.x, state_.v, model_.inverse_mass);
   if (!contact_notice_.empty() && options.progress != Progress::Style::quiet)
-    fmt::print(stderr, "{}\n", contact_notice_);
+    print_quietly(stderr, "{}\n", contact_notice_);
+  if (options.prepare_output) options.prepare_output();
   if (!options.out_dir.empty()) {
     if (deck.output.fields_every) frames_.emplace(options.out_dir, deck, chunked_, model_);
     if (deck.output.history_every) history_.emplace(options.out_dir, deck, chunked_.mesh);
@@ -118,9 +127,12 @@ bool Run::is_finished() const {
 void Run::loop() {
   summary_.dt.min = first_dt_;
   check_elements();
+  audited_ = audit_(state_);  // what later audits compare with, whatever the output
   observe(false);
   while (!is_finished() && stop_requested == 0) {
+    limiting_element_ = state_.bound.element;
     stepper_.advance(state_);
+    note_contact();
     check_elements();
     summary_.dt.min = std::min(summary_.dt.min, state_.dt);
     summary_.dt.max = std::max(summary_.dt.max, state_.dt);
@@ -130,11 +142,17 @@ void Run::loop() {
   }
 }
 
-/// Audit and output of a state, where they are due.
+void Run::note_contact() {
+  if (stepper_.contact_report().converged) return;
+  if (unconverged_steps_++ == 0) first_unconverged_ = state_.step;
+}
+
+/// Audit and output of a state, where they are due. A row of the history is written before the energy is judged, so
+/// that it shows what grew; a frame only after.
 void Run::observe(bool is_last) {
   const bool history_due = history_schedule_.is_due(state_.time);
   const bool frame_due = frame_schedule_.is_due(state_.time);
-  if (!history_due && !frame_due && !is_last) return;
+  if (!history_due && !frame_due && !is_last && state_.step % steps_between_audits != 0) return;
   {
     const Phase phase("percuss::reduce", stepper_.seconds().reduce);
     audited_ = audit_(state_);
@@ -143,27 +161,28 @@ void Run::observe(bool is_last) {
   if (history_ && (history_due || is_last)) {
     history_->write(model_, state_, audited_, stepper_.contact_report(), stepper_.wall_force());
   }
+  check_energy();
   if (frames_ && (frame_due || is_last)) {
     frames_->write(state_);
     if (history_) history_->flush();
   }
   history_schedule_.advance(state_.time);
   frame_schedule_.advance(state_.time);
-  check_energy();
+}
+
+std::string Run::describe(int element) const {
+  const auto e = static_cast<std::size_t>(element);
+  const auto x = to_host(state_.x);
+  double center[3] = {0, 0, 0};
+  for (const int n : chunked_.mesh.elements[e]) {
+    for (int k = 0; k < 3; ++k) center[k] += x(static_cast<std::size_t>(n), static_cast<std::size_t>(k)) / 8;
+  }
+  return fmt::format("element {} of part '{}' at ({:.6g}, {:.6g}, {:.6g})", chunked_.mesh.element_ids[e],
+                     chunked_.mesh.parts[static_cast<std::size_t>(chunked_.mesh.element_part[e])].name, center[0],
+                     center[1], center[2]);
 }
 
 void Run::check_elements() const {
-  const auto describe = [&](int element) {
-    const auto e = static_cast<std::size_t>(element);
-    const auto x = to_host(state_.x);
-    double center[3] = {0, 0, 0};
-    for (const int n : chunked_.mesh.elements[e]) {
-      for (int k = 0; k < 3; ++k) center[k] += x(static_cast<std::size_t>(n), static_cast<std::size_t>(k)) / 8;
-    }
-    return fmt::format("element {} of part '{}' at ({:.6g}, {:.6g}, {:.6g})", chunked_.mesh.element_ids[e],
-                       chunked_.mesh.parts[static_cast<std::size_t>(chunked_.mesh.element_part[e])].name, center[0],
-                       center[1], center[2]);
-  };
   if (state_.bound.failed_element >= 0) {
     throw RunError(fmt::format(
         "{} has inverted or is not finite any more, in step {} at t = {:.6g} (the mesh is crushed beyond what it can "
@@ -184,14 +203,20 @@ void Run::check_elements() const {
 void Run::check_energy() const {
   const double error = audited_.energy.error;
   if (std::abs(error) <= deck_.audit.max_energy_error) return;  // false for NaN
+  const ContactReport& contact = stepper_.contact_report();
+  const std::string deepest = contact.deepest_node < 0
+                                  ? std::string()
+                                  : fmt::format("; the deepest contact node is {}",
+                                                chunked_.mesh.node_ids[static_cast<std::size_t>(contact.deepest_node)]);
+  const EnergySummary& e = audited_.energy;
   throw RunError(
       fmt::format("the energy balance is off by {:.3g} of the largest energy, more than audit.max_energy_error = {:g}, "
                   "in step {} at "
-                  "t = {:.6g} (kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, contact {:.6g}); look at history.csv "
-                  "for what grows, "
-                  "try a smaller time.step_scale (now {})",
-                  error, deck_.audit.max_energy_error, state_.step, state_.time, audited_.energy.kinetic,
-                  audited_.energy.internal, audited_.energy.hourglass, audited_.energy.contact, deck_.time.step_scale));
+                  "t = {:.6g} (kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, contact {:.6g}; {} has the smallest "
+                  "step{}); look "
+                  "at history.csv for what grows, try a smaller time.step_scale (now {})",
+                  error, deck_.audit.max_energy_error, state_.step, state_.time, e.kinetic, e.internal, e.hourglass,
+                  e.contact, describe(state_.bound.element), deepest, deck_.time.step_scale));
 }
 
 ProgressState Run::find_progress() const {
@@ -212,7 +237,7 @@ void Run::finish(const std::string& status, const std::string& error) {
   summary_.steps = state_.step;
   summary_.time = state_.time;
   summary_.dt.last = state_.dt;
-  summary_.dt.element = chunked_.mesh.element_ids[static_cast<std::size_t>(state_.bound.element)];
+  summary_.dt.element = chunked_.mesh.element_ids[static_cast<std::size_t>(limiting_element_)];
   summary_.loop_s = find_seconds(loop_start_);
   const double work = static_cast<double>(model_.element_count) * static_cast<double>(state_.step);
   if (work > 0) summary_.grind_ns = 1e9 * summary_.loop_s * summary_.ranks * summary_.threads / work;
@@ -225,6 +250,13 @@ void Run::finish(const std::string& status, const std::string& error) {
   summary_.peak_bytes = find_peak_bytes();
   summary_.state_hash = fmt::format("{:016x}", hash_state(model_, state_));
   progress_.finish(find_progress());
+  if (unconverged_steps_ > 0 && options_.progress != Progress::Style::quiet) {
+    fmt::print(
+        stderr,
+        "warning: the contact enforcement did not converge in {} of {} steps, the first of them step {} (what was "
+        "left over is in the column residual of history.csv)\n",
+        unconverged_steps_, state_.step, first_unconverged_);
+  }
   if (!options_.out_dir.empty()) write_summary(options_.out_dir + "/summary.json", summary_);
 }
 
@@ -235,7 +267,11 @@ RunResult Run::operator()() {
     if (frames_) frames_->close();
     if (history_) history_->flush();
   } catch (const std::exception& error) {
-    finish("failed", error.what());
+    try {
+      finish("failed", error.what());
+    } catch (const std::exception& second) {  // a full disk must not hide why the run failed
+      print_quietly(stderr, "percuss: error: {}\n", second.what());
+    }
     throw;
   }
   const bool interrupted = stop_requested != 0 && !is_finished();
@@ -249,7 +285,9 @@ void request_stop() { stop_requested = 1; }
 
 RunResult run_scene(const Deck& deck, const RunOptions& options) {
   Run run(deck, options);
-  return run();
+  const RunResult result = run();
+  stop_requested = 0;  // the next run of this process starts afresh
+  return result;
 }
 
 }  // namespace percuss

@@ -44,7 +44,7 @@ void Stepper::advance(State& state) {
   resolve_contact(state, dt);
   {
     const Phase phase("percuss::book", seconds_.reduce);
-    bookkeeper_.book_impulses(state, dt, dt_mean);
+    bookkeeper_.book_impulses(state, dt, dt_mean, report_.interactions > 0);
   }
   {
     const Phase phase("percuss::integrate", seconds_.integrate);

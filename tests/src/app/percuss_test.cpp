@@ -88,6 +88,57 @@ TEST(PercussRun, WritesItsResultsAndInfoReadsThem) {
   EXPECT_EQ(run_percuss({"info", out + "/summary.json"}).exit_code, 0);
 }
 
+TEST(PercussRun, AuditsTheSameEnergiesWithAndWithoutOutput) {
+  const TemporaryFolder folder;
+  const std::string scene =
+      "time: {end: 2.0e-4}\n"
+      "parts:\n"
+      "  cube: {box: {size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, material: steel}\n"
+      "materials:\n"
+      "  steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}\n"
+      "initial: [{part: cube, velocity: [-10, 0, 0]}]\n"
+      "walls: [{point: [0, 0, 0], normal: [1, 0, 0]}]\n";
+  Summary summaries[2];
+  for (int i = 0; i < 2; ++i) {
+    const std::string file = folder.write("deck.yaml", scene + (i == 0 ? "" : "output: {history: {every: 0}}\n"));
+    const std::string out = folder.path() + "/" + std::to_string(i);
+    EXPECT_EQ(run_percuss({"run", file, "--quiet", "--out", out}).exit_code, 0);
+    summaries[i] = read_summary(out + "/summary.json");
+  }
+  EXPECT_NEAR(summaries[0].energy.initial, 392.5, 1e-9);  // m v^2 / 2
+  EXPECT_EQ(summaries[0].energy.initial, summaries[1].energy.initial);
+  EXPECT_EQ(summaries[0].energy.kinetic, summaries[1].energy.kinetic);
+  EXPECT_NE(summaries[0].energy.error, 0);
+}
+
+TEST(PercussRun, AnEnergyBoundThatIsLeftEndsItWithoutAnyOutput) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", std::string(cube) + "audit: {max_energy_error: 1.0e-30}\n");
+  const ProcessResult result = run_percuss({"run", file, "--quiet", "--out", folder.path() + "/out", "--set",
+                                            "initial=[{part: all, angular_velocity: [1, 2, 3]}]"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("audit.max_energy_error"));
+  EXPECT_EQ(read_summary(folder.path() + "/out/summary.json").status, "failed");
+}
+
+TEST(PercussRun, AReaderThatGoesAwayDoesNotEndIt) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/out";
+  run_percuss({"run", folder.write("deck.yaml", cube), "--out", out}, "sh -c '\"$@\" 2>&1 | true' sh");
+  EXPECT_EQ(read_summary(out + "/summary.json").status, "completed");
+}
+
+TEST(PercussRun, ForceKeepsEarlierResultsUntilTheSceneIsSound) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/out";
+  ASSERT_EQ(run_percuss({"run", folder.write("deck.yaml", cube), "--quiet", "--out", out}).exit_code, 0);
+  const std::string wrong = folder.write(
+      "wrong.yaml",
+      std::string(cube) + "conditions: [{nodes: {name: all, inside: [[90, 90, 90], [91, 91, 91]]}, fixed: x}]\n");
+  EXPECT_EQ(run_percuss({"run", wrong, "--quiet", "--force", "--out", out}).exit_code, 2);
+  EXPECT_EQ(read_summary(out + "/summary.json").status, "completed");
+}
+
 TEST(PercussRun, GivesTheSameStateAgain) {
   const TemporaryFolder folder;
   const std::string file = folder.write("deck.yaml", cube);

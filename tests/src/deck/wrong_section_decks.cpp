@@ -71,6 +71,8 @@ std::vector<WrongDeck> unknown_names() {
       {"UnknownSideListed", append("conditions: [{nodes: rod/left, fixed: x}]"), "6:22",
        "known: x_min, x_max, y_min, y_max, z_min, z_max"},
       {"EmptySide", append("conditions: [{nodes: rod/, fixed: x}]"), "6:22", "part 'rod' has no side ''"},
+      {"DisplacementThatJumps", append("conditions: [{nodes: rod, displacement: {x: 0.01}}]"), "6:45",
+       "is 0.01 at time 0 (must be 0 there: the node would jump) start the table at [0, 0]"},
       {"UnknownContactSurface", append("contact: {surfaces: [[rod, wall]]}"), "6:28", "unknown part 'wall'"},
       {"UnknownField", append("output: {fields: {every: 1, write: [velocty]}}"), "6:37",
        "unknown field 'velocty' in output.fields.write (did you mean 'velocity'?)"},
