@@ -31,6 +31,7 @@ Exit codes:
 Environment:
   OMP_NUM_THREADS   threads to use; without it, every core that this process may use
   OMP_PROC_BIND     how OpenMP binds threads to cores; without it, not at all
+  OMP_WAIT_POLICY   how threads wait; without it, they spin for some 20 microseconds and then sleep
 
 `percuss COMMAND --help` tells more about a command; docs/deck.md describes the deck.
 )";
