@@ -21,6 +21,8 @@ if(PERCUSS_SANITIZE)
     $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/cmake/keep_plugins.cpp>)
 endif()
 string(TOUPPER "${PERCUSS_BACKEND}" _backend)
+# Only MPI's C interface is used; its C++ one was removed from the standard and would need another library.
+target_compile_definitions(percuss_options INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
 target_compile_definitions(percuss_options INTERFACE PERCUSS_BACKEND_${_backend}=1 PERCUSS_VERSION="${PROJECT_VERSION}")
 
 # percuss_add_library(name SOURCES a.cpp ... LINK lib ...): a static library with the project's options.

@@ -158,6 +158,14 @@ Mesh build_mesh(const Deck& deck) {
   mesh.node_ids = node_ids.assign();
   mesh.element_ids = element_ids.assign();
   warn_of_raised_ids(mesh, node_ids, element_ids);
+  mark_exterior_faces(mesh);
+  if (!mesh.nodes.empty()) mesh.low = mesh.high = mesh.nodes.front();
+  for (const Vec3& x : mesh.nodes) {
+    for (std::size_t d = 0; d < 3; ++d) {
+      mesh.low[d] = std::min(mesh.low[d], x[d]);
+      mesh.high[d] = std::max(mesh.high[d], x[d]);
+    }
+  }
   return mesh;
 }
 

@@ -2,14 +2,17 @@
 // The mesh of a scene on the host: nodes, eight-node hexahedra, parts and sets. Const after set-up.
 //
 // Node and element indexes are 0-based positions in these arrays. order_chunks() permutes them once so that chunks
-// are contiguous; the user's ids stay with them.
+// are contiguous; the user's ids stay with them. Where several ranks hold the mesh together, these are the elements of
+// one of them and the nodes that they use.
 
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "comm/communicator.hpp"
 #include "src/deck/deck.hpp"
 
 namespace percuss {
@@ -40,6 +43,13 @@ struct Mesh {
   std::map<std::string, std::vector<int>> node_sets;  // "part", "part/side", "part/set"; ascending, unique
   std::map<std::string, std::vector<ElementFace>> side_sets;  // "part/side", "part/set"; ascending, unique
   std::vector<std::string> warnings;                          // found while building (unused nodes dropped, ...)
+
+  // Of the whole mesh, of which this may be the share of one rank:
+  std::vector<std::int64_t> node_numbers;  // [nodes] place of each in the whole mesh, ascending
+  std::vector<std::uint8_t> exterior;      // [elements] bit f: face f belongs to no other element
+  std::vector<int> bodies;                 // [elements] number of the connected body, from 0 by lowest element
+  Vec3 low{}, high{};                      // box of all nodes [length]
+  std::optional<Communicator> ranks;       // those that hold it together; none: this one holds it all
 };
 
 /// Generates or reads the meshes of all parts, checks them and puts them together. Nodes of different parts are never
@@ -57,7 +67,10 @@ std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector
 /// of the whole mesh; with `inside` only those with all four corners inside. Throws InputError likewise.
 std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector);
 
-/// Faces that belong to one element only, ascending.
+/// Fills Mesh::exterior from the connectivity of a whole mesh.
+void mark_exterior_faces(Mesh& mesh);
+
+/// The faces that Mesh::exterior marks, ascending.
 std::vector<ElementFace> find_exterior_faces(const Mesh& mesh);
 
 /// Number of the connected body of each element (through shared nodes), counted from 0 by lowest element.

@@ -70,7 +70,8 @@ class Bisection {
     const std::span<int> run(order_.data() + first, last - first);
     if (chunk_count == 1) {
       std::sort(run.begin(), run.end());
-      chunks_.push_back({static_cast<int>(first), static_cast<int>(last - first), part});
+      chunks_.push_back(
+          {static_cast<int>(first), static_cast<int>(last - first), part, static_cast<int>(chunks_.size())});
       return;
     }
     const std::size_t lower = chunk_count / 2, units = divide_up(run.size(), chunk_granularity);
@@ -125,6 +126,7 @@ void permute_mesh(Mesh& mesh, const std::vector<int>& element_order) {
   permute(mesh.elements, element_order);
   permute(mesh.element_ids, element_order);
   permute(mesh.element_part, element_order);
+  permute(mesh.exterior, element_order);
   for (auto& element : mesh.elements) {
     for (int& node : element) node = old_to_new_node[at(node)];
   }
@@ -136,6 +138,20 @@ void permute_mesh(Mesh& mesh, const std::vector<int>& element_order) {
     for (ElementFace& face : faces) face.element = old_to_new_element[at(face.element)];
     std::sort(faces.begin(), faces.end());
   }
+}
+
+/// Numbers of elements and nodes chunk by chunk, all on rank 0. Nodes lie in the order of their first use.
+Numbering number_chunks(const Mesh& mesh, const std::vector<Chunk>& chunks) {
+  Numbering numbering{{0}, {0}, std::vector<int>(chunks.size(), 0)};
+  std::int64_t used = 0;
+  for (const Chunk& chunk : chunks) {
+    for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
+      for (const int node : mesh.elements[at(e)]) used = std::max<std::int64_t>(used, node + 1);
+    }
+    numbering.first_element.push_back(chunk.first_element + chunk.element_count);
+    numbering.first_node.push_back(used);
+  }
+  return numbering;
 }
 
 }  // namespace
@@ -158,7 +174,11 @@ ChunkedMesh order_chunks(Mesh mesh) {
     first = last;
   }
   permute_mesh(mesh, order);
-  return {std::move(mesh), std::move(chunks)};
+  mesh.bodies = find_bodies(mesh);
+  mesh.node_numbers.resize(mesh.nodes.size());
+  std::iota(mesh.node_numbers.begin(), mesh.node_numbers.end(), std::int64_t{0});
+  Numbering numbering = number_chunks(mesh, chunks);
+  return {std::move(mesh), std::move(chunks), std::move(numbering)};
 }
 
 }  // namespace percuss

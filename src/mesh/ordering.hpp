@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "src/mesh/mesh.hpp"
+#include "src/mesh/numbering.hpp"
 
 namespace percuss {
 
 /// Most elements a chunk has: enough to amortise a task, few enough that a chunk's state stays in the second-level
 /// cache.
-inline constexpr int max_chunk_elements = 512;
+inline constexpr int max_chunk_elements = 64;
 
 /// Cuts fall on multiples of this many elements, so that only the last pack of a part is partly empty (for any pack of
 /// up to 16 lanes).
@@ -22,7 +23,8 @@ inline constexpr int chunk_granularity = 16;
 struct Chunk {
   int first_element = 0;
   int element_count = 0;
-  int part = 0;  // index into Mesh::parts
+  int part = 0;    // index into Mesh::parts
+  int number = 0;  // place among the chunks of the whole mesh
   friend bool operator==(const Chunk&, const Chunk&) = default;
 };
 
@@ -30,6 +32,7 @@ struct Chunk {
 struct ChunkedMesh {
   Mesh mesh;
   std::vector<Chunk> chunks;  // in the order of their elements; together they cover every element once
+  Numbering numbering;        // of the whole mesh, the same on every rank
 };
 
 /// Cuts each part by recursive bisection of its element centres, across the widest extent, into the fewest chunks of at

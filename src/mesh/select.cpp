@@ -52,15 +52,7 @@ class InsideBox {
 
  private:
   double find_diagonal() const {
-    if (mesh_.nodes.empty()) return 0;
-    Vec3 low = mesh_.nodes.front(), high = low;
-    for (const Vec3& x : mesh_.nodes) {
-      for (std::size_t d = 0; d < 3; ++d) {
-        low[d] = std::min(low[d], x[d]);
-        high[d] = std::max(high[d], x[d]);
-      }
-    }
-    return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+    return std::hypot(mesh_.high[0] - mesh_.low[0], mesh_.high[1] - mesh_.low[1], mesh_.high[2] - mesh_.low[2]);
   }
 
   const Mesh& mesh_;
@@ -102,9 +94,15 @@ std::vector<std::string> list_names(const Sets& sets) {
                          fmt::format("no {} is called '{}'{}", what, selector.name, name_hint(selector.name, known))));
 }
 
+/// Throws, on all ranks, if none of them has anything selected.
 template <class T>
-void require_some(const std::vector<T>& selected, const Deck& deck, const Selector& selector, const char* what) {
-  if (!selected.empty()) return;
+void require_some(const Mesh& mesh, const std::vector<T>& selected, const Deck& deck, const Selector& selector,
+                  const char* what) {
+  int some = selected.empty() ? 0 : 1;
+  if (mesh.ranks) {
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, mesh.ranks->handle()), "MPI_Allreduce");
+  }
+  if (some != 0) return;
   const std::string name = selector.name.empty() ? "the mesh" : fmt::format("'{}'", selector.name);
   throw InputError(fault(deck, selector,
                          selector.inside
@@ -150,7 +148,7 @@ std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector
     if (!set) refuse_unknown(deck, selector, "part, side or node set", list_names(mesh.node_sets));
     std::copy_if(set->begin(), set->end(), std::back_inserter(nodes), [&](int n) { return box.holds(n); });
   }
-  require_some(nodes, deck, selector, "nodes");
+  require_some(mesh, nodes, deck, selector, "nodes");
   return nodes;
 }
 
@@ -160,7 +158,7 @@ std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const 
   for (const ElementFace& face : list_candidate_faces(mesh, deck, selector, find_exterior_faces(mesh))) {
     if (box.holds(face)) faces.push_back(face);
   }
-  require_some(faces, deck, selector, "exterior faces");
+  require_some(mesh, faces, deck, selector, "exterior faces");
   return faces;
 }
 

@@ -57,11 +57,11 @@ int find_root(std::vector<int>& parent, int node) {
 
 }  // namespace
 
-std::vector<ElementFace> find_exterior_faces(const Mesh& mesh) {
+void mark_exterior_faces(Mesh& mesh) {
   const FacesByLowestNode bins = bin_faces(mesh);
   using Key = std::pair<std::array<int, 4>, ElementFace>;
   std::vector<Key> keys;
-  std::vector<ElementFace> exterior;
+  mesh.exterior.assign(mesh.elements.size(), 0);
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     keys.clear();
     for (std::int64_t i = bins.first[n]; i < bins.first[n + 1]; ++i) {
@@ -72,11 +72,21 @@ std::vector<ElementFace> find_exterior_faces(const Mesh& mesh) {
     for (std::size_t i = 0; i < keys.size(); ++i) {
       const bool as_before = i > 0 && keys[i].first == keys[i - 1].first;
       const bool as_after = i + 1 < keys.size() && keys[i].first == keys[i + 1].first;
-      if (!as_before && !as_after) exterior.push_back(keys[i].second);
+      if (as_before || as_after) continue;
+      const ElementFace& face = keys[i].second;
+      mesh.exterior[at(face.element)] = static_cast<std::uint8_t>(mesh.exterior[at(face.element)] | (1U << face.face));
     }
   }
-  std::sort(exterior.begin(), exterior.end());
-  return exterior;
+}
+
+std::vector<ElementFace> find_exterior_faces(const Mesh& mesh) {
+  std::vector<ElementFace> faces;
+  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
+    for (int f = 0; f < 6; ++f) {
+      if ((mesh.exterior[at(e)] >> f & 1) != 0) faces.push_back({e, f});
+    }
+  }
+  return faces;
 }
 
 std::vector<int> find_bodies(const Mesh& mesh) {
