@@ -1,10 +1,13 @@
-// The main function of every test executable: Kokkos up before the first test, down after the last.
+// The main function of every test executable: MPI and Kokkos up before the first test, down after the last.
 
 #include <gtest/gtest.h>
 
 #include <Kokkos_Core.hpp>
 
+#include "comm/communicator.hpp"
+
 int main(int argc, char** argv) {
+  const percuss::MpiSession mpi(argc, argv);
   testing::InitGoogleTest(&argc, argv);
   const Kokkos::ScopeGuard kokkos(argc, argv);
   return RUN_ALL_TESTS();

@@ -63,7 +63,7 @@ ExitCode check_command(const Command& command) {
   findings.throw_if_any();
 
   const Model model = build_model(deck, chunked);
-  ContactStage contact(chunked.mesh, deck);
+  ContactStage contact(chunked, deck, Communicator::world());
   State state = make_initial_state(model);
   const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v, model.inverse_mass) : "";
   Stepper stepper(deck, model, contact);

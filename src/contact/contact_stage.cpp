@@ -124,7 +124,8 @@ void ContactStage::Impl::clear_last_impulse(const ContactMotion& motion) {
   last_impulse = motion.impulse.data();
 }
 
-ContactStage::ContactStage(const Mesh& mesh, const Deck& deck) : impl_(std::make_unique<Impl>(mesh, deck)) {}
+ContactStage::ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator&)
+    : impl_(std::make_unique<Impl>(chunked.mesh, deck)) {}
 ContactStage::~ContactStage() = default;
 
 bool ContactStage::is_active() const { return impl_->has_pairs() || impl_->has_walls(); }

@@ -10,7 +10,7 @@
 
 #include "kernels/core/views.hpp"
 #include "src/deck/deck.hpp"
-#include "src/mesh/mesh.hpp"
+#include "src/mesh/ordering.hpp"
 
 namespace percuss {
 
@@ -46,8 +46,9 @@ struct ContactSeconds {
 
 class ContactStage {
  public:
-  /// Finds the contact surface of the mesh and reads who may touch whom. Throws InputError for unknown surfaces.
-  ContactStage(const Mesh& mesh, const Deck& deck);
+  /// Finds the contact surface of the mesh, of which each rank holds its share, and reads who may touch whom. Throws
+  /// InputError for unknown surfaces. Collective over `ranks`, as are prepare(), apply() and measure_penetration().
+  ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks);
   ~ContactStage();
 
   /// Whether the scene has contact or walls at all; if not, apply() must not be called.

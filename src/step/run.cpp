@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "src/contact/contact_stage.hpp"
-#include "src/mesh/ordering.hpp"
+#include "src/mesh/decompose.hpp"
 #include "src/step/audit.hpp"
 #include "src/step/frames.hpp"
 #include "src/step/history.hpp"
@@ -94,9 +94,9 @@ class Run {
 Run::Run(const Deck& deck, const RunOptions& options)
     : deck_(deck),
       options_(options),
-      chunked_(order_chunks(build_mesh(deck))),
+      chunked_(load_mesh(deck, Communicator::world())),
       model_(build_model(deck, chunked_)),
-      contact_(chunked_.mesh, deck),
+      contact_(chunked_, deck, Communicator::world()),
       state_(make_initial_state(model_)),
       stepper_(deck, model_, contact_),
       audit_(model_),

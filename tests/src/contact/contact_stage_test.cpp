@@ -7,6 +7,7 @@
 
 #include "kernels/contact/point3.hpp"
 #include "src/deck/read_deck.hpp"
+#include "src/mesh/decompose.hpp"
 
 namespace percuss::test {
 namespace {
@@ -17,8 +18,9 @@ const std::string material = "\nmaterials: {m: {model: elastic, density: 1, youn
 struct FreeNodes {
   explicit FreeNodes(const std::string& text, const Point3& shift = {})
       : deck(parse_deck("time: {end: 1}\n" + text + material, "deck.yaml")),
-        mesh(build_mesh(deck)),
-        stage(mesh, deck),
+        chunked(load_mesh(deck, Communicator::world())),
+        mesh(chunked.mesh),
+        stage(chunked, deck, Communicator::world()),
         x("test::x", mesh.nodes.size()),
         v("test::v", mesh.nodes.size()),
         before("test::before", mesh.nodes.size()),
@@ -48,7 +50,8 @@ struct FreeNodes {
   }
 
   Deck deck;
-  Mesh mesh;
+  ChunkedMesh chunked;
+  const Mesh& mesh;
   ContactStage stage;
   Rows3<double> x, v, before, inverse_mass, impulse;
 };

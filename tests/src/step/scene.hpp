@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "src/deck/read_deck.hpp"
-#include "src/mesh/ordering.hpp"
+#include "src/mesh/decompose.hpp"
 #include "src/step/host_copy.hpp"
 #include "src/step/step.hpp"
 
@@ -17,9 +17,9 @@ namespace percuss::test {
 struct Scene {
   explicit Scene(Deck from)
       : deck(std::move(from)),
-        chunked(order_chunks(build_mesh(deck))),
+        chunked(load_mesh(deck, Communicator::world())),
         model(build_model(deck, chunked)),
-        contact(chunked.mesh, deck),
+        contact(chunked, deck, Communicator::world()),
         state(make_initial_state(model)),
         stepper(deck, model, contact) {}
   explicit Scene(const std::string& text) : Scene(parse_deck(text, "deck.yaml")) {}
