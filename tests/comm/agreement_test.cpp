@@ -1,0 +1,51 @@
+// What one rank has seen, on all of them.
+
+#include "comm/agreement.hpp"
+
+#include <gtest/gtest.h>
+
+namespace percuss::test {
+
+namespace {
+
+std::string name_rank(int rank) {
+  return std::string(static_cast<std::size_t>(100 * rank), '.') + std::to_string(rank);
+}
+
+TEST(AgreeOnFailure, FindsNoneWhereNoRankFailed) {
+  EXPECT_EQ(agree_on_failure(Communicator::world(), std::nullopt), std::nullopt);
+}
+
+TEST(AgreeOnFailure, TellsAllRanksOfTheOneThatFailed) {
+  const Communicator world = Communicator::world();
+  for (int failing = 0; failing < world.size(); ++failing) {
+    std::optional<Failure> own;
+    if (world.rank() == failing) own = Failure{7 + failing, name_rank(failing)};
+    EXPECT_EQ(agree_on_failure(world, own), (Failure{7 + failing, name_rank(failing)}));
+  }
+}
+
+TEST(AgreeOnFailure, ChoosesTheLowestOfSeveralRanks) {
+  const Communicator world = Communicator::world();
+  const int lowest = world.size() / 2;
+  std::optional<Failure> own;
+  if (world.rank() >= lowest) own = Failure{world.rank(), name_rank(world.rank())};
+  EXPECT_EQ(agree_on_failure(world, own), (Failure{lowest, name_rank(lowest)}));
+}
+
+TEST(GatherTexts, GivesRankZeroTheTextsInTheOrderOfRanks) {
+  const Communicator world = Communicator::world();
+  const std::vector<std::string> texts = gather_texts(world, name_rank(world.rank()));
+  ASSERT_EQ(static_cast<int>(texts.size()), world.rank() == 0 ? world.size() : 0);
+  for (std::size_t r = 0; r < texts.size(); ++r) EXPECT_EQ(texts[r], name_rank(static_cast<int>(r)));
+}
+
+TEST(BroadcastText, IsThatOfTheRootEverywhere) {
+  const Communicator world = Communicator::world();
+  const int root = world.size() - 1;
+  EXPECT_EQ(broadcast_text(world, name_rank(world.rank()), root), name_rank(root));
+  EXPECT_EQ(broadcast_text(world, world.rank() == root ? "" : "not this", root), "");
+}
+
+}  // namespace
+}  // namespace percuss::test
