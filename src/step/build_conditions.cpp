@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
-#include "src/step/host_copy.hpp"
 
 namespace percuss {
 
@@ -81,12 +81,7 @@ std::vector<int> build_pressure_faces(const Deck& deck, const Mesh& mesh, Model&
   faces.first_slot = model.slot_count;
   faces.count = static_cast<int>(corners.size());
   faces.load = to_view("percuss::pressure_load", loads);
-  faces.nodes = Rows4<int>("percuss::pressure_nodes", corners.size());
-  const auto host = Kokkos::create_mirror_view(faces.nodes);
-  for (std::size_t f = 0; f < corners.size(); ++f) {
-    for (std::size_t i = 0; i < 4; ++i) host(f, i) = corners[f][i];
-  }
-  Kokkos::deep_copy(faces.nodes, host);
+  faces.nodes = to_rows("percuss::pressure_nodes", corners);
   model.slot_count = static_cast<int>(slot_nodes.size());
   return slot_nodes;
 }

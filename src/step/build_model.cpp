@@ -2,8 +2,8 @@
 #include <map>
 #include <type_traits>
 
+#include "kernels/core/host_copy.hpp"
 #include "src/step/build_conditions.hpp"
-#include "src/step/host_copy.hpp"
 #include "src/step/model.hpp"
 
 namespace percuss {

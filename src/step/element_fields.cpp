@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "src/step/host_copy.hpp"
+#include "kernels/core/host_copy.hpp"
 
 namespace percuss {
 

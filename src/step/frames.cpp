@@ -4,8 +4,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "kernels/core/host_copy.hpp"
 #include "src/step/element_fields.hpp"
-#include "src/step/host_copy.hpp"
 
 namespace percuss {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
 #include "src/step/element_fields.hpp"
-#include "src/step/host_copy.hpp"
 
 namespace percuss {
 

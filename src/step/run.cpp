@@ -9,12 +9,12 @@
 #include <memory>
 #include <optional>
 
+#include "kernels/core/host_copy.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/step/audit.hpp"
 #include "src/step/frames.hpp"
 #include "src/step/history.hpp"
-#include "src/step/host_copy.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/step.hpp"
 

@@ -1,6 +1,6 @@
 #include "src/step/state.hpp"
 
-#include "src/step/host_copy.hpp"
+#include "kernels/core/host_copy.hpp"
 
 namespace percuss {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/step/host_copy.hpp"
+#include "kernels/core/host_copy.hpp"
 #include "src/step/phases.hpp"
 
 namespace percuss {

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
+#include "kernels/core/host_copy.hpp"
 #include "src/deck/read_deck.hpp"
 #include "src/mesh/decompose.hpp"
-#include "src/step/host_copy.hpp"
 #include "src/step/step.hpp"
 
 namespace percuss::test {

@@ -1,6 +1,8 @@
 #pragma once
 // Between std::vector on the host and views where the kernels run.
 
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,13 +20,14 @@ Array<T> to_view(const std::string& label, const std::vector<T>& values) {
   return view;
 }
 
-/// Rows of three from a host vector of arrays.
-template <class T>
-Rows3<T> to_rows(const std::string& label, const std::vector<std::array<T, 3>>& values) {
-  const Rows3<T> view(Kokkos::view_alloc(label, Kokkos::WithoutInitializing), values.size());
+/// Rows of N (Rows3, Rows4) from a host vector of arrays.
+template <class T, std::size_t N>
+auto to_rows(const std::string& label, const std::vector<std::array<T, N>>& values) {
+  const Kokkos::View<T* [N], Kokkos::LayoutRight, MemSpace> view(Kokkos::view_alloc(label, Kokkos::WithoutInitializing),
+                                                                 values.size());
   const auto host = Kokkos::create_mirror_view(view);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) host(i, k) = values[i][k];
+    for (std::size_t k = 0; k < N; ++k) host(i, k) = values[i][k];
   }
   Kokkos::deep_copy(view, host);
   return view;
