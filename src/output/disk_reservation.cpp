@@ -1,6 +1,7 @@
 #include "src/output/disk_reservation.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -20,15 +21,22 @@ DiskReservation::~DiskReservation() {
 }
 
 DiskReservation::DiskReservation(DiskReservation&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      begin_(other.begin_),
+      end_(other.end_) {}
 
 DiskReservation& DiskReservation::operator=(DiskReservation&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(descriptor_, other.descriptor_);
+  std::swap(begin_, other.begin_);
+  std::swap(end_, other.end_);
   return *this;
 }
 
 void DiskReservation::reserve(std::uint64_t size, std::uint64_t bytes) {
+  begin_ = size;
+  end_ = size + bytes;
   int error_number = 0;
   do {  // returns its error, and leaves errno alone
     error_number = ::posix_fallocate(descriptor_, static_cast<off_t>(size), static_cast<off_t>(bytes));
@@ -41,6 +49,16 @@ void DiskReservation::reserve(std::uint64_t size, std::uint64_t bytes) {
 
 void DiskReservation::trim(std::uint64_t size) {
   if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) throw make_io_error("write", path_, errno);
+}
+
+void DiskReservation::trim_if_unused() {
+  if (size() == end_) trim(begin_);
+}
+
+std::uint64_t DiskReservation::size() const {
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0) throw make_io_error("write", path_, errno);
+  return static_cast<std::uint64_t>(status.st_size);
 }
 
 void DiskReservation::sync() {

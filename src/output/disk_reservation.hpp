@@ -21,12 +21,20 @@ class DiskReservation {
   /// Gives back what lies behind the first `size` bytes.
   void trim(std::uint64_t size);
 
+  /// The same as trim() for an owner that has cut the file to its data by itself, unless they fitted in before: if the
+  /// file is still as long as reserve() made it, all that was reserved is given back.
+  void trim_if_unused();
+
+  /// Length of the file.
+  std::uint64_t size() const;
+
   /// Waits until the disk holds the file.
   void sync();
 
  private:
   std::string path_;
   int descriptor_ = -1;
+  std::uint64_t begin_ = 0, end_ = 0;  // what was reserved last
 };
 
 }  // namespace percuss

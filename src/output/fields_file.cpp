@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "src/output/atomic_file.hpp"
+#include "src/output/first_rank.hpp"
 #include "src/output/hdf5_handle.hpp"
 #include "src/output/vtkhdf_file.hpp"
 #include "src/output/xdmf_text.hpp"
@@ -15,41 +16,51 @@ namespace {
 
 const std::string displacement_name = "displacement";
 
-XdmfIndex make_index(const Mesh& mesh, const FieldsOptions& options) {
+XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options) {
   XdmfIndex index;
   index.file = "fields.vtkhdf";
   index.title = options.title;
   index.units = options.units;
-  for (const auto& part : mesh.parts) index.parts.push_back(part.name);
-  index.nodes = static_cast<std::int64_t>(mesh.nodes.size());
-  index.elements = static_cast<std::int64_t>(mesh.elements.size());
+  for (const auto& part : chunked.mesh.parts) index.parts.push_back(part.name);
+  index.nodes = chunked.numbering.node_count();
+  index.elements = chunked.numbering.element_count();
   return index;
 }
 
 }  // namespace
 
 struct FieldsFile::Impl {
-  Impl(const std::string& directory, const Mesh& mesh, const FieldsOptions& options)
-      : xdmf_path(directory + "/fields.xdmf"),
-        initial(mesh.nodes),
+  Impl(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+       const Communicator& all_ranks)
+      : ranks(all_ranks),
+        xdmf_path(directory + "/fields.xdmf"),
+        initial(chunked.mesh.nodes),
+        elements(chunked.mesh.elements.size()),
         precision(options.precision),
-        index(make_index(mesh, options)),
-        file(directory + "/fields.vtkhdf", mesh, options) {
+        index(make_index(chunked, options)),
+        file(directory + "/fields.vtkhdf", chunked, options, all_ranks) {
     write_index();
   }
 
-  void write_index() const { write_file_atomically(xdmf_path, make_xdmf_text(index), Durability::system); }
+  void write_index() const;
   std::vector<FieldData> complete_fields(std::span<const double> positions, std::span<const FieldData> given);
   void check_fields(std::span<const FieldData> fields) const;
   void remember_fields(std::span<const FieldData> fields);
 
+  Communicator ranks;
   std::string xdmf_path;
-  std::vector<Vec3> initial;         // positions of the mesh
-  std::vector<double> displacement;  // of the frame being written, [nodes][3]
+  std::vector<Vec3> initial;         // [local nodes] positions of the mesh
+  std::size_t elements;              // local ones
+  std::vector<double> displacement;  // of the frame being written, [local nodes][3]
   FieldPrecision precision;
   XdmfIndex index;
   VtkhdfFile file;
 };
+
+// Rank 0 writes the text for all.
+void FieldsFile::Impl::write_index() const {
+  run_on_first_rank(ranks, [&] { write_file_atomically(xdmf_path, make_xdmf_text(index), Durability::system); });
+}
 
 // The fields of a frame with the displacement, which is put first unless it was given.
 std::vector<FieldData> FieldsFile::Impl::complete_fields(std::span<const double> positions,
@@ -65,7 +76,7 @@ std::vector<FieldData> FieldsFile::Impl::complete_fields(std::span<const double>
 
 void FieldsFile::Impl::check_fields(std::span<const FieldData> fields) const {
   for (const auto& field : fields) {
-    const auto items = static_cast<std::size_t>(field.place == FieldPlace::node ? index.nodes : index.elements);
+    const std::size_t items = field.place == FieldPlace::node ? initial.size() : elements;
     if (field.values.size() != items * static_cast<std::size_t>(field.components))
       throw std::logic_error(fmt::format("field {} has {} values (it has {} components on {} items)", field.name,
                                          field.values.size(), field.components, items));
@@ -84,9 +95,10 @@ void FieldsFile::Impl::remember_fields(std::span<const FieldData> fields) {
   for (const auto& field : fields) index.fields.push_back({field.name, field.place, field.components, bytes});
 }
 
-FieldsFile::FieldsFile(const std::string& directory, const Mesh& mesh, const FieldsOptions& options) {
+FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+                       const Communicator& ranks) {
   const hdf5::QuietErrors quiet;
-  impl_ = std::make_unique<Impl>(directory, mesh, options);
+  impl_ = std::make_unique<Impl>(directory, chunked, options, ranks);
 }
 
 FieldsFile::~FieldsFile() {

@@ -2,20 +2,23 @@
 // fields.vtkhdf: the fields of a run over time, one HDF5 file in VTK's UnstructuredGrid layout (version 2, temporal),
 // and an .xdmf beside it over the same datasets. docs/output.md lists every dataset.
 //
-// The cells are stored once, the positions of the nodes at every frame. Displacement is always among the fields.
+// The cells are stored once, the positions of the nodes at every frame. Displacement is always among the fields. All
+// ranks write the file together; it is the same whatever their number, nodes and elements in ascending global number.
 
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "src/mesh/mesh.hpp"
+#include "comm/communicator.hpp"
+#include "src/mesh/ordering.hpp"
 
 namespace percuss {
 
 enum class FieldPlace { node, element };
 
-/// One field of one frame; values has components * (nodes or elements) numbers, item by item.
+/// One field of one frame; values has components * (local nodes or elements) numbers, item by item. Of a node that
+/// several ranks hold, the values of its owner are written.
 struct FieldData {
   std::string name;
   FieldPlace place = FieldPlace::node;
@@ -35,18 +38,21 @@ struct FieldsOptions {
 class FieldsFile {
  public:
   /// Creates DIR/fields.vtkhdf and DIR/fields.xdmf (old ones are replaced) with the mesh: cells, ids, part numbers.
-  /// Throws SystemError with the path and the reason.
-  FieldsFile(const std::string& directory, const Mesh& mesh, const FieldsOptions& options = {});
+  /// `chunked` is this rank's share of the mesh. Collective over `ranks`, as everything below, the destructor included.
+  /// Throws SystemError with the path and the reason, on all ranks alike.
+  FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+             const Communicator& ranks);
   /// Closes the file if close() was not called; an error is lost then.
   ~FieldsFile();
   FieldsFile(FieldsFile&&) noexcept;
   FieldsFile& operator=(FieldsFile&&) noexcept;
 
   /// Appends a frame and flushes it: it survives the end of the process, even kill -9, from then on.
-  /// positions: [nodes][3] [length] at `time`. Every frame must give the same fields in the same order
+  /// positions: [local nodes][3] [length] at `time`. Every frame must give the same fields in the same order
   /// (std::logic_error otherwise); names are unique and have neither '/' nor quotes. "displacement" (positions less
-  /// those of the mesh) is added unless it is given. Throws SystemError (disk full); the frames before then stay
-  /// readable, and the file takes no more.
+  /// those of the mesh) is added unless it is given. Throws SystemError (disk full) on all ranks alike; the frames
+  /// before then stay readable, and the file takes no more. With several ranks a write that fails although there was
+  /// room ends the program at once (exit code 4).
   void write_frame(double time, long step, std::span<const double> positions, std::span<const FieldData> fields);
 
   /// Waits until the disk has all and closes the file; errors are thrown here rather than lost in the destructor.

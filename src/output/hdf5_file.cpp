@@ -1,10 +1,16 @@
 #include "src/output/hdf5_file.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+
+#include "src/output/atomic_file.hpp"
+#include "src/output/first_rank.hpp"
 
 namespace percuss::hdf5 {
 namespace {
@@ -20,10 +26,27 @@ void keep_metadata_until_flush(hid_t file, const std::string& action) {
   cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   check(H5Fget_mdc_config(file, &cache), action);
   cache.evictions_enabled = false;
+  cache.metadata_write_strategy = H5AC_METADATA_WRITE_STRATEGY__PROCESS_0_ONLY;
   cache.incr_mode = H5C_incr__off;
   cache.decr_mode = H5C_decr__off;
   cache.flash_incr_mode = H5C_flash_incr__off;
   check(H5Fset_mdc_config(file, &cache), action);
+}
+
+// Rank 0 makes the file, so that the reason of a failure is the system's own; MPI-IO would hide it.
+void make_empty_file(const std::string& path) {
+  ::unlink(path.c_str());  // who still reads an older run keeps its file
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) throw make_io_error("create", path, errno);
+  ::close(descriptor);
+}
+
+// Each rank goes on with a file of its own. One that cannot would leave the others waiting when the file is closed.
+void turn_to_memory(MPI_File& file, int memory, const Communicator& ranks) {
+  const std::string path = fmt::format("/proc/self/fd/{}", memory);
+  MPI_File_close(&file);
+  if (MPI_File_open(MPI_COMM_SELF, path.c_str(), MPI_MODE_RDWR, MPI_INFO_NULL, &file) != MPI_SUCCESS)
+    ranks.abort(static_cast<int>(ExitCode::system_failed));
 }
 
 // Ends the program, with the exit code that it has, before the functions that were registered earlier have their turn.
@@ -34,27 +57,42 @@ void end_before_hdf5(int exit_code, void*) {
 
 }  // namespace
 
-Handle create_durable_file(const std::string& path) {
+Handle create_durable_file(const std::string& path, const Communicator& ranks) {
   const std::string action = "create the file";
+  const bool together = ranks.size() > 1;
   const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), action), H5Pclose);
   // No lock, so that ParaView can look at a run that goes on; no chunk cache: frames go to the system as they come.
   check(H5Pset_file_locking(access.get(), false, true), action);
   check(H5Pset_cache(access.get(), 0, 1, 0, 1.0), action);
+  if (together) check(H5Pset_fapl_mpio(access.get(), ranks.handle(), MPI_INFO_NULL), action);
   const Handle creation(check(H5Pcreate(H5P_FILE_CREATE), action), H5Pclose);
   check(H5Pset_istore_k(creation.get(), chunk_index_k), action);
-  ::unlink(path.c_str());  // who still reads an older run keeps its file
+  if (together) {
+    run_on_first_rank(ranks, [&] { make_empty_file(path); });
+  } else {
+    ::unlink(path.c_str());
+  }
   Handle file(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), action), H5Fclose);
   keep_metadata_until_flush(file.get(), action);
   return file;
 }
 
-void turn_to_memory(const Handle& file) {
-  void* descriptor = nullptr;
-  if (!file || H5Fget_vfd_handle(file.get(), H5P_DEFAULT, &descriptor) < 0) return;
+Handle create_collective_transfer() {
+  Handle transfer(check(H5Pcreate(H5P_DATASET_XFER), "describe a transfer"), H5Pclose);
+  check(H5Pset_dxpl_mpio(transfer.get(), H5FD_MPIO_COLLECTIVE), "describe a transfer");
+  return transfer;
+}
+
+void turn_to_memory(const Handle& file, const Communicator& ranks) {
+  void* handle = nullptr;
+  if (!file || H5Fget_vfd_handle(file.get(), H5P_DEFAULT, &handle) < 0) return;
   const int memory = ::memfd_create("abandoned", MFD_CLOEXEC);
-  if (memory < 0) return;
-  ::dup2(memory, *static_cast<int*>(descriptor));
-  ::close(memory);
+  if (ranks.size() > 1) {
+    turn_to_memory(*static_cast<MPI_File*>(handle), memory, ranks);
+  } else if (memory >= 0) {
+    ::dup2(memory, *static_cast<int*>(handle));
+  }
+  if (memory >= 0) ::close(memory);
 }
 
 void close_abandoned(Handle& file, Failure failure) {

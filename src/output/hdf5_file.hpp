@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "comm/communicator.hpp"
 #include "src/output/hdf5_handle.hpp"
 
 namespace percuss::hdf5 {
@@ -10,14 +11,18 @@ namespace percuss::hdf5 {
 /// Creates a file in place of an older one. Data go to the system when they are written, metadata when the file is
 /// flushed, both without a lock, so that others may read meanwhile. What was flushed is readable whenever the process
 /// ends, unless it ends within a flush that splits a node of a chunk index, which happens to every 512th chunk of a
-/// dataset. Throws Error.
-Handle create_durable_file(const std::string& path);
+/// dataset. Several ranks write the file together through MPI-IO; its metadata are rank 0's to write, in the order in
+/// which one rank alone writes them. Collective. Throws Error, and SystemError on all ranks if the file cannot be made.
+Handle create_durable_file(const std::string& path, const Communicator& ranks);
+
+/// How several ranks write data: all of them at once.
+Handle create_collective_transfer();
 
 // --- giving a file up, in this order; what is open within it is closed between the two
 
 /// From now on what HDF5 writes to the file goes to memory. After a failed write it must not reach the disk: it would
-/// refer to data that are not there.
-void turn_to_memory(const Handle& file);
+/// refer to data that are not there. Collective.
+void turn_to_memory(const Handle& file, const Communicator& ranks);
 
 enum class Failure { in_a_flush, elsewhere };
 

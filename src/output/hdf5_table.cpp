@@ -25,12 +25,11 @@ struct Extent {
   int rank = 1;
 };
 
-Extent make_extent(RowShape shape) {
-  return {{shape.rows, static_cast<hsize_t>(shape.components)}, shape.components == 1 ? 1 : 2};
+Extent make_extent(hsize_t rows, int components) {
+  return {{rows, static_cast<hsize_t>(components)}, components == 1 ? 1 : 2};
 }
 
-Handle create_space(RowShape shape) {
-  const Extent extent = make_extent(shape);
+Handle create_space(const Extent& extent) {
   return {check(H5Screate_simple(extent.rank, extent.dims.data(), nullptr), "describe the shape of a dataset"),
           H5Sclose};
 }
@@ -41,16 +40,23 @@ Handle create_dataset(hid_t parent, const std::string& name, hid_t type, hid_t s
           H5Dclose};
 }
 
-// Writes rows [first, first + shape.rows) of a dataset. To become collective when several ranks write.
-void write_rows(hid_t dataset, const std::string& name, hsize_t first, RowShape shape, hid_t type, const void* values) {
-  if (shape.rows == 0) return;
+// Writes a block of the rows of a dataset that begin at row `start`.
+void write_rows(hid_t dataset, const std::string& name, hsize_t start, const RowBlock& block, int components,
+                hid_t type, const void* values) {
+  if (block.all == 0) return;
   const std::string action = fmt::format("write dataset {}", name);
   const Handle in_file(check(H5Dget_space(dataset), action), H5Sclose);
-  const Handle in_memory = create_space(shape);
-  const Extent count = make_extent(shape);
-  const std::array<hsize_t, 2> start{first, 0};
-  check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, count.dims.data(), nullptr), action);
-  check(H5Dwrite(dataset, type, in_memory.get(), in_file.get(), H5P_DEFAULT, values), action);
+  const Extent count = make_extent(block.count, components);
+  const Handle in_memory = create_space(count);
+  const std::array<hsize_t, 2> first{start + block.first, 0};
+  if (block.count == 0) {  // takes part all the same
+    check(H5Sselect_none(in_file.get()), action);
+    check(H5Sselect_none(in_memory.get()), action);
+  } else {
+    check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, first.data(), nullptr, count.dims.data(), nullptr),
+          action);
+  }
+  check(H5Dwrite(dataset, type, in_memory.get(), in_file.get(), block.transfer, values), action);
 }
 
 Handle create_text_type(std::size_t length) {
@@ -78,11 +84,11 @@ Handle create_group(hid_t parent, const std::string& name) {
           H5Gclose};
 }
 
-void write_dataset(hid_t parent, const std::string& name, hid_t file_type, RowShape shape, hid_t memory_type,
+void write_dataset(hid_t parent, const std::string& name, hid_t file_type, const RowBlock& block, hid_t memory_type,
                    const void* values) {
-  const Handle space = create_space(shape);
+  const Handle space = create_space(make_extent(block.all, 1));
   const Handle dataset = create_dataset(parent, name, file_type, space.get(), H5P_DEFAULT);
-  write_rows(dataset.get(), name, 0, shape, memory_type, values);
+  write_rows(dataset.get(), name, 0, block, 1, memory_type, values);
 }
 
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values) {
@@ -98,19 +104,19 @@ void write_attribute(hid_t object, const std::string& name, const std::string& t
   write_attribute(object, name, type.get(), space.get(), type.get(), text.c_str());
 }
 
-void write_texts(hid_t parent, const std::string& name, std::span<const std::string> texts) {
+void write_texts(hid_t parent, const std::string& name, std::span<const std::string> texts, const RowBlock& block) {
   std::size_t length = 1;
   for (const auto& text : texts) length = std::max(length, text.size());
   std::vector<char> padded(texts.size() * length, '\0');
   for (std::size_t i = 0; i < texts.size(); ++i)
     std::copy(texts[i].begin(), texts[i].end(), padded.begin() + static_cast<std::ptrdiff_t>(i * length));
   const Handle type = create_text_type(length);
-  write_dataset(parent, name, type.get(), {texts.size(), 1}, type.get(), padded.data());
+  write_dataset(parent, name, type.get(), block, type.get(), padded.data() + block.first * length);
 }
 
 Table::Table(hid_t parent, const std::string& name, hid_t file_type, int components, hsize_t rows_at_once)
     : name_(name), components_(components) {
-  const Extent none = make_extent({0, components});
+  const Extent none = make_extent(0, components);
   const std::array<hsize_t, 2> unlimited{H5S_UNLIMITED, none.dims[1]};
   const Handle space(check(H5Screate_simple(none.rank, none.dims.data(), unlimited.data()), "create dataset " + name),
                      H5Sclose);
@@ -129,11 +135,11 @@ hsize_t Table::growth_bytes(hsize_t rows) const {
   return (chunks(rows_ + rows) - chunks(rows_)) * chunk_rows_ * row_bytes_;
 }
 
-void Table::append(const void* values, hid_t type, hsize_t rows) {
-  const Extent extent = make_extent({rows_ + rows, components_});
+void Table::append(const void* values, hid_t type, const RowBlock& block) {
+  const Extent extent = make_extent(rows_ + block.all, components_);
   check(H5Dset_extent(dataset_.get(), extent.dims.data()), fmt::format("extend dataset {}", name_));
-  write_rows(dataset_.get(), name_, rows_, {rows, components_}, type, values);
-  rows_ += rows;
+  write_rows(dataset_.get(), name_, rows_, block, components_, type, values);
+  rows_ += block.all;
 }
 
 }  // namespace percuss::hdf5

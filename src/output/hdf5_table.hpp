@@ -1,8 +1,8 @@
 #pragma once
 // Datasets and attributes of fields.vtkhdf: the one place where numbers go into HDF5.
 //
-// Errors are hdf5::Error. Every write goes through write_rows(), so that a parallel run needs to change only that
-// function: each rank will select its own rows and the transfer will be collective.
+// Errors are hdf5::Error. In a file that several ranks write together every call is collective: each rank writes its
+// block of the rows, in one collective transfer.
 
 #include <cstdint>
 #include <span>
@@ -28,42 +28,40 @@ inline hid_t memory_type<std::uint8_t>() {
   return H5T_NATIVE_UINT8;
 }
 
-/// Numbers laid out as rows of `components`; a single component makes a one-dimensional dataset, as VTK wants it.
-struct RowShape {
-  hsize_t rows = 0;
-  int components = 1;
+/// Rows that the ranks write together, and the block of them that this rank brings. Rows are numbers, or `components`
+/// of them side by side.
+struct RowBlock {
+  hsize_t all = 0;
+  hsize_t first = 0;
+  hsize_t count = 0;
+  hid_t transfer = H5P_DEFAULT;  // collective where several ranks write
 };
 
 /// A group below `parent`.
 Handle create_group(hid_t parent, const std::string& name);
 
-/// A dataset that is written once. values: shape.rows * shape.components numbers.
-void write_dataset(hid_t parent, const std::string& name, hid_t file_type, RowShape shape, hid_t memory_type,
+/// A one-dimensional dataset that is written once. values: [block.count].
+void write_dataset(hid_t parent, const std::string& name, hid_t file_type, const RowBlock& block, hid_t memory_type,
                    const void* values);
-
-template <class T>
-void write_dataset(hid_t parent, const std::string& name, hid_t file_type, int components, std::span<const T> values) {
-  const auto rows = values.size() / static_cast<std::size_t>(components);
-  write_dataset(parent, name, file_type, {rows, components}, memory_type<T>(), values.data());
-}
 
 /// Attributes: whole numbers (one or several) and text of fixed length.
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
 
-/// Texts of one fixed length (that of the longest), padded with zeros.
-void write_texts(hid_t parent, const std::string& name, std::span<const std::string> texts);
+/// Texts of one fixed length (that of the longest), padded with zeros. texts: [block.all], the same on every rank, of
+/// which this one writes its block.
+void write_texts(hid_t parent, const std::string& name, std::span<const std::string> texts, const RowBlock& block);
 
-/// A dataset that grows at its end.
+/// A dataset that grows at its end; a single component makes it one-dimensional, as VTK wants it.
 class Table {
  public:
   /// Creates it empty below `parent`; `rows_at_once` is how many rows an append brings (decides the chunks).
   Table(hid_t parent, const std::string& name, hid_t file_type, int components, hsize_t rows_at_once);
 
-  /// Adds rows at the end. values: a whole number of rows.
+  /// Adds block.all rows at the end. values: [block.count][components].
   template <class T>
-  void append(std::span<const T> values) {
-    append(values.data(), memory_type<T>(), values.size() / static_cast<std::size_t>(components_));
+  void append(std::span<const T> values, const RowBlock& block) {
+    append(values.data(), memory_type<T>(), block);
   }
 
   hsize_t rows() const { return rows_; }
@@ -72,7 +70,7 @@ class Table {
   hsize_t growth_bytes(hsize_t rows) const;
 
  private:
-  void append(const void* values, hid_t memory_type, hsize_t rows);
+  void append(const void* values, hid_t memory_type, const RowBlock& block);
 
   Handle dataset_;
   std::string name_;

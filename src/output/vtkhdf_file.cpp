@@ -4,8 +4,11 @@
 #include <unistd.h>
 
 #include <array>
+#include <cstdio>
+#include <numeric>
 
 #include "src/output/atomic_file.hpp"
+#include "src/output/first_rank.hpp"
 #include "src/output/hdf5_file.hpp"
 
 namespace percuss {
@@ -23,25 +26,60 @@ constexpr hsize_t metadata_bytes_of_file = hsize_t{256} << 10;
 constexpr hsize_t mesh_bytes_per_node = 8;                      // its id
 constexpr hsize_t mesh_bytes_per_element = 8 * 8 + 8 + 1 + 16;  // corners, offset, type, id and part
 
+// Each node is brought by the rank that owns it, each element by the rank that holds it.
+std::vector<int> find_owned_nodes(const ChunkedMesh& chunked, const Communicator& ranks) {
+  std::vector<int> owned;
+  if (ranks.size() == 1) return owned;
+  const auto& numbers = chunked.mesh.node_numbers;
+  for (std::size_t n = 0; n < numbers.size(); ++n) {
+    if (chunked.numbering.find_node_owner(numbers[n]) == ranks.rank()) owned.push_back(static_cast<int>(n));
+  }
+  return owned;
+}
+
+std::vector<int> count_up(std::size_t count) {
+  std::vector<int> items(count);
+  std::iota(items.begin(), items.end(), 0);
+  return items;
+}
+
+std::vector<std::int64_t> number_elements(const ChunkedMesh& chunked) {
+  std::vector<std::int64_t> numbers(chunked.mesh.elements.size());
+  for (const Chunk& chunk : chunked.chunks) {
+    const auto first = numbers.begin() + chunk.first_element;
+    std::iota(first, first + chunk.element_count,
+              chunked.numbering.first_element[static_cast<std::size_t>(chunk.number)]);
+  }
+  return numbers;
+}
+
+// Corners as they are numbered in the whole mesh.
 std::vector<std::int64_t> flatten_connectivity(const Mesh& mesh) {
   std::vector<std::int64_t> corners;
   corners.reserve(8 * mesh.elements.size());
-  for (const auto& element : mesh.elements) corners.insert(corners.end(), element.begin(), element.end());
+  for (const auto& element : mesh.elements) {
+    for (const int node : element) corners.push_back(mesh.node_numbers[static_cast<std::size_t>(node)]);
+  }
   return corners;
-}
-
-void write_whole_numbers(const hdf5::Handle& group, const std::string& name, std::span<const std::int64_t> values) {
-  hdf5::write_dataset(group.get(), name, H5T_STD_I64LE, 1, values);
 }
 
 }  // namespace
 
-VtkhdfFile::VtkhdfFile(const std::string& path, const Mesh& mesh, const FieldsOptions& options)
-    : path_(path), precision_(options.precision), nodes_(mesh.nodes.size()), elements_(mesh.elements.size()) {
+VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
+                       const Communicator& ranks)
+    : path_(path),
+      ranks_(ranks),
+      precision_(options.precision),
+      nodes_(static_cast<hsize_t>(chunked.numbering.node_count())),
+      elements_(static_cast<hsize_t>(chunked.numbering.element_count())),
+      node_rows_(ranks, find_owned_nodes(chunked, ranks), chunked.mesh.node_numbers, chunked.numbering.node_count()),
+      element_rows_(ranks, count_up(chunked.mesh.elements.size()), number_elements(chunked),
+                    chunked.numbering.element_count()) {
+  if (ranks.size() > 1) transfer_ = hdf5::create_collective_transfer();
   try {
-    run_or_abandon("create", [&] { create(mesh, options); });
+    run_or_abandon("create", [&] { create(chunked.mesh, options); });
   } catch (...) {
-    ::unlink(path_.c_str());
+    if (ranks_.rank() == 0) ::unlink(path_.c_str());
     throw;
   }
 }
@@ -54,19 +92,31 @@ void VtkhdfFile::run_or_abandon(const char* action, Work&& work) {
   try {
     work();
   } catch (const hdf5::Error& error) {
-    abandon();
-    throw SystemError(fmt::format("cannot {} '{}' ({}; while HDF5 was to {}){}", action, path_, error.reason,
-                                  error.what(), suggest_for_errno(error.error_number)));
+    fail(action, error);
   } catch (...) {
     abandon();
     throw;
   }
 }
 
+void VtkhdfFile::fail(const char* action, const hdf5::Error& error) {
+  const std::string message = fmt::format("cannot {} '{}' ({}; while HDF5 was to {}){}", action, path_, error.reason,
+                                          error.what(), suggest_for_errno(error.error_number));
+  if (ranks_.size() > 1) {
+    std::fprintf(stderr, "percuss: error: %s\n", message.c_str());
+    std::fflush(nullptr);
+    ranks_.abort(static_cast<int>(ExitCode::system_failed));
+  }
+  abandon();
+  throw SystemError(message);
+}
+
 void VtkhdfFile::create(const Mesh& mesh, const FieldsOptions& options) {
-  file_ = hdf5::create_durable_file(path_);
-  disk_ = DiskReservation(path_);
-  disk_.reserve(0, metadata_bytes_of_file + nodes_ * mesh_bytes_per_node + elements_ * mesh_bytes_per_element);
+  file_ = hdf5::create_durable_file(path_, ranks_);
+  run_on_first_rank(ranks_, [&] {
+    disk_ = DiskReservation(path_);
+    disk_.reserve(0, metadata_bytes_of_file + nodes_ * mesh_bytes_per_node + elements_ * mesh_bytes_per_element);
+  });
   root_ = hdf5::create_group(file_.get(), "VTKHDF");
   hdf5::write_attribute(root_.get(), "Version", std::array<std::int64_t, 2>{2, 0});
   hdf5::write_attribute(root_.get(), "Type", std::string("UnstructuredGrid"));
@@ -77,30 +127,65 @@ void VtkhdfFile::create(const Mesh& mesh, const FieldsOptions& options) {
   cell_data_offsets_ = hdf5::create_group(steps_.get(), "CellDataOffsets");
   own_ = hdf5::create_group(file_.get(), "percuss");
   write_mesh(mesh, options);
-  create_steps(nodes_);
+  create_steps();
   flush();
-  disk_.trim(file_bytes());
+  trim();
+}
+
+hdf5::RowBlock VtkhdfFile::make_block(FieldPlace place, int rows) const {
+  hdf5::RowBlock block = (place == FieldPlace::node ? node_rows_ : element_rows_).block(rows);
+  if (transfer_) block.transfer = transfer_.get();
+  return block;
+}
+
+hdf5::RowBlock VtkhdfFile::make_block_of_first_rank(hsize_t rows) const {
+  const bool first = ranks_.rank() == 0;
+  return {rows, first ? 0 : rows, first ? rows : 0, transfer_ ? transfer_.get() : H5P_DEFAULT};
+}
+
+void VtkhdfFile::write_numbers(const hdf5::Handle& group, const std::string& name, const hdf5::RowBlock& block,
+                               std::span<const std::int64_t> values) {
+  hdf5::write_dataset(group.get(), name, H5T_STD_I64LE, block, H5T_NATIVE_INT64, values.data());
+}
+
+// Writes whole numbers of the local nodes or elements.
+void VtkhdfFile::write_items(const std::string& name, FieldPlace place, std::span<const std::int64_t> values) {
+  auto& rows = place == FieldPlace::node ? node_rows_ : element_rows_;
+  write_numbers(place == FieldPlace::node ? point_data_ : cell_data_, name, make_block(place), rows.gather(values, 1));
+}
+
+void VtkhdfFile::write_cells(const Mesh& mesh) {
+  const auto corners = flatten_connectivity(mesh);
+  write_numbers(root_, "Connectivity", make_block(FieldPlace::element, 8),
+                element_rows_.gather(std::span<const std::int64_t>(corners), 8));
+  // One more than there are cells: the end of the last one.
+  auto block = make_block(FieldPlace::element);
+  const bool last = block.first + block.count == block.all;
+  std::vector<std::int64_t> offsets(block.count + (last ? 1 : 0));
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(8 * (block.first + i));
+  const std::vector<std::uint8_t> types(block.count, vtk_hexahedron);
+  hdf5::write_dataset(root_.get(), "Types", H5T_STD_U8LE, block, H5T_NATIVE_UINT8, types.data());
+  block.all += 1;
+  block.count = offsets.size();
+  write_numbers(root_, "Offsets", block, offsets);
 }
 
 void VtkhdfFile::write_mesh(const Mesh& mesh, const FieldsOptions& options) {
-  const auto connectivity = flatten_connectivity(mesh);
-  std::vector<std::int64_t> offsets(mesh.elements.size() + 1);
-  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(8 * i);
-  const std::vector<std::uint8_t> types(mesh.elements.size(), vtk_hexahedron);
-  write_whole_numbers(root_, "NumberOfPoints", std::array{static_cast<std::int64_t>(mesh.nodes.size())});
-  write_whole_numbers(root_, "NumberOfCells", std::array{static_cast<std::int64_t>(mesh.elements.size())});
-  write_whole_numbers(root_, "NumberOfConnectivityIds", std::array{static_cast<std::int64_t>(connectivity.size())});
-  write_whole_numbers(root_, "Connectivity", connectivity);
-  write_whole_numbers(root_, "Offsets", offsets);
-  hdf5::write_dataset(root_.get(), "Types", H5T_STD_U8LE, 1, std::span<const std::uint8_t>(types));
-  write_whole_numbers(point_data_, "node_id", mesh.node_ids);
-  write_whole_numbers(cell_data_, "element_id", mesh.element_ids);
-  write_whole_numbers(cell_data_, "part",
-                      std::vector<std::int64_t>(mesh.element_part.begin(), mesh.element_part.end()));
+  const auto write_count = [&](const char* name, hsize_t count) {
+    write_numbers(root_, name, make_block_of_first_rank(1), std::array{static_cast<std::int64_t>(count)});
+  };
+  write_count("NumberOfPoints", nodes_);
+  write_count("NumberOfCells", elements_);
+  write_count("NumberOfConnectivityIds", 8 * elements_);
+  write_cells(mesh);
+  write_items("node_id", FieldPlace::node, mesh.node_ids);
+  write_items("element_id", FieldPlace::element, mesh.element_ids);
+  write_items("part", FieldPlace::element,
+              std::vector<std::int64_t>(mesh.element_part.begin(), mesh.element_part.end()));
 
   std::vector<std::string> names;
   for (const auto& part : mesh.parts) names.push_back(part.name);
-  hdf5::write_texts(own_.get(), "part_names", names);
+  hdf5::write_texts(own_.get(), "part_names", names, make_block_of_first_rank(names.size()));
   hdf5::write_attribute(own_.get(), "title", options.title);
   hdf5::write_attribute(own_.get(), "units", options.units);
 }
@@ -109,9 +194,9 @@ void VtkhdfFile::add_constant(const hdf5::Handle& group, const std::string& name
   constants_.push_back({hdf5::Table(group.get(), name, H5T_STD_I64LE, 1, steps_at_once), value});
 }
 
-void VtkhdfFile::create_steps(hsize_t nodes) {
+void VtkhdfFile::create_steps() {
   hdf5::write_attribute(steps_.get(), "NSteps", std::array<std::int64_t, 1>{0});
-  points_.emplace(root_.get(), "Points", H5T_IEEE_F64LE, 3, nodes);
+  points_.emplace(root_.get(), "Points", H5T_IEEE_F64LE, 3, nodes_);
   times_.emplace(steps_.get(), "Values", H5T_IEEE_F64LE, 1, steps_at_once);
   point_offsets_.emplace(steps_.get(), "PointOffsets", H5T_STD_I64LE, 1, steps_at_once);
   step_numbers_.emplace(own_.get(), "step", H5T_STD_I64LE, 1, steps_at_once);
@@ -148,29 +233,35 @@ void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const do
                               std::span<const FieldData> fields) {
   if (!file_) throw SystemError(fmt::format("cannot write '{}' (it was given up after an error)", path_));
   run_or_abandon("write", [&] {
-    const hsize_t size = file_bytes();
     if (frames_ == 0) create_fields(fields);
-    disk_.reserve(size, frame_bytes(fields));
+    reserve(frame_bytes(fields));
     append_rows(time, step, positions, fields);
     flush();
     // Only now does the frame exist for a reader.
     hdf5::write_attribute(steps_.get(), "NSteps", std::array<std::int64_t, 1>{frames_ + 1});
     flush();
     ++frames_;
-    disk_.trim(file_bytes());
+    trim();
   });
+}
+
+template <class T>
+void VtkhdfFile::append_one(hdf5::Table& table, T value) {
+  table.append(std::span<const T>(&value, 1), make_block_of_first_rank(1));
+}
+
+void VtkhdfFile::append_items(hdf5::Table& table, FieldPlace place, std::span<const double> values, int components) {
+  auto& rows = place == FieldPlace::node ? node_rows_ : element_rows_;
+  table.append(rows.gather(values, components), make_block(place));
 }
 
 void VtkhdfFile::append_rows(double time, std::int64_t step, std::span<const double> positions,
                              std::span<const FieldData> fields) {
-  const auto append_one = [](hdf5::Table& table, auto value) {
-    table.append(std::span<const decltype(value)>(&value, 1));
-  };
   append_one(*point_offsets_, static_cast<std::int64_t>(points_->rows()));
-  points_->append(positions);
+  append_items(*points_, FieldPlace::node, positions, 3);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     append_one(fields_[i].offsets, static_cast<std::int64_t>(fields_[i].values.rows()));
-    fields_[i].values.append(fields[i].values);
+    append_items(fields_[i].values, fields[i].place, fields[i].values, fields[i].components);
   }
   for (auto& constant : constants_) append_one(constant.table, constant.value);
   append_one(*step_numbers_, step);
@@ -189,13 +280,31 @@ hsize_t VtkhdfFile::file_bytes() const {
   return bytes;
 }
 
+// HDF5 does not tell how long a file is that several ranks write, but a flush cuts it to its data if they end elsewhere
+// than before, and frame_bytes() is more than a frame takes.
+void VtkhdfFile::reserve(hsize_t bytes) {
+  if (ranks_.size() == 1) {
+    disk_.reserve(file_bytes(), bytes);
+  } else {
+    run_on_first_rank(ranks_, [&] { disk_.reserve(disk_.size(), bytes); });
+  }
+}
+
+void VtkhdfFile::trim() {
+  if (ranks_.size() == 1) {
+    disk_.trim(file_bytes());
+  } else {
+    run_on_first_rank(ranks_, [&] { disk_.trim_if_unused(); });
+  }
+}
+
 void VtkhdfFile::close() {
   if (!file_) return;
   run_or_abandon("write", [&] {
     flush();
     release_objects();
     check(file_.reset(), "close the file");
-    disk_.sync();
+    run_on_first_rank(ranks_, [&] { disk_.sync(); });
   });
 }
 
@@ -209,7 +318,7 @@ void VtkhdfFile::release_objects() {
 }
 
 void VtkhdfFile::abandon() {
-  hdf5::turn_to_memory(file_);
+  hdf5::turn_to_memory(file_, ranks_);
   release_objects();
   hdf5::close_abandoned(file_, flushing_ ? hdf5::Failure::in_a_flush : hdf5::Failure::elsewhere);
 }

@@ -3,6 +3,10 @@
 //
 // One partition, whose cells are stored once: Steps/*Offsets send every step back to them. Points and fields lie frame
 // after frame in one dataset each. What VTK does not know (title, units, part names, step numbers) is in /percuss.
+//
+// Several ranks write the file together, each a block of every dataset (src/output/row_blocks.hpp). What can be
+// foreseen to fail (the folder, the room on the disk) fails on rank 0 first and then on all; what cannot ends the
+// program at once, because within HDF5 the other ranks wait for the one that failed.
 
 #include <cstdint>
 #include <optional>
@@ -13,21 +17,23 @@
 #include "src/output/disk_reservation.hpp"
 #include "src/output/fields_file.hpp"
 #include "src/output/hdf5_table.hpp"
+#include "src/output/row_blocks.hpp"
 
 namespace percuss {
 
 class VtkhdfFile {
  public:
-  /// Creates the file with the mesh and no frame. Throws SystemError; no file is left then.
-  VtkhdfFile(const std::string& path, const Mesh& mesh, const FieldsOptions& options);
+  /// Creates the file with the mesh and no frame. Collective, as all below. Throws SystemError; no file is left then.
+  VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
+             const Communicator& ranks);
   /// Closes the file; errors are lost.
   ~VtkhdfFile();
   VtkhdfFile(const VtkhdfFile&) = delete;
   VtkhdfFile& operator=(const VtkhdfFile&) = delete;
 
-  /// Appends a frame: room is reserved, data are written and flushed, then the number of steps, which is what shows the
-  /// frame to readers. The first frame creates the fields. Throws SystemError; the file then keeps the frames before
-  /// and takes no more.
+  /// Appends a frame (local rows): room is reserved, data are written and flushed, then the number of steps, which is
+  /// what shows the frame to readers. The first frame creates the fields. Throws SystemError; the file then keeps the
+  /// frames before and takes no more.
   void append_frame(double time, std::int64_t step, std::span<const double> positions,
                     std::span<const FieldData> fields);
 
@@ -49,25 +55,40 @@ class VtkhdfFile {
 
   template <class Work>
   void run_or_abandon(const char* action, Work&& work);
+  [[noreturn]] void fail(const char* action, const hdf5::Error& error);
   void create(const Mesh& mesh, const FieldsOptions& options);
+  void write_cells(const Mesh& mesh);
   void write_mesh(const Mesh& mesh, const FieldsOptions& options);
-  void create_steps(hsize_t nodes);
+  void create_steps();
   void create_fields(std::span<const FieldData> fields);
+  hdf5::RowBlock make_block(FieldPlace place, int rows = 1) const;
+  hdf5::RowBlock make_block_of_first_rank(hsize_t rows) const;
+  void write_numbers(const hdf5::Handle& group, const std::string& name, const hdf5::RowBlock& block,
+                     std::span<const std::int64_t> values);
+  void write_items(const std::string& name, FieldPlace place, std::span<const std::int64_t> values);
+  void append_items(hdf5::Table& table, FieldPlace place, std::span<const double> values, int components);
+  template <class T>
+  void append_one(hdf5::Table& table, T value);
   void add_constant(const hdf5::Handle& group, const std::string& name, std::int64_t value);
   void append_rows(double time, std::int64_t step, std::span<const double> positions,
                    std::span<const FieldData> fields);
   hsize_t frame_bytes(std::span<const FieldData> fields) const;
   hsize_t file_bytes() const;
+  void reserve(hsize_t bytes);
+  void trim();
   void flush();
   void release_objects();
   void abandon();
 
   std::string path_;
+  Communicator ranks_;
   FieldPrecision precision_;
-  hsize_t nodes_, elements_;
+  hsize_t nodes_, elements_;  // of the whole mesh
+  RowBlocks node_rows_, element_rows_;
+  hdf5::Handle transfer_;  // collective; none: one rank
   std::int64_t frames_ = 0;
   bool flushing_ = false;  // stays true if that failed
-  DiskReservation disk_;
+  DiskReservation disk_;   // rank 0's
   hdf5::Handle file_, root_, point_data_, cell_data_, steps_, point_data_offsets_, cell_data_offsets_, own_;
   std::optional<hdf5::Table> points_, times_, point_offsets_, step_numbers_;
   std::vector<StepConstant> constants_;

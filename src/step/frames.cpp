@@ -25,7 +25,7 @@ bool has(const std::vector<std::string>& names, const char* name) {
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model)
     : deck_(deck),
       model_(model),
-      file_(directory, chunked.mesh, FieldsOptions{.title = deck.title, .units = deck.units}) {
+      file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, Communicator::world()) {
   if (has(deck.output.fields, "body")) {
     const std::vector<int> bodies = find_bodies(chunked.mesh);
     body_.assign(bodies.begin(), bodies.end());

@@ -28,7 +28,7 @@ using testing::HasSubstr;
 
 std::string write_run(const TemporaryFolder& folder, int frames) {
   const Mesh mesh = sample::make_mesh();
-  FieldsFile file(folder.path(), mesh, sample::options());
+  FieldsFile file = sample::create_file(folder.path(), mesh, sample::options());
   for (int frame = 0; frame < frames; ++frame) sample::write_frame(file, mesh, frame);
   file.close();
   return folder.file("fields.vtkhdf");
@@ -67,7 +67,7 @@ TEST(DescribeFields, CountsWhatIsNotFinite) {
   sample::Frame data(mesh, 0);
   data.von_mises = std::vector<double>(mesh.elements.size(), 4.0);
   data.von_mises[3] = NAN;
-  FieldsFile file(folder.path(), mesh);
+  FieldsFile file = sample::create_file(folder.path(), mesh);
   const auto fields = data.fields();
   file.write_frame(0, 0, data.positions, fields);
   file.close();

@@ -101,7 +101,7 @@ void expect_good_frames(const std::string& path, const Mesh& mesh, int least) {
 
 int count_writes_of_a_frame(const Mesh& mesh) {
   const TemporaryFolder folder;
-  FieldsFile file(folder.path(), mesh);
+  FieldsFile file = sample::create_file(folder.path(), mesh);
   for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
   writes_seen = 0;
   sample::write_frame(file, mesh, good_frames);
@@ -116,7 +116,7 @@ TEST(FieldsFileInACrash, KeepsTheFramesBeforeWheneverTheProcessIsKilled) {
     SCOPED_TRACE("killed at write " + std::to_string(n));
     const TemporaryFolder folder;
     const int status = run_in_child([&] {
-      FieldsFile file(folder.path(), mesh);
+      FieldsFile file = sample::create_file(folder.path(), mesh);
       for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
       fault = Fault::kill;
       writes_left = n;
@@ -130,7 +130,7 @@ TEST(FieldsFileInACrash, KeepsTheFramesBeforeWheneverTheProcessIsKilled) {
 // Writes frames until the n-th write of the last one fails; ends the process as percuss does. Exit codes: 4 for the
 // error that is expected, others for what went wrong.
 void run_into_failing_write(const std::string& folder, const Mesh& mesh, int n) {
-  FieldsFile file(folder, mesh);
+  FieldsFile file = sample::create_file(folder, mesh);
   for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
   fault = Fault::fail;
   writes_left = n;
@@ -188,7 +188,7 @@ class FileSizeLimit {
 TEST(FieldsFileOnAFullDisk, FailsBeforeAFrameIsHalfWrittenAndKeepsTheOthers) {
   const TemporaryFolder folder;
   const Mesh mesh = sample::make_mesh();
-  FieldsFile file(folder.path(), mesh);
+  FieldsFile file = sample::create_file(folder.path(), mesh);
   for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
   const auto size = std::filesystem::file_size(folder.file("fields.vtkhdf"));
   writes_seen = 0;
@@ -208,7 +208,7 @@ TEST(FieldsFileOnAFullDisk, FailsBeforeAFrameIsHalfWrittenAndKeepsTheOthers) {
 TEST(FieldsFileOnAFullDisk, LeavesNoFileWhenTheMeshDoesNotFit) {
   const TemporaryFolder folder;
   const FileSizeLimit limit(1000);
-  EXPECT_THROW(FieldsFile(folder.path(), sample::make_mesh()), SystemError);
+  EXPECT_THROW(sample::create_file(folder.path(), sample::make_mesh()), SystemError);
   EXPECT_FALSE(std::filesystem::exists(folder.file("fields.vtkhdf")));
 }
 

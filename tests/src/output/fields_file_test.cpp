@@ -31,7 +31,7 @@ std::string read_text(const std::string& path) {
 }
 
 void write_run(const TemporaryFolder& folder, const Mesh& mesh, const FieldsOptions& options = sample::options()) {
-  FieldsFile file(folder.path(), mesh, options);
+  FieldsFile file = sample::create_file(folder.path(), mesh, options);
   for (int frame = 0; frame < frames; ++frame) sample::write_frame(file, mesh, frame);
   file.close();
 }
@@ -122,7 +122,7 @@ TEST(FieldsFile, TakesADisplacementThatIsGivenInsteadOfItsOwn) {
   const Mesh mesh = sample::make_mesh();
   const sample::Frame data(mesh, 1);
   const FieldData given{"displacement", FieldPlace::node, 3, data.velocity};
-  FieldsFile file(folder.path(), mesh);
+  FieldsFile file = sample::create_file(folder.path(), mesh);
   file.write_frame(0, 0, data.positions, std::span(&given, 1));
   file.close();
   EXPECT_EQ(Hdf5FileView(folder.file("fields.vtkhdf")).numbers("VTKHDF/PointData/displacement"), data.velocity);
@@ -145,7 +145,7 @@ TEST(FieldsFile, StoresFieldsAsFloatsButPositionsAsDoublesWhenAskedTo) {
 TEST(FieldsFile, IsReadableAfterEveryFrameWithoutBeingClosed) {
   const TemporaryFolder folder;
   const Mesh mesh = sample::make_mesh();
-  FieldsFile file(folder.path(), mesh);
+  FieldsFile file = sample::create_file(folder.path(), mesh);
   for (int frame = 0; frame < frames; ++frame) {
     sample::write_frame(file, mesh, frame);
     // A copy, because one process that opens a file twice would see what HDF5 holds in memory.
@@ -171,7 +171,7 @@ TEST(FieldsFile, ReplacesAnOlderRun) {
 TEST(FieldsFile, RefusesAFrameWithOtherFieldsThanTheFirst) {
   const TemporaryFolder folder;
   const Mesh mesh = sample::make_mesh();
-  FieldsFile file(folder.path(), mesh);
+  FieldsFile file = sample::create_file(folder.path(), mesh);
   sample::write_frame(file, mesh, 0);
   const sample::Frame data(mesh, 1);
   auto fields = data.fields();
@@ -188,7 +188,7 @@ TEST(FieldsFile, RefusesAFrameWithOtherFieldsThanTheFirst) {
 TEST(FieldsFile, NamesTheFileAndTheReasonWhenTheFolderIsMissing) {
   const TemporaryFolder folder;
   try {
-    FieldsFile file(folder.file("missing"), sample::make_mesh());
+    FieldsFile file = sample::create_file(folder.file("missing"), sample::make_mesh());
     FAIL() << "a file was created in a folder that does not exist";
   } catch (const SystemError& error) {
     EXPECT_THAT(error.what(), HasSubstr(folder.file("missing/fields.vtkhdf")));
@@ -200,7 +200,7 @@ TEST(FieldsFile, NamesTheFileAndTheReasonWhenTheFolderIsAFile) {
   const TemporaryFolder folder;
   std::ofstream(folder.file("plain")) << "text";
   try {
-    FieldsFile file(folder.file("plain"), sample::make_mesh());
+    FieldsFile file = sample::create_file(folder.file("plain"), sample::make_mesh());
     FAIL() << "a file was created below a file";
   } catch (const SystemError& error) {
     EXPECT_THAT(error.what(), HasSubstr("Not a directory"));

@@ -21,6 +21,35 @@ class Hdf5FileView {
 
   bool has(const std::string& name) const { return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0; }
 
+  /// Where the file ends by what it says itself.
+  hsize_t end_of_data() const {
+    haddr_t end = 0;
+    EXPECT_GE(H5Fget_eoa(file_, &end), 0);
+    return end;
+  }
+
+  /// Names of all datasets, ascending.
+  std::vector<std::string> datasets() const {
+    std::vector<std::string> names;
+    const auto add = [](hid_t, const char* name, const H5O_info_t* info, void* data) -> herr_t {
+      if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(data)->push_back(name);
+      return 0;
+    };
+    H5Ovisit(file_, H5_INDEX_NAME, H5_ITER_INC, add, &names);
+    return names;
+  }
+
+  /// A dataset as it is stored.
+  std::vector<unsigned char> bytes(const std::string& name) const {
+    const hid_t set = H5Dopen2(file_, name.c_str(), H5P_DEFAULT), type = H5Dget_type(set), space = H5Dget_space(set);
+    std::vector<unsigned char> data(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)) * H5Tget_size(type));
+    EXPECT_GE(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()), 0) << name;
+    H5Sclose(space);
+    H5Tclose(type);
+    H5Dclose(set);
+    return data;
+  }
+
   std::vector<hsize_t> shape(const std::string& name) const {
     const hid_t set = H5Dopen2(file_, name.c_str(), H5P_DEFAULT), space = H5Dget_space(set);
     std::vector<hsize_t> dims(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));

@@ -1,12 +1,15 @@
 #pragma once
 // A small run with known numbers: two cubes of hexahedra that shear and turn, as FieldsFile gets them from a time loop.
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "src/mesh/mesh.hpp"
+#include "comm/communicator.hpp"
+#include "src/mesh/ordering.hpp"
 #include "src/output/fields_file.hpp"
 
 namespace percuss::sample {
@@ -33,10 +36,62 @@ inline Mesh make_mesh(int cells = 2) {
   return mesh;
 }
 
+/// The mesh cut into chunks, which are the layers of the cubes. Its nodes lie as chunks number them.
+inline ChunkedMesh cut_layers(Mesh mesh) {
+  ChunkedMesh chunked;
+  const auto cells = static_cast<int>(std::lround(std::cbrt(static_cast<double>(mesh.elements.size()) / 2)));
+  const int layer = cells * cells, plane = (cells + 1) * (cells + 1);
+  chunked.numbering.first_element = chunked.numbering.first_node = {0};
+  for (int c = 0; c < 2 * cells; ++c) {
+    chunked.chunks.push_back({c * layer, layer, c / cells, c});
+    chunked.numbering.ranks.push_back(0);
+    chunked.numbering.first_element.push_back((c + 1) * layer);
+    chunked.numbering.first_node.push_back(chunked.numbering.first_node.back() + (c % cells == 0 ? 2 : 1) * plane);
+  }
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) mesh.node_numbers.push_back(static_cast<std::int64_t>(n));
+  chunked.mesh = std::move(mesh);
+  return chunked;
+}
+
+/// What a rank holds of it: every chunk goes to a rank, neighbouring ones to different ranks, to some ranks none at
+/// all.
+inline ChunkedMesh take_share(const ChunkedMesh& whole, const Communicator& ranks) {
+  ChunkedMesh share;
+  Mesh& own = share.mesh;
+  share.numbering = whole.numbering;
+  own.parts = whole.mesh.parts;
+  std::vector<int> local(whole.mesh.nodes.size(), -1);
+  for (const Chunk& chunk : whole.chunks) {
+    int& owner = share.numbering.ranks[static_cast<std::size_t>(chunk.number)];
+    owner = (5 * chunk.number + 2) % ranks.size();
+    if (owner != ranks.rank()) continue;
+    share.chunks.push_back({static_cast<int>(own.elements.size()), chunk.element_count, chunk.part, chunk.number});
+    for (int i = chunk.first_element; i < chunk.first_element + chunk.element_count; ++i) {
+      const auto e = static_cast<std::size_t>(i);
+      own.elements.push_back(whole.mesh.elements[e]);
+      own.element_ids.push_back(whole.mesh.element_ids[e]);
+      own.element_part.push_back(whole.mesh.element_part[e]);
+      for (const int node : own.elements.back()) local[static_cast<std::size_t>(node)] = 0;
+    }
+  }
+  for (std::size_t n = 0; n < local.size(); ++n) {
+    if (local[n] < 0) continue;
+    local[n] = static_cast<int>(own.nodes.size());
+    own.nodes.push_back(whole.mesh.nodes[n]);
+    own.node_ids.push_back(whole.mesh.node_ids[n]);
+    own.node_numbers.push_back(static_cast<std::int64_t>(n));
+  }
+  for (auto& element : own.elements) {
+    for (int& node : element) node = local[static_cast<std::size_t>(node)];
+  }
+  return share;
+}
+
 inline double time_of(int frame) { return 0.1 * frame; }  // not a round number in binary
 inline long step_of(int frame) { return 10L * frame; }
 
-/// What one frame holds. The numbers differ in every item, component and frame.
+/// What one frame holds. The numbers differ in every item, component and frame; those of an element follow from its id,
+/// so that a rank can tell them from its share.
 struct Frame {
   std::vector<double> positions, velocity, stress, von_mises;
 
@@ -46,9 +101,10 @@ struct Frame {
       positions.insert(positions.end(), {node[0] + t * node[1], node[1] + t / 3, node[2] - t * t});
       velocity.insert(velocity.end(), {node[1] + frame, 1.0 / 3, -2 * t});
     }
-    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-      for (int c = 0; c < 6; ++c) stress.push_back(100 * frame + static_cast<double>(e) + 0.1 * c);
-      von_mises.push_back(1e6 * frame + static_cast<double>(e) / 7);
+    for (const std::int64_t id : mesh.element_ids) {
+      const auto e = static_cast<double>((id - 500) / 3);
+      for (int c = 0; c < 6; ++c) stress.push_back(100 * frame + e + 0.1 * c);
+      von_mises.push_back(1e6 * frame + e / 7);
     }
   }
 
@@ -66,6 +122,11 @@ inline void write_frame(FieldsFile& file, const Mesh& mesh, int frame) {
 }
 
 inline FieldsOptions options() { return {"A sample & its <title>", "m, kg, s", FieldPrecision::float64}; }
+
+/// A fields file that one rank writes.
+inline FieldsFile create_file(const std::string& folder, const Mesh& mesh, const FieldsOptions& how = options()) {
+  return {folder, cut_layers(mesh), how, Communicator(MPI_COMM_SELF)};
+}
 
 /// A folder of its own for a test, removed at the end.
 class TemporaryFolder {
