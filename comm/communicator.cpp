@@ -67,6 +67,13 @@ OwnedCommunicator OwnedCommunicator::of_range(const Communicator& ranks, int fir
   return OwnedCommunicator(part);
 }
 
+OwnedCommunicator OwnedCommunicator::of_machine(const Communicator& ranks) {
+  MPI_Comm part = MPI_COMM_NULL;
+  check_mpi(MPI_Comm_split_type(ranks.handle(), MPI_COMM_TYPE_SHARED, ranks.rank(), MPI_INFO_NULL, &part),
+            "MPI_Comm_split_type");
+  return OwnedCommunicator(part);
+}
+
 // As in ~MpiSession, a failure here cannot be told to anybody.
 OwnedCommunicator::~OwnedCommunicator() {
   if (!ranks_) return;

@@ -60,6 +60,10 @@ class OwnedCommunicator {
   /// The ranks first <= rank < last of `ranks`, renumbered from 0. Collective over those alone. Throws MpiError.
   static OwnedCommunicator of_range(const Communicator& ranks, int first, int last);
 
+  /// The ranks of `ranks` that run on the same machine as this one, in their order. Collective over all. Throws
+  /// MpiError.
+  static OwnedCommunicator of_machine(const Communicator& ranks);
+
   ~OwnedCommunicator();
   OwnedCommunicator(OwnedCommunicator&& other) noexcept : ranks_(std::exchange(other.ranks_, std::nullopt)) {}
   OwnedCommunicator& operator=(OwnedCommunicator&& other) noexcept;

@@ -90,20 +90,28 @@ struct ExactSum {
   }
 };
 
-/// K exact sums over items in parallel. Each thread block adds to sums of its own, which are merged on the host.
+/// Adds to one of several exact sums.
+struct ExactAdder {
+  ExactSum* sums;
+  KOKKOS_INLINE_FUNCTION void operator()(int sum, double value) const { sums[sum].add(value); }
+};
+
+/// K exact sums over items in parallel. Each block of items adds to sums of its own, which are merged on the host.
 template <int K>
 class ExactSums {
  public:
   using Totals = std::array<ExactSum, K>;
 
-  explicit ExactSums(const std::string& label) : label_(label), blocks_(label, 0) {}
+  /// shortest: items of a block at least, so that clearing and merging its sums costs less than filling them.
+  explicit ExactSums(const std::string& label, int shortest = 256)
+      : label_(label), shortest_(shortest), blocks_(label, 0) {}
 
-  /// body(i, add) is called for every item 0 <= i < count, in no order; add(k, value) adds to sum k.
+  /// body(i, add) is called for every item 0 <= i < count, in no order, with an ExactAdder: add(k, value) adds to sum
+  /// k. Returns the sums with their carries moved up.
   template <class Space, class Body>
   Totals operator()(const Space& space, int count, const Body& body) {
-    constexpr int shortest = 256;  // items: clearing and merging a block costs as much as some dozen items
     const int most = 4 * space.concurrency();
-    int blocks = (count + shortest - 1) / shortest;
+    int blocks = (count + shortest_ - 1) / shortest_;
     if (blocks > most) blocks = most;
     Totals totals{};
     if (blocks == 0) return totals;
@@ -116,7 +124,7 @@ class ExactSums {
           for (int k = 0; k < K; ++k) sums(b, k) = ExactSum{};
           const auto begin = static_cast<int>(static_cast<std::int64_t>(count) * b / blocks);
           const auto end = static_cast<int>(static_cast<std::int64_t>(count) * (b + 1) / blocks);
-          const auto add = [&](int k, double value) { sums(b, k).add(value); };
+          const ExactAdder add{&sums(b, 0)};
           for (int i = begin; i < end; ++i) body(i, add);
         });
     space.fence();
@@ -134,6 +142,7 @@ class ExactSums {
  private:
   using Blocks = Kokkos::View<ExactSum* [K], Kokkos::LayoutRight, MemSpace>;
   std::string label_;
+  int shortest_;
   Blocks blocks_;
 };
 

@@ -3,11 +3,10 @@
 #include <functional>
 
 #include "src/app/commands.hpp"
-#include "src/app/memory_check.hpp"
+#include "src/app/read_together.hpp"
 #include "src/app/scene_report.hpp"
 #include "src/contact/contact_stage.hpp"
-#include "src/deck/read_deck.hpp"
-#include "src/mesh/ordering.hpp"
+#include "src/mesh/decompose.hpp"
 #include "src/step/history.hpp"
 #include "src/step/model.hpp"
 #include "src/step/state.hpp"
@@ -36,7 +35,8 @@ class Findings {
 };
 
 // Every selector of the deck, so that all wrong ones are told at once.
-void check_selectors(const Mesh& mesh, const Deck& deck, Findings& findings) {
+void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& findings) {
+  const Mesh& mesh = chunked.mesh;
   const auto nodes = [&](const Selector& where) { findings.gather([&] { select_nodes(mesh, deck, where); }); };
   const auto faces = [&](const Selector& where) { findings.gather([&] { select_faces(mesh, deck, where); }); };
   for (const InitialDeck& initial : deck.initial) nodes(initial.where);
@@ -49,33 +49,32 @@ void check_selectors(const Mesh& mesh, const Deck& deck, Findings& findings) {
     faces(pair.a);
     faces(pair.b);
   }
-  findings.gather([&] { find_history_points(deck, mesh); });
+  findings.gather([&] { find_history_points(deck, chunked); });
 }
 
 }  // namespace
 
-ExitCode check_command(const Command& command) {
-  const Deck deck = read_deck(command.file, command.settings);
-  check_memory(deck);
-  const ChunkedMesh chunked = order_chunks(build_mesh(deck));
+ExitCode check_command(const Command& command, const Communicator& ranks) {
+  const Deck deck = read_deck_together(command, ranks);
+  const ChunkedMesh chunked = load_mesh(deck, ranks);
   Findings findings;
-  check_selectors(chunked.mesh, deck, findings);
+  check_selectors(chunked, deck, findings);
   findings.throw_if_any();
 
   const Model model = build_model(deck, chunked);
-  ContactStage contact(chunked, deck, Communicator::world());
+  ContactStage contact(chunked, deck, ranks);
   State state = make_initial_state(model);
   const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v, model.inverse_mass) : "";
-  Stepper stepper(deck, model, contact);
+  Stepper stepper(deck, chunked, model, contact);
   stepper.start(state);
 
-  SceneReport scene{deck, chunked.mesh};
+  SceneReport scene = describe_scene(deck, chunked);
   scene.first_step = state.next_dt;
-  scene.controlling_element = state.bound.element;
+  scene.controlling_element = describe_element(chunked, state.bound.element);
   scene.contact_nodes = contact.contact_nodes();
   scene.contact_faces = contact.contact_faces();
   scene.overlap = overlap;
-  fmt::print("{}", format_scene(scene));
+  if (ranks.rank() == 0) fmt::print("{}", format_scene(scene));
   return ExitCode::done;
 }
 

@@ -1,16 +1,17 @@
 #pragma once
-// The commands of the program. Kokkos must be up for run and check.
+// The commands of the program. MPI and Kokkos must be up for run and check.
 
+#include "comm/communicator.hpp"
 #include "src/app/command_line.hpp"
 
 namespace percuss {
 
-/// Runs the deck's scene into its output folder; reports on stderr. Throws as run_scene does.
-ExitCode run_command(const Command& command);
+/// Runs the deck's scene into its output folder; rank 0 reports on stderr. Collective. Throws as run_scene does.
+ExitCode run_command(const Command& command, const Communicator& ranks);
 
-/// Reads the deck, builds and checks all that a run needs, and prints what it is on stdout. Throws InputError with
-/// everything that is wrong.
-ExitCode check_command(const Command& command);
+/// Reads the deck, builds and checks all that a run needs; rank 0 prints on stdout what it is. Collective. Throws
+/// InputError with everything that is wrong, the same on all ranks.
+ExitCode check_command(const Command& command, const Communicator& ranks);
 
 /// Prints on stdout what a file of results or a mesh holds.
 ExitCode info_command(const Command& command);

@@ -5,91 +5,85 @@
 #include <Kokkos_Core.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
-#include <new>
-#include <stdexcept>
 
-#include "comm/communicator.hpp"
+#include "comm/rendezvous.hpp"
 #include "src/app/commands.hpp"
+#include "src/app/failure_report.hpp"
 #include "src/app/threads.hpp"
-#include "src/output/progress.hpp"
 
 namespace percuss {
 namespace {
 
-ExitCode tell(ExitCode code, const std::string& message) {
-  // Messages about a file begin with its name and "error:"; the others need the program's name.
-  const bool named = message.find(": error: ") != std::string::npos;
-  std::fflush(stdout);
-  print_quietly(stderr, "{}{}\n", named ? "" : "percuss: error: ", message);
-  return code;
-}
+using Work = std::function<ExitCode()>;
 
-// Every way to fail, by the exit code that it ends with.
-ExitCode guard(const std::function<ExitCode()>& work) {
+ExitCode guard(const Work& work) {
   try {
     return work();
-  } catch (const InputError& error) {
-    return tell(ExitCode::wrong_input, error.what());
-  } catch (const RunError& error) {
-    return tell(ExitCode::run_failed, error.what());
-  } catch (const SystemError& error) {
-    return tell(ExitCode::system_failed, error.what());
-  } catch (const MpiError& error) {
-    return tell(ExitCode::system_failed, error.what());
-  } catch (const std::bad_alloc&) {
-    return tell(ExitCode::system_failed,
-                "memory is exhausted (the scene is too large for this machine) make its mesh coarser");
-  } catch (const std::length_error&) {
-    return tell(ExitCode::system_failed,
-                "memory is exhausted (the scene is too large for any machine) make its mesh coarser");
-  } catch (const std::exception& error) {
-    return tell(ExitCode::system_failed,
-                fmt::format("internal error ({}) please report it with the deck", error.what()));
+  } catch (...) {
+    return tell(describe_failure());
   }
-}
-
-// One rank so far: the others would only repeat it.
-ExitCode run_on_one_rank(int argc, char** argv, const Command& command) {
-  const MpiSession mpi(argc, argv);
-  const Communicator world = Communicator::world();
-  if (world.size() > 1) {
-    if (world.rank() == 0) {
-      tell(ExitCode::wrong_input,
-           fmt::format("started on {} ranks (percuss runs on one rank so far) start it without mpirun and set "
-                       "OMP_NUM_THREADS for threads",
-                       world.size()));
-    }
-    world.barrier();  // mpirun ends every rank when the first one fails: not before the message is out
-    return ExitCode::wrong_input;
-  }
-  choose_threads();
-  const Kokkos::ScopeGuard kokkos;
-  return guard([&] { return run_command(command); });
-}
-
-ExitCode check_with_kokkos(const Command& command) {
-  choose_threads();
-  const Kokkos::ScopeGuard kokkos;
-  return guard([&] { return check_command(command); });
-}
-
-ExitCode execute(int argc, char** argv, const Command& command) {
-  switch (command.kind) {
-    case Command::Kind::run:
-      return run_on_one_rank(argc, argv, command);
-    case Command::Kind::check:
-      return check_with_kokkos(command);
-    case Command::Kind::info:
-      return info_command(command);
-  }
-  return ExitCode::wrong_input;
 }
 
 // What was printed counts only if it arrived: a full disk or a closed pipe is a failure.
 ExitCode finish_output(ExitCode code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  return code == ExitCode::done ? tell(ExitCode::system_failed, "standard output cannot be written to") : code;
+  return code == ExitCode::done ? tell({ExitCode::system_failed, "standard output cannot be written to"}) : code;
+}
+
+// The work of a rank among others. Rank 0 tells of a failure that all have met; one that a rank has met alone, it tells
+// itself and ends the others, which wait for it.
+ExitCode guard_on_ranks(const Communicator& ranks, const Work& work) {
+  Rendezvous rendezvous(ranks);
+  ExitCode code = ExitCode::done;
+  try {
+    code = work();
+  } catch (...) {
+    const FailureReport failure = describe_failure();
+    code = failure.code;
+    const bool all_here = rendezvous.meet();
+    if (ranks.rank() == 0 || !all_here) tell(failure);
+    if (!all_here) ranks.abort(static_cast<int>(code));
+  }
+  ranks.barrier();  // mpirun ends every rank when the first one fails: not before the message is out
+  return code;
+}
+
+ExitCode run_on_ranks(int argc, char** argv, const std::function<ExitCode(const Communicator&)>& command) {
+  const MpiSession mpi(argc, argv);
+  const Communicator world = Communicator::world();
+  choose_threads(OwnedCommunicator::of_machine(world)->size());
+  const Kokkos::ScopeGuard kokkos;
+  return guard_on_ranks(world, [&] { return command(world); });
+}
+
+// For what needs no other rank: mpirun starts it on all of them, and one is to be heard.
+ExitCode run_on_rank_0(int argc, char** argv, const Work& work) {
+  const bool is_launched = std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr;
+  if (!is_launched) return work();
+  const MpiSession mpi(argc, argv);
+  const Communicator world = Communicator::world();
+  ExitCode code = world.rank() == 0 ? finish_output(guard(work)) : ExitCode::done;
+  check_mpi(MPI_Bcast(&code, 1, MPI_INT, 0, world.handle()), "MPI_Bcast");
+  return code;
+}
+
+ExitCode execute(int argc, char** argv, const Command& command) {
+  switch (command.kind) {
+    case Command::Kind::run:
+      return run_on_ranks(argc, argv, [&](const Communicator& ranks) { return run_command(command, ranks); });
+    case Command::Kind::check:
+      return run_on_ranks(argc, argv, [&](const Communicator& ranks) { return check_command(command, ranks); });
+    case Command::Kind::info:
+      return run_on_rank_0(argc, argv, [&] { return info_command(command); });
+  }
+  return ExitCode::wrong_input;
+}
+
+ExitCode print_answer(const Answer& answer) {
+  fmt::print(answer.exit_code == ExitCode::done ? stdout : stderr, "{}", answer.text);
+  return answer.exit_code;
 }
 
 }  // namespace
@@ -101,8 +95,7 @@ int run_program(int argc, char** argv) {
   const ExitCode code = guard([&] {
     const auto parsed = parse_command_line(argc, argv);
     if (const auto* answer = std::get_if<Answer>(&parsed)) {
-      fmt::print(answer->exit_code == ExitCode::done ? stdout : stderr, "{}", answer->text);
-      return answer->exit_code;
+      return run_on_rank_0(argc, argv, [&] { return print_answer(*answer); });
     }
     return execute(argc, argv, std::get<Command>(parsed));
   });

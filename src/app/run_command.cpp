@@ -3,10 +3,13 @@
 #include <csignal>
 #include <cstdio>
 
+#include "kernels/core/views.hpp"
 #include "src/app/commands.hpp"
-#include "src/app/memory_check.hpp"
+#include "src/app/failure_report.hpp"
 #include "src/app/output_folder.hpp"
-#include "src/deck/read_deck.hpp"
+#include "src/app/placement.hpp"
+#include "src/app/read_together.hpp"
+#include "src/fail_together.hpp"
 #include "src/output/progress.hpp"
 #include "src/step/run.hpp"
 
@@ -32,24 +35,38 @@ void report(const RunResult& result, const std::string& out_dir) {
   print_quietly(stderr, "results: {}\n", out_dir);
 }
 
+// The folder is made and looked at before the mesh is built, and emptied only when the scene is known to be sound.
+void prepare_folder(const Command& command, const std::string& out_dir, const Communicator& ranks,
+                    RunOptions& options) {
+  options.out_dir = out_dir;
+  if (command.force) {
+    options.prepare_output = [out_dir] { prepare_output_folder(out_dir, true); };
+    return;
+  }
+  fail_together(ranks, [&] {
+    if (ranks.rank() == 0) prepare_output_folder(out_dir, false);
+  });
+}
+
 }  // namespace
 
-ExitCode run_command(const Command& command) {
-  const Deck deck = read_deck(command.file, command.settings);
-  for (const std::string& warning : deck.warnings) print_quietly(stderr, "{}\n", warning);
-  check_memory(deck);
+ExitCode run_command(const Command& command, const Communicator& ranks) {
+  const bool speaks = ranks.rank() == 0;
+  const Deck deck = read_deck_together(command, ranks);
+  if (speaks) {
+    for (const std::string& warning : deck.warnings) print_quietly(stderr, "{}\n", warning);
+  }
   const std::string out_dir = command.out_dir.empty() ? default_output_folder(command.file) : command.out_dir;
   RunOptions options;
-  options.out_dir = out_dir;
-  if (command.force) {  // earlier results go only when the scene is known to be sound
-    options.prepare_output = [&] { prepare_output_folder(out_dir, true); };
-  } else {
-    prepare_output_folder(out_dir, false);
-  }
-  install_signal_handlers();
+  prepare_folder(command, out_dir, ranks, options);
+  options.end_all_ranks = [&] { ranks.abort(static_cast<int>(tell(describe_failure()))); };
   options.progress = command.quiet ? Progress::Style::quiet : Progress::choose_style(stderr);
+  const Placement placement = find_placement(ranks, ExecSpace().concurrency());
+  const std::string crowding = describe_crowding(placement, ranks.size());
+  if (speaks && !command.quiet && !crowding.empty()) print_quietly(stderr, "{}\n", crowding);
+  install_signal_handlers();
   const RunResult result = run_scene(deck, options);
-  if (!command.quiet) report(result, out_dir);
+  if (speaks && !command.quiet) report(result, out_dir);
   return result.exit_code;
 }
 

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <variant>
 
+#include "comm/agreement.hpp"
+#include "comm/exact_reduction.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/whole_mesh.hpp"
 
 namespace percuss {
 namespace {
@@ -15,42 +18,28 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 std::string line(const std::string& label, const std::string& text) { return fmt::format("{:<10}{}\n", label, text); }
 
-std::string count(std::size_t n, const std::string& what, const std::string& plural) {
+template <class Count>
+std::string count(Count n, const std::string& what, const std::string& plural) {
   return fmt::format("{} {}", n, n == 1 ? what : plural);
 }
 
 std::string format_parts(const SceneReport& scene) {
-  const Mesh& mesh = scene.mesh;
-  std::vector<std::size_t> elements(mesh.parts.size());
-  for (const int part : mesh.element_part) ++elements[index(part)];
-  const std::vector<double> masses = sum_part_masses(mesh, scene.deck);
   std::size_t width = 4;
-  for (const MeshPart& part : mesh.parts) width = std::max(width, part.name.size());
+  for (const PartReport& part : scene.parts) width = std::max(width, part.name.size());
   std::string text = line(
       "parts", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12}  material", "name", width, "elements", "nodes", "mass"));
   double total = 0;
-  for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
-    const MeshPart& part = mesh.parts[i];
-    text += line("", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12.6g}  {}", part.name, width, elements[i],
-                                 mesh.node_sets.at(part.name).size(), masses[i],
-                                 scene.deck.materials.at(index(part.material)).name));
-    total += masses[i];
+  for (const PartReport& part : scene.parts) {
+    text += line("", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12.6g}  {}", part.name, width, part.elements, part.nodes,
+                                 part.mass, part.material));
+    total += part.mass;
   }
-  const std::vector<int> bodies = find_bodies(mesh);
-  const std::size_t body_count = bodies.empty() ? 0 : index(*std::max_element(bodies.begin(), bodies.end())) + 1;
-  return text + line("total", fmt::format("{}, {}, {}, mass {:.6g}", count(mesh.elements.size(), "element", "elements"),
-                                          count(mesh.nodes.size(), "node", "nodes"),
-                                          count(body_count, "body", "bodies"), total));
+  return text +
+         line("total", fmt::format("{}, {}, {}, mass {:.6g}", count(scene.elements, "element", "elements"),
+                                   count(scene.nodes, "node", "nodes"), count(scene.bodies, "body", "bodies"), total));
 }
 
-std::string format_size(const Mesh& mesh) {
-  Vec3 low = mesh.nodes.at(0), high = low;
-  for (const Vec3& x : mesh.nodes) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], x[k]);
-      high[k] = std::max(high[k], x[k]);
-    }
-  }
+std::string format_size(const Vec3& low, const Vec3& high) {
   return line("extent", fmt::format("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}", low[0], high[0],
                                     low[1], high[1], low[2], high[2]));
 }
@@ -96,40 +85,79 @@ std::string format_output(const Deck& deck) {
 }
 
 std::string format_step(const SceneReport& scene) {
-  const auto e = index(scene.controlling_element);
-  const std::string& part = scene.mesh.parts.at(index(scene.mesh.element_part.at(e))).name;
   const double end = scene.deck.time.end;
-  return line(
-      "time",
-      fmt::format(
-          "0 to {:g}; first step {:.4g} (element {} of part '{}' controls it), about {:.0f} steps if it stays so", end,
-          scene.first_step, scene.mesh.element_ids.at(e), part, std::ceil(end / scene.first_step)));
+  return line("time", fmt::format("0 to {:g}; first step {:.4g} ({} controls it), about {:.0f} steps if it stays so",
+                                  end, scene.first_step, scene.controlling_element, std::ceil(end / scene.first_step)));
+}
+
+/// Adds up counts over ranks.
+void sum_counts(const Communicator& ranks, std::vector<std::int64_t>& counts) {
+  check_mpi(
+      MPI_Allreduce(MPI_IN_PLACE, counts.data(), static_cast<int>(counts.size()), MPI_INT64_T, MPI_SUM, ranks.handle()),
+      "MPI_Allreduce");
+}
+
+std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks) {
+  const Mesh& mesh = chunked.mesh;
+  const std::size_t count = mesh.parts.size();
+  std::vector<std::int64_t> counts(2 * count, 0);  // elements, then nodes
+  std::vector<ExactSum> volumes(count);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    HexCorners corners;
+    for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[index(mesh.elements[e][i])];
+    volumes[index(mesh.element_part[e])].add(find_hex_volume(corners));
+    ++counts[index(mesh.element_part[e])];
+  }
+  for (std::size_t p = 0; p < count; ++p) {
+    const std::vector<int>& nodes = mesh.node_sets.at(mesh.parts[p].name);
+    counts[count + p] = std::count_if(nodes.begin(), nodes.end(), [&](int n) { return owns_node(chunked, n); });
+  }
+  sum_counts(ranks, counts);
+  sum_over_ranks(ranks, volumes);
+  std::vector<PartReport> parts;
+  for (std::size_t p = 0; p < count; ++p) {
+    const MaterialDeck& material = deck.materials.at(index(mesh.parts[p].material));
+    const double density = std::visit([](const auto& model) { return model.density; }, material.model);
+    parts.push_back({mesh.parts[p].name, material.name, counts[p], counts[count + p], density * volumes[p].round()});
+  }
+  return parts;
+}
+
+std::int64_t count_bodies(const Mesh& mesh, const Communicator& ranks) {
+  int bodies = mesh.bodies.empty() ? 0 : *std::max_element(mesh.bodies.begin(), mesh.bodies.end()) + 1;
+  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &bodies, 1, MPI_INT, MPI_MAX, ranks.handle()), "MPI_Allreduce");
+  return bodies;
 }
 
 }  // namespace
 
-std::vector<double> sum_part_masses(const Mesh& mesh, const Deck& deck) {
-  std::vector<double> volumes(mesh.parts.size());
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    HexCorners corners;
-    for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[index(mesh.elements[e][i])];
-    volumes[index(mesh.element_part[e])] += find_hex_volume(corners);
-  }
-  for (std::size_t i = 0; i < volumes.size(); ++i) {
-    const MaterialDeck& material = deck.materials.at(index(mesh.parts[i].material));
-    volumes[i] *= std::visit([](const auto& model) { return model.density; }, material.model);
-  }
-  return volumes;
+SceneReport describe_scene(const Deck& deck, const ChunkedMesh& chunked) {
+  const Communicator ranks = find_ranks(chunked.mesh);
+  SceneReport scene{deck, describe_parts(deck, chunked, ranks)};
+  scene.elements = chunked.numbering.element_count();
+  scene.nodes = chunked.numbering.node_count();
+  scene.bodies = count_bodies(chunked.mesh, ranks);
+  scene.low = chunked.mesh.low;
+  scene.high = chunked.mesh.high;
+  scene.mesh_warnings = chunked.mesh.warnings;
+  return scene;
+}
+
+std::string describe_element(const ChunkedMesh& chunked, std::int64_t number) {
+  const Mesh& mesh = chunked.mesh;
+  const int element = find_local_element(chunked, number);
+  const std::string text = element >= 0 ? name_element(mesh, element) : "";
+  return broadcast_text(find_ranks(mesh), text, chunked.numbering.find_element_owner(number));
 }
 
 std::string format_scene(const SceneReport& scene) {
   const Deck& deck = scene.deck;
   std::string text = line("deck", deck.file + (deck.title.empty() ? "" : ": " + deck.title));
   if (!deck.units.empty()) text += line("units", deck.units);
-  text += format_parts(scene) + format_size(scene.mesh) + format_contact(scene) + format_loads(deck) +
+  text += format_parts(scene) + format_size(scene.low, scene.high) + format_contact(scene) + format_loads(deck) +
           format_output(deck) + format_step(scene);
   std::size_t warnings = 0;
-  for (const auto& list : {deck.warnings, scene.mesh.warnings}) {
+  for (const auto& list : {deck.warnings, scene.mesh_warnings}) {
     for (const std::string& warning : list) text += warning + "\n";
     warnings += list.size();
   }

@@ -1,27 +1,41 @@
 #pragma once
 // What a scene is, in words: the answer of `percuss check`.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "src/deck/deck.hpp"
-#include "src/mesh/mesh.hpp"
+#include "src/mesh/ordering.hpp"
 
 namespace percuss {
 
+/// A part, of all ranks together.
+struct PartReport {
+  std::string name, material;
+  std::int64_t elements = 0, nodes = 0;
+  double mass = 0;  // exact volume of its elements times density
+};
+
 struct SceneReport {
   const Deck& deck;
-  const Mesh& mesh;
-  double first_step = 0;        // time unit of the deck
-  int controlling_element = 0;  // index of the element that limits it
+  std::vector<PartReport> parts = {};
+  std::int64_t elements = 0, nodes = 0, bodies = 0;
+  Vec3 low{}, high{};                           // box of all nodes [length]
+  std::vector<std::string> mesh_warnings = {};  // on rank 0
+  double first_step = 0;                        // time unit of the deck
+  std::string controlling_element = {};         // that limits it, in words
   int contact_nodes = 0, contact_faces = 0;
   std::string overlap = {};  // what contact says about overlap at the start; empty if there is none
 };
 
+/// What the mesh tells: everything down to its warnings, of all ranks together. Collective. Throws MpiError.
+SceneReport describe_scene(const Deck& deck, const ChunkedMesh& chunked);
+
+/// "element 7 of part 'bar'"; number: in the whole mesh. Collective. Throws MpiError.
+std::string describe_element(const ChunkedMesh& chunked, std::int64_t number);
+
 /// Several lines: parts with elements, nodes and mass, bodies, contact, loads, output, the first time step, warnings.
 std::string format_scene(const SceneReport& scene);
-
-/// Mass of each part [mass]: exact volume of its elements times density.
-std::vector<double> sum_part_masses(const Mesh& mesh, const Deck& deck);
 
 }  // namespace percuss

@@ -21,6 +21,8 @@ int count_cores_by_affinity() {
   return sched_getaffinity(0, sizeof(set), &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;
 }
 
+int count_online_cores() { return std::max(1, static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN))); }
+
 // The processor quota of a control group (version 2) in cores, rounded up; large if there is none.
 int read_container_quota() {
   constexpr int unlimited = 1 << 20;
@@ -34,6 +36,8 @@ int read_container_quota() {
 
 int count_available_cores() { return std::min(count_cores_by_affinity(), read_container_quota()); }
 
+int count_machine_cores() { return std::min(count_online_cores(), read_container_quota()); }
+
 void shorten_waiting([[maybe_unused]] char** argv) {
 #ifdef _OPENMP
   constexpr const char* name = "GOMP_SPINCOUNT";
@@ -43,12 +47,17 @@ void shorten_waiting([[maybe_unused]] char** argv) {
 #endif
 }
 
-void choose_threads() {
+void choose_threads([[maybe_unused]] int ranks_here) {
 #ifdef _OPENMP
-  if (std::getenv("OMP_NUM_THREADS") == nullptr) omp_set_num_threads(count_available_cores());
+  if (std::getenv("OMP_NUM_THREADS") == nullptr) {
+    const bool is_bound = count_cores_by_affinity() < count_online_cores();
+    omp_set_num_threads(is_bound ? count_available_cores() : std::max(1, count_available_cores() / ranks_here));
+  }
 #endif
-  // The OpenMP runtime has read its environment by now; this only tells Kokkos that the choice is made.
+  // The OpenMP runtime has read its environment by now; this only tells Kokkos that the choice is made, and that
+  // warnings about crowded cores are ours to give, once for all ranks (src/app/placement.hpp).
   setenv("OMP_PROC_BIND", "false", 0);
+  setenv("KOKKOS_DISABLE_WARNINGS", "1", 0);
 }
 
 }  // namespace percuss

@@ -11,8 +11,12 @@ int count_available_cores();
 /// more, and it reads its environment before main() begins. To be called first thing; argv as given to main().
 void shorten_waiting(char** argv);
 
-/// To be called before Kokkos starts: without OMP_NUM_THREADS every available core gets a thread, without OMP_PROC_BIND
-/// threads are not bound, and Kokkos does not warn about it.
-void choose_threads();
+/// Cores that the ranks of this machine may use together: those that are there, and the quota of the container.
+int count_machine_cores();
+
+/// To be called before Kokkos starts: without OMP_NUM_THREADS every available core gets a thread, and ranks that are
+/// not bound to cores of their own share those of the machine equally; without OMP_PROC_BIND threads are not bound, and
+/// Kokkos does not warn about it. ranks_here: ranks on this machine.
+void choose_threads(int ranks_here);
 
 }  // namespace percuss

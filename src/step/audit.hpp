@@ -6,9 +6,10 @@
 // since the forces on them move nothing. Work terms are those of books.hpp; internal, hourglass and viscous energy come
 // from the elements' own stresses and rates, so that the balance is a check and not an identity.
 
-#include "kernels/core/ordered_sum.hpp"
+#include <array>
+
 #include "src/output/summary.hpp"
-#include "src/step/model.hpp"
+#include "src/step/owned_sums.hpp"
 #include "src/step/state.hpp"
 
 namespace percuss {
@@ -18,16 +19,44 @@ struct AuditResult {
   MomentumSummary momentum;
 };
 
+/// Everything that an audit sums over nodes, then over chunks, then over the steps so far.
+struct AuditSum {
+  enum : int {
+    kinetic,
+    potential,
+    momentum,
+    angular = momentum + 3,
+    momentum_size = angular + 3,
+    moment_size,
+    count_of_nodes,
+    internal = count_of_nodes,
+    hourglass,
+    viscous,
+    external,
+    impulse,
+    moment_impulse = impulse + 3,
+    count = moment_impulse + 3
+  };
+};
+
 class Audit {
  public:
   explicit Audit(const Model& model);
 
-  /// Energies and momentum of the state. The first call sets what later ones are compared with.
+  /// Energies and momentum of the state, of all ranks, the same on each. The first call sets what later ones are
+  /// compared with. One message a rank. Collective.
   AuditResult operator()(const State& state);
 
  private:
+  using Totals = std::array<double, AuditSum::count>;
+
+  Totals sum_all(const State& state);
+  void note_start(const State& state, const Totals& totals, double held);
+  EnergySummary balance_energy(const State& state, const Totals& totals);
+  MomentumSummary balance_momentum(const Totals& totals);
+
   const Model& model_;
-  OrderedSum<10> sum_;
+  OwnedNodeSums<AuditSum::count_of_nodes> node_sums_{"percuss::audit"};
   bool started_ = false;
   double initial_energy_ = 0;
   double largest_energy_ = 0;  // largest of the initial and any later kinetic plus stored energy

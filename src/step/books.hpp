@@ -5,8 +5,9 @@
 // dt v(n+1/2) . f(n) / 2 on either side of it: with the kinetic energy of audit.hpp this closes the balance of the
 // explicit midpoint rule exactly.
 
-#include "kernels/core/ordered_sum.hpp"
-#include "src/step/model.hpp"
+#include <array>
+
+#include "src/step/owned_sums.hpp"
 #include "src/step/state.hpp"
 
 namespace percuss {
@@ -15,29 +16,31 @@ class Bookkeeper {
  public:
   Bookkeeper(const Deck& deck, const Model& model);
 
-  /// Notes the momentum at time 0.
+  /// Notes the momentum at time 0. Collective.
   void start(const State& state);
 
   /// Books the impulses of a step and the first half of the work of pressure and conditions. Call with v at n+1/2, x
-  /// and forces at n.
+  /// and forces at n. Collective.
   void book_impulses(State& state, double dt, double dt_mean, bool has_contact);
 
   /// Books the second half of that work. Call with v at n+1/2 and the slots' forces at n+1.
   void book_new_forces(State& state, double dt);
 
-  /// Force of all walls on the scene in the last step: their impulses over dt.
-  const Vec3& wall_force() const { return wall_force_; }
+  /// Force of all walls on the scene in the last step: their impulses over dt. Collective.
+  Vec3 find_wall_force() const;
 
  private:
   const Deck& deck_;
   const Model& model_;
-  OrderedSum<7> held_sum_;  // work, impulse, moment of impulse
-  OrderedSum<1> held_force_sum_;
-  OrderedSum<6> wall_sum_;      // impulse, moment of impulse
-  OrderedSum<7> pressure_sum_;  // power, force, moment
-  Vec3 wall_force_{};
-  Vec3 momentum_{};      // at time 0
-  Vec3 center_shift_{};  // of the mass centre since time 0, from the booked impulses
+  ExactSums<7> held_sums_{"percuss::held_sums"};  // work, impulse, moment of impulse
+  ExactSums<1> held_force_sum_{"percuss::held_force_sum"};
+  OwnedNodeSums<6> wall_sums_{"percuss::wall_sums"};      // impulse, moment of impulse
+  ExactSums<7> pressure_sums_{"percuss::pressure_sums"};  // work, impulse, moment of impulse
+  ExactSums<1> power_sum_{"percuss::power_sum"};
+  std::array<ExactSum, 3> wall_impulse_{};  // of the last step; this rank's share
+  double wall_dt_ = 0;                      // of that step; 0: the walls did nothing
+  Vec3 momentum_{};                         // at time 0
+  Vec3 center_shift_{};                     // of the mass centre since time 0, from the booked impulses
 };
 
 }  // namespace percuss

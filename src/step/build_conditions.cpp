@@ -2,12 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
+#include "comm/agreement.hpp"
+#include "comm/exact_reduction.hpp"
+#include "comm/merge_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
+#include "src/step/whole_mesh.hpp"
 
 namespace percuss {
 
@@ -20,107 +27,177 @@ struct HeldDirection {
 };
 using HeldMap = std::map<std::pair<int, int>, HeldDirection>;
 
+/// The first contradiction between conditions in the order of the deck, and the rank that found it.
+struct Contradiction {
+  static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+  std::int64_t condition = none;  // place in the deck
+  std::int64_t direction = 0;
+  std::int64_t node = 0;  // number in the whole mesh
+  std::int64_t rank = 0;
+
+  void merge(const Contradiction& other) {
+    const auto key = [](const Contradiction& c) { return std::tuple(c.condition, c.direction, c.node, c.rank); };
+    if (key(other) < key(*this)) *this = other;
+  }
+};
+
 bool is_rest(const ConditionDeck& condition) {
   return condition.kind == ConditionDeck::Kind::fixed || condition.kind == ConditionDeck::Kind::symmetry;
 }
 
-HeldMap find_held_directions(const Deck& deck, const Mesh& mesh, Model& model) {
-  HeldMap held;
-  model.motions.push_back({});  // row 0: at rest
-  for (const ConditionDeck& condition : deck.conditions) {
-    const std::vector<int> nodes = select_nodes(mesh, deck, condition.where);
-    for (int k = 0; k < 3; ++k) {
-      if (!condition.active[static_cast<std::size_t>(k)]) continue;
-      int row = 0;
-      if (!is_rest(condition)) {
-        row = static_cast<int>(model.motions.size());
-        model.motions.push_back(
-            {condition.value[static_cast<std::size_t>(k)], condition.kind == ConditionDeck::Kind::displacement});
-        model.is_driven = true;
-      }
-      for (const int node : nodes) {
-        const auto [entry, is_new] = held.emplace(std::pair{node, k}, HeldDirection{row, &condition});
-        if (!is_new && !(entry->second.motion == 0 && row == 0)) {
-          throw InputError(fmt::format(
-              "{}: error: node {} is held in direction {} by two conditions that move it (the other is at {}); leave "
-              "it out of one of them",
-              deck.where(condition.where.place), mesh.node_ids[static_cast<std::size_t>(node)], "xyz"[k],
-              deck.where(entry->second.condition->where.place)));
-        }
+/// The held directions of this rank's nodes; of contradictions it notes the first, with its message.
+class HeldDirectionFinder {
+ public:
+  HeldDirectionFinder(const Deck& deck, const ChunkedMesh& chunked, Model& model)
+      : deck_(deck), chunked_(chunked), model_(model) {}
+
+  HeldMap operator()() {
+    model_.motions.push_back({});  // row 0: at rest
+    for (std::size_t c = 0; c < deck_.conditions.size(); ++c) {
+      const std::vector<int> nodes = select_nodes(chunked_.mesh, deck_, deck_.conditions[c].where);
+      for (int k = 0; k < 3; ++k) {
+        if (deck_.conditions[c].active[static_cast<std::size_t>(k)]) hold(c, k, nodes);
       }
     }
+    throw_contradiction();
+    return std::move(held_);
   }
-  return held;
-}
+
+ private:
+  void hold(std::size_t c, int k, const std::vector<int>& nodes) {
+    const ConditionDeck& condition = deck_.conditions[c];
+    int row = 0;
+    if (!is_rest(condition)) {
+      row = static_cast<int>(model_.motions.size());
+      model_.motions.push_back(
+          {condition.value[static_cast<std::size_t>(k)], condition.kind == ConditionDeck::Kind::displacement});
+      model_.is_driven = true;
+    }
+    for (const int node : nodes) {
+      const auto [entry, is_new] = held_.emplace(std::pair{node, k}, HeldDirection{row, &condition});
+      const bool agrees = is_new || (entry->second.motion == 0 && row == 0);
+      if (!agrees && first_.condition == Contradiction::none) note(c, k, node, *entry->second.condition);
+    }
+  }
+
+  void note(std::size_t c, int k, int node, const ConditionDeck& other) {
+    const auto n = static_cast<std::size_t>(node);
+    first_ = {static_cast<std::int64_t>(c), k, chunked_.mesh.node_numbers[n], model_.ranks.rank()};
+    message_ = fmt::format(
+        "{}: error: node {} is held in direction {} by two conditions that move it (the other is at {}); leave it out "
+        "of one of them",
+        deck_.where(deck_.conditions[c].where.place), chunked_.mesh.node_ids[n], "xyz"[k],
+        deck_.where(other.where.place));
+  }
+
+  /// On all ranks, if any has found one.
+  void throw_contradiction() {
+    MergeReduction<Contradiction>()(model_.ranks, first_);
+    if (first_.condition == Contradiction::none) return;
+    throw InputError(broadcast_text(model_.ranks, message_, static_cast<int>(first_.rank)));
+  }
+
+  const Deck& deck_;
+  const ChunkedMesh& chunked_;
+  Model& model_;
+  HeldMap held_;
+  Contradiction first_;
+  std::string message_;
+};
 
 Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+/// The slots of the chunks, which come first in the sum of a node.
+LocalSlots list_chunk_slots(const ChunkedMesh& chunked, const Model& model) {
+  const auto nodes = to_host(model.chunks.slots_to_nodes);
+  const auto first_slot = to_host(model.chunks.first_slot);
+  LocalSlots slots{{nodes.data(), nodes.data() + nodes.extent(0)}, std::vector<std::int64_t>(nodes.extent(0))};
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    std::fill(slots.orders.begin() + first_slot(c), slots.orders.begin() + first_slot(c + 1), chunked.chunks[c].number);
+  }
+  return slots;
+}
+
 }  // namespace
 
-std::vector<int> build_pressure_faces(const Deck& deck, const Mesh& mesh, Model& model) {
-  const auto chunk_slots = to_host(model.chunks.slots_to_nodes);
-  std::vector<int> slot_nodes(chunk_slots.data(), chunk_slots.data() + chunk_slots.extent(0));
+LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
+  const Mesh& mesh = chunked.mesh;
+  const Numbering& numbering = chunked.numbering;
+  LocalSlots slots = list_chunk_slots(chunked, model);
+  PressureFaces& faces = model.pressure_faces;
+  faces.first_slot = static_cast<int>(slots.nodes.size());
   std::vector<std::array<int, 4>> corners;
   std::vector<int> loads;
   for (const PressureDeck& pressure : deck.pressures) {
+    const auto load = static_cast<int>(model.pressures.size());
     for (const ElementFace& face : select_faces(mesh, deck, pressure.where)) {
+      const std::int64_t order = numbering.chunk_count() +
+                                 6 * (load * numbering.element_count() + find_element_number(chunked, face.element)) +
+                                 face.face;
       std::array<int, 4> nodes{};
       for (std::size_t i = 0; i < 4; ++i) {
         const int corner = hex_faces[face.face][i];
         nodes[i] = mesh.elements[static_cast<std::size_t>(face.element)][static_cast<std::size_t>(corner)];
-        slot_nodes.push_back(nodes[i]);
+        slots.nodes.push_back(nodes[i]);
+        slots.orders.push_back(order);
       }
       corners.push_back(nodes);
-      loads.push_back(static_cast<int>(model.pressures.size()));
+      loads.push_back(load);
     }
     model.pressures.push_back(pressure.value);
   }
-  PressureFaces& faces = model.pressure_faces;
-  faces.first_slot = model.slot_count;
   faces.count = static_cast<int>(corners.size());
   faces.load = to_view("percuss::pressure_load", loads);
   faces.nodes = to_rows("percuss::pressure_nodes", corners);
-  model.slot_count = static_cast<int>(slot_nodes.size());
-  return slot_nodes;
+  return slots;
 }
 
-void build_held_directions(const Deck& deck, const Mesh& mesh, const std::vector<double>& mass, Model& model) {
-  const HeldMap held = find_held_directions(deck, mesh, model);
-  std::vector<std::array<double, 3>> inverse_mass(mesh.nodes.size());
+void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
+                           Model& model) {
+  const HeldMap held = HeldDirectionFinder(deck, chunked, model)();
+  std::vector<std::array<double, 3>> inverse_mass(mass.size());
   for (std::size_t n = 0; n < mass.size(); ++n) inverse_mass[n] = {1 / mass[n], 1 / mass[n], 1 / mass[n]};
-  std::vector<int> node, direction, motion;
+  std::vector<int> node, direction, motion, owned;
   std::vector<double> start;
   for (const auto& [key, value] : held) {
     const auto n = static_cast<std::size_t>(key.first);
     const auto k = static_cast<std::size_t>(key.second);
     inverse_mass[n][k] = 0;
+    if (owns_node(chunked, key.first)) owned.push_back(static_cast<int>(node.size()));
     node.push_back(key.first);
     direction.push_back(key.second);
     motion.push_back(value.motion);
-    start.push_back(mesh.nodes[n][k]);
+    start.push_back(chunked.mesh.nodes[n][k]);
   }
   model.inverse_mass = to_rows("percuss::inverse_mass", inverse_mass);
   model.held = {to_view("percuss::held_node", node), to_view("percuss::held_direction", direction),
                 to_view("percuss::held_motion", motion), to_view("percuss::held_start", start),
                 static_cast<int>(node.size())};
+  model.owned_held = to_view("percuss::owned_held", owned);
 }
 
-void build_initial_velocities(const Deck& deck, const Mesh& mesh, const std::vector<double>& mass, Model& model) {
+MassPoint find_mass_point(const ChunkedMesh& chunked, const std::vector<int>& nodes, const std::vector<double>& mass) {
+  std::array<ExactSum, 4> sums{};
+  for (const int node : nodes) {
+    if (!owns_node(chunked, node)) continue;
+    const auto n = static_cast<std::size_t>(node);
+    for (std::size_t k = 0; k < 3; ++k) sums[k].add(mass[n] * chunked.mesh.nodes[n][k]);
+    sums[3].add(mass[n]);
+  }
+  sum_over_ranks(find_ranks(chunked.mesh), sums);
+  const double total = sums[3].round();
+  return {total, {sums[0].round() / total, sums[1].round() / total, sums[2].round() / total}};
+}
+
+void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
+                              Model& model) {
+  const Mesh& mesh = chunked.mesh;
   std::vector<Vec3> velocity(mesh.nodes.size(), Vec3{});
   for (const InitialDeck& initial : deck.initial) {
     const std::vector<int> nodes = select_nodes(mesh, deck, initial.where);
-    Vec3 center = initial.center.value_or(Vec3{});
-    if (!initial.center) {
-      double sum = 0;
-      for (const int n : nodes) {
-        const double m = mass[static_cast<std::size_t>(n)];
-        sum += m;
-        for (std::size_t k = 0; k < 3; ++k) center[k] += m * mesh.nodes[static_cast<std::size_t>(n)][k];
-      }
-      for (double& c : center) c /= sum;
-    }
+    const Vec3 center = initial.center ? *initial.center : find_mass_point(chunked, nodes, mass).center;
     for (const int n : nodes) {
       const Vec3& p = mesh.nodes[static_cast<std::size_t>(n)];
       const Vec3 turn = cross(initial.angular_velocity, {p[0] - center[0], p[1] - center[1], p[2] - center[2]});

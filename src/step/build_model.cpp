@@ -1,10 +1,18 @@
-#include <algorithm>
-#include <map>
-#include <type_traits>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+
+#include "comm/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/error.hpp"
 #include "src/step/build_conditions.hpp"
 #include "src/step/model.hpp"
+#include "src/step/whole_mesh.hpp"
 
 namespace percuss {
 
@@ -145,20 +153,60 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   chunks.parameters = to_view("percuss::parameters_of_chunk", builder.parameters);
   chunks.record_size = to_view("percuss::record_size", builder.record_size);
   chunks.history = to_view("percuss::history", builder.history);
-  model.slot_count = static_cast<int>(tables.slots_to_nodes.size());
 }
 
-/// The slots of each node, ascending: the order in which its forces are added.
-void build_node_slots(const std::vector<int>& slot_nodes, Model& model) {
-  std::vector<int> first(static_cast<std::size_t>(model.node_count) + 1, 0);
-  for (const int node : slot_nodes) ++first[static_cast<std::size_t>(node) + 1];
-  for (std::size_t n = 1; n < first.size(); ++n) first[n] += first[n - 1];
-  std::vector<int> next(first.begin(), first.end() - 1);
-  std::vector<int> slots(slot_nodes.size());
-  for (std::size_t s = 0; s < slot_nodes.size(); ++s) {
-    slots[static_cast<std::size_t>(next[static_cast<std::size_t>(slot_nodes[s])]++)] = static_cast<int>(s);
+// --- places in the whole mesh
+
+void build_numbers(const ChunkedMesh& chunked, Model& model) {
+  const Numbering& numbering = chunked.numbering;
+  const std::vector<std::int64_t>& nodes = chunked.mesh.node_numbers;
+  const auto find_place = [&](std::int64_t number) {
+    return static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), number) - nodes.begin());
+  };
+  std::vector<int> first, end;
+  std::vector<std::int64_t> first_elements;
+  for (const Chunk& chunk : chunked.chunks) {
+    const auto number = static_cast<std::size_t>(chunk.number);
+    first.push_back(find_place(numbering.first_node[number]));
+    end.push_back(find_place(numbering.first_node[number + 1]));
+    first_elements.push_back(numbering.first_element[number]);
   }
-  model.nodes_to_slots = {to_view("percuss::first_slot_of_node", first), to_view("percuss::slots_of_node", slots)};
+  model.owned_nodes = {static_cast<int>(first.size()), to_view("percuss::first_owned_node", first),
+                       to_view("percuss::end_owned_node", end)};
+  model.node_numbers = to_view("percuss::node_numbers", nodes);
+  model.first_elements = to_view("percuss::first_elements", first_elements);
+}
+
+// --- halo
+
+/// Leaves to `blocks` the chunks that no other rank waits for and puts the others into `sending`.
+template <std::size_t... Is>
+void split_blocks(const std::vector<char>& sends, HexBlocks& blocks, HexBlocks& sending, std::index_sequence<Is...>) {
+  const auto split = [&](auto& block, auto& sending_block) {
+    const auto all = to_host(block.chunks);
+    std::vector<int> first, rest;
+    for (std::size_t i = 0; i < all.extent(0); ++i) {
+      (sends[static_cast<std::size_t>(all(i))] != 0 ? first : rest).push_back(all(i));
+    }
+    sending_block = {to_view("percuss::sending_chunks_of_block", first), block.parameters};
+    block.chunks = to_view("percuss::chunks_of_block", rest);
+  };
+  (split(std::get<Is>(blocks), std::get<Is>(sending)), ...);
+}
+
+void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& model) {
+  UnstructuredExchange exchange(model.ranks);
+  SharedNodes shared{{}, {0}, {}, std::vector<int>(chunked.mesh.nodes.size(), 0)};
+  if (model.ranks.size() > 1) shared = find_shared_nodes(exchange, chunked.mesh.node_numbers);
+  Halo halo = build_halo(exchange, shared, slots);
+  const auto first_slot = to_host(model.chunks.first_slot);
+  const std::vector<char> sends =
+      mark_sending_chunks(halo.plan, {first_slot.data(), first_slot.data() + first_slot.extent(0)});
+  split_blocks(sends, model.blocks, model.sending_blocks, std::make_index_sequence<std::tuple_size_v<HexBlocks>>());
+  model.nodes_to_slots = {to_view("percuss::first_slot_of_node", halo.nodes_to_slots.first),
+                          to_view("percuss::slots_of_node", halo.nodes_to_slots.slots)};
+  model.slot_count = halo.plan.slot_count();
+  model.halo = std::move(halo.plan);
 }
 
 // --- masses
@@ -179,23 +227,69 @@ double find_element_volume(const Mesh& mesh, std::size_t element) {
   return find_volume_gradient(a).volume;
 }
 
-std::vector<double> build_masses(const Deck& deck, const Mesh& mesh, Model& model) {
-  std::vector<double> mass(mesh.nodes.size(), 0.0);
+/// The share of each chunk in the mass of its nodes, in the first column: elements in ascending order.
+Rows3<double> sum_mass_by_slot(const Model& model, const std::vector<double>& element_mass) {
+  const Rows3<double> slot_mass("percuss::slot_mass", static_cast<std::size_t>(model.slot_count));
+  const auto host = Kokkos::create_mirror_view(slot_mass);
+  const auto first_element = to_host(model.chunks.first_element), first_slot = to_host(model.chunks.first_slot),
+             first_pack = to_host(model.chunks.first_pack);
+  const auto corner_slots = to_host(model.chunks.corner_slots);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(model.chunks.count); ++c) {
+    for (int e = first_element(c); e < first_element(c + 1); ++e) {
+      const int i = e - first_element(c);
+      const double share = element_mass[static_cast<std::size_t>(e)] / 8;
+      for (int corner = 0; corner < 8; ++corner) {
+        const auto place =
+            (static_cast<std::size_t>(first_pack(c) + i / width) * 8 + static_cast<std::size_t>(corner)) * width +
+            static_cast<std::size_t>(i % width);
+        host(static_cast<std::size_t>(first_slot(c) + corner_slots(place)), 0) += share;
+      }
+    }
+  }
+  Kokkos::deep_copy(slot_mass, host);
+  return slot_mass;
+}
+
+/// Masses of the nodes, as forces are summed: so every copy of a node has the same bits.
+std::vector<double> assemble_masses(const Model& model, const std::vector<double>& element_mass) {
+  const Rows3<double> slot_mass = sum_mass_by_slot(model, element_mass);
+  HaloSwap swap(model.ranks, model.halo);
+  swap.begin(ExecSpace(), slot_mass);
+  swap.end();
+  const Rows3<double> rows("percuss::node_mass", static_cast<std::size_t>(model.node_count));
+  assemble_forces(ExecSpace(), model.nodes_to_slots, slot_mass, rows);
+  const auto host = to_host(rows);
+  std::vector<double> mass(host.extent(0));
+  for (std::size_t n = 0; n < mass.size(); ++n) mass[n] = host(n, 0);
+  return mass;
+}
+
+std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
+  const Mesh& mesh = chunked.mesh;
   std::vector<double> element_mass(mesh.elements.size());
-  Vec3 moment{};
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const int material = mesh.parts[static_cast<std::size_t>(mesh.element_part[e])].material;
     element_mass[e] = find_density(deck.materials[static_cast<std::size_t>(material)]) * find_element_volume(mesh, e);
-    for (const int node : mesh.elements[e]) mass[static_cast<std::size_t>(node)] += element_mass[e] / 8;
   }
-  for (std::size_t n = 0; n < mass.size(); ++n) {
-    model.total_mass += mass[n];
-    for (std::size_t k = 0; k < 3; ++k) moment[k] += mass[n] * mesh.nodes[n][k];
-  }
-  for (std::size_t k = 0; k < 3; ++k) model.mass_center[k] = moment[k] / model.total_mass;
+  std::vector<double> mass = assemble_masses(model, element_mass);
+  std::vector<int> all(mass.size());
+  std::iota(all.begin(), all.end(), 0);
+  const MassPoint scene = find_mass_point(chunked, all, mass);
+  model.total_mass = scene.mass;
+  model.mass_center = scene.center;
   model.mass = to_view("percuss::mass", mass);
   model.element_mass = to_view("percuss::element_mass", element_mass);
   return mass;
+}
+
+/// The contact stage works on one rank.
+void refuse_contact_on_ranks(const Deck& deck, const Communicator& ranks) {
+  if (ranks.size() == 1) return;
+  if (deck.contact.surfaces == ContactDeck::Surfaces::none && deck.walls.empty()) return;
+  throw InputError(
+      fmt::format("{}: error: the scene has contact (which runs on one rank, not on {}) start it on one rank "
+                  "and set OMP_NUM_THREADS for threads",
+                  deck.file, ranks.size()));
 }
 
 }  // namespace
@@ -203,14 +297,17 @@ std::vector<double> build_masses(const Deck& deck, const Mesh& mesh, Model& mode
 Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   const Mesh& mesh = chunked.mesh;
   Model model;
+  model.ranks = find_ranks(mesh);
+  refuse_contact_on_ranks(deck, model.ranks);
   model.node_count = static_cast<int>(mesh.nodes.size());
   model.element_count = static_cast<int>(mesh.elements.size());
   build_chunks(deck, chunked, model);
-  build_node_slots(build_pressure_faces(deck, mesh, model), model);
+  build_numbers(chunked, model);
+  build_halo(chunked, build_pressure_faces(deck, chunked, model), model);
   model.start = to_rows("percuss::start", mesh.nodes);
-  const std::vector<double> mass = build_masses(deck, mesh, model);
-  build_held_directions(deck, mesh, mass, model);
-  build_initial_velocities(deck, mesh, mass, model);
+  const std::vector<double> mass = build_masses(deck, chunked, model);
+  build_held_directions(deck, chunked, mass, model);
+  build_initial_velocities(deck, chunked, mass, model);
   for (std::size_t k = 0; k < 3; ++k) model.gravity.g[k] = deck.gravity[k];
   return model;
 }

@@ -10,64 +10,103 @@ namespace {
 
 constexpr int width = pack_size<double>;
 
-/// Calls write(element, record) for each element; record[width * i] is scalar i of its record.
-template <class Write>
-void for_each_record(const Model& model, const State& state, const Write& write) {
-  const HexChunks chunks = model.chunks;
-  const auto elements = state.elements;
-  Kokkos::parallel_for(
-      "percuss::read_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
-        const int first = chunks.first_element(c);
-        const int size = chunks.record_size(c);
-        const double* base = &elements(chunks.first_state(c));
-        for (int e = first; e < chunks.first_element(c + 1); ++e) {
-          write(e, c,
-                base + static_cast<std::size_t>((e - first) / width) * static_cast<std::size_t>(size) * width +
-                    (e - first) % width);
-        }
-      });
-  ExecSpace().fence();
+/// The record of an element: record[width * i] is its scalar i. c: its chunk.
+KOKKOS_INLINE_FUNCTION const double* find_record(const HexChunks& chunks, const Array<double>& elements, int c, int e) {
+  const int i = e - chunks.first_element(c);
+  return &elements(chunks.first_state(c)) +
+         static_cast<std::size_t>(i / width) * static_cast<std::size_t>(chunks.record_size(c)) * width + i % width;
 }
+
+KOKKOS_INLINE_FUNCTION int find_chunk(const HexChunks& chunks, int e) {
+  int low = 0, high = chunks.count;
+  while (high - low > 1) {
+    const int middle = low + (high - low) / 2;
+    (chunks.first_element(middle) <= e ? low : high) = middle;
+  }
+  return low;
+}
+
+/// The stress, turned into space axes.
+struct ReadStress {
+  static constexpr int components = 6;
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks&, int, const double* record, double* row) const {
+    const double* s = record + HexRecord::stress * width;
+    const double* r = record + HexRecord::rotation * width;
+    const Symmetric3<double> stress{s[0], s[width], s[2 * width], s[3 * width], s[4 * width], s[5 * width]};
+    Matrix3<double> rotation{};
+    for (int i = 0; i < 3; ++i) {
+      rotation.row[i] = {r[3 * i * width], r[(3 * i + 1) * width], r[(3 * i + 2) * width]};
+    }
+    const Symmetric3<double> t = push_forward(rotation, stress);
+    row[0] = t.xx;
+    row[1] = t.yy;
+    row[2] = t.zz;
+    row[3] = t.xy;
+    row[4] = t.yz;
+    row[5] = t.zx;
+  }
+};
+
+struct ReadPlasticStrain {
+  static constexpr int components = 1;
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, const double* record, double* row) const {
+    const int place = chunks.history(c);
+    row[0] = place < 0 ? 0 : record[place * width];
+  }
+};
 
 std::vector<double> copy_out(const Array<double>& view) {
   const auto host = to_host(view);
   return {host.data(), host.data() + host.extent(0)};
 }
 
-}  // namespace
-
-std::vector<double> find_stresses(const Model& model, const State& state) {
-  const Array<double> out("percuss::stress_field", 6 * static_cast<std::size_t>(model.element_count));
-  for_each_record(
-      model, state, KOKKOS_LAMBDA(const int e, const int, const double* record) {
-        const double* s = record + HexRecord::stress * width;
-        const double* r = record + HexRecord::rotation * width;
-        const Symmetric3<double> stress{s[0], s[width], s[2 * width], s[3 * width], s[4 * width], s[5 * width]};
-        Matrix3<double> rotation{};
-        for (int i = 0; i < 3; ++i) {
-          rotation.row[i] = {r[3 * i * width], r[(3 * i + 1) * width], r[(3 * i + 2) * width]};
+template <class Read>
+std::vector<double> read_all(const Model& model, const State& state, const Read& read) {
+  const Array<double> out("percuss::element_field", Read::components * static_cast<std::size_t>(model.element_count));
+  const HexChunks chunks = model.chunks;
+  const auto elements = state.elements;
+  Kokkos::parallel_for(
+      "percuss::read_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        for (int e = chunks.first_element(c); e < chunks.first_element(c + 1); ++e) {
+          read(chunks, c, find_record(chunks, elements, c, e), &out(Read::components * static_cast<std::size_t>(e)));
         }
-        const Symmetric3<double> t = push_forward(rotation, stress);
-        double* row = &out(6 * static_cast<std::size_t>(e));
-        row[0] = t.xx;
-        row[1] = t.yy;
-        row[2] = t.zz;
-        row[3] = t.xy;
-        row[4] = t.yz;
-        row[5] = t.zx;
       });
   return copy_out(out);
 }
 
-std::vector<double> find_plastic_strains(const Model& model, const State& state) {
-  const Array<double> out("percuss::plastic_strain_field", static_cast<std::size_t>(model.element_count));
+template <class Read>
+std::vector<double> read_some(const Model& model, const State& state, const std::vector<int>& wanted,
+                              const Read& read) {
+  const Array<double> out("percuss::element_values", Read::components * wanted.size());
+  const Array<int> list = to_view("percuss::wanted_elements", wanted);
   const HexChunks chunks = model.chunks;
-  for_each_record(
-      model, state, KOKKOS_LAMBDA(const int e, const int c, const double* record) {
-        const int place = chunks.history(c);
-        out(static_cast<std::size_t>(e)) = place < 0 ? 0 : record[place * width];
+  const auto elements = state.elements;
+  Kokkos::parallel_for(
+      "percuss::read_some_elements", Range(ExecSpace(), 0, static_cast<int>(wanted.size())),
+      KOKKOS_LAMBDA(const int i) {
+        const int c = find_chunk(chunks, list(i));
+        read(chunks, c, find_record(chunks, elements, c, list(i)),
+             &out(Read::components * static_cast<std::size_t>(i)));
       });
   return copy_out(out);
+}
+
+}  // namespace
+
+std::vector<double> find_stresses(const Model& model, const State& state) {
+  return read_all(model, state, ReadStress{});
+}
+
+std::vector<double> find_plastic_strains(const Model& model, const State& state) {
+  return read_all(model, state, ReadPlasticStrain{});
+}
+
+std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements) {
+  return read_some(model, state, elements, ReadStress{});
+}
+
+std::vector<double> find_plastic_strains(const Model& model, const State& state, const std::vector<int>& elements) {
+  return read_some(model, state, elements, ReadPlasticStrain{});
 }
 
 std::vector<double> find_pressures(const std::vector<double>& stresses) {

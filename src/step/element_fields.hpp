@@ -14,6 +14,10 @@ std::vector<double> find_stresses(const Model& model, const State& state);
 /// Equivalent plastic strain an element; 0 where the material has none.
 std::vector<double> find_plastic_strains(const Model& model, const State& state);
 
+/// The same of some elements alone, in their order.
+std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements);
+std::vector<double> find_plastic_strains(const Model& model, const State& state, const std::vector<int>& elements);
+
 /// Pressure -tr(stress)/3 of each row.
 std::vector<double> find_pressures(const std::vector<double>& stresses);
 

@@ -27,14 +27,13 @@ Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh
       model_(model),
       file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, Communicator::world()) {
   if (has(deck.output.fields, "body")) {
-    const std::vector<int> bodies = find_bodies(chunked.mesh);
-    body_.assign(bodies.begin(), bodies.end());
+    body_.assign(chunked.mesh.bodies.begin(), chunked.mesh.bodies.end());
   }
   if (has(deck.output.fields, "chunk")) {
     chunk_.resize(chunked.mesh.elements.size());
-    for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-      const auto first = chunk_.begin() + chunked.chunks[c].first_element;
-      std::fill(first, first + chunked.chunks[c].element_count, static_cast<double>(c));
+    for (const Chunk& chunk : chunked.chunks) {
+      const auto first = chunk_.begin() + chunk.first_element;
+      std::fill(first, first + chunk.element_count, static_cast<double>(chunk.number));
     }
   }
 }

@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
+#include "comm/merge_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
+#include "src/fail_together.hpp"
 #include "src/step/element_fields.hpp"
+#include "src/step/whole_mesh.hpp"
 
 namespace percuss {
 
@@ -41,40 +45,64 @@ std::vector<bool> find_searched_elements(const Mesh& mesh, const Deck& deck, con
   return searched;
 }
 
-/// Index of the item (of those searched) with the least score, -1 if none is searched.
-template <class Score>
-int find_least(const std::vector<bool>& searched, const Score& score) {
-  int best = -1;
-  double least = std::numeric_limits<double>::infinity();
+/// What is nearest to a point so far: least score first, then lowest number in the whole mesh.
+struct Nearest {
+  double score = std::numeric_limits<double>::infinity();
+  std::int64_t number = std::numeric_limits<std::int64_t>::max();
+
+  void merge(const Nearest& other) {
+    if (std::pair(other.score, other.number) < std::pair(score, number)) *this = other;
+  }
+};
+
+/// The nearest of the items searched. score(i), number(i): of item i.
+template <class Score, class Number>
+Nearest find_nearest(const std::vector<bool>& searched, const Score& score, const Number& number) {
+  Nearest nearest;
   for (std::size_t i = 0; i < searched.size(); ++i) {
     if (!searched[i]) continue;
     const double s = score(i);
-    if (s < least) {
-      least = s;
-      best = static_cast<int>(i);
-    }
+    if (s < std::numeric_limits<double>::infinity()) nearest.merge({s, number(i)});
   }
-  return best;
+  return nearest;
 }
 
-int find_point(const Mesh& mesh, const Deck& deck, const HistoryPoint& point) {
+/// The nearest of this rank.
+Nearest find_nearest(const ChunkedMesh& chunked, const Deck& deck, const HistoryPoint& point) {
+  const Mesh& mesh = chunked.mesh;
   const std::vector<bool> elements = find_searched_elements(mesh, deck, point);
+  const auto find_score = [&](const Vec3& place, std::int64_t id) {
+    if (point.near) return find_square_distance(*point.near, place);
+    return id == *point.id ? 0.0 : std::numeric_limits<double>::infinity();
+  };
+  if (point.is_element) {
+    return find_nearest(
+        elements, [&](std::size_t e) { return find_score(find_center(mesh, mesh.elements[e]), mesh.element_ids[e]); },
+        [&](std::size_t e) { return find_element_number(chunked, static_cast<int>(e)); });
+  }
   std::vector<bool> nodes(mesh.nodes.size(), false);
   for (std::size_t e = 0; e < elements.size(); ++e) {
     if (!elements[e]) continue;
     for (const int n : mesh.elements[e]) nodes[static_cast<std::size_t>(n)] = true;
   }
-  const auto score = [&](std::size_t i) {
-    if (point.near) {
-      return find_square_distance(*point.near, point.is_element ? find_center(mesh, mesh.elements[i]) : mesh.nodes[i]);
-    }
-    const auto id = point.is_element ? mesh.element_ids[i] : mesh.node_ids[i];
-    return id == *point.id ? 0.0 : std::numeric_limits<double>::infinity();
-  };
-  const int found = find_least(point.is_element ? elements : nodes, score);
-  if (found < 0) {
+  return find_nearest(
+      nodes, [&](std::size_t n) { return find_score(mesh.nodes[n], mesh.node_ids[n]); },
+      [&](std::size_t n) { return mesh.node_numbers[n]; });
+}
+
+FollowedPoint find_point(const ChunkedMesh& chunked, const Deck& deck, const HistoryPoint& point) {
+  Nearest nearest = find_nearest(chunked, deck, point);
+  const Communicator ranks = find_ranks(chunked.mesh);
+  MergeReduction<Nearest>()(ranks, nearest);
+  if (nearest.score == std::numeric_limits<double>::infinity()) {
     throw InputError(fmt::format("{}: error: no {} has the id {} (history point '{}')", deck.where(point.place),
                                  point.is_element ? "element" : "node", point.id.value_or(0), point.name));
+  }
+  FollowedPoint found{point.name, point.is_element, nearest.number, -1};
+  if (point.is_element) {
+    found.index = find_local_element(chunked, nearest.number);
+  } else if (chunked.numbering.find_node_owner(nearest.number) == ranks.rank()) {
+    found.index = find_local_node(chunked, nearest.number);
   }
   return found;
 }
@@ -97,27 +125,60 @@ std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, 
 
 }  // namespace
 
-std::vector<FollowedPoint> find_history_points(const Deck& deck, const Mesh& mesh) {
+std::vector<FollowedPoint> find_history_points(const Deck& deck, const ChunkedMesh& chunked) {
   std::vector<FollowedPoint> points;
-  for (const HistoryPoint& p : deck.output.points) points.push_back({p.name, p.is_element, find_point(mesh, deck, p)});
+  for (const HistoryPoint& p : deck.output.points) points.push_back(find_point(chunked, deck, p));
   return points;
 }
 
-History::History(const std::string& directory, const Deck& deck, const Mesh& mesh)
-    : mesh_(mesh),
-      has_walls_(!deck.walls.empty()),
-      points_(find_history_points(deck, mesh)),
-      file_(directory + "/history.csv", make_columns(points_, has_walls_)) {}
+History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked)
+    : ranks_(find_ranks(chunked.mesh)), has_walls_(!deck.walls.empty()), points_(find_history_points(deck, chunked)) {
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, has_walls_));
+  });
+}
+
+/// Appends the values of the followed points on rank 0. Each is known to one rank; the others give zeros, and their
+/// bits are put together.
+void History::gather_points(const Model& model, const State& state, std::vector<double>& row) const {
+  if (points_.empty()) return;
+  std::vector<int> elements;
+  for (const FollowedPoint& p : points_) {
+    if (p.is_element && p.index >= 0) elements.push_back(p.index);
+  }
+  const std::vector<double> stresses = find_stresses(model, state, elements);
+  const std::vector<double> strains = find_plastic_strains(model, state, elements);
+  const std::vector<double> pressures = find_pressures(stresses), von_mises = find_von_mises(stresses);
+  const auto x = to_host(state.x), v = to_host(state.v);
+  std::vector<double> values;
+  std::size_t e = 0;  // of the elements of this rank
+  for (const FollowedPoint& p : points_) {
+    if (p.index < 0) {
+      values.insert(values.end(), p.is_element ? 9 : 6, 0.0);
+    } else if (p.is_element) {
+      values.insert(values.end(), &stresses[6 * e], &stresses[6 * e] + 6);
+      values.insert(values.end(), {pressures[e], von_mises[e], strains[e]});
+      ++e;
+    } else {
+      const auto n = static_cast<std::size_t>(p.index);
+      values.insert(values.end(), {x(n, 0), x(n, 1), x(n, 2), v(n, 0), v(n, 1), v(n, 2)});
+    }
+  }
+  const bool is_root = ranks_.rank() == 0;
+  check_mpi(MPI_Reduce(is_root ? MPI_IN_PLACE : values.data(), values.data(), static_cast<int>(values.size()),
+                       MPI_UINT64_T, MPI_BOR, 0, ranks_.handle()),
+            "MPI_Reduce");
+  row.insert(row.end(), values.begin(), values.end());
+}
 
 void History::write(const Model& model, const State& state, const AuditResult& audit, const ContactReport& contact,
                     const Vec3& wall_force) {
   const EnergySummary& e = audit.energy;
   const MomentumSummary& m = audit.momentum;
-  const auto controlling = static_cast<double>(mesh_.element_ids[static_cast<std::size_t>(state.bound.element)]);
   std::vector<double> row{state.time,
                           static_cast<double>(state.step),
                           state.dt,
-                          controlling,
+                          static_cast<double>(state.bound.element_id),
                           e.kinetic,
                           e.internal,
                           e.hourglass,
@@ -137,25 +198,16 @@ void History::write(const Model& model, const State& state, const AuditResult& a
                           static_cast<double>(contact.iterations),
                           contact.residual};
   if (has_walls_) row.insert(row.end(), wall_force.begin(), wall_force.end());
-  std::vector<double> stresses, strains, pressures, von_mises;
-  if (std::any_of(points_.begin(), points_.end(), [](const FollowedPoint& p) { return p.is_element; })) {
-    stresses = find_stresses(model, state);
-    strains = find_plastic_strains(model, state);
-    pressures = find_pressures(stresses);
-    von_mises = find_von_mises(stresses);
-  }
-  const auto x = to_host(state.x);
-  const auto v = to_host(state.v);
-  for (const FollowedPoint& p : points_) {
-    const auto i = static_cast<std::size_t>(p.index);
-    if (p.is_element) {
-      row.insert(row.end(), &stresses[6 * i], &stresses[6 * i] + 6);
-      row.insert(row.end(), {pressures[i], von_mises[i], strains[i]});
-    } else {
-      row.insert(row.end(), {x(i, 0), x(i, 1), x(i, 2), v(i, 0), v(i, 1), v(i, 2)});
-    }
-  }
-  file_.write_row(row);
+  gather_points(model, state, row);
+  fail_together(ranks_, [&] {
+    if (file_) file_->write_row(row);
+  });
+}
+
+void History::flush() {
+  fail_together(ranks_, [&] {
+    if (file_) file_->flush();
+  });
 }
 
 }  // namespace percuss

@@ -1,6 +1,8 @@
 #pragma once
 // The rows of history.csv: energies, momentum, step, contact, and the nodes and elements that the deck chose.
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,27 +16,33 @@ namespace percuss {
 struct FollowedPoint {
   std::string name;
   bool is_element = false;
-  int index = 0;  // node or element of the mesh
+  std::int64_t number = 0;  // of the node or element in the whole mesh
+  int index = -1;           // in this rank's share, if it owns the node or has the element; else -1
 };
 
-/// Finds the deck's history points: the nearest node or element centre, lowest index among equals, or the one with the
-/// id. Throws InputError with the deck's place.
-std::vector<FollowedPoint> find_history_points(const Deck& deck, const Mesh& mesh);
+/// Finds the deck's history points: the nearest node or element centre of all ranks, lowest number among equals, or the
+/// one with the id. Collective. Throws InputError with the deck's place, the same on all ranks.
+std::vector<FollowedPoint> find_history_points(const Deck& deck, const ChunkedMesh& chunked);
 
 class History {
  public:
-  /// Creates history.csv in the directory. Throws SystemError, InputError.
-  History(const std::string& directory, const Deck& deck, const Mesh& mesh);
+  /// Creates history.csv in the directory: rank 0 writes it. Collective. Throws SystemError, InputError, the same on
+  /// all ranks.
+  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked);
 
+  /// Collective. Throws SystemError on all ranks if rank 0 cannot write.
   void write(const Model& model, const State& state, const AuditResult& audit, const ContactReport& contact,
              const Vec3& wall_force);
-  void flush() { file_.flush(); }
+  /// Collective; throws likewise.
+  void flush();
 
  private:
-  const Mesh& mesh_;
+  void gather_points(const Model& model, const State& state, std::vector<double>& row) const;
+
+  Communicator ranks_;
   bool has_walls_;
   std::vector<FollowedPoint> points_;
-  HistoryFile file_;
+  std::optional<HistoryFile> file_;  // of rank 0
 };
 
 }  // namespace percuss

@@ -1,10 +1,15 @@
 #pragma once
 // What a run never changes after set-up: connectivity in chunks, masses, materials, conditions and loads.
+//
+// Each rank has the model of its share of the mesh. Nodes that others use too are there as copies, which go through the
+// same motions; the owner alone counts them in sums.
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "comm/communicator.hpp"
+#include "comm/halo_plan.hpp"
 #include "kernels/core/views.hpp"
 #include "kernels/element/internal_force.hpp"
 #include "kernels/node/conditions.hpp"
@@ -22,34 +27,50 @@ struct Motion {
   bool is_displacement = false;
 };
 
+/// The nodes that this rank owns, by the chunk that they belong to: each chunk has a contiguous run of them.
+struct NodeRuns {
+  int count = 0;     // chunks
+  Array<int> first;  // [count] first node of the run
+  Array<int> end;    // [count] node past its last
+};
+
 struct Model {
-  int node_count = 0;
-  int element_count = 0;
+  Communicator ranks{MPI_COMM_SELF};  // those that hold the scene together
+  int node_count = 0;                 // of this rank, copies included
+  int element_count = 0;              // of this rank
 
   HexChunks chunks;
-  HexBlocks blocks;
+  HexBlocks sending_blocks;    // chunks whose forces other ranks need, and wait for
+  HexBlocks blocks;            // the other chunks
   std::size_t state_size = 0;  // scalars of all element records
 
   NodeSlots nodes_to_slots;
-  int slot_count = 0;  // chunk slots, then four a pressure face
+  HaloPlan halo;
+  int slot_count = 0;  // chunk slots, then four a pressure face, then those received from other ranks
+
+  NodeRuns owned_nodes;
+  Array<std::int64_t> node_numbers;    // [nodes] place in the whole mesh
+  Array<std::int64_t> first_elements;  // [chunks] number of the first element of each in the whole mesh
 
   Rows3<double> start;           // position at time 0
   Rows3<double> start_velocity;  // velocity at time 0
   Array<double> element_mass;    // at time 0; it does not change
   Array<double> mass;            // lumped: an eighth of each element's mass to its corners
   Rows3<double> inverse_mass;    // 0 in held directions
-  double total_mass = 0;
-  Vec3 mass_center{};  // at time 0; moments are taken about it
+  double total_mass = 0;         // of all ranks
+  Vec3 mass_center{};            // of all ranks, at time 0; moments are taken about it
 
   Gravity gravity;
   PressureFaces pressure_faces;
   std::vector<Curve> pressures;  // by load
   HeldDirections held;
+  Array<int> owned_held;        // entries of `held` whose nodes this rank owns
   std::vector<Motion> motions;  // by HeldDirections::motion; row 0 is "at rest"
   bool is_driven = false;       // whether a prescribed motion other than rest exists
 };
 
-/// Builds the model of a chunked mesh. Throws InputError with the deck's place: unknown sets, contradicting conditions.
+/// Builds the model of a chunked mesh. Collective over the mesh's ranks. Throws InputError with the deck's place, the
+/// same on all ranks: unknown sets, contradicting conditions.
 Model build_model(const Deck& deck, const ChunkedMesh& chunked);
 
 }  // namespace percuss

@@ -1,7 +1,6 @@
 #include "src/step/run.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <cmath>
@@ -9,14 +8,18 @@
 #include <memory>
 #include <optional>
 
+#include "comm/rendezvous.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/contact_stage.hpp"
+#include "src/fail_together.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/step/audit.hpp"
 #include "src/step/frames.hpp"
 #include "src/step/history.hpp"
 #include "src/step/phases.hpp"
+#include "src/step/run_totals.hpp"
 #include "src/step/step.hpp"
+#include "src/step/whole_mesh.hpp"
 
 namespace percuss {
 
@@ -30,12 +33,6 @@ constexpr long steps_between_audits = 500;
 using Clock = std::chrono::steady_clock;
 
 double find_seconds(Clock::time_point since) { return std::chrono::duration<double>(Clock::now() - since).count(); }
-
-std::int64_t find_peak_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
-}
 
 /// Due at multiples of a period; never twice for one state.
 class Schedule {
@@ -58,19 +55,27 @@ class Run {
   RunResult operator()();
 
  private:
+  bool speaks() const { return ranks_.rank() == 0 && options_.progress != Progress::Style::quiet; }
+  void warn_about_idle_ranks() const;
+  void open_files();
   bool is_finished() const;
   void loop();
   void observe(bool is_last);
   void note_contact();
-  std::string describe(int element) const;
+  std::string describe_element(std::int64_t number) const;
+  std::string describe_deepest_node() const;
   void check_elements() const;
   void check_energy() const;
   void finish(const std::string& status, const std::string& error);
+  void fill_summary();
+  void fail(const std::string& error);
   ProgressState find_progress() const;
 
   const Deck& deck_;
   RunOptions options_;
   Clock::time_point setup_start_ = Clock::now();
+  const Communicator ranks_ = Communicator::world();
+  Rendezvous rendezvous_{ranks_};
   ChunkedMesh chunked_;
   Model model_;
   ContactStage contact_;
@@ -82,9 +87,9 @@ class Run {
   std::optional<History> history_;
   Schedule frame_schedule_, history_schedule_;
   double first_dt_ = 0;
-  int limiting_element_ = 0;     // bounded the last step
-  long unconverged_steps_ = 0;   // of the contact enforcement
-  long first_unconverged_ = -1;  // the first such step
+  std::int64_t limiting_element_id_ = 0;  // bounded the last step
+  long unconverged_steps_ = 0;            // of the contact enforcement
+  long first_unconverged_ = -1;           // the first such step
   Clock::time_point loop_start_;
   std::string contact_notice_;
   Progress progress_;
@@ -94,29 +99,44 @@ class Run {
 Run::Run(const Deck& deck, const RunOptions& options)
     : deck_(deck),
       options_(options),
-      chunked_(load_mesh(deck, Communicator::world())),
+      chunked_(load_mesh(deck, ranks_)),
       model_(build_model(deck, chunked_)),
-      contact_(chunked_, deck, Communicator::world()),
+      contact_(chunked_, deck, ranks_),
       state_(make_initial_state(model_)),
-      stepper_(deck, model_, contact_),
+      stepper_(deck, chunked_, model_, contact_),
       audit_(model_),
       frame_schedule_(deck.output.fields_every),
       history_schedule_(deck.output.history_every),
-      progress_(stderr, options.progress) {
-  if (options.progress != Progress::Style::quiet) {
+      progress_(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet) {
+  if (speaks()) {
     for (const std::string& warning : chunked_.mesh.warnings) print_quietly(stderr, "warning: {}\n", warning);
+    warn_about_idle_ranks();
   }
   if (contact_.is_active()) contact_notice_ = contact_.prepare(state_.x, state_.v, model_.inverse_mass);
-  if (!contact_notice_.empty() && options.progress != Progress::Style::quiet)
-    print_quietly(stderr, "{}\n", contact_notice_);
-  if (options.prepare_output) options.prepare_output();
-  if (!options.out_dir.empty()) {
-    if (deck.output.fields_every) frames_.emplace(options.out_dir, deck, chunked_, model_);
-    if (deck.output.history_every) history_.emplace(options.out_dir, deck, chunked_.mesh);
-  }
-  stepper_.start(state_);
+  if (!contact_notice_.empty() && speaks()) print_quietly(stderr, "{}\n", contact_notice_);
+  open_files();
+  stepper_.start(state_, stop_requested != 0);
   first_dt_ = state_.next_dt;
+  limiting_element_id_ = state_.bound.element_id;
   summary_.setup_s = find_seconds(setup_start_);
+}
+
+void Run::warn_about_idle_ranks() const {
+  const int idle = count_idle_ranks(chunked_.numbering, ranks_.size());
+  if (idle == 0) return;
+  print_quietly(stderr,
+                "warning: {} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never divided) start "
+                "it on fewer ranks\n",
+                idle, ranks_.size(), chunked_.numbering.chunk_count());
+}
+
+void Run::open_files() {
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() == 0 && options_.prepare_output) options_.prepare_output();
+  });
+  if (options_.out_dir.empty()) return;
+  if (deck_.output.fields_every && ranks_.size() == 1) frames_.emplace(options_.out_dir, deck_, chunked_, model_);
+  if (deck_.output.history_every) history_.emplace(options_.out_dir, deck_, chunked_);
 }
 
 bool Run::is_finished() const {
@@ -129,14 +149,14 @@ void Run::loop() {
   check_elements();
   audited_ = audit_(state_);  // what later audits compare with, whatever the output
   observe(false);
-  while (!is_finished() && stop_requested == 0) {
-    limiting_element_ = state_.bound.element;
-    stepper_.advance(state_);
+  while (!is_finished() && !stepper_.is_stop_agreed()) {
+    limiting_element_id_ = state_.bound.element_id;
+    stepper_.advance(state_, stop_requested != 0);
     note_contact();
     check_elements();
     summary_.dt.min = std::min(summary_.dt.min, state_.dt);
     summary_.dt.max = std::max(summary_.dt.max, state_.dt);
-    const bool is_last = is_finished() || stop_requested != 0;
+    const bool is_last = is_finished() || stepper_.is_stop_agreed();
     observe(is_last);
     if (!is_last) progress_.report(find_progress());  // finish() has the last word
   }
@@ -159,7 +179,7 @@ void Run::observe(bool is_last) {
   }
   const Phase phase("percuss::output", stepper_.seconds().output);
   if (history_ && (history_due || is_last)) {
-    history_->write(model_, state_, audited_, stepper_.contact_report(), stepper_.wall_force());
+    history_->write(model_, state_, audited_, stepper_.contact_report(), stepper_.find_wall_force());
   }
   check_energy();
   if (frames_ && (frame_due || is_last)) {
@@ -170,16 +190,31 @@ void Run::observe(bool is_last) {
   frame_schedule_.advance(state_.time);
 }
 
-std::string Run::describe(int element) const {
-  const auto e = static_cast<std::size_t>(element);
-  const auto x = to_host(state_.x);
-  double center[3] = {0, 0, 0};
-  for (const int n : chunked_.mesh.elements[e]) {
-    for (int k = 0; k < 3; ++k) center[k] += x(static_cast<std::size_t>(n), static_cast<std::size_t>(k)) / 8;
+/// In the words of the rank that has it. Collective.
+std::string Run::describe_element(std::int64_t number) const {
+  const int element = find_local_element(chunked_, number);
+  std::string text;
+  if (element >= 0) {
+    const auto e = static_cast<std::size_t>(element);
+    const auto x = to_host(state_.x);
+    double center[3] = {0, 0, 0};
+    for (const int n : chunked_.mesh.elements[e]) {
+      for (int k = 0; k < 3; ++k) center[k] += x(static_cast<std::size_t>(n), static_cast<std::size_t>(k)) / 8;
+    }
+    text = fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_element(chunked_.mesh, element), center[0], center[1],
+                       center[2]);
   }
-  return fmt::format("element {} of part '{}' at ({:.6g}, {:.6g}, {:.6g})", chunked_.mesh.element_ids[e],
-                     chunked_.mesh.parts[static_cast<std::size_t>(chunked_.mesh.element_part[e])].name, center[0],
-                     center[1], center[2]);
+  return broadcast_text(ranks_, text, chunked_.numbering.find_element_owner(number));
+}
+
+/// Empty if no contact node lies deep. Collective.
+std::string Run::describe_deepest_node() const {
+  const std::int64_t number = stepper_.contact_report().deepest_node;
+  if (number < 0) return "";
+  const int node = find_local_node(chunked_, number);
+  const std::int64_t id = node < 0 ? 0 : chunked_.mesh.node_ids[static_cast<std::size_t>(node)];
+  return broadcast_text(ranks_, fmt::format("; the deepest contact node is {}", id),
+                        chunked_.numbering.find_node_owner(number));
 }
 
 void Run::check_elements() const {
@@ -188,14 +223,14 @@ void Run::check_elements() const {
         "{} has inverted or is not finite any more, in step {} at t = {:.6g} (the mesh is crushed beyond what it can "
         "follow, or the run is unstable); try a finer mesh there, a stronger material, or a smaller time.step_scale "
         "(now {})",
-        describe(state_.bound.failed_element), state_.step, state_.time, deck_.time.step_scale));
+        describe_element(state_.bound.failed_element), state_.step, state_.time, deck_.time.step_scale));
   }
   if (state_.next_dt < deck_.time.collapse_ratio * first_dt_ && !is_finished() &&
       deck_.time.step_scale * state_.bound.step < deck_.time.collapse_ratio * first_dt_) {
     throw RunError(fmt::format(
         "the time step has collapsed to {:.3g} (it began at {:.3g}) in step {} at t = {:.6g}; {} controls it; try a "
         "coarser mesh there, or lower time.collapse_ratio (now {:g}) to go on",
-        state_.next_dt, first_dt_, state_.step, state_.time, describe(state_.bound.element),
+        state_.next_dt, first_dt_, state_.step, state_.time, describe_element(state_.bound.element),
         deck_.time.collapse_ratio));
   }
 }
@@ -203,12 +238,8 @@ void Run::check_elements() const {
 void Run::check_energy() const {
   const double error = audited_.energy.error;
   if (std::abs(error) <= deck_.audit.max_energy_error) return;  // false for NaN
-  const ContactReport& contact = stepper_.contact_report();
-  const std::string deepest = contact.deepest_node < 0
-                                  ? std::string()
-                                  : fmt::format("; the deepest contact node is {}",
-                                                chunked_.mesh.node_ids[static_cast<std::size_t>(contact.deepest_node)]);
   const EnergySummary& e = audited_.energy;
+  const std::string limiting = describe_element(state_.bound.element), deepest = describe_deepest_node();
   throw RunError(
       fmt::format("the energy balance is off by {:.3g} of the largest energy, more than audit.max_energy_error = {:g}, "
                   "in step {} at "
@@ -216,7 +247,7 @@ void Run::check_energy() const {
                   "step{}); look "
                   "at history.csv for what grows, try a smaller time.step_scale (now {})",
                   error, deck_.audit.max_energy_error, state_.step, state_.time, e.kinetic, e.internal, e.hourglass,
-                  e.contact, describe(state_.bound.element), deepest, deck_.time.step_scale));
+                  e.contact, limiting, deepest, deck_.time.step_scale));
 }
 
 ProgressState Run::find_progress() const {
@@ -224,40 +255,69 @@ ProgressState Run::find_progress() const {
           state_.dt,   audited_.energy.error, stepper_.contact_report().interactions};
 }
 
-void Run::finish(const std::string& status, const std::string& error) {
-  summary_.status = status;
-  summary_.error = error;
+void Run::fill_summary() {
   summary_.version = PERCUSS_VERSION;
   summary_.backend = ExecSpace::name();
+  summary_.ranks = ranks_.size();
   summary_.threads = ExecSpace().concurrency();
-  summary_.elements = model_.element_count;
-  summary_.nodes = model_.node_count;
+  summary_.elements = chunked_.numbering.element_count();
+  summary_.nodes = chunked_.numbering.node_count();
   summary_.contact_nodes = contact_.contact_nodes();
   summary_.contact_faces = contact_.contact_faces();
   summary_.steps = state_.step;
   summary_.time = state_.time;
   summary_.dt.last = state_.dt;
-  summary_.dt.element = chunked_.mesh.element_ids[static_cast<std::size_t>(limiting_element_)];
+  summary_.dt.element = limiting_element_id_;
   summary_.loop_s = find_seconds(loop_start_);
-  const double work = static_cast<double>(model_.element_count) * static_cast<double>(state_.step);
-  if (work > 0) summary_.grind_ns = 1e9 * summary_.loop_s * summary_.ranks * summary_.threads / work;
   summary_.phases_s = stepper_.seconds();
+  summary_.peak_bytes = find_peak_bytes();
+  take_largest(ranks_, summary_);
+  const double work = static_cast<double>(summary_.elements) * static_cast<double>(state_.step);
+  if (work > 0) summary_.grind_ns = 1e9 * summary_.loop_s * summary_.ranks * summary_.threads / work;
   if (contact_.is_active() && state_.step > 0) {
     summary_.skipped.searches = 1 - static_cast<double>(contact_.searches()) / static_cast<double>(state_.step);
   }
+  summary_.balance.elements = find_element_balance(chunked_.numbering, ranks_.size());
+  const Traffic traffic = sum_traffic(ranks_, stepper_.traffic());
+  if (state_.step > 0) {
+    const double rank_steps = static_cast<double>(state_.step) * ranks_.size();
+    summary_.messages = {static_cast<double>(traffic.messages) / rank_steps,
+                         static_cast<double>(traffic.bytes) / rank_steps};
+  }
   summary_.energy = audited_.energy;
   summary_.momentum = audited_.momentum;
-  summary_.peak_bytes = find_peak_bytes();
   summary_.state_hash = fmt::format("{:016x}", hash_state(model_, state_));
+}
+
+/// Collective.
+void Run::finish(const std::string& status, const std::string& error) {
+  summary_.status = status;
+  summary_.error = error;
+  fill_summary();
   progress_.finish(find_progress());
-  if (unconverged_steps_ > 0 && options_.progress != Progress::Style::quiet) {
-    fmt::print(
+  if (unconverged_steps_ > 0 && speaks()) {
+    print_quietly(
         stderr,
         "warning: the contact enforcement did not converge in {} of {} steps, the first of them step {} (what was "
         "left over is in the column residual of history.csv)\n",
         unconverged_steps_, state_.step, first_unconverged_);
   }
-  if (!options_.out_dir.empty()) write_summary(options_.out_dir + "/summary.json", summary_);
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() == 0 && !options_.out_dir.empty()) write_summary(options_.out_dir + "/summary.json", summary_);
+  });
+}
+
+/// Writes the summary of a failed run, if all ranks have come here; only then may they talk to each other.
+void Run::fail(const std::string& error) {
+  if (!rendezvous_.meet()) {
+    if (options_.end_all_ranks) options_.end_all_ranks();
+    return;
+  }
+  try {
+    finish("failed", error);
+  } catch (const std::exception& second) {  // a full disk must not hide why the run failed
+    if (ranks_.rank() == 0) print_quietly(stderr, "percuss: error: {}\n", second.what());
+  }
 }
 
 RunResult Run::operator()() {
@@ -267,14 +327,10 @@ RunResult Run::operator()() {
     if (frames_) frames_->close();
     if (history_) history_->flush();
   } catch (const std::exception& error) {
-    try {
-      finish("failed", error.what());
-    } catch (const std::exception& second) {  // a full disk must not hide why the run failed
-      print_quietly(stderr, "percuss: error: {}\n", second.what());
-    }
+    fail(error.what());
     throw;
   }
-  const bool interrupted = stop_requested != 0 && !is_finished();
+  const bool interrupted = stepper_.is_stop_agreed() && !is_finished();
   finish(interrupted ? "interrupted" : "completed", "");
   return {interrupted ? ExitCode::interrupted : ExitCode::done, summary_};
 }

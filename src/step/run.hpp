@@ -14,7 +14,9 @@ namespace percuss {
 struct RunOptions {
   std::string out_dir;  // exists; empty: write no files at all (tests, studies)
   Progress::Style progress = Progress::Style::quiet;
-  std::function<void()> prepare_output = {};  // called once set-up has succeeded, before the first file is made
+  std::function<void()> prepare_output = {};  // called once set-up has succeeded, before the first file is made; rank 0
+  // Called in the handler of an error that this rank alone has met, while the others wait for it; ends all of them.
+  std::function<void()> end_all_ranks = {};
 };
 
 struct RunResult {
@@ -22,12 +24,14 @@ struct RunResult {
   Summary summary;
 };
 
-/// Asks the run in progress to stop after its step; async-signal-safe. run_scene installs nothing: main does.
+/// Asks the run in progress to stop after its step, on all ranks if one is asked; async-signal-safe. run_scene installs
+/// nothing: main does.
 void request_stop();
 
-/// Runs a scene to its end. Files in out_dir: fields, history and summary as the deck asks; once the loop has begun
-/// the summary is written in any case, with status and error. Throws InputError, RunError, SystemError; what was
-/// written before stays.
+/// Runs a scene to its end on all ranks of the program; rank 0 writes and speaks. Files in out_dir: fields, history and
+/// summary as the deck asks; once the loop has begun the summary is written in any case, with status and error.
+/// Collective: deck and options are the same on every rank, and so is the result. Throws InputError, RunError,
+/// SystemError, the same on all ranks; what was written before stays.
 RunResult run_scene(const Deck& deck, const RunOptions& options);
 
 }  // namespace percuss

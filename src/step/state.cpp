@@ -82,36 +82,53 @@ State make_initial_state(const Model& model) {
   return s;
 }
 
-std::uint64_t hash_state(const Model& model, const State& state) {
-  const auto x = state.x;
-  const auto v = state.v;
-  std::uint64_t nodes = 0;
+namespace {
+
+std::uint64_t hash_nodes(const Model& model, const State& state) {
+  const auto x = state.x, v = state.v;
+  const auto owned = model.owned_nodes;
+  const auto numbers = model.node_numbers;
+  std::uint64_t hash = 0;
   Kokkos::parallel_reduce(
-      "percuss::hash_nodes", Range(ExecSpace(), 0, model.node_count),
-      KOKKOS_LAMBDA(const int n, std::uint64_t& sum) {
-        std::uint64_t h = mix(static_cast<std::uint64_t>(n));
-        for (int k = 0; k < 3; ++k) h = mix(mix(h ^ find_bits(x(n, k))) ^ find_bits(v(n, k)));
-        sum += h;  // integers: any order gives the same sum
+      "percuss::hash_nodes", Range(ExecSpace(), 0, owned.count),
+      KOKKOS_LAMBDA(const int c, std::uint64_t& sum) {
+        for (int n = owned.first(c); n < owned.end(c); ++n) {
+          std::uint64_t h = mix(static_cast<std::uint64_t>(numbers(n)));
+          for (int k = 0; k < 3; ++k) h = mix(mix(h ^ find_bits(x(n, k))) ^ find_bits(v(n, k)));
+          sum += h;  // integers: any order gives the same sum
+        }
       },
-      nodes);
+      hash);
+  return hash;
+}
+
+std::uint64_t hash_elements(const Model& model, const State& state) {
   const HexChunks chunks = model.chunks;
   const auto elements = state.elements;
-  std::uint64_t records = 0;
+  const auto first_numbers = model.first_elements;
+  std::uint64_t hash = 0;
   Kokkos::parallel_reduce(
       "percuss::hash_elements", Range(ExecSpace(), 0, chunks.count),
       KOKKOS_LAMBDA(const int c, std::uint64_t& sum) {
         const int first = chunks.first_element(c);
-        for (int e = first; e < chunks.first_element(c + 1); ++e) {
+        for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
           const int size = chunks.record_size(c);
-          const double* record =
-              &elements(chunks.first_state(c)) + (e - first) / width * size * width + (e - first) % width;
-          std::uint64_t h = mix(~static_cast<std::uint64_t>(e));
-          for (int i = 0; i < size; ++i) h = mix(h ^ find_bits(record[i * width]));
+          const double* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          std::uint64_t h = mix(~static_cast<std::uint64_t>(first_numbers(c) + i));
+          for (int s = 0; s < size; ++s) h = mix(h ^ find_bits(record[s * width]));
           sum += h;
         }
       },
-      records);
-  return mix(nodes) + records;
+      hash);
+  return hash;
+}
+
+}  // namespace
+
+std::uint64_t hash_state(const Model& model, const State& state) {
+  std::uint64_t sums[2] = {hash_nodes(model, state), hash_elements(model, state)};
+  check_mpi(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_UINT64_T, MPI_SUM, model.ranks.handle()), "MPI_Allreduce");
+  return mix(sums[0]) + sums[1];
 }
 
 }  // namespace percuss

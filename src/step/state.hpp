@@ -4,24 +4,28 @@
 #include <cstdint>
 #include <string>
 
+#include "kernels/core/exact_sum.hpp"
 #include "src/step/model.hpp"
 
 namespace percuss {
 
-/// Sums that the audit needs, from the start of the run.
+/// Sums that the audit needs, from the start of the run. Those that are exact hold the share of this rank and are added
+/// up over ranks only when they are looked at.
 struct Books {
-  double external_work = 0;              // pressure and driven conditions; gravity's follows from the positions
-  double contact_work = 0;               // normal impulses; positive where contact adds energy
-  double friction_work = 0;              // tangential impulses; negative where they dissipate
-  double impulse[3] = {0, 0, 0};         // external: pressure, conditions, walls and gravity [force x time]
-  double moment_impulse[3] = {0, 0, 0};  // about Model::mass_center
+  ExactSum external_work;      // pressure and driven conditions; gravity's follows from the positions
+  ExactSum impulse[3];         // external: pressure, conditions, walls and gravity [force x time]
+  ExactSum moment_impulse[3];  // about Model::mass_center
+  double contact_work = 0;     // of all ranks: normal impulses; positive where contact adds energy
+  double friction_work = 0;    // of all ranks: tangential impulses; negative where they dissipate
 };
 
-/// The controlling step bound and what failed, after the elements of a step.
+/// The controlling step bound and what failed, after the elements of a step; of all ranks. Elements by their number in
+/// the whole mesh.
 struct StepBound {
-  double step = 0;          // smallest bound of all elements, without the deck's scale
-  int element = 0;          // that has it
-  int failed_element = -1;  // lowest element without positive volume or step, -1: none
+  double step = 0;                   // smallest bound of all elements, without the deck's scale
+  std::int64_t element = 0;          // that has it, the lowest of several
+  std::int64_t element_id = 0;       // the user's id of that
+  std::int64_t failed_element = -1;  // lowest element without positive volume or step, -1: none
 };
 
 struct State {
@@ -37,7 +41,7 @@ struct State {
   Rows3<double> force;       // assembled force, at n
   Rows3<double> impulse;     // contact impulse of the last step
   Array<double> elements;    // element records, at n
-  Rows3<double> slot_force;  // internal force (negative) and pressure by slot, at n
+  Rows3<double> slot_force;  // internal force (negative) and pressure by slot, at n; also those of other ranks
   ChunkResults results;      // by chunk, at n; work since the start
   Books books;
 };
@@ -45,7 +49,8 @@ struct State {
 /// The state at time 0: elements at rest in their first shape, held directions at their prescribed velocity.
 State make_initial_state(const Model& model);
 
-/// 64 bits of all positions, velocities and element records, by global id: independent of ranks, threads and order.
+/// 64 bits of all positions, velocities and element records, by number in the whole mesh: independent of ranks, threads
+/// and order. Collective; the same on all ranks.
 std::uint64_t hash_state(const Model& model, const State& state);
 
 }  // namespace percuss

@@ -15,10 +15,22 @@ constexpr double largest_step_growth = 1.1;
 
 }  // namespace
 
-Stepper::Stepper(const Deck& deck, const Model& model, ContactStage& contact)
+void StepNotice::merge(const StepNotice& other) {
+  if (other.step < step || (other.step == step && other.element < element)) {
+    step = other.step;
+    element = other.element;
+    element_id = other.element_id;
+  }
+  failed_element = std::min(failed_element, other.failed_element);
+  stop = std::max(stop, other.stop);
+}
+
+Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
     : deck_(deck),
+      chunked_(chunked),
       model_(model),
       contact_(contact),
+      halo_(model.ranks, model.halo),
       bookkeeper_(deck, model),
       pressures_("percuss::pressures", model.pressures.size()) {
   std::vector<int> is_displacement;
@@ -27,16 +39,16 @@ Stepper::Stepper(const Deck& deck, const Model& model, ContactStage& contact)
               to_view("percuss::is_displacement", is_displacement)};
 }
 
-void Stepper::start(State& state) {
+void Stepper::start(State& state, bool wants_stop) {
   // Held directions begin at their prescribed velocity; a displacement curve begins at rest.
   hold_conditions(state, 0);
-  compute_elements(state, 0);
-  apply_loads(state, 0);
+  compute_forces(state, 0);
+  agree_on_step(state, wants_stop);
   choose_step(state);
   bookkeeper_.start(state);
 }
 
-void Stepper::advance(State& state) {
+void Stepper::advance(State& state, bool wants_stop) {
   const double dt = state.next_dt;
   const double dt_mean = 0.5 * (state.dt + dt);
   integrate_motion(state, dt_mean);
@@ -50,8 +62,7 @@ void Stepper::advance(State& state) {
     const Phase phase("percuss::integrate", seconds_.integrate);
     move_nodes(space_, state.v, dt, state.x);
   }
-  compute_elements(state, dt);
-  apply_loads(state, state.time + dt);
+  compute_forces(state, dt);
   {
     const Phase phase("percuss::book", seconds_.reduce);
     bookkeeper_.book_new_forces(state, dt);
@@ -59,6 +70,7 @@ void Stepper::advance(State& state) {
   state.time += dt;
   state.step += 1;
   state.dt = dt;
+  agree_on_step(state, wants_stop);
   choose_step(state);
 }
 
@@ -93,26 +105,52 @@ void Stepper::resolve_contact(State& state, double dt) {
   seconds_.contact_enforce = spent.enforce;
 }
 
-void Stepper::compute_elements(State& state, double dt) {
+/// All forces at n+1, in the slots. What other ranks wait for comes first, what needs nobody goes on meanwhile.
+void Stepper::compute_forces(State& state, double dt) {
   {
     const Phase phase("percuss::internal_force", seconds_.internal_force);
-    advance_elements(space_, model_.chunks, model_.blocks, {state.x, state.v, dt}, state.elements, state.slot_force,
-                     state.results);
+    advance_blocks(state, model_.sending_blocks, dt);
+    apply_loads(state, state.time + dt);
+    halo_.begin(space_, state.slot_force);
+    advance_blocks(state, model_.blocks, dt);
   }
-  const Phase phase("percuss::reduce", seconds_.reduce);
+  const Phase phase("percuss::halo", seconds_.halo);
+  halo_.end();
+}
+
+void Stepper::advance_blocks(State& state, const HexBlocks& blocks, double dt) {
+  advance_elements(space_, model_.chunks, blocks, {state.x, state.v, dt}, state.elements, state.slot_force,
+                   state.results);
+}
+
+StepNotice Stepper::find_notice(const State& state) const {
   const auto step = to_host(state.results.stable_step);
   const auto element = to_host(state.results.controlling_element);
   const auto failed = to_host(state.results.failed_element);
-  state.bound = {step(0), element(0), -1};
+  StepNotice notice;
   for (std::size_t c = 0; c < step.extent(0); ++c) {
-    if (step(c) < state.bound.step) state.bound = {step(c), element(c), state.bound.failed_element};
-    if (failed(c) >= 0 && state.bound.failed_element < 0) state.bound.failed_element = failed(c);
+    const Chunk& chunk = chunked_.chunks[c];
+    const std::int64_t shift =
+        chunked_.numbering.first_element[static_cast<std::size_t>(chunk.number)] - chunk.first_element;
+    notice.merge({step(c), element(c) + shift, chunked_.mesh.element_ids[static_cast<std::size_t>(element(c))],
+                  failed(c) < 0 ? StepNotice::none : failed(c) + shift});
   }
+  return notice;
+}
+
+/// The one reduction of a step.
+void Stepper::agree_on_step(State& state, bool wants_stop) {
+  const Phase phase("percuss::reduce", seconds_.reduce);
+  StepNotice notice = find_notice(state);
+  notice.stop = wants_stop ? 1 : 0;
+  reduction_(model_.ranks, notice);
+  is_stop_agreed_ = notice.stop != 0;
+  const bool is_sound = notice.failed_element == StepNotice::none;
+  state.bound = {notice.step, notice.element, notice.element_id, is_sound ? -1 : notice.failed_element};
 }
 
 void Stepper::apply_loads(State& state, double time) {
   if (model_.pressure_faces.count == 0) return;
-  const Phase phase("percuss::pressure", seconds_.internal_force);
   const auto values = Kokkos::create_mirror_view(pressures_);
   for (std::size_t i = 0; i < model_.pressures.size(); ++i) values(i) = model_.pressures[i](time);
   Kokkos::deep_copy(pressures_, values);

@@ -1,8 +1,11 @@
 #pragma once
 // One step of the run: the paper's Figure 1, each line a function.
 
-#include <memory>
+#include <cstdint>
+#include <limits>
 
+#include "comm/halo_swap.hpp"
+#include "comm/merge_reduction.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/output/summary.hpp"
 #include "src/step/books.hpp"
@@ -11,35 +14,61 @@
 
 namespace percuss {
 
-/// Advances a state step by step. Holds only what a step needs besides model and state: sums, curve values, timers.
+/// What a rank knows after its elements, and all ranks after the one reduction of a step.
+struct StepNotice {
+  static constexpr std::int64_t none = INT64_MAX;
+  double step = std::numeric_limits<double>::infinity();
+  std::int64_t element = none;         // number in the whole mesh
+  std::int64_t element_id = 0;         // the user's id of that
+  std::int64_t failed_element = none;  // number in the whole mesh
+  std::int64_t stop = 0;               // 1: the run is to end after this step
+
+  void merge(const StepNotice& other);
+};
+
+/// Advances a state step by step. Holds only what a step needs besides model and state: messages, sums, curve values,
+/// timers. Everything is collective.
 class Stepper {
  public:
   /// contact: the scene's contact stage; may be inactive.
-  Stepper(const Deck& deck, const Model& model, ContactStage& contact);
+  Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact);
 
   /// Evaluates the elements and loads at time 0 and chooses the first step.
-  void start(State& state);
+  void start(State& state, bool wants_stop = false);
 
   /// From n to n+1. Afterwards state.bound tells whether an element failed; then the state must not be advanced.
-  void advance(State& state);
+  /// wants_stop: this rank was asked to end the run.
+  void advance(State& state, bool wants_stop = false);
+
+  /// Whether a rank wanted to stop by the last step, the same on all ranks.
+  bool is_stop_agreed() const { return is_stop_agreed_; }
 
   const ContactReport& contact_report() const { return report_; }
-  /// Force of walls on the scene in the last step, its contact impulses summed over dt; zero without walls.
-  const Vec3& wall_force() const { return bookkeeper_.wall_force(); }
+  /// Force of walls on the scene in the last step, its contact impulses summed over dt; zero without walls. Collective.
+  Vec3 find_wall_force() const { return bookkeeper_.find_wall_force(); }
+  /// What this rank has sent of the forces of shared nodes.
+  const Traffic& traffic() const { return halo_.traffic(); }
   PhaseSeconds& seconds() { return seconds_; }
 
  private:
   void integrate_motion(State& state, double dt_mean);
   void hold_conditions(State& state, double dt);
   void resolve_contact(State& state, double dt);
-  void compute_elements(State& state, double dt);
+  void compute_forces(State& state, double dt);
+  void advance_blocks(State& state, const HexBlocks& blocks, double dt);
   void apply_loads(State& state, double time);
+  StepNotice find_notice(const State& state) const;
+  void agree_on_step(State& state, bool wants_stop);
   void choose_step(State& state) const;
 
   const Deck& deck_;
+  const ChunkedMesh& chunked_;
   const Model& model_;
   ContactStage& contact_;
   ExecSpace space_;
+  HaloSwap halo_;
+  MergeReduction<StepNotice> reduction_;
+  bool is_stop_agreed_ = false;
   Bookkeeper bookkeeper_;
   PrescribedMotions motions_;
   Array<double> pressures_;

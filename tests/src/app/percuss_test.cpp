@@ -217,16 +217,93 @@ TEST(PercussRun, EndsCleanlyWhenItIsInterrupted) {
   }
 }
 
-TEST(PercussRun, RefusesSeveralRanksAndSaysSoOnce) {
+// Without contact: two blocks that fly and deform.
+const char* const blocks = R"yaml(title: Two blocks fly
+time: {end: 0.5, max_steps: 20}
+parts:
+  one: {box: {size: [1, 1, 1], cells: [8, 8, 8]}, material: soft}
+  two: {box: {size: [1, 1, 1], cells: [4, 4, 4]}, at: [0, 0, 3], material: soft}
+materials: {soft: {model: elastic, density: 2, youngs_modulus: 100, poissons_ratio: 0.25}}
+initial: [{part: one, velocity: [0, 0, 0.1], angular_velocity: [0, 0, 1]}]
+output: {history: {every: 0}}
+)yaml";
+
+/// What starts percuss on several ranks.
+std::string launch_on(int ranks) {
+  return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 "
+         "OMP_NUM_THREADS=1 " PERCUSS_MPIEXEC " --oversubscribe --bind-to none -n " +
+         std::to_string(ranks);
+}
+
+int count(const std::string& text, const std::string& what) {
+  int found = 0;
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+  return found;
+}
+
+TEST(PercussOnRanks, RunsAndReportsOnce) {
   const TemporaryFolder folder;
-  const std::string launcher =
-      "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 " PERCUSS_MPIEXEC " --oversubscribe -n 2";
-  const ProcessResult result = run_percuss({"run", folder.write("deck.yaml", cube)}, launcher);
+  const std::string out = folder.path() + "/out";
+  const ProcessResult result = run_percuss({"run", folder.write("deck.yaml", blocks), "-o", out}, launch_on(3));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(count(result.err, "completed: t ="), 1) << result.err;
+  const Summary summary = read_summary(out + "/summary.json");
+  EXPECT_EQ(summary.ranks, 3);
+  EXPECT_EQ(summary.elements, 576);
+  EXPECT_GT(summary.messages.count, 0);
+  EXPECT_GE(summary.balance.elements, 1);
+}
+
+TEST(PercussOnRanks, ChecksAndPrintsOnceWhatOneRankPrints) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", blocks);
+  const ProcessResult alone = run_percuss({"check", file});
+  const ProcessResult result = run_percuss({"check", file}, launch_on(3));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, alone.out);
+}
+
+TEST(PercussOnRanks, TellsOfWrongInputOnce) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", std::string(blocks) + "conditions: [{nodes: three, fixed: x}]\n");
+  const ProcessResult result = run_percuss({"run", file, "-o", folder.path() + "/out"}, launch_on(2));
   EXPECT_EQ(result.exit_code, 2) << result.err;
-  const std::string message = "started on 2 ranks (percuss runs on one rank so far)";
-  const auto first = result.err.find(message);
-  EXPECT_NE(first, std::string::npos) << result.err;
-  EXPECT_EQ(result.err.find(message, first + 1), std::string::npos);
+  EXPECT_EQ(count(result.err, "is called 'three'"), 1) << result.err;
+  EXPECT_EQ(run_percuss({"run", "--nonsense"}, launch_on(2)).exit_code, 2);
+}
+
+TEST(PercussOnRanks, TellsOfAFailedRunOnceAndWritesItsSummary) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/out";
+  const ProcessResult result = run_percuss(
+      {"run", folder.write("deck.yaml", blocks), "-o", out, "--set", "audit={max_energy_error: 1e-30}"}, launch_on(2));
+  EXPECT_EQ(result.exit_code, 3) << result.err;
+  EXPECT_EQ(count(result.err, "audit.max_energy_error ="), 1) << result.err;
+  EXPECT_EQ(read_summary(out + "/summary.json").status, "failed");
+}
+
+TEST(PercussOnRanks, TellsOfAFailedSystemOnce) {
+  const TemporaryFolder folder;
+  const ProcessResult result =
+      run_percuss({"run", folder.write("deck.yaml", blocks), "-o", "/proc/percuss/out"}, launch_on(2));
+  EXPECT_EQ(result.exit_code, 4) << result.err;
+  EXPECT_EQ(count(result.err, "folder /proc/percuss/out cannot be made"), 1) << result.err;
+}
+
+TEST(PercussOnRanks, SaysThatRanksHaveNoElements) {
+  const TemporaryFolder folder;
+  const ProcessResult result =
+      run_percuss({"run", folder.write("deck.yaml", blocks), "-o", folder.path() + "/out", "--set",
+                   "parts.one.box.cells=[1, 1, 1]", "--set", "parts.two.box.cells=[1, 1, 1]"},
+                  launch_on(3));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(count(result.err, "warning: 1 of 3 ranks have no elements (the mesh has 2 chunks"), 1) << result.err;
+}
+
+TEST(PercussOnRanks, HelpsOnce) {
+  const ProcessResult result = run_percuss({"--help"}, launch_on(2));
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(count(result.out, "Exit codes:"), 1);
 }
 
 TEST(PercussInfo, ReadsOnlyWhatItKnows) {

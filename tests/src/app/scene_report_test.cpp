@@ -9,6 +9,7 @@
 
 #include "src/app/memory_check.hpp"
 #include "src/app/output_folder.hpp"
+#include "src/app/placement.hpp"
 #include "src/app/threads.hpp"
 #include "src/deck/read_deck.hpp"
 #include "src/error.hpp"
@@ -32,22 +33,31 @@ Deck two_blocks() {
 
 TEST(SceneReport, SumsTheMassOfEachPart) {
   const Deck deck = two_blocks();
-  const std::vector<double> masses = sum_part_masses(build_mesh(deck), deck);
-  ASSERT_EQ(masses.size(), 2U);
-  EXPECT_NEAR(masses[0], 3 * 6, 1e-13);  // round-off of 24 volumes
-  EXPECT_NEAR(masses[1], 5 * 4, 1e-13);
+  const SceneReport scene = describe_scene(deck, order_chunks(build_mesh(deck)));
+  ASSERT_EQ(scene.parts.size(), 2U);
+  EXPECT_NEAR(scene.parts[0].mass, 3 * 6, 1e-13);  // round-off of 24 volumes
+  EXPECT_NEAR(scene.parts[1].mass, 5 * 4, 1e-13);
 }
 
 TEST(SceneReport, CountsPartsAndBodies) {
   const Deck deck = two_blocks();
-  const Mesh mesh = build_mesh(deck);
-  SceneReport scene{deck, mesh};
+  const ChunkedMesh chunked = order_chunks(build_mesh(deck));
+  SceneReport scene = describe_scene(deck, chunked);
   scene.first_step = 0.25;
+  scene.controlling_element = describe_element(chunked, 55);
   const std::string text = format_scene(scene);
   EXPECT_THAT(text, testing::HasSubstr("56 elements, 168 nodes, 5 bodies, mass 38\n"));
   EXPECT_THAT(text, testing::HasSubstr("none (bodies pass through each other)"));
   EXPECT_THAT(text, testing::HasSubstr("x 0 to 6, y 0 to 2, z 0 to 7"));
-  EXPECT_THAT(text, testing::HasSubstr("about 4 steps"));
+  EXPECT_THAT(text, testing::HasSubstr("of part 'two' controls it), about 4 steps"));
+}
+
+TEST(Placement, NamesTheNumbersWhereThreadsHaveToTakeTurns) {
+  EXPECT_EQ(describe_crowding({2, 4, 4, 0, 0, 0}, 2), "");
+  EXPECT_THAT(describe_crowding({2, 6, 4, 0, 0, 0}, 2),
+              testing::HasSubstr("2 ranks with 6 threads together share the 4 cores"));
+  EXPECT_THAT(describe_crowding({3, 4, 4, 1, 2, 1}, 3),
+              testing::HasSubstr("1 of 3 ranks is bound to fewer cores than threads: 2 threads on 1 core "));
 }
 
 TEST(OutputFolder, IsNamedAfterTheScene) {

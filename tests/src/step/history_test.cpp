@@ -28,7 +28,7 @@ output:
 
 std::vector<FollowedPoint> find_points(const std::string& output) {
   const Scene scene(make_text(output));
-  return find_history_points(scene.deck, scene.chunked.mesh);
+  return find_history_points(scene.deck, scene.chunked);
 }
 
 std::string take_error(const std::string& output) {
@@ -47,7 +47,7 @@ TEST(HistoryPoints, AreTheNearestNodeOrElementOfTheSearchedPart) {
       make_text("nodes: [{name: n, near: [0.9, 0.1, 0]}, {name: m, near: [0.9, 0.1, 0], part: b}], "
                 "elements: [{name: e, near: [1.1, 0.9, 0.9]}, {name: f, near: [5, 5, 5], part: a}]"));
   const Mesh& mesh = scene.chunked.mesh;
-  const std::vector<FollowedPoint> points = find_history_points(scene.deck, mesh);
+  const std::vector<FollowedPoint> points = find_history_points(scene.deck, scene.chunked);
   ASSERT_EQ(points.size(), 4u);
   const auto part_of_node = [&](int node) {
     const auto& set = mesh.node_sets.at("a");
@@ -65,7 +65,7 @@ TEST(HistoryPoints, AreTheNearestNodeOrElementOfTheSearchedPart) {
 
 TEST(HistoryPoints, AreFoundByTheUsersId) {
   const Scene scene(make_text("nodes: [{name: n, id: 20}], elements: [{name: e, id: 9}]"));
-  const std::vector<FollowedPoint> points = find_history_points(scene.deck, scene.chunked.mesh);
+  const std::vector<FollowedPoint> points = find_history_points(scene.deck, scene.chunked);
   EXPECT_EQ(scene.chunked.mesh.node_ids[static_cast<std::size_t>(points[0].index)], 20);
   EXPECT_EQ(scene.chunked.mesh.element_ids[static_cast<std::size_t>(points[1].index)], 9);
 }

@@ -14,7 +14,7 @@
 namespace percuss::test {
 namespace {
 
-// 693 elements in two chunks and 15 in a third; the tough part yields, the other cannot.
+// 693 elements in several chunks and 15 in one of their own; the tough part yields, the other cannot.
 std::string make_text(const std::string& hourglass) {
   return R"(
 time: {end: 1}
@@ -136,7 +136,7 @@ void expect_same_results(const OneByOne<Kind>& expected, const Scene& scene) {
 template <HourglassKind Kind>
 void compare_steps(const std::string& hourglass) {
   Scene scene(make_text(hourglass));
-  ASSERT_EQ(scene.chunked.chunks.size(), 3u);
+  ASSERT_GE(scene.chunked.chunks.size(), 3u);
   shake(scene);
   OneByOne<Kind> one_by_one(scene);
   const Rows3<double> force("force", scene.chunked.mesh.nodes.size());
@@ -161,7 +161,7 @@ void compare_steps(const std::string& hourglass) {
   const auto chunk_work = to_host(scene.state.results.work);
   for (std::size_t k = 0; k < 3; ++k) {
     double sum = 0;
-    for (std::size_t c = 0; c < 3; ++c) sum += chunk_work(c, k);
+    for (std::size_t c = 0; c < chunk_work.extent(0); ++c) sum += chunk_work(c, k);
     EXPECT_NEAR(sum / work[k], 1, 1e-12);
   }
   const std::vector<double> stresses = find_stresses(scene.model, scene.state);

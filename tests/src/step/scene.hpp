@@ -21,7 +21,7 @@ struct Scene {
         model(build_model(deck, chunked)),
         contact(chunked, deck, Communicator::world()),
         state(make_initial_state(model)),
-        stepper(deck, model, contact) {}
+        stepper(deck, chunked, model, contact) {}
   explicit Scene(const std::string& text) : Scene(parse_deck(text, "deck.yaml")) {}
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;

@@ -1,0 +1,23 @@
+#pragma once
+// Whether ranks and threads have cores enough. Nothing is changed: the user is told.
+
+#include <string>
+
+#include "comm/communicator.hpp"
+
+namespace percuss {
+
+/// Where ranks and their threads run, as one machine sees it.
+struct Placement {
+  int ranks = 1, threads = 1, cores = 1;   // of the most crowded machine
+  int bound_ranks = 0;                     // of all: bound to fewer cores than they have threads
+  int bound_threads = 0, bound_cores = 0;  // of the one of them with the fewest cores
+};
+
+/// Looks at all ranks. threads: of this rank. The same on all ranks. Collective. Throws MpiError.
+Placement find_placement(const Communicator& ranks, int threads);
+
+/// A line that names the numbers, if cores are too few; else empty. rank_count: of the whole run.
+std::string describe_crowding(const Placement& placement, int rank_count);
+
+}  // namespace percuss

@@ -1,0 +1,28 @@
+#pragma once
+// What a summary says of all ranks together.
+
+#include <cstdint>
+
+#include "comm/communicator.hpp"
+#include "comm/data_exchange.hpp"
+#include "src/mesh/numbering.hpp"
+#include "src/output/summary.hpp"
+
+namespace percuss {
+
+/// Largest memory that this process has had [byte].
+std::int64_t find_peak_bytes();
+
+/// Elements of the rank that has most, over the mean of all ranks.
+double find_element_balance(const Numbering& numbering, int rank_count);
+
+/// Ranks that have no chunk.
+int count_idle_ranks(const Numbering& numbering, int rank_count);
+
+/// Puts the largest of all ranks in the place of seconds and peak memory. Collective. Throws MpiError.
+void take_largest(const Communicator& ranks, Summary& summary);
+
+/// Adds up what the ranks have sent. Collective. Throws MpiError.
+Traffic sum_traffic(const Communicator& ranks, const Traffic& own);
+
+}  // namespace percuss
