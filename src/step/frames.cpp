@@ -25,7 +25,7 @@ bool has(const std::vector<std::string>& names, const char* name) {
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model)
     : deck_(deck),
       model_(model),
-      file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, Communicator::world()) {
+      file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, model.ranks) {
   if (has(deck.output.fields, "body")) {
     body_.assign(chunked.mesh.bodies.begin(), chunked.mesh.bodies.end());
   }

@@ -34,7 +34,9 @@ int decode(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERM
 
 std::string make_command(const std::vector<std::string>& arguments, const std::string& before,
                          const std::string& folder) {
-  std::string command = "exec " + before + " " + quote(PERCUSS_EXECUTABLE);
+  // What MPI left in the environment of the test itself would make mpirun take percuss for a part of it.
+  std::string command =
+      "unset $(env | grep -oE '^(OMPI|PMIX|ORTE)_[A-Za-z0-9_]*'); exec " + before + " " + quote(PERCUSS_EXECUTABLE);
   for (const std::string& argument : arguments) command += ' ' + quote(argument);
   return command + " >" + quote(folder + "/out") + " 2>" + quote(folder + "/err") + " </dev/null";
 }

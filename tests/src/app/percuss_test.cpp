@@ -265,10 +265,12 @@ TEST(PercussOnRanks, ChecksAndPrintsOnceWhatOneRankPrints) {
 
 TEST(PercussOnRanks, TellsOfWrongInputOnce) {
   const TemporaryFolder folder;
-  const std::string file = folder.write("deck.yaml", std::string(blocks) + "conditions: [{nodes: three, fixed: x}]\n");
+  const std::string file =
+      folder.write("deck.yaml", std::string(blocks) +
+                                    "conditions: [{nodes: {name: one, inside: [[8, 8, 8], [9, 9, 9]]}, fixed: x}]\n");
   const ProcessResult result = run_percuss({"run", file, "-o", folder.path() + "/out"}, launch_on(2));
   EXPECT_EQ(result.exit_code, 2) << result.err;
-  EXPECT_EQ(count(result.err, "is called 'three'"), 1) << result.err;
+  EXPECT_EQ(count(result.err, "'one' has no nodes inside the box"), 1) << result.err;
   EXPECT_EQ(run_percuss({"run", "--nonsense"}, launch_on(2)).exit_code, 2);
 }
 
