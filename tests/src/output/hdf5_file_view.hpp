@@ -62,6 +62,23 @@ class Hdf5FileView {
   std::vector<double> numbers(const std::string& name) const { return read<double>(name, H5T_NATIVE_DOUBLE); }
   std::vector<long> whole_numbers(const std::string& name) const { return read<long>(name, H5T_NATIVE_LONG); }
 
+  /// The first rows alone: what lies behind them need not be there.
+  std::vector<double> first_rows(const std::string& name, hsize_t rows) const {
+    std::vector<hsize_t> count = shape(name), first(count.size(), 0);
+    count[0] = rows;
+    std::size_t size = 1;
+    for (const hsize_t n : count) size *= n;
+    std::vector<double> values(size);
+    const hid_t set = H5Dopen2(file_, name.c_str(), H5P_DEFAULT), space = H5Dget_space(set);
+    const hid_t memory = H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr);
+    H5Sselect_hyperslab(space, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr);
+    if (H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()) < 0) values.clear();
+    H5Sclose(memory);
+    H5Sclose(space);
+    H5Dclose(set);
+    return values;
+  }
+
   std::size_t bytes_of_number(const std::string& name) const {
     const hid_t set = H5Dopen2(file_, name.c_str(), H5P_DEFAULT), type = H5Dget_type(set);
     const std::size_t bytes = H5Tget_size(type);
