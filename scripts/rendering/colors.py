@@ -14,7 +14,7 @@ MAPS = {
     "grey": ["#f0f0f0", "#303030"],
 }
 
-CATEGORIES = {"part", "body", "chunk"}  # numbers that only tell things apart
+CATEGORIES = {"part", "body", "chunk", "fe_rank", "contact_rank"}  # numbers that only tell things apart
 
 # Colours of parts: distinct, none of them shouting.
 PART_COLORS = ["#6f8fb0", "#c98a6b", "#8aa879", "#b3a06a", "#9b85ad", "#7fa9a6", "#c0788a", "#8d8d8d"]
@@ -64,13 +64,15 @@ def part_color(number):
 
 
 def make_category_lut(count):
-    """One colour for each of 0, 1, ..., count - 1."""
+    """One colour for each of 0, 1, ..., count - 1; grey for what belongs to none (-1)."""
     from vtkmodules.vtkCommonCore import vtkLookupTable
 
     lut = vtkLookupTable()
     lut.SetNumberOfTableValues(count)
     for number in range(count):
         lut.SetTableValue(number, *part_color(number), 1)
+    lut.SetBelowRangeColor(*rgb("#d9d9d9"), 1)
+    lut.UseBelowRangeColorOn()
     lut.SetRange(0, max(1, count - 1))
     return lut
 

@@ -36,8 +36,7 @@ def render(arguments):
     live = sys.stdout.isatty()
     for frame in frames:
         surface.move(fields.positions(frame))
-        values = coloring.values(frame)
-        surface.color(coloring.place, values[surface.nodes if coloring.place == "node" else owners])
+        surface.color(*coloring.choose_values(frame, surface.nodes, faces, owners))
         clock.SetInput(colors.format_time(fields.times[frame], fields.times[-1], fields.units))
         image = Image.fromarray(scene.draw()).resize(arguments.size, Image.Resampling.LANCZOS)
         path = os.path.join(folder, f"frame_{frame:04d}.png")
@@ -84,14 +83,20 @@ class Coloring:
             raise BadChoice(f"there is no field '{self.name}' in {fields.path} (it has {', '.join(sorted(names))})")
         self.place = names[self.name]
         self.factor, self.title = 1.0, None
+        self.categories = 0
         if self.name in colors.CATEGORIES:
-            self.lut = colors.make_category_lut(int(fields.values(self.name, 0).max()) + 1)
+            self.categories = int(max(values.max() for values in self._samples())) + 1
+            self.lut = colors.make_category_lut(self.categories)
         else:
             self._make_bar(arguments)
 
+    def _samples(self):
+        """The field in some frames of the run, the first among them."""
+        for frame in range(0, len(self.fields.times), max(1, len(self.fields.times) // 40)):
+            yield self.fields.values(self.name, frame)
+
     def _make_bar(self, arguments):
-        every = range(0, len(self.fields.times), max(1, len(self.fields.times) // 40))
-        low, high = arguments.range or colors.robust_range([self.fields.values(self.name, f) for f in every])
+        low, high = arguments.range or colors.robust_range(list(self._samples()))
         if not high > low:
             raise BadChoice(f"the range {low:g}:{high:g} is empty")
         unit, self.factor = colors.choose_unit(self.name, self.fields.units, max(abs(low), abs(high)))
@@ -101,8 +106,15 @@ class Coloring:
         self.lut = colors.make_lut(name, low * self.factor, high * self.factor, arguments.map.endswith("-r"))
         self.title = colors.label_of(self.name) + (f"\n[{unit}]" if unit else "")
 
-    def values(self, frame):
-        return self.fields.values(self.name, frame) * self.factor
+    def choose_values(self, frame, nodes, faces, owners):
+        """'node' with a number for each of `nodes`, or 'element' with one for each face: its element's, or, of a category
+        of nodes, which has nothing in between, the highest of its corners'."""
+        values = self.fields.values(self.name, frame) * self.factor
+        if self.place == "element":
+            return "element", values[owners]
+        if self.categories:
+            return "element", values[faces].max(axis=1)
+        return "node", values[nodes]
 
 
 def make_scene(fields, arguments, surface, coloring):
@@ -122,10 +134,17 @@ def make_scene(fields, arguments, surface, coloring):
     scene.add_text(fields.title, 0.03, 0.93, 0.034)
     if coloring.title is not None:
         scene.add_color_bar(coloring.lut, coloring.title)
-    elif coloring.name == "part":
-        for row, name in enumerate(fields.part_names[:MOST_LEGEND_ENTRIES]):
+    else:
+        for row, name in enumerate(legend_names(fields, coloring)[:MOST_LEGEND_ENTRIES]):
             scene.add_legend_entry(row, colors.part_color(row), name)
     return scene
+
+
+def legend_names(fields, coloring):
+    """What the colours stand for; of bodies and chunks there are too many to name."""
+    if coloring.name == "part":
+        return fields.part_names
+    return [f"rank {r}" for r in range(coloring.categories)] if coloring.name.endswith("_rank") else []
 
 
 def shrink(image):

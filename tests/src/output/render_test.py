@@ -52,6 +52,27 @@ class Render(unittest.TestCase):
         with Image.open(os.path.join(self.out.name, "animation.gif")) as animation:
             self.assertEqual(animation.n_frames, 3)
 
+    def test_colors_each_face_by_the_rank_of_its_nodes(self):
+        folder = os.path.join(self.out.name, "with_ranks")
+        shutil.copytree(FOLDER, folder)
+        with h5py.File(os.path.join(folder, "fields.vtkhdf"), "r+") as file:
+            nodes = int(file["VTKHDF/NumberOfPoints"][0])
+            file["VTKHDF/PointData/contact_rank"] = np.repeat([-1.0, 1.0], nodes // 2)  # the left cube has none
+            file["VTKHDF/Steps/PointDataOffsets/contact_rank"] = np.zeros(3, dtype=int)
+        done = subprocess.run([SCRIPT, folder, "--out", self.out.name, "--size", "320x180", "--fast", "--edges", "off",
+                               "--field", "contact_rank", "--frame", "0", "--view", "-90:10"],
+                              capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        picture = self.picture("frame_0000.png")
+        self.assertTrue((picture[:, 270:].max(axis=2) - picture[:, 270:].min(axis=2) > 20).any(), "there is a legend")
+        scene = picture[:, :270]
+        drawn = scene.min(axis=2) < 235
+        colored = drawn & (scene[:, :, 0] > scene[:, :, 2] + 25)  # rank 1 is reddish
+        middle = np.flatnonzero(drawn.any(axis=0)).mean()
+        columns = np.flatnonzero(colored.any(axis=0))
+        self.assertTrue(colored.sum() > 0.2 * drawn.sum())
+        self.assertTrue((columns > middle).all(), "the left cube is grey, and nothing is in between")
+
     def test_colors_by_part_in_one_frame(self):
         done = self.render("--part-colors", "--frame", "-1", "--view", "-60:10")
         self.assertEqual(done.returncode, 0, done.stderr)
