@@ -15,14 +15,15 @@ namespace percuss::test {
 
 /// Built once from a deck; not copied, because the stepper refers to the other members.
 struct Scene {
-  explicit Scene(Deck from)
+  explicit Scene(Deck from, const Communicator& ranks = Communicator::world())
       : deck(std::move(from)),
-        chunked(load_mesh(deck, Communicator::world())),
+        chunked(load_mesh(deck, ranks)),
         model(build_model(deck, chunked)),
-        contact(chunked, deck, Communicator::world()),
+        contact(chunked, deck, ranks),
         state(make_initial_state(model)),
         stepper(deck, chunked, model, contact) {}
-  explicit Scene(const std::string& text) : Scene(parse_deck(text, "deck.yaml")) {}
+  explicit Scene(const std::string& text, const Communicator& ranks = Communicator::world())
+      : Scene(parse_deck(text, "deck.yaml"), ranks) {}
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
