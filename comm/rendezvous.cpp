@@ -5,13 +5,14 @@
 
 namespace percuss {
 
+Rendezvous::~Rendezvous() { MPI_Wait(&waiting_, MPI_STATUS_IGNORE); }
+
 bool Rendezvous::meet() noexcept {
   using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(patience);
-  MPI_Request request = MPI_REQUEST_NULL;
-  if (MPI_Ibarrier(ranks_->handle(), &request) != MPI_SUCCESS) return false;
+  const auto end = Clock::now() + std::chrono::duration<double>(patience_);
+  if (MPI_Ibarrier(ranks_->handle(), &waiting_) != MPI_SUCCESS) return false;
   int all_here = 0;
-  while (MPI_Test(&request, &all_here, MPI_STATUS_IGNORE) == MPI_SUCCESS && all_here == 0 && Clock::now() < end) {
+  while (MPI_Test(&waiting_, &all_here, MPI_STATUS_IGNORE) == MPI_SUCCESS && all_here == 0 && Clock::now() < end) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   return all_here != 0;

@@ -10,18 +10,24 @@ namespace percuss {
 
 class Rendezvous {
  public:
-  /// Ranks may come here while others are in a collective of `ranks`. Collective. Throws MpiError.
-  explicit Rendezvous(const Communicator& ranks) : ranks_(OwnedCommunicator::duplicate(ranks)) {}
+  /// Ranks may come here while others are in a collective of `ranks`. patience: seconds; much longer than ranks of a
+  /// busy machine come apart, short enough for somebody who watches a run fail. Collective. Throws MpiError.
+  explicit Rendezvous(const Communicator& ranks, double patience = 5)
+      : ranks_(OwnedCommunicator::duplicate(ranks)), patience_(patience) {}
 
-  /// Waits for all ranks, some seconds at most. True: all are here. After false no rank may come here again. Throws
+  /// After a meeting in vain this waits for the others: end them before.
+  ~Rendezvous();
+  Rendezvous(const Rendezvous&) = delete;
+  Rendezvous& operator=(const Rendezvous&) = delete;
+
+  /// Waits for all ranks, until patience is at its end. True: all are here. After false not to be called again. Throws
   /// nothing: an MPI that fails counts as a rank that does not come.
   bool meet() noexcept;
 
  private:
-  /// Much longer than ranks of a busy machine come apart, short enough for somebody who watches a run fail.
-  static constexpr double patience = 5;  // seconds
-
   OwnedCommunicator ranks_;
+  double patience_;
+  MPI_Request waiting_ = MPI_REQUEST_NULL;  // a meeting that not all have come to
 };
 
 }  // namespace percuss

@@ -262,8 +262,10 @@ void Run::fill_summary() {
   summary_.threads = ExecSpace().concurrency();
   summary_.elements = chunked_.numbering.element_count();
   summary_.nodes = chunked_.numbering.node_count();
-  summary_.contact_nodes = contact_.contact_nodes();
-  summary_.contact_faces = contact_.contact_faces();
+  if (contact_.is_active()) {
+    summary_.contact_nodes = contact_.contact_nodes();
+    summary_.contact_faces = contact_.contact_faces();
+  }
   summary_.steps = state_.step;
   summary_.time = state_.time;
   summary_.dt.last = state_.dt;
@@ -311,7 +313,7 @@ void Run::finish(const std::string& status, const std::string& error) {
 void Run::fail(const std::string& error) {
   if (!rendezvous_.meet()) {
     if (options_.end_all_ranks) options_.end_all_ranks();
-    return;
+    ranks_.abort(static_cast<int>(ExitCode::system_failed));
   }
   try {
     finish("failed", error);
