@@ -32,6 +32,13 @@ class MergeReduction {
     check_mpi(MPI_Allreduce(MPI_IN_PLACE, &value, 1, type_, operation_, ranks.handle()), "MPI_Allreduce");
   }
 
+  /// The same in two halves, with other messages between them: value must be left alone until end(). Collective. Throws
+  /// MpiError.
+  void begin(const Communicator& ranks, T& value) {
+    check_mpi(MPI_Iallreduce(MPI_IN_PLACE, &value, 1, type_, operation_, ranks.handle(), &request_), "MPI_Iallreduce");
+  }
+  void end() { check_mpi(MPI_Wait(&request_, MPI_STATUS_IGNORE), "MPI_Wait"); }
+
  private:
   static void merge_all(void* in, void* in_out, int* count, MPI_Datatype*) {
     for (int i = 0; i < *count; ++i) static_cast<T*>(in_out)[i].merge(static_cast<const T*>(in)[i]);
@@ -39,6 +46,7 @@ class MergeReduction {
 
   MPI_Datatype type_ = MPI_DATATYPE_NULL;
   MPI_Op operation_ = MPI_OP_NULL;
+  MPI_Request request_ = MPI_REQUEST_NULL;
 };
 
 }  // namespace percuss

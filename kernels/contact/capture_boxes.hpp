@@ -6,49 +6,51 @@
 // motion and margin, a pair that the check could accept is in the list: a guarantee, not a guess.
 
 #include "kernels/contact/contact_state.hpp"
-#include "kernels/contact/points_in_box.hpp"
+#include "kernels/contact/small_space.hpp"
+#include "kernels/core/exact_sum.hpp"
 
 namespace percuss {
 
-/// Box of a face at n and at its predicted place, widened by `reach`.
-KOKKOS_INLINE_FUNCTION void bound_face(const ContactSurface& surface, const SurfaceMotion& motion, int face,
-                                       double reach, const Boxes& boxes) {
+/// Box of a face over a step, at n and at its predicted place, widened by `reach`. corner(i): mesh node.
+template <class Corner>
+KOKKOS_INLINE_FUNCTION void bound_face(const SurfaceMotion& motion, const Corner& corner, double reach,
+                                       const Boxes& boxes, int face) {
   for (int axis = 0; axis < 3; ++axis) {
     double low = 0, high = 0;
-    for (int corner = 0; corner < 4; ++corner) {
-      const int a = surface.nodes(surface.face_corners(face, corner));
+    for (int i = 0; i < 4; ++i) {
+      const int a = corner(i);
       const double known = motion.x(a, axis), move = motion.dt * motion.v(a, axis);
       const double before = move < 0 ? known + move : known, after = move < 0 ? known : known + move;
-      low = corner == 0 || before < low ? before : low;
-      high = corner == 0 || after > high ? after : high;
+      low = i == 0 || before < low ? before : low;
+      high = i == 0 || after > high ? after : high;
     }
     boxes(face, axis) = low - reach;
     boxes(face, axis + 3) = high + reach;
   }
 }
 
-/// Largest component of any contact node's displacement in the step.
+/// Largest component of the displacement of any of `nodes` (mesh nodes) in the step.
 template <class Space>
-double find_largest_move(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion);
+double find_largest_move(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion);
 
-/// Largest component by which any contact node is, at n or in the step, away from its place `origin` [contact
-/// nodes][3].
+/// Largest component by which any of `nodes` is, at n or in the step, away from its place `origin` [nodes][3].
 template <class Space>
-double find_largest_travel(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+double find_largest_travel(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                            const Rows3<const double>& origin);
 
-/// Stores the places of the contact nodes.
+/// Stores the places of the nodes: origin [nodes][3].
 template <class Space>
-void store_places(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
+void store_places(const Space& space, const Array<const int>& nodes, const Rows3<const double>& x,
                   const Rows3<double>& origin);
 
-/// Mean of the shortest edges of all contact faces, the measure of the margin.
+/// Sum of the shortest edges of faces. corners: [faces][4] mesh nodes.
 template <class Space>
-double find_mean_edge(const Space& space, const ContactSurface& surface, const Rows3<const double>& x);
+ExactSum sum_shortest_edges(const Space& space, const Rows4<const int>& corners, const Rows3<const double>& x);
 
-/// Box of each searched face, widened by `margin` and the reach of the check.
+/// Box of each face, widened by `margin` and the reach of the check. corners: [faces][4] mesh nodes; boxes: out,
+/// [faces].
 template <class Space>
-void bound_faces(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion, double margin,
+void bound_faces(const Space& space, const Rows4<const int>& corners, const SurfaceMotion& motion, double margin,
                  const Boxes& boxes);
 
 }  // namespace percuss

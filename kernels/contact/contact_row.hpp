@@ -21,11 +21,11 @@ struct RowImpulse {
 };
 
 struct ContactRow {
-  int place[row_nodes] = {-1, -1, -1, -1, -1};  // of its nodes in RowSystem::nodes
-  int face = -1;                                // contact face; -1: a wall
+  std::int64_t key = 0;                         // its place in every sum: by (node, face), then walls
+  std::int64_t face = -1;                       // number of the contact face; -1: a wall
+  int place[row_nodes] = {-1, -1, -1, -1, -1};  // of its nodes in RowSystem::at; the last four -1 for a wall
   double gap = 0;                               // predicted gap at n+1
   double target = 0;                            // gap wanted at n+1, <= 0
-  int node[row_nodes] = {-1, -1, -1, -1, -1};   // mesh nodes; the last four -1 for a wall
   int record = -1;                              // history record that this row writes
   bool is_caught = false;                       // by a face that looks past the node: kept while it is near
   double weight[4] = {0, 0, 0, 0};              // N

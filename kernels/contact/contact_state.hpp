@@ -31,13 +31,14 @@ struct CheckedNode {
   Point3 low{}, high{};  // box of the node over the step
 };
 
-/// What a contact remembers from one step to the next. Record 3 n + i belongs to push i of contact node n, the records
-/// after those to pairs of a wall and a node. Part of the state: a checkpoint must keep it.
+/// What a contact remembers from one step to the next, in the FE decomposition with the owner of the node. Record
+/// 3 n + i belongs to push i of contact node n, the records after those to pairs of a wall and a node. Part of the
+/// state: a checkpoint must keep it.
 struct ContactHistory {
-  Array<int> face;          // [3 contact nodes] the face that pushed; -1: none
-  Rows3<double> impulse;    // [records] impulse on the node in the last step
-  Rows3<double> slip;       // [records] tangential displacement that sticking still owes
-  Array<double> reference;  // [records] overlap accepted at the start, >= 0
+  Array<std::int64_t> face;  // [3 contact nodes] number of the face that pushed; -1: none
+  Rows3<double> impulse;     // [records] impulse on the node in the last step
+  Rows3<double> slip;        // [records] tangential displacement that sticking still owes
+  Array<double> reference;   // [records] overlap accepted at the start, >= 0
 };
 
 /// Corners at n relative to the node and their displacement over the step relative to the node's.

@@ -1,8 +1,10 @@
 #pragma once
-// The contact surface of a scene: contact nodes, contact faces, how they are connected, and who may touch whom.
+// The contact surface as search and detailed check see it: nodes, faces, how they are connected, and who may touch
+// whom.
 //
-// Const after set-up. A contact node is named by its place in `nodes` (ascending mesh nodes, so that order by contact
-// node is order by mesh node); a contact face by its place in `face_corners` (ascending element, then side).
+// On one rank the whole surface of the scene; on several, in the contact decomposition, what concerns the nodes that a
+// rank owns there. A contact node is named by its place in `nodes`, a contact face by its place in `face_corners`, both
+// in the order of their global numbers, so that every choice by order is the same on any rank.
 
 #include "kernels/core/views.hpp"
 
@@ -15,7 +17,8 @@ struct ContactSurface {
   Array<const int> nodes_to_faces_offset;  // [contact nodes + 1]
   Array<const int> nodes_to_faces;         // faces that hold the node, ascending
   Rows4<const int> face_corners;           // [faces][4] contact nodes, outward by the right-hand rule
-  Rows4<const int> face_backs;             // [faces][4] mesh nodes of the element behind the face, opposite each corner
+  Rows4<const int> face_backs;             // [faces][4] mesh nodes of the element behind the face, opposite each
+                                           // corner; -1: no candidate of any node here, only its normal is read
   Array<const int> node_body;              // [contact nodes] connected body
   Array<const int> face_body;              // [faces] connected body
   Array<const int> node_class;             // [contact nodes] which of the named surfaces it lies on, as a class

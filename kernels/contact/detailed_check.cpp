@@ -3,6 +3,15 @@
 namespace percuss {
 namespace {
 
+/// A box that meets nothing, for faces of which only the normal is read.
+KOKKOS_INLINE_FUNCTION void set_empty_box(const Boxes& boxes, int face) {
+  constexpr double beyond = 1e300;
+  for (int axis = 0; axis < 3; ++axis) {
+    boxes(face, axis) = beyond;
+    boxes(face, axis + 3) = -beyond;
+  }
+}
+
 /// Distance from the middle of a face to that of the opposite side of its element.
 KOKKOS_INLINE_FUNCTION double find_thickness(const ContactSurface& surface, const Rows3<const double>& x, int face) {
   Point3 sum{};
@@ -26,15 +35,21 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
         // Relative to the first corner, so that nothing degrades far from the origin of the coordinates.
         const RelativeFace relative = load_relative_face(s, m, s.face_corners(face, 0), face);
         store_row(out.normal, face, find_face_normal(find_end(relative)));
+        if (s.face_backs(face, 0) < 0) {
+          set_empty_box(out.box, face);
+          return;
+        }
         const double edge = find_shortest_edge(relative.start), thickness = find_thickness(s, m.x, face);
         out.size(face) = edge < thickness ? edge : thickness;
-        bound_face(s, m, face, contact_limits::capture * out.size(face), out.box);
+        bound_face(
+            m, [&](int corner) { return s.nodes(s.face_corners(face, corner)); },
+            contact_limits::capture * out.size(face), out.box, face);
       });
 }
 
 template <class Space>
 void find_touches(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
-                  const CandidateList& candidates, const FaceState& faces, const ContactHistory& history,
+                  const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
                   TouchTable& table) {
   reserve(table.by_node, candidates.num_nodes);
   reserve(table.first, candidates.num_nodes);
@@ -42,7 +57,7 @@ void find_touches(const Space& space, const ContactSurface& surface, const Surfa
   const ContactSurface s = surface;
   const SurfaceMotion m = motion;
   const FaceState f = faces;
-  const ContactHistory h = history;
+  const Array<const int> h = history_face;
   const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
   Kokkos::parallel_for(
       "contact::detailed_check", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
@@ -63,7 +78,7 @@ void find_touches(const Space& space, const ContactSurface& surface, const Surfa
   template void update_faces(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
                              const FaceState&);                                                               \
   template void find_touches(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
-                             const FaceState&, const ContactHistory&, TouchTable&);
+                             const FaceState&, const Array<const int>&, TouchTable&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -3,6 +3,7 @@
 
 #include "kernels/contact/capture_boxes.hpp"
 #include "kernels/contact/node_check.hpp"
+#include "kernels/contact/points_in_box.hpp"
 
 namespace percuss {
 
@@ -18,10 +19,10 @@ template <class Space>
 void update_faces(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
                   const CandidateList& candidates, const FaceState& faces);
 
-/// Checks every candidate pair.
+/// Checks every candidate pair. history_face: [3 contact nodes] faces that pushed each node in the last step, -1: none.
 template <class Space>
 void find_touches(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
-                  const CandidateList& candidates, const FaceState& faces, const ContactHistory& history,
+                  const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
                   TouchTable& table);
 
 }  // namespace percuss

@@ -5,46 +5,97 @@
 // until they converge. Here in parallel Jacobi form with Nesterov's extrapolation, restarted when it points back
 // (O'Donoghue and Candes 2015). D, the row sum of |G M^-1 G^T|, is the partition factor: it makes the correction a
 // contraction however many nodes share a face, and needs no tuning. Only pushing, within Coulomb's limit.
+//
+// These are the passes of the iteration; src/contact/enforce.cpp runs it and moves what crosses ranks.
 
 #include "kernels/contact/row_system.hpp"
 
 namespace percuss {
 
-struct SolveReport {
-  int iterations = 0;
-  bool converged = true;
+/// What the rows ask for before the iteration.
+struct PredictedGaps {
+  double deepest = 0;        // largest penetration to be closed [length]
+  double smallest_size = 0;  // smallest h of a row, 0: no rows
+  std::int64_t rows = 0;
+
+  KOKKOS_INLINE_FUNCTION void merge(const PredictedGaps& other) {
+    deepest = other.deepest > deepest ? other.deepest : deepest;
+    if (other.rows > 0 && (rows == 0 || other.smallest_size < smallest_size)) smallest_size = other.smallest_size;
+    rows += other.rows;
+  }
 };
 
-/// Iterates the impulses of the system. dt: step; correction is their dv on return.
-template <class Space>
-SolveReport solve_rows(const Space& space, const Rows3<const double>& inverse_mass, double dt, RowSystem& system);
+/// What one pass over the rows says about convergence.
+struct PassSums {
+  double change = 0;   // largest change of an impulse as a displacement: |p' - y| dt D [length]
+  ExactSum backwards;  // sum of D (y - p') (p' - p): positive when the extrapolation points back
+
+  KOKKOS_INLINE_FUNCTION void merge(const PassSums& other) {
+    change = other.change > change ? other.change : change;
+    backwards.merge(other.backwards);
+  }
+};
 
 /// What the impulses of a step did.
 struct EnforcementSums {
-  int pushes = 0;            // rows with a push
-  double normal_work = 0;    // of the pushes
-  double friction_work = 0;  // of the rubs
-  double residual = 0;       // largest penetration left over / h
-  double deepest = 0;        // deepest penetration at n / h beyond what was accepted at the start
-  int deepest_node = -1;     // mesh node of it
+  std::int64_t pushes = 0;        // rows with a push
+  ExactSum normal_work;           // of the pushes
+  ExactSum friction_work;         // of the rubs
+  double residual = 0;            // largest penetration left over / h
+  double deepest = 0;             // deepest penetration at n / h beyond what was accepted at the start
+  std::int64_t deepest_key = -1;  // of the row that has it, lowest of equals
+
+  KOKKOS_INLINE_FUNCTION void add_depth(double depth, std::int64_t key) {
+    if (!(depth > deepest) && !(depth == deepest && depth > 0 && key < deepest_key)) return;
+    deepest = depth;
+    deepest_key = key;
+  }
+  KOKKOS_INLINE_FUNCTION void merge(const EnforcementSums& other) {
+    pushes += other.pushes;
+    normal_work.merge(other.normal_work);
+    friction_work.merge(other.friction_work);
+    residual = other.residual > residual ? other.residual : residual;
+    add_depth(other.deepest, other.deepest_key);
+  }
 };
 
-/// Adds the correction to v, fills impulse at the touched nodes, sums up. v_before: velocity at n-1/2.
-template <class Space>
-EnforcementSums apply_impulses(const Space& space, const Rows3<const double>& v_before, double dt, RowSystem& system,
-                               const Rows3<double>& v, const Rows3<double>& impulse);
+/// Memory of the sums over rows.
+struct RowSumMemory {
+  Array<PredictedGaps> gaps = Array<PredictedGaps>("contact::gap_sums", 0);
+  Array<PassSums> pass = Array<PassSums>("contact::pass_sums", 0);
+  Array<EnforcementSums> outcome = Array<EnforcementSums>("contact::outcome_sums", 0);
+};
 
-/// Writes the history for the next step: rows that push, or that hold an overlap accepted at the start.
 template <class Space>
-void write_history(const Space& space, const CandidateList& candidates, const WallPairs& walls, double dt,
-                   const RowSystem& system, const ContactHistory& history);
+PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, RowSumMemory& memory);
 
-/// Forgets the history of nodes that are no longer near any face.
+/// New dv of the owned nodes from the impulses: system.correction; the old one goes to system.extrapolated.
 template <class Space>
-void drop_history(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
-                  const ContactHistory& history);
+void find_corrections(const Space& space, const RowSystem& system);
 
-/// Zeroes the impulse of the nodes of the system's rows.
+/// dv + beta (dv - dv of the iterate before) at all places, from correction and what find_corrections left in
+/// extrapolated. In: the correction of foreign places.
+template <class Space>
+void extrapolate_corrections(const Space& space, double beta, const RowSystem& system);
+
+/// Corrects the impulses of all rows from their extrapolated iterate.
+template <class Space>
+PassSums correct_rows(const Space& space, double beta, double dt, const RowSystem& system, RowSumMemory& memory);
+
+/// Adds the correction to v and fills impulse at the owned nodes. v, impulse: [mesh nodes][3].
+template <class Space>
+void apply_impulses(const Space& space, const RowSystem& system, const Rows3<double>& v, const Rows3<double>& impulse);
+
+/// Sums up what the impulses did.
+template <class Space>
+EnforcementSums sum_outcome(const Space& space, double dt, const RowSystem& system, RowSumMemory& memory);
+
+/// Writes the history for the next step: rows that push, or that hold an overlap accepted at the start. All else is
+/// forgotten.
+template <class Space>
+void write_history(const Space& space, double dt, const RowSystem& system, const ContactHistory& history);
+
+/// Zeroes the impulse of the owned nodes of the system's rows.
 template <class Space>
 void clear_impulses(const Space& space, const RowSystem& system, const Rows3<double>& impulse);
 

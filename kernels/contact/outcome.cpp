@@ -5,46 +5,28 @@
 namespace percuss {
 namespace {
 
-/// Sums of apply_impulses() as doubles; counts and nodes are exact in them.
-struct OutcomeSums {
-  double pushes = 0, normal_work = 0, friction_work = 0, residual = 0, deepest = 0, deepest_node = -1;
-
-  KOKKOS_INLINE_FUNCTION void add_depth(double depth, double node) {
-    if (!(depth > deepest) && !(depth == deepest && depth > 0 && node < deepest_node)) return;
-    deepest = depth;
-    deepest_node = node;
-  }
-  KOKKOS_INLINE_FUNCTION void add(const OutcomeSums& other) {
-    pushes += other.pushes;
-    normal_work += other.normal_work;
-    friction_work += other.friction_work;
-    residual = other.residual > residual ? other.residual : residual;
-    add_depth(other.deepest, other.deepest_node);
-  }
-};
-
 /// Mean of the velocities before and after the step.
 struct MeanVelocity {
-  Rows3<const double> before, after;
+  Rows3<const double> before, predicted, dv;
   const ContactRow& row;
   KOKKOS_INLINE_FUNCTION Point3 operator()(int slot) const {
-    return 0.5 * (load_row(before, row.node[slot]) + load_row(after, row.node[slot]));
+    const int a = row.place[slot];
+    return 0.5 * (load_row(before, a) + (load_row(predicted, a) + load_row(dv, a)));
   }
 };
 
-KOKKOS_INLINE_FUNCTION void sum_outcome(const ContactRow& row, const Rows3<const double>& before,
-                                        const Rows3<const double>& after, const Rows3<const double>& dv, double dt,
-                                        OutcomeSums& sums) {
-  const Point3 mean = find_work_velocity(row, MeanVelocity{before, after, row});
-  OutcomeSums own;
-  own.pushes = row.impulse.push > 0 ? 1 : 0;
-  own.normal_work = row.impulse.push * dot(row.normal, mean);
+KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
+                                        double dt, EnforcementSums& sums) {
+  const Point3 mean = find_work_velocity(row, MeanVelocity{at.v_before, at.v, dv, row});
+  sums.pushes += row.impulse.push > 0 ? 1 : 0;
+  if (row.impulse.push > 0) sums.normal_work.add(row.impulse.push * dot(row.normal, mean));
   if (row.friction > 0)
-    own.friction_work = row.impulse.rub[0] * dot(row.tangent[0], mean) + row.impulse.rub[1] * dot(row.tangent[1], mean);
+    sums.friction_work.add(row.impulse.rub[0] * dot(row.tangent[0], mean) +
+                           row.impulse.rub[1] * dot(row.tangent[1], mean));
   const double gap = row.gap + dt * dot(row.gap_gradient, find_work_velocity(row, TouchedVelocity{dv, row}));
-  own.residual = row.target > gap ? (row.target - gap) / row.size : 0;
-  own.add_depth((-row.gap_start - row.reference) / row.size, row.node[0]);
-  sums.add(own);
+  const double residual = row.target > gap ? (row.target - gap) / row.size : 0;
+  sums.residual = residual > sums.residual ? residual : sums.residual;
+  sums.add_depth((-row.gap_start - row.reference) / row.size, row.key);
 }
 
 /// The tangential displacement that sticking owes after the step; nothing when it slides.
@@ -70,42 +52,38 @@ KOKKOS_INLINE_FUNCTION void write_record(const ContactRow& row, const Rows3<cons
 }  // namespace
 
 template <class Space>
-EnforcementSums apply_impulses(const Space& space, const Rows3<const double>& v_before, double dt, RowSystem& system,
-                               const Rows3<double>& v, const Rows3<double>& impulse) {
-  const Array<const ContactRow> rows = system.rows;
-  const Array<const int> offset = system.offset, entry = system.entry, nodes = system.nodes, awake = system.awake;
+void apply_impulses(const Space& space, const RowSystem& system, const Rows3<double>& v, const Rows3<double>& impulse) {
+  const EntryLists lists(system);
+  const Array<const int> nodes = system.nodes;
   const Rows3<const double> dv = system.correction;
+  const Rows3<double> out_v = v, out_impulse = impulse;
   Kokkos::parallel_for(
       "contact::apply_impulses", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
-        store_row(v, nodes(a), load_row(v, nodes(a)) + load_row(dv, a));
-        store_row(impulse, nodes(a), gather_impulse(rows, awake, offset, entry, a));
+        store_row(out_v, nodes(a), load_row(out_v, nodes(a)) + load_row(dv, a));
+        store_row(out_impulse, nodes(a), lists.gather_impulse(a));
       });
-  const Rows3<const double> after = v, before = v_before;
-  const OutcomeSums sums = sum_rows<OutcomeSums>(space, system.num_rows, system.sums,
-                                                 [rows, before, after, dv, dt] KOKKOS_FUNCTION(int r, OutcomeSums& s) {
-                                                   sum_outcome(rows(r), before, after, dv, dt, s);
-                                                 });
-  return {static_cast<int>(sums.pushes),      sums.normal_work, sums.friction_work, sums.residual, sums.deepest,
-          static_cast<int>(sums.deepest_node)};
 }
 
 template <class Space>
-void write_history(const Space& space, const CandidateList& candidates, const WallPairs& walls, double dt,
-                   const RowSystem& system, const ContactHistory& history) {
+EnforcementSums sum_outcome(const Space& space, double dt, const RowSystem& system, RowSumMemory& memory) {
+  const Array<const ContactRow> rows = system.rows;
+  const RowNodes at = system.at;
+  const Rows3<const double> dv = system.correction;
+  return sum_rows<EnforcementSums>(
+      space, system.num_rows, memory.outcome,
+      [rows, at, dv, dt] KOKKOS_FUNCTION(int r, EnforcementSums& s) { add_outcome(rows(r), at, dv, dt, s); });
+}
+
+template <class Space>
+void write_history(const Space& space, double dt, const RowSystem& system, const ContactHistory& history) {
+  Kokkos::deep_copy(space, history.face, std::int64_t{-1});
   const ContactHistory h = history;
-  const Array<const int> nodes = candidates.nodes;
+  const int first = static_cast<int>(h.face.extent(0)), last = static_cast<int>(h.reference.extent(0));
   Kokkos::parallel_for(
-      "contact::clear_history", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
-        for (int slot = 0; slot < contact_limits::max_touches; ++slot)
-          h.face(contact_limits::max_touches * nodes(i) + slot) = -1;
-      });
-  const int first = static_cast<int>(h.face.extent(0));
-  Kokkos::parallel_for(
-      "contact::clear_wall_history", RangeOf<Space>(space, 0, static_cast<int>(walls.node.extent(0))),
-      KOKKOS_LAMBDA(int p) {
-        store_row(h.impulse, first + p, Point3{});
-        store_row(h.slip, first + p, Point3{});
-        h.reference(first + p) = 0;
+      "contact::clear_wall_history", RangeOf<Space>(space, first, last), KOKKOS_LAMBDA(int record) {
+        store_row(h.impulse, record, Point3{});
+        store_row(h.slip, record, Point3{});
+        h.reference(record) = 0;
       });
   const Array<const ContactRow> rows = system.rows;
   const Rows3<const double> dv = system.correction;
@@ -115,32 +93,18 @@ void write_history(const Space& space, const CandidateList& candidates, const Wa
 }
 
 template <class Space>
-void drop_history(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
-                  const ContactHistory& history) {
-  const ContactHistory h = history;
-  const Array<const int> offset = candidates.offset;
-  Kokkos::parallel_for(
-      "contact::drop_history", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int n) {
-        if (offset(n) < offset(n + 1)) return;
-        for (int slot = 0; slot < contact_limits::max_touches; ++slot)
-          h.face(contact_limits::max_touches * n + slot) = -1;
-      });
-}
-
-template <class Space>
 void clear_impulses(const Space& space, const RowSystem& system, const Rows3<double>& impulse) {
   const Array<const int> nodes = system.nodes;
+  const Rows3<double> out = impulse;
   Kokkos::parallel_for(
       "contact::clear_impulses", RangeOf<Space>(space, 0, system.num_nodes),
-      KOKKOS_LAMBDA(int a) { store_row(impulse, nodes(a), Point3{}); });
+      KOKKOS_LAMBDA(int a) { store_row(out, nodes(a), Point3{}); });
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                              \
-  template EnforcementSums apply_impulses(const Space&, const Rows3<const double>&, double, RowSystem&,         \
-                                          const Rows3<double>&, const Rows3<double>&);                          \
-  template void write_history(const Space&, const CandidateList&, const WallPairs&, double, const RowSystem&,   \
-                              const ContactHistory&);                                                           \
-  template void drop_history(const Space&, const ContactSurface&, const CandidateList&, const ContactHistory&); \
+#define PERCUSS_INSTANTIATE(Space)                                                                          \
+  template void apply_impulses(const Space&, const RowSystem&, const Rows3<double>&, const Rows3<double>&); \
+  template EnforcementSums sum_outcome(const Space&, double, const RowSystem&, RowSumMemory&);              \
+  template void write_history(const Space&, double, const RowSystem&, const ContactHistory&);               \
   template void clear_impulses(const Space&, const RowSystem&, const Rows3<double>&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

@@ -28,12 +28,13 @@ struct Touch {
 };
 
 /// Which history slot of the node a contact with this face would continue: that of the face itself, else that of a
-/// smooth neighbour.
+/// smooth neighbour, which must still be in reach of the node. history_face: [3 contact nodes] the faces that pushed in
+/// the last step, -1: none (or a face that is out of reach).
 KOKKOS_INLINE_FUNCTION void find_record(const ContactSurface& surface, const FaceState& faces,
-                                        const ContactHistory& history, int node, Touch& touch) {
+                                        const Array<const int>& history_face, const CheckedNode& node, Touch& touch) {
   for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
-    const int old = history.face(node * contact_limits::max_touches + slot);
-    if (old < 0) continue;
+    const int old = history_face(node.node * contact_limits::max_touches + slot);
+    if (old < 0 || !is_in_box(node, faces.box, old)) continue;
     if (old == touch.face) {
       touch.record = slot;
       touch.same_face = true;
@@ -150,8 +151,8 @@ KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const Face
 
 /// Checks one pair; touch is meaningful if the answer is true.
 KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const SurfaceMotion& motion,
-                                       const FaceState& faces, const ContactHistory& history, const CheckedNode& node,
-                                       int face, Touch& touch) {
+                                       const FaceState& faces, const Array<const int>& history_face,
+                                       const CheckedNode& node, int face, Touch& touch) {
   if (!is_in_box(node, faces.box, face)) return false;
   const RelativeFace relative = load_relative_face(surface, motion, node.x, node.v, face);
   const FacePoints end = find_end(relative);
@@ -161,7 +162,7 @@ KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const Surf
   touch = Touch{};
   touch.face = face;
   touch.size = h;
-  find_record(surface, faces, history, node.node, touch);
+  find_record(surface, faces, history_face, node, touch);
   touch.opposed = find_opposition(surface, faces, node.node, face) <= contact_limits::opposing;
   // Faces that only meet at an edge, as those of bricks in line do, are hit only by going through them for certain.
   const bool starts_in_front = range.most_start > contact_limits::overlap * h;

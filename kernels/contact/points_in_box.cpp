@@ -62,7 +62,7 @@ struct FaceQuery {
     Run run[3];
     int shortest = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      run[axis] = lists.find_run(axis, boxes, face);
+      run[axis] = lists.find_run(axis, boxes, i);
       if (run[axis].last - run[axis].first < run[shortest].last - run[shortest].first) shortest = axis;
     }
     const int b = (shortest + 1) % 3, c = (shortest + 2) % 3;
@@ -144,8 +144,7 @@ std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surf
 }
 
 template <class Space>
-void list_concerned(const Space& space, const ContactSurface& surface, const Array<const int>& history_face,
-                    SearchScratch& scratch, CandidateList& list) {
+void list_concerned(const Space& space, const ContactSurface& surface, SearchScratch& scratch, CandidateList& list) {
   reserve(scratch.mark, surface.num_faces);
   reserve(list.nodes, surface.num_nodes);
   reserve(list.faces, surface.num_faces);
@@ -163,8 +162,6 @@ void list_concerned(const Space& space, const ContactSurface& surface, const Arr
         mark_around(node);
         for (int c = offset(node); c < offset(node + 1); ++c)
           for (int i = 0; i < 4; ++i) mark_around(s.face_corners(face(c), i));
-        for (int slot = 0; slot < 3; ++slot)
-          if (history_face(3 * node + slot) >= 0) Kokkos::atomic_fetch_or(&mark(history_face(3 * node + slot)), 1);
       });
   list.num_faces = list_where<Space>(
       space, surface.num_faces, [mark] KOKKOS_FUNCTION(int f) { return mark(f) != 0; }, list.faces);
@@ -174,13 +171,11 @@ void list_concerned(const Space& space, const ContactSurface& surface, const Arr
 
 template std::int64_t find_points_in_boxes(const ExecSpace&, const ContactSurface&, const Rows3<const double>&,
                                            const Boxes&, std::int64_t, SearchScratch&, CandidateList&);
-template void list_concerned(const ExecSpace&, const ContactSurface&, const Array<const int>&, SearchScratch&,
-                             CandidateList&);
+template void list_concerned(const ExecSpace&, const ContactSurface&, SearchScratch&, CandidateList&);
 #if defined(PERCUSS_SMALL_SPACE)
 template std::int64_t find_points_in_boxes(const SmallSpace&, const ContactSurface&, const Rows3<const double>&,
                                            const Boxes&, std::int64_t, SearchScratch&, CandidateList&);
-template void list_concerned(const SmallSpace&, const ContactSurface&, const Array<const int>&, SearchScratch&,
-                             CandidateList&);
+template void list_concerned(const SmallSpace&, const ContactSurface&, SearchScratch&, CandidateList&);
 #endif
 
 }  // namespace percuss

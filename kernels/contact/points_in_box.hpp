@@ -36,25 +36,16 @@ struct SearchScratch {
 };
 
 /// Finds all pairs of a searched node and a searched face whose box holds the node, that may touch (pair table) and do
-/// not share an element. boxes: by contact face; x: [mesh nodes][3]. Fills offset, face, num_pairs of the list and
+/// not share an element. boxes: [searched faces]; x: [mesh nodes][3]. Fills offset, face, num_pairs of the list and
 /// returns the number of pairs; if that is above max_pairs the list is not filled.
 template <class Space>
 std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
                                   const Boxes& boxes, std::int64_t max_pairs, SearchScratch& scratch,
                                   CandidateList& list);
 
-/// More pairs than this do not come from a sound motion (a runaway node makes every box hold every node).
-inline std::int64_t find_pair_limit(const ContactSurface& surface) {
-  constexpr std::int64_t most_indexed = 1'400'000'000;  // pairs are numbered by int, and memory grows by half
-  const std::int64_t limit =
-      std::int64_t{1'000'000} + 2000 * static_cast<std::int64_t>(surface.searched_nodes.extent(0));
-  return limit < most_indexed ? limit : most_indexed;
-}
-
-/// Lists the nodes that have candidates and the faces that their check reads: candidates, the faces around these, the
-/// nodes' own faces and those of history_face [3 contact nodes] (-1: none).
+/// Lists the nodes that have candidates and the faces that their check reads: candidates, the faces around these and
+/// the nodes' own faces.
 template <class Space>
-void list_concerned(const Space& space, const ContactSurface& surface, const Array<const int>& history_face,
-                    SearchScratch& scratch, CandidateList& list);
+void list_concerned(const Space& space, const ContactSurface& surface, SearchScratch& scratch, CandidateList& list);
 
 }  // namespace percuss

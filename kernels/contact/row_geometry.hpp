@@ -58,11 +58,11 @@ KOKKOS_INLINE_FUNCTION void continue_record(const ContactHistory& history, const
 }
 
 /// The rest of a row once its place and gaps are known. old_record: history that it continues, -1: none.
-KOKKOS_INLINE_FUNCTION void complete_row(const ContactHistory& history, const RowInputs& inputs, int old_record,
-                                         ContactRow& row) {
+KOKKOS_INLINE_FUNCTION void complete_row(const ContactHistory& history, const RowInputs& inputs, const RowNodes& at,
+                                         int old_record, ContactRow& row) {
   if (row.friction > 0) {
     set_tangents(row);
-    const Point3 v = find_relative_velocity(row, MeshVelocity{inputs.motion.v, row});
+    const Point3 v = find_relative_velocity(row, TouchedVelocity{at.v, row});
     for (int d = 0; d < 2; ++d) row.slide[d] = inputs.motion.dt * dot(v, row.tangent[d]);
   }
   if (old_record >= 0) continue_record(history, inputs, old_record, row);
@@ -74,9 +74,9 @@ KOKKOS_INLINE_FUNCTION void complete_row(const ContactHistory& history, const Ro
 
 /// rho, J^-1 and r from the places at n.
 KOKKOS_INLINE_FUNCTION void set_arms(const Rows3<const double>& x, ContactRow& row) {
-  const Point3 node = load_row(x, row.node[0]);
+  const Point3 node = load_row(x, row.place[0]);
   FacePoints corners;
-  for (int i = 0; i < 4; ++i) corners.corner[i] = load_row(x, row.node[i + 1]) - node;
+  for (int i = 0; i < 4; ++i) corners.corner[i] = load_row(x, row.place[i + 1]) - node;
   const Point3 middle = find_middle(corners);
   Symmetric3<double> inertia{};
   for (int i = 0; i < 4; ++i) {
@@ -89,53 +89,47 @@ KOKKOS_INLINE_FUNCTION void set_arms(const Rows3<const double>& x, ContactRow& r
   row.arm = -interpolate(corners, row.weight);
 }
 
-/// The row of touch `j` of a contact node.
-KOKKOS_INLINE_FUNCTION ContactRow make_face_row(const ContactSurface& surface, const ContactHistory& history,
-                                                const RowInputs& inputs, int node, int j, const Touch& touch) {
-  ContactRow row;
-  row.node[0] = surface.nodes(node);
-  for (int i = 0; i < 4; ++i) {
-    row.node[i + 1] = surface.nodes(surface.face_corners(touch.face, i));
-    row.weight[i] = touch.weight[i];
-  }
-  row.face = touch.face;
-  row.record = contact_limits::max_touches * node + j;
+/// The row of a touch whose places are set.
+KOKKOS_INLINE_FUNCTION void fill_face_row(const ContactHistory& history, const RowInputs& inputs, const RowNodes& at,
+                                          const RowTouch& from, ContactRow& row) {
+  const Touch& touch = from.touch;
+  for (int i = 0; i < 4; ++i) row.weight[i] = touch.weight[i];
+  row.key = from.key;
+  row.face = from.face;
+  row.record = from.record;
   row.is_caught = !touch.opposed;
   row.normal = touch.normal;
   row.gap_gradient = touch.gap_gradient;
-  row.friction = find_friction(surface, node, touch.face);
+  row.friction = from.friction;
   row.size = touch.size;
   row.gap_start = touch.gap_start;
   row.gap = touch.gap_end;
-  set_arms(inputs.motion.x, row);
-  complete_row(history, inputs, touch.record < 0 ? -1 : contact_limits::max_touches * node + touch.record, row);
-  return row;
+  set_arms(at.x, row);
+  complete_row(history, inputs, at, from.old_record, row);
 }
 
 /// Gap between the node and the wall of pair p, `share` of the step after n.
-KOKKOS_INLINE_FUNCTION double find_wall_gap(const ContactSurface& surface, const WallPairs& walls,
-                                            const SurfaceMotion& motion, int p, double share) {
+KOKKOS_INLINE_FUNCTION double find_wall_gap(const WallPairs& walls, const SurfaceMotion& motion, int p, double share) {
   const ContactWall& wall = walls.walls(walls.wall(p));
-  const int node = surface.nodes(walls.node(p));
+  const int node = walls.node(p);
   const Point3 from_wall = load_row(motion.x, node) - wall.point;
   return dot(wall.normal, from_wall) + share * motion.dt * dot(wall.normal, load_row(motion.v, node));
 }
 
-/// The row of pair p of a wall and a node.
-KOKKOS_INLINE_FUNCTION ContactRow make_wall_row(const ContactSurface& surface, const WallPairs& walls,
-                                                const ContactHistory& history, const RowInputs& inputs, int p) {
+/// The row of pair p of a wall and a node, whose place is set. first_record: history of the first pair.
+KOKKOS_INLINE_FUNCTION void fill_wall_row(const WallPairs& walls, const ContactHistory& history,
+                                          const RowInputs& inputs, const RowNodes& at, int first_record, int p,
+                                          ContactRow& row) {
   const ContactWall& wall = walls.walls(walls.wall(p));
-  ContactRow row;
-  row.node[0] = surface.nodes(walls.node(p));
-  row.record = contact_limits::max_touches * surface.num_nodes + p;
+  row.key = make_wall_row_key(inputs.node_numbers(walls.node(p)), walls.wall(p));
+  row.record = first_record + p;
   row.normal = wall.normal;
   row.gap_gradient = wall.normal;
   row.friction = wall.friction;
   row.size = walls.size(p);
-  row.gap_start = find_wall_gap(surface, walls, inputs.motion, p, 0);
-  row.gap = find_wall_gap(surface, walls, inputs.motion, p, 1);
-  complete_row(history, inputs, row.record, row);
-  return row;
+  row.gap_start = find_wall_gap(walls, inputs.motion, p, 0);
+  row.gap = find_wall_gap(walls, inputs.motion, p, 1);
+  complete_row(history, inputs, at, row.record, row);
 }
 
 }  // namespace percuss

@@ -1,34 +1,33 @@
 #pragma once
-// Sums over rows in one fixed order: runs of rows, then the runs one after another. The same bits for any threads.
+// Sums and extremes over rows in parallel. Sums are exact (kernels/core/exact_sum.hpp), so that rows may lie on any
+// number of threads and ranks.
 
 #include "kernels/contact/small_space.hpp"
+#include "kernels/core/exact_sum.hpp"
 
 namespace percuss {
 
-/// Memory for the sums of the runs.
-using SumScratch = Array<double>;
-
-/// Calls body(row, sums) for rows 0 to n - 1 and returns the total. Sums: a struct of doubles and of nothing else, with
-/// add(); its zero is Sums{}.
+/// Calls body(row, sums) for rows 0 to n - 1, in no order, and returns the merge of all sums. Sums: trivially copyable,
+/// with a merge(other) that is associative, commutative and exact; its zero is Sums{}. partial: memory for blocks.
 template <class Sums, class Space, class Body>
-Sums sum_rows(const Space& space, int n, SumScratch& scratch, const Body& body) {
-  constexpr int run = 64;
-  constexpr int width = static_cast<int>(sizeof(Sums) / sizeof(double));
-  static_assert(sizeof(Sums) == width * sizeof(double));
-  const int runs = (n + run - 1) / run;
-  reserve(scratch, runs * width);
-  const SumScratch partial = scratch;
+Sums sum_rows(const Space& space, int n, Array<Sums>& partial, const Body& body) {
+  constexpr int shortest = 64;  // rows: merging a block costs as much as one
+  const int most = 4 * space.concurrency(), wanted = (n + shortest - 1) / shortest;
+  const int blocks = wanted < most ? wanted : most;
+  Sums total;
+  if (blocks == 0) return total;
+  reserve(partial, blocks);
+  const Array<Sums> sums = partial;
   Kokkos::parallel_for(
-      "contact::sum_rows", RangeOf<Space>(space, 0, runs), KOKKOS_LAMBDA(int k) {
-        Sums sums;
-        const int last = (k + 1) * run < n ? (k + 1) * run : n;
-        for (int r = k * run; r < last; ++r) body(r, sums);
-        reinterpret_cast<Sums*>(partial.data())[k] = sums;
+      "contact::sum_rows", RangeOf<Space>(space, 0, blocks), KOKKOS_LAMBDA(int b) {
+        sums(b) = Sums{};
+        const auto first = static_cast<int>(static_cast<std::int64_t>(n) * b / blocks);
+        const auto last = static_cast<int>(static_cast<std::int64_t>(n) * (b + 1) / blocks);
+        for (int r = first; r < last; ++r) body(r, sums(b));
       });
   space.fence();
-  const auto on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), partial);
-  Sums total;
-  for (int k = 0; k < runs; ++k) total.add(reinterpret_cast<const Sums*>(on_host.data())[k]);
+  const auto on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), sums);
+  for (int b = 0; b < blocks; ++b) total.merge(on_host(b));
   return total;
 }
 

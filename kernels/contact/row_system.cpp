@@ -6,126 +6,245 @@
 namespace percuss {
 namespace {
 
-/// Writes the rows of the touches.
-template <class Space>
-void write_face_rows(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
-                     const TouchTable& touches, const ContactHistory& history, const RowInputs& inputs,
-                     const Array<ContactRow>& rows) {
-  const ContactSurface s = surface;
-  const ContactHistory h = history;
-  const RowInputs in = inputs;
-  const Array<const int> nodes = candidates.nodes, first = touches.first;
-  const Array<const NodeTouches> by_node = touches.by_node;
-  Kokkos::parallel_for(
-      "contact::face_rows", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
-        for (int j = 0; j < by_node(i).count; ++j)
-          rows(first(i) + j) = make_face_row(s, h, in, nodes(i), j, by_node(i).touch[j]);
-      });
-}
+/// The mesh node of a slot of a touch, or -1 - k for foreign node k; walls touch their node alone.
+struct SlotNodes {
+  Array<const RowTouch> touches;
+  int num_touches;
+  Array<const int> near_walls, wall_node;
 
-/// Writes the rows of the walls in reach after those of the faces; returns how many rows there are now.
+  KOKKOS_INLINE_FUNCTION int count(int r) const { return r < num_touches ? row_nodes : 1; }
+  KOKKOS_INLINE_FUNCTION int operator()(int r, int slot) const {
+    return r < num_touches ? touches(r).node[slot] : wall_node(near_walls(r - num_touches));
+  }
+};
+
+/// Lists the wall pairs in reach; returns how many.
 template <class Space>
-int write_wall_rows(const Space& space, const ContactSurface& surface, const WallPairs& walls,
-                    const ContactHistory& history, const RowInputs& inputs, int first, RowSystem& system) {
+int list_near_walls(const Space& space, const WallPairs& walls, const SurfaceMotion& motion, RowSystem& system) {
   const int pairs = static_cast<int>(walls.node.extent(0));
-  if (pairs == 0) return first;
-  const ContactSurface s = surface;
+  if (pairs == 0) return 0;
   const WallPairs w = walls;
-  const RowInputs in = inputs;
-  reserve(system.entry_value, pairs);
-  const Array<int> near = system.entry_value;
-  const int count = list_where<Space>(
+  const SurfaceMotion m = motion;
+  reserve(system.near_walls, pairs);
+  return list_where<Space>(
       space, pairs,
-      [s, w, in] KOKKOS_FUNCTION(int p) {
-        return find_wall_gap(s, w, in.motion, p, 1) <= contact_limits::row_gap * w.size(p);
-      },
-      near);
-  keep_and_reserve(space, system.rows, first, first + count);
-  const Array<ContactRow> rows = system.rows;
-  const ContactHistory h = history;
-  Kokkos::parallel_for(
-      "contact::wall_rows", RangeOf<Space>(space, 0, count),
-      KOKKOS_LAMBDA(int i) { rows(first + i) = make_wall_row(s, w, h, in, near(i)); });
-  return first + count;
+      [w, m] KOKKOS_FUNCTION(int p) { return find_wall_gap(w, m, p, 1) <= contact_limits::row_gap * w.size(p); },
+      system.near_walls);
 }
 
-/// Numbers the nodes that the rows touch and writes their place into the rows.
+/// Numbers the nodes of this rank that rows and remote entries touch.
 template <class Space>
-void number_nodes(const Space& space, int num_mesh_nodes, RowSystem& system) {
+void number_nodes(const Space& space, int num_mesh_nodes, const SlotNodes& slots, RowSystem& system) {
   if (static_cast<int>(system.place_of_node.extent(0)) < num_mesh_nodes) {
     reserve(system.place_of_node, num_mesh_nodes);
     Kokkos::deep_copy(space, system.place_of_node, -1);
   }
-  reserve(system.nodes, system.num_rows * row_nodes);
-  const Array<ContactRow> rows = system.rows;
+  reserve(system.nodes, system.num_rows * row_nodes + system.num_remote);
   const Array<int> place = system.place_of_node, nodes = system.nodes, total = system.total;
+  const Array<const int> remote = system.remote_node;
   Kokkos::deep_copy(space, total, 0);
+  const SlotNodes touched = slots;
+  const auto claim = [place, nodes, total] KOKKOS_FUNCTION(int node) {
+    constexpr int free = -1, taken = -2;
+    if (node < 0 || Kokkos::atomic_compare_exchange(&place(node), free, taken) != free) return;
+    nodes(Kokkos::atomic_fetch_add(&total(0), 1)) = node;
+  };
   Kokkos::parallel_for(
       "contact::collect_nodes", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
-        for (int slot = 0; slot < count_nodes(rows(r)); ++slot) {
-          const int node = rows(r).node[slot];
-          constexpr int free = -1, taken = -2;
-          if (Kokkos::atomic_compare_exchange(&place(node), free, taken) != free) continue;
-          nodes(Kokkos::atomic_fetch_add(&total(0), 1)) = node;
-        }
+        for (int slot = 0; slot < touched.count(r); ++slot) claim(touched(r, slot));
       });
+  Kokkos::parallel_for(
+      "contact::collect_remote_nodes", RangeOf<Space>(space, 0, system.num_remote),
+      KOKKOS_LAMBDA(int k) { claim(remote(k)); });
   system.num_nodes = read_value(space, total, 0);
   Kokkos::parallel_for(
       "contact::number_nodes", RangeOf<Space>(space, 0, system.num_nodes),
       KOKKOS_LAMBDA(int a) { place(nodes(a)) = a; });
+  reserve(system.remote_place, system.num_remote);
+  const Array<int> remote_place = system.remote_place;
+  Kokkos::parallel_for(
+      "contact::place_remote_entries", RangeOf<Space>(space, 0, system.num_remote),
+      KOKKOS_LAMBDA(int k) { remote_place(k) = place(remote(k)); });
 }
 
-/// Entries (row, slot) by touched node, in the order of rows.
+template <class Space>
+void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system) {
+  for (Rows3<double>* rows : {&system.at.x, &system.at.v, &system.at.v_before, &system.at.inverse_mass}) {
+    reserve(*rows, system.num_places());
+  }
+  const RowNodes at = system.at;
+  const RowInputs in = inputs;
+  const Array<const int> nodes = system.nodes;
+  Kokkos::parallel_for(
+      "contact::gather_nodes", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+        const int n = nodes(a);
+        store_row(at.x, a, load_row(in.motion.x, n));
+        store_row(at.v, a, load_row(in.motion.v, n));
+        store_row(at.v_before, a, load_row(in.v_before, n));
+        store_row(at.inverse_mass, a, load_row(in.inverse_mass, n));
+      });
+}
+
+/// Entries by owned node, ascending in their rows' keys: local ones ascend with the row; remote ones find their place.
 template <class Space>
 void group_entries(const Space& space, RowSystem& system) {
-  const int num_entries = system.num_rows * row_nodes;
+  const int num_local = system.num_rows * row_nodes, num_entries = num_local + system.num_remote;
   reserve(system.entry_key, num_entries);
   reserve(system.entry_value, num_entries);
   reserve(system.entry, num_entries);
   reserve(system.count, system.num_nodes + 1);
   reserve(system.offset, system.num_nodes + 2);
-  const Array<ContactRow> rows = system.rows;
-  const Array<int> place = system.place_of_node, key = system.entry_key, value = system.entry_value;
-  const int nowhere = system.num_nodes;  // the key of the four slots that a wall's row does not use
+  const Array<const ContactRow> rows = system.rows;
+  const Array<int> key = system.entry_key, value = system.entry_value, place = system.place_of_node;
+  const Array<const int> remote_place = system.remote_place;
+  const int nowhere = system.num_nodes;  // the key of foreign nodes and of the slots that a wall's row does not use
   Kokkos::parallel_for(
       "contact::list_entries", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         for (int slot = 0; slot < row_nodes; ++slot) {
-          const bool used = slot < count_nodes(rows(r));
-          if (used) rows(r).place[slot] = place(rows(r).node[slot]);
-          key(r * row_nodes + slot) = used ? rows(r).place[slot] : nowhere;
+          const int a = rows(r).place[slot];
+          key(r * row_nodes + slot) = a >= 0 && a < nowhere ? a : nowhere;
           value(r * row_nodes + slot) = r * row_nodes + slot;
         }
       });
-  group_by_key<Space>(space, num_entries, key, value, system.num_nodes + 1, system.count, system.offset, system.entry);
-  const Array<int> nodes = system.nodes;
   Kokkos::parallel_for(
-      "contact::release_nodes", RangeOf<Space>(space, 0, system.num_nodes),
-      KOKKOS_LAMBDA(int a) { place(nodes(a)) = -1; });
+      "contact::list_remote_entries", RangeOf<Space>(space, 0, system.num_remote), KOKKOS_LAMBDA(int k) {
+        key(num_local + k) = remote_place(k);
+        value(num_local + k) = num_local + k;
+      });
+  group_by_key<Space>(space, num_entries, key, value, system.num_nodes + 1, system.count, system.offset, system.entry);
+  const Array<int> nodes = system.nodes, entry = system.entry, offset = system.offset;
+  const Array<const std::int64_t> remote_key = system.remote_key;
+  Kokkos::parallel_for(
+      "contact::merge_entries", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+        place(nodes(a)) = -1;  // as it was before the set-up
+        const auto get_key = [&](int e) { return e < num_local ? rows(e / row_nodes).key : remote_key(e - num_local); };
+        int first = offset(a);
+        const int last = offset(a + 1);
+        while (first < last && entry(first) < num_local) ++first;
+        for (int i = first; i < last; ++i) {
+          const int e = entry(i);
+          int j = i;
+          for (; j > offset(a) && get_key(entry(j - 1)) > get_key(e); --j) entry(j) = entry(j - 1);
+          entry(j) = e;
+        }
+      });
 }
 
-/// S of each touched node: sums of absolute coefficients, in row order.
+/// Absolute coefficients of one entry, its directions summed.
+KOKKOS_INLINE_FUNCTION Point3 sum_abs_coefficients(const ContactRow& row, int slot) {
+  Point3 sum{};
+  for (int d = 0; d < count_directions(row); ++d) sum = sum + find_abs_coefficient(row, slot, d);
+  return sum;
+}
+
+}  // namespace
+
 template <class Space>
-void sum_coefficients(const Space& space, const RowSystem& system) {
+void collect_touches(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+                     const TouchTable& table, const Array<const std::int64_t>& face_numbers,
+                     const Array<const std::int64_t>& node_numbers, Array<RowTouch>& touches) {
+  reserve(touches, table.count);
+  const ContactSurface s = surface;
+  const Array<const int> nodes = candidates.nodes, first = table.first;
+  const Array<const NodeTouches> by_node = table.by_node;
+  const Array<const std::int64_t> faces = face_numbers, numbers = node_numbers;
+  const Array<RowTouch> out = touches;
+  Kokkos::parallel_for(
+      "contact::collect_touches", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
+        const int node = nodes(i);
+        for (int j = 0; j < by_node(i).count; ++j) {
+          RowTouch row;
+          row.touch = by_node(i).touch[j];
+          row.face = faces(row.touch.face);
+          row.key = make_face_row_key(numbers(node), j);
+          row.friction = find_friction(s, node, row.touch.face);
+          row.record = contact_limits::max_touches * node + j;
+          row.old_record = row.touch.record < 0 ? -1 : contact_limits::max_touches * node + row.touch.record;
+          row.node[0] = s.nodes(node);
+          for (int k = 0; k < 4; ++k) row.node[k + 1] = s.nodes(s.face_corners(row.touch.face, k));
+          out(first(i) + j) = row;
+        }
+      });
+}
+
+template <class Space>
+void start_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
+                const WallPairs& walls, RowSystem& system) {
+  system.num_rows = num_touches + list_near_walls(space, walls, inputs.motion, system);
+  const SlotNodes slots{touches, num_touches, system.near_walls, walls.node};
+  number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)), slots, system);
+  gather_nodes(space, inputs, system);
+  for (Rows3<double>* rows : {&system.correction, &system.extrapolated, &system.abs_sum}) {
+    reserve(*rows, system.num_places());
+  }
+}
+
+template <class Space>
+void make_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
+               const WallPairs& walls, const ContactHistory& history, RowSystem& system) {
+  reserve(system.rows, system.num_rows);
+  reserve(system.awake, system.num_rows);
+  reserve(system.foreign, system.num_foreign);
+  const Array<ContactRow> rows = system.rows;
+  const Array<int> place = system.place_of_node, foreign = system.foreign, near_walls = system.near_walls;
+  const Array<const RowTouch> list = touches;
+  const RowNodes at = system.at;
+  const RowInputs in = inputs;
+  const WallPairs w = walls;
+  const ContactHistory h = history;
+  const int num_nodes = system.num_nodes, num_face_records = static_cast<int>(history.face.extent(0));
+  Kokkos::parallel_for(
+      "contact::make_rows", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        ContactRow row;
+        if (r >= num_touches) {
+          const int p = near_walls(r - num_touches);
+          row.place[0] = place(w.node(p));
+          fill_wall_row(w, h, in, at, num_face_records, p, row);
+        } else {
+          for (int slot = 0; slot < row_nodes; ++slot) {
+            const int n = list(r).node[slot];
+            row.place[slot] = n >= 0 ? place(n) : num_nodes - 1 - n;
+            if (n < 0) foreign(-1 - n) = r * row_nodes + slot;
+          }
+          fill_face_row(h, in, at, list(r), row);
+        }
+        rows(r) = row;
+      });
+  group_entries(space, system);
+}
+
+template <class Space>
+void find_foreign_coefficients(const Space& space, const RowSystem& system, const Rows3<double>& values) {
   const Array<const ContactRow> rows = system.rows;
-  const Array<const int> offset = system.offset, entry = system.entry;
+  const Array<const int> foreign = system.foreign;
+  const Rows3<double> out = values;
+  Kokkos::parallel_for(
+      "contact::foreign_coefficients", RangeOf<Space>(space, 0, system.num_foreign), KOKKOS_LAMBDA(int k) {
+        store_row(out, k, sum_abs_coefficients(rows(foreign(k) / row_nodes), foreign(k) % row_nodes));
+      });
+}
+
+template <class Space>
+void sum_coefficients(const Space& space, RowSystem& system) {
+  const EntryLists lists(system);
   const Rows3<double> sum = system.abs_sum;
   Kokkos::parallel_for(
       "contact::sum_coefficients", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
         Point3 s{};
-        for (int e = offset(a); e < offset(a + 1); ++e) {
-          const ContactRow& row = rows(entry(e) / row_nodes);
-          for (int d = 0; d < count_directions(row); ++d) s = s + find_abs_coefficient(row, entry(e) % row_nodes, d);
+        for (int i = lists.offset(a); i < lists.offset(a + 1); ++i) {
+          const int e = lists.entry(i);
+          s = s + (e < lists.num_local ? sum_abs_coefficients(lists.rows(e / row_nodes), e % row_nodes)
+                                       : load_row(lists.remote, e - lists.num_local));
         }
         store_row(sum, a, s);
       });
 }
 
-/// D of each row: sum over its nodes of |c| S / m, a bound of the row sum of |G M^-1 G^T|.
 template <class Space>
-void sum_stiffness(const Space& space, const Rows3<const double>& inverse_mass, const RowSystem& system) {
+void sum_stiffness(const Space& space, const RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
   const Array<int> awake = system.awake;
-  const Rows3<const double> sum = system.abs_sum;
+  const Rows3<const double> sum = system.abs_sum, inverse_mass = system.at.inverse_mass;
   Kokkos::parallel_for(
       "contact::sum_stiffness", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         ContactRow& row = rows(r);
@@ -133,7 +252,7 @@ void sum_stiffness(const Space& space, const Rows3<const double>& inverse_mass, 
         for (int d = 0; d < count_directions(row); ++d)
           for (int slot = 0; slot < count_nodes(row); ++slot) {
             const Point3 c = find_abs_coefficient(row, slot, d);
-            const Point3 s = load_row(sum, row.place[slot]), w = load_row(inverse_mass, row.node[slot]);
+            const Point3 s = load_row(sum, row.place[slot]), w = load_row(inverse_mass, row.place[slot]);
             stiffness[d] += (c.x * s.x * w.x + c.y * s.y * w.y) + c.z * s.z * w.z;
           }
         set_stiffness(row, stiffness);
@@ -141,32 +260,34 @@ void sum_stiffness(const Space& space, const Rows3<const double>& inverse_mass, 
       });
 }
 
-}  // namespace
-
 template <class Space>
-void build_rows(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
-                const TouchTable& touches, const WallPairs& walls, const ContactHistory& history,
-                const RowInputs& inputs, RowSystem& system) {
-  reserve(system.rows, touches.count);
-  if (touches.count > 0) write_face_rows(space, surface, candidates, touches, history, inputs, system.rows);
-  system.num_rows = write_wall_rows(space, surface, walls, history, inputs, touches.count, system);
-  system.num_nodes = 0;
-  if (system.num_rows == 0) return;
-  number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)), system);
-  group_entries(space, system);
-  reserve(system.awake, system.num_rows);
-  reserve(system.abs_sum, system.num_nodes);
-  reserve(system.correction, system.num_nodes);
-  reserve(system.extrapolated, system.num_nodes);
-  sum_coefficients(space, system);
-  sum_stiffness(space, inputs.inverse_mass, system);
+void find_foreign_impulses(const Space& space, const RowSystem& system, const Rows3<double>& values) {
+  const EntryLists lists(system);
+  const Array<const int> foreign = system.foreign;
+  const Rows3<double> out = values;
+  Kokkos::parallel_for(
+      "contact::foreign_impulses", RangeOf<Space>(space, 0, system.num_foreign), KOKKOS_LAMBDA(int k) {
+        const ContactRow& row = lists.rows(foreign(k) / row_nodes);
+        const bool pushes = (lists.awake(foreign(k) / row_nodes) & pushes_now) != 0;
+        store_row(out, k, pushes ? spread_impulse(row, foreign(k) % row_nodes, row.force, row.couple) : Point3{});
+      });
 }
 
-template void build_rows(const ExecSpace&, const ContactSurface&, const CandidateList&, const TouchTable&,
-                         const WallPairs&, const ContactHistory&, const RowInputs&, RowSystem&);
+#define PERCUSS_INSTANTIATE(Space)                                                                                     \
+  template void collect_touches(const Space&, const ContactSurface&, const CandidateList&, const TouchTable&,          \
+                                const Array<const std::int64_t>&, const Array<const std::int64_t>&, Array<RowTouch>&); \
+  template void start_rows(const Space&, const RowInputs&, const Array<const RowTouch>&, int, const WallPairs&,        \
+                           RowSystem&);                                                                                \
+  template void make_rows(const Space&, const RowInputs&, const Array<const RowTouch>&, int, const WallPairs&,         \
+                          const ContactHistory&, RowSystem&);                                                          \
+  template void find_foreign_coefficients(const Space&, const RowSystem&, const Rows3<double>&);                       \
+  template void sum_coefficients(const Space&, RowSystem&);                                                            \
+  template void sum_stiffness(const Space&, const RowSystem&);                                                         \
+  template void find_foreign_impulses(const Space&, const RowSystem&, const Rows3<double>&);
+PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
-template void build_rows(const SmallSpace&, const ContactSurface&, const CandidateList&, const TouchTable&,
-                         const WallPairs&, const ContactHistory&, const RowInputs&, RowSystem&);
+PERCUSS_INSTANTIATE(SmallSpace)
 #endif
+#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -1,8 +1,11 @@
 #pragma once
-// All rows of a step as one system, and the nodes that they touch.
+// All rows of a step as one system, and the nodes that they touch (the paper's section 4.3).
 //
-// Rows are sorted: faces' rows by (node, face), then walls' rows by (wall, node). Each touched node knows its entries
-// (row, slot) in that order, so that every sum over a node has one order whatever the number of threads.
+// A rank has the rows of the contact nodes that it owns, sorted: faces' rows by (node, face), then walls' rows by
+// (wall, node). The corners of a face may belong to other ranks: of these foreign nodes it has a copy for each row and
+// corner that touches one, and their owners get the row's impulses on them as remote entries. Each owned node knows its
+// entries, local and remote, in the order of ContactRow::key, so that every sum over a node has one order whatever the
+// number of threads and ranks.
 
 #include "kernels/contact/contact_row.hpp"
 #include "kernels/contact/detailed_check.hpp"
@@ -16,74 +19,162 @@ struct ContactWall {
   double friction = 0;
 };
 
-/// Walls and the contact nodes that each may touch, const after set-up.
+/// Walls and the contact nodes of this rank that each may touch, const after set-up.
 struct WallPairs {
   Array<const ContactWall> walls;  // [walls]
   Array<const int> wall;           // [pairs] ascending
-  Array<const int> node;           // [pairs] contact node, ascending within a wall
+  Array<const int> node;           // [pairs] mesh node, ascending within a wall
   Array<const double> size;        // [pairs] shortest edge at the node at the start, the h of its row
 };
 
-/// What rows read besides the touches.
+/// A touch of the detailed check as its row needs it.
+struct RowTouch {
+  Touch touch;             // its `face` counts where the check was made; the number is `face` below
+  std::int64_t face = -1;  // number of the face
+  std::int64_t key = 0;    // ContactRow::key
+  double friction = 0;
+  int record = -1;                                   // history record that the row writes
+  int old_record = -1;                               // history record that it continues, -1: none
+  int node[row_nodes] = {-1, -1, -1, -1, -1};        // mesh node of this rank; -1 - k: foreign node k
+  std::int64_t corner_number[4] = {-1, -1, -1, -1};  // of the corners, where some are foreign
+};
+
+/// Keys of rows: by number of the node and order of its touches; walls come after all faces.
+KOKKOS_INLINE_FUNCTION std::int64_t make_face_row_key(std::int64_t node, int touch) {
+  return node * (contact_limits::max_touches + 1) + touch;
+}
+KOKKOS_INLINE_FUNCTION std::int64_t make_wall_row_key(std::int64_t node, int wall) {
+  return (std::int64_t{1} << 62) + (node << 20) + wall;
+}
+
+/// Number of the contact node of the row with this key.
+KOKKOS_INLINE_FUNCTION std::int64_t find_key_node(std::int64_t key) {
+  constexpr std::int64_t first_wall_key = std::int64_t{1} << 62;
+  return key < first_wall_key ? key / (contact_limits::max_touches + 1) : (key - first_wall_key) >> 20;
+}
+
+/// Data of the nodes that rows touch, by place.
+struct RowNodes {
+  Rows3<double> x = Rows3<double>("contact::row_x", 0);
+  Rows3<double> v = Rows3<double>("contact::row_v", 0);  // predicted without contact
+  Rows3<double> v_before = Rows3<double>("contact::row_v_before", 0);
+  Rows3<double> inverse_mass = Rows3<double>("contact::row_inverse_mass", 0);  // 0: held
+};
+
+/// What rows read of the mesh.
 struct RowInputs {
   SurfaceMotion motion;
-  Rows3<const double> inverse_mass;  // [mesh nodes][3], 0: held
-  double impulse_scale = 1;          // dt / last dt: the same force in this step, the first guess
+  Rows3<const double> v_before;            // [mesh nodes][3]
+  Rows3<const double> inverse_mass;        // [mesh nodes][3], 0: held
+  Array<const std::int64_t> node_numbers;  // [mesh nodes]
+  double impulse_scale = 1;                // dt / last dt: the same force in this step, the first guess
 };
 
 struct RowSystem {
   int num_rows = 0;
-  int num_nodes = 0;
+  int num_nodes = 0;    // places of nodes that this rank owns
+  int num_foreign = 0;  // places after these: foreign nodes, one for each entry that a row of this rank has on one
+  int num_remote = 0;   // entries that rows of other ranks have on nodes of this rank
   Array<ContactRow> rows = Array<ContactRow>("contact::rows", 0);
   // Per row: 1 if it pushes, 2 if it did in the iterate before. Rows at rest are passed over without being read.
   Array<int> awake = Array<int>("contact::awake_rows", 0);
-  Array<int> nodes = Array<int>("contact::touched_nodes", 0);              // [num_nodes] mesh nodes, in no order
-  Array<int> offset = Array<int>("contact::entry_offset", 0);              // [num_nodes + 1]
-  Array<int> entry = Array<int>("contact::entries", 0);                    // row * row_nodes + slot, ascending by node
+  Array<int> nodes = Array<int>("contact::touched_nodes", 0);      // [num_nodes] mesh nodes, in no order
+  Array<int> foreign = Array<int>("contact::foreign_entries", 0);  // [num_foreign] their entry, row * row_nodes + slot
+  RowNodes at;                                                     // [num_nodes + num_foreign]
+  Array<int> offset = Array<int>("contact::entry_offset", 0);      // [num_nodes + 1]
+  // row * row_nodes + slot; from num_rows * row_nodes on the remote entries. By node, ascending in the row's key.
+  Array<int> entry = Array<int>("contact::entries", 0);
+  Array<int> remote_node = Array<int>("contact::remote_node", 0);                  // [num_remote] mesh node
+  Array<int> remote_place = Array<int>("contact::remote_place", 0);                // [num_remote]
+  Array<std::int64_t> remote_key = Array<std::int64_t>("contact::remote_key", 0);  // [num_remote] of its row
+  Rows3<double> remote = Rows3<double>("contact::remote", 0);              // [num_remote] value of each remote entry
   Rows3<double> correction = Rows3<double>("contact::correction", 0);      // dv of the iterate
   Rows3<double> extrapolated = Rows3<double>("contact::extrapolated", 0);  // dv of the extrapolated iterate
   Rows3<double> abs_sum = Rows3<double>("contact::abs_sum", 0);            // S
   // Scratch of the set-up.
+  Array<int> near_walls = Array<int>("contact::near_walls", 0);        // wall pairs in reach
   Array<int> place_of_node = Array<int>("contact::place_of_node", 0);  // [mesh nodes] -1 outside set-up
   Array<int> entry_key = Array<int>("contact::entry_key", 0), entry_value = Array<int>("contact::entry_value", 0);
   Array<int> count = Array<int>("contact::entry_count", 0);
   Array<int> total = Array<int>("contact::row_total", 1);
-  SumScratch sums = SumScratch("contact::row_sums", 0);
+
+  int num_places() const { return num_nodes + num_foreign; }
 };
 
 inline constexpr int pushes_now = 1, pushed_before = 2;
 
-/// Impulse of all rows on touched node a, in row order.
-KOKKOS_INLINE_FUNCTION Point3 gather_impulse(const Array<const ContactRow>& rows, const Array<const int>& awake,
-                                             const Array<const int>& offset, const Array<const int>& entry, int a) {
-  Point3 sum{};
-  for (int e = offset(a); e < offset(a + 1); ++e) {
-    if ((awake(entry(e) / row_nodes) & pushes_now) == 0) continue;
-    const ContactRow& row = rows(entry(e) / row_nodes);
-    sum = sum + spread_impulse(row, entry(e) % row_nodes, row.force, row.couple);
-  }
-  return sum;
-}
+/// Values of nodes: impulse of all entries on owned place a, in the order of their rows' keys.
+struct EntryLists {
+  Array<const ContactRow> rows;
+  Array<const int> awake, offset, entry;
+  Rows3<const double> remote;
+  int num_local = 0;  // entries of rows of this rank
+  int num_owned = 0;  // places of nodes of this rank
 
-/// Velocity of the nodes of a row in node data of the mesh.
-struct MeshVelocity {
-  Rows3<const double> v;
-  const ContactRow& row;
-  KOKKOS_INLINE_FUNCTION Point3 operator()(int slot) const { return load_row(v, row.node[slot]); }
+  explicit EntryLists(const RowSystem& system)
+      : rows(system.rows),
+        awake(system.awake),
+        offset(system.offset),
+        entry(system.entry),
+        remote(system.remote),
+        num_local(system.num_rows * row_nodes),
+        num_owned(system.num_nodes) {}
+
+  KOKKOS_INLINE_FUNCTION Point3 gather_impulse(int a) const {
+    Point3 sum{};
+    for (int e = offset(a); e < offset(a + 1); ++e) {
+      if (entry(e) >= num_local) {
+        sum = sum + load_row(remote, entry(e) - num_local);
+      } else if ((awake(entry(e) / row_nodes) & pushes_now) != 0) {
+        const ContactRow& row = rows(entry(e) / row_nodes);
+        sum = sum + spread_impulse(row, entry(e) % row_nodes, row.force, row.couple);
+      }
+    }
+    return sum;
+  }
 };
 
-/// Velocity of the nodes of a row in data of the touched nodes.
+/// Velocity of the nodes of a row in data by place.
 struct TouchedVelocity {
   Rows3<const double> v;
   const ContactRow& row;
   KOKKOS_INLINE_FUNCTION Point3 operator()(int slot) const { return load_row(v, row.place[slot]); }
 };
 
-/// Makes the rows of this step from touches and walls, first guess from history; sums S and row sums D.
-/// Returns through system.num_rows 0 if there is nothing in reach.
+/// The touches of a check made on the nodes of this rank alone, as rows need them, by (node, face).
+/// face_numbers: [contact faces]; node_numbers: [contact nodes]; touches: out.
 template <class Space>
-void build_rows(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
-                const TouchTable& touches, const WallPairs& walls, const ContactHistory& history,
-                const RowInputs& inputs, RowSystem& system);
+void collect_touches(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+                     const TouchTable& table, const Array<const std::int64_t>& face_numbers,
+                     const Array<const std::int64_t>& node_numbers, Array<RowTouch>& touches);
+
+/// First part of the set-up: counts the rows, numbers the nodes of this rank that rows and remote entries touch and
+/// gathers their data. In: num_foreign, num_remote and remote_node of the system. Foreign places are to be filled then.
+template <class Space>
+void start_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
+                const WallPairs& walls, RowSystem& system);
+
+/// Makes the rows from touches and walls with their first guess from history, and the entries of the owned nodes. In:
+/// RowSystem::at of all places, remote_key.
+template <class Space>
+void make_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
+               const WallPairs& walls, const ContactHistory& history, RowSystem& system);
+
+/// Sums of absolute coefficients of foreign entry k: what its owner adds to S.
+template <class Space>
+void find_foreign_coefficients(const Space& space, const RowSystem& system, const Rows3<double>& values);
+
+/// S of the owned nodes: sums of absolute coefficients in the order of keys. In: `remote` holds those of remote
+/// entries.
+template <class Space>
+void sum_coefficients(const Space& space, RowSystem& system);
+
+/// D of each row: sum over its nodes of |c| S / m, a bound of the row sum of |G M^-1 G^T|. In: S at all places.
+template <class Space>
+void sum_stiffness(const Space& space, const RowSystem& system);
+
+/// Impulses of the rows of this rank on foreign entries. values: out, [num_foreign][3].
+template <class Space>
+void find_foreign_impulses(const Space& space, const RowSystem& system, const Rows3<double>& values);
 
 }  // namespace percuss

@@ -25,7 +25,7 @@ struct SceneReport {
   std::vector<std::string> mesh_warnings = {};  // on rank 0
   double first_step = 0;                        // time unit of the deck
   std::string controlling_element = {};         // that limits it, in words
-  int contact_nodes = 0, contact_faces = 0;
+  std::int64_t contact_nodes = 0, contact_faces = 0;
   std::string overlap = {};  // what contact says about overlap at the start; empty if there is none
 };
 

@@ -2,7 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "src/contact/stage_memory.hpp"
+#include <algorithm>
+
+#include "src/contact/enforcer.hpp"
+#include "src/contact/local_finder.hpp"
+#include "src/contact/ranked_finder.hpp"
+#include "src/contact/start_overlap.hpp"
 
 namespace percuss {
 namespace {
@@ -24,44 +29,46 @@ class TimedRegion {
   Kokkos::Timer timer_;
 };
 
-std::vector<std::int64_t> list_node_ids(const Mesh& mesh, const ContactSurface& surface) {
-  const auto nodes = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), surface.nodes);
-  std::vector<std::int64_t> ids;
-  for (int n = 0; n < surface.num_nodes; ++n) ids.push_back(mesh.node_ids[static_cast<std::size_t>(nodes(n))]);
-  return ids;
-}
-
 }  // namespace
 
 struct ContactStage::Impl {
-  Impl(const Mesh& mesh, const Deck& deck)
-      : surface(build_surface(mesh, deck)),
-        walls(build_walls(mesh, deck, surface)),
-        overlap(deck.contact.overlap),
-        node_ids(list_node_ids(mesh, surface)),
-        memory(surface),
-        bound(surface, deck.contact.reuse_search),
-        history(make_history(surface, walls)) {}
+  Impl(const ChunkedMesh& chunked, const Deck& deck, const Communicator& world)
+      : ranks(world),
+        numbering(chunked.numbering),
+        mesh(chunked.mesh),
+        exchange(world),
+        share(build_surface_share(chunked, deck, exchange)),
+        walls(build_walls(chunked.mesh, deck, share)),
+        has_walls(!deck.walls.empty()),
+        contact(deck.contact),
+        bound(world, share, deck.contact.reuse_search),
+        finder(make_contact_finder(seen(), share, deck.contact.rebalance)),
+        enforcer(seen(), walls),
+        history(make_history(share, walls)) {}
 
-  bool has_pairs() const { return surface.searched_faces.extent(0) > 0; }
-  bool has_walls() const { return walls.node.extent(0) > 0; }
+  ContactRanks seen() const { return {ranks, numbering, mesh}; }
+  bool has_pairs() const { return share.total_searched_faces > 0; }
 
   bool search(const SurfaceMotion& motion);
-  void check(const SurfaceMotion& motion);
-  void enforce(const ContactMotion& motion, ContactReport& report);
-  void clear_last_impulse(const ContactMotion& motion);
+  int check(const SurfaceMotion& motion);
+  bool is_anything_touched(int num_touches) const;
+  OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
+  std::int64_t find_user_id(std::int64_t node) const;
 
-  const ContactSurface surface;
+  const Communicator ranks;
+  const Numbering numbering;
+  const Mesh& mesh;
+  UnstructuredExchange exchange;
+  const SurfaceShare share;
   const WallPairs walls;
-  const ContactDeck::Overlap overlap;
-  const std::vector<std::int64_t> node_ids;  // the user's id of each contact node
-  SearchMemory memory;
+  const bool has_walls;
+  const ContactDeck contact;
   ReuseBound bound;
+  std::unique_ptr<ContactFinder> finder;
+  Enforcer enforcer;
   ContactHistory history;
-  TouchTable touches;
-  RowSystem system;
-  double last_dt = 0;
-  const double* last_impulse = nullptr;  // where the impulses of the last step were written
+  Array<RowTouch> touches = Array<RowTouch>("contact::row_touches", 0);
+  std::int64_t candidates = 0;  // of the last search, on all ranks
   long searches = 0;
   ContactSeconds seconds;
 };
@@ -69,75 +76,60 @@ struct ContactStage::Impl {
 bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   if (!has_pairs()) return false;
   const TimedRegion region("percuss::contact_search", seconds.search);
-  if (bound.covers(surface, motion)) return false;
-  const double margin = bound.restart(surface, motion);
-  search_pairs(surface, motion, margin, history.face, memory);
-  run_where_it_pays(surface.num_nodes / 10,
-                    [&](const auto& space) { drop_history(space, surface, memory.candidates, history); });
+  if (bound.covers(motion)) return false;
+  candidates = finder->search(motion, bound.restart(motion));
   ++searches;
   return true;
 }
 
-void ContactStage::Impl::check(const SurfaceMotion& motion) {
-  const CandidateList& candidates = memory.candidates;
-  touches.count = 0;
-  if (candidates.num_pairs == 0) return;
+int ContactStage::Impl::check(const SurfaceMotion& motion) {
+  if (candidates == 0) return 0;
   const TimedRegion region("percuss::contact_check", seconds.check);
-  run_where_it_pays(candidates.num_pairs, [&](const auto& space) {
-    update_faces(space, surface, motion, candidates, memory.faces);
-    find_touches(space, surface, motion, candidates, memory.faces, history, touches);
-  });
+  return finder->check(motion, history, touches);
 }
 
-void ContactStage::Impl::enforce(const ContactMotion& motion, ContactReport& report) {
-  if (touches.count == 0 && memory.candidates.num_nodes == 0 && !has_walls()) return;
-  const TimedRegion region("percuss::contact_enforce", seconds.enforce);
-  const SurfaceMotion predicted{motion.x, motion.v, motion.dt};
-  const RowInputs inputs{predicted, motion.inverse_mass, last_dt > 0 ? motion.dt / last_dt : 1};
-  const int wall_pairs = static_cast<int>(walls.node.extent(0));
-  // A row's solution costs some dozen passes; a wall's pair that is out of reach costs one look.
-  run_where_it_pays(touches.count + wall_pairs / 8, [&](const auto& space) {
-    build_rows(space, surface, memory.candidates, touches, walls, history, inputs, system);
-    if (system.num_rows > 0) {
-      const SolveReport solved = solve_rows(space, motion.inverse_mass, motion.dt, system);
-      const EnforcementSums sums = apply_impulses(space, motion.v_before, motion.dt, system, motion.v, motion.impulse);
-      report.iterations = solved.iterations;
-      report.converged = solved.converged;
-      report.interactions = sums.pushes;
-      report.residual = sums.residual;
-      report.normal_work = sums.normal_work;
-      report.friction_work = sums.friction_work;
-      report.deepest = sums.deepest;
-      report.deepest_node = sums.deepest_node;
-    }
-    write_history(space, memory.candidates, walls, motion.dt, system, history);
-  });
+bool ContactStage::Impl::is_anything_touched(int num_touches) const {
+  if (has_walls) return true;
+  if (candidates == 0) return false;
+  if (ranks.size() > 1)
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, &num_touches, 1, MPI_INT, MPI_MAX, ranks.handle()), "MPI_Allreduce");
+  return num_touches > 0;
 }
 
-void ContactStage::Impl::clear_last_impulse(const ContactMotion& motion) {
-  // Only the nodes of the last step's rows can be set, if it is the same memory.
-  if (last_impulse != motion.impulse.data()) {
-    Kokkos::deep_copy(ExecSpace(), motion.impulse, 0.0);
-  } else if (system.num_nodes > 0) {
-    run_where_it_pays(system.num_nodes / 10, [&](const auto& space) { clear_impulses(space, system, motion.impulse); });
+/// The user's id of a node, which its owner knows.
+std::int64_t ContactStage::Impl::find_user_id(std::int64_t node) const {
+  const int owner = numbering.find_node_owner(node);
+  std::int64_t id = 0;
+  if (owner == ranks.rank()) {
+    const auto place = std::lower_bound(share.nodes.numbers.begin(), share.nodes.numbers.end(), node);
+    id = share.nodes.ids[static_cast<std::size_t>(place - share.nodes.numbers.begin())];
   }
-  last_impulse = motion.impulse.data();
+  check_mpi(MPI_Bcast(&id, 1, MPI_INT64_T, owner, ranks.handle()), "MPI_Bcast");
+  return id;
 }
 
-ContactStage::ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator&)
-    : impl_(std::make_unique<Impl>(chunked.mesh, deck)) {}
+std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,
+                                                   ContactDeck::Rebalance rebalance) {
+  if (ranks.ranks.size() == 1) return std::make_unique<LocalFinder>(share);
+  return std::make_unique<RankedFinder>(ranks, share, rebalance);
+}
+
+ContactStage::ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks)
+    : impl_(std::make_unique<Impl>(chunked, deck, ranks)) {}
 ContactStage::~ContactStage() = default;
 
-bool ContactStage::is_active() const { return impl_->has_pairs() || impl_->has_walls(); }
+bool ContactStage::is_active() const { return impl_->has_pairs() || impl_->has_walls; }
 
 std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v, Rows3<const double>) {
-  const StartOverlap found = seed_history(impl_->surface, impl_->walls, {x, v, 0}, impl_->overlap, impl_->history);
+  Impl& stage = *impl_;
+  const auto finder = make_contact_finder(stage.seen(), stage.share, ContactDeck::Rebalance::never);
+  const ContactDeck::Overlap overlap = stage.contact.overlap;
+  const StartOverlap found = seed_history(stage.look_for_overlap(*finder), {x, v, 0}, overlap, stage.history);
   if (found.nodes == 0) return "";
-  std::string line =
-      fmt::format("{} contact node{} overlap{} another body at the start, deepest {:.4g} at node {}: {}", found.nodes,
-                  found.nodes == 1 ? "" : "s", found.nodes == 1 ? "s" : "", found.deepest,
-                  impl_->node_ids[static_cast<std::size_t>(found.deepest_node)],
-                  impl_->overlap == ContactDeck::Overlap::accept ? "accepted as the reference" : "pushed out slowly");
+  std::string line = fmt::format(
+      "{} contact node{} overlap{} another body at the start, deepest {:.4g} at node {}: {}", found.nodes,
+      found.nodes == 1 ? "" : "s", found.nodes == 1 ? "s" : "", found.deepest, stage.find_user_id(found.deepest_node),
+      overlap == ContactDeck::Overlap::accept ? "accepted as the reference" : "pushed out slowly");
   if (found.too_deep > 0)
     line += fmt::format("; {} of them lie deeper than a quarter of a face and are not in contact", found.too_deep);
   return line;
@@ -147,24 +139,38 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   Impl& stage = *impl_;
   const SurfaceMotion predicted{motion.x, motion.v, motion.dt};
   ContactReport report;
-  stage.clear_last_impulse(motion);
   report.searched = stage.search(predicted);
-  report.candidates = stage.memory.candidates.num_pairs;
-  stage.check(predicted);
-  stage.system.num_nodes = 0;
-  stage.system.num_rows = 0;
-  stage.enforce(motion, report);
-  stage.last_dt = motion.dt;
+  report.candidates = stage.candidates;
+  const int num_touches = stage.check(predicted);
+  const TimedRegion region("percuss::contact_enforce", stage.seconds.enforce);
+  if (stage.is_anything_touched(num_touches))
+    stage.enforcer.enforce(motion, stage.touches, num_touches, stage.history, report);
+  else
+    stage.enforcer.rest(motion, stage.history);
   return report;
 }
 
-int ContactStage::contact_nodes() const { return impl_->surface.num_nodes; }
-int ContactStage::contact_faces() const { return impl_->surface.num_faces; }
+std::int64_t ContactStage::contact_nodes() const { return impl_->share.total_nodes; }
+std::int64_t ContactStage::contact_faces() const { return impl_->share.total_faces; }
 long ContactStage::searches() const { return impl_->searches; }
 const ContactSeconds& ContactStage::seconds() const { return impl_->seconds; }
+DecompositionReport ContactStage::decomposition() const { return impl_->finder->report(); }
+
+std::vector<double> ContactStage::contact_ranks() const {
+  const Impl& stage = *impl_;
+  std::vector<double> ranks(stage.mesh.nodes.size(), -1);
+  const std::vector<int> owners = stage.finder->node_ranks();
+  std::size_t next = 0;
+  for (std::size_t n = 0; n < stage.share.nodes.mesh_nodes.size(); ++n) {
+    if (stage.share.nodes.searched[n] == 0) continue;
+    ranks[static_cast<std::size_t>(stage.share.nodes.mesh_nodes[n])] = owners[next++];
+  }
+  return ranks;
+}
 
 double ContactStage::measure_penetration(Rows3<const double> x) const {
-  return find_deepest_penetration(impl_->surface, impl_->walls, x);
+  const auto finder = make_contact_finder(impl_->seen(), impl_->share, ContactDeck::Rebalance::never);
+  return find_deepest_penetration(impl_->look_for_overlap(*finder), {x, x, 0});
 }
 
 }  // namespace percuss

@@ -2,13 +2,14 @@
 // The contact stage of a step (the paper's (1.7) to (1.9)): search if due, detailed check, enforcement.
 //
 // The stage is asked once a step, after the motion was predicted without contact, and corrects the velocities so that
-// no contact node ends behind a face or a wall. Everything is in the order of global ids: the same bits for any number
-// of threads.
+// no contact node ends behind a face or a wall. Everything is in the order of global numbers: the same bits for any
+// number of ranks and threads.
 
 #include <memory>
 #include <string>
 
 #include "kernels/core/views.hpp"
+#include "src/contact/contact_finder.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
 
@@ -24,19 +25,20 @@ struct ContactMotion {
   double dt = 0;                     // from n to n+1
 };
 
-/// What one step's contact did. Work is positive where contact adds energy to the bodies; every impulse P of a node
-/// does the work P . (v(n-1/2) + v(n+1/2)) / 2, which closes the energy balance of the explicit midpoint rule exactly.
+/// What one step's contact did, on all ranks, and the same on each. Work is positive where contact adds energy to the
+/// bodies; every impulse P of a node does the work P . (v(n-1/2) + v(n+1/2)) / 2, which closes the energy balance of
+/// the explicit midpoint rule exactly.
 struct ContactReport {
-  int interactions = 0;   // rows with a push, walls included
-  int candidates = 0;     // candidate pairs held
-  bool searched = false;  // whether the search was due
-  int iterations = 0;     // of the enforcement
-  double residual = 0;    // largest penetration left over / face edge of its face
+  int interactions = 0;         // rows with a push, walls included
+  std::int64_t candidates = 0;  // candidate pairs held
+  bool searched = false;        // whether the search was due
+  int iterations = 0;           // of the enforcement
+  double residual = 0;          // largest penetration left over / face edge of its face
   bool converged = true;
-  double normal_work = 0;    // of the pushes
-  double friction_work = 0;  // of the tangential impulses (negative: dissipated)
-  double deepest = 0;        // deepest penetration at n among checked pairs / face edge, 0 if none
-  int deepest_node = -1;     // mesh node of it
+  double normal_work = 0;          // of the pushes
+  double friction_work = 0;        // of the tangential impulses (negative: dissipated)
+  double deepest = 0;              // deepest penetration at n among checked pairs / face edge, 0 if none
+  std::int64_t deepest_node = -1;  // number of the node that has it
 };
 
 /// Seconds since the start, by phase.
@@ -61,9 +63,14 @@ class ContactStage {
   /// Corrects motion.v and fills motion.impulse.
   ContactReport apply(const ContactMotion& motion);
 
-  int contact_nodes() const;
-  int contact_faces() const;
+  std::int64_t contact_nodes() const;  // of the whole scene
+  std::int64_t contact_faces() const;
   long searches() const;  // how many apply() calls searched
+  DecompositionReport decomposition() const;
+
+  /// Rank that owns each node of this rank's share in the contact decomposition, -1 for nodes that are not searched and
+  /// for copies of nodes that other ranks own. Not collective.
+  std::vector<double> contact_ranks() const;
   const ContactSeconds& seconds() const;
 
   /// Deepest penetration of any contact node behind a face that it touches or has entered, at positions x, relative to

@@ -1,115 +1,113 @@
+#include "src/contact/start_overlap.hpp"
+
 #include <algorithm>
 
-#include "src/contact/host_copy.hpp"
-#include "src/contact/stage_memory.hpp"
+#include "kernels/contact/row_geometry.hpp"
+#include "kernels/core/host_copy.hpp"
 
 namespace percuss {
 namespace {
 
-template <class View>
-auto mirror(const View& view) {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), view);
-}
-
 /// Margin of an audit's boxes in mean edges: with the reach of the check, nodes half a face deep are found.
 constexpr double audit_margin = 0.3;
 
-/// Penetrations at the places of a motion without dt, by a search of its own.
-PenetrationTable look_everywhere(const ContactSurface& surface, const SurfaceMotion& motion, SearchMemory& memory) {
-  PenetrationTable table;
-  const Array<int> no_history("contact::no_history", static_cast<std::size_t>(3 * surface.num_nodes));
-  Kokkos::deep_copy(no_history, -1);
-  double margin = 0;
-  run_where_it_pays(surface.num_nodes / 10,
-                    [&](const auto& space) { margin = audit_margin * find_mean_edge(space, surface, motion.x); });
-  search_pairs(surface, motion, margin, no_history, memory);
-  run_where_it_pays(memory.candidates.num_pairs, [&](const auto& space) {
-    update_faces(space, surface, motion, memory.candidates, memory.faces);
-    find_penetrations(space, surface, motion, memory.candidates, memory.faces, table);
-  });
-  return table;
+/// Penetrations of this rank's nodes by a search of its own.
+std::vector<Penetration> look_everywhere(const OverlapSearch& search, const SurfaceMotion& motion) {
+  if (search.share.total_searched_faces == 0) return {};
+  search.finder.search(motion, audit_margin * search.bound.find_mean_edge(motion));
+  return search.finder.find_penetrations(motion);
 }
 
-void note(StartOverlap& found, double depth, int node, bool held) {
+void note(StartOverlap& found, double depth, std::int64_t node, bool held) {
   ++found.nodes;
   if (!held) ++found.too_deep;
-  if (depth <= found.deepest) return;
+  if (depth < found.deepest || (depth == found.deepest && found.deepest_node >= 0 && node > found.deepest_node)) return;
   found.deepest = depth;
   found.deepest_node = node;
 }
 
 /// Walls and their pairs on the host.
 struct HostWalls {
-  HostWalls(const ContactSurface& surface, const WallPairs& pairs, const Rows3<const double>& places)
-      : walls(mirror(pairs.walls)),
-        wall(mirror(pairs.wall)),
-        node(mirror(pairs.node)),
-        nodes(mirror(surface.nodes)),
-        size(mirror(pairs.size)),
-        x(mirror(places)) {}
+  HostWalls(const WallPairs& pairs, const Rows3<const double>& places)
+      : walls(to_host(pairs.walls)),
+        wall(to_host(pairs.wall)),
+        node(to_host(pairs.node)),
+        size(to_host(pairs.size)),
+        x(to_host(places)) {}
 
   int count() const { return static_cast<int>(wall.extent(0)); }
   double depth(int p) const {
     const ContactWall& w = walls(wall(p));
-    return -dot(w.normal, load_row(x, nodes(node(p))) - w.point);
+    return -dot(w.normal, load_row(x, node(p)) - w.point);
   }
 
-  decltype(mirror(WallPairs().walls)) walls;
-  decltype(mirror(WallPairs().wall)) wall, node, nodes;
-  decltype(mirror(WallPairs().size)) size;
-  decltype(mirror(Rows3<const double>())) x;
+  decltype(to_host(WallPairs().walls)) walls;
+  decltype(to_host(WallPairs().wall)) wall, node;
+  decltype(to_host(WallPairs().size)) size;
+  decltype(to_host(Rows3<const double>())) x;
 };
+
+/// The counts of all ranks, and the deepest node of any.
+void reduce(const Communicator& ranks, StartOverlap& found) {
+  std::int64_t counts[2] = {found.nodes, found.too_deep};
+  check_mpi(MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, ranks.handle()), "MPI_Allreduce");
+  const double own = found.deepest;
+  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &found.deepest, 1, MPI_DOUBLE, MPI_MAX, ranks.handle()), "MPI_Allreduce");
+  constexpr std::int64_t none = std::int64_t{1} << 62;
+  std::int64_t node = found.deepest_node >= 0 && own == found.deepest ? found.deepest_node : none;
+  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &node, 1, MPI_INT64_T, MPI_MIN, ranks.handle()), "MPI_Allreduce");
+  found.nodes = counts[0];
+  found.too_deep = counts[1];
+  found.deepest_node = node == none ? -1 : node;
+}
 
 }  // namespace
 
-ContactHistory make_history(const ContactSurface& surface, const WallPairs& walls) {
-  const std::size_t faces = static_cast<std::size_t>(contact_limits::max_touches * surface.num_nodes);
+ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls) {
+  const auto faces = static_cast<std::size_t>(contact_limits::max_touches * share.nodes.count());
   const std::size_t records = faces + walls.node.extent(0);
-  ContactHistory history{Array<int>("contact::history_face", faces), Rows3<double>("contact::history_impulse", records),
-                         Rows3<double>("contact::history_slip", records),
-                         Array<double>("contact::history_reference", records)};
-  Kokkos::deep_copy(history.face, -1);
+  ContactHistory history{
+      Array<std::int64_t>("contact::history_face", faces), Rows3<double>("contact::history_impulse", records),
+      Rows3<double>("contact::history_slip", records), Array<double>("contact::history_reference", records)};
+  Kokkos::deep_copy(history.face, std::int64_t{-1});
   return history;
 }
 
-StartOverlap seed_history(const ContactSurface& surface, const WallPairs& walls, const SurfaceMotion& motion,
-                          ContactDeck::Overlap overlap, const ContactHistory& history) {
-  SearchMemory memory(surface);
-  const PenetrationTable table = look_everywhere(surface, motion, memory);
-  const auto depth = mirror(table.depth);
-  const auto face = mirror(table.face), history_face = mirror(history.face);
-  const auto size = mirror(memory.faces.size), reference = mirror(history.reference);
+StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                          const ContactHistory& history) {
+  const auto history_face = to_host(history.face);
+  const auto reference = to_host(history.reference);
   const bool accept = overlap == ContactDeck::Overlap::accept;
   StartOverlap found;
-  for (int n = 0; n < surface.num_nodes; ++n) {
-    if (face(n) < 0 || depth(n) <= contact_limits::overlap * size(face(n))) continue;
-    const bool held = depth(n) <= contact_limits::history_depth * size(face(n));
-    note(found, depth(n), n, held);
+  for (const Penetration& p : look_everywhere(search, motion)) {
+    if (p.depth <= contact_limits::overlap * p.size) continue;
+    const bool held = p.depth <= contact_limits::history_depth * p.size;
+    note(found, p.depth, search.share.nodes.numbers[static_cast<std::size_t>(p.node)], held);
     if (!held) continue;
-    history_face(contact_limits::max_touches * n) = face(n);
-    reference(contact_limits::max_touches * n) = accept ? depth(n) : 0;
+    history_face(contact_limits::max_touches * p.node) = p.face;
+    reference(contact_limits::max_touches * p.node) = accept ? p.depth : 0;
   }
-  const HostWalls host(surface, walls, motion.x);
-  const int first = contact_limits::max_touches * surface.num_nodes;
+  const HostWalls host(search.walls, motion.x);
+  const int first = contact_limits::max_touches * search.share.nodes.count();
   for (int p = 0; p < host.count(); ++p) {
     if (host.depth(p) <= contact_limits::overlap * host.size(p)) continue;
-    note(found, host.depth(p), host.node(p), true);
+    const auto& nodes = search.share.nodes;
+    const auto place = std::lower_bound(nodes.mesh_nodes.begin(), nodes.mesh_nodes.end(), host.node(p));
+    note(found, host.depth(p), nodes.numbers[static_cast<std::size_t>(place - nodes.mesh_nodes.begin())], true);
     reference(first + p) = accept ? host.depth(p) : 0;
   }
   Kokkos::deep_copy(history.face, history_face);
   Kokkos::deep_copy(history.reference, reference);
+  reduce(search.ranks, found);
   return found;
 }
 
-double find_deepest_penetration(const ContactSurface& surface, const WallPairs& walls, const Rows3<const double>& x) {
+double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion) {
   double deepest = 0;
-  if (surface.searched_faces.extent(0) > 0) {
-    SearchMemory memory(surface);
-    const auto ratio = mirror(look_everywhere(surface, {x, x, 0}, memory).ratio);
-    for (int n = 0; n < surface.num_nodes; ++n) deepest = std::max(deepest, ratio(n));
-  }
-  const HostWalls host(surface, walls, x);
+  for (const Penetration& p : look_everywhere(search, motion)) deepest = std::max(deepest, p.ratio);
+  const HostWalls host(search.walls, motion.x);
   for (int p = 0; p < host.count(); ++p) deepest = std::max(deepest, host.depth(p) / host.size(p));
+  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, search.ranks.handle()), "MPI_Allreduce");
   return deepest;
 }
 

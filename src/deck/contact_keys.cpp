@@ -55,12 +55,16 @@ struct SurfacesValue {
 
 const Keys<ContactDeck>& contact_keys() {
   using Overlap = ContactDeck::Overlap;
+  using Rebalance = ContactDeck::Rebalance;
   static const Keys<ContactDeck> keys = {
       group<ContactDeck>("surfaces", SurfacesValue{}),
       may("friction", &ContactDeck::friction, NumberValue{not_negative}),
       may("overlap", &ContactDeck::overlap,
           ChoiceValue<Overlap>{{{"accept", Overlap::accept}, {"push_out", Overlap::push_out}}}),
       may("reuse_search", &ContactDeck::reuse_search, BooleanValue{}),
+      may("rebalance", &ContactDeck::rebalance,
+          ChoiceValue<Rebalance>{
+              {{"auto", Rebalance::automatic}, {"always", Rebalance::always}, {"never", Rebalance::never}}}),
   };
   return keys;
 }

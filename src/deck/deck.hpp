@@ -154,6 +154,9 @@ struct ContactDeck {
   double friction = 0;
   Overlap overlap = Overlap::accept;  // what happens to overlap found at the start
   bool reuse_search = true;           // keep candidate pairs while a guaranteed bound allows it
+  /// When contact nodes and faces are divided anew over the ranks. No result depends on it.
+  enum class Rebalance { automatic, always, never };
+  Rebalance rebalance = Rebalance::automatic;
 };
 
 struct ElementDeck {

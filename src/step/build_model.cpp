@@ -282,23 +282,12 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
   return mass;
 }
 
-/// The contact stage works on one rank.
-void refuse_contact_on_ranks(const Deck& deck, const Communicator& ranks) {
-  if (ranks.size() == 1) return;
-  if (deck.contact.surfaces == ContactDeck::Surfaces::none && deck.walls.empty()) return;
-  throw InputError(
-      fmt::format("{}: error: the scene has contact (which runs on one rank, not on {}) start it on one rank "
-                  "and set OMP_NUM_THREADS for threads",
-                  deck.file, ranks.size()));
-}
-
 }  // namespace
 
 Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   const Mesh& mesh = chunked.mesh;
   Model model;
   model.ranks = find_ranks(mesh);
-  refuse_contact_on_ranks(deck, model.ranks);
   model.node_count = static_cast<int>(mesh.nodes.size());
   model.element_count = static_cast<int>(mesh.elements.size());
   build_chunks(deck, chunked, model);

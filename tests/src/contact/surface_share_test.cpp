@@ -1,14 +1,16 @@
 // Contact surface, pair table and walls from mesh and deck.
 
-#include "src/contact/build_surface.hpp"
+#include "src/contact/surface_share.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
+#include "src/contact/local_finder.hpp"
 #include "src/deck/read_deck.hpp"
 #include "src/error.hpp"
+#include "src/mesh/decompose.hpp"
 
 namespace percuss::test {
 namespace {
@@ -25,7 +27,12 @@ materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0
 
 struct Built {
   explicit Built(const std::string& more)
-      : deck(parse_deck(two_parts + more, "deck.yaml")), mesh(build_mesh(deck)), surface(build_surface(mesh, deck)) {}
+      : deck(parse_deck(two_parts + more, "deck.yaml")),
+        chunked(load_mesh(deck, Communicator::world())),
+        mesh(chunked.mesh),
+        exchange(Communicator::world()),
+        share(build_surface_share(chunked, deck, exchange)),
+        surface(make_whole_surface(share)) {}
 
   double friction(int mesh_node, int face) const {
     for (int n = 0; n < surface.num_nodes; ++n)
@@ -40,17 +47,20 @@ struct Built {
   }
 
   Deck deck;
-  Mesh mesh;
+  ChunkedMesh chunked;
+  const Mesh& mesh;
+  UnstructuredExchange exchange;
+  SurfaceShare share;
   ContactSurface surface;
 };
 
-TEST(BuildSurface, HoldsExteriorFacesAndTheirNodesOnly) {
+TEST(SurfaceShare, HoldsExteriorFacesAndTheirNodesOnly) {
   const Built b("");
   EXPECT_EQ(b.surface.num_faces, 10 + 6 + 54);
   EXPECT_EQ(b.surface.num_nodes, 12 + 8 + 64 - 8);
 }
 
-TEST(BuildSurface, EveryFaceOfANodeHoldsItAndTheListsAreAscending) {
+TEST(SurfaceShare, EveryFaceOfANodeHoldsItAndTheListsAreAscending) {
   const Built b("");
   int entries = 0;
   for (int n = 0; n < b.surface.num_nodes; ++n) {
@@ -66,7 +76,7 @@ TEST(BuildSurface, EveryFaceOfANodeHoldsItAndTheListsAreAscending) {
   EXPECT_EQ(entries, 4 * b.surface.num_faces);
 }
 
-TEST(BuildSurface, TheNodesBehindAFaceAreOppositeItsCorners) {
+TEST(SurfaceShare, TheNodesBehindAFaceAreOppositeItsCorners) {
   const Built b("");
   for (int f = 0; f < b.surface.num_faces; ++f) {
     Point3 across{};
@@ -82,20 +92,20 @@ TEST(BuildSurface, TheNodesBehindAFaceAreOppositeItsCorners) {
   }
 }
 
-TEST(BuildSurface, ByDefaultEverySurfaceMayTouchEverySurface) {
+TEST(SurfaceShare, ByDefaultEverySurfaceMayTouchEverySurface) {
   const Built b("contact: {friction: 0.3}");
   EXPECT_EQ(b.surface.searched_nodes.extent(0), static_cast<std::size_t>(b.surface.num_nodes));
   EXPECT_EQ(b.friction(0, b.face_of(0)), 0.3);
   EXPECT_EQ(b.friction(0, b.face_of(2)), 0.3);
 }
 
-TEST(BuildSurface, WithoutContactNothingIsSearched) {
+TEST(SurfaceShare, WithoutContactNothingIsSearched) {
   const Built b("contact: {surfaces: none}");
   EXPECT_EQ(b.surface.searched_nodes.extent(0), 0U);
   EXPECT_EQ(b.surface.searched_faces.extent(0), 0U);
 }
 
-TEST(BuildSurface, NamedPairsTouchBothWaysAndNothingElseDoes) {
+TEST(SurfaceShare, NamedPairsTouchBothWaysAndNothingElseDoes) {
   const Built b("contact: {surfaces: [[a, b], {a: c, b: c, friction: 0.6}], friction: 0.3}");
   const int on_a = 0, on_b = 12, on_c = 20;
   EXPECT_EQ(b.friction(on_a, b.face_of(1)), 0.3);
@@ -106,18 +116,18 @@ TEST(BuildSurface, NamedPairsTouchBothWaysAndNothingElseDoes) {
   EXPECT_LT(b.friction(on_c, b.face_of(1)), 0);
 }
 
-TEST(BuildSurface, ASideTakesItsFacesAndTheirNodesOnly) {
+TEST(SurfaceShare, ASideTakesItsFacesAndTheirNodesOnly) {
   const Built b("contact: {surfaces: [[a/x_max, b/x_min]]}");
   EXPECT_EQ(b.surface.searched_nodes.extent(0), 8U);
   EXPECT_EQ(b.surface.searched_faces.extent(0), 2U);
 }
 
-TEST(BuildSurface, TheFirstPairThatFitsGivesTheFriction) {
+TEST(SurfaceShare, TheFirstPairThatFitsGivesTheFriction) {
   const Built b("contact: {surfaces: [{a: a, b: b, friction: 0.1}, {a: a/x_max, b: b, friction: 0.9}]}");
   EXPECT_EQ(b.friction(12, b.face_of(0)), 0.1);
 }
 
-TEST(BuildSurface, AnUnknownSurfaceIsRefusedWithItsPlace) {
+TEST(SurfaceShare, AnUnknownSurfaceIsRefusedWithItsPlace) {
   try {
     const Built b("contact: {surfaces: [[a, bb]]}");
     FAIL();
@@ -129,11 +139,11 @@ TEST(BuildSurface, AnUnknownSurfaceIsRefusedWithItsPlace) {
 
 TEST(BuildWalls, AWallMayTouchEveryContactNodeOrThoseNamed) {
   const Built all("walls: [{point: [0, 0, 0], normal: [0, 0, 1]}]");
-  const WallPairs every = build_walls(all.mesh, all.deck, all.surface);
+  const WallPairs every = build_walls(all.mesh, all.deck, all.share);
   EXPECT_EQ(every.node.extent(0), static_cast<std::size_t>(all.surface.num_nodes));
   EXPECT_EQ(every.size(0), 1);
   const Built some("walls: [{point: [0, 0, 0], normal: [0, 0, 1], nodes: [b, a/x_min]}]");
-  EXPECT_EQ(build_walls(some.mesh, some.deck, some.surface).node.extent(0), 12U);
+  EXPECT_EQ(build_walls(some.mesh, some.deck, some.share).node.extent(0), 12U);
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+#include "src/contact/check_space.hpp"
+
+#include "kernels/core/host_copy.hpp"
+
+namespace percuss {
+namespace {
+
+/// Faces around each node, ascending, as offsets and a list.
+struct NodeFaces {
+  std::vector<int> offset, faces;
+};
+
+NodeFaces list_node_faces(const std::vector<std::array<int, 4>>& corners, std::size_t num_nodes) {
+  NodeFaces result;
+  result.offset.assign(num_nodes + 1, 0);
+  for (const auto& face : corners)
+    for (const int node : face)
+      if (node >= 0) ++result.offset[static_cast<std::size_t>(node) + 1];
+  for (std::size_t n = 0; n < num_nodes; ++n) result.offset[n + 1] += result.offset[n];
+  std::vector<int> next(result.offset.begin(), result.offset.end() - 1);
+  result.faces.resize(static_cast<std::size_t>(result.offset.back()));
+  for (std::size_t f = 0; f < corners.size(); ++f)
+    for (const int node : corners[f])
+      if (node >= 0)
+        result.faces[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] = static_cast<int>(f);
+  return result;
+}
+
+/// The body of each node is that of its faces; -1 for nodes of no face here.
+std::vector<int> find_node_bodies(const NodeFaces& node_faces, const std::vector<int>& face_body) {
+  std::vector<int> body(node_faces.offset.size() - 1, -1);
+  for (std::size_t n = 0; n < body.size(); ++n) {
+    if (node_faces.offset[n] == node_faces.offset[n + 1]) continue;
+    body[n] = face_body[static_cast<std::size_t>(node_faces.faces[static_cast<std::size_t>(node_faces.offset[n])])];
+  }
+  return body;
+}
+
+}  // namespace
+
+ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShare& share) {
+  const NodeFaces node_faces = list_node_faces(lists.corners, lists.nodes.size());
+  ContactSurface surface;
+  surface.num_nodes = static_cast<int>(lists.nodes.size());
+  surface.num_faces = static_cast<int>(lists.corners.size());
+  surface.nodes = to_view("contact::surface_nodes", lists.nodes);
+  surface.nodes_to_faces_offset = to_view("contact::nodes_to_faces_offset", node_faces.offset);
+  surface.nodes_to_faces = to_view("contact::nodes_to_faces", node_faces.faces);
+  surface.face_corners = to_rows("contact::face_corners", lists.corners);
+  surface.face_backs = to_rows("contact::face_backs", lists.backs);
+  surface.face_body = to_view("contact::face_body", lists.face_body);
+  surface.node_body = to_view("contact::node_body", find_node_bodies(node_faces, lists.face_body));
+  surface.node_class = to_view("contact::node_class", lists.node_class);
+  surface.face_class = to_view("contact::face_class", lists.face_class);
+  surface.num_classes = share.num_classes;
+  surface.searched_nodes = to_view("contact::searched_nodes", lists.searched_nodes);
+  surface.searched_faces = to_view("contact::searched_faces", lists.searched_faces);
+  surface.pair_friction = share.pair_friction;
+  return surface;
+}
+
+void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>& face_numbers, CheckSpace& check) {
+  check.surface = surface;
+  check.face_numbers = to_view("contact::face_numbers", face_numbers);
+  const auto faces = static_cast<std::size_t>(surface.num_faces);
+  if (check.faces.size.extent(0) < faces) {
+    check.faces = {};
+    check.faces = {Rows3<double>("contact::face_normal", faces), Array<double>("contact::face_size", faces),
+                   Boxes("contact::face_box", faces)};
+  }
+  reserve(check.history_face, contact_limits::max_touches * surface.num_nodes);
+}
+
+void check_candidates(const SurfaceMotion& motion, CheckSpace& check) {
+  check.touches.count = 0;
+  if (check.candidates.num_pairs == 0) return;
+  run_where_it_pays(check.candidates.num_pairs, [&](const auto& space) {
+    update_faces(space, check.surface, motion, check.candidates, check.faces);
+    find_touches(space, check.surface, motion, check.candidates, check.faces, check.history_face, check.touches);
+  });
+}
+
+PenetrationTable measure_candidates(const SurfaceMotion& motion, CheckSpace& check) {
+  PenetrationTable table;
+  run_where_it_pays(check.candidates.num_pairs, [&](const auto& space) {
+    update_faces(space, check.surface, motion, check.candidates, check.faces);
+    find_penetrations(space, check.surface, motion, check.candidates, check.faces, table);
+  });
+  return table;
+}
+
+}  // namespace percuss

@@ -1,0 +1,58 @@
+#pragma once
+// Where search and detailed check run: a contact surface in local numbers, its motion, and their memory.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/contact/capture_boxes.hpp"
+#include "kernels/contact/detailed_check.hpp"
+#include "kernels/contact/penetration.hpp"
+#include "src/contact/surface_share.hpp"
+
+namespace percuss {
+
+/// Lists from which a ContactSurface is made. Nodes and faces are in the order of their global numbers.
+struct SurfaceLists {
+  std::vector<int> nodes;                          // [nodes] row of the motion
+  std::vector<int> node_class;                     // [nodes]
+  std::vector<std::array<int, 4>> corners, backs;  // [faces] places of nodes, rows of the motion; -1: not here
+  std::vector<int> face_class, face_body;          // [faces]
+  std::vector<int> searched_nodes, searched_faces;
+};
+
+ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShare& share);
+
+/// A surface with the candidate pairs of the last search and the memory of checking them.
+struct CheckSpace {
+  ContactSurface surface;
+  Array<const std::int64_t> face_numbers;  // [faces] ascending
+  CandidateList candidates;
+  FaceState faces;
+  TouchTable touches;
+  Array<int> history_face;  // [3 nodes] faces that pushed in the last step, -1: none, or not here
+};
+
+/// Takes a surface into use: memory for its faces and nodes.
+void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>& face_numbers, CheckSpace& check);
+
+/// Place of a face by its number; -1 if it is not here.
+KOKKOS_INLINE_FUNCTION int find_face(const Array<const std::int64_t>& numbers, std::int64_t number) {
+  int first = 0, last = static_cast<int>(numbers.extent(0));
+  while (first < last) {
+    const int middle = first + (last - first) / 2;
+    if (numbers(middle) < number)
+      first = middle + 1;
+    else
+      last = middle;
+  }
+  return first < static_cast<int>(numbers.extent(0)) && numbers(first) == number ? first : -1;
+}
+
+/// The detailed check of all candidate pairs (the paper's section 4.2).
+void check_candidates(const SurfaceMotion& motion, CheckSpace& check);
+
+/// How deep contact nodes are inside other bodies at the places of a motion with dt = 0.
+PenetrationTable measure_candidates(const SurfaceMotion& motion, CheckSpace& check);
+
+}  // namespace percuss

@@ -1,0 +1,231 @@
+#include "src/contact/contact_decomposition.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "kernels/contact/capture_boxes.hpp"
+#include "kernels/core/host_copy.hpp"
+
+namespace percuss {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Growth of the copies of faces at which cuts are worth renewing.
+constexpr double ghost_growth = 1.15;
+
+/// A point on its way to the rank that owned it before.
+struct SentPoint {
+  std::int64_t id = 0;
+  double x[3] = {0, 0, 0};
+};
+
+template <class Record>
+std::vector<Record> take_in_order(const std::vector<Record>& records, const std::vector<int>& order) {
+  std::vector<Record> result;
+  result.reserve(order.size());
+  for (const int i : order) result.push_back(records[at(i)]);
+  return result;
+}
+
+}  // namespace
+
+ContactDecomposition::ContactDecomposition(const Communicator& ranks, const SurfaceShare& share,
+                                           ContactDeck::Rebalance rebalance)
+    : share_(share),
+      rebalance_(rebalance),
+      exchange_(ranks),
+      data_(ranks),
+      rcb_(ranks),
+      boxes_("contact::boxes", share.searched_faces.size()) {
+  std::vector<std::int64_t> ids;
+  for (int n = 0; n < share.nodes.count(); ++n) {
+    if (share.nodes.searched[at(n)] == 0) continue;
+    searched_nodes_.push_back(n);
+    ids.push_back(2 * share.nodes.numbers[at(n)]);
+  }
+  for (const int f : share.searched_faces) ids.push_back(2 * share.faces[at(f)].number + 1);
+  points_ = {Rows3<double>("contact::point_positions", ids.size()), to_view("contact::point_ids", ids)};
+}
+
+void ContactDecomposition::update(const SurfaceMotion& motion, double margin) {
+  locate_points(motion);
+  just_rebalanced_ = is_due_;
+  if (is_due_) {
+    rebalance_points(send_contact_data_to_previous_owners());
+    find_new_owners();
+  }
+  send_nodes_to_owners();
+  list_reached_ranks(motion, margin);
+  send_overlapping_faces();
+}
+
+void ContactDecomposition::locate_points(const SurfaceMotion& motion) {
+  const Array<const int> list = share_.node_list;
+  const Array<int> searched = to_view("contact::searched_nodes", searched_nodes_);
+  const Rows4<const int> corners = share_.corner_list;
+  const Rows3<double> out = points_.positions;
+  const SurfaceMotion m = motion;
+  const int num_nodes = static_cast<int>(searched_nodes_.size());
+  const int num_points = num_nodes + static_cast<int>(share_.searched_faces.size());
+  Kokkos::parallel_for(
+      "contact::locate_points", Range(ExecSpace(), 0, num_points), KOKKOS_LAMBDA(int i) {
+        if (i < num_nodes) {
+          store_row(out, i, load_row(m.x, list(searched(i))));
+          return;
+        }
+        Point3 sum{};
+        for (int c = 0; c < 4; ++c) sum = sum + load_row(m.x, corners(i - num_nodes, c));
+        store_row(out, i, 0.25 * sum);
+      });
+  ExecSpace().fence();
+}
+
+// (5.1) Points go to the rank that owned them before, so that bisection finds nearly all where they belong. Before the
+// first bisection they stay with their FE owners.
+RcbPoints ContactDecomposition::send_contact_data_to_previous_owners() {
+  if (owners_.empty()) return {points_.positions, points_.ids, {}};
+  const auto x = to_host(points_.positions);
+  const auto ids = to_host(points_.ids);
+  const SendOrder order = order_by_destination(owners_);
+  std::vector<SentPoint> records;
+  for (const int i : order.items) records.push_back({ids(i), {x(i, 0), x(i, 1), x(i, 2)}});
+  const std::vector<SentPoint> received = data_.exchange(exchange_.plan(order.to), records);
+  const Rows3<double> positions("contact::received_positions", received.size());
+  std::vector<std::int64_t> received_ids;
+  const auto host = Kokkos::create_mirror_view(positions);
+  for (std::size_t i = 0; i < received.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) host(i, k) = received[i].x[k];
+    received_ids.push_back(received[i].id);
+  }
+  Kokkos::deep_copy(positions, host);
+  return {positions, to_view("contact::received_ids", received_ids), {}};
+}
+
+// (5.2) and (5.3): the bisection ends with the cuts known to all ranks.
+void ContactDecomposition::rebalance_points(const RcbPoints& points) {
+  const RcbReport done = rcb_.decompose(ExecSpace(), points);
+  ++report_.rebalances;
+  report_.imbalance = done.imbalance;
+  report_.worst_imbalance = std::max(report_.worst_imbalance, done.imbalance);
+  if (report_.rebalances > 1) {
+    warm_rounds_ += done.rounds_per_cut;
+    report_.rounds_per_cut = warm_rounds_ / static_cast<double>(report_.rebalances - 1);
+  }
+}
+
+/// With the cuts every FE owner knows who owns its points.
+void ContactDecomposition::find_new_owners() {
+  const Array<int> owners("contact::owners", points_.ids.extent(0));
+  find_owners(ExecSpace(), rcb_.tree(), points_.positions, points_.ids, owners);
+  ExecSpace().fence();
+  const auto host = to_host(owners);
+  owners_.assign(host.data(), host.data() + host.extent(0));
+  node_order_ = order_by_destination(node_owners());
+  node_plan_ = exchange_.plan(node_order_.to);
+  received_order_.clear();
+}
+
+std::vector<int> ContactDecomposition::node_owners() const {
+  if (owners_.empty()) return std::vector<int>(searched_nodes_.size(), 0);
+  return {owners_.begin(), owners_.begin() + static_cast<std::ptrdiff_t>(searched_nodes_.size())};
+}
+
+/// The places of the nodes to their owners. Between rebalances the nodes may cross cuts: what boxes reach follows them.
+void ContactDecomposition::send_nodes_to_owners() {
+  const auto x = to_host(points_.positions);
+  std::vector<NodeRecord> records;
+  for (const int i : node_order_.items) {
+    const int n = searched_nodes_[at(i)];
+    records.push_back({share_.nodes.numbers[at(n)], {x(i, 0), x(i, 1), x(i, 2)}, share_.nodes.classes[at(n)]});
+  }
+  const std::vector<NodeRecord> received = data_.exchange(node_plan_, records);
+  if (received_order_.size() != received.size()) {
+    received_order_.resize(received.size());
+    std::iota(received_order_.begin(), received_order_.end(), 0);
+    std::sort(received_order_.begin(), received_order_.end(),
+              [&](int a, int b) { return received[at(a)].number < received[at(b)].number; });
+  }
+  nodes_ = take_in_order(received, received_order_);
+  if (just_rebalanced_) return;
+  const Rows3<double> positions("contact::owned_positions", nodes_.size());
+  const auto host = Kokkos::create_mirror_view(positions);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) host(i, k) = nodes_[i].x[k];
+  }
+  Kokkos::deep_copy(positions, host);
+  rcb_.refit(ExecSpace(), positions);
+}
+
+// (5.4) For all my faces: which ranks does the capture box reach?
+void ContactDecomposition::list_reached_ranks(const SurfaceMotion& motion, double margin) {
+  const ExecSpace space;
+  const int num_faces = static_cast<int>(share_.searched_faces.size());
+  bound_faces(space, share_.corner_list, motion, margin, boxes_);
+  reserve(reach_count_, num_faces + 1);
+  const Array<int> first = reach_count_;
+  const Boxes boxes = boxes_;
+  const CutTree tree = rcb_.tree();
+  using Corner = Kokkos::Array<double, 3>;
+  int total = 0;
+  const auto visit = [tree, boxes] KOKKOS_FUNCTION(int f, const auto& call) {
+    const Corner low{{boxes(f, 0), boxes(f, 1), boxes(f, 2)}}, high{{boxes(f, 3), boxes(f, 4), boxes(f, 5)}};
+    visit_reached_ranks(tree, low, high, call);
+  };
+  Kokkos::parallel_scan(
+      "contact::count_reached_ranks", Range(space, 0, num_faces),
+      KOKKOS_LAMBDA(int f, int& place, bool final_pass) {
+        if (final_pass) first(f) = place;
+        visit(f, [&](int) { ++place; });
+      },
+      total);
+  const Array<int> face("contact::reached_face", at(total)), rank("contact::reached_rank", at(total));
+  Kokkos::parallel_for(
+      "contact::list_reached_ranks", Range(space, 0, num_faces), KOKKOS_LAMBDA(int f) {
+        int place = first(f);
+        visit(f, [&](int r) {
+          face(place) = f;
+          rank(place++) = r;
+        });
+      });
+  space.fence();
+  const auto host_face = to_host(face);
+  const auto host_rank = to_host(rank);
+  reached_face_.assign(host_face.data(), host_face.data() + total);
+  reached_rank_.assign(host_rank.data(), host_rank.data() + total);
+}
+
+// (5.5) Faces to the ranks that need them.
+void ContactDecomposition::send_overlapping_faces() {
+  const SendOrder order = order_by_destination(reached_rank_);
+  const auto boxes = to_host(boxes_);
+  std::vector<FaceRecord> records;
+  for (const int i : order.items) {
+    const int f = reached_face_[at(i)];
+    FaceRecord record{share_.faces[at(share_.searched_faces[at(f)])], {}};
+    for (std::size_t k = 0; k < 6; ++k) record.box[k] = boxes(f, k);
+    records.push_back(record);
+  }
+  faces_ = data_.exchange(exchange_.plan(order.to), records);
+  std::sort(faces_.begin(), faces_.end(),
+            [](const FaceRecord& a, const FaceRecord& b) { return a.face.number < b.face.number; });
+}
+
+void ContactDecomposition::note_ghost_faces(std::int64_t ghosts) {
+  report_.ghost_faces = ghosts;
+  if (just_rebalanced_) ghosts_after_rebalance_ = ghosts;
+  const auto grown = static_cast<double>(ghosts - exchange_.ranks().size());  // a face a rank is no growth
+  switch (rebalance_) {
+    case ContactDeck::Rebalance::always:
+      is_due_ = true;
+      break;
+    case ContactDeck::Rebalance::never:
+      is_due_ = false;
+      break;
+    case ContactDeck::Rebalance::automatic:
+      is_due_ = grown > ghost_growth * static_cast<double>(ghosts_after_rebalance_);
+      break;
+  }
+}
+
+}  // namespace percuss

@@ -1,0 +1,64 @@
+#pragma once
+// Location phase and detailed check (the paper's (1.7), (1.8)) for the contact nodes that a rank owns: found where they
+// are, or in the contact decomposition and brought back.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "src/contact/surface_share.hpp"
+
+namespace percuss {
+
+/// A contact node inside another body.
+struct Penetration {
+  int node = 0;            // place in OwnedContactNodes
+  std::int64_t face = -1;  // number of the face that it is behind
+  double depth = 0;        // [length]
+  double ratio = 0;        // depth / shortest edge of the face
+  double size = 0;         // h of the face
+};
+
+/// What the contact decomposition did so far; the same on every rank.
+struct DecompositionReport {
+  long rebalances = 0;
+  double imbalance = 1;          // of nodes and faces after the last rebalance: max over mean
+  double worst_imbalance = 1;    // after any rebalance
+  double rounds_per_cut = 0;     // of reduction, mean over the cuts of all rebalances but the first
+  std::int64_t ghost_faces = 0;  // copies of faces on ranks that do not own them, at the last search, all ranks
+};
+
+/// All calls are collective.
+class ContactFinder {
+ public:
+  virtual ~ContactFinder() = default;
+
+  /// Finds candidate pairs for capture boxes widened by `margin` and returns how many there are on all ranks. Throws
+  /// RunError, on all ranks, if they are absurdly many.
+  virtual std::int64_t search(const SurfaceMotion& motion, double margin) = 0;
+
+  /// Checks the candidate pairs. touches: those of this rank's contact nodes, by (node, face). Returns how many these
+  /// are.
+  virtual int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) = 0;
+
+  /// Which of this rank's contact nodes are inside another body, among the candidate pairs, at the places of a motion
+  /// with dt = 0; ascending.
+  virtual std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) = 0;
+
+  /// Rank that owns each searched contact node (ascending) in the contact decomposition.
+  virtual std::vector<int> node_ranks() const = 0;
+  virtual DecompositionReport report() const = 0;
+};
+
+/// How the contact stage sees the ranks.
+struct ContactRanks {
+  const Communicator& ranks;
+  const Numbering& numbering;
+  const Mesh& mesh;
+};
+
+/// The finder that suits the number of ranks.
+std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,
+                                                   ContactDeck::Rebalance rebalance);
+
+}  // namespace percuss

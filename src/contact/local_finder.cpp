@@ -1,0 +1,102 @@
+// One rank has the whole surface: search and check run on the arrays of the mesh, and nothing is sent.
+
+#include <algorithm>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/contact/check_space.hpp"
+#include "src/contact/local_finder.hpp"
+#include "src/contact/pair_limit.hpp"
+
+namespace percuss {
+namespace {
+
+std::vector<std::int64_t> list_face_numbers(const SurfaceShare& share) {
+  std::vector<std::int64_t> numbers;
+  for (const FaceTopology& face : share.faces) numbers.push_back(face.number);
+  return numbers;
+}
+
+}  // namespace
+
+ContactSurface make_whole_surface(const SurfaceShare& share) {
+  SurfaceLists lists;
+  lists.nodes = share.nodes.mesh_nodes;
+  lists.node_class = share.nodes.classes;
+  lists.backs = share.face_backs;
+  lists.searched_faces = share.searched_faces;
+  std::vector<int> place(lists.nodes.empty() ? 0 : static_cast<std::size_t>(lists.nodes.back()) + 1, -1);
+  for (std::size_t n = 0; n < lists.nodes.size(); ++n) {
+    place[static_cast<std::size_t>(lists.nodes[n])] = static_cast<int>(n);
+    if (share.nodes.searched[n] != 0) lists.searched_nodes.push_back(static_cast<int>(n));
+  }
+  for (std::size_t f = 0; f < share.faces.size(); ++f) {
+    std::array<int, 4> corners{};
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = place[static_cast<std::size_t>(share.face_corners[f][i])];
+    lists.corners.push_back(corners);
+    lists.face_class.push_back(share.faces[f].surface_class);
+    lists.face_body.push_back(share.faces[f].body);
+  }
+  return make_contact_surface(lists, share);
+}
+
+LocalFinder::LocalFinder(const SurfaceShare& share) : share_(share) {
+  set_surface(make_whole_surface(share), list_face_numbers(share), check_);
+  node_numbers_ = to_view("contact::node_numbers", share.nodes.numbers);
+  boxes_ = Boxes("contact::boxes", share.searched_faces.size());
+}
+
+std::int64_t LocalFinder::search(const SurfaceMotion& motion, double margin) {
+  const ContactSurface& surface = check_.surface;
+  const std::int64_t limit = find_pair_limit(share_);
+  std::int64_t pairs = 0;
+  // A search is some eighty launches, most of them of the sorts.
+  run_where_it_pays(static_cast<int>(share_.searched_faces.size()) / 2, [&](const auto& space) {
+    bound_faces(space, share_.corner_list, motion, margin, boxes_);
+    pairs = find_points_in_boxes(space, surface, motion.x, boxes_, limit, scratch_, check_.candidates);
+    if (pairs <= limit) list_concerned(space, surface, scratch_, check_.candidates);
+  });
+  refuse_too_many_pairs(pairs, limit, margin);
+  return pairs;
+}
+
+int LocalFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
+  if (check_.candidates.num_pairs == 0) return 0;
+  const CandidateList& candidates = check_.candidates;
+  const Array<const int> nodes = candidates.nodes;
+  const Array<const std::int64_t> numbers = check_.face_numbers, old = history.face;
+  const Array<int> history_face = check_.history_face;
+  run_where_it_pays(candidates.num_nodes, [&](const auto& space) {
+    Kokkos::parallel_for(
+        "contact::load_history", RangeOf<std::decay_t<decltype(space)>>(space, 0, candidates.num_nodes),
+        KOKKOS_LAMBDA(int i) {
+          for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
+            const int record = contact_limits::max_touches * nodes(i) + slot;
+            history_face(record) = old(record) < 0 ? -1 : find_face(numbers, old(record));
+          }
+        });
+  });
+  check_candidates(motion, check_);
+  if (check_.touches.count == 0) return 0;
+  run_where_it_pays(check_.touches.count, [&](const auto& space) {
+    collect_touches(space, check_.surface, candidates, check_.touches, check_.face_numbers, node_numbers_, touches);
+  });
+  return check_.touches.count;
+}
+
+std::vector<Penetration> LocalFinder::find_penetrations(const SurfaceMotion& motion) {
+  const PenetrationTable table = measure_candidates(motion, check_);
+  const auto depth = to_host(table.depth), ratio = to_host(table.ratio), size = to_host(check_.faces.size);
+  const auto face = to_host(table.face);
+  std::vector<Penetration> found;
+  for (int n = 0; n < check_.surface.num_nodes; ++n) {
+    if (face(n) < 0) continue;
+    found.push_back({n, share_.faces[static_cast<std::size_t>(face(n))].number, depth(n), ratio(n), size(face(n))});
+  }
+  return found;
+}
+
+std::vector<int> LocalFinder::node_ranks() const {
+  return std::vector<int>(check_.surface.searched_nodes.extent(0), 0);
+}
+
+}  // namespace percuss

@@ -1,0 +1,457 @@
+#include "src/contact/ranked_finder.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/contact/pair_limit.hpp"
+
+namespace percuss {
+
+struct RankedFinder::TouchRecord {
+  std::int64_t node = -1;     // number
+  std::int64_t face = -1;     // number
+  std::int64_t corners[4]{};  // numbers
+  Touch touch;
+  double friction = 0;
+  int order = 0;  // among the touches of its node
+};
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+constexpr int max_touches = contact_limits::max_touches;
+
+/// Place and velocity of a node.
+struct MotionItem {
+  double x[3], v[3];
+};
+
+/// The faces that pushed a node in the last step.
+struct HistoryItem {
+  std::int64_t face[max_touches];
+};
+
+void sort_unique(std::vector<std::int64_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+/// Place of a number in an ascending list, -1 if it is not there.
+int find_number(const std::vector<std::int64_t>& numbers, std::int64_t number) {
+  const auto place = std::lower_bound(numbers.begin(), numbers.end(), number);
+  return place != numbers.end() && *place == number ? static_cast<int>(place - numbers.begin()) : -1;
+}
+
+std::array<int, 4> find_numbers(const std::vector<std::int64_t>& numbers, const std::int64_t (&wanted)[4]) {
+  return {find_number(numbers, wanted[0]), find_number(numbers, wanted[1]), find_number(numbers, wanted[2]),
+          find_number(numbers, wanted[3])};
+}
+
+/// The runs of a plan with another number of items in each; runs without items are left out.
+std::vector<PeerRun> resize_runs(const std::vector<PeerRun>& runs, const std::vector<int>& counts) {
+  std::vector<PeerRun> resized;
+  std::int64_t first = 0;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (counts[r] > 0) resized.push_back({runs[r].rank, first, counts[r]});
+    first += counts[r];
+  }
+  return resized;
+}
+
+/// One item for each run of a plan.
+std::vector<PeerRun> count_runs(const std::vector<PeerRun>& runs) {
+  std::vector<PeerRun> single;
+  for (std::size_t r = 0; r < runs.size(); ++r) single.push_back({runs[r].rank, static_cast<std::int64_t>(r), 1});
+  return single;
+}
+
+/// Sends other numbers of items between ranks that know each other from a plan: sizes first, then data (the paper's
+/// (2.4) to (2.6)). counts: [plan.to] items for each run.
+template <class Item>
+std::vector<Item> exchange_sized(DataExchange& data, const ExchangePlan& plan, const std::vector<int>& counts,
+                                 const std::vector<Item>& items) {
+  const ExchangePlan sizes{count_runs(plan.to), count_runs(plan.from)};
+  const std::vector<int> received = data.exchange(sizes, counts);
+  return data.exchange(ExchangePlan{resize_runs(plan.to, counts), resize_runs(plan.from, received)}, items);
+}
+
+/// Sums of a list by the runs of a plan that its items were sent along.
+std::vector<int> sum_by_run(const std::vector<PeerRun>& runs, const std::vector<int>& values) {
+  std::vector<int> sums;
+  for (const PeerRun& run : runs) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(run.first);
+    sums.push_back(std::accumulate(first, first + static_cast<std::ptrdiff_t>(run.count), 0));
+  }
+  return sums;
+}
+
+SurfaceLists list_search_surface(const std::vector<NodeRecord>& nodes, const std::vector<FaceRecord>& faces) {
+  SurfaceLists lists;
+  std::vector<std::int64_t> numbers;
+  for (const NodeRecord& node : nodes) {
+    numbers.push_back(node.number);
+    lists.node_class.push_back(node.surface_class);
+  }
+  lists.nodes.resize(nodes.size());
+  std::iota(lists.nodes.begin(), lists.nodes.end(), 0);
+  lists.searched_nodes = lists.nodes;
+  for (const FaceRecord& record : faces) {
+    lists.corners.push_back(find_numbers(numbers, record.face.corners));
+    lists.backs.push_back(find_numbers(numbers, record.face.backs));
+    lists.face_class.push_back(record.face.surface_class);
+    lists.face_body.push_back(record.face.body);
+  }
+  lists.searched_faces.resize(faces.size());
+  std::iota(lists.searched_faces.begin(), lists.searched_faces.end(), 0);
+  return lists;
+}
+
+Boxes copy_boxes(const std::vector<FaceRecord>& faces) {
+  const Boxes boxes("contact::received_boxes", faces.size());
+  const auto host = Kokkos::create_mirror_view(boxes);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (std::size_t k = 0; k < 6; ++k) host(f, k) = faces[f].box[k];
+  }
+  Kokkos::deep_copy(boxes, host);
+  return boxes;
+}
+
+Rows3<double> copy_places(const std::vector<NodeRecord>& nodes) {
+  const Rows3<double> x("contact::received_places", nodes.size());
+  const auto host = Kokkos::create_mirror_view(x);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    for (std::size_t k = 0; k < 3; ++k) host(n, k) = nodes[n].x[k];
+  }
+  Kokkos::deep_copy(x, host);
+  return x;
+}
+
+}  // namespace
+
+RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, ContactDeck::Rebalance rebalance)
+    : ranks_(ranks),
+      share_(share),
+      exchange_(ranks.ranks),
+      data_(ranks.ranks),
+      decomposition_(ranks.ranks, share, rebalance) {}
+
+int RankedFinder::find_mesh_node(std::int64_t number) const { return find_number(ranks_.mesh.node_numbers, number); }
+int RankedFinder::find_contact_node(std::int64_t number) const { return find_number(share_.nodes.numbers, number); }
+
+// (5.6), first half: which nodes are in which boxes, on every rank by itself.
+std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
+  const std::vector<NodeRecord>& nodes = decomposition_.nodes();
+  const std::vector<FaceRecord>& faces = decomposition_.faces();
+  const ContactSurface surface = make_contact_surface(list_search_surface(nodes, faces), share_);
+  const Boxes boxes = copy_boxes(faces);
+  const Rows3<double> x = copy_places(nodes);
+  std::int64_t pairs = 0;
+  run_where_it_pays(static_cast<int>(faces.size()) / 2, [&](const auto& space) {
+    pairs = find_points_in_boxes(space, surface, x, boxes, limit, scratch_, found_);
+  });
+  return pairs;
+}
+
+/// Puts the pairs on the host and lists the nodes and faces that have any.
+void RankedFinder::list_pairs() {
+  const std::size_t num_nodes = decomposition_.nodes().size();
+  const auto offset = to_host(found_.offset);
+  const auto face = to_host(found_.face);
+  first_pair_.assign(offset.data(), offset.data() + num_nodes + 1);
+  pair_face_.assign(face.data(), face.data() + found_.num_pairs);
+  checked_.clear();
+  for (std::size_t n = 0; n < num_nodes; ++n) {
+    if (first_pair_[n] < first_pair_[n + 1]) checked_.push_back(static_cast<int>(n));
+  }
+  candidate_faces_ = pair_face_;
+  std::sort(candidate_faces_.begin(), candidate_faces_.end());
+  candidate_faces_.erase(std::unique(candidate_faces_.begin(), candidate_faces_.end()), candidate_faces_.end());
+}
+
+std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
+  decomposition_.update(motion, margin);
+  const std::int64_t limit = find_pair_limit(share_);
+  std::int64_t sums[2] = {find_points_in_boxes_here(limit), static_cast<std::int64_t>(decomposition_.faces().size())};
+  check_mpi(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_INT64_T, MPI_SUM, ranks_.ranks.handle()), "MPI_Allreduce");
+  total_pairs_ = sums[0];
+  refuse_too_many_pairs(total_pairs_, limit, margin);
+  decomposition_.note_ghost_faces(sums[1] - share_.total_searched_faces);
+  check_.candidates.num_pairs = 0;
+  check_.candidates.num_nodes = 0;
+  if (total_pairs_ == 0) return 0;
+  list_pairs();
+  std::vector<std::int64_t> nodes;
+  for (const int n : checked_) nodes.push_back(decomposition_.nodes()[at(n)].number);
+  for (const int f : candidate_faces_) {
+    const auto& corners = decomposition_.faces()[at(f)].face.corners;
+    nodes.insert(nodes.end(), std::begin(corners), std::end(corners));
+  }
+  sort_unique(nodes);
+  build_check_space(ask_for_faces_around(nodes));
+  return total_pairs_;
+}
+
+/// Asks the FE owners of nodes for all faces around these.
+std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<std::int64_t>& nodes) {
+  const Subscription asked = subscribe(nodes, [&](std::int64_t number) { return find_contact_node(number); });
+  const OwnedContactNodes& own = share_.nodes;
+  std::vector<int> counts;
+  std::vector<FaceTopology> faces;
+  for (const int n : asked.published) {
+    counts.push_back(own.first_face[at(n) + 1] - own.first_face[at(n)]);
+    faces.insert(faces.end(), own.faces.begin() + own.first_face[at(n)], own.faces.begin() + own.first_face[at(n) + 1]);
+  }
+  const ExchangePlan answer = reverse(asked.request);
+  std::vector<FaceTopology> received = exchange_sized(data_, answer, sum_by_run(answer.to, counts), faces);
+  std::sort(received.begin(), received.end(),
+            [](const FaceTopology& a, const FaceTopology& b) { return a.number < b.number; });
+  received.erase(std::unique(received.begin(), received.end(),
+                             [](const FaceTopology& a, const FaceTopology& b) { return a.number == b.number; }),
+                 received.end());
+  return received;
+}
+
+/// Items by number from their FE owners. find(number): the owner's place of it.
+template <class Find>
+RankedFinder::Subscription RankedFinder::subscribe(const std::vector<std::int64_t>& numbers, const Find& find) {
+  std::vector<int> owners;
+  owners.reserve(numbers.size());
+  for (const std::int64_t number : numbers) owners.push_back(ranks_.numbering.find_node_owner(number));
+  SendOrder order = order_by_destination(owners);
+  std::vector<std::int64_t> ordered;
+  ordered.reserve(numbers.size());
+  for (const int i : order.items) ordered.push_back(numbers[at(i)]);
+  Subscription made;
+  made.request = exchange_.plan(order.to);
+  made.order = std::move(order.items);
+  for (const std::int64_t number : data_.exchange(made.request, ordered)) made.published.push_back(find(number));
+  return made;
+}
+
+/// The surface of the check: candidate faces, the faces around all nodes concerned, and all their nodes.
+void RankedFinder::build_check_space(std::vector<FaceTopology> faces) {
+  check_faces_ = std::move(faces);
+  std::vector<std::int64_t> face_numbers;
+  for (const FaceTopology& face : check_faces_) face_numbers.push_back(face.number);
+  std::vector<int> place_of_candidate;  // of each candidate face
+  std::vector<char> is_candidate(check_faces_.size(), 0);
+  for (const int f : candidate_faces_) {
+    place_of_candidate.push_back(find_number(face_numbers, decomposition_.faces()[at(f)].face.number));
+    is_candidate[at(place_of_candidate.back())] = 1;
+  }
+  check_nodes_.clear();
+  for (const int n : checked_) check_nodes_.push_back(decomposition_.nodes()[at(n)].number);
+  const std::vector<std::int64_t> checked_numbers = check_nodes_;
+  for (std::size_t f = 0; f < check_faces_.size(); ++f) {
+    const FaceTopology& face = check_faces_[f];
+    check_nodes_.insert(check_nodes_.end(), std::begin(face.corners), std::end(face.corners));
+    if (is_candidate[f] != 0) check_nodes_.insert(check_nodes_.end(), std::begin(face.backs), std::end(face.backs));
+  }
+  sort_unique(check_nodes_);
+
+  SurfaceLists lists;
+  lists.nodes.resize(check_nodes_.size());
+  std::iota(lists.nodes.begin(), lists.nodes.end(), 0);
+  lists.node_class.assign(check_nodes_.size(), 0);
+  for (std::size_t f = 0; f < check_faces_.size(); ++f) {
+    const FaceTopology& face = check_faces_[f];
+    lists.corners.push_back(find_numbers(check_nodes_, face.corners));
+    lists.backs.push_back(is_candidate[f] != 0 ? find_numbers(check_nodes_, face.backs)
+                                               : std::array<int, 4>{-1, -1, -1, -1});
+    lists.face_class.push_back(face.surface_class);
+    lists.face_body.push_back(face.body);
+  }
+  CandidateList& candidates = check_.candidates;
+  std::vector<int> offset(check_nodes_.size() + 1, 0), pairs;
+  checked_nodes_.clear();
+  for (const std::int64_t number : checked_numbers) checked_nodes_.push_back(find_number(check_nodes_, number));
+  for (std::size_t i = 0; i < checked_.size(); ++i) {
+    const auto n = at(checked_[i]);
+    lists.node_class[at(checked_nodes_[i])] = decomposition_.nodes()[n].surface_class;
+    offset[at(checked_nodes_[i]) + 1] = first_pair_[n + 1] - first_pair_[n];
+  }
+  std::partial_sum(offset.begin(), offset.end(), offset.begin());
+  for (const int f : pair_face_) {  // nodes ascend here as there
+    const auto place = std::lower_bound(candidate_faces_.begin(), candidate_faces_.end(), f) - candidate_faces_.begin();
+    pairs.push_back(place_of_candidate[static_cast<std::size_t>(place)]);
+  }
+  set_surface(make_contact_surface(lists, share_), face_numbers, check_);
+  candidates.num_pairs = static_cast<int>(pairs.size());
+  candidates.num_nodes = static_cast<int>(checked_nodes_.size());
+  candidates.num_faces = static_cast<int>(check_faces_.size());
+  candidates.offset = to_view("contact::candidate_offset", offset);
+  candidates.face = to_view("contact::candidate_face", pairs);
+  candidates.nodes = to_view("contact::candidate_nodes", checked_nodes_);
+  std::vector<int> all_faces(check_faces_.size());
+  std::iota(all_faces.begin(), all_faces.end(), 0);
+  candidates.faces = to_view("contact::candidate_faces", all_faces);
+
+  motion_ = subscribe(check_nodes_, [&](std::int64_t number) { return find_mesh_node(number); });
+  history_ = subscribe(checked_numbers, [&](std::int64_t number) { return find_contact_node(number); });
+  motion_order_ = to_view("contact::motion_order", motion_.order);
+  published_nodes_ = to_view("contact::published_nodes", motion_.published);
+  reserve(x_, static_cast<int>(check_nodes_.size()));
+  reserve(v_, static_cast<int>(check_nodes_.size()));
+}
+
+/// Places and velocities of the nodes concerned, from their FE owners.
+void RankedFinder::receive_motion(const SurfaceMotion& motion) {
+  const Array<const int> published = published_nodes_, order = motion_order_;
+  const auto sent = published.extent(0), received = order.extent(0);
+  const Array<MotionItem> send(Kokkos::view_alloc("contact::sent_motion", Kokkos::WithoutInitializing), sent);
+  const Array<MotionItem> receive(Kokkos::view_alloc("contact::received_motion", Kokkos::WithoutInitializing),
+                                  received);
+  const SurfaceMotion m = motion;
+  Kokkos::parallel_for(
+      "contact::pack_motion", Range(ExecSpace(), 0, static_cast<int>(sent)), KOKKOS_LAMBDA(int i) {
+        for (int k = 0; k < 3; ++k) {
+          send(i).x[k] = m.x(published(i), k);
+          send(i).v[k] = m.v(published(i), k);
+        }
+      });
+  ExecSpace().fence();
+  const auto send_buffer = to_host(send);
+  const auto receive_buffer = Kokkos::create_mirror_view(receive);
+  data_.begin<MotionItem>(reverse(motion_.request), {send_buffer.data(), sent}, {receive_buffer.data(), received});
+  data_.end();
+  Kokkos::deep_copy(receive, receive_buffer);
+  const Rows3<double> x = x_, v = v_;
+  Kokkos::parallel_for(
+      "contact::unpack_motion", Range(ExecSpace(), 0, static_cast<int>(received)), KOKKOS_LAMBDA(int i) {
+        for (int k = 0; k < 3; ++k) {
+          x(order(i), k) = receive(i).x[k];
+          v(order(i), k) = receive(i).v[k];
+        }
+      });
+  ExecSpace().fence();
+}
+
+/// What the FE owners remember of the checked nodes.
+void RankedFinder::receive_history(const ContactHistory& history) {
+  const auto face = to_host(history.face);
+  std::vector<HistoryItem> items;
+  items.reserve(history_.published.size());
+  for (const int n : history_.published) {
+    HistoryItem item{};
+    for (int slot = 0; slot < max_touches; ++slot) item.face[slot] = face(max_touches * n + slot);
+    items.push_back(item);
+  }
+  const std::vector<HistoryItem> received = data_.exchange(reverse(history_.request), items);
+  const auto local = Kokkos::create_mirror_view(check_.history_face);
+  const auto numbers = to_host(check_.face_numbers);
+  for (std::size_t k = 0; k < received.size(); ++k) {
+    const int node = checked_nodes_[at(history_.order[k])];
+    for (int slot = 0; slot < max_touches; ++slot) {
+      const std::int64_t number = received[k].face[slot];
+      local(max_touches * node + slot) = number < 0 ? -1 : find_face(numbers, number);
+    }
+  }
+  Kokkos::deep_copy(check_.history_face, local);
+}
+
+// (5.7) Results to the FE owners of their nodes. records: by checked node; counts: [checked] records of each.
+template <class Record>
+std::vector<Record> RankedFinder::send_results_to_fe_owners(const std::vector<Record>& records,
+                                                            const std::vector<int>& counts) {
+  std::vector<int> first(counts.size() + 1, 0);
+  std::partial_sum(counts.begin(), counts.end(), first.begin() + 1);
+  std::vector<int> ordered_counts;
+  std::vector<Record> ordered;
+  ordered.reserve(records.size());
+  for (const int i : history_.order) {
+    ordered_counts.push_back(counts[at(i)]);
+    ordered.insert(ordered.end(), records.begin() + first[at(i)], records.begin() + first[at(i) + 1]);
+  }
+  return exchange_sized(data_, history_.request, sum_by_run(history_.request.to, ordered_counts), ordered);
+}
+
+int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
+  if (total_pairs_ == 0) return 0;
+  receive_motion(motion);
+  receive_history(history);
+  check_candidates({x_, v_, motion.dt}, check_);  // (5.6), second half
+  std::vector<TouchRecord> records;
+  std::vector<int> counts;
+  const auto by_node = to_host(check_.touches.by_node);
+  const auto friction = to_host(check_.surface.pair_friction);
+  const auto node_class = to_host(check_.surface.node_class);
+  for (std::size_t i = 0; i < checked_nodes_.size(); ++i) {
+    const int n = checked_nodes_[i];
+    counts.push_back(by_node(i).count);
+    for (int j = 0; j < by_node(i).count; ++j) {
+      TouchRecord record;
+      record.touch = by_node(i).touch[j];
+      record.order = j;
+      const FaceTopology& face = check_faces_[at(record.touch.face)];
+      record.node = check_nodes_[at(n)];
+      record.face = face.number;
+      std::copy(std::begin(face.corners), std::end(face.corners), record.corners);
+      record.friction = friction(node_class(n) * share_.num_classes + face.surface_class);
+      records.push_back(record);
+    }
+  }
+  const std::vector<RowTouch> rows = make_row_touches(send_results_to_fe_owners(records, counts));
+  reserve(touches, static_cast<int>(rows.size()));
+  Kokkos::View<const RowTouch*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(rows.data(),
+                                                                                                 rows.size());
+  Kokkos::deep_copy(Kokkos::subview(touches, std::pair<std::size_t, std::size_t>(0, rows.size())), host);
+  return static_cast<int>(rows.size());
+}
+
+/// Touches of this rank's contact nodes as rows need them, by (node, face). Corners that other ranks own are numbered
+/// as foreign nodes.
+std::vector<RowTouch> RankedFinder::make_row_touches(std::vector<TouchRecord> records) const {
+  std::sort(records.begin(), records.end(), [](const TouchRecord& a, const TouchRecord& b) {
+    return a.node != b.node ? a.node < b.node : a.order < b.order;
+  });
+  std::vector<RowTouch> rows;
+  int foreign = 0;
+  for (const TouchRecord& record : records) {
+    const int node = find_contact_node(record.node);
+    RowTouch row;
+    row.touch = record.touch;
+    row.face = record.face;
+    row.key = make_face_row_key(record.node, record.order);
+    row.friction = record.friction;
+    row.record = max_touches * node + record.order;
+    row.old_record = record.touch.record < 0 ? -1 : max_touches * node + record.touch.record;
+    row.node[0] = share_.nodes.mesh_nodes[at(node)];
+    for (int i = 0; i < 4; ++i) {
+      const bool is_own = ranks_.numbering.find_node_owner(record.corners[i]) == ranks_.ranks.rank();
+      row.node[i + 1] = is_own ? find_mesh_node(record.corners[i]) : -1 - foreign++;
+      row.corner_number[i] = record.corners[i];
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& motion) {
+  if (total_pairs_ == 0) return {};
+  receive_motion(motion);
+  const PenetrationTable table = measure_candidates({x_, v_, motion.dt}, check_);
+  const auto depth = to_host(table.depth), ratio = to_host(table.ratio), size = to_host(check_.faces.size);
+  const auto face = to_host(table.face);
+  struct Record {
+    std::int64_t node;
+    Penetration penetration;
+  };
+  std::vector<Record> records;
+  std::vector<int> counts;
+  for (const int n : checked_nodes_) {
+    counts.push_back(check_.candidates.num_pairs > 0 && face(n) >= 0 ? 1 : 0);
+    if (counts.back() == 0) continue;
+    records.push_back({check_nodes_[at(n)], {0, check_faces_[at(face(n))].number, depth(n), ratio(n), size(face(n))}});
+  }
+  std::vector<Penetration> found;
+  for (Record& record : send_results_to_fe_owners(records, counts)) {
+    record.penetration.node = find_contact_node(record.node);
+    found.push_back(record.penetration);
+  }
+  std::sort(found.begin(), found.end(), [](const Penetration& a, const Penetration& b) { return a.node < b.node; });
+  return found;
+}
+
+}  // namespace percuss

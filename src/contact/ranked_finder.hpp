@@ -1,0 +1,74 @@
+#pragma once
+// Search and check in the contact decomposition: steps (5.6) and (5.7) of the paper's Figure 5.
+//
+// A search lists the candidate pairs among the nodes that a rank owns there and the faces that reached it. Then the
+// rank learns what the check of these pairs reads (the faces around their nodes, for normals) and subscribes to the
+// places and velocities of all nodes concerned. Until the next search a step costs no more than these, and the touches
+// that go back: nodes and faces far from any contact are not sent at all.
+
+#include "comm/merge_reduction.hpp"
+#include "src/contact/check_space.hpp"
+#include "src/contact/contact_decomposition.hpp"
+
+namespace percuss {
+
+class RankedFinder : public ContactFinder {
+ public:
+  RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, ContactDeck::Rebalance rebalance);
+
+  std::int64_t search(const SurfaceMotion& motion, double margin) override;
+  int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
+  std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
+  std::vector<int> node_ranks() const override { return decomposition_.node_owners(); }
+  DecompositionReport report() const override { return decomposition_.report(); }
+
+ private:
+  /// Items asked for by number, from those who own them; `order` puts what comes back to its place.
+  struct Subscription {
+    ExchangePlan request;        // to the owners
+    std::vector<int> order;      // item k of the messages is the asker's item order[k]
+    std::vector<int> published;  // the owner's places of the items that it sends, in the order of its messages
+  };
+  /// A touch on its way to the FE owner of its node.
+  struct TouchRecord;
+
+  std::int64_t find_points_in_boxes_here(std::int64_t limit);
+  void list_pairs();
+  std::vector<FaceTopology> ask_for_faces_around(const std::vector<std::int64_t>& nodes);
+  void build_check_space(std::vector<FaceTopology> faces);
+  template <class Find>
+  Subscription subscribe(const std::vector<std::int64_t>& numbers, const Find& find);
+  void receive_motion(const SurfaceMotion& motion);
+  void receive_history(const ContactHistory& history);
+  template <class Record>
+  std::vector<Record> send_results_to_fe_owners(const std::vector<Record>& records, const std::vector<int>& counts);
+  std::vector<RowTouch> make_row_touches(std::vector<TouchRecord> records) const;
+  int find_mesh_node(std::int64_t number) const;
+  int find_contact_node(std::int64_t number) const;
+
+  ContactRanks ranks_;
+  const SurfaceShare& share_;
+  UnstructuredExchange exchange_;
+  DataExchange data_;
+  ContactDecomposition decomposition_;
+
+  // The search on this rank.
+  SearchScratch scratch_;
+  CandidateList found_;                      // in places of decomposition_.nodes() and faces()
+  std::vector<int> first_pair_, pair_face_;  // the same on the host: [nodes + 1], [pairs]
+  std::vector<int> checked_;                 // places of nodes with candidates
+  std::vector<int> candidate_faces_;         // places of faces that are some node's candidate, ascending
+  std::int64_t total_pairs_ = 0;             // of all ranks
+
+  // The check on this rank, in numbers of its own.
+  CheckSpace check_;
+  std::vector<std::int64_t> check_nodes_;  // [nodes] numbers, ascending
+  std::vector<FaceTopology> check_faces_;  // [faces] ascending
+  std::vector<int> checked_nodes_;         // [checked] places in check_nodes_
+  Subscription motion_, history_;
+  Array<int> motion_order_ = Array<int>("contact::motion_order", 0);
+  Array<int> published_nodes_ = Array<int>("contact::published_nodes", 0);
+  Rows3<double> x_ = Rows3<double>("contact::check_x", 0), v_ = Rows3<double>("contact::check_v", 0);
+};
+
+}  // namespace percuss

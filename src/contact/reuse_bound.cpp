@@ -1,0 +1,60 @@
+#include "src/contact/reuse_bound.hpp"
+
+#include "kernels/contact/capture_boxes.hpp"
+
+namespace percuss {
+namespace {
+
+/// Margin of capture boxes in mean face edges: searches less often against more pairs to check.
+constexpr double margin_edges = 0.5;
+
+/// Travel of any node that uses up the margin: node and face may each move by it, and the reach of the check grows with
+/// the edges of a face, 2 sqrt(3) * contact_limits::capture < 1 times as much.
+constexpr double travels_in_margin = 3;
+
+}  // namespace
+
+ReuseBound::ReuseBound(const Communicator& ranks, const SurfaceShare& share, bool enabled)
+    : ranks_(ranks),
+      share_(share),
+      enabled_(enabled),
+      origin_("contact::search_origin", static_cast<std::size_t>(share.nodes.count())) {}
+
+double ReuseBound::find_largest(double value) const {
+  if (ranks_.size() > 1)
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, ranks_.handle()), "MPI_Allreduce");
+  return value;
+}
+
+bool ReuseBound::covers(const SurfaceMotion& motion) const {
+  if (!enabled_ || !valid_) return false;
+  double travel = 0;
+  run_where_it_pays(share_.nodes.count() / 10,
+                    [&](const auto& space) { travel = find_largest_travel(space, share_.node_list, motion, origin_); });
+  return travels_in_margin * find_largest(travel) <= margin_;
+}
+
+double ReuseBound::restart(const SurfaceMotion& motion) {
+  double move = 0;
+  run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
+    move = find_largest_move(space, share_.node_list, motion);
+    store_places(space, share_.node_list, motion.x, origin_);
+    space.fence();
+  });
+  // Without reuse the boxes only need what a node moves in this step.
+  margin_ = find_largest(move) + (enabled_ ? margin_edges * find_mean_edge(motion) : 0);
+  valid_ = true;
+  return margin_;
+}
+
+double ReuseBound::find_mean_edge(const SurfaceMotion& motion) const {
+  if (share_.total_searched_faces == 0) return 0;
+  ExactSum sum;
+  run_where_it_pays(static_cast<int>(share_.searched_faces.size()) / 10,
+                    [&](const auto& space) { sum = sum_shortest_edges(space, share_.corner_list, motion.x); });
+  sum.normalize();
+  if (ranks_.size() > 1) sum_(ranks_, sum);
+  return sum.round() / static_cast<double>(share_.total_searched_faces);
+}
+
+}  // namespace percuss

@@ -1,0 +1,35 @@
+#pragma once
+// Whether candidate pairs may be used again: a bound on the motion since the search that found them.
+
+#include "comm/merge_reduction.hpp"
+#include "src/contact/surface_share.hpp"
+
+namespace percuss {
+
+class ReuseBound {
+ public:
+  /// enabled: whether pairs may be used again at all. The share outlives this. Collective, as are all calls.
+  ReuseBound(const Communicator& ranks, const SurfaceShare& share, bool enabled);
+
+  /// Whether the pairs of the last search still hold all that the check could accept in this step.
+  bool covers(const SurfaceMotion& motion) const;
+
+  /// Starts anew at this step's places; returns the margin by which capture boxes must be widened [length].
+  double restart(const SurfaceMotion& motion);
+
+  /// Mean of the shortest edges of the searched faces [length].
+  double find_mean_edge(const SurfaceMotion& motion) const;
+
+ private:
+  double find_largest(double value) const;
+
+  Communicator ranks_;
+  const SurfaceShare& share_;
+  bool enabled_;
+  MergeReduction<ExactSum> sum_;
+  bool valid_ = false;
+  double margin_ = 0;
+  Rows3<double> origin_;
+};
+
+}  // namespace percuss

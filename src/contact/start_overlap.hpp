@@ -1,0 +1,37 @@
+#pragma once
+// Overlap between surfaces: what a scene starts with, and what an audit finds.
+
+#include "src/contact/contact_finder.hpp"
+#include "src/contact/reuse_bound.hpp"
+
+namespace percuss {
+
+/// An empty history.
+ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls);
+
+/// Overlap at the start: what was found, on all ranks, and taken into the history.
+struct StartOverlap {
+  std::int64_t nodes = 0;          // contact nodes inside another body or behind a wall
+  std::int64_t too_deep = 0;       // of these, deeper than contact can hold
+  double deepest = 0;              // [length]
+  std::int64_t deepest_node = -1;  // number of the node, lowest of equals
+};
+
+/// What looks for overlap: a finder of its own, so that the search of the steps is not disturbed.
+struct OverlapSearch {
+  const Communicator& ranks;
+  const SurfaceShare& share;
+  const WallPairs& walls;
+  const ReuseBound& bound;
+  ContactFinder& finder;
+};
+
+/// Finds overlap at the places of `motion`, whose dt is 0, and writes it to the history: as accepted reference, or to
+/// be pushed out. Collective.
+StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                          const ContactHistory& history);
+
+/// Deepest penetration / shortest edge, faces and walls, on any rank. Collective.
+double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion);
+
+}  // namespace percuss

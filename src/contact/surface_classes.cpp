@@ -1,0 +1,92 @@
+#include "src/contact/surface_classes.hpp"
+
+#include <algorithm>
+
+namespace percuss {
+namespace {
+
+bool has_surface(const SurfaceSet& set, int surface) { return std::binary_search(set.begin(), set.end(), surface); }
+
+/// Friction between a node on surfaces `node` and a face on surfaces `face`.
+double find_pair_friction(const ContactDeck& contact, const SurfaceSet& node, const SurfaceSet& face) {
+  for (std::size_t p = 0; p < contact.pairs.size(); ++p) {
+    const int a = 2 * static_cast<int>(p), b = a + 1;
+    const bool fits = (has_surface(node, a) && has_surface(face, b)) || (has_surface(node, b) && has_surface(face, a));
+    if (fits) return contact.pairs[p].friction.value_or(contact.friction);
+  }
+  return -1;
+}
+
+void sort_unique(std::vector<SurfaceSet>& sets) {
+  std::sort(sets.begin(), sets.end());
+  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
+}
+
+/// The sets of all ranks, each as its length and its surfaces.
+std::vector<int> gather_sets(const Communicator& ranks, const std::vector<SurfaceSet>& sets) {
+  std::vector<int> own;
+  for (const SurfaceSet& set : sets) {
+    own.push_back(static_cast<int>(set.size()));
+    own.insert(own.end(), set.begin(), set.end());
+  }
+  const auto size = static_cast<std::size_t>(ranks.size());
+  std::vector<int> counts(size), first(size + 1, 0);
+  const int count = static_cast<int>(own.size());
+  check_mpi(MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, ranks.handle()), "MPI_Allgather");
+  for (std::size_t r = 0; r < size; ++r) first[r + 1] = first[r] + counts[r];
+  std::vector<int> all(static_cast<std::size_t>(first[size]));
+  check_mpi(
+      MPI_Allgatherv(own.data(), count, MPI_INT, all.data(), counts.data(), first.data(), MPI_INT, ranks.handle()),
+      "MPI_Allgatherv");
+  return all;
+}
+
+}  // namespace
+
+int SurfaceClasses::find(const SurfaceSet& set) const {
+  return static_cast<int>(std::lower_bound(sets.begin(), sets.end(), set) - sets.begin());
+}
+
+std::vector<double> SurfaceClasses::find_friction(const ContactDeck& contact) const {
+  if (contact.surfaces != ContactDeck::Surfaces::pairs) {
+    return {contact.surfaces == ContactDeck::Surfaces::all ? contact.friction : -1};
+  }
+  std::vector<double> friction;
+  for (const SurfaceSet& node : sets) {
+    for (const SurfaceSet& face : sets) friction.push_back(find_pair_friction(contact, node, face));
+  }
+  return friction;
+}
+
+std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, const std::vector<ElementFace>& faces) {
+  std::vector<SurfaceSet> sets(faces.size());
+  if (deck.contact.surfaces != ContactDeck::Surfaces::pairs) return sets;
+  for (std::size_t p = 0; p < deck.contact.pairs.size(); ++p) {
+    const Selector* sides[2] = {&deck.contact.pairs[p].a, &deck.contact.pairs[p].b};
+    for (int side = 0; side < 2; ++side) {
+      for (const ElementFace& selected : select_faces(mesh, deck, *sides[side])) {
+        const auto place = std::lower_bound(faces.begin(), faces.end(), selected);
+        sets[static_cast<std::size_t>(place - faces.begin())].push_back(2 * static_cast<int>(p) + side);
+      }
+    }
+  }
+  return sets;
+}
+
+SurfaceClasses agree_on_classes(const Mesh& mesh, std::vector<SurfaceSet> sets) {
+  sort_unique(sets);
+  if (mesh.ranks && mesh.ranks->size() > 1) {
+    const std::vector<int> all = gather_sets(*mesh.ranks, sets);
+    sets.clear();
+    for (auto next = all.begin(); next != all.end();) {
+      const auto first = next + 1;
+      next = first + *next;
+      sets.emplace_back(first, next);
+    }
+    sort_unique(sets);
+  }
+  if (sets.empty()) sets.push_back({});
+  return {std::move(sets)};
+}
+
+}  // namespace percuss

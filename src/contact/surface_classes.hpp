@@ -1,0 +1,32 @@
+#pragma once
+// Who may touch whom: the deck's named surfaces as classes of nodes and faces and a table of pairs.
+
+#include <vector>
+
+#include "src/deck/deck.hpp"
+#include "src/mesh/mesh.hpp"
+
+namespace percuss {
+
+/// Numbers of named surfaces, ascending: 2 p and 2 p + 1 are the sides a and b of the deck's pair p.
+using SurfaceSet = std::vector<int>;
+
+/// The combinations of named surfaces on which nodes or faces lie together, the same on every rank.
+struct SurfaceClasses {
+  std::vector<SurfaceSet> sets;  // [classes] ascending
+
+  int count() const { return static_cast<int>(sets.size()); }
+  int find(const SurfaceSet& set) const;
+
+  /// Coulomb friction by [class of the node * count() + class of the face]: that of the first pair that fits; -1: they
+  /// may not touch.
+  std::vector<double> find_friction(const ContactDeck& contact) const;
+};
+
+/// Surfaces of each face of the share. Throws InputError for unknown surfaces. Collective over Mesh::ranks.
+std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, const std::vector<ElementFace>& faces);
+
+/// All sets that occur on any rank. Collective over Mesh::ranks.
+SurfaceClasses agree_on_classes(const Mesh& mesh, std::vector<SurfaceSet> sets);
+
+}  // namespace percuss

@@ -1,0 +1,191 @@
+#include "src/contact/surface_share.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "comm/data_exchange.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/contact/surface_classes.hpp"
+
+namespace percuss {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// The three corners of a hexahedron that share an edge with each corner (Exodus II order).
+constexpr int hex_neighbours[8][3] = {{1, 3, 4}, {0, 2, 5}, {1, 3, 6}, {0, 2, 7},
+                                      {0, 5, 7}, {1, 4, 6}, {2, 5, 7}, {3, 4, 6}};
+
+/// The corner across the element from a corner of a face.
+int find_back_corner(int face, int corner) {
+  const int* on_face = hex_faces[face];
+  for (const int neighbour : hex_neighbours[corner])
+    if (std::find(on_face, on_face + 4, neighbour) == on_face + 4) return neighbour;
+  return corner;
+}
+
+/// Number of each element of the share.
+std::vector<std::int64_t> number_elements(const ChunkedMesh& chunked) {
+  std::vector<std::int64_t> numbers;
+  numbers.reserve(chunked.mesh.elements.size());
+  for (const Chunk& chunk : chunked.chunks) {
+    for (int e = 0; e < chunk.element_count; ++e)
+      numbers.push_back(chunked.numbering.first_element[at(chunk.number)] + e);
+  }
+  return numbers;
+}
+
+void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& faces, SurfaceShare& share) {
+  const Mesh& mesh = chunked.mesh;
+  const std::vector<std::int64_t> numbers = number_elements(chunked);
+  for (const ElementFace& f : faces) {
+    FaceTopology face;
+    face.number = 6 * numbers[at(f.element)] + f.face;
+    face.body = mesh.bodies[at(f.element)];
+    std::array<int, 4> corners{}, backs{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int corner = hex_faces[f.face][i];
+      corners[i] = mesh.elements[at(f.element)][at(corner)];
+      backs[i] = mesh.elements[at(f.element)][at(find_back_corner(f.face, corner))];
+      face.corners[i] = mesh.node_numbers[at(corners[i])];
+      face.backs[i] = mesh.node_numbers[at(backs[i])];
+    }
+    share.faces.push_back(face);
+    share.face_corners.push_back(corners);
+    share.face_backs.push_back(backs);
+  }
+}
+
+/// A face as it is told to the owner of one of its corners.
+struct CornerNotice {
+  std::int64_t node = 0;
+  double size = 0;  // shorter of the two edges that meet there
+  FaceTopology face;
+};
+
+CornerNotice make_notice(const Mesh& mesh, const SurfaceShare& share, std::size_t face, std::size_t corner) {
+  const auto measure = [&](int a, int b) {
+    const Vec3 &p = mesh.nodes[at(a)], &q = mesh.nodes[at(b)];
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  };
+  const std::array<int, 4>& nodes = share.face_corners[face];
+  const int node = nodes[corner];
+  return {share.faces[face].corners[corner],
+          std::min(measure(node, nodes[(corner + 1) % 4]), measure(node, nodes[(corner + 3) % 4])), share.faces[face]};
+}
+
+/// Tells the owner of every corner about each face of this rank; returns what the owned nodes were told, by (node,
+/// face).
+std::vector<CornerNotice> exchange_notices(const ChunkedMesh& chunked, const SurfaceShare& share,
+                                           UnstructuredExchange& exchange) {
+  std::vector<CornerNotice> notices;
+  std::vector<int> owners;
+  for (std::size_t f = 0; f < share.faces.size(); ++f) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      notices.push_back(make_notice(chunked.mesh, share, f, i));
+      owners.push_back(chunked.numbering.find_node_owner(notices.back().node));
+    }
+  }
+  const SendOrder order = order_by_destination(owners);
+  std::vector<CornerNotice> ordered;
+  ordered.reserve(notices.size());
+  for (const int i : order.items) ordered.push_back(notices[at(i)]);
+  DataExchange data(exchange.ranks());
+  std::vector<CornerNotice> received = data.exchange(exchange.plan(order.to), ordered);
+  std::sort(received.begin(), received.end(), [](const CornerNotice& a, const CornerNotice& b) {
+    return a.node != b.node ? a.node < b.node : a.face.number < b.face.number;
+  });
+  return received;
+}
+
+void list_nodes(const Mesh& mesh, const std::vector<CornerNotice>& notices, OwnedContactNodes& nodes) {
+  for (const CornerNotice& notice : notices) {
+    if (nodes.numbers.empty() || nodes.numbers.back() != notice.node) {
+      const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), notice.node);
+      nodes.mesh_nodes.push_back(static_cast<int>(place - mesh.node_numbers.begin()));
+      nodes.numbers.push_back(notice.node);
+      nodes.ids.push_back(mesh.node_ids[at(nodes.mesh_nodes.back())]);
+      nodes.sizes.push_back(std::numeric_limits<double>::infinity());
+      nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
+    }
+    nodes.sizes.back() = std::min(nodes.sizes.back(), notice.size);
+    nodes.faces.push_back(notice.face);
+  }
+  nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
+}
+
+/// Surfaces of each owned node: those of all faces around it.
+std::vector<SurfaceSet> find_node_surfaces(const OwnedContactNodes& nodes, const SurfaceClasses& classes) {
+  std::vector<SurfaceSet> sets(at(nodes.count()));
+  for (std::size_t n = 0; n < sets.size(); ++n) {
+    for (int f = nodes.first_face[n]; f < nodes.first_face[n + 1]; ++f) {
+      const SurfaceSet& set = classes.sets[at(nodes.faces[at(f)].surface_class)];
+      sets[n].insert(sets[n].end(), set.begin(), set.end());
+    }
+    std::sort(sets[n].begin(), sets[n].end());
+    sets[n].erase(std::unique(sets[n].begin(), sets[n].end()), sets[n].end());
+  }
+  return sets;
+}
+
+/// Classes of nodes and faces, who may touch whom, and which nodes and faces a search must look at.
+void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const SurfaceClasses& classes,
+                 const std::vector<SurfaceSet>& node_sets, SurfaceShare& share) {
+  const auto renumber = [&](FaceTopology& face) {
+    face.surface_class = classes.find(of_faces.sets[at(face.surface_class)]);
+  };
+  std::for_each(share.faces.begin(), share.faces.end(), renumber);
+  std::for_each(share.nodes.faces.begin(), share.nodes.faces.end(), renumber);
+  for (const SurfaceSet& set : node_sets) share.nodes.classes.push_back(classes.find(set));
+  const std::vector<double> friction = classes.find_friction(deck.contact);
+  const std::size_t n = at(classes.count());
+  std::vector<char> node_searched(n, 0), face_searched(n, 0);
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = 0; b < n; ++b) {
+      if (friction[a * n + b] >= 0) node_searched[a] = face_searched[b] = 1;
+    }
+  }
+  share.num_classes = classes.count();
+  share.pair_friction = to_view("contact::pair_friction", friction);
+  for (const int c : share.nodes.classes) share.nodes.searched.push_back(node_searched[at(c)]);
+  for (const FaceTopology& face : share.faces) share.face_searched.push_back(face_searched[at(face.surface_class)]);
+}
+
+void set_lists(const Communicator& ranks, SurfaceShare& share) {
+  std::vector<std::array<int, 4>> corners;
+  for (std::size_t f = 0; f < share.faces.size(); ++f) {
+    if (share.face_searched[f] == 0) continue;
+    share.searched_faces.push_back(static_cast<int>(f));
+    corners.push_back(share.face_corners[f]);
+  }
+  share.node_list = to_view("contact::nodes", share.nodes.mesh_nodes);
+  share.corner_list = to_rows("contact::face_nodes", corners);
+  std::int64_t totals[3] = {share.nodes.count(), static_cast<std::int64_t>(share.faces.size()),
+                            static_cast<std::int64_t>(corners.size())};
+  check_mpi(MPI_Allreduce(MPI_IN_PLACE, totals, 3, MPI_INT64_T, MPI_SUM, ranks.handle()), "MPI_Allreduce");
+  share.total_nodes = totals[0];
+  share.total_faces = totals[1];
+  share.total_searched_faces = totals[2];
+}
+
+}  // namespace
+
+SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, UnstructuredExchange& exchange) {
+  const Mesh& mesh = chunked.mesh;
+  SurfaceShare share;
+  const std::vector<ElementFace> faces = find_exterior_faces(mesh);
+  list_faces(chunked, faces, share);
+  const std::vector<SurfaceSet> face_sets = find_face_surfaces(mesh, deck, faces);
+  const SurfaceClasses of_faces = agree_on_classes(mesh, face_sets);
+  for (std::size_t f = 0; f < faces.size(); ++f) share.faces[f].surface_class = of_faces.find(face_sets[f]);
+  list_nodes(mesh, exchange_notices(chunked, share, exchange), share.nodes);
+  const std::vector<SurfaceSet> node_sets = find_node_surfaces(share.nodes, of_faces);
+  std::vector<SurfaceSet> all = of_faces.sets;
+  all.insert(all.end(), node_sets.begin(), node_sets.end());
+  set_classes(deck, of_faces, agree_on_classes(mesh, std::move(all)), node_sets, share);
+  set_lists(exchange.ranks(), share);
+  return share;
+}
+
+}  // namespace percuss

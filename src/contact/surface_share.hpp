@@ -1,0 +1,60 @@
+#pragma once
+// What a rank holds of the contact surface in the FE decomposition: the faces of its elements, and the contact nodes
+// that it owns with all faces around them, also those of other ranks. Const after set-up.
+
+#include <cstdint>
+#include <vector>
+
+#include "comm/unstructured_exchange.hpp"
+#include "kernels/contact/row_system.hpp"
+#include "src/deck/deck.hpp"
+#include "src/mesh/ordering.hpp"
+
+namespace percuss {
+
+/// A contact face as ranks tell each other about it.
+struct FaceTopology {
+  std::int64_t number = -1;   // 6 * element number + side
+  std::int64_t corners[4]{};  // node numbers, outward by the right-hand rule
+  std::int64_t backs[4]{};    // nodes of the element behind the face, opposite each corner
+  int body = 0;               // connected body
+  int surface_class = 0;      // which of the named surfaces it lies on, as a class
+};
+
+/// Contact nodes that this rank owns; a contact node is named by its place here, in the order of node numbers.
+struct OwnedContactNodes {
+  std::vector<int> mesh_nodes;        // ascending
+  std::vector<std::int64_t> numbers;  // ascending
+  std::vector<std::int64_t> ids;      // the user's
+  std::vector<int> classes;           // as FaceTopology::surface_class
+  std::vector<double> sizes;          // shortest edge of the faces around each at time 0 [length]
+  std::vector<int> first_face;        // [nodes + 1] into faces
+  std::vector<FaceTopology> faces;    // around each node, ascending number
+  std::vector<char> searched;         // whether it may touch any face
+
+  int count() const { return static_cast<int>(mesh_nodes.size()); }
+};
+
+struct SurfaceShare {
+  OwnedContactNodes nodes;
+  std::vector<FaceTopology> faces;                           // of this rank's elements, ascending number
+  std::vector<char> face_searched;                           // whether it may be touched by any node
+  std::vector<std::array<int, 4>> face_corners, face_backs;  // mesh nodes of this rank
+  int num_classes = 1;
+  Array<const double> pair_friction;  // [class of node * num_classes + class of face]; negative: may not touch
+  std::int64_t total_nodes = 0, total_faces = 0, total_searched_faces = 0;  // of all ranks
+
+  // For kernels over the share.
+  Array<const int> node_list;       // [owned contact nodes] mesh nodes
+  Rows4<const int> corner_list;     // [searched faces] corners as mesh nodes
+  std::vector<int> searched_faces;  // places in `faces`
+};
+
+/// Finds the contact surface of the mesh. Throws InputError for unknown surfaces. Collective.
+SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, UnstructuredExchange& exchange);
+
+/// The deck's rigid walls with the owned contact nodes that may touch them. Throws InputError, on all ranks, for
+/// unknown selections and for one without a contact node. Collective over Mesh::ranks.
+WallPairs build_walls(const Mesh& mesh, const Deck& deck, const SurfaceShare& share);
+
+}  // namespace percuss

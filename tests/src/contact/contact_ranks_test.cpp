@@ -1,0 +1,142 @@
+// The contact stage on several ranks against the stage on one: the same bits for every node, step after step.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/contact/point3.hpp"
+#include "src/contact/contact_stage.hpp"
+#include "src/deck/read_deck.hpp"
+#include "src/mesh/decompose.hpp"
+
+namespace percuss::test {
+namespace {
+
+const std::string head =
+    "time: {end: 1}\nmaterials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}\n";
+
+Communicator self() { return Communicator(MPI_COMM_SELF); }
+
+/// A velocity that brings bodies together, shears them and shakes every node, from its place and number alone.
+Point3 find_velocity(const Vec3& x, std::int64_t number) {
+  const auto shake = [&](double seed) { return 0.2 * std::sin(seed * static_cast<double>(number + 1)); };
+  return {0.3 * std::sin(2.1 * x[1] + x[2]) - 0.2 * x[0] + shake(12.9), 0.2 * std::cos(1.7 * x[0]) + shake(7.3),
+          -0.35 * x[2] + shake(3.1)};
+}
+
+/// Nodes of a deck moved by the stage alone.
+struct Nodes {
+  Nodes(const Deck& deck, const Communicator& ranks)
+      : chunked(load_mesh(deck, ranks)),
+        stage(chunked, deck, ranks),
+        x("test::x", count()),
+        v("test::v", count()),
+        before("test::before", count()),
+        inverse_mass("test::inverse_mass", count()),
+        impulse("test::impulse", count()) {
+    for (std::size_t n = 0; n < count(); ++n) {
+      const Vec3& p = chunked.mesh.nodes[n];
+      const auto i = static_cast<int>(n);
+      store_row(x, i, {p[0], p[1], p[2]});
+      store_row(v, i, find_velocity(p, chunked.mesh.node_numbers[n]));
+      const double m = 1 + 0.01 * static_cast<double>(chunked.mesh.node_numbers[n] % 7);
+      store_row(inverse_mass, i, {1 / m, 1 / m, p[2] < 1e-3 ? 0 : 1 / m});
+    }
+  }
+
+  std::size_t count() const { return chunked.mesh.nodes.size(); }
+  ContactReport step(double dt) {
+    Kokkos::deep_copy(before, v);
+    const ContactReport report = stage.apply({x, before, v, inverse_mass, impulse, dt});
+    for (int n = 0; n < static_cast<int>(count()); ++n) store_row(x, n, load_row(x, n) + dt * load_row(v, n));
+    return report;
+  }
+
+  ChunkedMesh chunked;
+  ContactStage stage;
+  Rows3<double> x, v, before, inverse_mass, impulse;
+};
+
+void expect_equal(const Rows3<double>& share, const Rows3<double>& whole, const Nodes& nodes, const char* what) {
+  int different = 0;
+  for (std::size_t n = 0; n < nodes.count(); ++n) {
+    const auto g = static_cast<std::size_t>(nodes.chunked.mesh.node_numbers[n]);
+    for (std::size_t k = 0; k < 3; ++k) different += share(n, k) == whole(g, k) ? 0 : 1;
+  }
+  ASSERT_EQ(different, 0) << what;
+}
+
+void compare(const std::string& text, int steps, double dt, int least_contacts) {
+  const Deck deck = parse_deck(text + head, "deck.yaml");
+  Nodes whole(deck, self()), share(deck, Communicator::world());
+  EXPECT_EQ(share.stage.prepare(share.x, share.v, share.inverse_mass),
+            whole.stage.prepare(whole.x, whole.v, whole.inverse_mass));
+  EXPECT_EQ(share.stage.contact_nodes(), whole.stage.contact_nodes());
+  EXPECT_EQ(share.stage.contact_faces(), whole.stage.contact_faces());
+  std::int64_t most = 0;
+  for (int i = 0; i < steps; ++i) {
+    const ContactReport a = whole.step(dt), b = share.step(dt);
+    ASSERT_EQ(b.interactions, a.interactions) << "step " << i;
+    ASSERT_EQ(b.candidates, a.candidates) << "step " << i;
+    ASSERT_EQ(b.searched, a.searched) << "step " << i;
+    ASSERT_EQ(b.iterations, a.iterations) << "step " << i;
+    ASSERT_EQ(b.residual, a.residual) << "step " << i;
+    ASSERT_EQ(b.normal_work, a.normal_work) << "step " << i;
+    ASSERT_EQ(b.friction_work, a.friction_work) << "step " << i;
+    ASSERT_EQ(b.deepest, a.deepest) << "step " << i;
+    ASSERT_EQ(b.deepest_node, a.deepest_node) << "step " << i;
+    expect_equal(share.v, whole.v, share, "velocities");
+    expect_equal(share.impulse, whole.impulse, share, "impulses");
+    most = std::max<std::int64_t>(most, a.interactions);
+  }
+  EXPECT_GE(most, least_contacts);  // else the scene tests nothing
+  EXPECT_EQ(share.stage.measure_penetration(share.x), whole.stage.measure_penetration(whole.x));
+}
+
+const std::string bricks = R"(
+parts:
+  wall: {box: {size: [1, 0.5, 0.4], cells: [4, 3, 2]}, array: {count: [3, 2, 3], pitch: [1, 0.5, 0.4]}, material: m}
+  ball: {sphere: {radius: 0.5, cells: 8}, at: [1.4, 0.5, 1.72], material: m}
+)";
+
+TEST(ContactOnRanks, ABrickWallThatTouchesEverywhereGivesTheSameBits) {
+  compare(bricks + "contact: {surfaces: all, friction: 0.3}\n", 4, 0.02, 100);
+}
+
+TEST(ContactOnRanks, NeitherRebalancingNorReuseOfTheSearchChangesABit) {
+  for (const char* more : {"rebalance: always, reuse_search: false", "rebalance: never", "rebalance: always"}) {
+    compare(bricks + "contact: {surfaces: all, friction: 0.3, " + more + "}\n", 2, 0.02, 100);
+  }
+}
+
+TEST(ContactOnRanks, NamedSurfacesAndWallsGiveTheSameBits) {
+  compare(bricks + R"(
+contact: {surfaces: [{a: ball, b: wall, friction: 0.1}], friction: 0}
+walls: [{point: [0, 0, 0.005], normal: [0, 0, 1], friction: 0.2}, {point: [0, 0.01, 0], normal: [0, 1, 0], nodes: [wall]}]
+)",
+          4, 0.02, 20);
+}
+
+TEST(ContactOnRanks, OverlapAtTheStartIsTheSameReferenceOnAnyRanks) {
+  compare(R"(
+parts:
+  a: {box: {size: [2, 2, 1], cells: [6, 6, 3]}, material: m}
+  b: {box: {size: [1, 1, 1], cells: [4, 4, 4]}, at: [0.43, 0.41, 0.98], material: m}
+contact: {surfaces: all, friction: 0.2}
+)",
+          4, 0.02, 5);
+}
+
+TEST(ContactOnRanks, ASceneThatNeverTouchesSendsNothingBack) {
+  compare(R"(
+parts:
+  a: {box: {size: [2, 2, 1], cells: [6, 6, 3]}, material: m}
+  b: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, at: [40, 41, 98], material: m}
+contact: {surfaces: all}
+)",
+          3, 1e-4, 0);
+}
+
+}  // namespace
+}  // namespace percuss::test
