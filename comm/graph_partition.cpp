@@ -70,40 +70,28 @@ void measure(const Graph& graph, int part_count, Partition& partition) {
   if (total > 0) partition.imbalance = static_cast<double>(heaviest) * part_count / static_cast<double>(total);
 }
 
-/// [nodes] chunks that hold each node, ascending.
-std::vector<std::vector<int>> list_chunks_of_nodes(const std::vector<int>& first, const std::vector<int>& nodes) {
-  const int largest = nodes.empty() ? -1 : *std::max_element(nodes.begin(), nodes.end());
-  std::vector<std::vector<int>> chunks(static_cast<std::size_t>(largest + 1));
-  for (std::size_t c = 0; c + 1 < first.size(); ++c) {
-    for (int i = first[c]; i < first[c + 1]; ++i) {
-      chunks[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])].push_back(static_cast<int>(c));
-    }
-  }
-  return chunks;
-}
-
 }  // namespace
 
-Graph build_chunk_graph(const std::vector<int>& first, const std::vector<int>& nodes, const std::vector<int>& costs) {
-  const auto chunks_of_nodes = list_chunks_of_nodes(first, nodes);
+Graph build_graph(const std::vector<GraphEdge>& edges, std::vector<int> costs) {
   Graph graph;
-  graph.vertex_weights = costs;
-  graph.first.push_back(0);
-  std::vector<int> shared(costs.size(), 0);  // nodes shared with the chunk at hand
-  for (std::size_t c = 0; c < costs.size(); ++c) {
-    const std::size_t begin = graph.neighbours.size();
-    for (int i = first[c]; i < first[c + 1]; ++i) {
-      for (const int other : chunks_of_nodes[static_cast<std::size_t>(nodes[static_cast<std::size_t>(i)])]) {
-        if (other == static_cast<int>(c)) continue;
-        if (shared[static_cast<std::size_t>(other)]++ == 0) graph.neighbours.push_back(other);
-      }
-    }
-    std::sort(graph.neighbours.begin() + static_cast<std::ptrdiff_t>(begin), graph.neighbours.end());
-    for (std::size_t e = begin; e < graph.neighbours.size(); ++e) {
-      graph.edge_weights.push_back(std::exchange(shared[static_cast<std::size_t>(graph.neighbours[e])], 0));
-    }
-    graph.first.push_back(static_cast<int>(graph.neighbours.size()));
+  graph.first.assign(costs.size() + 1, 0);
+  graph.vertex_weights = std::move(costs);
+  for (const GraphEdge& edge : edges) {
+    ++graph.first[static_cast<std::size_t>(edge.a) + 1];
+    ++graph.first[static_cast<std::size_t>(edge.b) + 1];
   }
+  std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
+  graph.neighbours.resize(2 * edges.size());
+  graph.edge_weights.resize(2 * edges.size());
+  std::vector<int> next(graph.first.begin(), graph.first.end() - 1);
+  const auto add = [&](int vertex, int neighbour, int weight) {
+    const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(vertex)]++);
+    graph.neighbours[place] = neighbour;
+    graph.edge_weights[place] = weight;
+  };
+  // Lower neighbours first: both passes ascend.
+  for (const GraphEdge& edge : edges) add(edge.b, edge.a, edge.weight);
+  for (const GraphEdge& edge : edges) add(edge.a, edge.b, edge.weight);
   return graph;
 }
 

@@ -22,9 +22,15 @@ struct Graph {
   std::vector<int> vertex_weights;  // [vertices] cost of the vertex, at least 1
 };
 
-/// The graph of chunks: an edge joins chunks that share nodes, and weighs as many as they share.
-/// first: [chunks + 1] into nodes; nodes: those of each chunk, each once in a chunk; costs: [chunks] at least 1.
-Graph build_chunk_graph(const std::vector<int>& first, const std::vector<int>& nodes, const std::vector<int>& costs);
+/// An edge of a graph, of which there is one between two vertices.
+struct GraphEdge {
+  int a = 0, b = 0;  // vertices, a < b
+  int weight = 1;
+  friend bool operator==(const GraphEdge&, const GraphEdge&) = default;
+};
+
+/// The graph of some edges, ascending by (a, b). costs: [vertices] at least 1.
+Graph build_graph(const std::vector<GraphEdge>& edges, std::vector<int> costs);
 
 /// Which part each vertex belongs to, and how good that is.
 struct Partition {

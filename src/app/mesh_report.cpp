@@ -4,28 +4,30 @@
 
 #include <algorithm>
 
+#include "src/error.hpp"
+#include "src/mesh/check_mesh.hpp"
+#include "src/mesh/exodus_mesh.hpp"
 #include "src/mesh/hex_geometry.hpp"
-#include "src/mesh/mesh.hpp"
 
 namespace percuss {
 namespace {
 
-// The name that the mesh's part has while it is looked at; no message shows it.
-constexpr const char* part_name = "mesh";
-
-Mesh read_mesh(const std::string& file) {
-  Deck deck;
-  deck.file = file;
-  PartDeck part;
-  part.name = part_name;
-  part.shape = ExodusMesh{file, {}, 1};
-  part.material = "any";
-  deck.parts.push_back(std::move(part));
-  deck.materials.push_back({"any", ElasticDeck{1, 1, 0}, {}});
-  return build_mesh(deck);
+PartMesh read_mesh(const std::string& file) {
+  try {
+    PartMesh mesh = read_exodus_mesh({file, {}, 1});
+    const GeometryFindings findings = check_geometry(mesh);
+    if (!findings.problems().empty()) throw InputError(findings.problems().join(""));
+    findings.warn(mesh.warnings);
+    add_side_nodes(mesh);
+    return mesh;
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: error: {}", file, error.what()));
+  } catch (const SystemError& error) {
+    throw SystemError(fmt::format("{}: error: {}", file, error.what()));
+  }
 }
 
-double sum_volume(const Mesh& mesh) {
+double sum_volume(const PartMesh& mesh) {
   double volume = 0;
   for (const auto& element : mesh.elements) {
     HexCorners corners;
@@ -35,7 +37,7 @@ double sum_volume(const Mesh& mesh) {
   return volume;
 }
 
-std::string format_extent(const Mesh& mesh) {
+std::string format_extent(const PartMesh& mesh) {
   std::string text;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [low, high] = std::minmax_element(mesh.nodes.begin(), mesh.nodes.end(),
@@ -45,15 +47,11 @@ std::string format_extent(const Mesh& mesh) {
   return text;
 }
 
-// The sets of the file: those of the part itself are left out.
 template <class Sets>
 std::string format_sets(const Sets& sets, const char* label, const char* what) {
   std::string text;
-  const std::string prefix = std::string(part_name) + "/";
   for (const auto& [name, members] : sets) {
-    if (!name.starts_with(prefix)) continue;
-    text +=
-        fmt::format("{:<12}{}: {} {}\n", text.empty() ? label : "", name.substr(prefix.size()), members.size(), what);
+    text += fmt::format("{:<12}{}: {} {}\n", text.empty() ? label : "", name, members.size(), what);
   }
   return text;
 }
@@ -61,7 +59,7 @@ std::string format_sets(const Sets& sets, const char* label, const char* what) {
 }  // namespace
 
 std::string describe_exodus_mesh(const std::string& file) {
-  const Mesh mesh = read_mesh(file);
+  const PartMesh mesh = read_mesh(file);
   std::string text = fmt::format("{:<12}{}: Exodus II\n", "mesh", file);
   text += fmt::format("{:<12}{} elements, {} nodes, volume {:.6g}\n", "size", mesh.elements.size(), mesh.nodes.size(),
                       sum_volume(mesh));

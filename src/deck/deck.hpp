@@ -40,12 +40,14 @@ struct CylinderShape {
   int along = 0;
 };
 
-/// A hollow cylinder. Local origin: the middle of the start face, axis +z. Sides: start, end, inner, outer.
+/// A hollow cylinder, or a sector of one. Local origin: on the axis in the start face, axis +z. Sides: start, end,
+/// inner, outer; of a sector also first (at +x) and last.
 struct TubeShape {
   double inner_radius = 0;
   double outer_radius = 0;
   double length = 0;
   std::array<int, 3> cells{1, 8, 1};  // through the wall, around, along
+  double arc = 360;                   // degrees of the turn, from +x counter-clockwise; 360: closed
 };
 
 /// A solid ball: a cube of core cells and rings on its six faces, split as CylinderShape. Local origin: its middle.

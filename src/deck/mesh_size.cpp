@@ -28,7 +28,8 @@ MeshSize count(const CylinderShape& cylinder) {
 
 MeshSize count(const TubeShape& tube) {
   const double through = tube.cells[0], around = tube.cells[1], along = tube.cells[2];
-  return {through * around * along, (through + 1) * around * (along + 1)};
+  const double lines = tube.arc < 360 ? around + 1 : around;  // of nodes; those at both ends of a full turn are one
+  return {through * around * along, (through + 1) * lines * (along + 1)};
 }
 
 MeshSize count(const SphereShape& sphere) {

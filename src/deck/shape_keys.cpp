@@ -63,12 +63,15 @@ const Keys<CylinderShape>& cylinder_keys() {
   return keys;
 }
 
+const Range turn{"above 0, at most 360", 0, 360, true};
+
 const Keys<TubeShape>& tube_keys() {
   static const Keys<TubeShape> keys = {
       need("inner_radius", &TubeShape::inner_radius, NumberValue{positive}),
       need("outer_radius", &TubeShape::outer_radius, NumberValue{positive}),
       need("length", &TubeShape::length, NumberValue{positive}),
       need("cells", &TubeShape::cells, CellsValue<3>{{{{"through", 1}, {"around", 3}, {"along", 1}}}}),
+      may("arc", &TubeShape::arc, NumberValue{turn}),
   };
   return keys;
 }
@@ -148,7 +151,10 @@ std::vector<std::string> side_names(const Shape& shape) {
       return {"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"};
     }
     std::vector<std::string> operator()(const CylinderShape&) const { return {"start", "end", "side"}; }
-    std::vector<std::string> operator()(const TubeShape&) const { return {"start", "end", "inner", "outer"}; }
+    std::vector<std::string> operator()(const TubeShape& tube) const {
+      if (tube.arc < 360) return {"start", "end", "inner", "outer", "first", "last"};
+      return {"start", "end", "inner", "outer"};
+    }
     std::vector<std::string> operator()(const SphereShape&) const { return {"surface"}; }
     std::vector<std::string> operator()(const ExodusMesh&) const { return {}; }
   };

@@ -30,13 +30,16 @@ HexCorners gather_corners(const PartMesh& mesh, std::size_t element) {
   return x;
 }
 
-std::string describe_element(const PartMesh& mesh, std::size_t element) {
+std::string describe_element(std::int64_t id, const HexCorners& corners) {
   Vec3 center{};
-  for (const Vec3& x : gather_corners(mesh, element)) {
+  for (const Vec3& x : corners) {
     for (std::size_t d = 0; d < 3; ++d) center[d] += 0.125 * x[d];
   }
-  return fmt::format("element {} at ({:.6g}, {:.6g}, {:.6g})", id_of(mesh.element_ids, element), center[0], center[1],
-                     center[2]);
+  return fmt::format("element {} at ({:.6g}, {:.6g}, {:.6g})", id, center[0], center[1], center[2]);
+}
+
+std::string describe_element(const PartMesh& mesh, std::size_t element) {
+  return describe_element(id_of(mesh.element_ids, element), gather_corners(mesh, element));
 }
 
 std::array<int, 8> sort_corners(std::array<int, 8> corners) {
@@ -104,20 +107,6 @@ void check_duplicates(const PartMesh& mesh, Problems& problems) {
   }
 }
 
-bool check_coordinates(const PartMesh& mesh, Problems& problems) {
-  bool finite = true;
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
-    const Vec3& x = mesh.nodes[n];
-    if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2])) continue;
-    finite = false;
-    report(problems, [&] {
-      return fmt::format("node {} lies at ({}, {}, {}) (coordinates must be finite)", id_of(mesh.node_ids, n), x[0],
-                         x[1], x[2]);
-    });
-  }
-  return finite;
-}
-
 enum class Shape8 { good, flat_corner, inverted_corner, zero_volume, inverted };
 
 struct ShapeVerdict {
@@ -144,23 +133,37 @@ ShapeVerdict judge_shape(const HexCorners& x) {
   return worst;
 }
 
-std::string describe_verdict(const PartMesh& mesh, std::size_t element, const ShapeVerdict& verdict) {
-  const std::string name = describe_element(mesh, element);
+std::string describe_verdict(const std::string& element, const std::array<std::int64_t, 8>& node_ids,
+                             const ShapeVerdict& verdict) {
   switch (verdict.shape) {
     case Shape8::inverted:
-      return fmt::format("{} is inverted (its volume is {:.6g}); check the order of its corners", name, verdict.value);
+      return fmt::format("{} is inverted (its volume is {:.6g}); check the order of its corners", element,
+                         verdict.value);
     case Shape8::zero_volume:
-      return fmt::format("{} has no volume (it is {:.6g}); check the places of its corners", name, verdict.value);
+      return fmt::format("{} has no volume (it is {:.6g}); check the places of its corners", element, verdict.value);
     default:
       break;
   }
-  const int node = mesh.elements[element][static_cast<std::size_t>(verdict.corner)];
   return fmt::format(
-      "{} is inverted at its corner {}, node {} (the scaled Jacobian there is {:.3g}, it must not be negative)", name,
-      verdict.corner + 1, id_of(mesh.node_ids, static_cast<std::size_t>(node)), verdict.value);
+      "{} is inverted at its corner {}, node {} (the scaled Jacobian there is {:.3g}, it must not be negative)",
+      element, verdict.corner + 1, node_ids[static_cast<std::size_t>(verdict.corner)], verdict.value);
 }
 
 }  // namespace
+
+void Problems::append(const Problems& later) {
+  for (const std::string& text : later.texts_) {
+    if (shows_next()) texts_.push_back(text);
+  }
+  count_ += later.count_;
+}
+
+Problems Problems::restore(std::vector<std::string> texts, std::size_t count) {
+  Problems problems;
+  problems.texts_ = std::move(texts);
+  problems.count_ = count;
+  return problems;
+}
 
 std::string Problems::join(const std::string& prefix) const {
   std::string joined;
@@ -174,23 +177,49 @@ void check_connectivity(const PartMesh& mesh, Problems& problems) {
   check_duplicates(mesh, problems);
 }
 
-void check_geometry(PartMesh& mesh, Problems& problems) {
-  if (!check_coordinates(mesh, problems)) return;
-  std::size_t flat_corners = 0, first_flat = 0;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const ShapeVerdict verdict = judge_shape(gather_corners(mesh, e));
-    if (verdict.shape == Shape8::good) continue;
-    if (verdict.shape == Shape8::flat_corner) {
-      if (flat_corners++ == 0) first_flat = e;
-    } else {
-      report(problems, [&] { return describe_verdict(mesh, e, verdict); });
+void GeometryFindings::check_node(std::int64_t id, const Vec3& x) {
+  if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2])) return;
+  report(nodes, [&] {
+    return fmt::format("node {} lies at ({}, {}, {}) (coordinates must be finite)", id, x[0], x[1], x[2]);
+  });
+}
+
+void GeometryFindings::check_element(std::int64_t id, const HexCorners& corners,
+                                     const std::array<std::int64_t, 8>& node_ids) {
+  const ShapeVerdict verdict = judge_shape(corners);
+  if (verdict.shape == Shape8::good) return;
+  if (verdict.shape != Shape8::flat_corner) {
+    report(elements, [&] { return describe_verdict(describe_element(id, corners), node_ids, verdict); });
+  } else if (flat_corners++ == 0) {
+    first_flat = describe_element(id, corners);
+  }
+}
+
+void GeometryFindings::append(const GeometryFindings& later) {
+  nodes.append(later.nodes);
+  elements.append(later.elements);
+  if (flat_corners == 0) first_flat = later.first_flat;
+  flat_corners += later.flat_corners;
+}
+
+void GeometryFindings::warn(std::vector<std::string>& warnings) const {
+  if (flat_corners == 0) return;
+  warnings.push_back(
+      fmt::format("{} element(s) have a corner without volume, the first is {} (it is at the brink of inversion)",
+                  flat_corners, first_flat));
+}
+
+GeometryFindings check_geometry(const PartMesh& mesh) {
+  GeometryFindings findings;
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) findings.check_node(id_of(mesh.node_ids, n), mesh.nodes[n]);
+  for (std::size_t e = 0; findings.nodes.empty() && e < mesh.elements.size(); ++e) {
+    std::array<std::int64_t, 8> node_ids{};
+    for (std::size_t c = 0; c < 8; ++c) {
+      node_ids[c] = id_of(mesh.node_ids, static_cast<std::size_t>(mesh.elements[e][c]));
     }
+    findings.check_element(id_of(mesh.element_ids, e), gather_corners(mesh, e), node_ids);
   }
-  if (flat_corners > 0) {
-    mesh.warnings.push_back(
-        fmt::format("{} element(s) have a corner without volume, the first is {} (it is at the brink of inversion)",
-                    flat_corners, describe_element(mesh, first_flat)));
-  }
+  return findings;
 }
 
 }  // namespace percuss

@@ -1,11 +1,13 @@
 #pragma once
 // Refuses meshes that cannot be run, naming elements by the user's ids.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/part_mesh.hpp"
 
 namespace percuss {
@@ -25,6 +27,14 @@ class Problems {
   bool empty() const { return count_ == 0; }
   std::size_t count() const { return count_; }
 
+  /// Adds what another rank found after this.
+  void append(const Problems& later);
+
+  const std::vector<std::string>& texts() const { return texts_; }
+
+  /// `count` problems of which `texts` are the first.
+  static Problems restore(std::vector<std::string> texts, std::size_t count);
+
   /// The texts, each after `prefix` on a line of its own, and a last line with the number of those left out.
   std::string join(const std::string& prefix) const;
 
@@ -42,9 +52,31 @@ inline std::int64_t id_of(const std::vector<std::int64_t>& ids, std::size_t inde
 /// Corners must be valid node indexes.
 void check_connectivity(const PartMesh& mesh, Problems& problems);
 
-/// Adds a problem for every node without finite coordinates and for every element without a positive mean volume
-/// (Flanagan and Belytschko 1981) or with a corner turned inside out. A corner with a Jacobian of zero is allowed and
-/// warned of: the mean quadrature stays regular, but the element is at the brink of inversion.
-void check_geometry(PartMesh& mesh, Problems& problems);
+/// What is wrong with the places of a part's nodes and with the shapes of its elements, gathered one by one.
+struct GeometryFindings {
+  Problems nodes, elements;
+  std::size_t flat_corners = 0;  // elements with a corner whose Jacobian is zero
+  std::string first_flat;        // the first of them
+
+  /// Adds a problem if a coordinate is not finite.
+  void check_node(std::int64_t id, const Vec3& place);
+
+  /// Adds a problem if an element has no positive mean volume (Flanagan and Belytschko 1981) or a corner turned inside
+  /// out. A corner with a Jacobian of zero is allowed and counted: the mean quadrature stays regular, but the element
+  /// is at the brink of inversion. nodes: ids of the corners.
+  void check_element(std::int64_t id, const HexCorners& corners, const std::array<std::int64_t, 8>& node_ids);
+
+  /// Adds what was found in later nodes and elements of the part.
+  void append(const GeometryFindings& later);
+
+  /// The problems to tell: those of the nodes, if there are any; shapes mean nothing then.
+  const Problems& problems() const { return nodes.empty() ? elements : nodes; }
+
+  /// Appends to the warnings of the part.
+  void warn(std::vector<std::string>& warnings) const;
+};
+
+/// Checks all nodes and elements of a part.
+GeometryFindings check_geometry(const PartMesh& mesh);
 
 }  // namespace percuss

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -16,22 +15,21 @@ namespace percuss {
 class IdAllotment {
  public:
   /// Adds a part of `count` nodes or elements; `ids` is empty if it comes without. Ids are positive and unique.
-  void add(std::vector<std::int64_t> ids, std::size_t count) { parts_.push_back({std::move(ids), count, false}); }
+  void add(std::vector<std::int64_t> ids, std::int64_t count) { parts_.push_back({std::move(ids), count, 0, false}); }
 
-  /// The ids of all parts, in the order in which they were added.
-  std::vector<std::int64_t> assign() {
+  /// Gives every part its ids, in the order in which they were added.
+  void assign() {
     assign_own();
-    std::vector<std::int64_t> all;
     for (Part& part : parts_) {
-      if (part.ids.empty()) {
-        part.ids.resize(part.count);
-        std::iota(part.ids.begin(), part.ids.end(), highest_ + 1);
-        highest_ += static_cast<std::int64_t>(part.count);
-      }
-      all.insert(all.end(), part.ids.begin(), part.ids.end());
+      if (!part.ids.empty()) continue;
+      part.first = highest_ + 1;
+      highest_ += part.count;
     }
-    return all;
   }
+
+  /// After assign(): the ids of a part that came with some, and the first id of one that came without.
+  const std::vector<std::int64_t>& ids(std::size_t part) const { return parts_[part].ids; }
+  std::int64_t first_id(std::size_t part) const { return parts_[part].first; }
 
   /// After assign(): whether the ids that the part came with were raised.
   bool raised(std::size_t part) const { return parts_[part].raised; }
@@ -39,7 +37,7 @@ class IdAllotment {
  private:
   struct Part {
     std::vector<std::int64_t> ids;
-    std::size_t count = 0;
+    std::int64_t count = 0, first = 0;
     bool raised = false;
   };
 

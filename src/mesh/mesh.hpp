@@ -1,9 +1,9 @@
 #pragma once
 // The mesh of a scene on the host: nodes, eight-node hexahedra, parts and sets. Const after set-up.
 //
-// Node and element indexes are 0-based positions in these arrays. order_chunks() permutes them once so that chunks
-// are contiguous; the user's ids stay with them. Where several ranks hold the mesh together, these are the elements of
-// one of them and the nodes that they use.
+// Node and element indexes are 0-based positions in these arrays; elements lie chunk after chunk, and the user's ids
+// stay with them. Where several ranks hold the mesh together, these are the elements of one of them and the nodes that
+// they use.
 
 #include <array>
 #include <cstdint>
@@ -52,10 +52,7 @@ struct Mesh {
   std::optional<Communicator> ranks;       // those that hold it together; none: this one holds it all
 };
 
-/// Generates or reads the meshes of all parts, checks them and puts them together. Nodes of different parts are never
-/// merged. Throws InputError with all problems found, each with the deck's place, the file and the element (inverted,
-/// no volume, repeated nodes, duplicates, numbers out of range; file missing, damaged or without hexahedra);
-/// SystemError if a file is there but the system does not let it be read.
+/// load_mesh() (src/mesh/decompose.hpp) on this rank alone, without its chunks.
 Mesh build_mesh(const Deck& deck);
 
 /// Nodes that the selector means, ascending; a side set means the nodes of its faces. `inside` counts nodes on the
@@ -67,13 +64,7 @@ std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector
 /// of the whole mesh; with `inside` only those with all four corners inside. Throws InputError likewise.
 std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector);
 
-/// Fills Mesh::exterior from the connectivity of a whole mesh.
-void mark_exterior_faces(Mesh& mesh);
-
 /// The faces that Mesh::exterior marks, ascending.
 std::vector<ElementFace> find_exterior_faces(const Mesh& mesh);
-
-/// Number of the connected body of each element (through shared nodes), counted from 0 by lowest element.
-std::vector<int> find_bodies(const Mesh& mesh);
 
 }  // namespace percuss

@@ -1,13 +1,14 @@
 #pragma once
-// Cuts the elements into chunks and puts the mesh in chunk order. The last step of meshing: everything after it (the
-// decomposition, the fixed order of every sum, what is skipped) counts in chunks.
+// Chunks: what everything after meshing counts in (the decomposition, the fixed order of every sum, what is skipped).
 //
 // A chunk comes from the mesh alone, never from the number of ranks or threads, so that results do not depend on them.
+// Generated parts are cut by index (src/mesh/tiling.hpp), parts from files by the bisection here.
 
 #include <vector>
 
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/numbering.hpp"
+#include "src/mesh/part_mesh.hpp"
 
 namespace percuss {
 
@@ -15,8 +16,8 @@ namespace percuss {
 /// cache.
 inline constexpr int max_chunk_elements = 64;
 
-/// Cuts fall on multiples of this many elements, so that only the last pack of a part is partly empty (for any pack of
-/// up to 16 lanes).
+/// Cuts of a part from a file fall on multiples of this many elements, so that only the last pack of a part is partly
+/// empty (for any pack of up to 16 lanes).
 inline constexpr int chunk_granularity = 16;
 
 /// A contiguous run of elements of one part.
@@ -35,11 +36,16 @@ struct ChunkedMesh {
   Numbering numbering;        // of the whole mesh, the same on every rank
 };
 
-/// Cuts each part by recursive bisection of its element centres, across the widest extent, into the fewest chunks of at
-/// most max_chunk_elements, near-equal in size; permutes elements, nodes, ids and sets. Parts keep the order of
-/// Mesh::parts; within a chunk elements keep their order; nodes are numbered by first use. Equal coordinates are told
+/// Elements chunk after chunk.
+struct ElementOrder {
+  std::vector<int> elements;        // place i of the new order has element elements[i] of the old
+  std::vector<int> first_of_chunk;  // [chunks + 1] into elements
+};
+
+/// Cuts a part by recursive bisection of its element centres, across the widest extent, into the fewest chunks of at
+/// most max_chunk_elements, near-equal in size; within a chunk elements keep their order. Equal coordinates are told
 /// apart by the other two coordinates and then by element index: which elements share a chunk does not depend on the
 /// order of the input unless centres coincide. O(n log n).
-ChunkedMesh order_chunks(Mesh mesh);
+ElementOrder bisect_elements(const PartMesh& mesh);
 
 }  // namespace percuss

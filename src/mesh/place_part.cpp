@@ -7,7 +7,9 @@
 #include <numeric>
 #include <utility>
 
+#include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/part_mesh.hpp"
+#include "src/mesh/placement.hpp"
 
 namespace percuss {
 namespace {
@@ -34,30 +36,6 @@ Matrix3 make_rotation(const Vec3& k, double degrees) {
            {v * k[2] * k[0] - s * k[1], v * k[2] * k[1] + s * k[0], c + v * k[2] * k[2]}}};
 }
 
-void rotate(std::vector<Vec3>& nodes, const Rotation& rotation) {
-  const Matrix3 r = make_rotation(rotation.axis, rotation.degrees);
-  const Vec3& center = rotation.center;
-  for (Vec3& x : nodes) {
-    const Vec3 d{x[0] - center[0], x[1] - center[1], x[2] - center[2]};
-    for (std::size_t i = 0; i < 3; ++i) x[i] = center[i] + (r[i][0] * d[0] + r[i][1] * d[1] + r[i][2] * d[2]);
-  }
-}
-
-std::vector<Vec3> list_copy_offsets(const ArrayCopies& array) {
-  const std::size_t stagger_axis = array.count[1] > 1 ? 1 : 0;
-  std::vector<Vec3> offsets;
-  for (int k = 0; k < array.count[2]; ++k) {
-    for (int j = 0; j < array.count[1]; ++j) {
-      for (int i = 0; i < array.count[0]; ++i) {
-        Vec3 offset{i * array.pitch[0], j * array.pitch[1], k * array.pitch[2]};
-        if (k % 2 == 1) offset[stagger_axis] += array.stagger * array.pitch[stagger_axis];
-        offsets.push_back(offset);
-      }
-    }
-  }
-  return offsets;
-}
-
 /// The first copy keeps the ids of the file, the others count on from the highest.
 void copy_ids(std::vector<std::int64_t>& ids, std::size_t copies) {
   if (ids.empty()) return;
@@ -67,20 +45,14 @@ void copy_ids(std::vector<std::int64_t>& ids, std::size_t copies) {
   std::iota(ids.begin() + static_cast<std::ptrdiff_t>(count), ids.end(), highest + 1);
 }
 
-void copy_part(PartMesh& mesh, const ArrayCopies& array) {
-  const std::vector<Vec3> offsets = list_copy_offsets(array);
-  const std::size_t copies = offsets.size(), node_count = mesh.nodes.size(), element_count = mesh.elements.size();
-  const std::vector<Vec3> nodes = std::exchange(mesh.nodes, {});
-  mesh.nodes.reserve(node_count * copies);
+/// Elements, ids and sets of all copies; copies of nodes and elements follow each other.
+void copy_part(PartMesh& mesh, std::size_t copies, std::size_t node_count) {
+  const std::size_t element_count = mesh.elements.size();
   mesh.elements.reserve(element_count * copies);
-  for (std::size_t copy = 0; copy < copies; ++copy) {
-    const Vec3& o = offsets[copy];
-    for (const Vec3& x : nodes) mesh.nodes.push_back({x[0] + o[0], x[1] + o[1], x[2] + o[2]});
-    for (std::size_t e = 0; copy > 0 && e < element_count; ++e) {
-      std::array<int, 8> corners = mesh.elements[e];
-      for (int& node : corners) node += static_cast<int>(copy * node_count);
-      mesh.elements.push_back(corners);
-    }
+  for (std::size_t i = element_count; i < element_count * copies; ++i) {
+    std::array<int, 8> corners = mesh.elements[i % element_count];
+    for (int& node : corners) node += static_cast<int>(i / element_count * node_count);
+    mesh.elements.push_back(corners);
   }
   copy_ids(mesh.node_ids, copies);
   copy_ids(mesh.element_ids, copies);
@@ -100,12 +72,55 @@ void copy_part(PartMesh& mesh, const ArrayCopies& array) {
 
 }  // namespace
 
-void place_part(PartMesh& mesh, const PartDeck& part) {
-  if (part.array) copy_part(mesh, *part.array);
-  for (const Rotation& rotation : part.rotate) rotate(mesh.nodes, rotation);
-  for (Vec3& x : mesh.nodes) {
-    for (std::size_t d = 0; d < 3; ++d) x[d] += part.at[d];
+Placement::Placement(const PartDeck& part) : array_(part.array), at_(part.at) {
+  if (array_) copies_ = array_->count[0] * array_->count[1] * array_->count[2];
+  for (const Rotation& rotation : part.rotate) {
+    turns_.push_back({make_rotation(rotation.axis, rotation.degrees), rotation.center});
   }
+}
+
+Vec3 Placement::find_offset(int copy) const {
+  const int i = copy % array_->count[0], j = copy / array_->count[0] % array_->count[1];
+  const int k = copy / array_->count[0] / array_->count[1];
+  const std::size_t stagger_axis = array_->count[1] > 1 ? 1 : 0;
+  Vec3 offset{i * array_->pitch[0], j * array_->pitch[1], k * array_->pitch[2]};
+  if (k % 2 == 1) offset[stagger_axis] += array_->stagger * array_->pitch[stagger_axis];
+  return offset;
+}
+
+Vec3 Placement::operator()(const Vec3& local, int copy) const {
+  Vec3 x = local;
+  if (array_) x = add(x, find_offset(copy));
+  for (const auto& [r, center] : turns_) {
+    const Vec3 d = subtract(x, center);
+    for (std::size_t i = 0; i < 3; ++i) x[i] = center[i] + (r[i][0] * d[0] + r[i][1] * d[1] + r[i][2] * d[2]);
+  }
+  return add(x, at_);
+}
+
+void add_side_nodes(PartMesh& mesh) {
+  for (const auto& [name, faces] : mesh.side_sets) {
+    if (mesh.node_sets.contains(name)) continue;
+    std::vector<int>& nodes = mesh.node_sets[name];
+    for (const ElementFace& f : faces) {
+      for (const int corner : hex_faces[f.face]) {
+        nodes.push_back(mesh.elements[static_cast<std::size_t>(f.element)][static_cast<std::size_t>(corner)]);
+      }
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  }
+}
+
+void place_part(PartMesh& mesh, const PartDeck& part) {
+  const Placement place(part);
+  const std::vector<Vec3> local = std::exchange(mesh.nodes, {});
+  mesh.nodes.reserve(local.size() * static_cast<std::size_t>(place.copies()));
+  for (int copy = 0; copy < place.copies(); ++copy) {
+    for (const Vec3& x : local) mesh.nodes.push_back(place(x, copy));
+  }
+  const auto copies = static_cast<std::size_t>(place.copies());
+  if (copies > 1) copy_part(mesh, copies, local.size());
 }
 
 }  // namespace percuss

@@ -6,14 +6,17 @@
 #include <numeric>
 
 #include "src/mesh/mesh.hpp"
+#include "src/mesh/topology.hpp"
 
 namespace percuss {
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-std::array<int, 4> sort_face_nodes(const Mesh& mesh, const ElementFace& face) {
-  const std::array<int, 8>& corners = mesh.elements[at(face.element)];
+using Elements = std::vector<std::array<int, 8>>;
+
+std::array<int, 4> sort_face_nodes(const Elements& elements, const ElementFace& face) {
+  const std::array<int, 8>& corners = elements[at(face.element)];
   const int* row = hex_faces[face.face];
   std::array<int, 4> nodes{corners[at(row[0])], corners[at(row[1])], corners[at(row[2])], corners[at(row[3])]};
   std::sort(nodes.begin(), nodes.end());
@@ -26,20 +29,20 @@ struct FacesByLowestNode {
   std::vector<ElementFace> faces;
 };
 
-FacesByLowestNode bin_faces(const Mesh& mesh) {
+FacesByLowestNode bin_faces(const Elements& elements, std::size_t node_count) {
   const auto lowest = [&](const ElementFace& face) {
-    const std::array<int, 8>& corners = mesh.elements[at(face.element)];
+    const std::array<int, 8>& corners = elements[at(face.element)];
     const int* row = hex_faces[face.face];
     return at(std::min({corners[at(row[0])], corners[at(row[1])], corners[at(row[2])], corners[at(row[3])]}));
   };
   const auto for_each_face = [&](auto&& visit) {
-    for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
+    for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
       for (int f = 0; f < 6; ++f) visit(ElementFace{e, f});
     }
   };
   FacesByLowestNode bins;
-  bins.first.assign(mesh.nodes.size() + 1, 0);
-  bins.faces.resize(6 * mesh.elements.size());
+  bins.first.assign(node_count + 1, 0);
+  bins.faces.resize(6 * elements.size());
   for_each_face([&](const ElementFace& face) { ++bins.first[lowest(face) + 1]; });
   std::partial_sum(bins.first.begin(), bins.first.end(), bins.first.begin());
   std::vector<std::int64_t> next(bins.first.begin(), bins.first.end() - 1);
@@ -57,26 +60,27 @@ int find_root(std::vector<int>& parent, int node) {
 
 }  // namespace
 
-void mark_exterior_faces(Mesh& mesh) {
-  const FacesByLowestNode bins = bin_faces(mesh);
+std::vector<std::uint8_t> mark_exterior_faces(const Elements& elements, std::size_t node_count) {
+  const FacesByLowestNode bins = bin_faces(elements, node_count);
   using Key = std::pair<std::array<int, 4>, ElementFace>;
   std::vector<Key> keys;
-  mesh.exterior.assign(mesh.elements.size(), 0);
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+  std::vector<std::uint8_t> exterior(elements.size(), 0);
+  for (std::size_t n = 0; n < node_count; ++n) {
     keys.clear();
     for (std::int64_t i = bins.first[n]; i < bins.first[n + 1]; ++i) {
       const ElementFace& face = bins.faces[static_cast<std::size_t>(i)];
-      keys.emplace_back(sort_face_nodes(mesh, face), face);
+      keys.emplace_back(sort_face_nodes(elements, face), face);
     }
     std::sort(keys.begin(), keys.end());
     for (std::size_t i = 0; i < keys.size(); ++i) {
       const bool as_before = i > 0 && keys[i].first == keys[i - 1].first;
       const bool as_after = i + 1 < keys.size() && keys[i].first == keys[i + 1].first;
       if (as_before || as_after) continue;
-      const ElementFace& face = keys[i].second;
-      mesh.exterior[at(face.element)] = static_cast<std::uint8_t>(mesh.exterior[at(face.element)] | (1U << face.face));
+      std::uint8_t& mask = exterior[at(keys[i].second.element)];
+      mask = static_cast<std::uint8_t>(mask | (1U << keys[i].second.face));
     }
   }
+  return exterior;
 }
 
 std::vector<ElementFace> find_exterior_faces(const Mesh& mesh) {
@@ -89,10 +93,10 @@ std::vector<ElementFace> find_exterior_faces(const Mesh& mesh) {
   return faces;
 }
 
-std::vector<int> find_bodies(const Mesh& mesh) {
-  std::vector<int> parent(mesh.nodes.size());  // a forest over nodes; a root is the lowest node of its tree
+std::vector<int> find_bodies(const Elements& elements, std::size_t node_count) {
+  std::vector<int> parent(node_count);  // a forest over nodes; a root is the lowest node of its tree
   std::iota(parent.begin(), parent.end(), 0);
-  for (const auto& element : mesh.elements) {
+  for (const auto& element : elements) {
     int root = find_root(parent, element[0]);
     for (const int node : element) {
       const int other = find_root(parent, node), low = std::min(root, other);
@@ -100,10 +104,10 @@ std::vector<int> find_bodies(const Mesh& mesh) {
       root = low;
     }
   }
-  std::vector<int> root_to_body(mesh.nodes.size(), -1), bodies(mesh.elements.size());
+  std::vector<int> root_to_body(node_count, -1), bodies(elements.size());
   int count = 0;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    int& body = root_to_body[at(find_root(parent, mesh.elements[e][0]))];
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    int& body = root_to_body[at(find_root(parent, elements[e][0]))];
     if (body < 0) body = count++;
     bodies[e] = body;
   }

@@ -47,5 +47,17 @@ TEST(BroadcastText, IsThatOfTheRootEverywhere) {
   EXPECT_EQ(broadcast_text(world, world.rank() == root ? "" : "not this", root), "");
 }
 
+TEST(BroadcastValues, AreThoseOfTheRootEverywhere) {
+  const Communicator world = Communicator::world();
+  const int root = world.size() / 2;
+  std::vector<double> values(static_cast<std::size_t>(3 * world.rank()), -1);
+  if (world.rank() == root) values = {1, 2, 3, 4};
+  broadcast_values(world, values, root);
+  EXPECT_EQ(values, (std::vector<double>{1, 2, 3, 4}));
+  std::vector<int> none(static_cast<std::size_t>(world.rank() == root ? 0 : 5));
+  broadcast_values(world, none, root);
+  EXPECT_TRUE(none.empty());
+}
+
 }  // namespace
 }  // namespace percuss::test

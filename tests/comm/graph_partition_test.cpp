@@ -49,9 +49,8 @@ long long count_cut(const Graph& graph, const std::vector<int>& parts) {
 
 }  // namespace
 
-TEST(ChunkGraph, EdgesWeighTheNodesThatChunksShare) {
-  // Three chunks in a row: 0 and 1 share nodes 2 and 3, 1 and 2 share node 5, 0 and 2 share node 9.
-  const Graph graph = build_chunk_graph({0, 5, 9, 12}, {0, 1, 2, 3, 9, 2, 3, 4, 5, 5, 6, 9}, {7, 8, 9});
+TEST(BuildGraph, ListsEachEdgeAtBothItsEndsInAscendingOrder) {
+  const Graph graph = build_graph({{0, 1, 2}, {0, 2, 1}, {1, 2, 1}}, {7, 8, 9});
   EXPECT_THAT(graph.first, ElementsAre(0, 2, 4, 6));
   EXPECT_THAT(graph.neighbours, ElementsAre(1, 2, 0, 2, 0, 1));
   EXPECT_THAT(graph.edge_weights, ElementsAre(2, 1, 2, 1, 1, 1));

@@ -101,11 +101,14 @@ TEST(ReadDeck, ReadsEveryShape) {
       "materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}\n"
       "parts:\n"
       "  t: {tube: {inner_radius: 1, outer_radius: 2, length: 3, cells: [1, 12, 4]}, material: m}\n"
+      "  a: {tube: {inner_radius: 1, outer_radius: 2, length: 3, cells: [1, 12, 4], arc: 45.5}, material: m}\n"
       "  s: {sphere: {radius: 2, cells: 9}, material: m}\n");
   const auto& tube = std::get<TubeShape>(deck.parts[0].shape);
   EXPECT_EQ(tube.outer_radius, 2);
   EXPECT_EQ(tube.cells, (std::array<int, 3>{1, 12, 4}));
-  EXPECT_EQ(std::get<SphereShape>(deck.parts[1].shape).across, 9);
+  EXPECT_EQ(tube.arc, 360);
+  EXPECT_EQ(std::get<TubeShape>(deck.parts[1].shape).arc, 45.5);
+  EXPECT_EQ(std::get<SphereShape>(deck.parts[2].shape).across, 9);
 }
 
 TEST(ReadDeck, PutsTheTurnOfTheAxisBeforeTheOtherTurns) {

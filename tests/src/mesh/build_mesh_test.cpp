@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
@@ -31,11 +32,21 @@ TEST(BuildMesh, PutsPartsTogetherWithoutMergingNodes) {
 TEST(BuildMesh, NumbersGeneratedPartsThrough) {
   const Mesh mesh = build_mesh(
       make_deck({make_part_deck("a", BoxShape{{1, 1, 1}, {2, 1, 1}}), make_part_deck("b", SphereShape{1, 4})}));
-  std::vector<std::int64_t> counted(mesh.nodes.size());
-  std::iota(counted.begin(), counted.end(), 1);
-  EXPECT_EQ(mesh.node_ids, counted);
-  counted.resize(mesh.elements.size());
-  EXPECT_EQ(mesh.element_ids, counted);
+  const auto expect_counted = [](std::vector<std::int64_t> ids) {
+    std::vector<std::int64_t> counted(ids.size());
+    std::iota(counted.begin(), counted.end(), 1);
+    std::sort(ids.begin(), ids.end());
+    EXPECT_EQ(ids, counted);
+  };
+  expect_counted(mesh.node_ids);
+  expect_counted(mesh.element_ids);
+  // Parts in the order of the deck, each as its shape counts.
+  const PartMesh ball = make_part_mesh(SphereShape{1, 4});
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    if (mesh.node_ids[n] > 12) {
+      EXPECT_EQ(mesh.nodes[n], ball.nodes[static_cast<std::size_t>(mesh.node_ids[n] - 13)]);
+    }
+  }
 }
 
 TEST(BuildMesh, NamesTheMaterialOfEachPart) {
@@ -107,7 +118,11 @@ TEST(IdAllotment, KeepsTheIdsOfFilesAndCountsOnForTheOthers) {
   ids.add({7, 3}, 2);
   ids.add({5, 4}, 2);  // between those of the part before, yet none of them
   ids.add({}, 1);
-  EXPECT_EQ(ids.assign(), (std::vector<std::int64_t>{8, 9, 7, 3, 5, 4, 10}));
+  ids.assign();
+  EXPECT_EQ(ids.first_id(0), 8);
+  EXPECT_EQ(ids.ids(1), (std::vector<std::int64_t>{7, 3}));
+  EXPECT_EQ(ids.ids(2), (std::vector<std::int64_t>{5, 4}));
+  EXPECT_EQ(ids.first_id(3), 10);
   EXPECT_FALSE(ids.raised(1));
   EXPECT_FALSE(ids.raised(2));
 }
@@ -117,7 +132,10 @@ TEST(IdAllotment, RaisesIdsThatAreTaken) {
   ids.add({7, 3}, 2);
   ids.add({9, 3}, 2);
   ids.add({12}, 1);
-  EXPECT_EQ(ids.assign(), (std::vector<std::int64_t>{7, 3, 16, 10, 12}));
+  ids.assign();
+  EXPECT_EQ(ids.ids(0), (std::vector<std::int64_t>{7, 3}));
+  EXPECT_EQ(ids.ids(1), (std::vector<std::int64_t>{16, 10}));
+  EXPECT_EQ(ids.ids(2), (std::vector<std::int64_t>{12}));
   EXPECT_TRUE(ids.raised(1));
   EXPECT_FALSE(ids.raised(2));
 }

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "src/deck/deck_keys.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/part_mesh.hpp"
+#include "src/mesh/shape_source.hpp"
 
 namespace percuss::testing_mesh {
 
@@ -29,6 +32,23 @@ inline Deck make_deck(std::vector<PartDeck> parts) {
   deck.parts = std::move(parts);
   deck.materials.push_back({"steel", ElasticDeck{7850, 200e9, 0.3}, {}});
   return deck;
+}
+
+/// A generated shape, all of it.
+inline PartMesh make_part_mesh(const Shape& shape) {
+  const std::unique_ptr<ShapeSource> source = make_source(shape);
+  const std::vector<std::string> names = side_names(shape);
+  PartMesh mesh;
+  for (int n = 0; n < source->node_count(); ++n) mesh.nodes.push_back(source->place(n));
+  for (int e = 0; e < source->element_count(); ++e) {
+    mesh.elements.push_back(source->corners(e));
+    const std::array<int, 6> sides = source->face_sides(e);
+    for (int f = 0; f < 6; ++f) {
+      const int side = sides[static_cast<std::size_t>(f)];
+      if (side != ShapeSource::interior) mesh.side_sets[names[static_cast<std::size_t>(side)]].push_back({e, f});
+    }
+  }
+  return mesh;
 }
 
 template <class AnyMesh>

@@ -1,3 +1,5 @@
+// The chunks of parts from files: bisection of element centres.
+
 #include "src/mesh/ordering.hpp"
 
 #include <gtest/gtest.h>
@@ -13,168 +15,82 @@ namespace {
 
 using namespace testing_mesh;
 
-Mesh make_scene() {
-  PartDeck ball = make_part_deck("ball", SphereShape{1, 12}),
-           bricks = make_part_deck("bricks", BoxShape{{1, 1, 1}, {4, 3, 5}});
-  bricks.array = ArrayCopies{{3, 4, 5}, {1.1, 1.1, 1.1}, 0.5};
-  bricks.at = {10, 0, 0};
-  return build_mesh(make_deck({ball, bricks, make_part_deck("rod", CylinderShape{0.1, 5, 5, 100})}));
-}
-
-/// Mesh with elements in another order.
-Mesh shuffle_elements(const Mesh& mesh, unsigned seed) {
-  std::vector<int> order(mesh.elements.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::shuffle(order.begin(), order.end(), std::mt19937(seed));
-  Mesh shuffled = mesh;
-  shuffled.side_sets.clear();
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto from = static_cast<std::size_t>(order[i]);
-    shuffled.elements[i] = mesh.elements[from];
-    shuffled.element_ids[i] = mesh.element_ids[from];
-    shuffled.element_part[i] = mesh.element_part[from];
-  }
-  return shuffled;
-}
-
-/// What an element is, whatever its number: its id and the places of its corners.
-std::vector<std::pair<std::int64_t, HexCorners>> describe_elements(const Mesh& mesh) {
-  std::vector<std::pair<std::int64_t, HexCorners>> elements;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    elements.emplace_back(mesh.element_ids[e], corners_of(mesh, e));
-  std::sort(elements.begin(), elements.end());
-  return elements;
-}
-
-std::vector<std::vector<std::int64_t>> list_chunk_ids(const ChunkedMesh& ordered) {
-  std::vector<std::vector<std::int64_t>> chunks;
-  for (const Chunk& chunk : ordered.chunks) {
-    const auto first = ordered.mesh.element_ids.begin() + chunk.first_element;
-    chunks.emplace_back(first, first + chunk.element_count);
-    std::sort(chunks.back().begin(), chunks.back().end());
+std::vector<std::vector<int>> list_chunks(const ElementOrder& order) {
+  std::vector<std::vector<int>> chunks;
+  for (std::size_t c = 0; c + 1 < order.first_of_chunk.size(); ++c) {
+    chunks.emplace_back(order.elements.begin() + order.first_of_chunk[c],
+                        order.elements.begin() + order.first_of_chunk[c + 1]);
   }
   return chunks;
 }
 
-TEST(OrderChunks, CoversEveryElementOnceInChunksOfOnePart) {
-  const ChunkedMesh ordered = order_chunks(make_scene());
-  int next = 0;
-  for (const Chunk& chunk : ordered.chunks) {
-    EXPECT_EQ(chunk.first_element, next);
-    EXPECT_GE(chunk.element_count, 1);
-    EXPECT_LE(chunk.element_count, max_chunk_elements);
-    next += chunk.element_count;
-    for (int e = chunk.first_element; e < next; ++e) {
-      ASSERT_EQ(ordered.mesh.element_part[static_cast<std::size_t>(e)], chunk.part);
-    }
+TEST(BisectElements, CoversEveryElementOnceInAscendingOrderWithinAChunk) {
+  const PartMesh mesh = make_part_mesh(SphereShape{1, 12});
+  const ElementOrder order = bisect_elements(mesh);
+  for (const std::vector<int>& chunk : list_chunks(order)) {
+    EXPECT_GE(chunk.size(), 1U);
+    EXPECT_LE(chunk.size(), static_cast<std::size_t>(max_chunk_elements));
+    EXPECT_TRUE(std::is_sorted(chunk.begin(), chunk.end()));
   }
-  EXPECT_EQ(next, static_cast<int>(ordered.mesh.elements.size()));
+  std::vector<int> listed = order.elements, all(mesh.elements.size());
+  std::sort(listed.begin(), listed.end());
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(listed, all);
 }
 
-TEST(OrderChunks, KeepsElementsIdsAndSetsTogether) {
-  const Mesh mesh = make_scene();
-  const ChunkedMesh ordered = order_chunks(mesh);
-  EXPECT_EQ(describe_elements(ordered.mesh), describe_elements(mesh));
-  for (const auto& [name, faces] : mesh.side_sets) {
-    const std::vector<ElementFace>& moved = ordered.mesh.side_sets.at(name);
-    EXPECT_TRUE(std::is_sorted(moved.begin(), moved.end()));
-    const auto list = [](const Mesh& m, const std::vector<ElementFace>& set) {
-      std::vector<std::pair<std::int64_t, int>> ids;
-      for (const ElementFace& f : set) ids.emplace_back(m.element_ids[static_cast<std::size_t>(f.element)], f.face);
-      std::sort(ids.begin(), ids.end());
-      return ids;
-    };
-    EXPECT_EQ(list(ordered.mesh, moved), list(mesh, faces)) << name;
-  }
-  for (const auto& [name, nodes] : mesh.node_sets) {
-    const std::vector<int>& moved = ordered.mesh.node_sets.at(name);
-    EXPECT_TRUE(std::is_sorted(moved.begin(), moved.end()));
-    const auto list = [](const Mesh& m, const std::vector<int>& set) {
-      std::vector<std::pair<std::int64_t, Vec3>> ids;
-      for (const int n : set)
-        ids.emplace_back(m.node_ids[static_cast<std::size_t>(n)], m.nodes[static_cast<std::size_t>(n)]);
-      std::sort(ids.begin(), ids.end());
-      return ids;
-    };
-    EXPECT_EQ(list(ordered.mesh, moved), list(mesh, nodes)) << name;
-  }
-}
-
-TEST(OrderChunks, NumbersNodesByFirstUse) {
-  const ChunkedMesh ordered = order_chunks(make_scene());
-  int next = 0;
-  for (const auto& element : ordered.mesh.elements) {
-    for (const int node : element) {
-      ASSERT_LE(node, next);
-      if (node == next) ++next;
-    }
-  }
-  EXPECT_EQ(next, static_cast<int>(ordered.mesh.nodes.size()));
-}
-
-TEST(OrderChunks, KeepsTheOrderOfElementsWithinAChunk) {
-  const ChunkedMesh ordered = order_chunks(make_scene());  // generated ids ascend
-  for (const Chunk& chunk : ordered.chunks) {
-    const auto first = ordered.mesh.element_ids.begin() + chunk.first_element;
-    EXPECT_TRUE(std::is_sorted(first, first + chunk.element_count));
-  }
-}
-
-TEST(OrderChunks, CutsIntoTheFewestChunksOfNearEqualSize) {
-  for (const int cells : {1, 511, 512, 513, 1024, 1025, 7777}) {
-    const ChunkedMesh ordered =
-        order_chunks(build_mesh(make_deck({make_part_deck("b", BoxShape{{1, 1, 1}, {cells, 1, 1}})})));
-    EXPECT_EQ(static_cast<int>(ordered.chunks.size()), (cells + 511) / 512) << cells;
-    for (std::size_t c = 0; c < ordered.chunks.size(); ++c) {
-      const int count = ordered.chunks[c].element_count, mean = cells / static_cast<int>(ordered.chunks.size());
+TEST(BisectElements, CutsIntoTheFewestChunksOfNearEqualSize) {
+  for (const int cells : {1, 63, 64, 65, 128, 129, 7777}) {
+    const auto chunks = list_chunks(bisect_elements(make_part_mesh(BoxShape{{1, 1, 1}, {cells, 1, 1}})));
+    EXPECT_EQ(static_cast<int>(chunks.size()), (cells + max_chunk_elements - 1) / max_chunk_elements) << cells;
+    for (std::size_t c = 0; c < chunks.size(); ++c) {
+      const int count = static_cast<int>(chunks[c].size()), mean = cells / static_cast<int>(chunks.size());
       // Each level of bisection rounds to the granularity once.
       EXPECT_LT(std::abs(count - mean), 3 * chunk_granularity) << cells;
-      if (c + 1 < ordered.chunks.size()) {
+      if (c + 1 < chunks.size()) {
         EXPECT_EQ(count % chunk_granularity, 0);
       }
     }
   }
 }
 
-TEST(OrderChunks, CutsAcrossTheWidestExtent) {
-  const ChunkedMesh ordered =
-      order_chunks(build_mesh(make_deck({make_part_deck("b", BoxShape{{1, 9, 1}, {8, 16, 8}})})));
-  ASSERT_EQ(ordered.chunks.size(), 2U);
-  for (std::size_t e = 0; e < 1024; ++e) {
-    const double y = ordered.mesh.nodes[static_cast<std::size_t>(ordered.mesh.elements[e][0])][1];
-    EXPECT_EQ(y < 4.49, e < 512);
+TEST(BisectElements, CutsAcrossTheWidestExtent) {
+  const PartMesh mesh = make_part_mesh(BoxShape{{1, 9, 1}, {4, 8, 4}});
+  const auto chunks = list_chunks(bisect_elements(mesh));
+  ASSERT_EQ(chunks.size(), 2U);
+  for (const int e : chunks[0]) {
+    EXPECT_LT(mesh.nodes[static_cast<std::size_t>(mesh.elements[static_cast<std::size_t>(e)][0])][1], 4.49);
   }
 }
 
-TEST(OrderChunks, PutsTheSameElementsTogetherWhateverTheirOrderInTheInput) {
-  const Mesh mesh = make_scene();
-  const auto chunks = list_chunk_ids(order_chunks(mesh));
-  for (const unsigned seed : {1U, 2U, 3U})
-    EXPECT_EQ(list_chunk_ids(order_chunks(shuffle_elements(mesh, seed))), chunks);
+TEST(BisectElements, PutsTheSameElementsTogetherWhateverTheirOrderInTheInput) {
+  const PartMesh mesh = make_part_mesh(CylinderShape{0.1, 5, 5, 100});
+  auto chunks = list_chunks(bisect_elements(mesh));
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    std::vector<int> order(mesh.elements.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::shuffle(order.begin(), order.end(), std::mt19937(seed));
+    PartMesh shuffled = mesh;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      shuffled.elements[i] = mesh.elements[static_cast<std::size_t>(order[i])];
+    }
+    auto found = list_chunks(bisect_elements(shuffled));
+    for (auto& chunk : found) {
+      for (int& e : chunk) e = order[static_cast<std::size_t>(e)];
+      std::sort(chunk.begin(), chunk.end());
+    }
+    EXPECT_EQ(found, chunks);
+  }
 }
 
-TEST(OrderChunks, GivesTheSameOrderTwiceAndLeavesAnOrderedMeshAsItIs) {
-  const ChunkedMesh once = order_chunks(make_scene()), again = order_chunks(make_scene()),
-                    twice = order_chunks(once.mesh);
-  EXPECT_EQ(once.mesh.elements, again.mesh.elements);
-  EXPECT_EQ(once.mesh.elements, twice.mesh.elements);
-  EXPECT_EQ(once.mesh.nodes, twice.mesh.nodes);
-  EXPECT_EQ(once.chunks, twice.chunks);
+TEST(BisectElements, SplitsElementsWithOneCentreByIndex) {
+  PartMesh mesh = make_part_mesh(BoxShape{{1, 1, 1}, {1, 1, 1}});
+  mesh.elements.assign(100, mesh.elements[0]);
+  const ElementOrder order = bisect_elements(mesh);
+  EXPECT_EQ(order.first_of_chunk.size(), 3U);
+  EXPECT_TRUE(std::is_sorted(order.elements.begin(), order.elements.end()));
 }
 
-TEST(OrderChunks, SplitsElementsWithOneCentreByIndex) {
-  Mesh mesh = build_mesh(make_deck({make_part_deck("b", BoxShape{{1, 1, 1}, {1, 1, 1}})}));
-  const auto element = mesh.elements[0];
-  mesh.elements.assign(600, element);
-  mesh.element_part.assign(600, 0);
-  mesh.element_ids.resize(600);
-  std::iota(mesh.element_ids.begin(), mesh.element_ids.end(), 1);
-  const ChunkedMesh ordered = order_chunks(mesh);
-  EXPECT_EQ(ordered.chunks.size(), 2U);
-  EXPECT_EQ(ordered.mesh.element_ids, mesh.element_ids);
-}
-
-TEST(OrderChunks, GivesAnEmptyMeshNoChunks) { EXPECT_TRUE(order_chunks({}).chunks.empty()); }
+TEST(BisectElements, GivesAnEmptyPartNoChunks) { EXPECT_EQ(bisect_elements({}).first_of_chunk.size(), 1U); }
 
 }  // namespace
 }  // namespace percuss

@@ -12,7 +12,7 @@ using namespace testing_mesh;
 PartDeck make_brick() { return make_part_deck("p", BoxShape{{1, 2, 3}, {1, 1, 1}}); }
 
 std::vector<Vec3> place(const PartDeck& part) {
-  PartMesh mesh = make_box(std::get<BoxShape>(part.shape));
+  PartMesh mesh = make_part_mesh(part.shape);
   place_part(mesh, part);
   return mesh.nodes;
 }
@@ -61,7 +61,7 @@ TEST(PlacePart, ArraysShiftOddCoursesAlongY) {
   part.array = ArrayCopies{{1, 10, 14}, {0.2, 0.1, 0.06}, 0.5};
   const Mesh mesh = build_mesh(make_deck({part}));
   EXPECT_EQ(mesh.elements.size(), 140U * 54);
-  const std::vector<int> bodies = find_bodies(mesh);
+  const std::vector<int>& bodies = mesh.bodies;
   EXPECT_EQ(bodies.back(), 139);
   const auto first_node = [&](int j, int k) {
     return mesh.nodes[static_cast<std::size_t>(mesh.elements[static_cast<std::size_t>(54 * (j + 10 * k))][0])];
@@ -96,7 +96,7 @@ TEST(PlacePart, SidesOfAnArrayAreThoseOfAllCopies) {
 }
 
 TEST(PlacePart, CopiesCountOnFromTheIdsOfTheFile) {
-  PartMesh mesh = make_box({{1, 1, 1}, {2, 1, 1}});
+  PartMesh mesh = make_part_mesh(BoxShape{{1, 1, 1}, {2, 1, 1}});
   mesh.element_ids = {70, 50};
   mesh.node_ids.assign(12, 0);
   for (std::size_t n = 0; n < 12; ++n) mesh.node_ids[n] = static_cast<std::int64_t>(100 - n);

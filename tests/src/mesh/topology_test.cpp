@@ -1,3 +1,5 @@
+#include "src/mesh/topology.hpp"
+
 #include <gtest/gtest.h>
 
 #include "tests/src/mesh/mesh_measures.hpp"
@@ -7,16 +9,23 @@ namespace {
 
 using namespace testing_mesh;
 
+std::vector<ElementFace> list_exterior_faces(const PartMesh& part) {
+  Mesh mesh;
+  mesh.elements = part.elements;
+  mesh.exterior = mark_exterior_faces(part.elements, part.nodes.size());
+  return find_exterior_faces(mesh);
+}
+
+std::vector<int> count_bodies(const PartMesh& part) { return find_bodies(part.elements, part.nodes.size()); }
+
 TEST(ExteriorFaces, OfABoxAreItsSixSides) {
-  const Mesh mesh = build_mesh(make_deck({make_part_deck("b", BoxShape{{1, 1, 1}, {5, 4, 3}})}));
-  const std::vector<ElementFace> faces = find_exterior_faces(mesh);
+  const std::vector<ElementFace> faces = list_exterior_faces(make_part_mesh(BoxShape{{1, 1, 1}, {5, 4, 3}}));
   EXPECT_EQ(faces.size(), 2U * (5 * 4 + 4 * 3 + 5 * 3));
   EXPECT_TRUE(std::is_sorted(faces.begin(), faces.end()));
 }
 
 TEST(ExteriorFaces, LookOutward) {
-  const Mesh mesh = build_mesh(make_deck({make_part_deck("b", BoxShape{{1, 1, 1}, {1, 1, 1}})}));
-  const HexCorners x = corners_of(mesh, 0);
+  const HexCorners x = corners_of(make_part_mesh(BoxShape{{1, 1, 1}, {1, 1, 1}}), 0);
   for (const auto& face : hex_faces) {
     const auto at = [&](int i) { return x[static_cast<std::size_t>(face[i])]; };
     const Vec3 normal = cross(subtract(at(1), at(0)), subtract(at(3), at(0)));
@@ -32,30 +41,30 @@ TEST(ExteriorFaces, OfPartsThatTouchAreThoseOfEach) {
 }
 
 TEST(ExteriorFaces, ReappearWhereAnElementIsMissing) {
-  Mesh mesh = build_mesh(make_deck({make_part_deck("b", BoxShape{{1, 1, 1}, {3, 3, 3}})}));
+  PartMesh mesh = make_part_mesh(BoxShape{{1, 1, 1}, {3, 3, 3}});
   mesh.elements.erase(mesh.elements.begin() + 13);  // the one in the middle
-  EXPECT_EQ(find_exterior_faces(mesh).size(), 54U + 6);
+  EXPECT_EQ(list_exterior_faces(mesh).size(), 54U + 6);
 }
 
 TEST(Bodies, AreCountedFromTheLowestElement) {
   PartDeck row = make_part_deck("row", BoxShape{{1, 1, 1}, {2, 1, 1}});
   row.array = ArrayCopies{{3, 1, 1}, {1, 0, 0}, 0};  // copies touch, yet share no node
-  const std::vector<int> bodies = find_bodies(build_mesh(make_deck({row, make_part_deck("ball", SphereShape{1, 3})})));
+  const std::vector<int> bodies = build_mesh(make_deck({row, make_part_deck("ball", SphereShape{1, 3})})).bodies;
   const std::vector<int> first(bodies.begin(), bodies.begin() + 6);
   EXPECT_EQ(first, (std::vector<int>{0, 0, 1, 1, 2, 2}));
   for (std::size_t e = 6; e < bodies.size(); ++e) EXPECT_EQ(bodies[e], 3);
 }
 
 TEST(Bodies, JoinedByASingleNodeAreOne) {
-  Mesh mesh = build_mesh(make_deck({make_part_deck("b", BoxShape{{2, 2, 2}, {2, 2, 2}})}));
+  PartMesh mesh = make_part_mesh(BoxShape{{2, 2, 2}, {2, 2, 2}});
   mesh.elements = {mesh.elements[0], mesh.elements[7]};  // opposite corners share the node in the middle
-  EXPECT_EQ(find_bodies(mesh), (std::vector<int>{0, 0}));
+  EXPECT_EQ(count_bodies(mesh), (std::vector<int>{0, 0}));
 }
 
 TEST(Bodies, MeetingLateAreOne) {
-  Mesh mesh = build_mesh(make_deck({make_part_deck("b", BoxShape{{5, 1, 1}, {5, 1, 1}})}));
+  PartMesh mesh = make_part_mesh(BoxShape{{5, 1, 1}, {5, 1, 1}});
   mesh.elements = {mesh.elements[4], mesh.elements[0], mesh.elements[2], mesh.elements[1]};
-  EXPECT_EQ(find_bodies(mesh), (std::vector<int>{0, 1, 1, 1}));
+  EXPECT_EQ(count_bodies(mesh), (std::vector<int>{0, 1, 1, 1}));
 }
 
 }  // namespace

@@ -1,0 +1,104 @@
+#include "src/mesh/chunk_graph.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <numeric>
+
+#include "src/fail_together.hpp"
+#include "src/mesh/node_homes.hpp"
+
+namespace percuss {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// [nodes] the chunk of each.
+std::vector<int> list_using_chunks(const ChunkPieces& pieces) {
+  std::vector<int> chunks;
+  chunks.reserve(pieces.keys.size());
+  for (std::size_t c = 0; c < pieces.chunks.size(); ++c) {
+    chunks.insert(chunks.end(), at(pieces.first_node[c + 1] - pieces.first_node[c]), pieces.chunks[c]);
+  }
+  return chunks;
+}
+
+/// What ranks count for their chunks, for all chunks of the scene.
+void sum_over_ranks(const Communicator& ranks, std::vector<std::int64_t>& counts) {
+  constexpr std::size_t piece = std::size_t{1} << 27;  // MPI counts with an int
+  for (std::size_t first = 0; first < counts.size(); first += piece) {
+    const auto count = static_cast<int>(std::min(piece, counts.size() - first));
+    check_mpi(MPI_Allreduce(MPI_IN_PLACE, counts.data() + first, count, MPI_INT64_T, MPI_SUM, ranks.handle()),
+              "MPI_Allreduce");
+  }
+}
+
+/// [chunks of the scene + 1]: numbers of the first node of each, from the nodes that own-ed chunks count.
+std::vector<std::int64_t> number_first_nodes(const Communicator& ranks, int chunk_count, const std::vector<int>& users,
+                                             const std::vector<int>& owners) {
+  std::vector<std::int64_t> first(at(chunk_count) + 1, 0);
+  for (std::size_t n = 0; n < owners.size(); ++n) {
+    if (owners[n] == users[n]) ++first[at(owners[n]) + 1];
+  }
+  sum_over_ranks(ranks, first);
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  return first;
+}
+
+/// Nodes of a chunk lie in the order of their first use already.
+std::vector<std::int64_t> number_owned_nodes(const std::vector<int>& users, const std::vector<int>& owners,
+                                             const std::vector<std::int64_t>& first_node) {
+  std::vector<std::int64_t> numbers(users.size(), -1);
+  std::int64_t next = 0;
+  int chunk = -1;
+  for (std::size_t n = 0; n < users.size(); ++n) {
+    if (users[n] != chunk) {
+      chunk = users[n];
+      next = first_node[at(chunk)];
+    }
+    if (owners[n] == chunk) numbers[n] = next++;
+  }
+  return numbers;
+}
+
+/// [chunks of the scene] on every rank.
+std::vector<int> find_costs(const Deck& deck, const Communicator& ranks, const SceneParts& scene,
+                            const ChunkPieces& pieces) {
+  std::vector<std::int64_t> faces(at(scene.chunk_count()), 0);
+  for (std::size_t c = 0; c < pieces.chunks.size(); ++c) {
+    for (int e = pieces.first_element[c]; e < pieces.first_element[c + 1]; ++e) {
+      faces[at(pieces.chunks[c])] += std::popcount(pieces.exterior[at(e)]);
+    }
+  }
+  sum_over_ranks(ranks, faces);
+  const int face_cost = deck.contact.surfaces == ContactDeck::Surfaces::none ? 0 : contact_face_cost;
+  std::vector<int> costs(faces.size());
+  for (std::size_t c = 0; c < costs.size(); ++c) {
+    const auto elements = static_cast<int>(scene.first_element[c + 1] - scene.first_element[c]);
+    costs[c] = element_cost * elements + face_cost * static_cast<int>(faces[c]);
+  }
+  return costs;
+}
+
+}  // namespace
+
+NumberedChunks number_chunks(const Deck& deck, const Communicator& ranks, const SceneParts& scene,
+                             const ChunkPieces& pieces) {
+  const std::vector<int> users = list_using_chunks(pieces);
+  NodeHomes homes(ranks, pieces.keys, users, scene.keys);
+  NumberedChunks numbered;
+  {
+    const std::vector<int> owners = homes.find_owners();
+    numbered.numbering.first_element = scene.first_element;
+    numbered.numbering.first_node = number_first_nodes(ranks, scene.chunk_count(), users, owners);
+    numbered.numbers = homes.share_numbers(number_owned_nodes(users, owners, numbered.numbering.first_node));
+  }
+  const std::vector<GraphEdge> edges = homes.gather_edges();
+  std::vector<int> costs = find_costs(deck, ranks, scene, pieces);
+  fail_together(ranks, [&] {
+    if (ranks.rank() == 0) numbered.graph = build_graph(edges, std::move(costs));
+  });
+  return numbered;
+}
+
+}  // namespace percuss

@@ -1,0 +1,66 @@
+#pragma once
+// A generated shape in closed form: every node, element and side is a function of its index, and nothing is stored. A
+// rank can therefore make the elements of one chunk without those of any other.
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "src/deck/deck.hpp"
+
+namespace percuss {
+
+/// Cells of a shape that lie on a grid of their own: cell (i, j, k) is element first + i strides[0] + j strides[1] + k
+/// strides[2].
+struct CellBlock {
+  int first = 0;
+  std::array<int, 3> cells{};
+  std::array<int, 3> strides{};
+  Vec3 edges{};  // mean length of a cell's edge in each direction [length]
+};
+
+/// In the local coordinates that deck.hpp gives for the shape. Indexes count from 0 within one copy of it.
+class ShapeSource {
+ public:
+  static constexpr int interior = -1;
+
+  virtual ~ShapeSource() = default;
+  virtual int node_count() const = 0;
+  virtual int element_count() const = 0;
+
+  /// Nodes of an element, Exodus II HEX8 order.
+  virtual std::array<int, 8> corners(int element) const = 0;
+
+  /// Place of a node [length].
+  virtual Vec3 place(int node) const = 0;
+
+  /// Side of each face of an element as an index into side_names() of the shape; `interior` for those between two
+  /// elements. Every exterior face belongs to one side.
+  virtual std::array<int, 6> face_sides(int element) const = 0;
+
+  /// Bit s: the node lies on side s.
+  virtual unsigned node_sides(int node) const = 0;
+
+  /// Grids that hold every element once.
+  virtual std::vector<CellBlock> blocks() const = 0;
+};
+
+/// The source of a generated shape; null for a mesh from a file.
+std::unique_ptr<ShapeSource> make_source(const Shape& shape);
+
+/// Rectangular block of cells[0] x cells[1] x cells[2] equal elements. Nodes and elements count along x first.
+std::unique_ptr<ShapeSource> make_box_source(const BoxShape& shape);
+
+/// Solid cylinder: every section is a core of square topology and rings around it. The nodes of the side lie at the
+/// radius; each section is symmetric to the last bit under quarter turns and under reflection in x, y and x = y.
+std::unique_ptr<ShapeSource> make_cylinder_source(const CylinderShape& shape);
+
+/// Hollow cylinder or a sector of one; the first of its node lines lies at +x. Symmetric to the last bit under
+/// reflection in x (and, as far as `around` divides, in y and under quarter turns).
+std::unique_ptr<ShapeSource> make_tube_source(const TubeShape& shape);
+
+/// Solid ball: a core of cube topology and shells around it. The nodes of the surface lie at the radius; symmetric to
+/// the last bit under the 48 symmetries of the cube.
+std::unique_ptr<ShapeSource> make_sphere_source(const SphereShape& shape);
+
+}  // namespace percuss
