@@ -66,6 +66,9 @@ struct ExodusMesh {
 
 using Shape = std::variant<BoxShape, CylinderShape, TubeShape, SphereShape, ExodusMesh>;
 
+/// The sides that percuss names on a generated shape; empty for a mesh from a file.
+std::vector<std::string> side_names(const Shape& shape);
+
 /// Copies of a shape on a grid. Odd courses (z index) are shifted by stagger * pitch along y (along x if count[1] ==
 /// 1).
 struct ArrayCopies {

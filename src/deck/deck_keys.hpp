@@ -50,9 +50,6 @@ const Keys<Deck>& deck_keys();
 /// The keys of a part of which it has exactly one.
 const Keys<PartDeck>& shape_keys();
 
-/// The sides that percuss names on a generated shape; empty for a mesh from a file.
-std::vector<std::string> side_names(const Shape& shape);
-
 /// Names that output.fields.write takes.
 const std::vector<std::string>& field_names();
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "comm/agreement.hpp"
-#include "src/deck/deck_keys.hpp"
 #include "src/deck/mesh_size.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"

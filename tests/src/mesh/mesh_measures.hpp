@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "src/deck/deck_keys.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/part_mesh.hpp"
