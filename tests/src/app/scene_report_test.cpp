@@ -12,6 +12,7 @@
 #include "src/app/placement.hpp"
 #include "src/app/threads.hpp"
 #include "src/deck/read_deck.hpp"
+#include "src/mesh/decompose.hpp"
 #include "src/error.hpp"
 #include "tests/src/app/percuss_process.hpp"
 
@@ -33,7 +34,7 @@ Deck two_blocks() {
 
 TEST(SceneReport, SumsTheMassOfEachPart) {
   const Deck deck = two_blocks();
-  const SceneReport scene = describe_scene(deck, order_chunks(build_mesh(deck)));
+  const SceneReport scene = describe_scene(deck, load_mesh(deck, Communicator(MPI_COMM_SELF)));
   ASSERT_EQ(scene.parts.size(), 2U);
   EXPECT_NEAR(scene.parts[0].mass, 3 * 6, 1e-13);  // round-off of 24 volumes
   EXPECT_NEAR(scene.parts[1].mass, 5 * 4, 1e-13);
@@ -41,7 +42,7 @@ TEST(SceneReport, SumsTheMassOfEachPart) {
 
 TEST(SceneReport, CountsPartsAndBodies) {
   const Deck deck = two_blocks();
-  const ChunkedMesh chunked = order_chunks(build_mesh(deck));
+  const ChunkedMesh chunked = load_mesh(deck, Communicator(MPI_COMM_SELF));
   SceneReport scene = describe_scene(deck, chunked);
   scene.first_step = 0.25;
   scene.controlling_element = describe_element(chunked, 55);
