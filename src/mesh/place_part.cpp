@@ -9,7 +9,7 @@
 
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/part_mesh.hpp"
-#include "src/mesh/placement.hpp"
+#include "src/mesh/part_placement.hpp"
 
 namespace percuss {
 namespace {
@@ -72,14 +72,14 @@ void copy_part(PartMesh& mesh, std::size_t copies, std::size_t node_count) {
 
 }  // namespace
 
-Placement::Placement(const PartDeck& part) : array_(part.array), at_(part.at) {
+PartPlacement::PartPlacement(const PartDeck& part) : array_(part.array), at_(part.at) {
   if (array_) copies_ = array_->count[0] * array_->count[1] * array_->count[2];
   for (const Rotation& rotation : part.rotate) {
     turns_.push_back({make_rotation(rotation.axis, rotation.degrees), rotation.center});
   }
 }
 
-Vec3 Placement::find_offset(int copy) const {
+Vec3 PartPlacement::find_offset(int copy) const {
   const int i = copy % array_->count[0], j = copy / array_->count[0] % array_->count[1];
   const int k = copy / array_->count[0] / array_->count[1];
   const std::size_t stagger_axis = array_->count[1] > 1 ? 1 : 0;
@@ -88,7 +88,7 @@ Vec3 Placement::find_offset(int copy) const {
   return offset;
 }
 
-Vec3 Placement::operator()(const Vec3& local, int copy) const {
+Vec3 PartPlacement::operator()(const Vec3& local, int copy) const {
   Vec3 x = local;
   if (array_) x = add(x, find_offset(copy));
   for (const auto& [r, center] : turns_) {
@@ -113,7 +113,7 @@ void add_side_nodes(PartMesh& mesh) {
 }
 
 void place_part(PartMesh& mesh, const PartDeck& part) {
-  const Placement place(part);
+  const PartPlacement place(part);
   const std::vector<Vec3> local = std::exchange(mesh.nodes, {});
   mesh.nodes.reserve(local.size() * static_cast<std::size_t>(place.copies()));
   for (int copy = 0; copy < place.copies(); ++copy) {

@@ -99,7 +99,7 @@ void read_file_part(const PartDeck& deck, const Totals& so_far, ScenePart& part)
 
 void describe_generated_part(const PartDeck& deck, ScenePart& part) {
   std::unique_ptr<ShapeSource> source = make_source(deck.shape);
-  const Placement place(deck);
+  const PartPlacement place(deck);
   PartTiling tiling(*source, place.copies());
   part.nodes = std::int64_t{source->node_count()} * place.copies();
   part.elements = std::int64_t{source->element_count()} * place.copies();

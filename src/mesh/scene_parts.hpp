@@ -14,7 +14,7 @@
 #include "src/deck/deck.hpp"
 #include "src/mesh/numbering.hpp"
 #include "src/mesh/part_mesh.hpp"
-#include "src/mesh/placement.hpp"
+#include "src/mesh/part_placement.hpp"
 #include "src/mesh/shape_source.hpp"
 #include "src/mesh/tiling.hpp"
 
@@ -31,7 +31,7 @@ struct FilePart {
 /// A part that is generated.
 struct GeneratedPart {
   std::unique_ptr<ShapeSource> source;
-  Placement place;
+  PartPlacement place;
   PartTiling tiling;
 };
 

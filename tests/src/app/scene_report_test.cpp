@@ -12,8 +12,8 @@
 #include "src/app/placement.hpp"
 #include "src/app/threads.hpp"
 #include "src/deck/read_deck.hpp"
-#include "src/mesh/decompose.hpp"
 #include "src/error.hpp"
+#include "src/mesh/decompose.hpp"
 #include "tests/src/app/percuss_process.hpp"
 
 namespace percuss {

@@ -9,9 +9,9 @@
 
 namespace percuss {
 
-class Placement {
+class PartPlacement {
  public:
-  explicit Placement(const PartDeck& part);
+  explicit PartPlacement(const PartDeck& part);
 
   /// Number of copies that the part's array makes; 1 without an array.
   int copies() const { return copies_; }
