@@ -29,7 +29,8 @@ Exit codes:
   130  interrupted (Ctrl-C or SIGTERM); what was computed is written
 
 Environment:
-  OMP_NUM_THREADS   threads to use; without it, every core that this process may use
+  OMP_NUM_THREADS   threads of each rank; without it, every core that the rank may use: ranks of a machine that are not
+                    bound to cores share them
   OMP_PROC_BIND     how OpenMP binds threads to cores; without it, not at all
   OMP_WAIT_POLICY   how threads wait; without it, they spin for some 20 microseconds and then sleep
 
@@ -48,6 +49,7 @@ Examples:
   percuss run inputs/taylor_bar/deck.yaml
   percuss run deck.yaml --out slow --set time.step_scale=0.5
   OMP_NUM_THREADS=4 percuss run deck.yaml --quiet
+  OMP_NUM_THREADS=2 mpirun -n 8 --map-by slot:PE=2 percuss run deck.yaml
 )";
 
 constexpr const char* check_help = R"(

@@ -115,7 +115,7 @@ const std::vector<std::string>& field_names() {
   static const std::vector<std::string> names = {
       "displacement", "velocity", "contact_force", "mass",                       // of nodes
       "stress",       "pressure", "von_mises",     "equivalent_plastic_strain",  // of elements
-      "body",         "chunk"};
+      "body",         "chunk",    "fe_rank"};
   return names;
 }
 

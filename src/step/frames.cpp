@@ -73,6 +73,9 @@ void Frames::write(const State& state) {
       add(name, FieldPlace::element, 1, body_);
     } else if (name == "chunk") {
       add(name, FieldPlace::element, 1, chunk_);
+    } else if (name == "fe_rank") {
+      add(name, FieldPlace::element, 1,
+          std::vector<double>(static_cast<std::size_t>(model_.element_count), model_.ranks.rank()));
     } else {
       throw std::logic_error("no field is called '" + name + "' (the deck reader lets it through)");
     }
