@@ -49,6 +49,39 @@ TEST(BuildMesh, NumbersGeneratedPartsThrough) {
   }
 }
 
+TEST(BuildMesh, KeepsElementsIdsAndSetsTogether) {
+  PartDeck balls = make_part_deck("balls", SphereShape{1, 9});
+  balls.array = ArrayCopies{{2, 1, 2}, {3, 0, 2.5}, 0.5};
+  balls.rotate.push_back({{0, 1, 0}, 25, {1, 2, 3}});
+  balls.at = {0.1, 0.2, 0.3};
+  const Mesh mesh = build_mesh(make_deck({make_part_deck("a", BoxShape{{1, 1, 1}, {5, 6, 7}}), balls}));
+  PartMesh whole = make_part_mesh(balls.shape);
+  place_part(whole, balls);
+  add_side_nodes(whole);
+  const std::int64_t nodes_before = 6 * 7 * 8, elements_before = 5 * 6 * 7;
+  const auto node_of = [&](int n) { return mesh.node_ids[static_cast<std::size_t>(n)] - 1 - nodes_before; };
+  const auto element_of = [&](int e) { return mesh.element_ids[static_cast<std::size_t>(e)] - 1 - elements_before; };
+  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
+    if (mesh.element_part[static_cast<std::size_t>(e)] != 1) continue;
+    for (std::size_t c = 0; c < 8; ++c) {
+      const int n = mesh.elements[static_cast<std::size_t>(e)][c];
+      ASSERT_EQ(node_of(n), whole.elements[static_cast<std::size_t>(element_of(e))][c]);
+      ASSERT_EQ(mesh.nodes[static_cast<std::size_t>(n)], whole.nodes[static_cast<std::size_t>(node_of(n))]);
+    }
+  }
+  std::vector<std::int64_t> nodes;
+  for (const int n : mesh.node_sets.at("balls/surface")) nodes.push_back(node_of(n));
+  std::sort(nodes.begin(), nodes.end());
+  const std::vector<int>& expected = whole.node_sets.at("surface");
+  EXPECT_EQ(nodes, std::vector<std::int64_t>(expected.begin(), expected.end()));
+  std::vector<ElementFace> faces;
+  for (const ElementFace& f : mesh.side_sets.at("balls/surface")) {
+    faces.push_back({static_cast<int>(element_of(f.element)), f.face});
+  }
+  std::sort(faces.begin(), faces.end());
+  EXPECT_EQ(faces, whole.side_sets.at("surface"));
+}
+
 TEST(BuildMesh, NamesTheMaterialOfEachPart) {
   Deck deck = make_deck({make_part_deck("a", SphereShape{1, 3}), make_part_deck("b", SphereShape{1, 3})});
   deck.materials.push_back({"brick", ElasticDeck{2000, 15e9, 0.2}, {}});

@@ -259,9 +259,16 @@ TEST(DecompositionErrors, AreThoseOfOneRankOnEveryRank) {
   EXPECT_EQ(fail_to_load(deck, Communicator::world()), alone);
 }
 
-TEST(DecompositionErrors, OfAFileThatCannotBeReadReachEveryRank) {
-  const Deck deck = make_deck({make_part_deck("a", ExodusMesh{"/nonexistent/file.exo", {}, 1})});
-  EXPECT_ANY_THROW(load_mesh(deck, Communicator::world()));
+TEST(DecompositionErrors, OfAFileThatIsNotThereReachEveryRank) {
+  const Deck deck = make_deck(
+      {make_part_deck("good", SphereShape{1, 9}), make_part_deck("a", ExodusMesh{"/nonexistent/file.exo", {}, 1})});
+  std::string told = "nothing";
+  try {
+    load_mesh(deck, Communicator::world());
+  } catch (const std::runtime_error& error) {
+    told = error.what();
+  }
+  EXPECT_THAT(told, HasSubstr("deck.yaml:3:5: error: part 'a': /nonexistent/file.exo: "));
 }
 
 }  // namespace
