@@ -6,10 +6,10 @@ namespace percuss {
 
 std::string broadcast_text(const Communicator& ranks, const std::string& own, int root) {
   int length = static_cast<int>(own.size());
-  check_mpi(MPI_Bcast(&length, 1, MPI_INT, root, ranks.handle()), "MPI_Bcast");
+  wait_mpi([&] { return MPI_Bcast(&length, 1, MPI_INT, root, ranks.handle()); }, "MPI_Bcast");
   std::string text = own;
   text.resize(static_cast<std::size_t>(length));
-  check_mpi(MPI_Bcast(text.data(), length, MPI_CHAR, root, ranks.handle()), "MPI_Bcast");
+  wait_mpi([&] { return MPI_Bcast(text.data(), length, MPI_CHAR, root, ranks.handle()); }, "MPI_Bcast");
   return text;
 }
 
@@ -17,7 +17,8 @@ std::vector<std::string> gather_texts(const Communicator& ranks, const std::stri
   const auto count = static_cast<std::size_t>(ranks.rank() == 0 ? ranks.size() : 0);
   const int length = static_cast<int>(own.size());
   std::vector<int> lengths(count), first(count + 1, 0);
-  check_mpi(MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, ranks.handle()), "MPI_Gather");
+  wait_mpi([&] { return MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, ranks.handle()); },
+           "MPI_Gather");
   for (std::size_t r = 0; r < count; ++r) first[r + 1] = first[r] + lengths[r];
   std::string all(static_cast<std::size_t>(first.back()), '\0');
   check_mpi(
@@ -32,10 +33,10 @@ std::vector<std::string> gather_texts(const Communicator& ranks, const std::stri
 
 std::optional<Failure> agree_on_failure(const Communicator& ranks, const std::optional<Failure>& own) {
   int lowest = own ? ranks.rank() : ranks.size();
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_INT, MPI_MIN, ranks.handle()), "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_INT, MPI_MIN, ranks.handle()); }, "MPI_Allreduce");
   if (lowest == ranks.size()) return std::nullopt;
   Failure failure = ranks.rank() == lowest ? *own : Failure{};
-  check_mpi(MPI_Bcast(&failure.code, 1, MPI_INT, lowest, ranks.handle()), "MPI_Bcast");
+  wait_mpi([&] { return MPI_Bcast(&failure.code, 1, MPI_INT, lowest, ranks.handle()); }, "MPI_Bcast");
   failure.text = broadcast_text(ranks, failure.text, lowest);
   return failure;
 }

@@ -2,9 +2,31 @@
 
 #include <array>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 
 namespace percuss {
+
+namespace {
+
+double read_thread_clock() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+thread_local int waits_under_way = 0;  // scopes may be nested; the outermost counts
+thread_local double waited = 0;        // CPU seconds
+
+}  // namespace
+
+double compute_seconds() { return read_thread_clock() - waited; }
+
+WaitScope::WaitScope() : start_(waits_under_way++ == 0 ? read_thread_clock() : 0) {}
+
+WaitScope::~WaitScope() {
+  if (--waits_under_way == 0) waited += read_thread_clock() - start_;
+}
 
 void check_mpi(int code, const char* call) {
   if (code == MPI_SUCCESS) return;
@@ -36,7 +58,9 @@ Communicator::Communicator(MPI_Comm handle) : handle_(handle) {
   check_mpi(MPI_Comm_size(handle_, &size_), "MPI_Comm_size");
 }
 
-void Communicator::barrier() const { check_mpi(MPI_Barrier(handle_), "MPI_Barrier"); }
+void Communicator::barrier() const {
+  wait_mpi([&] { return MPI_Barrier(handle_); }, "MPI_Barrier");
+}
 
 void Communicator::abort(int exit_code) const {
   MPI_Abort(handle_, exit_code);

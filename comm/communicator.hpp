@@ -17,6 +17,33 @@ class MpiError : public std::runtime_error {
 /// Throws MpiError if `code`, returned by the MPI call named `call`, is not MPI_SUCCESS.
 void check_mpi(int code, const char* call);
 
+/// CPU seconds of the calling thread without what it spent in wait_mpi(): its work, whoever else uses the core. A rank
+/// that waits for others may spin or yield; neither is work.
+double compute_seconds();
+
+/// Tells compute_seconds() that the calling thread waits for other ranks while this lives.
+class WaitScope {
+ public:
+  WaitScope();
+  ~WaitScope();
+  WaitScope(const WaitScope&) = delete;
+  WaitScope& operator=(const WaitScope&) = delete;
+
+ private:
+  double start_;
+};
+
+/// check_mpi(call(), name) for a call that may wait for other ranks.
+template <class Call>
+void wait_mpi(const Call& call, const char* name) {
+  int code = MPI_SUCCESS;
+  {
+    const WaitScope waits;
+    code = call();
+  }
+  check_mpi(code, name);
+}
+
 /// MPI is up while this lives. One in a program, in main. Collective: construction and destruction.
 class MpiSession {
  public:

@@ -18,7 +18,8 @@ void receive_if_arrived(const Communicator& ranks, int tag, std::vector<PeerRun>
   check_mpi(MPI_Iprobe(MPI_ANY_SOURCE, tag, ranks.handle(), &arrived, &status), "MPI_Iprobe");
   if (arrived == 0) return;
   PeerRun run{status.MPI_SOURCE, 0, 0};
-  check_mpi(MPI_Recv(&run.count, 1, MPI_INT64_T, run.rank, tag, ranks.handle(), MPI_STATUS_IGNORE), "MPI_Recv");
+  wait_mpi([&] { return MPI_Recv(&run.count, 1, MPI_INT64_T, run.rank, tag, ranks.handle(), MPI_STATUS_IGNORE); },
+           "MPI_Recv");
   from.push_back(run);
 }
 
@@ -31,6 +32,7 @@ bool are_complete(std::vector<MPI_Request>& requests) {
 }  // namespace
 
 std::vector<PeerRun> exchange_sizes_by_consensus(const Communicator& ranks, const std::vector<PeerRun>& to, int tag) {
+  const WaitScope waits;
   std::vector<PeerRun> from;
   std::vector<MPI_Request> sends = begin_synchronous_sends(ranks, to, tag);
   std::vector<MPI_Request> barrier;

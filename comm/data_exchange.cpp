@@ -90,7 +90,8 @@ void DataExchange::begin_bytes(const ExchangePlan& plan, const std::byte* send, 
 }
 
 void DataExchange::end() {
-  check_mpi(MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
+  wait_mpi([&] { return MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); },
+           "MPI_Waitall");
   requests_.clear();
 }
 

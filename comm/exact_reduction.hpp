@@ -15,9 +15,12 @@ inline void sum_over_ranks(const Communicator& ranks, std::span<ExactSum> sums) 
   static_assert(sizeof(ExactSum) == words * sizeof(std::int64_t), "limbs and count travel as one row of integers");
   for (ExactSum& sum : sums) sum.normalize();
   if (ranks.size() == 1) return;
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()) * words, MPI_INT64_T, MPI_SUM,
-                          ranks.handle()),
-            "MPI_Allreduce");
+  wait_mpi(
+      [&] {
+        return MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()) * words, MPI_INT64_T, MPI_SUM,
+                             ranks.handle());
+      },
+      "MPI_Allreduce");
 }
 
 }  // namespace percuss

@@ -57,7 +57,8 @@ std::vector<PointRecord> receive_points(const Communicator& group, const std::ve
     check_mpi(MPI_Get_count(&status, record, &count), "MPI_Get_count");
     const std::size_t first = arrived.size();
     arrived.resize(first + static_cast<std::size_t>(count));
-    check_mpi(MPI_Mrecv(arrived.data() + first, count, record, &message, MPI_STATUS_IGNORE), "MPI_Mrecv");
+    wait_mpi([&] { return MPI_Mrecv(arrived.data() + first, count, record, &message, MPI_STATUS_IGNORE); },
+             "MPI_Mrecv");
   }
   return arrived;
 }
@@ -205,7 +206,7 @@ void TravellingPoints::receive_near_points(const ExecSpace& space, const Communi
     const RecordType record;
     replace_leaving(space, receive_points(group, partners.from, record.handle));
   }
-  check_mpi(MPI_Wait(&request_, MPI_STATUS_IGNORE), "MPI_Wait");
+  wait_mpi([&] { return MPI_Wait(&request_, MPI_STATUS_IGNORE); }, "MPI_Wait");
   sent_ = {};
 }
 

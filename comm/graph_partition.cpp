@@ -123,7 +123,7 @@ Partition partition_for_ranks(const Communicator& ranks, const Graph& graph) {
     }
   }
   const auto share = [&](void* values, std::size_t bytes) {
-    check_mpi(MPI_Bcast(values, static_cast<int>(bytes), MPI_BYTE, 0, ranks.handle()), "MPI_Bcast");
+    wait_mpi([&] { return MPI_Bcast(values, static_cast<int>(bytes), MPI_BYTE, 0, ranks.handle()); }, "MPI_Bcast");
   };
   std::size_t sizes[2] = {failure.size(), partition.parts.size()};
   share(sizes, sizeof(sizes));
@@ -131,7 +131,8 @@ Partition partition_for_ranks(const Communicator& ranks, const Graph& graph) {
   share(failure.data(), failure.size());
   if (!failure.empty()) throw PartitionError(failure);
   partition.parts.resize(sizes[1]);
-  check_mpi(MPI_Bcast(partition.parts.data(), static_cast<int>(sizes[1]), MPI_INT, 0, ranks.handle()), "MPI_Bcast");
+  wait_mpi([&] { return MPI_Bcast(partition.parts.data(), static_cast<int>(sizes[1]), MPI_INT, 0, ranks.handle()); },
+           "MPI_Bcast");
   share(&partition.empty_parts, sizeof(partition.empty_parts));
   share(&partition.imbalance, sizeof(partition.imbalance));
   share(&partition.cut, sizeof(partition.cut));

@@ -132,8 +132,9 @@ std::vector<KeySample> MedianSearch::gather_samples(Progress& progress) {
   }
   std::vector<KeySample> all(static_cast<std::size_t>(wanted) * static_cast<std::size_t>(ranks));
   const int bytes = wanted * static_cast<int>(sizeof(KeySample));
-  check_mpi(MPI_Allgather(mine.data(), bytes, MPI_BYTE, all.data(), bytes, MPI_BYTE, progress.group.handle()),
-            "MPI_Allgather");
+  wait_mpi(
+      [&] { return MPI_Allgather(mine.data(), bytes, MPI_BYTE, all.data(), bytes, MPI_BYTE, progress.group.handle()); },
+      "MPI_Allgather");
   all.erase(std::remove_if(all.begin(), all.end(), [](const KeySample& sample) { return sample.weight <= 0; }),
             all.end());
   return all;

@@ -29,7 +29,8 @@ class MergeReduction {
 
   /// value: in, this rank's; out, the merge of all. Collective. Throws MpiError.
   void operator()(const Communicator& ranks, T& value) const {
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, &value, 1, type_, operation_, ranks.handle()), "MPI_Allreduce");
+    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &value, 1, type_, operation_, ranks.handle()); },
+             "MPI_Allreduce");
   }
 
   /// The same in two halves, with other messages between them: value must be left alone until end(). Collective. Throws
@@ -37,7 +38,9 @@ class MergeReduction {
   void begin(const Communicator& ranks, T& value) {
     check_mpi(MPI_Iallreduce(MPI_IN_PLACE, &value, 1, type_, operation_, ranks.handle(), &request_), "MPI_Iallreduce");
   }
-  void end() { check_mpi(MPI_Wait(&request_, MPI_STATUS_IGNORE), "MPI_Wait"); }
+  void end() {
+    wait_mpi([&] { return MPI_Wait(&request_, MPI_STATUS_IGNORE); }, "MPI_Wait");
+  }
 
  private:
   static void merge_all(void* in, void* in_out, int* count, MPI_Datatype*) {

@@ -92,7 +92,8 @@ void Rcb::share_cuts(RcbReport& report) {
   const CutNotice mine{cuts_[static_cast<std::size_t>(ranks_->rank())], own_weight_, report.moved, own_rounds_};
   std::vector<CutNotice> notices(cuts_.size());
   constexpr auto size = static_cast<int>(sizeof(CutNotice));
-  check_mpi(MPI_Allgather(&mine, size, MPI_BYTE, notices.data(), size, MPI_BYTE, ranks_->handle()), "MPI_Allgather");
+  wait_mpi([&] { return MPI_Allgather(&mine, size, MPI_BYTE, notices.data(), size, MPI_BYTE, ranks_->handle()); },
+           "MPI_Allgather");
   std::int64_t heaviest = 0, rounds = 0;
   report.moved = 0;
   for (std::size_t m = 0; m < notices.size(); ++m) {

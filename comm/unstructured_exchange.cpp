@@ -22,8 +22,8 @@ std::vector<int> form_send_vector(const Communicator& ranks, const std::vector<P
 /// (2.2) Fold vector over all P processors, (2.3) gather number of receives for my processor: nrecvs = vector(q).
 int fold_send_vector(const Communicator& ranks, const std::vector<int>& sends) {
   int receive_count = 0;
-  check_mpi(MPI_Reduce_scatter_block(sends.data(), &receive_count, 1, MPI_INT, MPI_SUM, ranks.handle()),
-            "MPI_Reduce_scatter_block");
+  wait_mpi([&] { return MPI_Reduce_scatter_block(sends.data(), &receive_count, 1, MPI_INT, MPI_SUM, ranks.handle()); },
+           "MPI_Reduce_scatter_block");
   return receive_count;
 }
 
@@ -41,7 +41,8 @@ std::vector<PeerRun> receive_sizes(const Communicator& ranks, int receive_count)
   std::vector<PeerRun> from(static_cast<std::size_t>(receive_count));
   for (PeerRun& run : from) {
     MPI_Status status;
-    check_mpi(MPI_Recv(&run.count, 1, MPI_INT64_T, MPI_ANY_SOURCE, size_tag, ranks.handle(), &status), "MPI_Recv");
+    wait_mpi([&] { return MPI_Recv(&run.count, 1, MPI_INT64_T, MPI_ANY_SOURCE, size_tag, ranks.handle(), &status); },
+             "MPI_Recv");
     run.rank = status.MPI_SOURCE;
   }
   return from;
@@ -52,7 +53,8 @@ std::vector<PeerRun> exchange_sizes_by_fold(const Communicator& ranks, const std
   const int receive_count = fold_send_vector(ranks, form_send_vector(ranks, to));
   std::vector<MPI_Request> sends = send_sizes(ranks, to);
   std::vector<PeerRun> from = receive_sizes(ranks, receive_count);
-  check_mpi(MPI_Waitall(static_cast<int>(sends.size()), sends.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
+  wait_mpi([&] { return MPI_Waitall(static_cast<int>(sends.size()), sends.data(), MPI_STATUSES_IGNORE); },
+           "MPI_Waitall");
   return from;
 }
 

@@ -37,7 +37,8 @@ struct Bound {
 Crowd find_own_machine(const Communicator& ranks, int threads) {
   const OwnedCommunicator here = OwnedCommunicator::of_machine(ranks);
   Crowd crowd{here->size(), threads, count_machine_cores()};
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &crowd.threads, 1, MPI_INT, MPI_SUM, here->handle()), "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &crowd.threads, 1, MPI_INT, MPI_SUM, here->handle()); },
+           "MPI_Allreduce");
   return crowd;
 }
 

@@ -65,7 +65,7 @@ ExitCode run_on_rank_0(int argc, char** argv, const Work& work) {
   const MpiSession mpi(argc, argv);
   const Communicator world = Communicator::world();
   ExitCode code = world.rank() == 0 ? finish_output(guard(work)) : ExitCode::done;
-  check_mpi(MPI_Bcast(&code, 1, MPI_INT, 0, world.handle()), "MPI_Bcast");
+  wait_mpi([&] { return MPI_Bcast(&code, 1, MPI_INT, 0, world.handle()); }, "MPI_Bcast");
   return code;
 }
 

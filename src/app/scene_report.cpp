@@ -125,7 +125,7 @@ std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chun
 
 std::int64_t count_bodies(const Mesh& mesh, const Communicator& ranks) {
   int bodies = mesh.bodies.empty() ? 0 : *std::max_element(mesh.bodies.begin(), mesh.bodies.end()) + 1;
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &bodies, 1, MPI_INT, MPI_MAX, ranks.handle()), "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &bodies, 1, MPI_INT, MPI_MAX, ranks.handle()); }, "MPI_Allreduce");
   return bodies;
 }
 

@@ -26,7 +26,8 @@ std::vector<int> list_wall_nodes(const Mesh& mesh, const Deck& deck, const WallD
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   int some = nodes.empty() ? 0 : 1;
   if (mesh.ranks)
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, mesh.ranks->handle()), "MPI_Allreduce");
+    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, mesh.ranks->handle()); },
+             "MPI_Allreduce");
   if (some == 0)
     throw InputError(
         deck.where(wall.place) +

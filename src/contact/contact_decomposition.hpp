@@ -47,6 +47,7 @@ class ContactDecomposition {
   /// The owner of each searched contact node of this rank's FE share, ascending.
   std::vector<int> node_owners() const;
   const DecompositionReport& report() const { return report_; }
+  const Traffic& traffic() const { return data_.traffic(); }
 
  private:
   /// Points of the FE share: searched nodes, then centres of searched faces.

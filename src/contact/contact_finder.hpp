@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "comm/data_exchange.hpp"
+#include "comm/phase.hpp"
 #include "src/contact/surface_share.hpp"
 
 namespace percuss {
@@ -48,6 +50,10 @@ class ContactFinder {
   /// Rank that owns each searched contact node (ascending) in the contact decomposition.
   virtual std::vector<int> node_ranks() const = 0;
   virtual DecompositionReport report() const = 0;
+
+  /// Of a search, what went into the decomposition: steps (5.1) to (5.5).
+  virtual PhaseClock decomposition_clock() const = 0;
+  virtual Traffic traffic() const = 0;
 };
 
 /// How the contact stage sees the ranks.

@@ -10,27 +10,6 @@
 #include "src/contact/start_overlap.hpp"
 
 namespace percuss {
-namespace {
-
-/// A profiling region whose seconds are added up.
-class TimedRegion {
- public:
-  TimedRegion(const char* name, double& seconds) : seconds_(seconds) { Kokkos::Profiling::pushRegion(name); }
-  ~TimedRegion() {
-    ExecSpace().fence();
-    Kokkos::Profiling::popRegion();
-    seconds_ += timer_.seconds();
-  }
-  TimedRegion(const TimedRegion&) = delete;
-  TimedRegion& operator=(const TimedRegion&) = delete;
-
- private:
-  double& seconds_;
-  Kokkos::Timer timer_;
-};
-
-}  // namespace
-
 struct ContactStage::Impl {
   Impl(const ChunkedMesh& chunked, const Deck& deck, const Communicator& world)
       : ranks(world),
@@ -70,12 +49,12 @@ struct ContactStage::Impl {
   Array<RowTouch> touches = Array<RowTouch>("contact::row_touches", 0);
   std::int64_t candidates = 0;  // of the last search, on all ranks
   long searches = 0;
-  ContactSeconds seconds;
+  ContactClocks clocks;
 };
 
 bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   if (!has_pairs()) return false;
-  const TimedRegion region("percuss::contact_search", seconds.search);
+  const Phase phase("percuss::contact_search", clocks.search);
   if (bound.covers(motion)) return false;
   candidates = finder->search(motion, bound.restart(motion));
   ++searches;
@@ -84,7 +63,7 @@ bool ContactStage::Impl::search(const SurfaceMotion& motion) {
 
 int ContactStage::Impl::check(const SurfaceMotion& motion) {
   if (candidates == 0) return 0;
-  const TimedRegion region("percuss::contact_check", seconds.check);
+  const Phase phase("percuss::contact_check", clocks.check);
   return finder->check(motion, history, touches);
 }
 
@@ -92,7 +71,8 @@ bool ContactStage::Impl::is_anything_touched(int num_touches) const {
   if (has_walls) return true;
   if (candidates == 0) return false;
   if (ranks.size() > 1)
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, &num_touches, 1, MPI_INT, MPI_MAX, ranks.handle()), "MPI_Allreduce");
+    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &num_touches, 1, MPI_INT, MPI_MAX, ranks.handle()); },
+             "MPI_Allreduce");
   return num_touches > 0;
 }
 
@@ -104,7 +84,7 @@ std::int64_t ContactStage::Impl::find_user_id(std::int64_t node) const {
     const auto place = std::lower_bound(share.nodes.numbers.begin(), share.nodes.numbers.end(), node);
     id = share.nodes.ids[static_cast<std::size_t>(place - share.nodes.numbers.begin())];
   }
-  check_mpi(MPI_Bcast(&id, 1, MPI_INT64_T, owner, ranks.handle()), "MPI_Bcast");
+  wait_mpi([&] { return MPI_Bcast(&id, 1, MPI_INT64_T, owner, ranks.handle()); }, "MPI_Bcast");
   return id;
 }
 
@@ -142,7 +122,7 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   report.searched = stage.search(predicted);
   report.candidates = stage.candidates;
   const int num_touches = stage.check(predicted);
-  const TimedRegion region("percuss::contact_enforce", stage.seconds.enforce);
+  const Phase phase("percuss::contact_enforce", stage.clocks.enforce);
   if (stage.is_anything_touched(num_touches))
     stage.enforcer.enforce(motion, stage.touches, num_touches, stage.history, report);
   else
@@ -153,7 +133,21 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
 std::int64_t ContactStage::contact_nodes() const { return impl_->share.total_nodes; }
 std::int64_t ContactStage::contact_faces() const { return impl_->share.total_faces; }
 long ContactStage::searches() const { return impl_->searches; }
-const ContactSeconds& ContactStage::seconds() const { return impl_->seconds; }
+ContactClocks ContactStage::clocks() const {
+  ContactClocks clocks = impl_->clocks;
+  clocks.decomposition = impl_->finder->decomposition_clock();
+  clocks.search.wall -= clocks.decomposition.wall;
+  clocks.search.compute -= clocks.decomposition.compute;
+  return clocks;
+}
+
+Traffic ContactStage::traffic() const {
+  Traffic sum = impl_->finder->traffic();
+  sum.messages += impl_->enforcer.traffic().messages;
+  sum.bytes += impl_->enforcer.traffic().bytes;
+  return sum;
+}
+
 DecompositionReport ContactStage::decomposition() const { return impl_->finder->report(); }
 
 std::vector<double> ContactStage::contact_ranks() const {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "comm/phase.hpp"
 #include "kernels/core/views.hpp"
 #include "src/contact/contact_finder.hpp"
 #include "src/deck/deck.hpp"
@@ -41,9 +42,9 @@ struct ContactReport {
   std::int64_t deepest_node = -1;  // number of the node that has it
 };
 
-/// Seconds since the start, by phase.
-struct ContactSeconds {
-  double search = 0, check = 0, enforce = 0;
+/// Time since the start, by phase.
+struct ContactClocks {
+  PhaseClock decomposition, search, check, enforce;
 };
 
 class ContactStage {
@@ -71,7 +72,9 @@ class ContactStage {
   /// Rank that owns each node of this rank's share in the contact decomposition, -1 for nodes that are not searched and
   /// for copies of nodes that other ranks own. Not collective.
   std::vector<double> contact_ranks() const;
-  const ContactSeconds& seconds() const;
+  ContactClocks clocks() const;
+  /// What this rank sent since the start.
+  Traffic traffic() const;
 
   /// Deepest penetration of any contact node behind a face that it touches or has entered, at positions x, relative to
   /// that face's shortest edge; for audits and tests, independent of the candidate lists in use.

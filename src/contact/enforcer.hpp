@@ -28,6 +28,8 @@ class Enforcer {
   /// A step in which nothing touches on any rank: no impulses, nothing to remember.
   void rest(const ContactMotion& motion, const ContactHistory& history);
 
+  const Traffic& traffic() const { return data_.traffic(); }
+
  private:
   struct ForeignNotice;
   struct ForeignData;

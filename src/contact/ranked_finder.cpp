@@ -137,6 +137,11 @@ RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share,
       data_(ranks.ranks),
       decomposition_(ranks.ranks, share, rebalance) {}
 
+Traffic RankedFinder::traffic() const {
+  const Traffic &own = data_.traffic(), &decomposition = decomposition_.traffic();
+  return {own.messages + decomposition.messages, own.bytes + decomposition.bytes};
+}
+
 int RankedFinder::find_mesh_node(std::int64_t number) const { return find_number(ranks_.mesh.node_numbers, number); }
 int RankedFinder::find_contact_node(std::int64_t number) const { return find_number(share_.nodes.numbers, number); }
 
@@ -171,10 +176,14 @@ void RankedFinder::list_pairs() {
 }
 
 std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
-  decomposition_.update(motion, margin);
+  {
+    const Phase phase("percuss::contact_rcb", decomposition_clock_);
+    decomposition_.update(motion, margin);
+  }
   const std::int64_t limit = find_pair_limit(share_);
   std::int64_t sums[2] = {find_points_in_boxes_here(limit), static_cast<std::int64_t>(decomposition_.faces().size())};
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_INT64_T, MPI_SUM, ranks_.ranks.handle()), "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_INT64_T, MPI_SUM, ranks_.ranks.handle()); },
+           "MPI_Allreduce");
   total_pairs_ = sums[0];
   refuse_too_many_pairs(total_pairs_, limit, margin);
   decomposition_.note_ghost_faces(sums[1] - share_.total_searched_faces);

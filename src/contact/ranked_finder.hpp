@@ -21,6 +21,8 @@ class RankedFinder : public ContactFinder {
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
   std::vector<int> node_ranks() const override { return decomposition_.node_owners(); }
   DecompositionReport report() const override { return decomposition_.report(); }
+  PhaseClock decomposition_clock() const override { return decomposition_clock_; }
+  Traffic traffic() const override;
 
  private:
   /// Items asked for by number, from those who own them; `order` puts what comes back to its place.
@@ -51,6 +53,7 @@ class RankedFinder : public ContactFinder {
   UnstructuredExchange exchange_;
   DataExchange data_;
   ContactDecomposition decomposition_;
+  PhaseClock decomposition_clock_;
 
   // The search on this rank.
   SearchScratch scratch_;

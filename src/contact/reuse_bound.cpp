@@ -22,7 +22,8 @@ ReuseBound::ReuseBound(const Communicator& ranks, const SurfaceShare& share, boo
 
 double ReuseBound::find_largest(double value) const {
   if (ranks_.size() > 1)
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, ranks_.handle()), "MPI_Allreduce");
+    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, ranks_.handle()); },
+             "MPI_Allreduce");
   return value;
 }
 

@@ -50,12 +50,15 @@ struct HostWalls {
 /// The counts of all ranks, and the deepest node of any.
 void reduce(const Communicator& ranks, StartOverlap& found) {
   std::int64_t counts[2] = {found.nodes, found.too_deep};
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, ranks.handle()), "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, ranks.handle()); },
+           "MPI_Allreduce");
   const double own = found.deepest;
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &found.deepest, 1, MPI_DOUBLE, MPI_MAX, ranks.handle()), "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &found.deepest, 1, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
+           "MPI_Allreduce");
   constexpr std::int64_t none = std::int64_t{1} << 62;
   std::int64_t node = found.deepest_node >= 0 && own == found.deepest ? found.deepest_node : none;
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &node, 1, MPI_INT64_T, MPI_MIN, ranks.handle()), "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &node, 1, MPI_INT64_T, MPI_MIN, ranks.handle()); },
+           "MPI_Allreduce");
   found.nodes = counts[0];
   found.too_deep = counts[1];
   found.deepest_node = node == none ? -1 : node;
@@ -107,7 +110,8 @@ double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion
   for (const Penetration& p : look_everywhere(search, motion)) deepest = std::max(deepest, p.ratio);
   const HostWalls host(search.walls, motion.x);
   for (int p = 0; p < host.count(); ++p) deepest = std::max(deepest, host.depth(p) / host.size(p));
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, search.ranks.handle()), "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, search.ranks.handle()); },
+           "MPI_Allreduce");
   return deepest;
 }
 

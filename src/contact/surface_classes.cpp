@@ -32,7 +32,8 @@ std::vector<int> gather_sets(const Communicator& ranks, const std::vector<Surfac
   const auto size = static_cast<std::size_t>(ranks.size());
   std::vector<int> counts(size), first(size + 1, 0);
   const int count = static_cast<int>(own.size());
-  check_mpi(MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, ranks.handle()), "MPI_Allgather");
+  wait_mpi([&] { return MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, ranks.handle()); },
+           "MPI_Allgather");
   for (std::size_t r = 0; r < size; ++r) first[r + 1] = first[r] + counts[r];
   std::vector<int> all(static_cast<std::size_t>(first[size]));
   check_mpi(

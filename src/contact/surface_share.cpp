@@ -163,7 +163,8 @@ void set_lists(const Communicator& ranks, SurfaceShare& share) {
   share.corner_list = to_rows("contact::face_nodes", corners);
   std::int64_t totals[3] = {share.nodes.count(), static_cast<std::int64_t>(share.faces.size()),
                             static_cast<std::int64_t>(corners.size())};
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, totals, 3, MPI_INT64_T, MPI_SUM, ranks.handle()), "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, totals, 3, MPI_INT64_T, MPI_SUM, ranks.handle()); },
+           "MPI_Allreduce");
   share.total_nodes = totals[0];
   share.total_faces = totals[1];
   share.total_searched_faces = totals[2];

@@ -100,7 +100,8 @@ void require_some(const Mesh& mesh, const std::vector<T>& selected, const Deck& 
                   const char* what) {
   int some = selected.empty() ? 0 : 1;
   if (mesh.ranks) {
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, mesh.ranks->handle()), "MPI_Allreduce");
+    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, mesh.ranks->handle()); },
+             "MPI_Allreduce");
   }
   if (some != 0) return;
   const std::string name = selector.name.empty() ? "the mesh" : fmt::format("'{}'", selector.name);

@@ -165,9 +165,12 @@ void History::gather_points(const Model& model, const State& state, std::vector<
     }
   }
   const bool is_root = ranks_.rank() == 0;
-  check_mpi(MPI_Reduce(is_root ? MPI_IN_PLACE : values.data(), values.data(), static_cast<int>(values.size()),
-                       MPI_UINT64_T, MPI_BOR, 0, ranks_.handle()),
-            "MPI_Reduce");
+  wait_mpi(
+      [&] {
+        return MPI_Reduce(is_root ? MPI_IN_PLACE : values.data(), values.data(), static_cast<int>(values.size()),
+                          MPI_UINT64_T, MPI_BOR, 0, ranks_.handle());
+      },
+      "MPI_Reduce");
   row.insert(row.end(), values.begin(), values.end());
 }
 

@@ -1,30 +1,23 @@
 #pragma once
-// Wall seconds by phase of the step, and the profiling region that tools see.
+// Clocks of the phases of a step.
 
-#include <chrono>
-
-#include "kernels/core/views.hpp"
+#include "comm/phase.hpp"
+#include "src/output/summary.hpp"
 
 namespace percuss {
 
-/// Adds its lifetime to a sum of seconds and names it as a Kokkos profiling region. Fences at its end, so that the
-/// time is that of the work and not of its launch.
-class Phase {
- public:
-  Phase(const char* name, double& seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {
-    Kokkos::Profiling::pushRegion(name);
-  }
-  ~Phase() {
-    ExecSpace().fence();
-    Kokkos::Profiling::popRegion();
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-  Phase(const Phase&) = delete;
-  Phase& operator=(const Phase&) = delete;
+struct PhaseClocks {
+  PhaseClock internal_force, halo, integrate, contact_rcb, contact_search, contact_check, contact_enforce, reduce,
+      output;
+
+  PhaseSeconds wall() const { return pick(&PhaseClock::wall); }
+  PhaseSeconds compute() const { return pick(&PhaseClock::compute); }
 
  private:
-  double& seconds_;
-  std::chrono::steady_clock::time_point start_;
+  PhaseSeconds pick(double PhaseClock::*of) const {
+    return {internal_force.*of,  halo.*of,   integrate.*of, contact_rcb.*of, contact_search.*of, contact_check.*of,
+            contact_enforce.*of, reduce.*of, output.*of};
+  }
 };
 
 }  // namespace percuss

@@ -174,10 +174,10 @@ void Run::observe(bool is_last) {
   const bool frame_due = frame_schedule_.is_due(state_.time);
   if (!history_due && !frame_due && !is_last && state_.step % steps_between_audits != 0) return;
   {
-    const Phase phase("percuss::reduce", stepper_.seconds().reduce);
+    const Phase phase("percuss::reduce", stepper_.clocks().reduce);
     audited_ = audit_(state_);
   }
-  const Phase phase("percuss::output", stepper_.seconds().output);
+  const Phase phase("percuss::output", stepper_.clocks().output);
   if (history_ && (history_due || is_last)) {
     history_->write(model_, state_, audited_, stepper_.contact_report(), stepper_.find_wall_force());
   }
@@ -271,7 +271,7 @@ void Run::fill_summary() {
   summary_.dt.last = state_.dt;
   summary_.dt.element = limiting_element_id_;
   summary_.loop_s = find_seconds(loop_start_);
-  summary_.phases_s = stepper_.seconds();
+  summary_.phases_s = stepper_.clocks().wall();
   summary_.peak_bytes = find_peak_bytes();
   take_largest(ranks_, summary_);
   const double work = static_cast<double>(summary_.elements) * static_cast<double>(state_.step);

@@ -55,7 +55,8 @@ void take_largest(const Communicator& ranks, Summary& summary) {
 
 Traffic sum_traffic(const Communicator& ranks, const Traffic& own) {
   std::array<std::int64_t, 2> sums{own.messages, own.bytes};
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, sums.data(), 2, MPI_INT64_T, MPI_SUM, ranks.handle()), "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums.data(), 2, MPI_INT64_T, MPI_SUM, ranks.handle()); },
+           "MPI_Allreduce");
   return {sums[0], sums[1]};
 }
 

@@ -127,7 +127,8 @@ std::uint64_t hash_elements(const Model& model, const State& state) {
 
 std::uint64_t hash_state(const Model& model, const State& state) {
   std::uint64_t sums[2] = {hash_nodes(model, state), hash_elements(model, state)};
-  check_mpi(MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_UINT64_T, MPI_SUM, model.ranks.handle()), "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_UINT64_T, MPI_SUM, model.ranks.handle()); },
+           "MPI_Allreduce");
   return mix(sums[0]) + sums[1];
 }
 

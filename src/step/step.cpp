@@ -55,16 +55,16 @@ void Stepper::advance(State& state, bool wants_stop) {
   hold_conditions(state, dt);
   resolve_contact(state, dt);
   {
-    const Phase phase("percuss::book", seconds_.reduce);
+    const Phase phase("percuss::book", clocks_.reduce);
     bookkeeper_.book_impulses(state, dt, dt_mean, report_.interactions > 0);
   }
   {
-    const Phase phase("percuss::integrate", seconds_.integrate);
+    const Phase phase("percuss::integrate", clocks_.integrate);
     move_nodes(space_, state.v, dt, state.x);
   }
   compute_forces(state, dt);
   {
-    const Phase phase("percuss::book", seconds_.reduce);
+    const Phase phase("percuss::book", clocks_.reduce);
     bookkeeper_.book_new_forces(state, dt);
   }
   state.time += dt;
@@ -75,14 +75,14 @@ void Stepper::advance(State& state, bool wants_stop) {
 }
 
 void Stepper::integrate_motion(State& state, double dt_mean) {
-  const Phase phase("percuss::integrate", seconds_.integrate);
+  const Phase phase("percuss::integrate", clocks_.integrate);
   assemble_forces(space_, model_.nodes_to_slots, state.slot_force, state.force);
   predict_velocities(space_, state.force, model_.inverse_mass, model_.gravity, dt_mean, state.v_before, state.v);
 }
 
 void Stepper::hold_conditions(State& state, double dt) {
   if (model_.held.count == 0) return;
-  const Phase phase("percuss::conditions", seconds_.integrate);
+  const Phase phase("percuss::conditions", clocks_.integrate);
   const auto values = Kokkos::create_mirror_view(motions_.value);
   for (std::size_t m = 0; m < model_.motions.size(); ++m) {
     const Motion& motion = model_.motions[m];
@@ -99,22 +99,23 @@ void Stepper::resolve_contact(State& state, double dt) {
   report_ = contact_.apply(motion);
   state.books.contact_work += report_.normal_work;
   state.books.friction_work += report_.friction_work;
-  const ContactSeconds& spent = contact_.seconds();
-  seconds_.contact_search = spent.search;
-  seconds_.contact_check = spent.check;
-  seconds_.contact_enforce = spent.enforce;
+  const ContactClocks spent = contact_.clocks();
+  clocks_.contact_rcb = spent.decomposition;
+  clocks_.contact_search = spent.search;
+  clocks_.contact_check = spent.check;
+  clocks_.contact_enforce = spent.enforce;
 }
 
 /// All forces at n+1, in the slots. What other ranks wait for comes first, what needs nobody goes on meanwhile.
 void Stepper::compute_forces(State& state, double dt) {
   {
-    const Phase phase("percuss::internal_force", seconds_.internal_force);
+    const Phase phase("percuss::internal_force", clocks_.internal_force);
     advance_blocks(state, model_.sending_blocks, dt);
     apply_loads(state, state.time + dt);
     halo_.begin(space_, state.slot_force);
     advance_blocks(state, model_.blocks, dt);
   }
-  const Phase phase("percuss::halo", seconds_.halo);
+  const Phase phase("percuss::halo", clocks_.halo);
   halo_.end();
 }
 
@@ -140,7 +141,7 @@ StepNotice Stepper::find_notice(const State& state) const {
 
 /// The one reduction of a step.
 void Stepper::agree_on_step(State& state, bool wants_stop) {
-  const Phase phase("percuss::reduce", seconds_.reduce);
+  const Phase phase("percuss::reduce", clocks_.reduce);
   StepNotice notice = find_notice(state);
   notice.stop = wants_stop ? 1 : 0;
   reduction_(model_.ranks, notice);

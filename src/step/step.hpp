@@ -7,9 +7,9 @@
 #include "comm/halo_swap.hpp"
 #include "comm/merge_reduction.hpp"
 #include "src/contact/contact_stage.hpp"
-#include "src/output/summary.hpp"
 #include "src/step/books.hpp"
 #include "src/step/model.hpp"
+#include "src/step/phases.hpp"
 #include "src/step/state.hpp"
 
 namespace percuss {
@@ -48,7 +48,7 @@ class Stepper {
   Vec3 find_wall_force() const { return bookkeeper_.find_wall_force(); }
   /// What this rank has sent of the forces of shared nodes.
   const Traffic& traffic() const { return halo_.traffic(); }
-  PhaseSeconds& seconds() { return seconds_; }
+  PhaseClocks& clocks() { return clocks_; }
 
  private:
   void integrate_motion(State& state, double dt_mean);
@@ -73,7 +73,7 @@ class Stepper {
   PrescribedMotions motions_;
   Array<double> pressures_;
   ContactReport report_;
-  PhaseSeconds seconds_;
+  PhaseClocks clocks_;
 };
 
 }  // namespace percuss
