@@ -127,7 +127,7 @@ void ContactDecomposition::find_new_owners() {
 }
 
 std::vector<int> ContactDecomposition::node_owners() const {
-  if (owners_.empty()) return std::vector<int>(searched_nodes_.size(), 0);
+  if (owners_.empty()) return std::vector<int>(searched_nodes_.size(), -1);
   return {owners_.begin(), owners_.begin() + static_cast<std::ptrdiff_t>(searched_nodes_.size())};
 }
 

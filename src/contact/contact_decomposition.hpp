@@ -44,7 +44,7 @@ class ContactDecomposition {
   /// Tells how many copies of faces there are on all ranks beyond one each; decides whether the next update rebalances.
   void note_ghost_faces(std::int64_t ghosts);
 
-  /// The owner of each searched contact node of this rank's FE share, ascending.
+  /// The owner of each searched contact node of this rank's FE share, ascending; -1 before the first update().
   std::vector<int> node_owners() const;
   const DecompositionReport& report() const { return report_; }
   const Traffic& traffic() const { return data_.traffic(); }

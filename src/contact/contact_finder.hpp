@@ -47,7 +47,7 @@ class ContactFinder {
   /// with dt = 0; ascending.
   virtual std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) = 0;
 
-  /// Rank that owns each searched contact node (ascending) in the contact decomposition.
+  /// Rank that owns each searched contact node (ascending) in the contact decomposition; -1 before it is first made.
   virtual std::vector<int> node_ranks() const = 0;
   virtual DecompositionReport report() const = 0;
 

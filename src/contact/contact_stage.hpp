@@ -69,8 +69,8 @@ class ContactStage {
   long searches() const;  // how many apply() calls searched
   DecompositionReport decomposition() const;
 
-  /// Rank that owns each node of this rank's share in the contact decomposition, -1 for nodes that are not searched and
-  /// for copies of nodes that other ranks own. Not collective.
+  /// Rank that owns each node of this rank's share in the contact decomposition, -1 for nodes that are not searched,
+  /// for copies of nodes that other ranks own, and before the first search. Not collective.
   std::vector<double> contact_ranks() const;
   ContactClocks clocks() const;
   /// What this rank sent since the start.

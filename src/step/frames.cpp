@@ -22,9 +22,11 @@ bool has(const std::vector<std::string>& names, const char* name) {
 
 }  // namespace
 
-Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model)
+Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+               const ContactStage& contact)
     : deck_(deck),
       model_(model),
+      contact_(contact),
       file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, model.ranks) {
   if (has(deck.output.fields, "body")) {
     body_.assign(chunked.mesh.bodies.begin(), chunked.mesh.bodies.end());
@@ -76,6 +78,8 @@ void Frames::write(const State& state) {
     } else if (name == "fe_rank") {
       add(name, FieldPlace::element, 1,
           std::vector<double>(static_cast<std::size_t>(model_.element_count), model_.ranks.rank()));
+    } else if (name == "contact_rank") {
+      add(name, FieldPlace::node, 1, contact_.contact_ranks());
     } else {
       throw std::logic_error("no field is called '" + name + "' (the deck reader lets it through)");
     }

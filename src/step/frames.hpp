@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "src/contact/contact_stage.hpp"
 #include "src/output/fields_file.hpp"
 #include "src/step/model.hpp"
 #include "src/step/state.hpp"
@@ -12,8 +13,10 @@ namespace percuss {
 
 class Frames {
  public:
-  /// Creates the fields file in the directory. Throws SystemError.
-  Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model);
+  /// Creates the fields file in the directory. The deck, the model and the contact stage outlive this. Collective over
+  /// the model's ranks, as are all calls. Throws SystemError.
+  Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+         const ContactStage& contact);
 
   void write(const State& state);
   void close() { file_.close(); }
@@ -21,6 +24,7 @@ class Frames {
  private:
   const Deck& deck_;
   const Model& model_;
+  const ContactStage& contact_;
   std::vector<double> body_, chunk_;  // constant fields, only if asked for
   FieldsFile file_;
 };

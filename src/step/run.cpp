@@ -135,7 +135,7 @@ void Run::open_files() {
     if (ranks_.rank() == 0 && options_.prepare_output) options_.prepare_output();
   });
   if (options_.out_dir.empty()) return;
-  if (deck_.output.fields_every) frames_.emplace(options_.out_dir, deck_, chunked_, model_);
+  if (deck_.output.fields_every) frames_.emplace(options_.out_dir, deck_, chunked_, model_, contact_);
   if (deck_.output.history_every) history_.emplace(options_.out_dir, deck_, chunked_);
 }
 

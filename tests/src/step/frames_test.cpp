@@ -1,0 +1,88 @@
+// Fields that show how a run is divided among ranks, as its frames have them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "comm/agreement.hpp"
+#include "src/step/run.hpp"
+#include "tests/src/output/hdf5_file_view.hpp"
+#include "tests/src/step/scene.hpp"
+#include "tests/verification/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+using sample::Hdf5FileView;
+
+// Two cubes of 4 x 4 x 4 elements, the upper one about to land on the lower one. They are searched in the first step.
+const std::string two_cubes = R"yaml(
+time: {end: 1, max_steps: 2}
+parts:
+  low: {box: {size: [1, 1, 1], cells: [4, 4, 4]}, material: steel}
+  high: {box: {size: [1, 1, 1], cells: [4, 4, 4]}, at: [0.3, 0.2, 1.0001], material: steel}
+initial: [{part: high, velocity: [0, 0, -10]}]
+contact: {surfaces: all}
+output: {fields: {every: 1, write: [contact_rank, fe_rank]}}
+)yaml" + steel_text;
+
+constexpr std::size_t nodes = 2 * 5 * 5 * 5, inner_nodes = 2 * 3 * 3 * 3, elements = 2 * 4 * 4 * 4;
+
+/// What a frame has of the division.
+struct Frame {
+  std::vector<double> contact_ranks, fe_ranks;
+};
+
+/// The first and the last frame of the scene, read on rank 0.
+std::vector<Frame> write_and_read(const Communicator& ranks) {
+  std::optional<TemporaryFolder> folder;
+  if (ranks.rank() == 0) folder.emplace();
+  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  run_scene(parse_deck(two_cubes, "deck.yaml"), {path, Progress::Style::quiet});
+  if (ranks.rank() > 0) return {};
+  const Hdf5FileView file(path + "/fields.vtkhdf");
+  const std::vector<double> contact = file.numbers("VTKHDF/PointData/contact_rank");
+  const std::vector<double> fe = file.numbers("VTKHDF/CellData/fe_rank");
+  EXPECT_EQ(contact.size(), 2 * nodes);
+  EXPECT_EQ(fe.size(), 2 * elements);
+  std::vector<Frame> frames;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto n = static_cast<std::ptrdiff_t>(i * nodes), e = static_cast<std::ptrdiff_t>(i * elements);
+    frames.push_back({{contact.begin() + n, contact.begin() + n + static_cast<std::ptrdiff_t>(nodes)},
+                      {fe.begin() + e, fe.begin() + e + static_cast<std::ptrdiff_t>(elements)}});
+  }
+  return frames;
+}
+
+std::size_t count(const std::vector<double>& values, double value) {
+  return static_cast<std::size_t>(std::count(values.begin(), values.end(), value));
+}
+
+TEST(FramesOnRanks, ShowWhoOwnsEveryContactNodeAndComputesEveryElement) {
+  const Communicator ranks = Communicator::world();
+  const std::vector<Frame> frames = write_and_read(ranks);
+  if (ranks.rank() > 0) return;
+  const Frame& last = frames.back();
+  EXPECT_EQ(count(last.contact_ranks, -1), inner_nodes);
+  // Nodes and faces together are divided evenly; nodes alone nearly so.
+  const double share = static_cast<double>(nodes - inner_nodes) / ranks.size();
+  std::size_t owned = 0, computed = 0;
+  for (int r = 0; r < ranks.size(); ++r) {
+    EXPECT_NEAR(static_cast<double>(count(last.contact_ranks, r)), share, 0.2 * share) << "rank " << r;
+    owned += count(last.contact_ranks, r);
+    computed += count(last.fe_ranks, r);
+  }
+  EXPECT_EQ(owned, nodes - inner_nodes);
+  EXPECT_EQ(computed, elements);
+}
+
+TEST(FramesOnRanks, ShowNoOwnerOfANodeBeforeTheFirstDecomposition) {
+  const Communicator ranks = Communicator::world();
+  const std::vector<Frame> frames = write_and_read(ranks);
+  if (ranks.rank() > 0) return;
+  EXPECT_EQ(count(frames.front().contact_ranks, -1), ranks.size() == 1 ? inner_nodes : nodes);
+}
+
+}  // namespace
+}  // namespace percuss::test
