@@ -62,6 +62,8 @@ void Communicator::barrier() const {
   wait_mpi([&] { return MPI_Barrier(handle_); }, "MPI_Barrier");
 }
 
+void Communicator::mark_profiled(bool begins) const { check_mpi(MPI_Pcontrol(begins ? 1 : 0), "MPI_Pcontrol"); }
+
 void Communicator::abort(int exit_code) const {
   MPI_Abort(handle_, exit_code);
   std::abort();  // if MPI_Abort itself failed

@@ -70,6 +70,9 @@ class Communicator {
   /// Returns when every rank has called it. Collective.
   void barrier() const;
 
+  /// Tells MPI profilers that what they are to look at begins or ends (MPI_Pcontrol); without one it does nothing.
+  void mark_profiled(bool begins) const;
+
   /// Ends every rank at once with an exit code: for a failure that one rank alone has seen. Does not return.
   [[noreturn]] void abort(int exit_code) const;
 

@@ -53,7 +53,7 @@ std::vector<PointRecord> receive_points(const Communicator& group, const std::ve
     MPI_Message message = MPI_MESSAGE_NULL;
     MPI_Status status;
     int count = 0;
-    check_mpi(MPI_Mprobe(rank, far_side_tag, group.handle(), &message, &status), "MPI_Mprobe");
+    wait_mpi([&] { return MPI_Mprobe(rank, far_side_tag, group.handle(), &message, &status); }, "MPI_Mprobe");
     check_mpi(MPI_Get_count(&status, record, &count), "MPI_Get_count");
     const std::size_t first = arrived.size();
     arrived.resize(first + static_cast<std::size_t>(count));

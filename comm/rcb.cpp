@@ -169,8 +169,11 @@ void Rcb::refit(const ExecSpace& space, const Rows3<const double>& positions) {
       ends[2 * middle + 1] = -extents.low[axis];
     }
   }
-  check_mpi(
-      MPI_Allreduce(MPI_IN_PLACE, ends.data(), static_cast<int>(ends.size()), MPI_DOUBLE, MPI_MAX, ranks_->handle()),
+  wait_mpi(
+      [&] {
+        return MPI_Allreduce(MPI_IN_PLACE, ends.data(), static_cast<int>(ends.size()), MPI_DOUBLE, MPI_MAX,
+                             ranks_->handle());
+      },
       "MPI_Allreduce");
   for (std::size_t m = 1; m < cuts_.size(); ++m) {
     cuts_[m].lower_end = ends[2 * m];

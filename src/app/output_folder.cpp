@@ -17,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Every file that a run writes.
-constexpr std::array<const char*, 4> result_files{"summary.json", "history.csv", "fields.vtkhdf", "fields.xdmf"};
+constexpr std::array<const char*, 5> result_files{"summary.json", "ranks.csv", "history.csv", "fields.vtkhdf",
+                                                  "fields.xdmf"};
 
 bool holds_results(const fs::path& folder) {
   std::error_code ignored;

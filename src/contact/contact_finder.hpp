@@ -30,6 +30,12 @@ struct DecompositionReport {
   std::int64_t ghost_faces = 0;  // copies of faces on ranks that do not own them, at the last search, all ranks
 };
 
+/// What a rank searched last.
+struct SearchLoad {
+  std::int64_t nodes = 0;  // contact nodes that it owns for contact
+  std::int64_t faces = 0;  // contact faces that reached it, copies included
+};
+
 /// All calls are collective.
 class ContactFinder {
  public:
@@ -50,6 +56,7 @@ class ContactFinder {
   /// Rank that owns each searched contact node (ascending) in the contact decomposition; -1 before it is first made.
   virtual std::vector<int> node_ranks() const = 0;
   virtual DecompositionReport report() const = 0;
+  virtual SearchLoad load() const = 0;
 
   /// Of a search, what went into the decomposition: steps (5.1) to (5.5).
   virtual PhaseClock decomposition_clock() const = 0;

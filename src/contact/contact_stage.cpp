@@ -149,6 +149,7 @@ Traffic ContactStage::traffic() const {
 }
 
 DecompositionReport ContactStage::decomposition() const { return impl_->finder->report(); }
+SearchLoad ContactStage::load() const { return impl_->finder->load(); }
 
 std::vector<double> ContactStage::contact_ranks() const {
   const Impl& stage = *impl_;

@@ -68,6 +68,7 @@ class ContactStage {
   std::int64_t contact_faces() const;
   long searches() const;  // how many apply() calls searched
   DecompositionReport decomposition() const;
+  SearchLoad load() const;  // of this rank
 
   /// Rank that owns each node of this rank's share in the contact decomposition, -1 for nodes that are not searched,
   /// for copies of nodes that other ranks own, and before the first search. Not collective.

@@ -95,6 +95,11 @@ std::vector<Penetration> LocalFinder::find_penetrations(const SurfaceMotion& mot
   return found;
 }
 
+SearchLoad LocalFinder::load() const {
+  return {static_cast<std::int64_t>(check_.surface.searched_nodes.extent(0)),
+          static_cast<std::int64_t>(share_.searched_faces.size())};
+}
+
 std::vector<int> LocalFinder::node_ranks() const {
   return std::vector<int>(check_.surface.searched_nodes.extent(0), 0);
 }

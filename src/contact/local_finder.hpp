@@ -18,6 +18,7 @@ class LocalFinder : public ContactFinder {
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
   std::vector<int> node_ranks() const override;
   DecompositionReport report() const override { return {}; }
+  SearchLoad load() const override;
   PhaseClock decomposition_clock() const override { return {}; }
   Traffic traffic() const override { return {}; }
 

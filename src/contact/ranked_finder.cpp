@@ -142,6 +142,11 @@ Traffic RankedFinder::traffic() const {
   return {own.messages + decomposition.messages, own.bytes + decomposition.bytes};
 }
 
+SearchLoad RankedFinder::load() const {
+  return {static_cast<std::int64_t>(decomposition_.nodes().size()),
+          static_cast<std::int64_t>(decomposition_.faces().size())};
+}
+
 int RankedFinder::find_mesh_node(std::int64_t number) const { return find_number(ranks_.mesh.node_numbers, number); }
 int RankedFinder::find_contact_node(std::int64_t number) const { return find_number(share_.nodes.numbers, number); }
 

@@ -21,6 +21,7 @@ class RankedFinder : public ContactFinder {
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
   std::vector<int> node_ranks() const override { return decomposition_.node_owners(); }
   DecompositionReport report() const override { return decomposition_.report(); }
+  SearchLoad load() const override;
   PhaseClock decomposition_clock() const override { return decomposition_clock_; }
   Traffic traffic() const override;
 

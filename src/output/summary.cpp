@@ -96,6 +96,12 @@ void visit_summary(S& s, Visitor&& v) {
     v.value("count", s.messages.count);
     v.value("bytes", s.messages.bytes);
   });
+  v.group("decomposition", [&] {
+    v.value("rebalances", s.decomposition.rebalances);
+    v.value("worst_imbalance", s.decomposition.worst_imbalance);
+    v.value("rounds_per_cut", s.decomposition.rounds_per_cut);
+    v.value("ghost_faces", s.decomposition.ghost_faces);
+  });
   v.value("peak_bytes", s.peak_bytes);
   v.value("state_hash", s.state_hash);
 }

@@ -48,6 +48,10 @@ struct Summary {
   struct {
     double count = 0, bytes = 0;
   } messages;
+  struct {
+    std::int64_t rebalances = 0, ghost_faces = 0;
+    double worst_imbalance = 1, rounds_per_cut = 0;
+  } decomposition;  // for contact
   std::int64_t peak_bytes = 0;
   std::string state_hash;  // 16 hexadecimal digits
 };

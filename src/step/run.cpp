@@ -68,6 +68,8 @@ class Run {
   void check_energy() const;
   void finish(const std::string& status, const std::string& error);
   void fill_summary();
+  void fill_contact_summary();
+  RankRow make_rank_row() const;
   void fail(const std::string& error);
   ProgressState find_progress() const;
 
@@ -91,6 +93,7 @@ class Run {
   long unconverged_steps_ = 0;            // of the contact enforcement
   long first_unconverged_ = -1;           // the first such step
   Clock::time_point loop_start_;
+  double compute_start_ = 0;  // compute_seconds() when the clocks of the phases began
   std::string contact_notice_;
   Progress progress_;
   Summary summary_;
@@ -115,6 +118,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
   if (contact_.is_active()) contact_notice_ = contact_.prepare(state_.x, state_.v, model_.inverse_mass);
   if (!contact_notice_.empty() && speaks()) print_quietly(stderr, "{}\n", contact_notice_);
   open_files();
+  compute_start_ = compute_seconds();
   stepper_.start(state_, stop_requested != 0);
   first_dt_ = state_.next_dt;
   limiting_element_id_ = state_.bound.element_id;
@@ -276,11 +280,10 @@ void Run::fill_summary() {
   take_largest(ranks_, summary_);
   const double work = static_cast<double>(summary_.elements) * static_cast<double>(state_.step);
   if (work > 0) summary_.grind_ns = 1e9 * summary_.loop_s * summary_.ranks * summary_.threads / work;
-  if (contact_.is_active() && state_.step > 0) {
-    summary_.skipped.searches = 1 - static_cast<double>(contact_.searches()) / static_cast<double>(state_.step);
-  }
+  fill_contact_summary();
   summary_.balance.elements = find_element_balance(chunked_.numbering, ranks_.size());
-  const Traffic traffic = sum_traffic(ranks_, stepper_.traffic());
+  const Traffic halo = stepper_.traffic(), contact = contact_.traffic();
+  const Traffic traffic = sum_traffic(ranks_, {halo.messages + contact.messages, halo.bytes + contact.bytes});
   if (state_.step > 0) {
     const double rank_steps = static_cast<double>(state_.step) * ranks_.size();
     summary_.messages = {static_cast<double>(traffic.messages) / rank_steps,
@@ -291,10 +294,43 @@ void Run::fill_summary() {
   summary_.state_hash = fmt::format("{:016x}", hash_state(model_, state_));
 }
 
+void Run::fill_contact_summary() {
+  if (!contact_.is_active()) return;
+  const DecompositionReport done = contact_.decomposition();
+  if (state_.step > 0) {
+    const auto steps = static_cast<double>(state_.step);
+    summary_.skipped.searches = 1 - static_cast<double>(contact_.searches()) / steps;
+    summary_.skipped.rebalances = 1 - static_cast<double>(done.rebalances) / steps;
+  }
+  summary_.balance.contact = done.imbalance;
+  summary_.decomposition = {done.rebalances, done.ghost_faces, done.worst_imbalance, done.rounds_per_cut};
+}
+
+RankRow Run::make_rank_row() const {
+  RankRow row;
+  row.rank = ranks_.rank();
+  row.elements = static_cast<std::int64_t>(chunked_.mesh.elements.size());
+  row.nodes = static_cast<std::int64_t>(chunked_.mesh.nodes.size());
+  const SearchLoad load = contact_.load();
+  row.contact_nodes = load.nodes;
+  row.contact_faces = load.faces;
+  row.compute = stepper_.clocks().compute();
+  row.compute_loop = compute_seconds() - compute_start_;
+  if (state_.step == 0) return row;
+  const auto steps = static_cast<double>(state_.step);
+  const Traffic halo = stepper_.traffic(), contact = contact_.traffic();
+  row.halo_messages = static_cast<double>(halo.messages) / steps;
+  row.halo_bytes = static_cast<double>(halo.bytes) / steps;
+  row.contact_messages = static_cast<double>(contact.messages) / steps;
+  row.contact_bytes = static_cast<double>(contact.bytes) / steps;
+  return row;
+}
+
 /// Collective.
 void Run::finish(const std::string& status, const std::string& error) {
   summary_.status = status;
   summary_.error = error;
+  const std::vector<RankRow> rows = gather_rows(ranks_, make_rank_row());
   fill_summary();
   progress_.finish(find_progress());
   if (unconverged_steps_ > 0 && speaks()) {
@@ -305,7 +341,9 @@ void Run::finish(const std::string& status, const std::string& error) {
         unconverged_steps_, state_.step, first_unconverged_);
   }
   fail_together(ranks_, [&] {
-    if (ranks_.rank() == 0 && !options_.out_dir.empty()) write_summary(options_.out_dir + "/summary.json", summary_);
+    if (ranks_.rank() != 0 || options_.out_dir.empty()) return;
+    write_ranks(options_.out_dir + "/ranks.csv", rows);
+    write_summary(options_.out_dir + "/summary.json", summary_);
   });
 }
 
@@ -325,7 +363,9 @@ void Run::fail(const std::string& error) {
 RunResult Run::operator()() {
   loop_start_ = Clock::now();
   try {
+    ranks_.mark_profiled(true);
     loop();
+    ranks_.mark_profiled(false);
     if (frames_) frames_->close();
     if (history_) history_->flush();
   } catch (const std::exception& error) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 #include <vector>
 
 namespace percuss {
@@ -46,8 +47,11 @@ void take_largest(const Communicator& ranks, Summary& summary) {
                                        &p.contact_enforce, &p.reduce,       &p.output,         &peak};
   std::array<double, places.size()> values{};
   for (std::size_t i = 0; i < places.size(); ++i) values[i] = *places[i];
-  check_mpi(
-      MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX, ranks.handle()),
+  wait_mpi(
+      [&] {
+        return MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX,
+                             ranks.handle());
+      },
       "MPI_Allreduce");
   for (std::size_t i = 0; i < places.size(); ++i) *places[i] = values[i];
   summary.peak_bytes = static_cast<std::int64_t>(peak);
@@ -58,6 +62,15 @@ Traffic sum_traffic(const Communicator& ranks, const Traffic& own) {
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums.data(), 2, MPI_INT64_T, MPI_SUM, ranks.handle()); },
            "MPI_Allreduce");
   return {sums[0], sums[1]};
+}
+
+std::vector<RankRow> gather_rows(const Communicator& ranks, const RankRow& own) {
+  static_assert(std::is_trivially_copyable_v<RankRow>, "rows travel as bytes");
+  constexpr int bytes = sizeof(RankRow);
+  std::vector<RankRow> rows(ranks.rank() == 0 ? static_cast<std::size_t>(ranks.size()) : 0);
+  wait_mpi([&] { return MPI_Gather(&own, bytes, MPI_BYTE, rows.data(), bytes, MPI_BYTE, 0, ranks.handle()); },
+           "MPI_Gather");
+  return rows;
 }
 
 }  // namespace percuss

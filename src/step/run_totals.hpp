@@ -2,10 +2,12 @@
 // What a summary says of all ranks together.
 
 #include <cstdint>
+#include <vector>
 
 #include "comm/communicator.hpp"
 #include "comm/data_exchange.hpp"
 #include "src/mesh/numbering.hpp"
+#include "src/output/ranks_file.hpp"
 #include "src/output/summary.hpp"
 
 namespace percuss {
@@ -24,5 +26,8 @@ void take_largest(const Communicator& ranks, Summary& summary);
 
 /// Adds up what the ranks have sent. Collective. Throws MpiError.
 Traffic sum_traffic(const Communicator& ranks, const Traffic& own);
+
+/// [ranks] the rows of all ranks on rank 0, in their order; empty on the others. Collective. Throws MpiError.
+std::vector<RankRow> gather_rows(const Communicator& ranks, const RankRow& own);
 
 }  // namespace percuss

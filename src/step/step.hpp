@@ -49,6 +49,7 @@ class Stepper {
   /// What this rank has sent of the forces of shared nodes.
   const Traffic& traffic() const { return halo_.traffic(); }
   PhaseClocks& clocks() { return clocks_; }
+  const PhaseClocks& clocks() const { return clocks_; }
 
  private:
   void integrate_motion(State& state, double dt_mean);

@@ -72,7 +72,7 @@ TEST(PercussRun, WritesItsResultsAndInfoReadsThem) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out, "");
   EXPECT_THAT(result.err, HasSubstr("completed"));
-  for (const char* file : {"summary.json", "history.csv", "fields.vtkhdf", "fields.xdmf"}) {
+  for (const char* file : {"summary.json", "ranks.csv", "history.csv", "fields.vtkhdf", "fields.xdmf"}) {
     EXPECT_TRUE(fs::exists(out + "/" + file)) << file;
   }
   const Summary summary = read_summary(out + "/summary.json");

@@ -109,6 +109,10 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "balance.contact",
                                           "messages.count",
                                           "messages.bytes",
+                                          "decomposition.rebalances",
+                                          "decomposition.worst_imbalance",
+                                          "decomposition.rounds_per_cut",
+                                          "decomposition.ghost_faces",
                                           "peak_bytes",
                                           "state_hash"};
   EXPECT_EQ(keys, promised);

@@ -8,8 +8,11 @@
 
 #include <cstring>
 #include <fstream>
+#include <map>
+#include <numeric>
 #include <sstream>
 
+#include "comm/agreement.hpp"
 #include "src/error.hpp"
 #include "src/step/audit.hpp"
 #include "src/step/history.hpp"
@@ -89,6 +92,23 @@ std::string write_history(Scene& scene) {
     history.flush();
   }
   return scene.model.ranks.rank() == 0 ? read_file(folder.path() + "/history.csv") : "";
+}
+
+/// A table with a heading, column by column.
+std::map<std::string, std::vector<double>> read_columns(const std::string& path) {
+  std::istringstream file(read_file(path));
+  std::string line, cell;
+  std::getline(file, line);
+  std::vector<std::string> names;
+  for (std::istringstream cells(line); std::getline(cells, cell, ',');) names.push_back(cell);
+  std::map<std::string, std::vector<double>> columns;
+  while (std::getline(file, line)) {
+    std::size_t column = 0;
+    for (std::istringstream cells(line); std::getline(cells, cell, ',');) {
+      columns[names.at(column++)].push_back(std::stod(cell));
+    }
+  }
+  return columns;
 }
 
 std::string take_error(const std::string& from, const Communicator& ranks) {
@@ -260,6 +280,40 @@ TEST(RunOnRanks, GivesEveryRankTheSameSummary) {
   EXPECT_EQ(summary.ranks, Communicator::world().size());
   EXPECT_EQ(summary.messages.count > 0, summary.ranks > 1);
   EXPECT_GE(summary.balance.elements, 1);
+}
+
+TEST(RunOnRanks, TellsWhatEachRankHeldWorkedAndSent) {
+  const TemporaryFolder own;
+  const Communicator ranks = Communicator::world();
+  const std::string folder = broadcast_text(ranks, own.path(), 0);
+  Deck deck = parse_deck(text + "contact: {surfaces: all}\n", "deck.yaml");
+  deck.time.max_steps = 8;
+  deck.contact.reuse_search = false;
+  const Summary summary = run_scene(deck, {folder, Progress::Style::quiet}).summary;
+  if (ranks.rank() != 0) return;
+  const auto columns = read_columns(folder + "/ranks.csv");
+  ASSERT_EQ(columns.at("rank").size(), static_cast<std::size_t>(ranks.size()));
+  EXPECT_EQ(columns.at("rank").back(), ranks.size() - 1);
+  const auto total = [&](const char* name) {
+    const auto& values = columns.at(name);
+    return std::accumulate(values.begin(), values.end(), 0.0);
+  };
+  EXPECT_EQ(total("elements"), static_cast<double>(summary.elements));
+  EXPECT_GE(total("nodes"), static_cast<double>(summary.nodes));
+  EXPECT_EQ(total("contact_nodes"), static_cast<double>(summary.contact_nodes));
+  EXPECT_EQ(total("contact_faces"), static_cast<double>(summary.contact_faces + summary.decomposition.ghost_faces));
+  EXPECT_NEAR((total("halo_messages") + total("contact_messages")) / ranks.size(), summary.messages.count, 1e-9);
+  EXPECT_NEAR((total("halo_bytes") + total("contact_bytes")) / ranks.size(), summary.messages.bytes, 1e-6);
+  EXPECT_EQ(total("contact_bytes") > 0, ranks.size() > 1);
+  double phases = 0;
+  for (const auto& [name, values] : columns) {
+    if (name.rfind("compute_", 0) == 0 && name != "compute_loop") phases += total(name.c_str());
+  }
+  EXPECT_GT(phases, 0);
+  EXPECT_LE(phases, total("compute_loop"));
+  EXPECT_GT(phases, 0.5 * total("compute_loop"));  // little of the work lies between the phases
+  EXPECT_EQ(summary.decomposition.rebalances > 0, ranks.size() > 1);
+  EXPECT_LE(summary.balance.contact, 1.02);
 }
 
 }  // namespace percuss::test

@@ -1,0 +1,88 @@
+"""Runs a point (a scene on a number of ranks) and reads what it leaves."""
+import csv
+import json
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+
+from scenes import find_settings
+
+FE_PHASES = ["internal_force", "halo", "integrate", "reduce"]
+CONTACT_PHASES = ["contact_rcb", "contact_search", "contact_check", "contact_enforce"]
+PHASES = FE_PHASES + CONTACT_PHASES
+
+
+def read_table(path):
+    """Rows of a CSV file of numbers, as dictionaries."""
+    with open(path, newline="") as file:
+        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+
+def make_command(options, deck, out, ranks, settings):
+    command = [options.percuss, "run", str(deck), "--quiet", "--force", "--out", str(out)]
+    for key, value in settings.items():
+        command += ["--set", f"{key}={value}"]
+    if ranks == 1:
+        return command
+    return options.mpirun.split() + ["-n", str(ranks)] + command
+
+
+def run_once(options, deck, out, ranks, settings):
+    environment = dict(os.environ, OMP_NUM_THREADS="1", OMP_WAIT_POLICY="passive", OMP_PROC_BIND="false")
+    if ranks > len(os.sched_getaffinity(0)):
+        environment["OMPI_MCA_mpi_yield_when_idle"] = "1"
+    if options.count_mpi:
+        environment.update(LD_PRELOAD=options.count_mpi, PERCUSS_MPI_COUNTS=str(pathlib.Path(out) / "mpi_counts.csv"))
+    command = make_command(options, deck, out, ranks, settings)
+    done = subprocess.run(command, env=environment, capture_output=True, text=True)
+    if done.returncode != 0:
+        sys.exit(f"scaling: error: exit code {done.returncode} of: {' '.join(command)}\n{done.stderr}")
+    return read_run(out)
+
+
+def read_run(out):
+    """What one run says, per step: microseconds of work a rank, messages, bytes."""
+    out = pathlib.Path(out)
+    summary = json.loads((out / "summary.json").read_text())
+    rows = read_table(out / "ranks.csv")
+    steps = summary["steps"]
+    run = {"elements": summary["elements"], "steps": steps, "ranks": summary["ranks"],
+           "contact_points": summary["contact_nodes"] + summary["contact_faces"],
+           "searches": 1 - summary["skipped"]["searches"], "rebalances": 1 - summary["skipped"]["rebalances"],
+           "element_imbalance": summary["balance"]["elements"],
+           "contact_imbalance": summary["decomposition"]["worst_imbalance"],
+           "ghost_faces": summary["decomposition"]["ghost_faces"] / summary["contact_faces"],
+           "rounds_per_cut": summary["decomposition"]["rounds_per_cut"], "state_hash": summary["state_hash"]}
+
+    def note(name, values):
+        run[name + "_mean"], run[name + "_max"] = statistics.fmean(values), max(values)
+
+    def spent(row, phases):
+        return 1e6 / steps * sum(row["compute_" + phase] for phase in phases)
+
+    note("fe_us", [spent(row, FE_PHASES) for row in rows])
+    note("contact_us", [spent(row, CONTACT_PHASES) for row in rows])
+    for phase in PHASES:
+        run[phase + "_us"] = statistics.fmean(spent(row, [phase]) for row in rows)
+    for part in "halo", "contact":
+        note(part + "_messages", [row[part + "_messages"] for row in rows])
+        note(part + "_bytes", [row[part + "_bytes"] for row in rows])
+    if (out / "mpi_counts.csv").exists():
+        for name in "messages", "bytes", "collectives", "hops":
+            run["mpi_" + name] = max(row[name] for row in read_table(out / "mpi_counts.csv")) / steps
+    return run
+
+
+def run_point(options, deck, scene, kind, mode, ranks):
+    """The medians of several runs of one point."""
+    settings = find_settings(scene, kind, mode, ranks, options.steps)
+    repeats = options.repeats if ranks <= options.repeat_up_to else 1
+    runs = [run_once(options, deck, pathlib.Path(options.work) / "run", ranks, settings) for _ in range(repeats)]
+    if len({run["state_hash"] for run in runs}) > 1:
+        sys.exit(f"scaling: error: runs of {scene} on {ranks} ranks differ in their last state")
+    point = {"scene": scene, "kind": kind, "mode": mode}
+    for name, value in runs[0].items():
+        point[name] = value if isinstance(value, str) else statistics.median(run[name] for run in runs)
+    return point
