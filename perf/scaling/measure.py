@@ -20,6 +20,10 @@ def read_table(path):
         return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
 
+def count_cores():
+    return len(os.sched_getaffinity(0))
+
+
 def make_command(options, deck, out, ranks, settings):
     command = [options.percuss, "run", str(deck), "--quiet", "--force", "--out", str(out)]
     for key, value in settings.items():
@@ -29,22 +33,29 @@ def make_command(options, deck, out, ranks, settings):
     return options.mpirun.split() + ["-n", str(ranks)] + command
 
 
-def run_once(options, deck, out, ranks, settings):
+def start_run(options, deck, out, ranks, settings):
     environment = dict(os.environ, OMP_NUM_THREADS="1", OMP_WAIT_POLICY="passive", OMP_PROC_BIND="false")
-    if ranks > len(os.sched_getaffinity(0)):
+    if ranks > count_cores():
         environment["OMPI_MCA_mpi_yield_when_idle"] = "1"
     if options.count_mpi:
-        environment.update(LD_PRELOAD=options.count_mpi, PERCUSS_MPI_COUNTS=str(pathlib.Path(out) / "mpi_counts.csv"))
-    command = make_command(options, deck, out, ranks, settings)
-    done = subprocess.run(command, env=environment, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"scaling: error: exit code {done.returncode} of: {' '.join(command)}\n{done.stderr}")
-    return read_run(out)
+        environment.update(LD_PRELOAD=options.count_mpi, PERCUSS_MPI_COUNTS=str(out / "mpi_counts.csv"))
+    return subprocess.Popen(make_command(options, deck, out, ranks, settings), env=environment,
+                            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+
+
+def run_copies(options, deck, ranks, settings):
+    """Runs as many copies at once as keep all cores busy, for a core alone is quicker than one beside others."""
+    folders = [pathlib.Path(options.work) / f"run_{copy}" for copy in range(max(1, count_cores() // ranks))]
+    processes = [start_run(options, deck, folder, ranks, settings) for folder in folders]
+    errors = [process.communicate()[1] for process in processes]
+    for process, error in zip(processes, errors):
+        if process.returncode != 0:
+            sys.exit(f"scaling: error: exit code {process.returncode} of: {' '.join(process.args)}\n{error}")
+    return [read_run(folder) for folder in folders]
 
 
 def read_run(out):
     """What one run says, per step: microseconds of work a rank, messages, bytes."""
-    out = pathlib.Path(out)
     summary = json.loads((out / "summary.json").read_text())
     rows = read_table(out / "ranks.csv")
     steps = summary["steps"]
@@ -79,7 +90,7 @@ def run_point(options, deck, scene, kind, mode, ranks):
     """The medians of several runs of one point."""
     settings = find_settings(scene, kind, mode, ranks, options.steps)
     repeats = options.repeats if ranks <= options.repeat_up_to else 1
-    runs = [run_once(options, deck, pathlib.Path(options.work) / "run", ranks, settings) for _ in range(repeats)]
+    runs = [run for _ in range(repeats) for run in run_copies(options, deck, ranks, settings)]
     if len({run["state_hash"] for run in runs}) > 1:
         sys.exit(f"scaling: error: runs of {scene} on {ranks} ranks differ in their last state")
     point = {"scene": scene, "kind": kind, "mode": mode}
