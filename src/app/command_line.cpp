@@ -5,6 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <Kokkos_Core.hpp>
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
 
 #include "kernels/core/views.hpp"
 #include "src/deck/nearest_name.hpp"
@@ -19,6 +23,7 @@ constexpr const char* general_help = R"(
 Examples:
   percuss check inputs/brick_wall/deck.yaml
   percuss run inputs/brick_wall/deck.yaml --out wall
+  percuss plan inputs/brick_wall/deck.yaml --ranks 1,8,64
   percuss run deck.yaml --set time.end=1e-3 --set 'initial.0.velocity=[100, 0, 0]'
 
 Exit codes:
@@ -61,6 +66,18 @@ Examples:
   percuss check deck.yaml --set 'parts.rod.cylinder.cells=[16, 64]'
 )";
 
+constexpr const char* plan_help = R"(
+Finds on one process, without mpirun, how the scene would be divided among ranks: elements and contact surfaces of each
+rank, what they send each other, memory, and from a few figures of the machine the time of a step and the parallel
+efficiency. A column for each number of ranks; docs/plan.md tells what every line means. Runs nothing and writes no file;
+takes memory for the whole mesh.
+
+Examples:
+  percuss plan inputs/brick_wall/deck.yaml --ranks 1,8,64
+  percuss plan deck.yaml --ranks 512 --set 'parts.rod.cylinder.cells=[16, 64]'
+  percuss plan deck.yaml --ranks 8,64 --latency 30e-6 --bandwidth 1e8
+)";
+
 constexpr const char* info_help = R"(
 FILE is a summary.json, a fields.vtkhdf, a folder that holds them, or an Exodus II mesh.
 
@@ -74,9 +91,32 @@ std::string describe_version() {
                      KOKKOS_VERSION / 10000, KOKKOS_VERSION / 100 % 100, KOKKOS_VERSION % 100, ExecSpace::name());
 }
 
+/// More ranks than any machine has; beyond, a plan only fills memory.
+constexpr int most_ranks = 1'000'000;
+
+/// Accepts whole numbers of ranks.
+CLI::Validator rank_count() {
+  const auto check = [](const std::string& text) -> std::string {
+    int value = 0;
+    if (CLI::detail::lexical_cast(text, value) && value >= 1 && value <= most_ranks) return "";
+    return fmt::format("'{}' (must be a whole number from 1 to {})", text, most_ranks);
+  };
+  return CLI::Validator(check, "");
+}
+
+/// Accepts finite numbers that are at least `least`, which `words` say.
+CLI::Validator at_least(double least, const std::string& words) {
+  const auto check = [=](const std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= least) return "";
+    return fmt::format("'{}' (must be a number, {})", text, words);
+  };
+  return CLI::Validator(check, "");
+}
+
 struct Parser {
   CLI::App app{about, "percuss"};
-  CLI::App *run = nullptr, *check = nullptr, *info = nullptr;
+  CLI::App *run = nullptr, *check = nullptr, *plan = nullptr, *info = nullptr;
   Command command;
   bool version = false;
 
@@ -87,15 +127,30 @@ struct Parser {
     app.add_flag("--version", version, "Print the version");
     run = add("run", "Run the scene of a deck", run_help);
     check = add("check", "Read a deck and its meshes and say whether they can be run", check_help);
+    plan = add("plan", "Foretell how a deck's scene would run on many ranks", plan_help);
     info = add("info", "Say what a file of results or a mesh holds", info_help);
     add_deck(run);
     add_deck(check);
+    add_deck(plan);
+    add_plan_options();
     run->add_option("-o,--out", command.out_dir, "Folder for the results (default: out/SCENE)")->type_name("DIR");
     run->add_flag("-f,--force", command.force, "Overwrite the results of an earlier run in that folder");
     run->add_flag("-q,--quiet", command.quiet, "No progress, no report");
     info->add_option("FILE", command.file, "The file or folder")->required()->type_name("");
     // Fallthrough and extras: wrong words come back to us, so that we can hint at the right ones.
     app.allow_extras();
+  }
+
+  using Choice = std::pair<CLI::App*, Command::Kind>;
+
+  /// The command that was given, if any.
+  std::optional<Choice> find_parsed() const {
+    using Kind = Command::Kind;
+    for (const Choice& choice :
+         {Choice{run, Kind::run}, Choice{check, Kind::check}, Choice{plan, Kind::plan}, Choice{info, Kind::info}}) {
+      if (choice.first->parsed()) return choice;
+    }
+    return std::nullopt;
   }
 
   CLI::App* add(const char* name, const char* description, const char* help) {
@@ -105,6 +160,32 @@ struct Parser {
     sub->set_help_flag("-h,--help", "Print this help");
     sub->allow_extras();
     return sub;
+  }
+
+  void add_plan_options() {
+    plan->add_option("-n,--ranks", command.rank_counts, "Numbers of ranks, with commas between them")
+        ->required()
+        ->delimiter(',')
+        ->type_name("N,...")
+        ->allow_extra_args(false)
+        ->check(rank_count());
+    const CLI::Validator zero_or_more = at_least(0, "zero or more"), one_or_more = at_least(1, "at least 1");
+    const CLI::Validator above_zero = at_least(std::numeric_limits<double>::min(), "above zero");
+    const auto figure = [&](const char* name, double& value, const CLI::Validator& valid, const char* unit,
+                            const char* what) {
+      plan->add_option(name, value, fmt::format("{} (default: {:g})", what, value))
+          ->type_name(unit)
+          ->allow_extra_args(false)
+          ->check(valid);
+    };
+    PlanFigures& f = command.figures;
+    figure("--latency", f.latency, zero_or_more, "SECONDS", "Time that a message takes, whatever its size");
+    figure("--bandwidth", f.bandwidth, above_zero, "BYTE/S", "Bytes that a rank sends in a second");
+    figure("--element-ns", f.element_ns, above_zero, "NS", "Time of a core for an element and step");
+    figure("--contact-node-ns", f.contact_node_ns, zero_or_more, "NS",
+           "Time of a core for a contact node or face and step");
+    figure("--iterations", f.iterations, zero_or_more, "COUNT", "Iterations of the contact enforcement in a step");
+    figure("--steps-per-search", f.steps_per_search, one_or_more, "COUNT", "Steps between two contact searches");
   }
 
   void add_deck(CLI::App* sub) {
@@ -139,26 +220,29 @@ Answer refuse_extra(const std::string& extra, const CLI::App& app, const std::st
     return wrong(fmt::format("unknown option '{}'{}", name, name_hint(name, known)), command);
   }
   if (command.empty()) {
-    return wrong(fmt::format("unknown command '{}'{}", extra, name_hint(extra, {"run", "check", "info"})));
+    return wrong(fmt::format("unknown command '{}'{}", extra, name_hint(extra, {"run", "check", "plan", "info"})));
   }
   return wrong(fmt::format("'{}' is one argument too many (percuss {} takes one file)", extra, command), command);
 }
 
 // CLI11's own reasons, in the words of this program.
 Answer explain(const CLI::ParseError& error, Parser& parser) {
-  for (const CLI::App* sub : {parser.run, parser.check, parser.info}) {
-    if (!sub->parsed()) continue;
-    const std::string name = sub->get_name();
-    if (!sub->remaining().empty()) return refuse_extra(sub->remaining().front(), *sub, name);
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-      return wrong("an option at the end has no value (" + std::string(error.what()) + ")", name);
-    }
-    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-      return wrong(fmt::format("percuss {} needs {}", name, sub == parser.info ? "a file" : "a deck"), name);
-    }
-    return wrong(error.what(), name);
+  const auto chosen = parser.find_parsed();
+  if (!chosen) return wrong(error.what());
+  const CLI::App& sub = *chosen->first;
+  const std::string name = sub.get_name();
+  if (!sub.remaining().empty()) return refuse_extra(sub.remaining().front(), sub, name);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    return wrong("an option at the end has no value (" + std::string(error.what()) + ")", name);
   }
-  return wrong(error.what());
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    const bool lacks_ranks = chosen->second == Command::Kind::plan && sub.get_option("DECK")->count() > 0;
+    const std::string needed = lacks_ranks                             ? "--ranks, the numbers of ranks to plan for"
+                               : chosen->second == Command::Kind::info ? "a file"
+                                                                       : "a deck";
+    return wrong(fmt::format("percuss {} needs {}", name, needed), name);
+  }
+  return wrong(error.what(), name);
 }
 
 }  // namespace
@@ -168,24 +252,21 @@ std::variant<Command, Answer> parse_command_line(int argc, const char* const* ar
   try {
     parser.app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    for (const CLI::App* sub : {parser.run, parser.check, parser.info}) {
-      if (sub->parsed()) return Answer{sub->help("percuss"), ExitCode::done};
-    }
+    if (const auto chosen = parser.find_parsed()) return Answer{chosen->first->help("percuss"), ExitCode::done};
     return Answer{parser.app.help(), ExitCode::done};
   } catch (const CLI::ParseError& error) {
     return explain(error, parser);
   }
   if (parser.version) return Answer{describe_version(), ExitCode::done};
-  const CLI::App* chosen = parser.run->parsed() ? parser.run : parser.check->parsed() ? parser.check : parser.info;
-  if (!chosen->parsed()) {
+  const auto chosen = parser.find_parsed();
+  if (!chosen) {
     const auto extras = parser.app.remaining();
     if (!extras.empty()) return refuse_extra(extras.front(), parser.app, "");
     return Answer{parser.app.help(), ExitCode::wrong_input};
   }
   const auto extras = parser.app.remaining(true);
-  if (!extras.empty()) return refuse_extra(extras.front(), *chosen, chosen->get_name());
-  if (chosen == parser.check) parser.command.kind = Command::Kind::check;
-  if (chosen == parser.info) parser.command.kind = Command::Kind::info;
+  if (!extras.empty()) return refuse_extra(extras.front(), *chosen->first, chosen->first->get_name());
+  parser.command.kind = chosen->second;
   return parser.command;
 }
 

@@ -9,14 +9,26 @@
 
 namespace percuss {
 
+/// What `percuss plan` assumes of the machine and of the run; the defaults are explained in docs/plan.md.
+struct PlanFigures {
+  double latency = 2e-6;         // of a message [s]
+  double bandwidth = 1e9;        // of a rank [byte/s]
+  double element_ns = 60;        // of a core, an element and step
+  double contact_node_ns = 550;  // of a core, a contact node or face and step
+  double iterations = 22;        // of the contact enforcement in a step
+  double steps_per_search = 7;   // for which candidate pairs are used
+};
+
 struct Command {
-  enum class Kind { run, check, info };
+  enum class Kind { run, check, plan, info };
   Kind kind = Kind::run;
   std::string file;                   // the deck; for info, any file or folder of results
   std::vector<std::string> settings;  // --set path.to.key=value
   std::string out_dir;                // run: empty for the default
   bool force = false;                 // run: earlier results may be overwritten
   bool quiet = false;                 // run: no progress
+  std::vector<int> rank_counts = {};  // plan: numbers of ranks, each at least 1
+  PlanFigures figures = {};           // plan
 };
 
 /// Text to print instead of doing anything: help and version (stdout, done) or what is wrong (stderr, wrong_input).

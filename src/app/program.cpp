@@ -75,6 +75,8 @@ ExitCode execute(int argc, char** argv, const Command& command) {
       return run_on_ranks(argc, argv, [&](const Communicator& ranks) { return run_command(command, ranks); });
     case Command::Kind::check:
       return run_on_ranks(argc, argv, [&](const Communicator& ranks) { return check_command(command, ranks); });
+    case Command::Kind::plan:
+      return run_on_ranks(argc, argv, [&](const Communicator& ranks) { return plan_command(command, ranks); });
     case Command::Kind::info:
       return run_on_rank_0(argc, argv, [&] { return info_command(command); });
   }

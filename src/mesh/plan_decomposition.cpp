@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <set>
 
 #include "src/mesh/check_pieces.hpp"
@@ -12,92 +13,95 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// A slot: a chunk of this rank uses that node.
-struct Slot {
-  std::int64_t node = 0;
-  int rank = 0;
-};
-
-/// All slots, node by node and rank by rank.
-std::vector<Slot> list_slots(const ChunkPieces& pieces, const std::vector<std::int64_t>& numbers,
-                             const std::vector<int>& ranks) {
-  std::vector<Slot> slots;
-  slots.reserve(numbers.size());
-  for (std::size_t c = 0; c < pieces.chunks.size(); ++c) {
-    for (int n = pieces.first_node[c]; n < pieces.first_node[c + 1]; ++n) {
-      slots.push_back({numbers[at(n)], ranks[at(pieces.chunks[c])]});
-    }
-  }
-  std::sort(slots.begin(), slots.end(),
-            [](const Slot& a, const Slot& b) { return a.node != b.node ? a.node < b.node : a.rank < b.rank; });
-  return slots;
-}
-
-/// What the slots of one node add to the ranks that hold it.
+/// Adds up what the slots of one node after the other mean for the ranks that hold it.
 class NodeCount {
  public:
-  NodeCount(std::vector<RankPlan>& ranks, std::vector<std::set<int>>& neighbours)
-      : ranks_(ranks), neighbours_(neighbours) {}
+  explicit NodeCount(std::vector<RankPlan>& ranks)
+      : ranks_(ranks), neighbours_(ranks.size()), receivers_(ranks.size()) {}
 
-  void add(const Slot& slot) {
-    if (holders_.empty() || holders_.back() != slot.rank) {
-      holders_.push_back(slot.rank);
-      slots_.push_back(0);
+  /// ranks: of each slot of a node; the first is that of the lowest chunk, which owns the node.
+  void add(std::vector<int>& ranks) {
+    const int owner = ranks.front();
+    std::sort(ranks.begin(), ranks.end());
+    holders_ = ranks;
+    holders_.erase(std::unique(holders_.begin(), holders_.end()), holders_.end());
+    for (const int holder : holders_) ++ranks_[at(holder)].nodes;
+    if (holders_.size() == 1) return;
+    const auto others = static_cast<std::int64_t>(holders_.size()) - 1;
+    for (const int rank : ranks) ranks_[at(rank)].slots_sent += others;
+    ranks_[at(owner)].copies_sent += others;
+    for (const int holder : holders_) {
+      ++ranks_[at(holder)].shared_nodes;
+      for (const int other : holders_) {
+        if (other != holder) neighbours_[at(holder)].insert(other);
+      }
+      if (holder != owner) receivers_[at(owner)].insert(holder);
     }
-    ++slots_.back();
   }
 
   void end() {
-    for (std::size_t h = 0; h < holders_.size(); ++h) {
-      RankPlan& rank = ranks_[at(holders_[h])];
-      ++rank.nodes;
-      if (holders_.size() == 1) break;
-      ++rank.shared_nodes;
-      rank.slots_sent += slots_[h] * static_cast<std::int64_t>(holders_.size() - 1);
-      for (const int other : holders_) {
-        if (other != holders_[h]) neighbours_[at(holders_[h])].insert(other);
-      }
+    for (std::size_t r = 0; r < ranks_.size(); ++r) {
+      ranks_[r].neighbours = static_cast<int>(neighbours_[r].size());
+      ranks_[r].copy_receivers = static_cast<int>(receivers_[r].size());
     }
-    holders_.clear();
-    slots_.clear();
   }
 
  private:
   std::vector<RankPlan>& ranks_;
-  std::vector<std::set<int>>& neighbours_;
-  std::vector<int> holders_;         // ascending
-  std::vector<std::int64_t> slots_;  // [holders]
+  std::vector<std::set<int>> neighbours_, receivers_;
+  std::vector<int> holders_;  // ascending
 };
 
 }  // namespace
 
-DecompositionPlan plan_decomposition(const Deck& deck, int rank_count) {
+DecompositionPlanner::DecompositionPlanner(const Deck& deck) {
   const Communicator self(MPI_COMM_SELF);
   SceneParts scene = describe_parts(deck, self);
   const ChunkPieces pieces = make_pieces(scene, 0, 1);
   check_pieces(deck, self, pieces, scene);
   NumberedChunks numbered = number_chunks(deck, self, scene, pieces);
+  graph_ = std::move(numbered.graph);
+  elements_.resize(at(scene.chunk_count()));
+  for (std::size_t c = 0; c < elements_.size(); ++c) {
+    elements_[c] = scene.first_element[c + 1] - scene.first_element[c];
+  }
+  first_use_.assign(static_cast<std::size_t>(numbered.numbering.node_count()) + 1, 0);
+  for (const std::int64_t node : numbered.numbers) ++first_use_[static_cast<std::size_t>(node) + 1];
+  std::partial_sum(first_use_.begin(), first_use_.end(), first_use_.begin());
+  std::vector<std::int64_t> next(first_use_.begin(), first_use_.end() - 1);
+  chunks_.resize(numbered.numbers.size());
+  for (std::size_t c = 0; c < pieces.chunks.size(); ++c) {  // ascending, and so are the chunks of each node
+    for (int n = pieces.first_node[c]; n < pieces.first_node[c + 1]; ++n) {
+      std::int64_t& place = next[static_cast<std::size_t>(numbered.numbers[at(n)])];
+      chunks_[static_cast<std::size_t>(place++)] = pieces.chunks[c];
+    }
+  }
+}
 
+DecompositionPlan DecompositionPlanner::plan(int rank_count) const {
   DecompositionPlan plan;
-  plan.graph = std::move(numbered.graph);
-  plan.partition = partition_graph(plan.graph, rank_count);
+  plan.partition = partition_graph(graph_, rank_count);
   plan.ranks.resize(at(rank_count));
   const std::vector<int>& ranks = plan.partition.parts;
   for (std::size_t c = 0; c < ranks.size(); ++c) {
     ++plan.ranks[at(ranks[c])].chunks;
-    plan.ranks[at(ranks[c])].elements += scene.first_element[c + 1] - scene.first_element[c];
+    plan.ranks[at(ranks[c])].elements += elements_[c];
   }
-  std::vector<std::set<int>> neighbours(plan.ranks.size());
-  NodeCount count(plan.ranks, neighbours);
-  std::int64_t node = -1;
-  for (const Slot& slot : list_slots(pieces, numbered.numbers, ranks)) {
-    if (slot.node != node) count.end();
-    node = slot.node;
-    count.add(slot);
+  NodeCount count(plan.ranks);
+  std::vector<int> slots;
+  for (std::size_t n = 0; n + 1 < first_use_.size(); ++n) {
+    slots.clear();
+    for (auto i = first_use_[n]; i < first_use_[n + 1]; ++i) {
+      slots.push_back(ranks[at(chunks_[static_cast<std::size_t>(i)])]);
+    }
+    count.add(slots);
   }
   count.end();
-  for (std::size_t r = 0; r < plan.ranks.size(); ++r) plan.ranks[r].neighbours = static_cast<int>(neighbours[r].size());
   return plan;
+}
+
+DecompositionPlan plan_decomposition(const Deck& deck, int rank_count) {
+  return DecompositionPlanner(deck).plan(rank_count);
 }
 
 }  // namespace percuss

@@ -38,16 +38,50 @@ TEST(CommandLine, ReadsCheckAndInfo) {
   EXPECT_EQ(command({"info", "out"}).file, "out");
 }
 
+TEST(CommandLine, ReadsAPlan) {
+  const Command plan =
+      command({"plan", "deck.yaml", "--ranks", "1,8,64", "-s", "a=1", "--latency", "1e-5", "--bandwidth=2e9",
+               "--element-ns", "50", "--contact-node-ns", "0", "--iterations", "12.5", "--steps-per-search", "3"});
+  EXPECT_EQ(plan.kind, Command::Kind::plan);
+  EXPECT_EQ(plan.file, "deck.yaml");
+  EXPECT_THAT(plan.rank_counts, testing::ElementsAre(1, 8, 64));
+  EXPECT_THAT(plan.settings, testing::ElementsAre("a=1"));
+  EXPECT_EQ(plan.figures.latency, 1e-5);
+  EXPECT_EQ(plan.figures.bandwidth, 2e9);
+  EXPECT_EQ(plan.figures.element_ns, 50);
+  EXPECT_EQ(plan.figures.contact_node_ns, 0);
+  EXPECT_EQ(plan.figures.iterations, 12.5);
+  EXPECT_EQ(plan.figures.steps_per_search, 3);
+  EXPECT_THAT(command({"plan", "-n", "4", "deck.yaml"}).rank_counts, testing::ElementsAre(4));
+}
+
+TEST(CommandLine, RefusesFiguresThatMakeNoSense) {
+  EXPECT_THAT(answer({"plan", "d"}).text, HasSubstr("percuss plan needs --ranks"));
+  EXPECT_THAT(answer({"plan", "-n", "4"}).text, HasSubstr("percuss plan needs a deck"));
+  for (const char* ranks : {"0", "-2", "2.5", "1,x", "1e3", "2000000", "nan"}) {
+    EXPECT_THAT(answer({"plan", "d", "--ranks", ranks}).text, HasSubstr("(must be a whole number from 1 to 1000000)"))
+        << ranks;
+  }
+  EXPECT_THAT(answer({"plan", "d", "-n", "1", "--latency", "-1"}).text,
+              HasSubstr("--latency: '-1' (must be a number, zero or more)"));
+  for (const char* wrong : {"0", "-1", "inf", "fast"}) {
+    EXPECT_THAT(answer({"plan", "d", "-n", "1", "--bandwidth", wrong}).text, HasSubstr("must be a number, above zero"));
+  }
+  EXPECT_THAT(answer({"plan", "d", "-n", "1", "--steps-per-search", "0"}).text,
+              HasSubstr("must be a number, at least 1"));
+}
+
 TEST(CommandLine, HelpsOnDemand) {
   for (const char* flag : {"-h", "--help"}) {
     const Answer help = answer({flag});
     EXPECT_EQ(help.exit_code, ExitCode::done);
-    for (const char* part : {"run", "check", "info", "Examples", "Exit codes", "OMP_NUM_THREADS"}) {
+    for (const char* part : {"run", "check", "plan", "info", "Examples", "Exit codes", "OMP_NUM_THREADS"}) {
       EXPECT_THAT(help.text, HasSubstr(part));
     }
   }
   EXPECT_THAT(answer({"run", "--help"}).text, HasSubstr("Usage: percuss run"));
   EXPECT_THAT(answer({"check", "--help"}).text, HasSubstr("Usage: percuss check"));
+  EXPECT_THAT(answer({"plan", "--help"}).text, HasSubstr("Usage: percuss plan"));
   EXPECT_THAT(answer({"info", "-h"}).text, HasSubstr("Usage: percuss info"));
 }
 
@@ -63,7 +97,7 @@ TEST(CommandLine, HelpsWhenNothingIsAsked) {
 
 TEST(CommandLine, HintsAtWhatWasMeant) {
   EXPECT_THAT(answer({"rnu", "deck.yaml"}).text, HasSubstr("unknown command 'rnu' (did you mean 'run'?)"));
-  EXPECT_THAT(answer({"simulate"}).text, HasSubstr("(known: run, check, info)"));
+  EXPECT_THAT(answer({"simulate"}).text, HasSubstr("(known: run, check, plan, info)"));
   EXPECT_THAT(answer({"run", "d", "--ouT", "x"}).text, HasSubstr("unknown option '--ouT' (did you mean '--out'?)"));
   EXPECT_THAT(answer({"--hepl"}).text, HasSubstr("unknown option '--hepl' (did you mean '--help'?)"));
   EXPECT_THAT(answer({"run"}).text, HasSubstr("percuss run needs a deck"));
@@ -80,6 +114,7 @@ TEST(CommandLine, AnswersEveryMistakeWithExitCodeTwo) {
                                                           {"run", "a", "-x"},
                                                           {"--bad"},
                                                           {"check", "a", "--out", "b"},
+                                                          {"plan", "a", "--ranks", "0"},
                                                           {"run", "a", "--set"}};
   for (const auto& arguments : mistakes) {
     EXPECT_EQ(answer(arguments).exit_code, ExitCode::wrong_input) << arguments.front();

@@ -308,6 +308,30 @@ TEST(PercussOnRanks, HelpsOnce) {
   EXPECT_EQ(count(result.out, "Exit codes:"), 1);
 }
 
+TEST(PercussPlan, TellsTheDivisionOverManyRanksAndWritesNoFile) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", blocks);
+  const ProcessResult result = run_percuss({"plan", file, "--ranks", "1,3"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(result.out, HasSubstr("Two blocks fly"));
+  EXPECT_THAT(result.out, HasSubstr("576 elements in 9 chunks"));
+  EXPECT_THAT(result.out, HasSubstr("elements a rank, mean        576.0   192.0\n"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
+  EXPECT_EQ(run_percuss({"plan", file, "--ranks", "1,3"}, launch_on(2)).out, result.out);
+}
+
+TEST(PercussPlan, RefusesAWrongDeckWithItsPlace) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", std::string(blocks) + "contact: {surfaces: [[one, three]]}\n");
+  for (const auto& before : {std::string(), launch_on(2)}) {
+    const ProcessResult result = run_percuss({"plan", file, "--ranks", "2"}, before);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(count(result.err, file + ":9:28: error: unknown part 'three'"), 1) << result.err;
+  }
+}
+
 TEST(PercussInfo, ReadsOnlyWhatItKnows) {
   const TemporaryFolder folder;
   EXPECT_THAT(run_percuss({"info", folder.write("deck.yaml", cube)}).err, HasSubstr("percuss check"));

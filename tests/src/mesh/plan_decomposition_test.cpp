@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "comm/node_copies.hpp"
 #include "comm/shared_nodes.hpp"
 #include "src/mesh/decompose.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
@@ -59,6 +60,13 @@ TEST(PlanDecomposition, IsWhatTheRanksGet) {
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   EXPECT_EQ(own.shared_nodes, static_cast<std::int64_t>(nodes.size()));
   EXPECT_GE(own.slots_sent, own.shared_nodes);
+  SharedNodes owned = shared;
+  for (std::size_t n = 0; n < owned.owners.size(); ++n) {
+    owned.owners[n] = share.numbering.find_node_owner(share.mesh.node_numbers[n]);
+  }
+  const CopyPlan copies = plan_copies(owned, world.rank());
+  EXPECT_EQ(own.copies_sent, copies.exchange.send_count());
+  EXPECT_EQ(static_cast<std::size_t>(own.copy_receivers), copies.exchange.to.size());
 }
 
 TEST(PlanDecomposition, CountsTheSlotsOfABarCutInTwo) {

@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include "src/app/commands.hpp"
+#include "src/app/plan_report.hpp"
+#include "src/app/read_together.hpp"
+#include "src/fail_together.hpp"
+#include "src/mesh/decompose.hpp"
+
+namespace percuss {
+namespace {
+
+std::string make_plan(const Command& command) {
+  const Communicator self(MPI_COMM_SELF);
+  const Deck deck = read_deck_together(command, self);
+  const DecompositionPlanner mesh(deck);
+  const ChunkedMesh whole = load_mesh(deck, self);
+  const ContactPlanner contact(whole, deck);
+  std::vector<RanksPlan> plans;
+  for (const int ranks : command.rank_counts) {
+    DecompositionPlan divided = mesh.plan(ranks);
+    ContactPlan surfaces = contact.plan(divided.partition.parts, ranks);
+    plans.push_back({ranks, std::move(divided), std::move(surfaces)});
+  }
+  const Numbering& numbering = whole.numbering;
+  const PlannedScene scene{deck,
+                           numbering.element_count(),
+                           numbering.node_count(),
+                           numbering.chunk_count(),
+                           contact.nodes(),
+                           contact.faces(),
+                           find_step_pattern(deck, contact)};
+  return format_plan(scene, command.figures, plans);
+}
+
+}  // namespace
+
+ExitCode plan_command(const Command& command, const Communicator& ranks) {
+  fail_together(ranks, [&] {
+    if (ranks.rank() == 0) fmt::print("{}", make_plan(command));
+  });
+  return ExitCode::done;
+}
+
+}  // namespace percuss
