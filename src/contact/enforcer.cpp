@@ -45,8 +45,9 @@ Enforcer::Enforcer(const ContactRanks& ranks, const WallPairs& walls)
       has_many_ranks_(ranks.ranks.size() > 1),
       exchange_(ranks.ranks),
       data_(ranks.ranks),
-      velocity_copies_(ranks.ranks, find_copies(exchange_, ranks)),
-      impulse_copies_(ranks.ranks, find_copies(exchange_, ranks)) {}
+      copied_(find_copies(exchange_, ranks)),
+      velocity_copies_(ranks.ranks, copied_),
+      impulse_copies_(ranks.ranks, copied_) {}
 
 template <class T>
 void Enforcer::reduce(T& value) {

@@ -56,6 +56,7 @@ class Enforcer {
   const bool has_many_ranks_;
   UnstructuredExchange exchange_;
   DataExchange data_;
+  const SharedNodes copied_;
   NodeCopies velocity_copies_, impulse_copies_;
   MergeReduction<PredictedGaps> reduce_gaps_;
   MergeReduction<PassSums> reduce_pass_;
