@@ -6,7 +6,7 @@
 // (O'Donoghue and Candes 2015). D, the row sum of |G M^-1 G^T|, is the partition factor: it makes the correction a
 // contraction however many nodes share a face, and needs no tuning. Only pushing, within Coulomb's limit.
 //
-// These are the passes of the iteration; src/contact/enforce.cpp runs it and moves what crosses ranks.
+// These are the passes; kernels/contact/row_solution.hpp is the iteration.
 
 #include "kernels/contact/row_system.hpp"
 

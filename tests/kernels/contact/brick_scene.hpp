@@ -112,9 +112,9 @@ class BrickScene {
 /// No history for a surface with `pairs` pairs of a wall and a node.
 inline ContactHistory make_empty_history(int num_nodes, int pairs = 0) {
   const auto faces = static_cast<std::size_t>(3 * num_nodes), records = faces + static_cast<std::size_t>(pairs);
-  ContactHistory h{Array<int>("test::face", faces), Rows3<double>("test::impulse", records),
+  ContactHistory h{Array<std::int64_t>("test::face", faces), Rows3<double>("test::impulse", records),
                    Rows3<double>("test::slip", records), Array<double>("test::reference", records)};
-  Kokkos::deep_copy(h.face, -1);
+  Kokkos::deep_copy(h.face, std::int64_t{-1});
   return h;
 }
 
@@ -125,18 +125,19 @@ struct CheckedScene {
     const auto f = static_cast<std::size_t>(surface.num_faces);
     boxes = Boxes("test::boxes", f);
     faces = {Rows3<double>("test::normal", f), Array<double>("test::size", f), Boxes("test::box", f)};
-    history = make_empty_history(surface.num_nodes);
+    history_face = Array<int>("test::history_face", static_cast<std::size_t>(3 * surface.num_nodes));
+    Kokkos::deep_copy(history_face, -1);
     const SmallSpace space;
-    bound_faces(space, surface, motion, margin, boxes);
+    bound_faces(space, surface.face_corners, motion, margin, boxes);  // every node is a contact node
     find_points_in_boxes(space, surface, motion.x, boxes, 1'000'000, scratch, candidates);
-    list_concerned(space, surface, history.face, scratch, candidates);
+    list_concerned(space, surface, scratch, candidates);
     check();
   }
 
   void check() {
     const SmallSpace space;
     update_faces(space, surface, motion, candidates, faces);
-    find_touches(space, surface, motion, candidates, faces, history, touches);
+    find_touches(space, surface, motion, candidates, faces, history_face, touches);
   }
 
   /// Touches of a node.
@@ -151,7 +152,7 @@ struct CheckedScene {
   SurfaceMotion motion;
   Boxes boxes;
   FaceState faces;
-  ContactHistory history;
+  Array<int> history_face;
   SearchScratch scratch;
   CandidateList candidates;
   TouchTable touches;

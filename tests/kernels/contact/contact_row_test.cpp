@@ -23,7 +23,7 @@ RandomRow make_row(std::mt19937& random, double friction) {
   r.x[0] = {place(random), place(random), place(random)};
   for (int i = 0; i < 4; ++i) r.x[i + 1] = square.corner[i] + 0.2 * Point3{place(random), place(random), place(random)};
   for (int i = 0; i < row_nodes; ++i) {
-    r.row.node[i] = r.row.place[i] = i;
+    r.row.place[i] = i;
     store_row(x, i, r.x[i]);
   }
   const double a = fraction(random), b = fraction(random) * (1 - a);

@@ -42,24 +42,36 @@ TEST(IndexLists, ListsTheWantedInAscendingOrder) {
 }
 
 struct OneSum {
-  double total = 0;
-  KOKKOS_INLINE_FUNCTION void add(const OneSum& other) { total += other.total; }
+  ExactSum total;
+  double largest = 0;
+  KOKKOS_INLINE_FUNCTION void merge(const OneSum& other) {
+    total.merge(other.total);
+    largest = other.largest > largest ? other.largest : largest;
+  }
 };
 
-TEST(RowSums, HaveTheSameBitsInBothSpaces) {
+TEST(RowSums, AreExactInBothSpaces) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> value(-1, 1);
   std::vector<double> values;
-  for (int i = 0; i < 10007; ++i) values.push_back(value(random) * std::pow(10.0, i % 17));
+  for (int i = 0; i < 10006; i += 2) {  // each value, and at the end the same with the other sign and a remainder
+    values.push_back(value(random) * std::pow(10.0, i % 17));
+    values.push_back(0.25);
+  }
+  for (int i = 10005; i >= 0; i -= 2) values.push_back(-values[static_cast<std::size_t>(i) - 1]);
   const Array<double> view = to_array(values);
-  const auto body = [view] KOKKOS_FUNCTION(int i, OneSum& s) { s.total += view(i); };
-  SumScratch scratch("test::sums", 0);
-  const double small = sum_rows<OneSum>(SmallSpace(), 10007, scratch, body).total;
-  const double threads = sum_rows<OneSum>(ExecSpace(), 10007, scratch, body).total;
-  EXPECT_EQ(small, threads);
-  double plain = 0;
-  for (const double v : values) plain += v;
-  EXPECT_NEAR(small, plain, 1e-15 * 1e16 * 100);  // another order of the same sum
+  const auto body = [view] KOKKOS_FUNCTION(int i, OneSum& s) {
+    s.total.add(view(i));
+    s.largest = view(i) > s.largest ? view(i) : s.largest;
+  };
+  Array<OneSum> memory("test::sums", 0);
+  const int n = static_cast<int>(values.size());
+  const OneSum small = sum_rows<OneSum>(SmallSpace(), n, memory, body);
+  const OneSum threads = sum_rows<OneSum>(ExecSpace(), n, memory, body);
+  EXPECT_EQ(small.total.round(), 5003 * 0.25);
+  EXPECT_EQ(threads.total.round(), 5003 * 0.25);
+  EXPECT_EQ(small.largest, *std::max_element(values.begin(), values.end()));
+  EXPECT_EQ(threads.largest, small.largest);
 }
 
 }  // namespace

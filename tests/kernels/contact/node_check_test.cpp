@@ -117,7 +117,7 @@ TEST(NodeCheck, AConvexEdgeHoldsANodeByOneFace) {
 TEST(NodeCheck, HistoryDecidesBeforeDepth) {
   // The same node with a history on the side: it stays there though the top is nearer.
   CheckedScene scene(make_drop({3.99, 1, 0.995}, {0, 0, 0}), 0.01);
-  scene.history.face(3 * 8) = face_of(0, x_max);
+  scene.history_face(3 * 8) = face_of(0, x_max);
   scene.check();
   const NodeTouches t = scene.at(8);
   ASSERT_EQ(t.count, 1);
@@ -145,7 +145,7 @@ TEST(NodeCheck, ANodeThatSlidesOverASeamIsNotCaughtByTheSideOfTheNextBody) {
     scene.add_brick({0, 0, 0}, {2, 4, 1});
     scene.add_brick({-1.005, 1, 1 + height}, {1, 1, 1}, {1, 0, -0.5});
     CheckedScene checked(scene, 0.01);
-    checked.history.face(3 * 17) = face_of(0, z_max);
+    checked.history_face(3 * 17) = face_of(0, z_max);
     checked.check();
     const NodeTouches t = checked.at(17);
     ASSERT_EQ(t.count, 1);

@@ -17,7 +17,10 @@ Boxes bound_all(const BrickScene& scene, double reach) {
   const ContactSurface s = scene.surface();
   Boxes boxes("test::boxes", static_cast<std::size_t>(s.num_faces));
   const Rows3<double> x = to_rows(scene.x);
-  for (int f = 0; f < s.num_faces; ++f) bound_face(s, {x, x, 0}, f, reach, boxes);
+  for (int f = 0; f < s.num_faces; ++f) {
+    bound_face(
+        SurfaceMotion{x, x, 0}, [&](int corner) { return s.face_corners(f, corner); }, reach, boxes, f);
+  }
   return boxes;
 }
 

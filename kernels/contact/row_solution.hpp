@@ -1,0 +1,82 @@
+#pragma once
+// From touches to impulses (the paper's section 4.3): the rows of a step and the iteration of their forces, with what
+// crosses ranks left to the caller.
+//
+// Others stands for the other ranks. Its members are called in the order of the paper's section 4.3.2: places of
+// foreign nodes come before the rows are made; forces on foreign nodes go to their owners and the accelerations come
+// back in each iteration, while the sums that judge convergence are reduced.
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/contact/enforcement.hpp"
+
+namespace percuss {
+
+/// One rank has all nodes: nothing is sent.
+struct OneRank {
+  void receive_nodes(RowSystem&) {}  // fills RowSystem::at at foreign places
+  template <class Space>
+  void send_coefficients(const Space&, RowSystem&) {}  // fills RowSystem::remote with coefficients of remote entries
+  void receive_coefficients(RowSystem&) {}             // fills RowSystem::abs_sum at foreign places
+  void reduce(PredictedGaps&) {}
+  template <class Space>
+  void send_impulses(const Space&, RowSystem&, PassSums&) {}  // fills RowSystem::remote with impulses; reduces the sums
+  void receive_corrections(RowSystem&) {}                     // fills RowSystem::correction at foreign places
+  void reduce(EnforcementSums&) {}
+};
+
+/// Makes the rows of a step with their first guess; S and D. In: num_foreign, num_remote, remote_node, remote_key of
+/// the system. touches: [num_touches] by (node, face).
+template <class Space, class Others>
+void build_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
+                const WallPairs& walls, const ContactHistory& history, RowSystem& system, Others& others) {
+  start_rows(space, inputs, touches, num_touches, walls, system);
+  space.fence();
+  others.receive_nodes(system);
+  make_rows(space, inputs, touches, num_touches, walls, history, system);
+  others.send_coefficients(space, system);
+  sum_coefficients(space, system);
+  space.fence();
+  others.receive_coefficients(system);
+  sum_stiffness(space, system);
+}
+
+struct SolveReport {
+  int iterations = 0;
+  bool converged = true;
+};
+
+/// Iterates the impulses of the rows; RowSystem::correction is their dv on return. gaps: of all ranks. dt: step.
+template <class Space, class Others>
+SolveReport solve_rows(const Space& space, double dt, const PredictedGaps& gaps, RowSystem& system,
+                       RowSumMemory& memory, Others& others) {
+  // The iteration ends when no impulse changes by more than would close this share of the largest predicted penetration
+  // or this share of the smallest h.
+  constexpr double relative_tolerance = 1e-3, absolute_tolerance = 1e-10;
+  constexpr int max_iterations = 1000;
+  const double tolerance = std::max(relative_tolerance * gaps.deepest, absolute_tolerance * gaps.smallest_size);
+  SolveReport report{0, false};
+  double beta = 0, t = 1;
+  PassSums sums;
+  for (;;) {
+    // The motion that the impulses cause, on both sides of every contact.
+    others.send_impulses(space, system, sums);
+    find_corrections(space, system);
+    space.fence();
+    others.receive_corrections(system);
+    if (report.iterations > 0) {
+      report.converged = sums.change <= tolerance;
+      const double next_t = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
+      const bool restart = sums.backwards.round() > 0 || report.converged;
+      beta = restart ? 0 : (t - 1) / next_t;
+      t = restart ? 1 : next_t;
+    }
+    if (report.converged || report.iterations == max_iterations) return report;
+    extrapolate_corrections(space, beta, system);
+    sums = correct_rows(space, beta, dt, system, memory);
+    ++report.iterations;
+  }
+}
+
+}  // namespace percuss

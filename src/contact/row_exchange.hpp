@@ -1,0 +1,69 @@
+#pragma once
+// What rows tell other ranks about foreign nodes, and hear from them (the paper's section 4.3.2).
+
+#include <array>
+#include <vector>
+
+#include "comm/data_exchange.hpp"
+#include "comm/merge_reduction.hpp"
+#include "kernels/contact/enforcement.hpp"
+#include "src/contact/contact_finder.hpp"
+
+namespace percuss {
+
+/// The Others of kernels/contact/row_solution.hpp. All calls are collective.
+class RowExchange {
+ public:
+  explicit RowExchange(const ContactRanks& ranks);
+
+  /// Tells the owners of foreign nodes which rows touch these; learns the same of the own nodes. Fills num_foreign,
+  /// num_remote, remote_node and remote_key of the system.
+  void announce_foreign_nodes(const Array<const RowTouch>& touches, int num_touches, RowSystem& system);
+
+  void receive_nodes(RowSystem& system);
+  template <class Space>
+  void send_coefficients(const Space& space, RowSystem& system) {
+    if (!has_many_ranks_) return;
+    find_foreign_coefficients(space, system, foreign_values_);
+    space.fence();
+    send_to_owners(system);
+  }
+  void receive_coefficients(RowSystem& system) { send_to_rows(system, system.abs_sum); }
+  template <class Space>
+  void send_impulses(const Space& space, RowSystem& system, PassSums& sums) {
+    if (!has_many_ranks_) return;
+    sums.backwards.normalize();
+    reduce_pass_.begin(ranks_.ranks, sums);
+    find_foreign_impulses(space, system, foreign_values_);
+    space.fence();
+    send_to_owners(system);
+    reduce_pass_.end();
+  }
+  void receive_corrections(RowSystem& system) { send_to_rows(system, system.correction); }
+  void reduce(PredictedGaps& gaps);
+  void reduce(EnforcementSums& sums);
+
+  const Traffic& traffic() const { return data_.traffic(); }
+
+ private:
+  struct ForeignNotice;
+  struct ForeignData;
+
+  void send_to_owners(RowSystem& system);
+  void send_to_rows(const RowSystem& system, const Rows3<double>& by_place);
+
+  const ContactRanks ranks_;
+  const bool has_many_ranks_;
+  UnstructuredExchange exchange_;
+  DataExchange data_;
+  MergeReduction<PredictedGaps> reduce_gaps_;
+  MergeReduction<PassSums> reduce_pass_;
+  MergeReduction<EnforcementSums> reduce_outcome_;
+  // Item k of the messages is foreign node order_[k] of the rows, and remote entry k of the owner.
+  ExchangePlan plan_;
+  std::vector<int> order_;
+  Rows3<double> foreign_values_ = Rows3<double>("contact::foreign_values", 0);
+  std::vector<std::array<double, 3>> send_, receive_;
+};
+
+}  // namespace percuss
