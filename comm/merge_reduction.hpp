@@ -33,15 +33,6 @@ class MergeReduction {
              "MPI_Allreduce");
   }
 
-  /// The same in two halves, with other messages between them: value must be left alone until end(). Collective. Throws
-  /// MpiError.
-  void begin(const Communicator& ranks, T& value) {
-    check_mpi(MPI_Iallreduce(MPI_IN_PLACE, &value, 1, type_, operation_, ranks.handle(), &request_), "MPI_Iallreduce");
-  }
-  void end() {
-    wait_mpi([&] { return MPI_Wait(&request_, MPI_STATUS_IGNORE); }, "MPI_Wait");
-  }
-
  private:
   static void merge_all(void* in, void* in_out, int* count, MPI_Datatype*) {
     for (int i = 0; i < *count; ++i) static_cast<T*>(in_out)[i].merge(static_cast<const T*>(in)[i]);
@@ -49,7 +40,6 @@ class MergeReduction {
 
   MPI_Datatype type_ = MPI_DATATYPE_NULL;
   MPI_Op operation_ = MPI_OP_NULL;
-  MPI_Request request_ = MPI_REQUEST_NULL;
 };
 
 }  // namespace percuss

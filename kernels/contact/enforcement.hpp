@@ -27,10 +27,12 @@ struct PredictedGaps {
 
 /// What one pass over the rows says about convergence.
 struct PassSums {
+  PredictedGaps gaps;  // before the first pass only
   double change = 0;   // largest change of an impulse as a displacement: |p' - y| dt D [length]
   ExactSum backwards;  // sum of D (y - p') (p' - p): positive when the extrapolation points back
 
   KOKKOS_INLINE_FUNCTION void merge(const PassSums& other) {
+    gaps.merge(other.gaps);
     change = other.change > change ? other.change : change;
     backwards.merge(other.backwards);
   }

@@ -19,7 +19,6 @@ struct OneRank {
   template <class Space>
   void send_coefficients(const Space&, RowSystem&) {}  // fills RowSystem::remote with coefficients of remote entries
   void receive_coefficients(RowSystem&) {}             // fills RowSystem::abs_sum at foreign places
-  void reduce(PredictedGaps&) {}
   template <class Space>
   void send_impulses(const Space&, RowSystem&, PassSums&) {}  // fills RowSystem::remote with impulses; reduces the sums
   void receive_corrections(RowSystem&) {}                     // fills RowSystem::correction at foreign places
@@ -43,25 +42,30 @@ void build_rows(const Space& space, const RowInputs& inputs, const Array<const R
 }
 
 struct SolveReport {
+  std::int64_t rows = 0;  // on all ranks; 0: nothing was done
   int iterations = 0;
   bool converged = true;
 };
 
-/// Iterates the impulses of the rows; RowSystem::correction is their dv on return. gaps: of all ranks. dt: step.
+/// Iterates the impulses of the rows; RowSystem::correction is their dv on return. dt: step.
 template <class Space, class Others>
-SolveReport solve_rows(const Space& space, double dt, const PredictedGaps& gaps, RowSystem& system,
-                       RowSumMemory& memory, Others& others) {
+SolveReport solve_rows(const Space& space, double dt, RowSystem& system, RowSumMemory& memory, Others& others) {
   // The iteration ends when no impulse changes by more than would close this share of the largest predicted penetration
   // or this share of the smallest h.
   constexpr double relative_tolerance = 1e-3, absolute_tolerance = 1e-10;
   constexpr int max_iterations = 1000;
-  const double tolerance = std::max(relative_tolerance * gaps.deepest, absolute_tolerance * gaps.smallest_size);
-  SolveReport report{0, false};
-  double beta = 0, t = 1;
+  SolveReport report{0, 0, false};
+  double beta = 0, t = 1, tolerance = 0;
   PassSums sums;
+  sums.gaps = find_predicted_gaps(space, system, memory);
   for (;;) {
     // The motion that the impulses cause, on both sides of every contact.
     others.send_impulses(space, system, sums);
+    if (report.iterations == 0) {
+      report.rows = sums.gaps.rows;
+      if (report.rows == 0) return report;
+      tolerance = std::max(relative_tolerance * sums.gaps.deepest, absolute_tolerance * sums.gaps.smallest_size);
+    }
     find_corrections(space, system);
     space.fence();
     others.receive_corrections(system);

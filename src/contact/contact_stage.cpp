@@ -49,6 +49,7 @@ struct ContactStage::Impl {
   Array<RowTouch> touches = Array<RowTouch>("contact::row_touches", 0);
   std::int64_t candidates = 0;  // of the last search, on all ranks
   long searches = 0;
+  bool touched_last = false;  // whether any rank had a row in the last step
   ContactClocks clocks;
 };
 
@@ -70,6 +71,8 @@ int ContactStage::Impl::check(const SurfaceMotion& motion) {
 bool ContactStage::Impl::is_anything_touched(int num_touches) const {
   if (has_walls) return true;
   if (candidates == 0) return false;
+  // What touched in the last step most likely does again: then asking costs more than it saves.
+  if (ranks.size() > 1 && touched_last) return true;
   if (ranks.size() > 1)
     wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &num_touches, 1, MPI_INT, MPI_MAX, ranks.handle()); },
              "MPI_Allreduce");
@@ -127,6 +130,7 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
     stage.enforcer.enforce(motion, stage.touches, num_touches, stage.history, report);
   else
     stage.enforcer.rest(motion, stage.history);
+  stage.touched_last = report.iterations > 0;
   return report;
 }
 

@@ -70,10 +70,8 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
   // A row's solution costs some dozen passes; a wall's pair that is out of reach costs one look.
   run_where_it_pays(num_touches + wall_pairs / 8, [&](const auto& space) {
     build_rows(space, inputs, touches, num_touches, walls_, history, system_, exchange_);
-    PredictedGaps gaps = find_predicted_gaps(space, system_, sums_);
-    exchange_.reduce(gaps);
-    if (gaps.rows > 0) {
-      const SolveReport solved = solve_rows(space, motion.dt, gaps, system_, sums_, exchange_);
+    const SolveReport solved = solve_rows(space, motion.dt, system_, sums_, exchange_);
+    if (solved.rows > 0) {
       apply_impulses(space, system_, motion.v, motion.impulse);
       EnforcementSums done = sum_outcome(space, motion.dt, system_, sums_);
       exchange_.reduce(done);

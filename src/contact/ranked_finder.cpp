@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/number_map.hpp"
 #include "src/contact/pair_limit.hpp"
 
 namespace percuss {
@@ -44,9 +45,8 @@ int find_number(const std::vector<std::int64_t>& numbers, std::int64_t number) {
   return place != numbers.end() && *place == number ? static_cast<int>(place - numbers.begin()) : -1;
 }
 
-std::array<int, 4> find_numbers(const std::vector<std::int64_t>& numbers, const std::int64_t (&wanted)[4]) {
-  return {find_number(numbers, wanted[0]), find_number(numbers, wanted[1]), find_number(numbers, wanted[2]),
-          find_number(numbers, wanted[3])};
+std::array<int, 4> find_numbers(const NumberMap& places, const std::int64_t (&wanted)[4]) {
+  return {places.find(wanted[0]), places.find(wanted[1]), places.find(wanted[2]), places.find(wanted[3])};
 }
 
 /// The runs of a plan with another number of items in each; runs without items are left out.
@@ -97,9 +97,10 @@ SurfaceLists list_search_surface(const std::vector<NodeRecord>& nodes, const std
   lists.nodes.resize(nodes.size());
   std::iota(lists.nodes.begin(), lists.nodes.end(), 0);
   lists.searched_nodes = lists.nodes;
+  const NumberMap places(numbers);
   for (const FaceRecord& record : faces) {
-    lists.corners.push_back(find_numbers(numbers, record.face.corners));
-    lists.backs.push_back(find_numbers(numbers, record.face.backs));
+    lists.corners.push_back(find_numbers(places, record.face.corners));
+    lists.backs.push_back(find_numbers(places, record.face.backs));
     lists.face_class.push_back(record.face.surface_class);
     lists.face_body.push_back(record.face.body);
   }
@@ -269,18 +270,18 @@ void RankedFinder::build_check_space(std::vector<FaceTopology> faces) {
   lists.nodes.resize(check_nodes_.size());
   std::iota(lists.nodes.begin(), lists.nodes.end(), 0);
   lists.node_class.assign(check_nodes_.size(), 0);
+  const NumberMap places(check_nodes_);
   for (std::size_t f = 0; f < check_faces_.size(); ++f) {
     const FaceTopology& face = check_faces_[f];
-    lists.corners.push_back(find_numbers(check_nodes_, face.corners));
-    lists.backs.push_back(is_candidate[f] != 0 ? find_numbers(check_nodes_, face.backs)
-                                               : std::array<int, 4>{-1, -1, -1, -1});
+    lists.corners.push_back(find_numbers(places, face.corners));
+    lists.backs.push_back(is_candidate[f] != 0 ? find_numbers(places, face.backs) : std::array<int, 4>{-1, -1, -1, -1});
     lists.face_class.push_back(face.surface_class);
     lists.face_body.push_back(face.body);
   }
   CandidateList& candidates = check_.candidates;
   std::vector<int> offset(check_nodes_.size() + 1, 0), pairs;
   checked_nodes_.clear();
-  for (const std::int64_t number : checked_numbers) checked_nodes_.push_back(find_number(check_nodes_, number));
+  for (const std::int64_t number : checked_numbers) checked_nodes_.push_back(places.find(number));
   for (std::size_t i = 0; i < checked_.size(); ++i) {
     const auto n = at(checked_[i]);
     lists.node_class[at(checked_nodes_[i])] = decomposition_.nodes()[n].surface_class;

@@ -83,16 +83,18 @@ void RowExchange::receive_nodes(RowSystem& system) {
   }
 }
 
-/// One value of each foreign node, in foreign_values_, to its owner: RowSystem::remote.
-void RowExchange::send_to_owners(RowSystem& system) {
+void RowExchange::begin_sending() {
   const auto host = to_host(foreign_values_);
   send_.resize(order_.size());
-  receive_.resize(at(system.num_remote));
+  receive_.resize(static_cast<std::size_t>(plan_.receive_count()));
   for (std::size_t k = 0; k < send_.size(); ++k) {
     const auto i = at(order_[k]);
     send_[k] = {host(i, 0), host(i, 1), host(i, 2)};
   }
   data_.begin<std::array<double, 3>>(plan_, send_, receive_);
+}
+
+void RowExchange::end_sending(RowSystem& system) {
   data_.end();
   const auto remote = Kokkos::create_mirror_view(system.remote);
   for (std::size_t k = 0; k < receive_.size(); ++k) {
@@ -119,10 +121,6 @@ void RowExchange::send_to_rows(const RowSystem& system, const Rows3<double>& by_
     for (std::size_t d = 0; d < 3; ++d) host(a, d) = receive_[k][d];
   }
   Kokkos::deep_copy(by_place, host);
-}
-
-void RowExchange::reduce(PredictedGaps& gaps) {
-  if (has_many_ranks_) reduce_gaps_(ranks_.ranks, gaps);
 }
 
 void RowExchange::reduce(EnforcementSums& sums) {

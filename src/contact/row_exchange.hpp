@@ -26,21 +26,21 @@ class RowExchange {
     if (!has_many_ranks_) return;
     find_foreign_coefficients(space, system, foreign_values_);
     space.fence();
-    send_to_owners(system);
+    begin_sending();
+    end_sending(system);
   }
   void receive_coefficients(RowSystem& system) { send_to_rows(system, system.abs_sum); }
   template <class Space>
   void send_impulses(const Space& space, RowSystem& system, PassSums& sums) {
     if (!has_many_ranks_) return;
-    sums.backwards.normalize();
-    reduce_pass_.begin(ranks_.ranks, sums);
     find_foreign_impulses(space, system, foreign_values_);
     space.fence();
-    send_to_owners(system);
-    reduce_pass_.end();
+    begin_sending();
+    sums.backwards.normalize();
+    reduce_pass_(ranks_.ranks, sums);  // while the impulses are under way
+    end_sending(system);
   }
   void receive_corrections(RowSystem& system) { send_to_rows(system, system.correction); }
-  void reduce(PredictedGaps& gaps);
   void reduce(EnforcementSums& sums);
 
   const Traffic& traffic() const { return data_.traffic(); }
@@ -49,14 +49,15 @@ class RowExchange {
   struct ForeignNotice;
   struct ForeignData;
 
-  void send_to_owners(RowSystem& system);
+  /// One value of each foreign node, in foreign_values_, to its owner: RowSystem::remote.
+  void begin_sending();
+  void end_sending(RowSystem& system);
   void send_to_rows(const RowSystem& system, const Rows3<double>& by_place);
 
   const ContactRanks ranks_;
   const bool has_many_ranks_;
   UnstructuredExchange exchange_;
   DataExchange data_;
-  MergeReduction<PredictedGaps> reduce_gaps_;
   MergeReduction<PassSums> reduce_pass_;
   MergeReduction<EnforcementSums> reduce_outcome_;
   // Item k of the messages is foreign node order_[k] of the rows, and remote entry k of the owner.

@@ -28,7 +28,7 @@ struct EnforcedScene {
                system, others);
     if (system.num_rows == 0) return;
     RowSumMemory memory;
-    solved = solve_rows(space, dt, find_predicted_gaps(space, system, memory), system, memory, others);
+    solved = solve_rows(space, dt, system, memory, others);
     apply_impulses(space, system, scene.v, impulse);
     sums = sum_outcome(space, dt, system, memory);
     write_history(space, dt, system, history);
