@@ -71,10 +71,9 @@ double count_reductions(const StepPattern& pattern, const PlanFigures& figures) 
   double count = 1;                  // the step, failures and stops
   if (pattern.has_gravity) ++count;  // momentum
   if (!has_contact(pattern)) return count;
-  count += 3 + count_passes(figures);  // who touches foreign nodes; gaps; each pass; what was done
+  count += 2 + count_passes(figures);  // who touches foreign nodes; each pass; what was done
   if (!pattern.has_pairs) return count;
   if (pattern.reuses_search) ++count;  // whether the pairs of the last search still hold
-  if (!pattern.has_walls) ++count;     // whether anything is touched
   // Largest motion, mean edge, places beside the cuts, and pairs; four plans: faces, requests, two subscriptions.
   return count + 8 / find_steps_per_search(pattern, figures);
 }

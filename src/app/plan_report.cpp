@@ -117,9 +117,11 @@ std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {
   }
   text += fmt::format("\nassumed  {:g} ns an element, latency {:g} s, bandwidth {:g} byte/s", figures.element_ns,
                       figures.latency, figures.bandwidth);
+  if (scene.pattern.has_pairs || scene.pattern.has_walls) {
+    text += fmt::format("; {:g} iterations a step", figures.iterations);
+  }
   if (scene.pattern.has_pairs) {
-    text += fmt::format("; {:g} ns a contact node or face, {:g} iterations a step, {:g} steps a search",
-                        figures.contact_node_ns, figures.iterations,
+    text += fmt::format(", {:g} ns a contact node or face, {:g} steps a search", figures.contact_node_ns,
                         scene.pattern.reuses_search ? figures.steps_per_search : 1);
   }
   return text + "\n\n";
