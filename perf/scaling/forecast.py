@@ -33,9 +33,11 @@ def count_levels(ranks):
     return math.ceil(math.log2(ranks))
 
 
-def forecast(points, ranks, latency, bandwidth):
-    """Seconds of a step on `ranks` ranks, by part, and its efficiency. points: of one scaled problem, one rank first."""
-    one, many = points[0], [p for p in points if p["ranks"] > 1]
+def forecast(points, shares, ranks, latency, bandwidth):
+    """Seconds of a step on `ranks` ranks, by part, and its efficiency: the share of a rank in the work of one rank with the
+    same mesh, over that. points: of one scaled problem, ascending in ranks; shares: [ranks] in microseconds.
+    """
+    many = [p for p in points if p["ranks"] > 1]
     last = many[-1]
     near = next((p for p in many if p["ranks"] == ranks), last)
     levels = count_levels(ranks)
@@ -53,5 +55,4 @@ def forecast(points, ranks, latency, bandwidth):
              "contact": 1e-6 * contact * near["contact_imbalance"],
              "messages": near["mpi_messages"] * latency + near["mpi_bytes"] / bandwidth,
              "collectives": hops * latency}
-    alone = 1e-6 * (one["fe_us_mean"] + one["contact_us_mean"])
-    return parts, alone / sum(parts.values())
+    return parts, 1e-6 * sum(shares[near["ranks"]]) / sum(parts.values())

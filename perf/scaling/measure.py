@@ -64,7 +64,7 @@ def read_run(out):
            "searches": 1 - summary["skipped"]["searches"], "rebalances": 1 - summary["skipped"]["rebalances"],
            "element_imbalance": summary["balance"]["elements"],
            "contact_imbalance": summary["decomposition"]["worst_imbalance"],
-           "ghost_faces": summary["decomposition"]["ghost_faces"] / summary["contact_faces"],
+           "ghost_faces": summary["decomposition"]["ghost_faces"] / max(1, summary["contact_faces"]),
            "rounds_per_cut": summary["decomposition"]["rounds_per_cut"], "state_hash": summary["state_hash"]}
 
     def note(name, values):
@@ -87,13 +87,15 @@ def read_run(out):
 
 
 def run_point(options, deck, scene, kind, mode, ranks):
-    """The medians of several runs of one point."""
+    """The medians of several runs of one point. Kind "whole": the mesh of so many ranks, on one."""
     settings = find_settings(scene, kind, mode, ranks, options.steps)
     repeats = options.repeats if ranks <= options.repeat_up_to else 1
-    runs = [run for _ in range(repeats) for run in run_copies(options, deck, ranks, settings)]
+    used_ranks = 1 if kind == "whole" else ranks
+    runs = [run for _ in range(repeats) for run in run_copies(options, deck, used_ranks, settings)]
     if len({run["state_hash"] for run in runs}) > 1:
         sys.exit(f"scaling: error: runs of {scene} on {ranks} ranks differ in their last state")
     point = {"scene": scene, "kind": kind, "mode": mode}
     for name, value in runs[0].items():
         point[name] = value if isinstance(value, str) else statistics.median(run[name] for run in runs)
+    point["ranks"] = ranks
     return point

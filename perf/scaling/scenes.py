@@ -1,4 +1,5 @@
-"""The two scenes of the paper's Figures 7 to 10: which mesh at which number of ranks, in contact from the first steps."""
+"""The two scenes of the paper's Figures 7 to 10: which mesh at which number of ranks, in contact from the first steps. And
+a third without halo and contact, as a control of the machine."""
 import pathlib
 import re
 
@@ -15,6 +16,7 @@ def brick_and_rod(brick, rod):
 
 # Cells of the scaled problems, as the README of each scene has them: ranks times 1890 or 1875 elements.
 SCALED_CELLS = {
+    "apart": {2**n: {"parts.tubes.array.count": [1, 1, 2**n]} for n in range(7)},
     "brick_wall": {
         1: brick_and_rod([2, 3, 2], [5, 10]),
         2: brick_and_rod([2, 6, 2], [5, 20]),
@@ -37,7 +39,7 @@ SCALED_CELLS = {
 
 # The plate of the can crush begins where it touches the rim, so that there is contact from the first step on; the rod of
 # the brick wall arrives within three steps anyway, and its bricks touch from the start.
-START_IN_CONTACT = {"brick_wall": {}, "can_crush": {"parts.plate.at": [-0.26, 0, 0.4]}}
+START_IN_CONTACT = {"apart": {}, "brick_wall": {}, "can_crush": {"parts.plate.at": [-0.26, 0, 0.4]}}
 
 # How contact is divided and searched: "every_step" as in the paper, "when_due" as percuss does by itself.
 MODES = {
@@ -46,17 +48,34 @@ MODES = {
 }
 
 
+# One mesh for all numbers of ranks; as many elements a rank; the meshes of "scaled", each on one rank.
+KINDS = ["fixed", "scaled", "whole"]
+
+# The control has no contact and costs little.
+CONTROL = "apart"
+CONTROL_STEPS = 200
+
+
+def list_series(scenes, kinds, modes):
+    """Scene, kind and mode of each series of points."""
+    series = [(CONTROL, "scaled", "when_due")] if CONTROL in scenes and "scaled" in kinds else []
+    return series + [(scene, kind, mode) for scene in scenes if scene != CONTROL for kind in kinds for mode in modes]
+
+
 def find_settings(scene, kind, mode, ranks, steps):
     """The --set options of a point as a dictionary."""
-    settings = {"time.max_steps": steps, **START_IN_CONTACT[scene], **MODES[mode]}
-    if kind == "scaled":
+    settings = {"time.max_steps": CONTROL_STEPS if scene == CONTROL else steps}
+    settings.update(START_IN_CONTACT[scene])
+    settings.update(MODES[mode])
+    if kind != "fixed":
         settings.update(SCALED_CELLS[scene][ranks])
     return settings
 
 
 def write_deck(scene, folder):
     """The deck of a scene without its output, for timing."""
-    text = (ROOT / "inputs" / scene / "deck.yaml").read_text()
+    own = ROOT / "perf" / "scaling" / f"{scene}.yaml"
+    text = (own if own.exists() else ROOT / "inputs" / scene / "deck.yaml").read_text()
     deck = pathlib.Path(folder) / f"{scene}.yaml"
     deck.write_text(re.sub(r"^output:\n(?:[ #].*\n)*", "", text, flags=re.MULTILINE))
     return deck

@@ -1,6 +1,7 @@
 """Measured points as tables of Markdown."""
 from forecast import forecast
 from measure import CONTACT_PHASES, FE_PHASES
+from scenes import CONTROL
 
 SCENE_NAMES = {"brick_wall": "Brick wall", "can_crush": "Can crush"}
 MODE_NAMES = {"every_step": "search and rebalance in every step", "when_due": "search and rebalance when due"}
@@ -17,23 +18,58 @@ def sum_of_work(point):
     return point["ranks"] * (point["fe_us_mean"] + point["contact_us_mean"])
 
 
-def tabulate_work(points):
-    """Work a rank and step; for problems of one size the sum over ranks, for scaled ones the work of a rank, against 1."""
-    fixed = points[0]["kind"] == "fixed"
-    heading = ["ranks", "elements", "FE: mean, max [us]", "contact: mean, max [us]",
-               "sum of work / that of one rank" if fixed else "work of a rank / that of one: FE, contact, both",
+def find_growth(control, ranks):
+    """How much the machine alone lets the work of a rank grow, by the control; 1 without one."""
+    own = {p["ranks"]: p["fe_us_mean"] for p in control}
+    return own[ranks] / own[1] if ranks in own and 1 in own else 1.0
+
+
+def tabulate_control(points):
+    rows = [[str(int(p["ranks"])), str(int(p["elements"])), f"{p['fe_us_mean']:.0f}, {p['fe_us_max']:.0f}",
+             f"{find_growth(points, p['ranks']):.2f}"] for p in points]
+    return make_table(["ranks", "elements", "FE: mean, max [us]", "work of a rank / that of one"], rows)
+
+
+def find_shares(whole):
+    """A rank's share of the FE and contact work of one rank with the same mesh, by number of ranks."""
+    return {p["ranks"]: (p["fe_us_mean"] / p["ranks"], p["contact_us_mean"] / p["ranks"]) for p in whole}
+
+
+def find_ratios(point, base):
+    """FE, contact and both over those of a base (FE, contact)."""
+    own = (point["fe_us_mean"], point["contact_us_mean"])
+    return [own[0] / base[0], own[1] / base[1], sum(own) / sum(base)]
+
+
+def format_ratios(ratios):
+    return ", ".join(f"{ratio:.2f}" for ratio in ratios)
+
+
+def tabulate_scaled_work(points, control, shares):
+    """Work of a rank and step against one rank that holds as many elements, and against its share of the same mesh."""
+    heading = ["ranks", "elements", "FE: mean, max [us]", "contact: mean, max [us]", "over one rank: FE, contact, both",
+               "the same over the control", "over the share: FE, contact, both", "imbalance: elements, contact"]
+    rows = []
+    for p in points:
+        ratios = find_ratios(p, (points[0]["fe_us_mean"], points[0]["contact_us_mean"]))
+        share = format_ratios(find_ratios(p, shares[p["ranks"]])) if p["ranks"] in shares else ""
+        growth = find_growth(control, p["ranks"])
+        rows.append([str(int(p["ranks"])), str(int(p["elements"])), f"{p['fe_us_mean']:.0f}, {p['fe_us_max']:.0f}",
+                     f"{p['contact_us_mean']:.0f}, {p['contact_us_max']:.0f}", format_ratios(ratios),
+                     format_ratios([r / growth for r in ratios]), share,
+                     f"{p['element_imbalance']:.3f}, {p['contact_imbalance']:.3f}"])
+    return make_table(heading, rows)
+
+
+def tabulate_fixed_work(points):
+    """Work of a rank and step, and its sum over ranks against one rank."""
+    heading = ["ranks", "elements", "FE: mean, max [us]", "contact: mean, max [us]", "sum of work / that of one rank",
                "imbalance: elements, contact"]
     rows = []
     for p in points:
-        one = points[0]
-        if fixed:
-            ratio = f"{sum_of_work(p) / sum_of_work(one):.2f}"
-        else:
-            both = (p["fe_us_mean"] + p["contact_us_mean"]) / (one["fe_us_mean"] + one["contact_us_mean"])
-            ratio = (f"{p['fe_us_mean'] / one['fe_us_mean']:.2f}, {p['contact_us_mean'] / one['contact_us_mean']:.2f}, "
-                     f"{both:.2f}")
         rows.append([str(int(p["ranks"])), str(int(p["elements"])), f"{p['fe_us_mean']:.0f}, {p['fe_us_max']:.0f}",
-                     f"{p['contact_us_mean']:.0f}, {p['contact_us_max']:.0f}", ratio,
+                     f"{p['contact_us_mean']:.0f}, {p['contact_us_max']:.0f}",
+                     f"{sum_of_work(p) / sum_of_work(points[0]):.2f}",
                      f"{p['element_imbalance']:.3f}, {p['contact_imbalance']:.3f}"])
     return make_table(heading, rows)
 
@@ -66,12 +102,12 @@ def tabulate_messages(points):
     return make_table(heading, rows)
 
 
-def tabulate_forecast(points, latency, bandwidth):
+def tabulate_forecast(points, shares, latency, bandwidth):
     heading = ["ranks", "FE [us]", "contact [us]", "messages [us]", "collectives [us]", "efficiency"]
     most = points[-1]["ranks"]
     rows = []
     for ranks in FORECAST_RANKS[1:]:
-        parts, efficiency = forecast(points, ranks, latency, bandwidth)
+        parts, efficiency = forecast(points, shares, ranks, latency, bandwidth)
         rows.append([f"{ranks}" + ("" if ranks <= most else " (extrapolated)")] +
                     [f"{1e6 * parts[name]:.0f}" for name in ("fe", "contact", "messages", "collectives")] +
                     [f"{efficiency:.3f}"])
@@ -80,14 +116,24 @@ def tabulate_forecast(points, latency, bandwidth):
 
 def write_tables(points, latency, bandwidth):
     """All tables of all series, with headings."""
+    control = [p for p in points if p["scene"] == CONTROL]
     text = ""
-    series = dict.fromkeys((p["scene"], p["kind"], p["mode"]) for p in points)
-    for scene, kind, mode in series:
-        own = sorted((p for p in points if (p["scene"], p["kind"], p["mode"]) == (scene, kind, mode)),
-                     key=lambda p: p["ranks"])
+    if control:
+        text += "### Control: bodies apart, scaled size\n\n" + tabulate_control(control) + "\n"
+    measured = [p for p in points if p["scene"] != CONTROL]
+    for scene, kind, mode in dict.fromkeys((p["scene"], p["kind"], p["mode"]) for p in measured):
+        if kind == "whole":
+            continue
+
+        def select(wanted):
+            own = [p for p in measured if (p["scene"], p["kind"], p["mode"]) == (scene, wanted, mode)]
+            return sorted(own, key=lambda p: p["ranks"])
+
+        own, shares = select(kind), find_shares(select("whole"))
         text += f"### {SCENE_NAMES[scene]}, {kind} size, {MODE_NAMES[mode]}\n\n"
-        text += tabulate_work(own) + "\n" + tabulate_phases(own) + "\n" + tabulate_messages(own) + "\n"
-        if kind == "scaled" and len(own) > 1 and own[0]["ranks"] == 1 and "mpi_hops" in own[-1]:
+        text += tabulate_fixed_work(own) if kind == "fixed" else tabulate_scaled_work(own, control, shares)
+        text += "\n" + tabulate_phases(own) + "\n" + tabulate_messages(own) + "\n"
+        if kind == "scaled" and all(p["ranks"] in shares and "mpi_hops" in p for p in own) and len(own) > 1:
             text += f"Forecast for {1e6 * latency:g} us a message or hop, {1e-9 * bandwidth:g} GB/s a rank:\n\n"
-            text += tabulate_forecast(own, latency, bandwidth) + "\n"
+            text += tabulate_forecast(own, shares, latency, bandwidth) + "\n"
     return text
