@@ -33,9 +33,10 @@ def count_levels(ranks):
     return math.ceil(math.log2(ranks))
 
 
-def forecast(points, shares, ranks, latency, bandwidth):
+def forecast(points, shares, growth, ranks, latency, bandwidth):
     """Seconds of a step on `ranks` ranks, by part, and its efficiency: the share of a rank in the work of one rank with the
-    same mesh, over that. points: of one scaled problem, ascending in ranks; shares: [ranks] in microseconds.
+    same mesh, over that. points: of one scaled problem, ascending in ranks; shares: by ranks, in microseconds; growth: by
+    ranks, what work is divided by because the machine alone made it grow.
     """
     many = [p for p in points if p["ranks"] > 1]
     last = many[-1]
@@ -51,8 +52,9 @@ def forecast(points, shares, ranks, latency, bandwidth):
     if near["ranks"] != ranks:
         rcb *= levels / count_levels(last["ranks"])
     contact = near["contact_us_mean"] - near["contact_rcb_us"] + rcb
-    parts = {"fe": 1e-6 * near["fe_us_mean"] * near["element_imbalance"],
-             "contact": 1e-6 * contact * near["contact_imbalance"],
+    second = 1e-6 / growth[near["ranks"]]
+    parts = {"fe": second * near["fe_us_mean"] * near["element_imbalance"],
+             "contact": second * contact * near["contact_imbalance"],
              "messages": near["mpi_messages"] * latency + near["mpi_bytes"] / bandwidth,
              "collectives": hops * latency}
     return parts, 1e-6 * sum(shares[near["ranks"]]) / sum(parts.values())

@@ -51,15 +51,21 @@ MODES = {
 # One mesh for all numbers of ranks; as many elements a rank; the meshes of "scaled", each on one rank.
 KINDS = ["fixed", "scaled", "whole"]
 
+# Steps of the brick wall take long: all bricks are in contact.
+DEFAULT_MODES = {"brick_wall": ["when_due"], "can_crush": ["every_step", "when_due"]}
+
 # The control has no contact and costs little.
 CONTROL = "apart"
 CONTROL_STEPS = 200
 
 
 def list_series(scenes, kinds, modes):
-    """Scene, kind and mode of each series of points."""
+    """Scene, kind and mode of each series of points. modes: empty for what each scene has by default."""
     series = [(CONTROL, "scaled", "when_due")] if CONTROL in scenes and "scaled" in kinds else []
-    return series + [(scene, kind, mode) for scene in scenes if scene != CONTROL for kind in kinds for mode in modes]
+    for scene in scenes:
+        if scene != CONTROL:
+            series += [(scene, kind, mode) for kind in kinds for mode in modes or DEFAULT_MODES[scene]]
+    return series
 
 
 def find_settings(scene, kind, mode, ranks, steps):

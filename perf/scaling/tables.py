@@ -102,15 +102,19 @@ def tabulate_messages(points):
     return make_table(heading, rows)
 
 
-def tabulate_forecast(points, shares, latency, bandwidth):
-    heading = ["ranks", "FE [us]", "contact [us]", "messages [us]", "collectives [us]", "efficiency"]
+def tabulate_forecast(points, control, shares, latency, bandwidth):
+    heading = ["ranks", "FE [us]", "contact [us]", "messages [us]", "collectives [us]", "efficiency",
+               "efficiency, work over the control"]
+    as_measured = {p["ranks"]: 1.0 for p in points}
+    growth = {p["ranks"]: find_growth(control, p["ranks"]) for p in points}
     most = points[-1]["ranks"]
     rows = []
     for ranks in FORECAST_RANKS[1:]:
-        parts, efficiency = forecast(points, shares, ranks, latency, bandwidth)
+        parts, efficiency = forecast(points, shares, as_measured, ranks, latency, bandwidth)
+        _, corrected = forecast(points, shares, growth, ranks, latency, bandwidth)
         rows.append([f"{ranks}" + ("" if ranks <= most else " (extrapolated)")] +
                     [f"{1e6 * parts[name]:.0f}" for name in ("fe", "contact", "messages", "collectives")] +
-                    [f"{efficiency:.3f}"])
+                    [f"{efficiency:.3f}", f"{corrected:.3f}"])
     return make_table(heading, rows)
 
 
@@ -135,5 +139,5 @@ def write_tables(points, latency, bandwidth):
         text += "\n" + tabulate_phases(own) + "\n" + tabulate_messages(own) + "\n"
         if kind == "scaled" and all(p["ranks"] in shares and "mpi_hops" in p for p in own) and len(own) > 1:
             text += f"Forecast for {1e6 * latency:g} us a message or hop, {1e-9 * bandwidth:g} GB/s a rank:\n\n"
-            text += tabulate_forecast(own, shares, latency, bandwidth) + "\n"
+            text += tabulate_forecast(own, control, shares, latency, bandwidth) + "\n"
     return text
