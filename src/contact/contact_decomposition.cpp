@@ -49,6 +49,7 @@ ContactDecomposition::ContactDecomposition(const Communicator& ranks, const Surf
 }
 
 void ContactDecomposition::update(const SurfaceMotion& motion, double margin) {
+  ++searches_;
   locate_points(motion);
   just_rebalanced_ = is_due_;
   if (is_due_) {
@@ -213,7 +214,9 @@ void ContactDecomposition::send_overlapping_faces() {
 
 void ContactDecomposition::note_ghost_faces(std::int64_t ghosts) {
   report_.ghost_faces = ghosts;
-  if (just_rebalanced_) ghosts_after_rebalance_ = ghosts;
+  // The search for overlap at the start has narrower boxes than those of the run: the second search counts.
+  const bool is_second_of_all = report_.rebalances == 1 && searches_ == 2;
+  if (just_rebalanced_ || is_second_of_all) ghosts_after_rebalance_ = ghosts;
   const auto grown = static_cast<double>(ghosts - exchange_.ranks().size());  // a face a rank is no growth
   switch (rebalance_) {
     case ContactDeck::Rebalance::always:

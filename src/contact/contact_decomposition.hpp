@@ -80,6 +80,7 @@ class ContactDecomposition {
   Boxes boxes_;                                   // [searched faces]
   std::vector<int> reached_face_, reached_rank_;  // a face and a rank that its box reaches
   Array<int> reach_count_ = Array<int>("contact::reach_count", 0);
+  long searches_ = 0;
   std::int64_t ghosts_after_rebalance_ = 0;
   bool is_due_ = true, just_rebalanced_ = false;
   double warm_rounds_ = 0;

@@ -105,9 +105,10 @@ bool ContactStage::is_active() const { return impl_->has_pairs() || impl_->has_w
 
 std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v, Rows3<const double>) {
   Impl& stage = *impl_;
-  const auto finder = make_contact_finder(stage.seen(), stage.share, ContactDeck::Rebalance::never);
+  // The finder of the run: its first step searches anew, but the decomposition is made here and seen in the first
+  // frame.
   const ContactDeck::Overlap overlap = stage.contact.overlap;
-  const StartOverlap found = seed_history(stage.look_for_overlap(*finder), {x, v, 0}, overlap, stage.history);
+  const StartOverlap found = seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, overlap, stage.history);
   if (found.nodes == 0) return "";
   std::string line = fmt::format(
       "{} contact node{} overlap{} another body at the start, deepest {:.4g} at node {}: {}", found.nodes,

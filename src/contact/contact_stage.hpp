@@ -71,7 +71,7 @@ class ContactStage {
   SearchLoad load() const;  // of this rank
 
   /// Rank that owns each node of this rank's share in the contact decomposition, -1 for nodes that are not searched,
-  /// for copies of nodes that other ranks own, and before the first search. Not collective.
+  /// for copies of nodes that other ranks own. After prepare(). Not collective.
   std::vector<double> contact_ranks() const;
   ContactClocks clocks() const;
   /// What this rank sent since the start.
