@@ -16,7 +16,7 @@ struct SharedNodes {
   std::vector<int> ranks;   // [neighbours] ascending: those that hold a node of this rank too
   std::vector<int> first;   // [neighbours + 1] into nodes
   std::vector<int> nodes;   // local nodes shared with a neighbour, in ascending global id: the same order on both sides
-  std::vector<int> owners;  // [local nodes] lowest rank that holds the node: counts it once in sums over all nodes
+  std::vector<int> owners;  // [local nodes] lowest rank that holds the node; callers with other owners put theirs
 };
 
 /// Finds who shares what. node_ids: [local nodes] global ids, none negative, each at most once on a rank. Collective.

@@ -43,14 +43,15 @@ struct RowTouch {
 KOKKOS_INLINE_FUNCTION std::int64_t make_face_row_key(std::int64_t node, int touch) {
   return node * (contact_limits::max_touches + 1) + touch;
 }
+inline constexpr int wall_key_bits = 20;  // a million walls, on 4e12 nodes
 KOKKOS_INLINE_FUNCTION std::int64_t make_wall_row_key(std::int64_t node, int wall) {
-  return (std::int64_t{1} << 62) + (node << 20) + wall;
+  return (std::int64_t{1} << 62) + (node << wall_key_bits) + wall;
 }
 
 /// Number of the contact node of the row with this key.
 KOKKOS_INLINE_FUNCTION std::int64_t find_key_node(std::int64_t key) {
   constexpr std::int64_t first_wall_key = std::int64_t{1} << 62;
-  return key < first_wall_key ? key / (contact_limits::max_touches + 1) : (key - first_wall_key) >> 20;
+  return key < first_wall_key ? key / (contact_limits::max_touches + 1) : (key - first_wall_key) >> wall_key_bits;
 }
 
 /// Data of the nodes that rows touch, by place.

@@ -64,7 +64,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   const Model model = build_model(deck, chunked);
   ContactStage contact(chunked, deck, ranks);
   State state = make_initial_state(model);
-  const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v, model.inverse_mass) : "";
+  const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
   Stepper stepper(deck, chunked, model, contact);
   stepper.start(state);
 

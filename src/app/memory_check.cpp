@@ -12,6 +12,14 @@ double find_machine_memory() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
+double sum_machine_memory(const Communicator& ranks) {
+  const OwnedCommunicator machine = OwnedCommunicator::of_machine(ranks);
+  double bytes = machine->rank() == 0 ? find_machine_memory() : 0;
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_SUM, ranks.handle()); },
+           "MPI_Allreduce");
+  return bytes;
+}
+
 void check_memory(const Deck& deck, double machine_bytes) {
   // Only the arrays of the mesh: eight corners, an id and a part of each element; a position and an id of each node. A
   // run needs several times that, so a scene refused here could never have run.
@@ -24,7 +32,7 @@ void check_memory(const Deck& deck, double machine_bytes) {
   }
   if (machine_bytes <= 0 || bytes <= machine_bytes) return;
   throw SystemError(
-      fmt::format("the mesh does not fit (its {:.4g} elements need more than {:.3g} GB, this machine has {:.3g} GB) "
+      fmt::format("the mesh does not fit (its {:.4g} elements need more than {:.3g} GB, there are {:.3g} GB) "
                   "make it coarser",
                   elements, bytes / 1e9, machine_bytes / 1e9));
 }

@@ -1,16 +1,25 @@
 #include "src/app/read_together.hpp"
 
+#include "comm/agreement.hpp"
 #include "src/app/memory_check.hpp"
+#include "src/deck/deck_text.hpp"
 #include "src/deck/read_deck.hpp"
 #include "src/fail_together.hpp"
 
 namespace percuss {
 
 Deck read_deck_together(const Command& command, const Communicator& ranks) {
+  // One rank reads, so that all have the same deck, also while it is edited or where each machine has its own.
+  std::string text;
+  fail_together(ranks, [&] {
+    if (ranks.rank() == 0) text = load_deck_text(command.file);
+  });
+  text = broadcast_text(ranks, text, 0);
+  const double memory = sum_machine_memory(ranks);
   Deck deck;
   fail_together(ranks, [&] {
-    deck = read_deck(command.file, command.settings);
-    check_memory(deck);
+    deck = parse_deck(text, command.file, command.settings);
+    check_memory(deck, memory);
   });
   return deck;
 }

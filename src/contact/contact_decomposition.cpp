@@ -1,10 +1,13 @@
 #include "src/contact/contact_decomposition.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 
 #include "kernels/contact/capture_boxes.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/error.hpp"
 
 namespace percuss {
 namespace {
@@ -13,6 +16,19 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Growth of the copies of faces at which cuts are worth renewing.
 constexpr double ghost_growth = 1.15;
+
+/// A node that runs away makes every box reach every rank: told before faces are sent to all.
+void refuse_too_many_copies(const Communicator& ranks, std::int64_t copies, double margin) {
+  std::int64_t most = copies;
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_INT64_T, MPI_MAX, ranks.handle()); },
+           "MPI_Allreduce");
+  constexpr std::int64_t most_indexed = 1'000'000'000;
+  if (most <= most_indexed) return;
+  throw RunError(
+      fmt::format("contact search needs {} copies of faces on other ranks (capture boxes are {:.3g} wide beyond their "
+                  "faces: nodes move many faces a step) is the run unstable? try a smaller time.step_scale",
+                  most, margin));
+}
 
 /// A point on its way to the rank that owned it before.
 struct SentPoint {
@@ -168,19 +184,21 @@ void ContactDecomposition::list_reached_ranks(const SurfaceMotion& motion, doubl
   const Boxes boxes = boxes_;
   const CutTree tree = rcb_.tree();
   using Corner = Kokkos::Array<double, 3>;
-  int total = 0;
+  std::int64_t total = 0;
   const auto visit = [tree, boxes] KOKKOS_FUNCTION(int f, const auto& call) {
     const Corner low{{boxes(f, 0), boxes(f, 1), boxes(f, 2)}}, high{{boxes(f, 3), boxes(f, 4), boxes(f, 5)}};
     visit_reached_ranks(tree, low, high, call);
   };
   Kokkos::parallel_scan(
       "contact::count_reached_ranks", Range(space, 0, num_faces),
-      KOKKOS_LAMBDA(int f, int& place, bool final_pass) {
-        if (final_pass) first(f) = place;
+      KOKKOS_LAMBDA(int f, std::int64_t& place, bool final_pass) {
+        if (final_pass) first(f) = static_cast<int>(place);
         visit(f, [&](int) { ++place; });
       },
       total);
-  const Array<int> face("contact::reached_face", at(total)), rank("contact::reached_rank", at(total));
+  refuse_too_many_copies(exchange_.ranks(), total, margin);
+  const auto copies = static_cast<std::size_t>(total);
+  const Array<int> face("contact::reached_face", copies), rank("contact::reached_rank", copies);
   Kokkos::parallel_for(
       "contact::list_reached_ranks", Range(space, 0, num_faces), KOKKOS_LAMBDA(int f) {
         int place = first(f);

@@ -35,7 +35,7 @@ struct ContactStage::Impl {
   std::int64_t find_user_id(std::int64_t node) const;
 
   const Communicator ranks;
-  const Numbering numbering;
+  const Numbering& numbering;
   const Mesh& mesh;
   UnstructuredExchange exchange;
   const SurfaceShare share;
@@ -103,7 +103,7 @@ ContactStage::~ContactStage() = default;
 
 bool ContactStage::is_active() const { return impl_->has_pairs() || impl_->has_walls; }
 
-std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v, Rows3<const double>) {
+std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
   // The finder of the run: its first step searches anew, but the decomposition is made here and seen in the first
   // frame.

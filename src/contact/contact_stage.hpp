@@ -51,6 +51,7 @@ class ContactStage {
  public:
   /// Finds the contact surface of the mesh, of which each rank holds its share, and reads who may touch whom. Throws
   /// InputError for unknown surfaces. Collective over `ranks`, as are prepare(), apply() and measure_penetration().
+  /// `chunked` outlives the stage.
   ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks);
   ~ContactStage();
 
@@ -59,7 +60,7 @@ class ContactStage {
 
   /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns one
   /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), empty if there is none. Call once before the loop.
-  std::string prepare(Rows3<const double> x, Rows3<const double> v, Rows3<const double> inverse_mass);
+  std::string prepare(Rows3<const double> x, Rows3<const double> v);
 
   /// Corrects motion.v and fills motion.impulse.
   ContactReport apply(const ContactMotion& motion);

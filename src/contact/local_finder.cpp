@@ -47,7 +47,7 @@ LocalFinder::LocalFinder(const SurfaceShare& share) : share_(share) {
 
 std::int64_t LocalFinder::search(const SurfaceMotion& motion, double margin) {
   const ContactSurface& surface = check_.surface;
-  const std::int64_t limit = find_pair_limit(share_);
+  const std::int64_t limit = std::min(find_pair_limit(share_), most_indexed_pairs);
   std::int64_t pairs = 0;
   // A search is some eighty launches, most of them of the sorts.
   run_where_it_pays(static_cast<int>(share_.searched_faces.size()) / 2, [&](const auto& space) {
@@ -55,7 +55,8 @@ std::int64_t LocalFinder::search(const SurfaceMotion& motion, double margin) {
     pairs = find_points_in_boxes(space, surface, motion.x, boxes_, limit, scratch_, check_.candidates);
     if (pairs <= limit) list_concerned(space, surface, scratch_, check_.candidates);
   });
-  refuse_too_many_pairs(pairs, limit, margin);
+  refuse_too_many_pairs(pairs, find_pair_limit(share_), margin);
+  refuse_crowded_ranks(pairs > most_indexed_pairs ? 1 : 0);
   return pairs;
 }
 

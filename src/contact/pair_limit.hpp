@@ -11,10 +11,12 @@
 
 namespace percuss {
 
-/// Most pairs of a node and a face on all ranks together.
+/// Most pairs of a node and a face that one rank can number by int, in memory that grows by half.
+inline constexpr std::int64_t most_indexed_pairs = 1'400'000'000;
+
+/// Most pairs on all ranks together that a sound motion gives.
 inline std::int64_t find_pair_limit(const SurfaceShare& share) {
-  constexpr std::int64_t most_indexed = 1'400'000'000;  // pairs are numbered by int, and memory grows by half
-  return std::min(std::int64_t{1'000'000} + 2000 * share.total_nodes, most_indexed);
+  return std::int64_t{1'000'000} + 2000 * share.total_nodes;
 }
 
 inline void refuse_too_many_pairs(std::int64_t pairs, std::int64_t limit, double margin) {
@@ -23,6 +25,13 @@ inline void refuse_too_many_pairs(std::int64_t pairs, std::int64_t limit, double
       "contact search found {} pairs of a node and a face (capture boxes are {:.3g} wide beyond their faces: "
       "nodes move many faces a step) is the run unstable? try a smaller time.step_scale",
       pairs, margin));
+}
+
+/// crowded: how many ranks found more pairs than they can number.
+inline void refuse_crowded_ranks(std::int64_t crowded) {
+  if (crowded == 0) return;
+  throw RunError(
+      "contact search found more pairs of a node and a face than a rank can number (1.4e9) start on more ranks");
 }
 
 }  // namespace percuss

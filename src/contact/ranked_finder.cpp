@@ -187,11 +187,14 @@ std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
     decomposition_.update(motion, margin);
   }
   const std::int64_t limit = find_pair_limit(share_);
-  std::int64_t sums[2] = {find_points_in_boxes_here(limit), static_cast<std::int64_t>(decomposition_.faces().size())};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_INT64_T, MPI_SUM, ranks_.ranks.handle()); },
+  const std::int64_t pairs = find_points_in_boxes_here(std::min(limit, most_indexed_pairs));
+  std::int64_t sums[3] = {pairs, static_cast<std::int64_t>(decomposition_.faces().size()),
+                          pairs > most_indexed_pairs ? 1 : 0};
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_INT64_T, MPI_SUM, ranks_.ranks.handle()); },
            "MPI_Allreduce");
   total_pairs_ = sums[0];
   refuse_too_many_pairs(total_pairs_, limit, margin);
+  refuse_crowded_ranks(sums[2]);
   decomposition_.note_ghost_faces(sums[1] - share_.total_searched_faces);
   check_.candidates.num_pairs = 0;
   check_.candidates.num_nodes = 0;

@@ -93,20 +93,27 @@ void VtkhdfFile::run_or_abandon(const char* action, Work&& work) {
     work();
   } catch (const hdf5::Error& error) {
     fail(action, error);
-  } catch (...) {
+  } catch (const SystemError&) {  // agreed on by all ranks
+    abandon();
+    throw;
+  } catch (const std::exception& error) {
+    // To give up a file that several ranks write takes all of them, and this rank may be the only one here.
+    if (ranks_.size() > 1) end_all_ranks(fmt::format("cannot {} '{}' ({})", action, path_, error.what()));
     abandon();
     throw;
   }
 }
 
+void VtkhdfFile::end_all_ranks(const std::string& message) const {
+  std::fprintf(stderr, "percuss: error: %s\n", message.c_str());
+  std::fflush(nullptr);
+  ranks_.abort(static_cast<int>(ExitCode::system_failed));
+}
+
 void VtkhdfFile::fail(const char* action, const hdf5::Error& error) {
   const std::string message = fmt::format("cannot {} '{}' ({}; while HDF5 was to {}){}", action, path_, error.reason,
                                           error.what(), suggest_for_errno(error.error_number));
-  if (ranks_.size() > 1) {
-    std::fprintf(stderr, "percuss: error: %s\n", message.c_str());
-    std::fflush(nullptr);
-    ranks_.abort(static_cast<int>(ExitCode::system_failed));
-  }
+  if (ranks_.size() > 1) end_all_ranks(message);
   abandon();
   throw SystemError(message);
 }

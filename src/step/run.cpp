@@ -115,11 +115,11 @@ Run::Run(const Deck& deck, const RunOptions& options)
     for (const std::string& warning : chunked_.mesh.warnings) print_quietly(stderr, "warning: {}\n", warning);
     warn_about_idle_ranks();
   }
-  if (contact_.is_active()) contact_notice_ = contact_.prepare(state_.x, state_.v, model_.inverse_mass);
+  if (contact_.is_active()) contact_notice_ = contact_.prepare(state_.x, state_.v);
   if (!contact_notice_.empty() && speaks()) print_quietly(stderr, "{}\n", contact_notice_);
-  open_files();
   compute_start_ = compute_seconds();
   stepper_.start(state_, stop_requested != 0);
+  open_files();  // last: to close a file that several ranks write takes all of them, should one fail alone
   first_dt_ = state_.next_dt;
   limiting_element_id_ = state_.bound.element_id;
   summary_.setup_s = find_seconds(setup_start_);
@@ -135,12 +135,15 @@ void Run::warn_about_idle_ranks() const {
 }
 
 void Run::open_files() {
+  if (!options_.out_dir.empty() && deck_.output.history_every) {
+    find_history_points(deck_, chunked_);  // an unknown id is told before earlier results go
+  }
   fail_together(ranks_, [&] {
     if (ranks_.rank() == 0 && options_.prepare_output) options_.prepare_output();
   });
   if (options_.out_dir.empty()) return;
-  if (deck_.output.fields_every) frames_.emplace(options_.out_dir, deck_, chunked_, model_, contact_);
   if (deck_.output.history_every) history_.emplace(options_.out_dir, deck_, chunked_);
+  if (deck_.output.fields_every) frames_.emplace(options_.out_dir, deck_, chunked_, model_, contact_);
 }
 
 bool Run::is_finished() const {

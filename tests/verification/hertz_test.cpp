@@ -98,7 +98,7 @@ contact: {{surfaces: [[low, high]]}}
   }
   const HertzImpact hertz = find_hertz_impact(0.5 * young / (1 - poisson * poisson), 0.5 * radius,
                                               masses[0] * masses[1] / (masses[0] + masses[1]), speed);
-  scene.contact.prepare(scene.state.x, scene.state.v, scene.model.inverse_mass);
+  scene.contact.prepare(scene.state.x, scene.state.v);
   scene.stepper.start(scene.state);
   double first = 0, last = 0, largest = 0;
   while (scene.state.time < 1.1 * hertz.time) {

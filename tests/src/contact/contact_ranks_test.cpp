@@ -8,6 +8,7 @@
 #include "kernels/contact/point3.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/deck/read_deck.hpp"
+#include "src/error.hpp"
 #include "src/mesh/decompose.hpp"
 
 namespace percuss::test {
@@ -67,29 +68,31 @@ void expect_equal(const Rows3<double>& share, const Rows3<double>& whole, const 
   ASSERT_EQ(different, 0) << what;
 }
 
+/// One step of both; returns the number of contacts.
+int step_both(Nodes& whole, Nodes& share, double dt) {
+  const ContactReport a = whole.step(dt), b = share.step(dt);
+  EXPECT_EQ(b.interactions, a.interactions);
+  EXPECT_EQ(b.candidates, a.candidates);
+  EXPECT_EQ(b.searched, a.searched);
+  EXPECT_EQ(b.iterations, a.iterations);
+  EXPECT_EQ(b.residual, a.residual);
+  EXPECT_EQ(b.normal_work, a.normal_work);
+  EXPECT_EQ(b.friction_work, a.friction_work);
+  EXPECT_EQ(b.deepest, a.deepest);
+  EXPECT_EQ(b.deepest_node, a.deepest_node);
+  expect_equal(share.v, whole.v, share, "velocities");
+  expect_equal(share.impulse, whole.impulse, share, "impulses");
+  return a.interactions;
+}
+
 void compare(const std::string& text, int steps, double dt, int least_contacts) {
   const Deck deck = parse_deck(text + head, "deck.yaml");
   Nodes whole(deck, self()), share(deck, Communicator::world());
-  EXPECT_EQ(share.stage.prepare(share.x, share.v, share.inverse_mass),
-            whole.stage.prepare(whole.x, whole.v, whole.inverse_mass));
+  EXPECT_EQ(share.stage.prepare(share.x, share.v), whole.stage.prepare(whole.x, whole.v));
   EXPECT_EQ(share.stage.contact_nodes(), whole.stage.contact_nodes());
   EXPECT_EQ(share.stage.contact_faces(), whole.stage.contact_faces());
-  std::int64_t most = 0;
-  for (int i = 0; i < steps; ++i) {
-    const ContactReport a = whole.step(dt), b = share.step(dt);
-    ASSERT_EQ(b.interactions, a.interactions) << "step " << i;
-    ASSERT_EQ(b.candidates, a.candidates) << "step " << i;
-    ASSERT_EQ(b.searched, a.searched) << "step " << i;
-    ASSERT_EQ(b.iterations, a.iterations) << "step " << i;
-    ASSERT_EQ(b.residual, a.residual) << "step " << i;
-    ASSERT_EQ(b.normal_work, a.normal_work) << "step " << i;
-    ASSERT_EQ(b.friction_work, a.friction_work) << "step " << i;
-    ASSERT_EQ(b.deepest, a.deepest) << "step " << i;
-    ASSERT_EQ(b.deepest_node, a.deepest_node) << "step " << i;
-    expect_equal(share.v, whole.v, share, "velocities");
-    expect_equal(share.impulse, whole.impulse, share, "impulses");
-    most = std::max<std::int64_t>(most, a.interactions);
-  }
+  int most = 0;
+  for (int i = 0; i < steps; ++i) most = std::max(most, step_both(whole, share, dt));
   EXPECT_GE(most, least_contacts);  // else the scene tests nothing
   EXPECT_EQ(share.stage.measure_penetration(share.x), whole.stage.measure_penetration(whole.x));
 }
@@ -128,14 +131,72 @@ contact: {surfaces: all, friction: 0.2}
           4, 0.02, 5);
 }
 
-TEST(ContactOnRanks, ASceneThatNeverTouchesSendsNothingBack) {
-  compare(R"(
+/// Sets the velocity of all nodes of a part along z.
+void set_velocity(Nodes& nodes, const std::string& part, double velocity) {
+  for (const int n : nodes.chunked.mesh.node_sets.at(part)) store_row(nodes.v, n, {0, 0, velocity});
+}
+
+TEST(ContactOnRanks, BodiesThatPartAndMeetAgainGiveTheSameBits) {
+  const Deck deck = parse_deck(R"(
+parts:
+  a: {box: {size: [2, 2, 1], cells: [6, 6, 3]}, material: m}
+  b: {box: {size: [1, 1, 1], cells: [4, 4, 4]}, at: [0.43, 0.41, 1.001], material: m}
+contact: {surfaces: all, friction: 0.2}
+)" + head,
+                               "deck.yaml");
+  Nodes whole(deck, self()), share(deck, Communicator::world());
+  std::vector<int> contacts;
+  for (const double velocity : {-1.0, 2.0, -2.0, 2.0}) {
+    for (Nodes* nodes : {&whole, &share}) {
+      set_velocity(*nodes, "a", 0);
+      set_velocity(*nodes, "b", velocity);
+    }
+    contacts.push_back(0);
+    for (int i = 0; i < 2; ++i) contacts.back() = std::max(contacts.back(), step_both(whole, share, 0.02));
+  }
+  EXPECT_GT(contacts[0], 0);
+  EXPECT_EQ(contacts[1], 0);
+  EXPECT_GT(contacts[2], 0);
+  EXPECT_EQ(contacts[3], 0);
+}
+
+TEST(ContactOnRanks, WhatIsFarFromAnyContactIsNotSent) {
+  const Deck deck = parse_deck(R"(
 parts:
   a: {box: {size: [2, 2, 1], cells: [6, 6, 3]}, material: m}
   b: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, at: [40, 41, 98], material: m}
 contact: {surfaces: all}
-)",
-          3, 1e-4, 0);
+)" + head,
+                               "deck.yaml");
+  Nodes whole(deck, self()), share(deck, Communicator::world());
+  step_both(whole, share, 1e-4);  // searches
+  const Traffic before = share.stage.traffic();
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(step_both(whole, share, 1e-4), 0);
+  EXPECT_EQ(share.stage.searches(), 1);
+  EXPECT_EQ(share.stage.traffic().messages, before.messages);
+}
+
+TEST(ContactOnRanks, ANodeThatRunsAwayIsRefusedByAllRanksAlike) {
+  const Deck deck = parse_deck(R"(
+parts:
+  a: {box: {size: [2, 2, 1], cells: [28, 28, 14]}, material: m}
+  b: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, at: [40, 41, 98], material: m}
+contact: {surfaces: all}
+)" + head,
+                               "deck.yaml");
+  const auto fail = [&](const Communicator& ranks) -> std::string {
+    Nodes nodes(deck, ranks);
+    for (const int n : nodes.chunked.mesh.node_sets.at("b")) store_row(nodes.v, n, {1e9, 0, 0});
+    try {
+      nodes.step(1);
+    } catch (const RunError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string alone = fail(self());
+  EXPECT_NE(alone, "");
+  EXPECT_EQ(fail(Communicator::world()), alone);
 }
 
 }  // namespace

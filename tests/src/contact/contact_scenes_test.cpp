@@ -20,7 +20,7 @@ struct Outcome {
 
 Outcome run_scene_text(const std::string& text, int steps) {
   Scene scene(text + steel);
-  scene.contact.prepare(scene.state.x, scene.state.v, scene.model.inverse_mass);
+  scene.contact.prepare(scene.state.x, scene.state.v);
   Audit audit(scene.model);
   scene.stepper.start(scene.state);
   Outcome outcome;

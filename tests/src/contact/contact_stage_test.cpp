@@ -41,7 +41,7 @@ struct FreeNodes {
   void hold(const std::string& name) {
     for (const int n : part(name)) store_row(inverse_mass, n, {0, 0, 0});
   }
-  std::string prepare() { return stage.prepare(x, v, inverse_mass); }
+  std::string prepare() { return stage.prepare(x, v); }
   ContactReport step(double dt) {
     Kokkos::deep_copy(before, v);
     const ContactReport report = stage.apply({x, before, v, inverse_mass, impulse, dt});

@@ -29,7 +29,7 @@ contact: {surfaces: all, friction: 0.2})";
 
 void print_hash(const std::string& name, const std::string& text, int steps) {
   percuss::test::Scene scene(text + steel);
-  scene.contact.prepare(scene.state.x, scene.state.v, scene.model.inverse_mass);
+  scene.contact.prepare(scene.state.x, scene.state.v);
   scene.run(steps);
   fmt::print("{} {:016x}\n", name, percuss::hash_state(scene.model, scene.state));
 }
