@@ -159,10 +159,10 @@ void Run::loop() {
   while (!is_finished() && !stepper_.is_stop_agreed()) {
     limiting_element_id_ = state_.bound.element_id;
     stepper_.advance(state_, stop_requested != 0);
-    note_contact();
-    check_elements();
     summary_.dt.min = std::min(summary_.dt.min, state_.dt);
     summary_.dt.max = std::max(summary_.dt.max, state_.dt);
+    note_contact();
+    check_elements();
     const bool is_last = is_finished() || stepper_.is_stop_agreed();
     observe(is_last);
     if (!is_last) progress_.report(find_progress());  // finish() has the last word

@@ -37,6 +37,7 @@ void print_hash(const std::string& name, const std::string& text, int steps) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const percuss::MpiSession mpi(argc, argv);
   const Kokkos::ScopeGuard kokkos(argc, argv);
   print_hash("wall", wall, 60);
   print_hash("drop", drop, 60);
