@@ -1,13 +1,15 @@
 #pragma once
-// From global numbers to their places in a list, for many questions in a row.
+// From global numbers to their places in a list.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace percuss {
 
-/// Open addressing at half load: a question costs one look, seldom more, where a bisection of the list costs a dozen.
+/// For many questions in a row. Open addressing at half load: a question costs one look, seldom more, where a bisection
+/// of the list costs a dozen.
 class NumberMap {
  public:
   /// numbers: different, none negative.
@@ -38,5 +40,11 @@ class NumberMap {
   std::vector<Entry> entries_;
   std::size_t mask_ = 0;
 };
+
+/// Place of a number in an ascending list, -1 if it is not there.
+inline int find_number(const std::vector<std::int64_t>& numbers, std::int64_t number) {
+  const auto place = std::lower_bound(numbers.begin(), numbers.end(), number);
+  return place != numbers.end() && *place == number ? static_cast<int>(place - numbers.begin()) : -1;
+}
 
 }  // namespace percuss

@@ -1,90 +1,29 @@
+// The search in the contact decomposition, when it is due: candidate pairs, and what their check will read.
+
 #include "src/contact/ranked_finder.hpp"
 
 #include <algorithm>
 #include <numeric>
 
+#include "comm/item_exchange.hpp"
+#include "comm/sized_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/number_map.hpp"
 #include "src/contact/pair_limit.hpp"
 
 namespace percuss {
 
-struct RankedFinder::TouchRecord {
-  std::int64_t node = -1;     // number
-  std::int64_t face = -1;     // number
-  std::int64_t corners[4]{};  // numbers
-  Touch touch;
-  double friction = 0;
-  int order = 0;  // among the touches of its node
-};
-
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-constexpr int max_touches = contact_limits::max_touches;
-
-/// Place and velocity of a node.
-struct MotionItem {
-  double x[3], v[3];
-};
-
-/// The faces that pushed a node in the last step.
-struct HistoryItem {
-  std::int64_t face[max_touches];
-};
 
 void sort_unique(std::vector<std::int64_t>& numbers) {
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-/// Place of a number in an ascending list, -1 if it is not there.
-int find_number(const std::vector<std::int64_t>& numbers, std::int64_t number) {
-  const auto place = std::lower_bound(numbers.begin(), numbers.end(), number);
-  return place != numbers.end() && *place == number ? static_cast<int>(place - numbers.begin()) : -1;
-}
-
 std::array<int, 4> find_numbers(const NumberMap& places, const std::int64_t (&wanted)[4]) {
   return {places.find(wanted[0]), places.find(wanted[1]), places.find(wanted[2]), places.find(wanted[3])};
-}
-
-/// The runs of a plan with another number of items in each; runs without items are left out.
-std::vector<PeerRun> resize_runs(const std::vector<PeerRun>& runs, const std::vector<int>& counts) {
-  std::vector<PeerRun> resized;
-  std::int64_t first = 0;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    if (counts[r] > 0) resized.push_back({runs[r].rank, first, counts[r]});
-    first += counts[r];
-  }
-  return resized;
-}
-
-/// One item for each run of a plan.
-std::vector<PeerRun> count_runs(const std::vector<PeerRun>& runs) {
-  std::vector<PeerRun> single;
-  for (std::size_t r = 0; r < runs.size(); ++r) single.push_back({runs[r].rank, static_cast<std::int64_t>(r), 1});
-  return single;
-}
-
-/// Sends other numbers of items between ranks that know each other from a plan: sizes first, then data (the paper's
-/// (2.4) to (2.6)). counts: [plan.to] items for each run.
-template <class Item>
-std::vector<Item> exchange_sized(DataExchange& data, const ExchangePlan& plan, const std::vector<int>& counts,
-                                 const std::vector<Item>& items) {
-  const ExchangePlan sizes{count_runs(plan.to), count_runs(plan.from)};
-  const std::vector<int> received = data.exchange(sizes, counts);
-  return data.exchange(ExchangePlan{resize_runs(plan.to, counts), resize_runs(plan.from, received)}, items);
-}
-
-/// Sums of a list by the runs of a plan that its items were sent along.
-std::vector<int> sum_by_run(const std::vector<PeerRun>& runs, const std::vector<int>& values) {
-  std::vector<int> sums;
-  for (const PeerRun& run : runs) {
-    const auto first = values.begin() + static_cast<std::ptrdiff_t>(run.first);
-    sums.push_back(std::accumulate(first, first + static_cast<std::ptrdiff_t>(run.count), 0));
-  }
-  return sums;
 }
 
 SurfaceLists list_search_surface(const std::vector<NodeRecord>& nodes, const std::vector<FaceRecord>& faces) {
@@ -238,9 +177,7 @@ RankedFinder::Subscription RankedFinder::subscribe(const std::vector<std::int64_
   owners.reserve(numbers.size());
   for (const std::int64_t number : numbers) owners.push_back(ranks_.numbering.find_node_owner(number));
   SendOrder order = order_by_destination(owners);
-  std::vector<std::int64_t> ordered;
-  ordered.reserve(numbers.size());
-  for (const int i : order.items) ordered.push_back(numbers[at(i)]);
+  const std::vector<std::int64_t> ordered = ItemExchange::arrange(order, numbers);
   Subscription made;
   made.request = exchange_.plan(order.to);
   made.order = std::move(order.items);
@@ -312,164 +249,6 @@ void RankedFinder::build_check_space(std::vector<FaceTopology> faces) {
   published_nodes_ = to_view("contact::published_nodes", motion_.published);
   reserve(x_, static_cast<int>(check_nodes_.size()));
   reserve(v_, static_cast<int>(check_nodes_.size()));
-}
-
-/// Places and velocities of the nodes concerned, from their FE owners.
-void RankedFinder::receive_motion(const SurfaceMotion& motion) {
-  const Array<const int> published = published_nodes_, order = motion_order_;
-  const auto sent = published.extent(0), received = order.extent(0);
-  const Array<MotionItem> send(Kokkos::view_alloc("contact::sent_motion", Kokkos::WithoutInitializing), sent);
-  const Array<MotionItem> receive(Kokkos::view_alloc("contact::received_motion", Kokkos::WithoutInitializing),
-                                  received);
-  const SurfaceMotion m = motion;
-  Kokkos::parallel_for(
-      "contact::pack_motion", Range(ExecSpace(), 0, static_cast<int>(sent)), KOKKOS_LAMBDA(int i) {
-        for (int k = 0; k < 3; ++k) {
-          send(i).x[k] = m.x(published(i), k);
-          send(i).v[k] = m.v(published(i), k);
-        }
-      });
-  ExecSpace().fence();
-  const auto send_buffer = to_host(send);
-  const auto receive_buffer = Kokkos::create_mirror_view(receive);
-  data_.begin<MotionItem>(reverse(motion_.request), {send_buffer.data(), sent}, {receive_buffer.data(), received});
-  data_.end();
-  Kokkos::deep_copy(receive, receive_buffer);
-  const Rows3<double> x = x_, v = v_;
-  Kokkos::parallel_for(
-      "contact::unpack_motion", Range(ExecSpace(), 0, static_cast<int>(received)), KOKKOS_LAMBDA(int i) {
-        for (int k = 0; k < 3; ++k) {
-          x(order(i), k) = receive(i).x[k];
-          v(order(i), k) = receive(i).v[k];
-        }
-      });
-  ExecSpace().fence();
-}
-
-/// What the FE owners remember of the checked nodes.
-void RankedFinder::receive_history(const ContactHistory& history) {
-  const auto face = to_host(history.face);
-  std::vector<HistoryItem> items;
-  items.reserve(history_.published.size());
-  for (const int n : history_.published) {
-    HistoryItem item{};
-    for (int slot = 0; slot < max_touches; ++slot) item.face[slot] = face(max_touches * n + slot);
-    items.push_back(item);
-  }
-  const std::vector<HistoryItem> received = data_.exchange(reverse(history_.request), items);
-  const auto local = Kokkos::create_mirror_view(check_.history_face);
-  const auto numbers = to_host(check_.face_numbers);
-  for (std::size_t k = 0; k < received.size(); ++k) {
-    const int node = checked_nodes_[at(history_.order[k])];
-    for (int slot = 0; slot < max_touches; ++slot) {
-      const std::int64_t number = received[k].face[slot];
-      local(max_touches * node + slot) = number < 0 ? -1 : find_face(numbers, number);
-    }
-  }
-  Kokkos::deep_copy(check_.history_face, local);
-}
-
-// (5.7) Results to the FE owners of their nodes. records: by checked node; counts: [checked] records of each.
-template <class Record>
-std::vector<Record> RankedFinder::send_results_to_fe_owners(const std::vector<Record>& records,
-                                                            const std::vector<int>& counts) {
-  std::vector<int> first(counts.size() + 1, 0);
-  std::partial_sum(counts.begin(), counts.end(), first.begin() + 1);
-  std::vector<int> ordered_counts;
-  std::vector<Record> ordered;
-  ordered.reserve(records.size());
-  for (const int i : history_.order) {
-    ordered_counts.push_back(counts[at(i)]);
-    ordered.insert(ordered.end(), records.begin() + first[at(i)], records.begin() + first[at(i) + 1]);
-  }
-  return exchange_sized(data_, history_.request, sum_by_run(history_.request.to, ordered_counts), ordered);
-}
-
-int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
-  if (total_pairs_ == 0) return 0;
-  receive_motion(motion);
-  receive_history(history);
-  check_candidates({x_, v_, motion.dt}, check_);  // (5.6), second half
-  std::vector<TouchRecord> records;
-  std::vector<int> counts;
-  const auto by_node = to_host(check_.touches.by_node);
-  const auto friction = to_host(check_.surface.pair_friction);
-  const auto node_class = to_host(check_.surface.node_class);
-  for (std::size_t i = 0; i < checked_nodes_.size(); ++i) {
-    const int n = checked_nodes_[i];
-    counts.push_back(by_node(i).count);
-    for (int j = 0; j < by_node(i).count; ++j) {
-      TouchRecord record;
-      record.touch = by_node(i).touch[j];
-      record.order = j;
-      const FaceTopology& face = check_faces_[at(record.touch.face)];
-      record.node = check_nodes_[at(n)];
-      record.face = face.number;
-      std::copy(std::begin(face.corners), std::end(face.corners), record.corners);
-      record.friction = friction(node_class(n) * share_.num_classes + face.surface_class);
-      records.push_back(record);
-    }
-  }
-  const std::vector<RowTouch> rows = make_row_touches(send_results_to_fe_owners(records, counts));
-  reserve(touches, static_cast<int>(rows.size()));
-  Kokkos::View<const RowTouch*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(rows.data(),
-                                                                                                 rows.size());
-  Kokkos::deep_copy(Kokkos::subview(touches, std::pair<std::size_t, std::size_t>(0, rows.size())), host);
-  return static_cast<int>(rows.size());
-}
-
-/// Touches of this rank's contact nodes as rows need them, by (node, face). Corners that other ranks own are numbered
-/// as foreign nodes.
-std::vector<RowTouch> RankedFinder::make_row_touches(std::vector<TouchRecord> records) const {
-  std::sort(records.begin(), records.end(), [](const TouchRecord& a, const TouchRecord& b) {
-    return a.node != b.node ? a.node < b.node : a.order < b.order;
-  });
-  std::vector<RowTouch> rows;
-  int foreign = 0;
-  for (const TouchRecord& record : records) {
-    const int node = find_contact_node(record.node);
-    RowTouch row;
-    row.touch = record.touch;
-    row.face = record.face;
-    row.key = make_face_row_key(record.node, record.order);
-    row.friction = record.friction;
-    row.record = max_touches * node + record.order;
-    row.old_record = record.touch.record < 0 ? -1 : max_touches * node + record.touch.record;
-    row.node[0] = share_.nodes.mesh_nodes[at(node)];
-    for (int i = 0; i < 4; ++i) {
-      const bool is_own = ranks_.numbering.find_node_owner(record.corners[i]) == ranks_.ranks.rank();
-      row.node[i + 1] = is_own ? find_mesh_node(record.corners[i]) : -1 - foreign++;
-      row.corner_number[i] = record.corners[i];
-    }
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& motion) {
-  if (total_pairs_ == 0) return {};
-  receive_motion(motion);
-  const PenetrationTable table = measure_candidates({x_, v_, motion.dt}, check_);
-  const auto depth = to_host(table.depth), ratio = to_host(table.ratio), size = to_host(check_.faces.size);
-  const auto face = to_host(table.face);
-  struct Record {
-    std::int64_t node;
-    Penetration penetration;
-  };
-  std::vector<Record> records;
-  std::vector<int> counts;
-  for (const int n : checked_nodes_) {
-    counts.push_back(check_.candidates.num_pairs > 0 && face(n) >= 0 ? 1 : 0);
-    if (counts.back() == 0) continue;
-    records.push_back({check_nodes_[at(n)], {0, check_faces_[at(face(n))].number, depth(n), ratio(n), size(face(n))}});
-  }
-  std::vector<Penetration> found;
-  for (Record& record : send_results_to_fe_owners(records, counts)) {
-    record.penetration.node = find_contact_node(record.node);
-    found.push_back(record.penetration);
-  }
-  std::sort(found.begin(), found.end(), [](const Penetration& a, const Penetration& b) { return a.node < b.node; });
-  return found;
 }
 
 }  // namespace percuss

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "comm/item_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
 
 namespace percuss {
@@ -41,9 +42,8 @@ void RowExchange::announce_foreign_nodes(const Array<const RowTouch>& touches, i
   }
   SendOrder order = order_by_destination(owners);
   plan_ = exchange_.plan(order.to);
+  const std::vector<ForeignNotice> ordered = ItemExchange::arrange(order, notices);
   order_ = std::move(order.items);
-  std::vector<ForeignNotice> ordered;
-  for (const int k : order_) ordered.push_back(notices[at(k)]);
   const std::vector<std::int64_t>& numbers = ranks_.mesh.node_numbers;
   std::vector<int> nodes;
   std::vector<std::int64_t> keys;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "comm/data_exchange.hpp"
+#include "comm/item_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/surface_classes.hpp"
 
@@ -87,12 +87,7 @@ std::vector<CornerNotice> exchange_notices(const ChunkedMesh& chunked, const Sur
       owners.push_back(chunked.numbering.find_node_owner(notices.back().node));
     }
   }
-  const SendOrder order = order_by_destination(owners);
-  std::vector<CornerNotice> ordered;
-  ordered.reserve(notices.size());
-  for (const int i : order.items) ordered.push_back(notices[at(i)]);
-  DataExchange data(exchange.ranks());
-  std::vector<CornerNotice> received = data.exchange(exchange.plan(order.to), ordered);
+  std::vector<CornerNotice> received = ItemExchange(exchange.ranks()).send(owners, notices);
   std::sort(received.begin(), received.end(), [](const CornerNotice& a, const CornerNotice& b) {
     return a.node != b.node ? a.node < b.node : a.face.number < b.face.number;
   });
