@@ -1,17 +1,22 @@
 #pragma once
-// One row of the contact system: a node against a face or a wall, in the normal and two tangential directions.
+// One row of the contact system: a node against a face, an edge against an edge or a node against a wall, in the normal
+// and two tangential directions.
 //
-// An impulse P on the node at x_s acts back on the face corners at x_i as -N_i P - q x rho_i, with rho_i = x_i -
-// mean(x), J = sum (rho^2 I - rho rho^T) and the couple q = J^-1 (r x P), r = x_s - sum N_i x_i, all at x_n. So the
-// impulses of a row sum to zero and their moments about any point do too, because sum N_i = 1, sum rho_i = 0 and sum
-// rho_i x (q x rho_i) = J q. The motion goes from x_n with the corrected velocity, so angular momentum sum x_n x m
-// v(n+1/2) is kept exactly when the moments are taken with the places at n.
+// The row sees its nodes through signed weights w: those of the point that is pushed sum to 1, those of the point that
+// pushes back to -1. Node on face: 1 and -N_i. Edge on edge: 1 - s, s and t - 1, -t. An impulse P acts on node i as
+// w_i P - q x rho_i, with rho_i = x_i - mean(x) over the bearing nodes (the corners of the face; all four of two
+// edges; rho = 0 for others), J = sum (rho^2 I - rho rho^T) and the couple q = J^-1 (r x P), r = sum w_i x_i, all at
+// x_n. So the impulses of a row sum to zero and their moments about any point do too, because sum w_i = 0, sum rho_i =
+// 0 and sum rho_i x (q x rho_i) = J q. The motion goes from x_n with the corrected velocity, so angular momentum sum
+// x_n x m v(n+1/2) is kept exactly when the moments are taken with the places at n. Solvers see slots, weights and
+// directions only; a wall's row has one node and nothing that pushes back.
 
 #include "kernels/contact/point3.hpp"
 
 namespace percuss {
 
-/// Nodes of a row: the contact node, then the corners of the face.
+/// Most nodes of a row. Slots: the contact node, then the corners of the face; or the nodes of edge A, then of edge B;
+/// or the contact node at a wall.
 inline constexpr int row_nodes = 5;
 
 /// Impulses of a row: push along the normal (>= 0), rub along the two tangents. [force x time]
@@ -21,21 +26,22 @@ struct RowImpulse {
 };
 
 struct ContactRow {
-  std::int64_t key = 0;                         // its place in every sum: by (node, face), then walls
-  std::int64_t face = -1;                       // number of the contact face; -1: a wall
-  int place[row_nodes] = {-1, -1, -1, -1, -1};  // of its nodes in RowSystem::at; the last four -1 for a wall
+  std::int64_t key = 0;                         // its place in every sum: by (node, face), then edge pairs, then walls
+  std::int64_t face = -1;                       // number of the contact face; -1: edges or a wall
+  int count = 1;                                // slots in use
+  int place[row_nodes] = {-1, -1, -1, -1, -1};  // of its nodes in RowSystem::at; -1: no such slot
   double gap = 0;                               // predicted gap at n+1
   double target = 0;                            // gap wanted at n+1, <= 0
   int record = -1;                              // history record that this row writes
   bool is_caught = false;                       // by a face that looks past the node: kept while it is near
-  double weight[4] = {0, 0, 0, 0};              // N
-  Point3 rho[4]{};
+  double weight[row_nodes] = {1, 0, 0, 0, 0};   // w
+  Point3 rho[row_nodes]{};
   Symmetric3<double> inverse_inertia{};  // J^-1
   Point3 arm{};                          // r
   Point3 normal{}, tangent[2]{};
-  Point3 gap_gradient{};  // of the gap by the place of the node; gap_gradient . normal = 1
+  Point3 gap_gradient{};  // of the gap by the place of the pushed point; gap_gradient . normal = 1
   double friction = 0;
-  double size = 0;               // h of the face
+  double size = 0;               // h of the face or the edges
   double gap_start = 0;          // gap at n
   double reference = 0;          // overlap accepted at the start, >= 0
   double slide[2] = {0, 0};      // predicted tangential displacement in the step plus what sticking still owes
@@ -45,45 +51,42 @@ struct ContactRow {
   Point3 force{}, couple{};      // P and q of `impulse`
 };
 
-KOKKOS_INLINE_FUNCTION int count_nodes(const ContactRow& row) { return row.face < 0 ? 1 : row_nodes; }
+KOKKOS_INLINE_FUNCTION int count_nodes(const ContactRow& row) { return row.count; }
 KOKKOS_INLINE_FUNCTION int count_directions(const ContactRow& row) { return row.friction > 0 ? 3 : 1; }
 KOKKOS_INLINE_FUNCTION const Point3& get_direction(const ContactRow& row, int d) {
   return d == 0 ? row.normal : row.tangent[d - 1];
 }
 
-/// q of an impulse P on the node.
+/// q of an impulse P on the pushed point.
 KOKKOS_INLINE_FUNCTION Point3 find_couple(const ContactRow& row, const Point3& impulse) {
   return row.inverse_inertia * cross(row.arm, impulse);
 }
 
-/// Impulse on node `slot` of the row for the impulse P on the contact node and its couple q.
+/// Impulse on node `slot` of the row for the impulse P on the pushed point and its couple q.
 KOKKOS_INLINE_FUNCTION Point3 spread_impulse(const ContactRow& row, int slot, const Point3& impulse,
                                              const Point3& couple) {
-  if (slot == 0) return impulse;
-  return -(row.weight[slot - 1] * impulse) - cross(couple, row.rho[slot - 1]);
+  return row.weight[slot] * impulse - cross(couple, row.rho[slot]);
 }
 
 /// The vector u with (sum of impulses . velocities) = P . u for every P: the relative velocity of the row, the
 /// transpose of spread_impulse(). velocity(slot): velocity of node `slot`.
 template <class Velocity>
 KOKKOS_INLINE_FUNCTION Point3 find_work_velocity(const ContactRow& row, const Velocity& velocity) {
-  Point3 relative = velocity(0), spin{};
-  if (row.face < 0) return relative;
-  for (int i = 0; i < 4; ++i) {
-    const Point3 v = velocity(i + 1);
-    relative = relative - row.weight[i] * v;
-    spin = spin + cross(row.rho[i], v);
+  Point3 relative{}, spin{};
+  for (int slot = 0; slot < row.count; ++slot) {
+    const Point3 v = velocity(slot);
+    relative = relative + row.weight[slot] * v;
+    spin = spin + cross(row.rho[slot], v);
   }
   // P . u = P . relative - (J^-1 (r x P)) . spin, and J^-1 is symmetric.
   return relative - cross(row.inverse_inertia * spin, row.arm);
 }
 
-/// Velocity of the node relative to the point of the face (without the couple).
+/// Velocity of the pushed point relative to the point that pushes back (without the couple).
 template <class Velocity>
 KOKKOS_INLINE_FUNCTION Point3 find_relative_velocity(const ContactRow& row, const Velocity& velocity) {
-  Point3 relative = velocity(0);
-  if (row.face < 0) return relative;
-  for (int i = 0; i < 4; ++i) relative = relative - row.weight[i] * velocity(i + 1);
+  Point3 relative{};
+  for (int slot = 0; slot < row.count; ++slot) relative = relative + row.weight[slot] * velocity(slot);
   return relative;
 }
 

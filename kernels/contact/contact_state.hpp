@@ -41,6 +41,16 @@ struct ContactHistory {
   Array<double> reference;   // [records] overlap accepted at the start, >= 0
 };
 
+/// One record of the history.
+struct LastContact {
+  Point3 impulse{}, slip{};
+  double reference = 0;
+};
+
+KOKKOS_INLINE_FUNCTION LastContact load_record(const ContactHistory& history, int record) {
+  return {load_row(history.impulse, record), load_row(history.slip, record), history.reference(record)};
+}
+
 /// Corners at n relative to the node and their displacement over the step relative to the node's.
 struct RelativeFace {
   FacePoints start, move;

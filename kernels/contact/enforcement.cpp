@@ -42,7 +42,7 @@ KOKKOS_INLINE_FUNCTION ImpulseChange correct_row(ContactRow& row, const Rows3<co
   row.previous = row.impulse;
   row.impulse = p;
   row.force = sum_impulse(row, p);
-  row.couple = row.face < 0 ? Point3{} : find_couple(row, row.force);
+  row.couple = find_couple(row, row.force);
   return change;
 }
 

@@ -40,16 +40,15 @@ KOKKOS_INLINE_FUNCTION void set_target(ContactRow& row) {
   row.target = recovered < floor ? recovered : floor;
 }
 
-/// Continues history record `record`: first guess of the impulses, owed slip, accepted overlap.
-KOKKOS_INLINE_FUNCTION void continue_record(const ContactHistory& history, const RowInputs& inputs, int record,
-                                            ContactRow& row) {
-  const Point3 last = inputs.impulse_scale * load_row(history.impulse, record);
+/// Continues a history record: first guess of the impulses, owed slip, accepted overlap.
+KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const RowInputs& inputs, ContactRow& row) {
+  const Point3 last = inputs.impulse_scale * record.impulse;
   const double push = dot(last, row.normal);
   row.impulse.push = push > 0 ? push : 0;
   const double overlap = row.gap_start < 0 ? -row.gap_start : 0;
-  row.reference = history.reference(record) < overlap ? history.reference(record) : overlap;
+  row.reference = record.reference < overlap ? record.reference : overlap;
   if (!(row.friction > 0)) return;
-  const Point3 owed = shorten(load_row(history.slip, record), contact_limits::recovery * row.size);
+  const Point3 owed = shorten(record.slip, contact_limits::recovery * row.size);
   for (int d = 0; d < 2; ++d) {
     row.impulse.rub[d] = dot(last, row.tangent[d]);
     row.slide[d] += dot(owed, row.tangent[d]);
@@ -57,15 +56,15 @@ KOKKOS_INLINE_FUNCTION void continue_record(const ContactHistory& history, const
   limit_rub(row, row.impulse);
 }
 
-/// The rest of a row once its place and gaps are known. old_record: history that it continues, -1: none.
-KOKKOS_INLINE_FUNCTION void complete_row(const ContactHistory& history, const RowInputs& inputs, const RowNodes& at,
-                                         int old_record, ContactRow& row) {
+/// The rest of a row once its place and gaps are known. old: what it continues, if anything.
+KOKKOS_INLINE_FUNCTION void complete_row(const RowInputs& inputs, const RowNodes& at, bool continues,
+                                         const LastContact& old, ContactRow& row) {
   if (row.friction > 0) {
     set_tangents(row);
     const Point3 v = find_relative_velocity(row, TouchedVelocity{at.v, row});
     for (int d = 0; d < 2; ++d) row.slide[d] = inputs.motion.dt * dot(v, row.tangent[d]);
   }
-  if (old_record >= 0) continue_record(history, inputs, old_record, row);
+  if (continues) continue_record(old, inputs, row);
   set_target(row);
   row.previous = row.impulse;
   row.force = sum_impulse(row, row.impulse);
@@ -74,38 +73,45 @@ KOKKOS_INLINE_FUNCTION void complete_row(const ContactHistory& history, const Ro
 
 /// rho, J^-1 and r from the places at n.
 KOKKOS_INLINE_FUNCTION void set_arms(const Rows3<const double>& x, ContactRow& row) {
-  const Point3 node = load_row(x, row.place[0]);
-  FacePoints corners;
-  for (int i = 0; i < 4; ++i) corners.corner[i] = load_row(x, row.place[i + 1]) - node;
-  const Point3 middle = find_middle(corners);
+  // Bearing nodes: the last four slots.
+  const int first = row.count - 4;
+  const Point3 origin = load_row(x, row.place[0]);
+  FacePoints bearing;
+  row.arm = Point3{};
+  for (int slot = 0; slot < row.count; ++slot) {
+    const Point3 p = load_row(x, row.place[slot]) - origin;
+    row.arm = row.arm + row.weight[slot] * p;
+    if (slot >= first) bearing.corner[slot - first] = p;
+  }
+  const Point3 middle = find_middle(bearing);
   Symmetric3<double> inertia{};
   for (int i = 0; i < 4; ++i) {
-    const Point3 p = corners.corner[i] - middle;
-    row.rho[i] = p;
+    const Point3 p = bearing.corner[i] - middle;
+    row.rho[first + i] = p;
     inertia = inertia + Symmetric3<double>{p.y * p.y + p.z * p.z, p.z * p.z + p.x * p.x, p.x * p.x + p.y * p.y,
                                            -(p.x * p.y),          -(p.y * p.z),          -(p.z * p.x)};
   }
   row.inverse_inertia = invert(inertia);
-  row.arm = -interpolate(corners, row.weight);
 }
 
 /// The row of a touch whose places are set.
-KOKKOS_INLINE_FUNCTION void fill_face_row(const ContactHistory& history, const RowInputs& inputs, const RowNodes& at,
-                                          const RowTouch& from, ContactRow& row) {
-  const Touch& touch = from.touch;
-  for (int i = 0; i < 4; ++i) row.weight[i] = touch.weight[i];
-  row.key = from.key;
-  row.face = from.face;
-  row.record = from.record;
-  row.is_caught = !touch.opposed;
+KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const RowInputs& inputs, const RowNodes& at,
+                                           const RowTouch& touch, ContactRow& row) {
+  for (int slot = 0; slot < touch.count; ++slot) row.weight[slot] = touch.weight[slot];
+  row.count = touch.count;
+  row.key = touch.key;
+  row.face = touch.face;
+  row.record = touch.record;
+  row.is_caught = touch.is_caught;
   row.normal = touch.normal;
   row.gap_gradient = touch.gap_gradient;
-  row.friction = from.friction;
+  row.friction = touch.friction;
   row.size = touch.size;
   row.gap_start = touch.gap_start;
   row.gap = touch.gap_end;
   set_arms(at.x, row);
-  complete_row(history, inputs, at, from.old_record, row);
+  const bool continues = touch.old_record >= 0;
+  complete_row(inputs, at, continues, continues ? load_record(history, touch.old_record) : LastContact{}, row);
 }
 
 /// Gap between the node and the wall of pair p, `share` of the step after n.
@@ -129,7 +135,7 @@ KOKKOS_INLINE_FUNCTION void fill_wall_row(const WallPairs& walls, const ContactH
   row.size = walls.size(p);
   row.gap_start = find_wall_gap(walls, inputs.motion, p, 0);
   row.gap = find_wall_gap(walls, inputs.motion, p, 1);
-  complete_row(history, inputs, at, row.record, row);
+  complete_row(inputs, at, true, load_record(history, row.record), row);
 }
 
 }  // namespace percuss

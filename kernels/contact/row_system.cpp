@@ -12,7 +12,7 @@ struct SlotNodes {
   int num_touches;
   Array<const int> near_walls, wall_node;
 
-  KOKKOS_INLINE_FUNCTION int count(int r) const { return r < num_touches ? row_nodes : 1; }
+  KOKKOS_INLINE_FUNCTION int count(int r) const { return r < num_touches ? touches(r).count : 1; }
   KOKKOS_INLINE_FUNCTION int operator()(int r, int slot) const {
     return r < num_touches ? touches(r).node[slot] : wall_node(near_walls(r - num_touches));
   }
@@ -97,7 +97,7 @@ void group_entries(const Space& space, RowSystem& system) {
   const Array<const ContactRow> rows = system.rows;
   const Array<int> key = system.entry_key, value = system.entry_value, place = system.place_of_node;
   const Array<const int> remote_place = system.remote_place;
-  const int nowhere = system.num_nodes;  // the key of foreign nodes and of the slots that a wall's row does not use
+  const int nowhere = system.num_nodes;  // the key of foreign nodes and of slots not in use
   Kokkos::parallel_for(
       "contact::list_entries", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         for (int slot = 0; slot < row_nodes; ++slot) {
@@ -153,15 +153,15 @@ void collect_touches(const Space& space, const ContactSurface& surface, const Ca
       "contact::collect_touches", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
         const int node = nodes(i);
         for (int j = 0; j < by_node(i).count; ++j) {
-          RowTouch row;
-          row.touch = by_node(i).touch[j];
-          row.face = faces(row.touch.face);
+          const Touch& touch = by_node(i).touch[j];
+          RowTouch row = make_row_touch(touch);
+          row.face = faces(touch.face);
           row.key = make_face_row_key(numbers(node), j);
-          row.friction = find_friction(s, node, row.touch.face);
+          row.friction = find_friction(s, node, touch.face);
           row.record = contact_limits::max_touches * node + j;
-          row.old_record = row.touch.record < 0 ? -1 : contact_limits::max_touches * node + row.touch.record;
+          row.old_record = touch.record < 0 ? -1 : contact_limits::max_touches * node + touch.record;
           row.node[0] = s.nodes(node);
-          for (int k = 0; k < 4; ++k) row.node[k + 1] = s.nodes(s.face_corners(row.touch.face, k));
+          for (int k = 0; k < 4; ++k) row.node[k + 1] = s.nodes(s.face_corners(touch.face, k));
           out(first(i) + j) = row;
         }
       });
@@ -201,12 +201,12 @@ void make_rows(const Space& space, const RowInputs& inputs, const Array<const Ro
           row.place[0] = place(w.node(p));
           fill_wall_row(w, h, in, at, num_face_records, p, row);
         } else {
-          for (int slot = 0; slot < row_nodes; ++slot) {
+          for (int slot = 0; slot < list(r).count; ++slot) {
             const int n = list(r).node[slot];
             row.place[slot] = n >= 0 ? place(n) : num_nodes - 1 - n;
             if (n < 0) foreign(-1 - n) = r * row_nodes + slot;
           }
-          fill_face_row(h, in, at, list(r), row);
+          fill_touch_row(h, in, at, list(r), row);
         }
         rows(r) = row;
       });

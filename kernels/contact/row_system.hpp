@@ -29,15 +29,33 @@ struct WallPairs {
 
 /// A touch of the detailed check as its row needs it.
 struct RowTouch {
-  Touch touch;             // its `face` counts where the check was made; the number is `face` below
-  std::int64_t face = -1;  // number of the face
   std::int64_t key = 0;    // ContactRow::key
+  std::int64_t face = -1;  // number of the face; -1: edges
+  int count = row_nodes;   // slots in use, 5 or 4
+  double weight[row_nodes] = {1, 0, 0, 0, 0};
+  Point3 normal{}, gap_gradient{};
+  double gap_start = 0, gap_end = 0;  // at n and predicted
+  double size = 0;                    // h
   double friction = 0;
-  int record = -1;                                   // history record that the row writes
-  int old_record = -1;                               // history record that it continues, -1: none
-  int node[row_nodes] = {-1, -1, -1, -1, -1};        // mesh node of this rank; -1 - k: foreign node k
-  std::int64_t corner_number[4] = {-1, -1, -1, -1};  // of the corners, where some are foreign
+  bool is_caught = false;
+  int record = -1;                                             // history record that the row writes
+  int old_record = -1;                                         // history record that it continues, -1: none
+  int node[row_nodes] = {-1, -1, -1, -1, -1};                  // mesh node of this rank; -1 - k: foreign node k
+  std::int64_t node_number[row_nodes] = {-1, -1, -1, -1, -1};  // of the nodes, where some are foreign
 };
+
+/// What the row of a node on a face takes over from the check.
+KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
+  RowTouch row;
+  for (int i = 0; i < 4; ++i) row.weight[i + 1] = -touch.weight[i];
+  row.normal = touch.normal;
+  row.gap_gradient = touch.gap_gradient;
+  row.gap_start = touch.gap_start;
+  row.gap_end = touch.gap_end;
+  row.size = touch.size;
+  row.is_caught = !touch.opposed;
+  return row;
+}
 
 /// Keys of rows: by number of the node and order of its touches; walls come after all faces.
 KOKKOS_INLINE_FUNCTION std::int64_t make_face_row_key(std::int64_t node, int touch) {

@@ -152,8 +152,7 @@ std::vector<RowTouch> RankedFinder::make_row_touches(std::vector<TouchRecord> re
   int foreign = 0;
   for (const TouchRecord& record : records) {
     const int node = find_contact_node(record.node);
-    RowTouch row;
-    row.touch = record.touch;
+    RowTouch row = make_row_touch(record.touch);
     row.face = record.face;
     row.key = make_face_row_key(record.node, record.order);
     row.friction = record.friction;
@@ -163,7 +162,7 @@ std::vector<RowTouch> RankedFinder::make_row_touches(std::vector<TouchRecord> re
     for (int i = 0; i < 4; ++i) {
       const bool is_own = ranks_.numbering.find_node_owner(record.corners[i]) == ranks_.ranks.rank();
       row.node[i + 1] = is_own ? find_mesh_node(record.corners[i]) : -1 - foreign++;
-      row.corner_number[i] = record.corners[i];
+      row.node_number[i + 1] = record.corners[i];
     }
     rows.push_back(row);
   }

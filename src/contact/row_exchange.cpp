@@ -34,9 +34,9 @@ void RowExchange::announce_foreign_nodes(const Array<const RowTouch>& touches, i
   std::vector<ForeignNotice> notices;
   std::vector<int> owners;
   for (int r = 0; r < num_touches; ++r) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (list(r).node[i + 1] >= 0) continue;
-      notices.push_back({list(r).corner_number[i], list(r).key});
+    for (int slot = 0; slot < list(r).count; ++slot) {
+      if (list(r).node[slot] >= 0) continue;
+      notices.push_back({list(r).node_number[slot], list(r).key});
       owners.push_back(ranks_.numbering.find_node_owner(notices.back().node));
     }
   }
