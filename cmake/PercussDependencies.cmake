@@ -1,7 +1,11 @@
 # Everything percuss links, found once. scripts/install_dependencies installs all of it on Debian 12.
 
 # The Kokkos that scripts/install_dependencies built is only a hint: CMAKE_PREFIX_PATH and Kokkos_ROOT win.
-execute_process(COMMAND ${PROJECT_SOURCE_DIR}/scripts/install_dependencies --print-prefix
+set(_percuss_kind "")
+if("thread" IN_LIST PERCUSS_SANITIZE) # sees what it compiled only
+  set(_percuss_kind --races)
+endif()
+execute_process(COMMAND ${PROJECT_SOURCE_DIR}/scripts/install_dependencies --print-prefix ${_percuss_kind}
   OUTPUT_VARIABLE _percuss_kokkos OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 # No version is asked for here: Kokkos' own version file would refuse every other major version.
 find_package(Kokkos QUIET HINTS "${_percuss_kokkos}")
