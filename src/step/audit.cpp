@@ -22,7 +22,7 @@ NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const 
   const auto mass = model.mass;
   const auto inverse_mass = model.inverse_mass;
   const auto gravity = model.gravity;
-  const double dt_mean = state.step == 0 ? 0.0 : 0.5 * (state.dt + state.next_dt);
+  const double dt = state.step == 0 ? 0.0 : state.dt;
   const Kokkos::Array<double, 3> center{{model.mass_center[0], model.mass_center[1], model.mass_center[2]}};
   return sums(
       ExecSpace(), model.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, S::count_of_nodes>& sum) {
@@ -34,7 +34,7 @@ NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const 
         const double p[3] = {m * v(n, 0), m * v(n, 1), m * v(n, 2)};
         const double r[3] = {x(n, 0) - center[0], x(n, 1) - center[1], x(n, 2) - center[2]};
         for (int k = 0; k < 3; ++k) {
-          const double change = inverse_mass(n, k) > 0 ? dt_mean * f[k] : 0;  // a held direction goes its own way
+          const double change = inverse_mass(n, k) > 0 ? dt * f[k] : 0;  // a held direction goes its own way
           sum[S::kinetic] += 0.5 * v(n, k) * (p[k] + change);
           sum[S::potential] += m * gravity.g[k] * (x(n, k) - start(n, k));
           sum[S::momentum + k] += p[k];

@@ -12,6 +12,8 @@ namespace {
 
 /// The step may grow by this factor at most, so that central differences stay second order.
 constexpr double largest_step_growth = 1.1;
+/// So many steps before the end begin to share what is left.
+constexpr double landing_steps = 64;
 
 }  // namespace
 
@@ -162,13 +164,11 @@ void Stepper::choose_step(State& state) const {
   double dt = deck_.time.step_scale * state.bound.step;
   if (state.step > 0) dt = std::min(dt, largest_step_growth * state.dt);
   if (deck_.time.max_step) dt = std::min(dt, *deck_.time.max_step);
+  // Land on the end exactly, by steps that shrink by a small share: what central differences conserve depends on the
+  // square of the step, so that a step cut in half would change the energy of the shortest waves.
   const double left = deck_.time.end - state.time;
-  // Land on the end exactly without a tiny last step: the last two steps share what is left.
-  if (left > 0 && left <= dt) {
-    dt = left;
-  } else if (left > 0 && left < 2 * dt) {
-    dt = 0.5 * left;
-  }
+  const double steps_left = std::ceil(left / dt * (1 - 1e-12));
+  if (left > 0 && steps_left <= landing_steps) dt = steps_left > 1 ? std::min(dt, left / steps_left) : left;
   state.next_dt = dt;
 }
 

@@ -145,12 +145,11 @@ loads:
 
 }  // namespace
 
-TEST(Pressure, WorkIsBookedSoThatTheEnergyClosesToSecondOrderInTheStep) {
-  const double coarse = find_largest_error(0.9), fine = find_largest_error(0.45);
-  // Elements take their strains at the middle of the step and their forces at its end: what they store differs from
-  // the work of the forces by (omega dt)^2 / 12 of the waves that carry the energy, here about 20 steps long.
-  EXPECT_LT(coarse, 1e-3);
-  EXPECT_LT(fine, 0.4 * coarse);
+TEST(Pressure, WorkIsBookedSoThatTheEnergyClosesAtAnyStep) {
+  // In linear elements the balance is an identity but for small changes of the step; what is left here, 5e-5, falls
+  // with the load: it is of the order of the strain, 1e-3, times its change in a step.
+  EXPECT_LT(find_largest_error(0.9), 1e-4);
+  EXPECT_LT(find_largest_error(0.45), 5e-5);
 }
 
 }  // namespace percuss::test

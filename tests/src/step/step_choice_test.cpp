@@ -31,6 +31,22 @@ TEST(StepChoice, EndTimesAreHitExactlyWithoutATinyLastStep) {
   }
 }
 
+TEST(StepChoice, LandingOnTheEndKeepsTheEnergyOfTheShortestWaves) {
+  // One row of nodes is struck: the energy is in waves as short as the elements, of which (omega dt)^2 / 4, most of it,
+  // changes with the step. 64 steps shrink by 1 in 64 each at most; what they change adds up to 2 % if nothing cancels.
+  for (const char* end : {"2e-4", "4.3e-4", "1e-3"}) {
+    const Summary summary = run_scene(parse_deck(std::string("time: {end: ") + end + R"(}
+parts: {a: {box: {size: [1, 0.1, 0.1], cells: [10, 1, 1]}, material: steel}}
+elements: {bulk_viscosity: {linear: 0, quadratic: 0}}
+initial: [{nodes: a/x_min, velocity: [1, 0, 0]}]
+)" + steel_text,
+                                                 "deck.yaml"),
+                                      {})
+                                .summary;
+    EXPECT_LT(std::abs(summary.energy.error), 5e-3) << end;
+  }
+}
+
 TEST(StepChoice, AStepIsTheScaledBoundOfTheElements) {
   Scene scene(make_text("end: 1, step_scale: 0.7"));
   scene.run(10);
@@ -46,7 +62,7 @@ TEST(StepChoice, AStepIsTheScaledBoundOfTheElements) {
 TEST(StepChoice, MaxStepBoundsEveryStep) {
   const Summary summary = run_text("end: 1e-3, max_step: 1e-5");
   EXPECT_EQ(summary.steps, 100);
-  EXPECT_DOUBLE_EQ(summary.dt.max, 1e-5);
+  EXPECT_LE(summary.dt.max, 1e-5 * (1 + 1e-12));  // the last one ends on time.end, sums of times are rounded
   EXPECT_DOUBLE_EQ(summary.time, 1e-3);
 }
 
