@@ -12,6 +12,9 @@ namespace {
 
 /// The step may grow by this factor at most, so that central differences stay second order.
 constexpr double largest_step_growth = 1.1;
+/// A step is kept until the bound allows one that is longer by this share: a step that follows the bound up and down
+/// with every vibration is changed in phase with it, and feeds it energy.
+constexpr double least_step_growth = 0.02;
 /// So many steps before the end begin to share what is left.
 constexpr double landing_steps = 64;
 
@@ -162,7 +165,9 @@ void Stepper::apply_loads(State& state, double time) {
 
 void Stepper::choose_step(State& state) const {
   double dt = deck_.time.step_scale * state.bound.step;
-  if (state.step > 0) dt = std::min(dt, largest_step_growth * state.dt);
+  if (state.step > 0 && dt > state.dt) {
+    dt = dt > (1 + least_step_growth) * state.dt ? std::min(dt, largest_step_growth * state.dt) : state.dt;
+  }
   if (deck_.time.max_step) dt = std::min(dt, *deck_.time.max_step);
   // Land on the end exactly, by steps that shrink by a small share: what central differences conserve depends on the
   // square of the step, so that a step cut in half would change the energy of the shortest waves.

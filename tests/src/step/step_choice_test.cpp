@@ -47,10 +47,26 @@ initial: [{nodes: a/x_min, velocity: [1, 0, 0]}]
   }
 }
 
+TEST(StepChoice, AStepDoesNotFollowTheBoundOfAVibration) {
+  // A clamped bar at a strain of 0.4 %: steps that follow its bound up and down gain 8e-4 of the energy.
+  const Summary summary = run_scene(parse_deck(R"(
+time: {end: 1, max_steps: 2000}
+parts: {a: {box: {size: [0.08, 0.01, 0.01], cells: [8, 1, 1]}, material: steel}}
+elements: {bulk_viscosity: {linear: 0, quadratic: 0}}
+initial: [{velocity: [20, 0, 0]}]
+conditions: [{nodes: a/x_min, fixed: [x, y, z]}]
+)" + steel_text,
+                                               "deck.yaml"),
+                                    {})
+                              .summary;
+  EXPECT_LT(std::abs(summary.energy.error), 1e-4);
+}
+
 TEST(StepChoice, AStepIsTheScaledBoundOfTheElements) {
   Scene scene(make_text("end: 1, step_scale: 0.7"));
   scene.run(10);
-  EXPECT_DOUBLE_EQ(scene.state.next_dt, 0.7 * scene.state.bound.step);
+  EXPECT_LE(scene.state.next_dt, 0.7 * scene.state.bound.step);
+  EXPECT_GT(1.02 * scene.state.next_dt, 0.7 * scene.state.bound.step);  // it is kept while the bound hardly grows
   // a cube of edge h: 0.9 h / c_L comes from the proven bound only in one dimension; here omega^2 <= 8 (lambda tr G +
   // 2 mu g_max) / (rho V^2) with G = 2 h^4 I / ... gives h / sqrt(3 lambda + 2 mu) * sqrt(rho)
   const double lambda = 200e9 * 0.3 / (1.3 * 0.4), mu = 200e9 / 2.6, h = 1.0 / 3;
