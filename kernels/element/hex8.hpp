@@ -6,22 +6,20 @@
 // geometry of n+1 (Flanagan and Belytschko 1981; Flanagan and Taylor 1987).
 
 #include "kernels/element/bulk_viscosity.hpp"
-#include "kernels/element/hourglass.hpp"
+#include "kernels/element/hourglass_control.hpp"
 #include "kernels/element/kinematics.hpp"
 #include "kernels/element/stable_step.hpp"
 
 namespace percuss {
 
-enum class HourglassKind { stiffness, viscous };
-
 /// What one element, or a pack of them, remembers between steps; all in the unrotated frame but the stretch.
-template <class T, class Material, HourglassKind Kind>
+template <class T, class Material, HexKind Kind>
 struct HexState {
   T mass;                       // constant
   T viscous_pressure;           // q at n, for the trapezoid of its work
   Polar<T> polar;               // R and V at n
   Symmetric3<T> stress;         // Cauchy, unrotated, at n
-  HourglassModes<T> hourglass;  // Q at n; only kept for the stiffness form
+  HourglassModes<T> hourglass;  // Q at n; not kept for the viscous form
   T history[Material::history_count > 0 ? Material::history_count : 1];
 };
 
@@ -30,7 +28,7 @@ template <class Material>
 struct HexParameters {
   Material material;
   double lambda = 0, mu = 0;  // bound of the elastic stiffness; a negative lambda counts as 0
-  double hourglass = 0.05;
+  double hourglass = 0.05;    // coefficient of the stiffness and the viscous form
   BulkViscosity viscosity;
 };
 
@@ -82,7 +80,7 @@ KOKKOS_INLINE_FUNCTION void find_corner_forces(const Symmetric3<T>& t, const Hou
 
 /// Advances the element from n to n+1. a, v: modes of x(n+1) and v(n+1/2). fx, fy, fz: out, the internal forces by
 /// corner (they resist the motion: the node feels their negative). With dt = 0 it evaluates forces and step only.
-template <class T, class Material, HourglassKind Kind>
+template <class T, class Material, HexKind Kind>
 KOKKOS_INLINE_FUNCTION HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
                                                  const VectorModes<T>& v, const T& dt,
                                                  HexState<T, Material, Kind>& state, T (&fx)[8], T (&fy)[8],
@@ -105,7 +103,7 @@ KOKKOS_INLINE_FUNCTION HexResult<T> advance_hex8(const HexParameters<Material>& 
 
   // stress
   const Symmetric3<T> old_stress = state.stress;
-  const T share = par.material.update(state.stress, state.history, de);
+  const auto plastic = update_stress(par.material, state.stress, state.history, de);
 
   // end geometry
   const VolumeGradient<T> b = find_volume_gradient(a);
@@ -119,41 +117,24 @@ KOKKOS_INLINE_FUNCTION HexResult<T> advance_hex8(const HexParameters<Material>& 
   state.viscous_pressure = viscous.pressure;
 
   // hourglass forces, in the spatial frame for assembly
-  const HourglassModes<T> rate = find_hourglass_rates(v, am, l);
-  HourglassModes<T> q;
-  T hourglass_work;
-  T frequency_square = find_frequency_square(size, b.volume, state.mass, par.lambda, par.mu);
-  T damping_rate = find_damping_rate(size, b.volume, state.mass, viscous.tangent);
-  const T magnification = find_hourglass_magnification(a, b, size.largest);
-  const T mode_frequency_square = find_hourglass_frequency_square(size.trace, b.volume, state.mass, par.mu);
-  if constexpr (Kind == HourglassKind::stiffness) {
-    const T kappa_dt = dt * find_hourglass_stiffness(size.trace, b.volume, par.mu, par.hourglass);
-    hourglass_work = T(0);
-    for (int h = 0; h < 4; ++h) {
-      const Vector3<T> u = transpose_times(turn, rate.mode[h]);
-      const Vector3<T> old_q = state.hourglass.mode[h];
-      const Vector3<T> new_q = share * (old_q + kappa_dt * u);
-      hourglass_work = hourglass_work + half_dt * dot(old_q + new_q, u);
-      state.hourglass.mode[h] = new_q;
-      q.mode[h] = polar.rotation * new_q;
-    }
-    frequency_square = frequency_square + T(par.hourglass) * magnification * mode_frequency_square;
-  } else {
-    // damping ratio `hourglass` of the mode: eta = ratio * omega_h * m / 32
-    const T eta = T(par.hourglass / 32) * state.mass * square_root(mode_frequency_square);
-    for (int h = 0; h < 4; ++h) q.mode[h] = eta * rate.mode[h];
-    hourglass_work = dt * find_power(q, rate);
-    damping_rate = damping_rate + T(2 * par.hourglass) * magnification * square_root(mode_frequency_square);
-  }
+  const HourglassMotion<T> motion{am, find_hourglass_rates(v, am, l), turn, polar.rotation, dt};
+  const HourglassElement<T> element{state.mass, size.trace, b.volume, bm};
+  const HourglassStep<T> hourglass =
+      control_hourglass<Kind>(par.material, par.mu, par.hourglass, plastic, motion, element, state.hourglass);
 
   Symmetric3<T> t = push_forward(polar.rotation, state.stress);
   t.xx = t.xx - viscous.pressure;
   t.yy = t.yy - viscous.pressure;
   t.zz = t.zz - viscous.pressure;
-  find_corner_forces(t, q, a, b, fx, fy, fz);
+  find_corner_forces(t, hourglass.force, a, b, fx, fy, fz);
 
+  const T oblique = find_obliqueness(a, size, b.volume);
+  const T frequency_square = join_hourglass_frequency(
+      find_frequency_square(size, b.volume, state.mass, par.lambda, par.mu), hourglass.stiffness, state.mass, oblique);
+  const T damping_rate = find_damping_rate(size, b.volume, state.mass, viscous.tangent) +
+                         T(64) * hourglass.viscosity * oblique / state.mass;
   const T half_volume = half * bm.volume;
-  return {{half_volume * contract(old_stress + state.stress, de), hourglass_work,
+  return {{half_volume * contract(old_stress + state.stress, de), hourglass.work,
            -half_volume * (old_viscous_pressure + viscous.pressure) * dt * trace_d},
           find_stable_step(frequency_square, damping_rate),
           b.volume};

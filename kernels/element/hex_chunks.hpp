@@ -9,7 +9,7 @@
 
 #include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
-#include "kernels/element/hex8.hpp"
+#include "kernels/element/hex8_full.hpp"
 
 namespace percuss {
 
@@ -26,6 +26,7 @@ struct HexChunks {
   Array<int> parameters;              // [count] row of the parameters of its material
   Array<int> record_size;             // [count] scalars an element's record holds
   Array<int> history;                 // [count] place of the material's history in the record, -1: it has none
+  Array<int> points;                  // [count] points of an element with stress and history of their own
 };
 
 /// What a step leaves for each chunk.
@@ -36,15 +37,23 @@ struct ChunkResults {
   Rows3<double> work;              // [count][3] internal, hourglass, viscous energy put in since the start
 };
 
-/// Scalars that one element's record holds: mass, q, R (9), V (6), stress (6), then hourglass forces, then history.
-template <class Material, HourglassKind Kind>
-inline constexpr int hex_record_size = 23 + (Kind == HourglassKind::stiffness ? 12 : 0) + Material::history_count;
+/// Points with stress and history of their own.
+template <HexKind Kind>
+inline constexpr int hex_points = Kind == HexKind::full ? 8 : 1;
 
-/// Where things lie in a record, in scalars of one lane.
+/// Where things lie in a record, in scalars of one lane: mass, q, R (9), V (6), stress (6) by point, then hourglass
+/// forces (12), then history: scalar i of point p at history + points i + p.
 struct HexRecord {
   static constexpr int mass = 0, viscous_pressure = 1, rotation = 2, stretch = 11, stress = 17, hourglass = 23;
-  template <HourglassKind Kind>
-  static constexpr int history = Kind == HourglassKind::stiffness ? 35 : 23;
+  template <HexKind Kind>
+  static constexpr bool keeps_hourglass = Kind == HexKind::assumed_strain || Kind == HexKind::stiffness;
+  template <HexKind Kind>
+  static constexpr int history = stress + 6 * hex_points<Kind> + (keeps_hourglass<Kind> ? 12 : 0);
 };
+
+/// Scalars that one element's record holds, without and with one history variable: assumed strain and stiffness 35, 36;
+/// viscous 23, 24; 2x2x2 points 65, 73.
+template <class Material, HexKind Kind>
+inline constexpr int hex_record_size = HexRecord::history<Kind> + hex_points<Kind>* Material::history_count;
 
 }  // namespace percuss

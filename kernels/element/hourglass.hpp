@@ -36,24 +36,19 @@ KOKKOS_INLINE_FUNCTION T find_hourglass_stiffness(const T& gradient_square, cons
   return T(coefficient * mu / 4) * gradient_square / volume;
 }
 
-/// Square of the angular frequency of an hourglass mode under the stiffness form with k = 1: 16 mu B:B / (m V).
+/// eta of the viscous form Q = eta u: the share k (`coefficient`) of the critical damping of an hourglass mode that has
+/// the stiffness form with k = 1, whose omega_h^2 = 64 kappa / m = 16 mu B:B / (m V).
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_hourglass_frequency_square(const T& gradient_square, const T& volume, const T& mass,
-                                                         double mu) {
-  return T(16 * mu) * gradient_square / (mass * volume);
+KOKKOS_INLINE_FUNCTION T find_hourglass_viscosity(const T& gradient_square, const T& volume, const T& mass, double mu,
+                                                  double coefficient) {
+  return T(coefficient / 8) * square_root(T(mu) * mass * gradient_square / volume);
 }
 
-/// How much larger than on a parallelepiped the stiffest hourglass pattern is: a bound of the largest eigenvalue of
-/// gamma_h . gamma_k / 8, gamma_h = phi_h - sum_j a_jh B_j / V, from the norms of its three terms. 1 without
-/// distortion.
+/// Work of a step by the trapezoid: (Q(n) + Q(n+1)) . u dt / 2.
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_hourglass_magnification(const VectorModes<T>& a, const VolumeGradient<T>& b,
-                                                      const T& largest_gradient) {
-  const T a_square = dot(a[4], a[4]) + dot(a[5], a[5]) + dot(a[6], a[6]) + dot(a[7], a[7]);
-  const T b_square = dot(b[4], b[4]) + dot(b[5], b[5]) + dot(b[6], b[6]);
-  const T inverse_volume = T(1) / b.volume;
-  return T(1) + inverse_volume * (T(1.0 / 32) * square_root(a_square * b_square) +
-                                  T(1.0 / 8) * inverse_volume * largest_gradient * a_square);
+KOKKOS_INLINE_FUNCTION T find_hourglass_work(const HourglassModes<T>& old_q, const HourglassModes<T>& new_q,
+                                             const HourglassModes<T>& u, const T& dt) {
+  return T(0.5) * dt * (find_power(old_q, u) + find_power(new_q, u));
 }
 
 }  // namespace percuss

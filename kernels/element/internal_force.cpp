@@ -14,7 +14,7 @@ constexpr int force_record = 4;  // fx, fy, fz, -
 using Policy = Kokkos::TeamPolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
 using Member = Policy::member_type;
 
-template <class Material, HourglassKind Kind>
+template <class Material, HexKind Kind>
 using LaneState = HexState<Lanes, Material, Kind>;
 
 KOKKOS_INLINE_FUNCTION void load_symmetric(const double* from, Symmetric3<Lanes>& s) {
@@ -42,32 +42,44 @@ KOKKOS_INLINE_FUNCTION void store_vector(double* to, const Vector3<Lanes>& v) {
   store_pack(to + 2 * width, v.z);
 }
 
-template <class Material, HourglassKind Kind>
+template <class Material, HexKind Kind>
 KOKKOS_INLINE_FUNCTION void load_state(const double* record, LaneState<Material, Kind>& s) {
   s.mass = load_pack(record + HexRecord::mass * width);
   s.viscous_pressure = load_pack(record + HexRecord::viscous_pressure * width);
   for (int i = 0; i < 3; ++i) s.polar.rotation.row[i] = load_vector(record + (HexRecord::rotation + 3 * i) * width);
   load_symmetric(record + HexRecord::stretch * width, s.polar.stretch);
-  load_symmetric(record + HexRecord::stress * width, s.stress);
-  if constexpr (Kind == HourglassKind::stiffness) {
+  if constexpr (HexRecord::keeps_hourglass<Kind>) {
     for (int h = 0; h < 4; ++h) s.hourglass.mode[h] = load_vector(record + (HexRecord::hourglass + 3 * h) * width);
   }
-  for (int i = 0; i < Material::history_count; ++i) {
-    s.history[i] = load_pack(record + (HexRecord::history<Kind> + i) * width);
+  const double* history = record + HexRecord::history<Kind> * width;
+  if constexpr (Kind == HexKind::full) {
+    for (int p = 0; p < 8; ++p) {
+      load_symmetric(record + (HexRecord::stress + 6 * p) * width, s.stress[p]);
+      for (int i = 0; i < Material::history_count; ++i) s.history[p][i] = load_pack(history + (8 * i + p) * width);
+    }
+  } else {
+    load_symmetric(record + HexRecord::stress * width, s.stress);
+    for (int i = 0; i < Material::history_count; ++i) s.history[i] = load_pack(history + i * width);
   }
 }
 
-template <class Material, HourglassKind Kind>
+template <class Material, HexKind Kind>
 KOKKOS_INLINE_FUNCTION void store_state(double* record, const LaneState<Material, Kind>& s) {
   store_pack(record + HexRecord::viscous_pressure * width, s.viscous_pressure);
   for (int i = 0; i < 3; ++i) store_vector(record + (HexRecord::rotation + 3 * i) * width, s.polar.rotation.row[i]);
   store_symmetric(record + HexRecord::stretch * width, s.polar.stretch);
-  store_symmetric(record + HexRecord::stress * width, s.stress);
-  if constexpr (Kind == HourglassKind::stiffness) {
+  if constexpr (HexRecord::keeps_hourglass<Kind>) {
     for (int h = 0; h < 4; ++h) store_vector(record + (HexRecord::hourglass + 3 * h) * width, s.hourglass.mode[h]);
   }
-  for (int i = 0; i < Material::history_count; ++i) {
-    store_pack(record + (HexRecord::history<Kind> + i) * width, s.history[i]);
+  double* history = record + HexRecord::history<Kind> * width;
+  if constexpr (Kind == HexKind::full) {
+    for (int p = 0; p < 8; ++p) {
+      store_symmetric(record + (HexRecord::stress + 6 * p) * width, s.stress[p]);
+      for (int i = 0; i < Material::history_count; ++i) store_pack(history + (8 * i + p) * width, s.history[p][i]);
+    }
+  } else {
+    store_symmetric(record + HexRecord::stress * width, s.stress);
+    for (int i = 0; i < Material::history_count; ++i) store_pack(history + i * width, s.history[i]);
   }
 }
 
@@ -155,7 +167,7 @@ KOKKOS_INLINE_FUNCTION double sum_lanes(const Lanes& value, int lanes) {
   return sum;
 }
 
-template <class Material, HourglassKind Kind>
+template <class Material, HexKind Kind>
 struct AdvanceChunk {
   HexChunks chunks;
   HexBlock<Material, Kind> block;
@@ -226,7 +238,7 @@ struct AdvanceChunk {
   }
 };
 
-template <class Material, HourglassKind Kind>
+template <class Material, HexKind Kind>
 void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
                    const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
                    const ChunkResults& results) {

@@ -15,8 +15,8 @@ struct ElementMotion {
   double dt = 0;
 };
 
-/// One compiled variant of the element: a material and an hourglass control, with the chunks that use it.
-template <class Material, HourglassKind Kind>
+/// One compiled variant of the element: a material and a kind of element, with the chunks that use it.
+template <class Material, HexKind Kind>
 struct HexBlock {
   Array<int> chunks;                                            // ascending chunk ids
   Kokkos::View<HexParameters<Material>*, MemSpace> parameters;  // by HexChunks::parameters
@@ -26,8 +26,8 @@ template <class List>
 struct AllHexBlocks;
 template <class... Material>
 struct AllHexBlocks<TypeList<Material...>> {
-  using type =
-      std::tuple<HexBlock<Material, HourglassKind::stiffness>..., HexBlock<Material, HourglassKind::viscous>...>;
+  using type = std::tuple<HexBlock<Material, HexKind::assumed_strain>..., HexBlock<Material, HexKind::stiffness>...,
+                          HexBlock<Material, HexKind::viscous>..., HexBlock<Material, HexKind::full>...>;
 };
 /// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
 using HexBlocks = AllHexBlocks<Materials>::type;

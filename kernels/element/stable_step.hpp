@@ -12,27 +12,31 @@ namespace percuss {
 
 template <class T>
 struct GradientSize {
-  T trace;    // tr G = B:B
-  T largest;  // upper bound of the largest eigenvalue of G, exact if the other two are equal
+  Symmetric3<T> square;  // G
+  T trace;               // tr G = B:B
+  T largest;             // upper bound of the largest eigenvalue of G, exact if the other two are equal
 };
 
-/// tr G and g_max <= tr G / 3 + sqrt(2/3) |dev G|.
+/// Upper bound of the largest eigenvalue of a symmetric tensor: tr/3 + sqrt(2/3) |dev|, exact if the others are equal.
+template <class T>
+KOKKOS_INLINE_FUNCTION T bound_largest_eigenvalue(const Symmetric3<T>& g) {
+  const T mean = T(1.0 / 3.0) * trace(g);
+  const Symmetric3<T> deviator{g.xx - mean, g.yy - mean, g.zz - mean, g.xy, g.yz, g.zx};
+  return mean + square_root(T(2.0 / 3.0) * contract(deviator, deviator));
+}
+
+/// Adds the dyad v v.
+template <class T>
+KOKKOS_INLINE_FUNCTION void add_square(Symmetric3<T>& g, const Vector3<T>& v) {
+  g = g + Symmetric3<T>{v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.y * v.z, v.z * v.x};
+}
+
 template <class T>
 KOKKOS_INLINE_FUNCTION GradientSize<T> find_gradient_size(const VolumeGradient<T>& b) {
-  Symmetric3<T> g{b[1].x * b[1].x, b[1].y * b[1].y, b[1].z * b[1].z, b[1].x * b[1].y, b[1].y * b[1].z, b[1].z * b[1].x};
-  for (int m = 2; m <= 6; ++m) {
-    g.xx = g.xx + b[m].x * b[m].x;
-    g.yy = g.yy + b[m].y * b[m].y;
-    g.zz = g.zz + b[m].z * b[m].z;
-    g.xy = g.xy + b[m].x * b[m].y;
-    g.yz = g.yz + b[m].y * b[m].z;
-    g.zx = g.zx + b[m].z * b[m].x;
-  }
-  const T scale = T(1.0 / 512.0);
-  const T sum = trace(g);
-  const T mean = T(1.0 / 3.0) * sum;
-  const Symmetric3<T> deviator{g.xx - mean, g.yy - mean, g.zz - mean, g.xy, g.yz, g.zx};
-  return {scale * sum, scale * (mean + square_root(T(2.0 / 3.0) * contract(deviator, deviator)))};
+  Symmetric3<T> g{T(0), T(0), T(0), T(0), T(0), T(0)};
+  for (int m = 1; m <= 6; ++m) add_square(g, b[m]);
+  g = T(1.0 / 512.0) * g;
+  return {g, trace(g), bound_largest_eigenvalue(g)};
 }
 
 /// Thickness of the element across its thinnest direction: V / sqrt(2 g_max), the edge of a cube.
@@ -41,11 +45,39 @@ KOKKOS_INLINE_FUNCTION T find_thickness(const GradientSize<T>& g, const T& volum
   return volume / square_root(T(2) * g.largest);
 }
 
-/// Bound of omega^2 of the elastic element.
+/// How oblique the element's gradient B is to its coordinates X: an upper bound p >= 1 of the square of the norm of the
+/// projector B X / V, 1 for a parallelepiped.
+///
+/// With Y = X X, the projector's square has the eigenvalues of G Y / V^2, of which none is below 1, so that the largest
+/// is at most their sum less 2. The hourglass vectors gamma_h = phi_h - B (X phi_h) / V are the images of phi_h under
+/// the complementary projector, which has the same norm: |sum c_h gamma_h|^2 <= 8 p |c|^2. And the angle between the
+/// spaces of B and of gamma has cos^2 <= 1 - 1/p.
+template <class T>
+KOKKOS_INLINE_FUNCTION T find_obliqueness(const VectorModes<T>& a, const GradientSize<T>& g, const T& volume) {
+  Symmetric3<T> y{T(0), T(0), T(0), T(0), T(0), T(0)};
+  for (int m = 1; m <= 7; ++m) add_square(y, a[m]);
+  return larger(T(0.125) * contract(y, g.square) / (volume * volume) - T(2), T(1));
+}
+
+/// Bound of omega^2 of the elastic element without hourglass control.
 template <class T>
 KOKKOS_INLINE_FUNCTION T find_frequency_square(const GradientSize<T>& g, const T& volume, const T& mass, double lambda,
                                                double mu) {
   return T(8) * (T(lambda) * g.trace + T(2 * mu) * g.largest) / (mass * volume);
+}
+
+/// Adds hourglass control to omega^2: `stiffness` bounds the largest eigenvalue of Q over u. The sum of two forms that
+/// each see one of two spaces has at most (a + b) / 2 + sqrt((a - b)^2 / 4 + a b cos^2), the larger of the two
+/// for a parallelepiped.
+template <class T>
+KOKKOS_INLINE_FUNCTION T join_hourglass_frequency(const T& frequency_square, const T& stiffness, const T& mass,
+                                                  const T& obliqueness) {
+  const T half = T(0.5);
+  const T hourglass = T(64) * stiffness * obliqueness / mass;
+  const T difference = half * (frequency_square - hourglass);
+  const T cosine_square = T(1) - T(1) / obliqueness;
+  return half * (frequency_square + hourglass) +
+         square_root(difference * difference + frequency_square * hourglass * cosine_square);
 }
 
 /// Bound of the damping rate (largest eigenvalue of M^-1 C) that a viscous pressure with tangent dq/d(tr D) brings.

@@ -17,19 +17,20 @@ KOKKOS_INLINE_FUNCTION LameConstants find_lame_constants(double youngs_modulus, 
           youngs_modulus / (2 * (1 + poissons_ratio))};
 }
 
-/// Stress increment lambda tr(de) I + 2 mu de; no history.
+/// Stress increment lambda tr(de) I + 2 mu de; no history, no yield.
 struct Elastic {
   static constexpr int history_count = 0;
+  static constexpr bool can_yield = false;
   double lambda = 0;
   double mu = 0;
 
-  /// Advances the unrotated Cauchy stress by the strain increment d dt. Returns the share of the trial deviator that
-  /// plastic return leaves: always 1 here.
+  KOKKOS_INLINE_FUNCTION LameConstants moduli() const { return {lambda, mu}; }
+
+  /// Advances the unrotated Cauchy stress by the strain increment d dt.
   template <class T>
-  KOKKOS_INLINE_FUNCTION T update(Symmetric3<T>& stress, T* /*history*/, const Symmetric3<T>& de) const {
+  KOKKOS_INLINE_FUNCTION void update(Symmetric3<T>& stress, T* /*history*/, const Symmetric3<T>& de) const {
     const T volumetric = T(lambda) * trace(de);
     stress = stress + T(2 * mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
-    return T(1);
   }
 };
 

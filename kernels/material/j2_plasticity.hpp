@@ -2,6 +2,7 @@
 // J2 plasticity with linear isotropic hardening, radial return (Wilkins 1964; Krieg and Krieg 1977).
 
 #include "kernels/material/elastic.hpp"
+#include "kernels/material/plastic_return.hpp"
 
 namespace percuss {
 
@@ -9,15 +10,17 @@ namespace percuss {
 /// History: p. The hardening modulus is d(sigma_y)/dp, in units of stress.
 struct J2Plasticity {
   static constexpr int history_count = 1;
+  static constexpr bool can_yield = true;
   double lambda = 0;
   double mu = 0;
   double yield_stress = 0;
   double hardening_modulus = 0;
 
-  /// Advances the unrotated Cauchy stress and p by the strain increment d dt. Returns the share of the trial deviator
-  /// that the return leaves (1: elastic), by which stored hourglass forces relax too.
+  KOKKOS_INLINE_FUNCTION LameConstants moduli() const { return {lambda, mu}; }
+
+  /// Advances the unrotated Cauchy stress and p by the strain increment d dt.
   template <class T>
-  KOKKOS_INLINE_FUNCTION T update(Symmetric3<T>& stress, T* history, const Symmetric3<T>& de) const {
+  KOKKOS_INLINE_FUNCTION PlasticReturn<T> update(Symmetric3<T>& stress, T* history, const Symmetric3<T>& de) const {
     const T third = T(1.0 / 3.0);
     // trial
     const T volumetric = T(lambda) * trace(de);
@@ -34,7 +37,9 @@ struct J2Plasticity {
     const T share = T(1) - T(3 * mu) * dp / larger(von_mises, T(1e-300));
     history[0] = history[0] + dp;
     stress = share * deviator + Symmetric3<T>{mean, mean, mean, T(0), T(0), T(0)};
-    return share;
+    const T flow_stress = yield + T(hardening_modulus) * dp;
+    const T ratio = share * von_mises / flow_stress;
+    return {share, flow_stress, ratio * ratio};
   }
 };
 

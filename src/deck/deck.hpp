@@ -165,9 +165,11 @@ struct ContactDeck {
 };
 
 struct ElementDeck {
-  enum class Hourglass { stiffness, viscous };
-  Hourglass hourglass = Hourglass::stiffness;
-  double hourglass_coefficient = 0.05;
+  enum class Integration { one_point, full };
+  enum class Hourglass { assumed_strain, stiffness, viscous };
+  Integration integration = Integration::one_point;
+  Hourglass hourglass = Hourglass::assumed_strain;  // only with Integration::one_point
+  double hourglass_coefficient = 0.05;              // not with Hourglass::assumed_strain
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;
 };

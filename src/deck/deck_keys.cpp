@@ -16,15 +16,42 @@ const Keys<TimeDeck>& time_keys() {
   return keys;
 }
 
+using Hourglass = ElementDeck::Hourglass;
+
+ChoiceValue<Hourglass> hourglass_kind() {
+  return {{{"assumed_strain", Hourglass::assumed_strain},
+           {"stiffness", Hourglass::stiffness},
+           {"viscous", Hourglass::viscous}}};
+}
+
 const Keys<ElementDeck>& hourglass_keys() {
-  using Hourglass = ElementDeck::Hourglass;
   static const Keys<ElementDeck> keys = {
-      may("kind", &ElementDeck::hourglass,
-          ChoiceValue<Hourglass>{{{"stiffness", Hourglass::stiffness}, {"viscous", Hourglass::viscous}}}),
+      may("kind", &ElementDeck::hourglass, hourglass_kind()),
       may("coefficient", &ElementDeck::hourglass_coefficient, NumberValue{{"from 0 to 1", 0, 1}}),
   };
   return keys;
 }
+
+bool check_hourglass(const Reader& reader, const Node& node, ElementDeck& deck) {
+  const Node* coefficient = node.find("coefficient");
+  if (coefficient == nullptr || deck.hourglass != Hourglass::assumed_strain) return true;
+  reader.error(coefficient->key, fmt::format("{} is of no use (assumed_strain follows from the material) "
+                                             "give kind: stiffness or kind: viscous",
+                                             reader.name_of("coefficient")));
+  return false;
+}
+
+/// The kind alone, or a map.
+struct HourglassValue {
+  MapValue<ElementDeck> map{hourglass_keys, check_hourglass};
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, ElementDeck& out) const {
+    if (node.kind == Node::Kind::scalar) return hourglass_kind().read(reader, name, node, out.hourglass);
+    return map.read(reader, name, node, out);
+  }
+  std::string takes() const { return hourglass_kind().takes() + ", or a map"; }
+  void list(const std::string& path, std::vector<DeckKey>& out) const { map.list(path, out); }
+};
 
 const Keys<ElementDeck>& viscosity_keys() {
   static const Keys<ElementDeck> keys = {
@@ -35,11 +62,22 @@ const Keys<ElementDeck>& viscosity_keys() {
 }
 
 const Keys<ElementDeck>& element_keys() {
+  using Integration = ElementDeck::Integration;
   static const Keys<ElementDeck> keys = {
-      group<ElementDeck>("hourglass", MapValue<ElementDeck>{hourglass_keys}),
+      may("integration", &ElementDeck::integration,
+          ChoiceValue<Integration>{{{"one_point", Integration::one_point}, {"full", Integration::full}}}),
+      group<ElementDeck>("hourglass", HourglassValue{}),
       group<ElementDeck>("bulk_viscosity", MapValue<ElementDeck>{viscosity_keys}),
   };
   return keys;
+}
+
+bool check_elements(const Reader& reader, const Node& node, ElementDeck& deck) {
+  const Node* hourglass = node.find("hourglass");
+  if (hourglass == nullptr || deck.integration == ElementDeck::Integration::one_point) return true;
+  reader.error(hourglass->key, fmt::format("{} is of no use (integration is full, which leaves no hourglass modes)",
+                                           reader.name_of("hourglass")));
+  return false;
 }
 
 const Keys<AuditDeck>& audit_keys() {
@@ -58,7 +96,7 @@ const Keys<Deck>& load_keys() {
 }  // namespace
 
 MapValue<TimeDeck> time_value() { return {time_keys}; }
-MapValue<ElementDeck> element_value() { return {element_keys}; }
+MapValue<ElementDeck> element_value() { return {element_keys, check_elements}; }
 MapValue<AuditDeck> audit_value() { return {audit_keys}; }
 
 const Keys<Deck>& deck_keys() {

@@ -83,19 +83,31 @@ ChunkTables make_chunk_tables(const ChunkedMesh& chunked) {
 
 // --- blocks
 
+HexKind find_kind(const ElementDeck& deck) {
+  if (deck.integration == ElementDeck::Integration::full) return HexKind::full;
+  switch (deck.hourglass) {
+    case ElementDeck::Hourglass::stiffness:
+      return HexKind::stiffness;
+    case ElementDeck::Hourglass::viscous:
+      return HexKind::viscous;
+    case ElementDeck::Hourglass::assumed_strain:
+      break;
+  }
+  return HexKind::assumed_strain;
+}
+
 /// Adds the chunks of one material to the variant that computes it, and says how long its records are.
 struct BlockBuilder {
   const Deck& deck;
   const ChunkedMesh& chunked;
-  std::vector<int> record_size, history, parameters;
+  std::vector<int> record_size, history, points, parameters;
 
-  template <class Material, HourglassKind Kind>
+  template <class Material, HexKind Kind>
   void build(HexBlock<Material, Kind>& block) {
     std::vector<int> chunks;
     std::vector<HexParameters<Material>> rows;
     std::map<int, int> row_of_material;
-    const bool wanted =
-        (deck.elements.hourglass == ElementDeck::Hourglass::stiffness) == (Kind == HourglassKind::stiffness);
+    const bool wanted = find_kind(deck.elements) == Kind;
     for (std::size_t c = 0; wanted && c < chunked.chunks.size(); ++c) {
       const int material = chunked.mesh.parts[static_cast<std::size_t>(chunked.chunks[c].part)].material;
       std::visit(
@@ -106,6 +118,7 @@ struct BlockBuilder {
               chunks.push_back(static_cast<int>(c));
               parameters[c] = row->second;
               record_size[c] = hex_record_size<Material, Kind>;
+              points[c] = hex_points<Kind>;
               history[c] = Material::history_count > 0 ? HexRecord::history<Kind> : -1;
             }
           },
@@ -132,7 +145,8 @@ struct BlockBuilder {
 void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   const ChunkTables tables = make_chunk_tables(chunked);
   const std::size_t count = chunked.chunks.size();
-  BlockBuilder builder{deck, chunked, std::vector<int>(count), std::vector<int>(count), std::vector<int>(count)};
+  const std::vector<int> empty(count);
+  BlockBuilder builder{deck, chunked, empty, empty, empty, empty};
   std::apply([&](auto&... block) { (builder.build(block), ...); }, model.blocks);
 
   std::vector<std::size_t> first_state(count);
@@ -153,6 +167,7 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   chunks.parameters = to_view("percuss::parameters_of_chunk", builder.parameters);
   chunks.record_size = to_view("percuss::record_size", builder.record_size);
   chunks.history = to_view("percuss::history", builder.history);
+  chunks.points = to_view("percuss::points", builder.points);
 }
 
 // --- places in the whole mesh

@@ -26,13 +26,20 @@ KOKKOS_INLINE_FUNCTION int find_chunk(const HexChunks& chunks, int e) {
   return low;
 }
 
-/// The stress, turned into space axes.
+/// The stress, turned into space axes; of an element with several points their mean.
 struct ReadStress {
   static constexpr int components = 6;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks&, int, const double* record, double* row) const {
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, const double* record, double* row) const {
     const double* s = record + HexRecord::stress * width;
     const double* r = record + HexRecord::rotation * width;
-    const Symmetric3<double> stress{s[0], s[width], s[2 * width], s[3 * width], s[4 * width], s[5 * width]};
+    const int points = chunks.points(c);
+    double mean[6];
+    for (int k = 0; k < 6; ++k) {
+      double sum = s[k * width];
+      for (int p = 1; p < points; ++p) sum += s[(6 * p + k) * width];
+      mean[k] = sum / points;
+    }
+    const Symmetric3<double> stress{mean[0], mean[1], mean[2], mean[3], mean[4], mean[5]};
     Matrix3<double> rotation{};
     for (int i = 0; i < 3; ++i) {
       rotation.row[i] = {r[3 * i * width], r[(3 * i + 1) * width], r[(3 * i + 2) * width]};
@@ -51,7 +58,9 @@ struct ReadPlasticStrain {
   static constexpr int components = 1;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, const double* record, double* row) const {
     const int place = chunks.history(c);
-    row[0] = place < 0 ? 0 : record[place * width];
+    const int points = place < 0 ? 0 : chunks.points(c);
+    row[0] = 0;
+    for (int p = 0; p < points; ++p) row[0] += record[(place + p) * width] / points;
   }
 };
 

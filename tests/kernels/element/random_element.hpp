@@ -2,8 +2,11 @@
 // Random but reproducible elements and motions for the element tests.
 
 #include <cstdint>
+#include <iterator>
+#include <type_traits>
+#include <vector>
 
-#include "kernels/element/hex8.hpp"
+#include "kernels/element/hex8_full.hpp"
 
 namespace percuss::test {
 
@@ -70,13 +73,29 @@ inline Corners apply(const Matrix3<double>& g, const Corners& c) {
   return out;
 }
 
-template <class Material, HourglassKind Kind = HourglassKind::stiffness>
-HexState<double, Material, Kind> make_state(double mass) {
-  HexState<double, Material, Kind> s{};
+/// An element at rest in its first shape.
+template <class Material, HexKind Kind = HexKind::stiffness, class T = double>
+HexState<T, Material, Kind> make_state(const T& mass) {
+  HexState<T, Material, Kind> s{};
   s.mass = mass;
-  s.polar.rotation = identity_matrix<double>();
-  s.polar.stretch = {1, 1, 1, 0, 0, 0};
+  s.polar.rotation = identity_matrix<T>();
+  s.polar.stretch = {T(1), T(1), T(1), T(0), T(0), T(0)};
   return s;
 }
+
+/// Stresses of the points of an element.
+template <class State>
+std::vector<Symmetric3<double>> list_stresses(const State& state) {
+  if constexpr (std::is_array_v<decltype(state.stress)>) {
+    return {std::begin(state.stress), std::end(state.stress)};
+  } else {
+    return {state.stress};
+  }
+}
+
+template <HexKind Kind_>
+struct KindOf {
+  static constexpr HexKind value = Kind_;
+};
 
 }  // namespace percuss::test

@@ -46,6 +46,8 @@ TEST(Overrides, AppendAfterTheLastItem) {
 
 TEST(Overrides, MakeTheMapsOnTheirWay) {
   EXPECT_EQ(parse({"elements.hourglass.kind=viscous"}).elements.hourglass, ElementDeck::Hourglass::viscous);
+  EXPECT_EQ(parse({"elements.hourglass=stiffness"}).elements.hourglass, ElementDeck::Hourglass::stiffness);
+  EXPECT_EQ(parse({"elements.integration=full"}).elements.integration, ElementDeck::Integration::full);
   EXPECT_EQ(parse({"contact={surfaces: all, friction: 0.5}"}).contact.friction, 0.5);
   EXPECT_EQ(parse({"parts.ball={sphere: {radius: 1, cells: 4}, material: steel}"}).parts.size(), 2U);
 }

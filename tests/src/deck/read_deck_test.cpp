@@ -76,7 +76,7 @@ TEST(ReadDeck, GivesTheDocumentedDefaults) {
   const Deck deck = parse(block(""));
   EXPECT_EQ(deck.time.step_scale, 0.9);
   EXPECT_FALSE(deck.time.max_step);
-  EXPECT_EQ(deck.elements.hourglass, ElementDeck::Hourglass::stiffness);
+  EXPECT_EQ(deck.elements.hourglass, ElementDeck::Hourglass::assumed_strain);
   EXPECT_EQ(deck.elements.hourglass_coefficient, 0.05);
   EXPECT_EQ(deck.elements.linear_viscosity, 0.06);
   EXPECT_EQ(deck.elements.quadratic_viscosity, 1.2);

@@ -1,0 +1,151 @@
+#pragma once
+// The hexahedron with 2x2x2 points and mean dilatation (B-bar; Hughes, Int. J. Num. Meth. Eng. 15, 1980) over one step.
+//
+// The volume change is that of the mean gradient everywhere, so that nothing locks as the material becomes
+// incompressible. One rotation serves the element: that of the mean gradient. Stress and history belong to points.
+
+#include "kernels/element/gauss_points.hpp"
+#include "kernels/element/hex8.hpp"
+
+namespace percuss {
+
+template <class T, class Material>
+struct HexState<T, Material, HexKind::full> {
+  static constexpr int history_size = Material::history_count > 0 ? Material::history_count : 1;
+  T mass;                   // constant
+  T viscous_pressure;       // q at n, for the trapezoid of its work
+  Polar<T> polar;           // R and V of the mean gradient, at n
+  Symmetric3<T> stress[8];  // Cauchy, unrotated, at n, by point
+  T history[8][history_size];
+};
+
+/// `turn` transposed times each mode: a vector field in the unrotated frame.
+template <class T>
+KOKKOS_INLINE_FUNCTION VectorModes<T> pull_back(const Matrix3<T>& turn, const VectorModes<T>& a) {
+  VectorModes<T> out;
+  for (int m = 1; m <= 7; ++m) out[m] = transpose_times(turn, a[m]);
+  return out;
+}
+
+/// Rate of deformation at a point of the mid-point geometry, turned to the unrotated frame; v: already turned.
+template <class T>
+KOKKOS_INLINE_FUNCTION Symmetric3<T> find_point_rate(const PointGeometry<T>& point, const GaussPoint& at,
+                                                     const VectorModes<T>& v, const Matrix3<T>& turn) {
+  Vector3<T> d[3];
+  find_derivatives(v, at, d);
+  const T scale = T(1) / point.volume;
+  Matrix3<T> l{{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, {T(0), T(0), T(0)}}};
+  for (int k = 0; k < 3; ++k) {
+    const Vector3<T> g = scale * transpose_times(turn, point.c[k]);
+    l.row[0] = l.row[0] + d[k].x * g;
+    l.row[1] = l.row[1] + d[k].y * g;
+    l.row[2] = l.row[2] + d[k].z * g;
+  }
+  return symmetric_part(l);
+}
+
+/// Corner forces from the modes of the deviatoric forces in the unrotated frame (512 times) and a uniform pressure.
+template <class T>
+KOKKOS_INLINE_FUNCTION void find_full_forces(const VectorModes<T>& modes, const Matrix3<T>& rotation, const T& tension,
+                                             const VolumeGradient<T>& b, T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
+  const T scale = T(1.0 / 64.0) * tension;
+  fx[0] = fy[0] = fz[0] = T(0);
+  for (int m = 1; m <= 7; ++m) {
+    Vector3<T> f = T(1.0 / 512.0) * (rotation * modes[m]);
+    if (m <= 6) f = f + scale * b[m];
+    fx[m] = f.x;
+    fy[m] = f.y;
+    fz[m] = f.z;
+  }
+  to_corners(fx);
+  to_corners(fy);
+  to_corners(fz);
+}
+
+/// What the points give together.
+template <class T>
+struct PointSums {
+  VectorModes<T> force;  // 512 times the modes of the deviatoric forces, unrotated
+  T tension;             // V times the mean stress
+  T work;
+  T smallest_volume;  // 512 times the smallest det J
+  PointMetrics<T> metrics;
+};
+
+/// Strains, stresses and forces point by point. a, v, middle: modes of positions at n+1, of velocities at n+1/2 and of
+/// positions at n+1/2, all spatial; trace_de: of the mean strain increment.
+template <class T, class Material>
+KOKKOS_INLINE_FUNCTION PointSums<T> advance_points(const Material& material, const VectorModes<T>& a,
+                                                   const VectorModes<T>& v, const VectorModes<T>& middle,
+                                                   const Matrix3<T>& turn, const T& trace_de, const T& dt,
+                                                   HexState<T, Material, HexKind::full>& state) {
+  const T third = T(1.0 / 3.0);
+  const VectorModes<T> rates = pull_back(turn, v), end = pull_back(state.polar.rotation, a);
+  PointSums<T> sums;
+  for (int m = 1; m <= 7; ++m) sums.force[m] = {T(0), T(0), T(0)};
+  sums.tension = sums.work = T(0);
+  sums.smallest_volume = T(1e300);
+  for (int p = 0; p < 8; ++p) {
+    const GaussPoint at = find_gauss_point(p);
+    const PointGeometry<T> mid_point = find_point_geometry(middle, at);
+    Symmetric3<T> de = dt * find_point_rate(mid_point, at, rates, turn);
+    const T dilatation = third * (trace_de - trace(de));
+    de = de + Symmetric3<T>{dilatation, dilatation, dilatation, T(0), T(0), T(0)};
+    const Symmetric3<T> old_stress = state.stress[p];
+    Symmetric3<T> stress = old_stress;
+    update_stress(material, stress, state.history[p], de);
+    state.stress[p] = stress;
+    sums.work = sums.work + mid_point.volume * contract(old_stress + stress, de);
+
+    const PointGeometry<T> point = find_point_geometry(end, at);
+    const T mean = third * trace(stress);
+    const Symmetric3<T> deviator{stress.xx - mean, stress.yy - mean, stress.zz - mean, stress.xy, stress.yz, stress.zx};
+    add_point_force(deviator, point, at, sums.force);
+    sums.tension = sums.tension + point.volume * mean;
+    sums.smallest_volume = smaller(sums.smallest_volume, point.volume);
+    sums.metrics.set(p, point);
+  }
+  sums.tension = T(1.0 / 512.0) * sums.tension;
+  sums.work = T(0.5 / 512.0) * sums.work;
+  return sums;
+}
+
+/// As advance_hex8 of the one-point elements. HexResult::volume is 8 times the smallest of a point: an element that is
+/// inverted anywhere has failed.
+template <class T, class Material>
+KOKKOS_INLINE_FUNCTION HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
+                                                 const VectorModes<T>& v, const T& dt,
+                                                 HexState<T, Material, HexKind::full>& state, T (&fx)[8], T (&fy)[8],
+                                                 T (&fz)[8]) {
+  const T half = T(0.5);
+  VectorModes<T> middle;
+  const T half_dt = half * dt;
+  for (int m = 1; m <= 7; ++m) middle[m] = a[m] - half_dt * v[m];
+  const VolumeGradient<T> bm = find_volume_gradient(middle);
+  const Matrix3<T> l = find_velocity_gradient(v, bm);
+  const Symmetric3<T> d = symmetric_part(l);
+  const T trace_d = trace(d);
+  const Polar<T> polar = advance_polar(state.polar, l, dt);
+  const Matrix3<T> turn = half * (state.polar.rotation + polar.rotation);
+  state.polar = polar;
+  PointSums<T> points = advance_points(par.material, a, v, middle, turn, dt * trace(pull_back(turn, d)), dt, state);
+
+  const VolumeGradient<T> b = find_volume_gradient(a);
+  const GradientSize<T> size = find_gradient_size(b);
+  const T speed = square_root(T(par.lambda + 2 * par.mu) * b.volume / state.mass);
+  const ViscousPressure<T> viscous =
+      find_viscous_pressure(par.viscosity, state.mass / b.volume, find_thickness(size, b.volume), speed, trace_d);
+  const T viscous_work = -half * bm.volume * (state.viscous_pressure + viscous.pressure) * dt * trace_d;
+  state.viscous_pressure = viscous.pressure;
+  find_full_forces(points.force, polar.rotation, points.tension / b.volume - viscous.pressure, b, fx, fy, fz);
+
+  // 2 mu |dev D|^2 + K (tr D)^2 <= 2 mu |D|^2 + lambda (tr D)^2, as the mean dilatation has the smallest square
+  const T frequency_square =
+      T(8) / state.mass *
+      (T(par.lambda) * size.trace / b.volume + T(2 * par.mu) * bound_largest_laplacian(points.metrics));
+  return {{points.work, T(0), viscous_work},
+          find_stable_step(frequency_square, find_damping_rate(size, b.volume, state.mass, viscous.tangent)),
+          T(1.0 / 64.0) * points.smallest_volume};
+}
+
+}  // namespace percuss

@@ -1,0 +1,145 @@
+#pragma once
+// The hourglass controls of the one-point hexahedron, over one step.
+
+#include "kernels/element/assumed_strain.hpp"
+#include "kernels/element/hourglass.hpp"
+#include "kernels/material/plastic_return.hpp"
+
+namespace percuss {
+
+/// What is compiled for each material: the one-point element with one of three hourglass controls, or 2x2x2 points.
+enum class HexKind { assumed_strain, stiffness, viscous, full };
+
+/// The motion over the step as hourglass control sees it.
+template <class T>
+struct HourglassMotion {
+  VectorModes<T> middle;   // positions at n+1/2
+  HourglassModes<T> rate;  // u at n+1/2, spatial
+  Matrix3<T> turn;         // (R(n) + R(n+1)) / 2
+  Matrix3<T> rotation;     // R(n+1)
+  T dt;
+};
+
+/// The element that it stabilises.
+template <class T>
+struct HourglassElement {
+  T mass;
+  T gradient_square;         // B:B at n+1
+  T volume;                  // at n+1
+  VolumeGradient<T> middle;  // at n+1/2
+};
+
+template <class T>
+struct HourglassStep {
+  HourglassModes<T> force;  // Q at n+1, spatial
+  T work;
+  T stiffness;  // bounds of the largest eigenvalue of dQ/du and of
+  T viscosity;  // dQ/d(u rate), for the step
+};
+
+/// Updates the stress; returns a PlasticReturn if the material can yield, and nothing to speak of otherwise.
+template <class T, class Material>
+KOKKOS_INLINE_FUNCTION auto update_stress(const Material& material, Symmetric3<T>& stress, T* history,
+                                          const Symmetric3<T>& de) {
+  if constexpr (Material::can_yield) {
+    return material.update(stress, history, de);
+  } else {
+    material.update(stress, history, de);
+    return false;
+  }
+}
+
+/// How stored forces follow a step of plastic flow, and the guard of near-inverted elements.
+///
+/// They are scaled by the radial return of the centre; new ones meet the plastic tangent, of which `flowing` is a fair
+/// share, and what they stand for at the surface cannot pass what yield leaves beside the centre's own stress (a single
+/// element through the thickness would never yield otherwise). Without the guard, corner nodes of crushed
+/// elements meet no resistance. The constants are tuned on Taylor bars, plastic cantilevers and crushed cubes.
+template <class T>
+struct PlasticHourglass {
+  static constexpr double flowing = 0.1, headroom = 1.5, least_headroom = 0.1, guard_coefficient = 0.1;
+
+  T guard;
+
+  KOKKOS_INLINE_FUNCTION T rate_share(const PlasticReturn<T>& plastic) const {
+    return larger(select(plastic.share < T(1), T(flowing), T(1)), guard);
+  }
+  KOKKOS_INLINE_FUNCTION T force_share(const PlasticReturn<T>& plastic, const T& surface_stress_square) const {
+    const T room = larger(larger(T(1) - plastic.loading, T(least_headroom)), guard);
+    const T most = T(headroom) * plastic.flow_stress * room;
+    return smaller(T(1), most / square_root(larger(surface_stress_square, T(1e-300))));
+  }
+};
+
+/// The assumed-strain stabilisation. q: Q in the unrotated frame, in and out.
+template <class T, class Material, class Plastic>
+KOKKOS_INLINE_FUNCTION HourglassStep<T> control_by_assumed_strain(const Material& material,
+                                                                  [[maybe_unused]] const Plastic& plastic,
+                                                                  const HourglassMotion<T>& motion,
+                                                                  const HourglassElement<T>& element,
+                                                                  HourglassModes<T>& q) {
+  const ElementAxes<T> axes = find_element_axes(motion.middle, motion.turn);
+  HourglassModes<T> u;
+  for (int h = 0; h < 4; ++h) u.mode[h] = transpose_times(motion.turn, motion.rate.mode[h]);
+  const PlateModuli moduli = find_plate_moduli(material.moduli());
+  HourglassResponse<T> response = find_assumed_strain_response(moduli, axes, element.middle.volume, u);
+  const HourglassModes<T> old_q = q;
+  if constexpr (Material::can_yield) {
+    const PlasticHourglass<T> rule{find_guard(motion.middle, element.middle)};
+    const T guard = rule.guard * find_hourglass_stiffness(element.gradient_square, element.volume, material.moduli().mu,
+                                                          rule.guard_coefficient);
+    response.stiffness = response.stiffness + guard;
+    const T rate = motion.dt * rule.rate_share(plastic);
+    for (int h = 0; h < 4; ++h) {
+      const Vector3<T> increment = response.force.mode[h] + guard * u.mode[h];
+      q.mode[h] = plastic.share * (old_q.mode[h] + rate * increment);
+    }
+    const T share = rule.force_share(plastic, find_surface_stress_square(axes, element.middle.volume, q));
+    for (int h = 0; h < 4; ++h) q.mode[h] = share * q.mode[h];
+  } else {
+    for (int h = 0; h < 4; ++h) q.mode[h] = old_q.mode[h] + motion.dt * response.force.mode[h];
+  }
+  HourglassStep<T> out{{}, find_hourglass_work(old_q, q, u, motion.dt), response.stiffness, T(0)};
+  for (int h = 0; h < 4; ++h) out.force.mode[h] = motion.rotation * q.mode[h];
+  return out;
+}
+
+/// The stiffness form of Flanagan and Belytschko, relaxed by plastic return. q: Q in the unrotated frame, in and out.
+template <class T, class Material, class Plastic>
+KOKKOS_INLINE_FUNCTION HourglassStep<T> control_by_stiffness(double mu, double coefficient,
+                                                             [[maybe_unused]] const Plastic& plastic,
+                                                             const HourglassMotion<T>& motion,
+                                                             const HourglassElement<T>& element, HourglassModes<T>& q) {
+  const T kappa = find_hourglass_stiffness(element.gradient_square, element.volume, mu, coefficient);
+  const T rate = motion.dt * kappa;
+  HourglassModes<T> u;
+  const HourglassModes<T> old_q = q;
+  for (int h = 0; h < 4; ++h) {
+    u.mode[h] = transpose_times(motion.turn, motion.rate.mode[h]);
+    q.mode[h] = old_q.mode[h] + rate * u.mode[h];
+    if constexpr (Material::can_yield) q.mode[h] = plastic.share * q.mode[h];
+  }
+  HourglassStep<T> out{{}, find_hourglass_work(old_q, q, u, motion.dt), kappa, T(0)};
+  for (int h = 0; h < 4; ++h) out.force.mode[h] = motion.rotation * q.mode[h];
+  return out;
+}
+
+/// The control of Kind over one step; `mu` and `coefficient` size the forms of Flanagan and Belytschko.
+template <HexKind Kind, class T, class Material, class Plastic>
+KOKKOS_INLINE_FUNCTION HourglassStep<T> control_hourglass(const Material& material, double mu, double coefficient,
+                                                          const Plastic& plastic, const HourglassMotion<T>& motion,
+                                                          const HourglassElement<T>& element, HourglassModes<T>& q) {
+  if constexpr (Kind == HexKind::assumed_strain) {
+    return control_by_assumed_strain(material, plastic, motion, element, q);
+  } else if constexpr (Kind == HexKind::stiffness) {
+    return control_by_stiffness<T, Material>(mu, coefficient, plastic, motion, element, q);
+  } else {
+    const T eta = find_hourglass_viscosity(element.gradient_square, element.volume, element.mass, mu, coefficient);
+    HourglassStep<T> out{{}, T(0), T(0), eta};
+    for (int h = 0; h < 4; ++h) out.force.mode[h] = eta * motion.rate.mode[h];
+    out.work = motion.dt * find_power(out.force, motion.rate);
+    return out;
+  }
+}
+
+}  // namespace percuss
