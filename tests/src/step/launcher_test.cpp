@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -179,7 +180,7 @@ void compare_steps(const std::string& elements) {
   for (std::size_t k = 0; k < 3; ++k) {
     double sum = 0;
     for (std::size_t c = 0; c < chunk_work.extent(0); ++c) sum += chunk_work(c, k);
-    EXPECT_NEAR(sum / work[k], 1, 1e-12);
+    EXPECT_NEAR(sum, work[k], 1e-12 * std::abs(work[k]));  // 2x2x2 points do no hourglass work
   }
   const std::vector<double> stresses = find_stresses(scene.model, scene.state);
   const std::vector<double> strains = find_plastic_strains(scene.model, scene.state);
