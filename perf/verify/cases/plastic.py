@@ -1,0 +1,138 @@
+"""Taylor bars."""
+import numpy as np
+
+import choices
+import meshes
+import plots
+from bench import case, observed_order
+
+COPPER = """
+materials:
+  copper: {model: j2_plasticity, density: 8930, youngs_modulus: 117e9, poissons_ratio: 0.35, yield_stress: 400e6, hardening_modulus: 100e6}
+"""
+# Time [us], foot radius and length [mm]: two independent codes on several meshes.
+REFERENCE = np.array([[5, 4.507, 31.265], [10, 5.218, 30.140], [20, 6.195, 28.063], [30, 6.811, 26.185], [40, 7.139, 24.556],
+                      [50, 7.230, 23.215], [60, 7.227, 22.205], [70, 7.227, 21.583], [78, 7.226, 21.412], [80, 7.225, 21.420]])
+LENGTH, RADIUS = 21.42, 7.225
+
+
+def run_taylor(bench, n, elements):
+    """Quarter of the bar, 3 n^2 x 20 n elements. Returns the run; its history follows top, foot, axis and diagonal."""
+    path = meshes.write_exodus(bench.file(f"bar_{n}.exo"), *meshes.quarter_cylinder(bench, 3.2e-3, 32.4e-3, 4 * n, 20 * n))
+    return bench.run("""
+title: Taylor bar
+time: {end: 80e-6}
+parts: {bar: {exodus: {file: $file}, material: copper}}
+$elements
+initial: [{part: bar, velocity: [0, 0, -227]}]
+conditions:
+  - {nodes: {name: bar, inside: [[0, -1, -1], [0, 1, 1]]}, symmetry: x}
+  - {nodes: {name: bar, inside: [[-1, 0, -1], [1, 0, 1]]}, symmetry: y}
+  - {nodes: {name: bar, inside: [[-1, -1, 0], [1, 1, 0]]}, fixed: [z]}
+output:
+  fields: {every: 80e-6, write: [equivalent_plastic_strain]}
+  history:
+    every: 5e-7
+    nodes:
+      - {name: top, near: [0, 0, 32.4e-3]}
+      - {name: axis, near: [3.2e-3, 0, 0]}
+      - {name: diagonal, near: [2.2627417e-3, 2.2627417e-3, 0]}
+""" + COPPER, file=path, elements=f"elements: {{{elements}}}" if elements else "")
+
+
+def measure_taylor(run):
+    """Length, foot radius as the mean over its rim, least and largest radius [mm], hourglass over internal energy, largest energy error."""
+    h, frames = run.history, run.frames
+    start, end = frames.points(0), frames.points()
+    rim = (np.abs(start[:, 2]) < 1e-9) & (np.abs(np.hypot(start[:, 0], start[:, 1]) - 3.2e-3) < 1e-9)
+    radii = 1e3 * np.hypot(end[rim, 0], end[rim, 1])
+    energy = run.summary["energy"]
+    return {"length": 1e3 * h.last("top_z"), "axis": 1e3 * h.last("axis_x"), "least": radii.min(), "largest": radii.max(),
+            "hourglass": energy["hourglass"] / energy["internal"], "energy": h.largest("energy_error"),
+            "strain": frames.element("equivalent_plastic_strain").max(), "elements": run.summary["elements"]}
+
+
+def tabulate(rows):
+    heading = ["choice", "elements", "L [mm]", "error", "R: axis [mm]", "error", "R: least, largest [mm]", "not round", "largest plastic strain",
+               "hourglass / internal", "energy error", "time [s]"]
+    table = [[name, m["elements"], f"{m['length']:.3f}", f"{100 * (m['length'] / LENGTH - 1):+.2f} %", f"{m['axis']:.3f}",
+              f"{100 * (m['axis'] / RADIUS - 1):+.2f} %", f"{m['least']:.3f}, {m['largest']:.3f}",
+              f"{100 * (m['largest'] / m['least'] - 1):.2f} %", f"{m['strain']:.2f}", f"{100 * m['hourglass']:.2f} %", f"{m['energy']:.1e}",
+              f"{seconds:.1f}"] for name, m, seconds in rows]
+    return heading, table
+
+
+@case("taylor_bar", "plastic", "Taylor bar: the default element")
+def taylor_bar(bench):
+    """A copper bar, L = 32.4 mm, R = 3.2 mm, at 227 m/s (rho = 8930 kg/m^3, E = 117 GPa, nu = 0.35, yield 400 MPa, linear hardening 100 MPa), foot held in z, 80 us.
+    Two independent codes on several meshes converge to a length of 21.42 +- 0.01 mm and a foot radius of 7.225 +- 0.008 mm. A quarter of the
+    bar, 3 n^2 x 20 n elements. Gates: at 3840 elements L within 0.2 % and R (on the axis) within 0.3 %, at 30 720 0.1 % and 0.15 % (or the spread of the references, 0.11 %, where that is
+    more); the foot round to 0.15 %; monotone convergence; hourglass work below 0.2 % of the internal energy; energy balance 1e-4. 7.12 mm or less is a known
+    sign of locking, 7.40 or more of spurious softness. The history of L and R is compared with the same references: before the largest spread within 0.5 % and 1 %."""
+    sizes = [2, 3, 4] if bench.quick else [2, 3, 4, 8]
+    rows, last = [], None
+    for n in sizes:
+        run = run_taylor(bench, n, "")
+        rows.append((f"n = {n}", measure_taylor(run), run.summary["loop_s"]))
+        last = run.history
+    results = {n: row[1] for n, row in zip(sizes, rows)}
+    gates = {4: (2e-3, 3e-3), 8: (1e-3, 1.5e-3)}
+    for n, (length, radius) in gates.items():
+        if n in results:
+            m, which = results[n], f"{60 * n**3} elements"
+            bench.near(f"{which}: length", m["length"], LENGTH, relative=length, unit="mm")
+            bench.near(f"{which}: foot radius on the axis", m["axis"], RADIUS, relative=radius, unit="mm")
+            bench.below(f"{which}: foot out of round", m["largest"] / m["least"] - 1, 1.5e-3)
+            bench.below(f"{which}: hourglass work over internal energy", m["hourglass"], 2e-3)
+            bench.below(f"{which}: energy balance, largest error", m["energy"], 1e-4)
+    errors = {key: [abs(results[n][key] - exact) for n in sizes] for key, exact in (("length", LENGTH), ("axis", RADIUS))}
+    for key, name in (("length", "length"), ("axis", "foot radius")):
+        values = [results[n][key] for n in sizes]
+        bench.equal(f"{name}: monotone over {len(sizes)} meshes", bool(np.all(np.diff(values) > 0) or np.all(np.diff(values) < 0)), True)
+        bench.above(f"{name}: observed order against the reference", observed_order([1 / n for n in sizes], errors[key]), 0.8)
+    for time, radius, length in REFERENCE:
+        if time in (10, 30, 50, 70):
+            bench.near(f"length at {time:.0f} us", 1e3 * last.at(1e-6 * time, "top_z"), length, relative=5e-3, unit="mm")
+            bench.near(f"foot radius at {time:.0f} us", 1e3 * last.at(1e-6 * time, "axis_x"), radius, relative=1e-2, unit="mm")
+    bench.table(*tabulate(rows))
+
+    def draw(axes):
+        t = 1e6 * last["time"]
+        axes.plot(t, 1e3 * last["top_z"], label="length", color="C0")
+        axes.plot(REFERENCE[:, 0], REFERENCE[:, 2], "ko", markersize=3, label="references")
+        axes.set(xlabel="time [us]", ylabel="length [mm]")
+        right = axes.twinx()
+        right.plot(t, 1e3 * last["axis_x"], color="C1", label="foot radius")
+        right.plot(REFERENCE[:, 0], REFERENCE[:, 1], "ko", markersize=3)
+        right.set_ylabel("foot radius [mm]")
+        axes.figure.legend(loc="center", bbox_to_anchor=(0.5, 0.55))
+
+    bench.figure(f"The copper bar over time, {60 * sizes[-1]**3} quarter elements, against the references.", draw)
+
+
+@case("taylor_choices", "plastic", "Taylor bar: the choices of elements")
+def taylor_choices(bench):
+    """The same bar with every hourglass choice and with full integration, on 480 to 3840 quarter elements. For orientation; only the sign of locking (R <= 7.12 mm at 3840
+    elements) or of spurious softness (R >= 7.40 mm) and 1 % of the length are gates."""
+    rows, curves = [], {}
+    for name, text in choices.list_elements(bench).items():
+        for n in (2, 3) if bench.quick else (2, 3, 4):
+            run = run_taylor(bench, n, text)
+            m = measure_taylor(run)
+            rows.append((name, m, run.summary["loop_s"]))
+            curves.setdefault(name, []).append((n, m))
+        bench.near(f"{name}: length", m["length"], LENGTH, relative=0.01, unit="mm")
+        mean = 0.5 * (m["least"] + m["largest"])
+        bench.near(f"{name}: mean of least and largest foot radius", mean, RADIUS, relative=0.015, unit="mm")
+    bench.table(*tabulate(rows))
+
+    def draw(axes):
+        for i, (name, points) in enumerate(curves.items()):
+            n = [p[0] for p in points]
+            axes.plot(n, [100 * (p[1]["axis"] / RADIUS - 1) for p in points], "o-", color=f"C{i}", label=f"{name}: R")
+            axes.plot(n, [100 * (p[1]["length"] / LENGTH - 1) for p in points], "s:", color=f"C{i}", label=f"{name}: L")
+        axes.axhline(0, **plots.EXACT)
+        axes.set(xlabel="n (3 n^2 x 20 n elements)", ylabel="error [%]", xticks=[2, 3, 4])
+        axes.legend(fontsize=7, ncol=2)
+
+    bench.figure("Errors of length and foot radius (on the axis).", draw)
