@@ -29,6 +29,13 @@ void predict_velocities(const ExecSpace& space, const Rows3<const double>& force
       });
 }
 
+void mirror_velocities(const ExecSpace& space, const Rows3<const double>& v, const Rows3<double>& v_before) {
+  Kokkos::parallel_for(
+      "percuss::mirror_velocities", Range(space, 0, static_cast<int>(v.extent(0))), KOKKOS_LAMBDA(const int n) {
+        for (int k = 0; k < 3; ++k) v_before(n, k) = 2 * v_before(n, k) - v(n, k);
+      });
+}
+
 void move_nodes(const ExecSpace& space, const Rows3<const double>& v, double dt, const Rows3<double>& x) {
   Kokkos::parallel_for(
       "percuss::move_nodes", Range(space, 0, static_cast<int>(x.extent(0))), KOKKOS_LAMBDA(const int n) {

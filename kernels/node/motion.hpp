@@ -26,6 +26,10 @@ void predict_velocities(const ExecSpace& space, const Rows3<const double>& force
                         const Rows3<const double>& inverse_mass, const Gravity& gravity, double dt_mean,
                         const Rows3<double>& v_before, const Rows3<double>& v);
 
+/// v(-1/2) = 2 v(0) - v*(1/2), the velocity from which the forces at 0 lead over v(0) to v*(1/2): with it the work of
+/// the impulses of the first step is that of any other. v_before: in v(0), out v(-1/2).
+void mirror_velocities(const ExecSpace& space, const Rows3<const double>& v, const Rows3<double>& v_before);
+
 /// x(n+1) = x(n) + dt v(n+1/2).
 void move_nodes(const ExecSpace& space, const Rows3<const double>& v, double dt, const Rows3<double>& x);
 

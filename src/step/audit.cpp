@@ -23,6 +23,7 @@ NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const 
   const auto inverse_mass = model.inverse_mass;
   const auto gravity = model.gravity;
   const double dt = state.step == 0 ? 0.0 : state.dt;
+  const double first_dt = state.step == 0 ? state.next_dt : 0.0;
   const Kokkos::Array<double, 3> center{{model.mass_center[0], model.mass_center[1], model.mass_center[2]}};
   return sums(
       ExecSpace(), model.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, S::count_of_nodes>& sum) {
@@ -36,6 +37,7 @@ NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const 
         for (int k = 0; k < 3; ++k) {
           const double change = inverse_mass(n, k) > 0 ? dt * f[k] : 0;  // a held direction goes its own way
           sum[S::kinetic] += 0.5 * v(n, k) * (p[k] + change);
+          sum[S::half_steps] += 0.125 * inverse_mass(n, k) * (first_dt * f[k]) * (first_dt * f[k]);
           sum[S::potential] += m * gravity.g[k] * (x(n, k) - start(n, k));
           sum[S::momentum + k] += p[k];
         }
@@ -89,11 +91,12 @@ EnergySummary Audit::balance_energy(const State& state, const Totals& totals) {
   e.friction = state.books.friction_work;
   e.external = totals[S::external] + totals[S::potential];
   const double held = e.kinetic + e.internal + e.hourglass + e.viscous;
-  note_start(state, totals, held);
+  const double balanced = held - totals[S::half_steps];
+  note_start(state, totals, balanced);
   e.initial = initial_energy_;
   largest_energy_ = std::max({largest_energy_, std::abs(initial_energy_), held});
   if (largest_energy_ > 0) {
-    e.error = (held - e.external - e.contact - e.friction - initial_energy_) / largest_energy_;
+    e.error = (balanced - e.external - e.contact - e.friction - initial_energy_) / largest_energy_;
   }
   return e;
 }

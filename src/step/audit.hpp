@@ -23,6 +23,7 @@ struct AuditResult {
 struct AuditSum {
   enum : int {
     kinetic,
+    half_steps,  // at time 0 only: what T(0) lacks of sum m v(0)^2 / 2, since v(-1/2) and v(1/2) differ by the forces
     potential,
     momentum,
     angular = momentum + 3,

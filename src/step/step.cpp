@@ -83,6 +83,7 @@ void Stepper::integrate_motion(State& state, double dt_mean) {
   const Phase phase("percuss::integrate", clocks_.integrate);
   assemble_forces(space_, model_.nodes_to_slots, state.slot_force, state.force);
   predict_velocities(space_, state.force, model_.inverse_mass, model_.gravity, dt_mean, state.v_before, state.v);
+  if (state.step == 0) mirror_velocities(space_, state.v, state.v_before);
 }
 
 void Stepper::hold_conditions(State& state, double dt) {
