@@ -1,0 +1,202 @@
+"""Writes docs/stability.md from the results of the studies."""
+import pathlib
+import re
+
+import numpy as np
+
+import plots
+from scenes import FREE_SCENES, OFF
+
+HERE = pathlib.Path(__file__).resolve().parent
+
+
+class Page:
+    """The page being written: a dictionary of texts by name, and what is wrong."""
+
+    def __init__(self, images):
+        self.images, self.texts, self.wrong = images, {}, []
+
+
+def table(heading, rows):
+    lines = ["| " + " | ".join(heading) + " |", "|" + "---|" * len(heading)]
+    return "\n".join(lines + ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows])
+
+
+def spread(values):
+    return f"{np.min(values):.2f} {np.median(values):.2f} {np.max(values):.3f}"
+
+
+def unique(rows, key):
+    return list(dict.fromkeys(row[key] for row in rows))
+
+
+# --- the map
+
+def tell_map(page, stored, study):
+    rows = stored["results"]["rows"]
+    kinds, families = unique(rows, "kind"), unique(rows, "family")
+    body = []
+    for family in families:
+        for damping in unique(rows, "damping"):
+            cells = [[r["ratio"] for r in rows if (r["family"], r["damping"], r["kind"]) == (family, damping, kind)] for kind in kinds]
+            if study == "elements" and damping != "none" and family not in ("rods", "distorted"):
+                continue
+            body.append([family, damping, *(spread(values) for values in cells)])
+    for damping in unique(rows, "damping"):
+        body.append(["**all**", damping, *(f"**{spread([r['ratio'] for r in rows if (r['damping'], r['kind']) == (damping, kind)])}**"
+                                           for kind in kinds)])
+    page.texts[study] = table(["shapes", "viscosity", *kinds], body)
+    above = [row for row in rows if row["ratio"] > 1 + 1e-8]
+    for row in above[:5]:
+        page.wrong.append(f"{study}: the bound exceeds the critical step by the factor {row['ratio']:.6f} ({row['kind']}, damping "
+                          f"{row['damping']}, {row['family']} {row['parameter']}, Poisson {row['poisson']})")
+    page.texts[f"{study}_count"] = f"{len(rows)}"
+    page.texts[f"{study}_above"] = "none of them" if not above else f"**{len(above)} of them**"
+    checks = stored["results"]["checks"]
+    page.texts[f"{study}_checks"] = (f"asymmetry of the measured matrices at most {checks['asymmetry']:.0e} of their largest entry, "
+                                     f"residual of the eigenvectors at most {checks['residual']:.0e}")
+    if study == "elements":
+        page.texts["radius"] = (f"its spectral radius is at most 1 + {max(checks['below'] - 1, 0):.0e} at 0.999 of the critical step and at "
+                                f"least {checks['above']:.3f} at 1.001 of it")
+
+
+def tell_poisson(page, stored):
+    rows = [r for r in stored["results"]["rows"] if r["damping"] == "none"]
+    kinds = unique(rows, "kind")
+    page.texts["poisson"] = table(
+        ["Poisson's ratio", *kinds],
+        [[nu, *(spread([r["ratio"] for r in rows if (r["poisson"], r["kind"]) == (nu, kind)]) for kind in kinds)]
+         for nu in unique(rows, "poisson")])
+
+
+def tell_estimates(page, elements, meshes):
+    """Other estimates, over the same critical steps."""
+    names = {"ratio": "the bound of percuss", "guaranteed": "V / (c sqrt(2 B:B))", "over_face": "V / (c largest face)", "edge": "shortest edge / c"}
+    body = []
+    for what, stored in (("single elements", elements), ("meshes", meshes)):
+        rows = [r for r in stored["results"]["rows"] if r["damping"] == "none"]
+        kinds = unique(rows, "kind")
+        for name, words in names.items():
+            body.append([words, what, *(spread([r[name] for r in rows if r["kind"] == kind]) for kind in kinds)])
+    page.texts["estimates"] = table(["estimate", "of", *kinds], body)
+
+
+def tell_global(page, stored):
+    """How much longer than the bound a step from the whole mesh's largest frequency would be."""
+    rows = stored["results"]["rows"]
+    kinds = unique(rows, "kind")
+    body = []
+    for family in unique(rows, "family"):
+        for parameter in unique([r for r in rows if r["family"] == family and r["parameter"] not in (2, 5, 20, 50)], "parameter"):
+            chosen = [r for r in rows if (r["family"], r["parameter"], r["damping"], r["poisson"]) == (family, parameter, "none", 0.3)]
+            body.append([family, f"{parameter:g}", *(
+                f"{np.mean([1 / r['ratio'] for r in chosen if r['kind'] == kind]):.2f} "
+                f"({np.mean([1 / r['guaranteed'] for r in chosen if r['kind'] == kind]):.2f})" for kind in kinds)])
+    page.texts["global"] = table(["shapes", "parameter", *kinds], body)
+
+
+# --- blow-ups
+
+def tell_margins(page, free, contact):
+    rows = [*(free or {"results": []})["results"], *(contact or {"results": []})["results"]]
+    kinds = unique(rows, "kind")
+    body = []
+    names = {"": "as it comes", OFF: "none"}
+    for scene, keys in dict.fromkeys((r["scene"], r["contact"]) for r in rows):
+        cells = []
+        for kind in kinds:
+            found = [r for r in rows if (r["scene"], r["contact"], r["kind"]) == (scene, keys, kind)]
+            cells.append(f"{'' if found[0]['is_limit'] else '>= '}{found[0]['largest']:.2f}" if found else "-")
+        worst = max((r["energy_error"] or 0 for r in rows if (r["scene"], r["contact"]) == (scene, keys)), default=0)
+        ends = sorted({r["outcome"] for r in rows if (r["scene"], r["contact"]) == (scene, keys) and r["outcome"]})
+        body.append([scene, "" if scene in FREE_SCENES else names.get(keys, keys), *cells, f"{worst:.1e}", "; ".join(ends)])
+    page.texts["margins"] = table(["scene", "contact", *kinds, "energy error at 0.9", "ended by"], body)
+    default = [r for r in rows if r["kind"] == kinds[0] and r["contact"] == ""]
+    lowest = min(default, key=lambda r: r["largest"])
+    page.texts["lowest_margin"] = f"{lowest['largest']:.2f} ({lowest['scene']})"
+    for row in rows:
+        if row["largest"] < 0.9 and row["contact"] != OFF:
+            page.wrong.append(f"{row['scene']} with {row['kind']}{' and ' + row['contact'] if row['contact'] else ''} is stable only up to "
+                              f"{row['largest']:.2f} of the bound ({row['outcome']})")
+    plots.draw_margins(rows, page.images / "margins.svg")
+
+
+# --- long runs
+
+def tell_long_runs(page, stored):
+    body = []
+    for r in stored["results"]:
+        if r["code"] != 0:
+            body.append([r["run"], r["kind"], r["steps"], f"exit code {r['code']}: {r['error'][:160]}", "", "", ""])
+            page.wrong.append(f"long run {r['run']} with {r['kind']}: exit code {r['code']}")
+            continue
+        moved = "" if "top_drift" not in r else (f"top moves {r['top_drift']:.0e}, slips {r['slip']:.0e} of a brick's height; kinetic energy at "
+                                                 f"most {r['kinetic_late'] / r['kinetic_most']:.0e} of its largest in the second half")
+        body.append([r["run"], r["kind"], r["steps"], f"{r['half']:.1e}", f"{r['energy_error']:.1e}",
+                     f"{r['angular_drift']:.0e}" if "angular_drift" in r else "", moved])
+    page.texts["long_runs"] = table(["run", "element", "steps", "largest energy error, first half", "whole run", "angular momentum", "rest"], body)
+    plots.draw_drift(stored["results"], page.images / "drift.svg")
+
+
+# --- impacts
+
+def tell_impacts(page, stored):
+    rows = stored["results"]
+    kinds = unique(rows, "kind")
+    body = []
+    for speed in unique(rows, "speed"):
+        cells = []
+        for kind in kinds:
+            found = [r for r in rows if (r["speed"], r["kind"]) == (speed, kind)]
+            counts = {verdict: sum(r["verdict"] == verdict for r in found) for verdict in plots.VERDICTS}
+            done = [r["energy_error"] for r in found if r["code"] == 0]
+            cells.append(f"{counts['good']} + {counts['coarse']} completed, {counts['named']} stopped" +
+                         (f"; energy {max(done):.0e}" if done else ""))
+        body.append([f"{speed:g}", *cells])
+    page.texts["impacts"] = table(["speed", *kinds], body)
+    bad = [r for r in rows if r["verdict"] in ("hang", "crash")]
+    for r in bad:
+        page.wrong.append(f"impact {r['target']}, {r['material']}, {r['speed']:g} wave speeds, {r['kind']}: {r['verdict']} {r['error'][:200]}")
+    done = [r for r in rows if r["code"] == 0]
+    page.texts["impact_count"] = f"{len(rows)}"
+    page.texts["impact_bad"] = "none crashes and none hangs" if not bad else f"**{len(bad)} crash or hang**"
+    page.texts["impact_momentum"] = (f"linear momentum is kept to {max(r['linear_error'] for r in done):.0e}, angular momentum to "
+                                     f"{max(r['angular_error'] for r in done):.0e}") if done else ""
+    messages = {}
+    for r in rows:
+        if r["verdict"] == "named":
+            kind_of = next((words for key, words in REASONS.items() if key in r["error"]), r["error"][:80])
+            messages[kind_of] = messages.get(kind_of, 0) + 1
+    page.texts["impact_messages"] = "; ".join(f"{words}: {count}" for words, count in sorted(messages.items(), key=lambda m: -m[1])) or "none stopped"
+    plots.draw_impacts(rows, page.images / "impacts.svg")
+
+
+REASONS = {"has inverted": "an element has inverted", "energy balance": "the energy balance is off", "collapsed": "the time step has collapsed"}
+
+
+def write_page(docs, stored):
+    """stability.md and images/stability in `docs`. Returns what must not be."""
+    page = Page(docs / "images" / "stability")
+    for study in ("elements", "meshes"):
+        if study in stored:
+            tell_map(page, stored[study], study)
+    if "elements" in stored:
+        tell_poisson(page, stored["elements"])
+    if "elements" in stored and "meshes" in stored:
+        tell_estimates(page, stored["elements"], stored["meshes"])
+        tell_global(page, stored["meshes"])
+        plots.draw_map(stored["elements"]["results"]["rows"], stored["meshes"]["results"]["rows"], page.images / "map.svg")
+    if "blow_ups" in stored or "contact" in stored:
+        tell_margins(page, stored.get("blow_ups"), stored.get("contact"))
+    if "long_runs" in stored:
+        tell_long_runs(page, stored["long_runs"])
+    if "impacts" in stored:
+        tell_impacts(page, stored["impacts"])
+    page.texts["seconds"] = ", ".join(f"{name} {study['seconds']:.0f} s" for name, study in stored.items())
+    text = (HERE / "page.md").read_text()
+    for name, value in page.texts.items():
+        text = text.replace(f"<<{name}>>", value)
+    text = re.sub("<<[a-z_]+>>", "*(not measured)*", text)
+    docs.mkdir(parents=True, exist_ok=True)
+    (docs / "stability.md").write_text(text)
+    return page.wrong

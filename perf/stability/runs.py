@@ -1,0 +1,57 @@
+"""Starts the program and the tool on decks, one thread each, and reads what they leave."""
+import csv
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import time
+
+import numpy as np
+
+ENVIRONMENT = {**os.environ, "OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false"}
+
+
+class Result:
+    """Of one run: exit code (None: stopped at the time limit), what it said, summary, history by column, seconds."""
+
+
+def run_deck(percuss, deck, work, limit):
+    """Runs the text of a deck in a folder of its own under `work`, which is deleted again."""
+    folder = pathlib.Path(work) / "run"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    (folder / "deck.yaml").write_text(deck)
+    result = Result()
+    begin = time.monotonic()
+    try:
+        done = subprocess.run([percuss, "run", str(folder / "deck.yaml"), "--out", str(folder / "out"), "--quiet"],
+                              capture_output=True, text=True, timeout=limit, env=ENVIRONMENT)
+        result.code, result.error = done.returncode, done.stderr.strip()
+    except subprocess.TimeoutExpired:
+        result.code, result.error = None, f"not done in {limit} s"
+    result.seconds = time.monotonic() - begin
+    summary, history = folder / "out" / "summary.json", folder / "out" / "history.csv"
+    result.summary = json.loads(summary.read_text()) if summary.exists() else {}
+    result.history = read_history(history) if history.exists() else {}
+    shutil.rmtree(folder)
+    return result
+
+
+def read_history(path):
+    with open(path, newline="") as file:
+        rows = list(csv.reader(file))
+    rows = [row for row in rows if len(row) == len(rows[0])]
+    table = np.array(rows[1:], dtype=float).reshape(len(rows) - 1, len(rows[0]))
+    return {name: table[:, i] for i, name in enumerate(rows[0])}
+
+
+def search_scale(tool, deck, work, low, high, tolerance, noise):
+    """The trials of stability_tool search."""
+    path = pathlib.Path(work) / "search.yaml"
+    path.write_text(deck)
+    done = subprocess.run([*tool, "search", str(path), repr(low), repr(high), repr(tolerance), repr(noise)],
+                          capture_output=True, text=True, env=ENVIRONMENT, check=False)
+    if done.returncode != 0:
+        raise RuntimeError(f"{done.stderr.strip()} (exit code {done.returncode})\n{deck}")
+    return [json.loads(line) for line in done.stdout.splitlines() if line.startswith("{")]
