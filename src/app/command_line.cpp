@@ -31,7 +31,7 @@ Exit codes:
   2    the deck, a mesh or the command is wrong
   3    the run failed: an element inverted, the energy balance broke, a value is not finite
   4    the system failed: files, memory, MPI
-  130  interrupted (Ctrl-C or SIGTERM); what was computed is written
+  130  interrupted (Ctrl-C or SIGTERM); what was computed is written, and a checkpoint to go on from
 
 Environment:
   OMP_NUM_THREADS   threads of each rank; without it, every core that the rank may use: ranks of a machine that are not
@@ -48,11 +48,15 @@ summary.json. Results go to the folder of --out; without it, to out/SCENE in the
 deck's name, or the name of its folder if it is called deck.yaml. A folder that is not empty is left alone unless
 --force is given, which overwrites an earlier run's files and nothing else.
 
-A first Ctrl-C or SIGTERM ends the run after its step and writes what there is; a second one ends it at once.
+A first Ctrl-C or SIGTERM ends the run after its step and writes what there is, with a checkpoint; a second one ends it
+at once. `output.checkpoint` of the deck writes checkpoints on the way. --restart goes on from one, on any number of
+ranks and threads, to the same bits as if the run had never stopped: in the checkpoint's folder, whose history and
+fields are continued, or in the empty folder of --out, where they begin anew. time.end may be later than before.
 
 Examples:
   percuss run inputs/taylor_bar/deck.yaml
   percuss run deck.yaml --out slow --set time.step_scale=0.5
+  percuss run deck.yaml --restart out/deck/checkpoint.h5
   OMP_NUM_THREADS=4 percuss run deck.yaml --quiet
   OMP_NUM_THREADS=2 mpirun -n 8 --map-by slot:PE=2 percuss run deck.yaml
 )";
@@ -79,7 +83,7 @@ Examples:
 )";
 
 constexpr const char* info_help = R"(
-FILE is a summary.json, a fields.vtkhdf, a folder that holds them, or an Exodus II mesh.
+FILE is a summary.json, a fields.vtkhdf, a checkpoint.h5, a folder that holds them, or an Exodus II mesh.
 
 Examples:
   percuss info out/brick_wall
@@ -134,6 +138,7 @@ struct Parser {
     add_deck(plan);
     add_plan_options();
     run->add_option("-o,--out", command.out_dir, "Folder for the results (default: out/SCENE)")->type_name("DIR");
+    run->add_option("-r,--restart", command.restart, "Go on from a checkpoint of this deck's run")->type_name("FILE");
     run->add_flag("-f,--force", command.force, "Overwrite the results of an earlier run in that folder");
     run->add_flag("-q,--quiet", command.quiet, "No progress, no report");
     info->add_option("FILE", command.file, "The file or folder")->required()->type_name("");

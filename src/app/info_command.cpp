@@ -10,6 +10,7 @@
 #include "src/app/commands.hpp"
 #include "src/app/mesh_report.hpp"
 #include "src/app/summary_report.hpp"
+#include "src/output/checkpoint_file.hpp"
 #include "src/output/describe_fields.hpp"
 #include "src/output/summary.hpp"
 
@@ -35,6 +36,8 @@ Content identify(const std::string& file) {
 
 // A netCDF-4 mesh and a fields file are both HDF5.
 std::string describe_hdf5(const std::string& file) {
+  if (is_checkpoint(file) || fs::path(file).filename().string().starts_with("checkpoint"))
+    return describe_checkpoint(file);
   std::string not_fields;
   try {
     return describe_fields_file(file);
@@ -56,6 +59,10 @@ std::string describe_folder(const std::string& folder) {
   if (fs::exists(path / "fields.vtkhdf")) {
     if (!text.empty()) text += '\n';
     text += describe_fields_file((path / "fields.vtkhdf").string());
+  }
+  if (fs::exists(path / "checkpoint.h5")) {
+    if (!text.empty()) text += '\n';
+    text += describe_checkpoint((path / "checkpoint.h5").string());
   }
   if (text.empty())
     throw InputError(folder + ": error: no results of percuss (neither summary.json nor fields.vtkhdf)");

@@ -17,8 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Every file that a run writes.
-constexpr std::array<const char*, 5> result_files{"summary.json", "ranks.csv", "history.csv", "fields.vtkhdf",
-                                                  "fields.xdmf"};
+constexpr std::array<const char*, 7> result_files{"summary.json",          "ranks.csv",   "history.csv",
+                                                  "fields.vtkhdf",         "fields.xdmf", "checkpoint.h5",
+                                                  "checkpoint_previous.h5"};
 
 bool holds_results(const fs::path& folder) {
   std::error_code ignored;
@@ -49,6 +50,21 @@ std::string default_output_folder(const std::string& deck_file) {
   return (fs::path("out") / scene).string();
 }
 
+std::string find_restart_folder(const std::string& checkpoint) {
+  const std::string folder = fs::path(checkpoint).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+bool is_same_folder(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return fs::equivalent(a, b, error) && !error;
+}
+
+void check_folder_is_writable(const std::string& folder) {
+  if (::access(folder.c_str(), W_OK | X_OK) == 0) return;
+  throw SystemError(fmt::format("folder {} cannot be written to ({})", folder, std::strerror(errno)));
+}
+
 void prepare_output_folder(const std::string& folder, bool force) {
   std::error_code error;
   const fs::path path(folder);
@@ -57,9 +73,7 @@ void prepare_output_folder(const std::string& folder, bool force) {
   }
   fs::create_directories(path, error);
   if (error) throw SystemError(fmt::format("folder {} cannot be made ({})", folder, error.message()));
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw SystemError(fmt::format("folder {} cannot be written to ({})", folder, std::strerror(errno)));
-  }
+  check_folder_is_writable(folder);
   const bool empty = fs::is_empty(path, error);
   if (error) throw SystemError(fmt::format("folder {} cannot be read ({})", folder, error.message()));
   if (empty) return;

@@ -9,6 +9,15 @@ namespace percuss {
 /// folder if the deck is called deck.yaml.
 std::string default_output_folder(const std::string& deck_file);
 
+/// The folder that a checkpoint lies in.
+std::string find_restart_folder(const std::string& checkpoint);
+
+/// Whether both name the same folder, and it is there.
+bool is_same_folder(const std::string& a, const std::string& b);
+
+/// Throws SystemError if it is not.
+void check_folder_is_writable(const std::string& folder);
+
 /// Makes the folder if it is not there. If it is not empty, throws InputError, unless `force` is true: then the files
 /// that an earlier run wrote are removed, and others stay. Throws SystemError if the folder cannot be made or written
 /// to.

@@ -2,6 +2,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 
 #include "kernels/core/views.hpp"
 #include "src/app/commands.hpp"
@@ -28,17 +29,35 @@ void install_signal_handlers() {
   sigaction(SIGTERM, &action, nullptr);
 }
 
-void report(const RunResult& result, const std::string& out_dir) {
+void report(const RunResult& result, const std::string& out_dir, const std::string& deck) {
   const Summary& s = result.summary;
   print_quietly(stderr, "{}: t = {:.6g} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.2g} %\n",
                 s.status, s.time, s.steps, s.setup_s + s.loop_s, s.grind_ns, 100 * s.energy.error);
   print_quietly(stderr, "results: {}\n", out_dir);
+  if (result.exit_code != ExitCode::interrupted) return;
+  print_quietly(stderr, "checkpoint: {}; to go on: percuss run {} --restart {}\n", result.checkpoint, deck,
+                result.checkpoint);
+}
+
+std::string choose_folder(const Command& command) {
+  if (!command.out_dir.empty()) return command.out_dir;
+  return command.restart.empty() ? default_output_folder(command.file) : find_restart_folder(command.restart);
 }
 
 // The folder is made and looked at before the mesh is built, and emptied only when the scene is known to be sound.
 void prepare_folder(const Command& command, const std::string& out_dir, const Communicator& ranks,
                     RunOptions& options) {
   options.out_dir = out_dir;
+  options.restart = command.restart;
+  if (!command.restart.empty()) {
+    fail_together(ranks, [&] {
+      if (!std::filesystem::exists(command.restart))
+        throw InputError(command.restart + ": error: no such file (--restart needs a checkpoint)");
+      options.goes_on_in_place = is_same_folder(out_dir, find_restart_folder(command.restart));
+      if (options.goes_on_in_place) check_folder_is_writable(out_dir);
+    });
+    if (options.goes_on_in_place) return;
+  }
   if (command.force) {
     options.prepare_output = [out_dir] { prepare_output_folder(out_dir, true); };
     return;
@@ -56,7 +75,7 @@ ExitCode run_command(const Command& command, const Communicator& ranks) {
   if (speaks) {
     for (const std::string& warning : deck.warnings) print_quietly(stderr, "{}\n", warning);
   }
-  const std::string out_dir = command.out_dir.empty() ? default_output_folder(command.file) : command.out_dir;
+  const std::string out_dir = choose_folder(command);
   RunOptions options;
   prepare_folder(command, out_dir, ranks, options);
   options.end_all_ranks = [&] { ranks.abort(static_cast<int>(tell(describe_failure()))); };
@@ -66,7 +85,7 @@ ExitCode run_command(const Command& command, const Communicator& ranks) {
   if (speaks && !command.quiet && !crowding.empty()) print_quietly(stderr, "{}\n", crowding);
   install_signal_handlers();
   const RunResult result = run_scene(deck, options);
-  if (speaks && !command.quiet) report(result, out_dir);
+  if (speaks && !command.quiet) report(result, out_dir, command.file);
   return result.exit_code;
 }
 

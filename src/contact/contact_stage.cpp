@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "src/contact/contact_checkpoint.hpp"
 #include "src/contact/enforcer.hpp"
 #include "src/contact/local_finder.hpp"
 #include "src/contact/ranked_finder.hpp"
@@ -13,6 +14,7 @@ namespace percuss {
 struct ContactStage::Impl {
   Impl(const ChunkedMesh& chunked, const Deck& deck, const Communicator& world)
       : ranks(world),
+        chunks(chunked),
         numbering(chunked.numbering),
         mesh(chunked.mesh),
         exchange(world),
@@ -29,12 +31,14 @@ struct ContactStage::Impl {
   bool has_pairs() const { return share.total_searched_faces > 0; }
 
   bool search(const SurfaceMotion& motion);
+  void search_again();
   int check(const SurfaceMotion& motion);
   bool is_anything_touched(int num_touches) const;
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
 
   const Communicator ranks;
+  const ChunkedMesh& chunks;
   const Numbering& numbering;
   const Mesh& mesh;
   UnstructuredExchange exchange;
@@ -60,6 +64,14 @@ bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   candidates = finder->search(motion, bound.restart(motion));
   ++searches;
   return true;
+}
+
+/// After a restart: the search that found the candidate pairs in use.
+void ContactStage::Impl::search_again() {
+  if (!has_pairs() || !bound.is_valid()) return;
+  const Rows3<double> x = spread_to_mesh(ranks, chunks, share, bound.origin());
+  const Rows3<double> v = spread_to_mesh(ranks, chunks, share, bound.velocity());
+  candidates = finder->search({x, v, bound.dt()}, bound.margin());
 }
 
 int ContactStage::Impl::check(const SurfaceMotion& motion) {
@@ -117,6 +129,14 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
   if (found.too_deep > 0)
     line += fmt::format("; {} of them lie deeper than a quarter of a face and are not in contact", found.too_deep);
   return line;
+}
+
+void ContactStage::archive(CheckpointArchive& archive) {
+  Impl& stage = *impl_;
+  archive_history(archive, stage.chunks, stage.share, stage.walls, stage.history);
+  stage.bound.archive(archive, find_rows_of_nodes(stage.chunks, stage.share.nodes.numbers));
+  stage.enforcer.archive(archive);
+  if (archive.is_loading()) stage.search_again();
 }
 
 ContactReport ContactStage::apply(const ContactMotion& motion) {

@@ -13,6 +13,7 @@
 #include "src/contact/contact_finder.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
+#include "src/output/checkpoint_archive.hpp"
 
 namespace percuss {
 
@@ -61,6 +62,10 @@ class ContactStage {
   /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns one
   /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), empty if there is none. Call once before the loop.
   std::string prepare(Rows3<const double> x, Rows3<const double> v);
+
+  /// What the stage remembers from step to step. Loaded, the last search is done again, so that what is counted of it
+  /// is the same; then prepare() must not be called. Collective.
+  void archive(CheckpointArchive& archive);
 
   /// Corrects motion.v and fills motion.impulse.
   ContactReport apply(const ContactMotion& motion);

@@ -25,6 +25,8 @@ class Enforcer {
   /// A step in which nothing touches on any rank: no impulses, nothing to remember.
   void rest(const ContactMotion& motion, const ContactHistory& history);
 
+  void archive(CheckpointArchive& archive) { archive.number("contact/last_dt", last_dt_); }
+
   const Traffic& traffic() const { return exchange_.traffic(); }
 
  private:

@@ -18,7 +18,8 @@ ReuseBound::ReuseBound(const Communicator& ranks, const SurfaceShare& share, boo
     : ranks_(ranks),
       share_(share),
       enabled_(enabled),
-      origin_("contact::search_origin", static_cast<std::size_t>(share.nodes.count())) {}
+      origin_("contact::search_origin", static_cast<std::size_t>(share.nodes.count())),
+      velocity_("contact::search_velocity", static_cast<std::size_t>(share.nodes.count())) {}
 
 double ReuseBound::find_largest(double value) const {
   if (ranks_.size() > 1)
@@ -40,12 +41,22 @@ double ReuseBound::restart(const SurfaceMotion& motion) {
   run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
     move = find_largest_move(space, share_.node_list, motion);
     store_places(space, share_.node_list, motion.x, origin_);
+    store_places(space, share_.node_list, motion.v, velocity_);
     space.fence();
   });
   // Without reuse the boxes only need what a node moves in this step.
   margin_ = find_largest(move) + (enabled_ ? margin_edges * find_mean_edge(motion) : 0);
+  dt_ = motion.dt;
   valid_ = true;
   return margin_;
+}
+
+void ReuseBound::archive(CheckpointArchive& archive, const ChunkRows& contact_nodes) {
+  archive.integer("contact/search/valid", valid_);
+  archive.number("contact/search/margin", margin_);
+  archive.number("contact/search/dt", dt_);
+  archive.rows("contact/search/origin", contact_nodes, 3, origin_);
+  archive.rows("contact/search/velocity", contact_nodes, 3, velocity_);
 }
 
 double ReuseBound::find_mean_edge(const SurfaceMotion& motion) const {

@@ -3,6 +3,7 @@
 
 #include "comm/merge_reduction.hpp"
 #include "src/contact/surface_share.hpp"
+#include "src/output/checkpoint_archive.hpp"
 
 namespace percuss {
 
@@ -17,6 +18,16 @@ class ReuseBound {
   /// Starts anew at this step's places; returns the margin by which capture boxes must be widened [length].
   double restart(const SurfaceMotion& motion);
 
+  /// The last search, so that it can be done again: its margin, places and velocities. Collective.
+  void archive(CheckpointArchive& archive, const ChunkRows& contact_nodes);
+
+  /// Whether there was a search; its margin [length], step, and rows of this rank's contact nodes.
+  bool is_valid() const { return valid_; }
+  double margin() const { return margin_; }
+  double dt() const { return dt_; }
+  const Rows3<double>& origin() const { return origin_; }
+  const Rows3<double>& velocity() const { return velocity_; }
+
   /// Mean of the shortest edges of the searched faces [length].
   double find_mean_edge(const SurfaceMotion& motion) const;
 
@@ -29,7 +40,8 @@ class ReuseBound {
   MergeReduction<ExactSum> sum_;
   bool valid_ = false;
   double margin_ = 0;
-  Rows3<double> origin_;
+  double dt_ = 0;
+  Rows3<double> origin_, velocity_;  // at the last search
 };
 
 }  // namespace percuss

@@ -196,10 +196,13 @@ struct OutputDeck {
   std::vector<std::string> fields;      // names as listed in docs/output.md; displacement is always written
   std::optional<double> history_every;  // s; 0: every step
   std::vector<HistoryPoint> points;
+  std::optional<double> checkpoint_every;  // simulated time [time]; one is left at the end, too
+  std::optional<double> checkpoint_wall;   // of the clock [s]
 };
 
 struct AuditDeck {
-  double max_energy_error = 0.1;  // relative; a run that leaves it stops with exit code 3
+  double max_energy_error = 0.1;     // relative; a run that leaves it stops with exit code 3
+  double max_momentum_error = 1e-6;  // the same, linear and angular
 };
 
 struct Deck {
@@ -218,7 +221,8 @@ struct Deck {
   ContactDeck contact;
   OutputDeck output;
   AuditDeck audit;
-  std::vector<std::string> warnings;  // "deck.yaml:LINE:COLUMN: warning: ...", for the user to see
+  std::vector<std::string> motion_values;  // "time.step_scale = 0.9": all that the motion depends on (deck_values.hpp)
+  std::vector<std::string> warnings;       // "deck.yaml:LINE:COLUMN: warning: ...", for the user to see
 
   /// "deck.yaml:LINE:COLUMN" for messages found after reading (meshing, selection).
   std::string where(Place place) const;

@@ -81,7 +81,10 @@ bool check_elements(const Reader& reader, const Node& node, ElementDeck& deck) {
 }
 
 const Keys<AuditDeck>& audit_keys() {
-  static const Keys<AuditDeck> keys = {may("max_energy_error", &AuditDeck::max_energy_error, NumberValue{positive})};
+  static const Keys<AuditDeck> keys = {
+      may("max_energy_error", &AuditDeck::max_energy_error, NumberValue{positive}),
+      may("max_momentum_error", &AuditDeck::max_momentum_error, NumberValue{positive}),
+  };
   return keys;
 }
 

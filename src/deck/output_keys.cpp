@@ -99,10 +99,25 @@ bool check_history(const Reader& reader, const Node& node, OutputDeck& output) {
   return true;
 }
 
+const Keys<OutputDeck>& checkpoint_keys() {
+  static const Keys<OutputDeck> keys = {
+      may("every", &OutputDeck::checkpoint_every, NumberValue{positive}),
+      may("wall", &OutputDeck::checkpoint_wall, NumberValue{positive}),
+  };
+  return keys;
+}
+
+bool check_checkpoint(const Reader& reader, const Node& node, OutputDeck& output) {
+  if (output.checkpoint_every || output.checkpoint_wall) return true;
+  reader.error(node.spot, fmt::format("{} has neither every nor wall (one of them says when to write)", reader.self()));
+  return false;
+}
+
 const Keys<OutputDeck>& output_keys() {
   static const Keys<OutputDeck> keys = {
       group<OutputDeck>("fields", MapValue<OutputDeck>{field_keys}),
       group<OutputDeck>("history", MapValue<OutputDeck>{history_keys, check_history}),
+      group<OutputDeck>("checkpoint", MapValue<OutputDeck>{checkpoint_keys, check_checkpoint}),
   };
   return keys;
 }

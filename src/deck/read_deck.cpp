@@ -7,6 +7,7 @@
 
 #include "src/deck/deck_keys.hpp"
 #include "src/deck/deck_text.hpp"
+#include "src/deck/deck_values.hpp"
 #include "src/deck/overrides.hpp"
 
 namespace percuss {
@@ -44,6 +45,7 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   read_keys(Reader(reading), root, deck_keys(), deck);
   check_deck(deck, root, reading);
   reading.errors.throw_if_any();
+  deck.motion_values = list_motion_values(root);
   deck.warnings = reading.errors.warnings();
   return deck;
 }

@@ -44,13 +44,13 @@ std::string folder_of(const std::string& path) {
   return slash == 0 ? "/" : path.substr(0, slash);
 }
 
-// A rename is on the disk once its folder is. Some file systems cannot sync a folder; the file itself is safe there.
-void sync_folder(const std::string& path) {
+}  // namespace
+
+// Some file systems cannot sync a folder; the file itself is safe there.
+void sync_folder_of(const std::string& path) {
   const Descriptor folder(::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.get() >= 0) ::fsync(folder.get());
 }
-
-}  // namespace
 
 std::string suggest_for_errno(int error_number) {
   switch (error_number) {
@@ -88,7 +88,7 @@ void write_file_atomically(const std::string& path, std::string_view text, Durab
   if (durability == Durability::disk && ::fsync(file.get()) != 0) fail(errno);
   if (!file.close_now()) fail(errno);
   if (std::rename(temporary.c_str(), path.c_str()) != 0) fail(errno);
-  if (durability == Durability::disk) sync_folder(path);
+  if (durability == Durability::disk) sync_folder_of(path);
 }
 
 }  // namespace percuss

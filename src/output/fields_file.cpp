@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "comm/agreement.hpp"
 #include "src/output/atomic_file.hpp"
+#include "src/output/fields_restart.hpp"
 #include "src/output/first_rank.hpp"
 #include "src/output/hdf5_handle.hpp"
 #include "src/output/vtkhdf_file.hpp"
@@ -27,6 +29,11 @@ XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options) {
   return index;
 }
 
+EarlierFrames find_kept(const ChunkedMesh& chunked, std::int64_t frames) {
+  return {static_cast<hsize_t>(frames), static_cast<hsize_t>(chunked.numbering.node_count()),
+          static_cast<hsize_t>(chunked.numbering.element_count())};
+}
+
 }  // namespace
 
 struct FieldsFile::Impl {
@@ -40,6 +47,18 @@ struct FieldsFile::Impl {
         index(make_index(chunked, options)),
         file(directory + "/fields.vtkhdf", chunked, options, all_ranks) {
     write_index();
+  }
+
+  Impl(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+       const Communicator& all_ranks, std::vector<double> times)
+      : ranks(all_ranks),
+        xdmf_path(directory + "/fields.xdmf"),
+        initial(chunked.mesh.nodes),
+        elements(chunked.mesh.elements.size()),
+        precision(options.precision),
+        index(make_index(chunked, options)),
+        file(directory + "/fields.vtkhdf", chunked, options, all_ranks, static_cast<std::int64_t>(times.size())) {
+    index.times = std::move(times);
   }
 
   void write_index() const;
@@ -81,7 +100,7 @@ void FieldsFile::Impl::check_fields(std::span<const FieldData> fields) const {
       throw std::logic_error(fmt::format("field {} has {} values (it has {} components on {} items)", field.name,
                                          field.values.size(), field.components, items));
   }
-  if (index.times.empty()) return;
+  if (index.fields.empty()) return;
   const bool same = std::equal(fields.begin(), fields.end(), index.fields.begin(), index.fields.end(),
                                [](const FieldData& a, const XdmfField& b) {
                                  return a.name == b.name && a.place == b.place && a.components == b.components;
@@ -99,6 +118,30 @@ FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked,
                        const Communicator& ranks) {
   const hdf5::QuietErrors quiet;
   impl_ = std::make_unique<Impl>(directory, chunked, options, ranks);
+}
+
+FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+                       const Communicator& ranks, std::int64_t frames, std::span<const std::string> fields) {
+  const hdf5::QuietErrors quiet;
+  const EarlierFrames kept = find_kept(chunked, frames);
+  const std::string path = directory + "/fields.vtkhdf";
+  std::vector<double> times;
+  run_on_first_rank(ranks, [&] {
+    times = check_fields_file(path, kept, fields);
+    cut_fields_file(path, kept);
+  });
+  broadcast_values(ranks, times, 0);
+  impl_ = std::make_unique<Impl>(directory, chunked, options, ranks, std::move(times));
+}
+
+void FieldsFile::check(const std::string& directory, const ChunkedMesh& chunked, const Communicator& ranks,
+                       std::int64_t frames, std::span<const std::string> fields) {
+  run_on_first_rank(ranks,
+                    [&] { check_fields_file(directory + "/fields.vtkhdf", find_kept(chunked, frames), fields); });
+}
+
+void FieldsFile::sync() {
+  if (impl_) impl_->file.sync();
 }
 
 FieldsFile::~FieldsFile() {

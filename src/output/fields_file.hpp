@@ -42,6 +42,16 @@ class FieldsFile {
   /// Throws SystemError with the path and the reason, on all ranks alike.
   FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks);
+  /// Goes on with the files of an earlier run behind their first `frames`; what lies there is cut off. Throws what
+  /// check() throws, which is asked first.
+  FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+             const Communicator& ranks, std::int64_t frames, std::span<const std::string> fields);
+
+  /// Throws InputError, on all ranks, if the folder's fields file has not this mesh, so many frames and the fields of
+  /// these names; changes nothing.
+  static void check(const std::string& directory, const ChunkedMesh& chunked, const Communicator& ranks,
+                    std::int64_t frames, std::span<const std::string> fields);
+
   /// Closes the file if close() was not called; an error is lost then.
   ~FieldsFile();
   FieldsFile(FieldsFile&&) noexcept;
@@ -54,6 +64,9 @@ class FieldsFile {
   /// before then stay readable, and the file takes no more. With several ranks a write that fails although there was
   /// room ends the program at once (exit code 4).
   void write_frame(double time, long step, std::span<const double> positions, std::span<const FieldData> fields);
+
+  /// Waits until the disk has the frames written so far. Throws SystemError.
+  void sync();
 
   /// Waits until the disk has all and closes the file; errors are thrown here rather than lost in the destructor.
   void close();

@@ -33,6 +33,15 @@ void keep_metadata_until_flush(hid_t file, const std::string& action) {
   check(H5Fset_mdc_config(file, &cache), action);
 }
 
+Handle create_access(const Communicator& ranks, const std::string& action) {
+  Handle access(check(H5Pcreate(H5P_FILE_ACCESS), action), H5Pclose);
+  // No lock, so that ParaView can look at a run that goes on; no chunk cache: frames go to the system as they come.
+  check(H5Pset_file_locking(access.get(), false, true), action);
+  check(H5Pset_cache(access.get(), 0, 1, 0, 1.0), action);
+  if (ranks.size() > 1) check(H5Pset_fapl_mpio(access.get(), ranks.handle(), MPI_INFO_NULL), action);
+  return access;
+}
+
 // Rank 0 makes the file, so that the reason of a failure is the system's own; MPI-IO would hide it.
 void make_empty_file(const std::string& path) {
   ::unlink(path.c_str());  // who still reads an older run keeps its file
@@ -60,11 +69,7 @@ void end_before_hdf5(int exit_code, void*) {
 Handle create_durable_file(const std::string& path, const Communicator& ranks) {
   const std::string action = "create the file";
   const bool together = ranks.size() > 1;
-  const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), action), H5Pclose);
-  // No lock, so that ParaView can look at a run that goes on; no chunk cache: frames go to the system as they come.
-  check(H5Pset_file_locking(access.get(), false, true), action);
-  check(H5Pset_cache(access.get(), 0, 1, 0, 1.0), action);
-  if (together) check(H5Pset_fapl_mpio(access.get(), ranks.handle(), MPI_INFO_NULL), action);
+  const Handle access = create_access(ranks, action);
   const Handle creation(check(H5Pcreate(H5P_FILE_CREATE), action), H5Pclose);
   check(H5Pset_istore_k(creation.get(), chunk_index_k), action);
   if (together) {
@@ -73,6 +78,14 @@ Handle create_durable_file(const std::string& path, const Communicator& ranks) {
     ::unlink(path.c_str());
   }
   Handle file(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), action), H5Fclose);
+  keep_metadata_until_flush(file.get(), action);
+  return file;
+}
+
+Handle open_durable_file(const std::string& path, const Communicator& ranks) {
+  const std::string action = "open the file";
+  const Handle access = create_access(ranks, action);
+  Handle file(check(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), action), H5Fclose);
   keep_metadata_until_flush(file.get(), action);
   return file;
 }
@@ -121,7 +134,7 @@ extern "C" int MPI_File_write_at(MPI_File file, MPI_Offset offset, const void* d
   MPI_Type_size_x(type, &item);
   if (code != MPI_SUCCESS || written != item * count) {
     std::fprintf(stderr,
-                 "percuss: error: cannot write the fields file (%lld of %lld bytes written; is the disk sound?)\n",
+                 "percuss: error: cannot write a file of results (%lld of %lld bytes written; is the disk sound?)\n",
                  static_cast<long long>(written), static_cast<long long>(item * count));
     std::fflush(nullptr);
     MPI_Abort(MPI_COMM_WORLD, static_cast<int>(percuss::ExitCode::system_failed));

@@ -15,6 +15,9 @@ namespace percuss::hdf5 {
 /// which one rank alone writes them. Collective. Throws Error, and SystemError on all ranks if the file cannot be made.
 Handle create_durable_file(const std::string& path, const Communicator& ranks);
 
+/// Opens such a file again to go on with it. Collective. Throws Error.
+Handle open_durable_file(const std::string& path, const Communicator& ranks);
+
 /// How several ranks write data: all of them at once.
 Handle create_collective_transfer();
 

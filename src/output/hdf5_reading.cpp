@@ -78,6 +78,7 @@ std::vector<T> read_rows(hid_t parent, const std::string& name, hsize_t first, h
 
 template std::vector<double> read_rows(hid_t, const std::string&, hsize_t, hsize_t, hsize_t);
 template std::vector<std::int64_t> read_rows(hid_t, const std::string&, hsize_t, hsize_t, hsize_t);
+template std::vector<std::uint8_t> read_rows(hid_t, const std::string&, hsize_t, hsize_t, hsize_t);
 
 std::int64_t read_whole_number(hid_t object, const std::string& name) {
   std::int64_t value = 0;

@@ -127,7 +127,35 @@ Table::Table(hid_t parent, const std::string& name, hid_t file_type, int compone
   check(H5Pset_chunk(properties.get(), none.rank, chunk.data()), "create dataset " + name);
   // Every row is written before a reader may look at it, so filling chunks first would only write them twice.
   check(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER), "create dataset " + name);
+  // Several ranks can only write to room that was made when the dataset was extended; one of them, or one rank alone,
+  // may have begun the file.
+  check(H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY), "create dataset " + name);
   dataset_ = create_dataset(parent, name, file_type, space.get(), properties.get());
+}
+
+Table::Table(hid_t parent, const std::string& name)
+    : dataset_(check(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "open dataset " + name), H5Dclose), name_(name) {
+  const std::string action = "read the shape of " + name;
+  const Handle space(check(H5Dget_space(dataset_.get()), action), H5Sclose);
+  const Handle properties(check(H5Dget_create_plist(dataset_.get()), action), H5Pclose);
+  const Handle type(check(H5Dget_type(dataset_.get()), action), H5Tclose);
+  std::array<hsize_t, 2> dims{0, 1}, chunk{1, 1};
+  const int rank = H5Sget_simple_extent_ndims(space.get());
+  if (rank != 1 && rank != 2) throw Error(action, "it has neither one nor two dimensions");
+  if (H5Pget_layout(properties.get()) != H5D_CHUNKED) throw Error(action, "it cannot grow");
+  check(H5Sget_simple_extent_dims(space.get(), dims.data(), nullptr), action);
+  check(H5Pget_chunk(properties.get(), rank, chunk.data()), action);
+  components_ = static_cast<int>(dims[1]);
+  rows_ = dims[0];
+  chunk_rows_ = chunk[0];
+  row_bytes_ = H5Tget_size(type.get()) * dims[1];
+}
+
+void Table::cut(hsize_t rows) {
+  if (rows > rows_) throw Error("cut dataset " + name_, "it has too few rows");
+  if (rows == rows_) return;
+  check(H5Dset_extent(dataset_.get(), make_extent(rows, components_).dims.data()), "cut dataset " + name_);
+  rows_ = rows;
 }
 
 hsize_t Table::growth_bytes(hsize_t rows) const {

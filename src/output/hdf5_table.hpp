@@ -58,6 +58,14 @@ class Table {
   /// Creates it empty below `parent`; `rows_at_once` is how many rows an append brings (decides the chunks).
   Table(hid_t parent, const std::string& name, hid_t file_type, int components, hsize_t rows_at_once);
 
+  /// Opens one that is there.
+  Table(hid_t parent, const std::string& name);
+
+  int components() const { return components_; }
+
+  /// Cuts off all rows from row `rows` on. In a file that this process alone has open.
+  void cut(hsize_t rows);
+
   /// Adds block.all rows at the end. values: [block.count][components].
   template <class T>
   void append(std::span<const T> values, const RowBlock& block) {

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
 #include "src/output/atomic_file.hpp"
@@ -39,6 +40,13 @@ void append_number(std::string& text, double value) {
   text.append(digits.begin(), end.ptr);
 }
 
+std::string make_heading(std::span<const std::string> columns) {
+  std::string heading;
+  for (const auto& column : columns) heading += quote_heading(column) + ',';
+  if (!columns.empty()) heading.pop_back();
+  return heading + '\n';
+}
+
 }  // namespace
 
 std::string format_number(double value) {
@@ -47,19 +55,44 @@ std::string format_number(double value) {
   return text;
 }
 
+void check_history_file(const std::string& path, std::span<const std::string> columns, std::int64_t bytes) {
+  const auto refuse = [&](const char* problem) {
+    throw InputError(fmt::format("{}: error: {} (the restart goes on with this file) choose another folder with --out",
+                                 path, problem));
+  };
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse("it cannot be opened");
+  std::string heading(static_cast<std::size_t>(make_heading(columns).size()), '\0');
+  file.read(heading.data(), static_cast<std::streamsize>(heading.size()));
+  if (!file || heading != make_heading(columns)) refuse("its columns are not those of this run");
+  file.seekg(bytes - 1);
+  if (bytes < static_cast<std::int64_t>(heading.size()) || file.get() != '\n')
+    refuse("it has not the rows that the checkpoint counts on");
+}
+
 HistoryFile::HistoryFile(const std::string& path, std::span<const std::string> columns)
     : path_(path), columns_(columns.size()), file_(std::fopen(path.c_str(), "wbe")) {
   if (file_ == nullptr) throw make_io_error("write", path_, errno);
   std::setvbuf(file_, nullptr, _IONBF, 0);  // pending_ is the buffer: it knows where rows end
-  for (const auto& column : columns) pending_ += quote_heading(column) + ',';
-  if (!columns.empty()) pending_.pop_back();
-  pending_ += '\n';
+  pending_ = make_heading(columns);
   try {
     flush();
   } catch (...) {
     std::fclose(file_);
     throw;
   }
+}
+
+HistoryFile::HistoryFile(const std::string& path, std::span<const std::string> columns, std::int64_t bytes)
+    : path_(path), columns_(columns.size()), written_(bytes) {
+  check_history_file(path, columns, bytes);
+  file_ = std::fopen(path.c_str(), "r+be");
+  if (file_ == nullptr) throw make_io_error("write", path_, errno);
+  std::setvbuf(file_, nullptr, _IONBF, 0);
+  if (::ftruncate(::fileno(file_), bytes) == 0 && std::fseek(file_, 0, SEEK_END) == 0) return;
+  const int error_number = errno;
+  std::fclose(file_);
+  throw make_io_error("write", path_, error_number);
 }
 
 HistoryFile::~HistoryFile() {
@@ -99,6 +132,12 @@ void HistoryFile::flush() {
   [[maybe_unused]] const int cut = ::ftruncate(::fileno(file_), written_);
   pending_.clear();
   throw make_io_error("write", path_, error_number);
+}
+
+std::int64_t HistoryFile::sync() {
+  flush();
+  if (::fsync(::fileno(file_)) != 0) throw make_io_error("write", path_, errno);
+  return written_;
 }
 
 }  // namespace percuss

@@ -2,6 +2,7 @@
 // history.csv: one row a due step; units and meaning of each column in docs/output.md.
 
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <span>
 #include <string>
@@ -13,6 +14,9 @@ class HistoryFile {
  public:
   /// Creates the file with its heading row. Throws SystemError.
   HistoryFile(const std::string& path, std::span<const std::string> columns);
+  /// Goes on with a file of an earlier run behind its first `bytes`, and cuts off what lies there. Throws what
+  /// check_history_file() throws, which is asked first.
+  HistoryFile(const std::string& path, std::span<const std::string> columns, std::int64_t bytes);
   /// Flushes and closes; an error is lost here, so flush() first.
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
@@ -27,6 +31,9 @@ class HistoryFile {
   /// with the last row that fitted.
   void flush();
 
+  /// flush(), and waits until the disk has it. Returns the length of the file [byte]. Throws SystemError.
+  std::int64_t sync();
+
  private:
   std::string path_;
   std::size_t columns_ = 0;
@@ -35,6 +42,10 @@ class HistoryFile {
   long long written_ = 0;  // bytes
   std::chrono::steady_clock::time_point flushed_;
 };
+
+/// Throws InputError if the first `bytes` of a history file are not the heading of these columns with whole rows after
+/// it, SystemError if it cannot be read.
+void check_history_file(const std::string& path, std::span<const std::string> columns, std::int64_t bytes);
 
 /// The shortest text that reads back to the same double: whole numbers without a decimal point, nan, inf, -inf.
 std::string format_number(double value);

@@ -10,6 +10,7 @@
 #include "src/output/atomic_file.hpp"
 #include "src/output/first_rank.hpp"
 #include "src/output/hdf5_file.hpp"
+#include "src/output/hdf5_reading.hpp"
 
 namespace percuss {
 namespace {
@@ -82,6 +83,20 @@ VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, cons
     if (ranks_.rank() == 0) ::unlink(path_.c_str());
     throw;
   }
+}
+
+VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
+                       const Communicator& ranks, std::int64_t frames)
+    : path_(path),
+      ranks_(ranks),
+      precision_(options.precision),
+      nodes_(static_cast<hsize_t>(chunked.numbering.node_count())),
+      elements_(static_cast<hsize_t>(chunked.numbering.element_count())),
+      node_rows_(ranks, find_owned_nodes(chunked, ranks), chunked.mesh.node_numbers, chunked.numbering.node_count()),
+      element_rows_(ranks, count_up(chunked.mesh.elements.size()), number_elements(chunked),
+                    chunked.numbering.element_count()) {
+  if (ranks.size() > 1) transfer_ = hdf5::create_collective_transfer();
+  run_or_abandon("open", [&] { open(frames); });
 }
 
 VtkhdfFile::~VtkhdfFile() = default;
@@ -197,8 +212,33 @@ void VtkhdfFile::write_mesh(const Mesh& mesh, const FieldsOptions& options) {
   hdf5::write_attribute(own_.get(), "units", options.units);
 }
 
-void VtkhdfFile::add_constant(const hdf5::Handle& group, const std::string& name, std::int64_t value) {
-  constants_.push_back({hdf5::Table(group.get(), name, H5T_STD_I64LE, 1, steps_at_once), value});
+namespace {
+
+// Tables of Steps to which every frame adds the same number: their group, name and number.
+struct StepConstantPlace {
+  enum class Group { steps, point_data, cell_data } group;
+  const char* name;
+  std::int64_t value;
+};
+constexpr StepConstantPlace step_constants[] = {
+    {StepConstantPlace::Group::steps, "PartOffsets", 0},  {StepConstantPlace::Group::steps, "NumberOfParts", 1},
+    {StepConstantPlace::Group::steps, "CellOffsets", 0},  {StepConstantPlace::Group::steps, "ConnectivityIdOffsets", 0},
+    {StepConstantPlace::Group::point_data, "node_id", 0}, {StepConstantPlace::Group::cell_data, "element_id", 0},
+    {StepConstantPlace::Group::cell_data, "part", 0},
+};
+
+}  // namespace
+
+/// make(group, name) gives each table of the constants.
+template <class Make>
+void VtkhdfFile::add_constants(const Make& make) {
+  for (const StepConstantPlace& c : step_constants) {
+    using Group = StepConstantPlace::Group;
+    const auto& group = c.group == Group::steps        ? steps_
+                        : c.group == Group::point_data ? point_data_offsets_
+                                                       : cell_data_offsets_;
+    constants_.push_back({make(group.get(), c.name), c.value});
+  }
 }
 
 void VtkhdfFile::create_steps() {
@@ -207,13 +247,36 @@ void VtkhdfFile::create_steps() {
   times_.emplace(steps_.get(), "Values", H5T_IEEE_F64LE, 1, steps_at_once);
   point_offsets_.emplace(steps_.get(), "PointOffsets", H5T_STD_I64LE, 1, steps_at_once);
   step_numbers_.emplace(own_.get(), "step", H5T_STD_I64LE, 1, steps_at_once);
-  add_constant(steps_, "PartOffsets", 0);
-  add_constant(steps_, "NumberOfParts", 1);
-  add_constant(steps_, "CellOffsets", 0);
-  add_constant(steps_, "ConnectivityIdOffsets", 0);
-  add_constant(point_data_offsets_, "node_id", 0);
-  add_constant(cell_data_offsets_, "element_id", 0);
-  add_constant(cell_data_offsets_, "part", 0);
+  add_constants(
+      [](hid_t group, const char* name) { return hdf5::Table(group, name, H5T_STD_I64LE, 1, steps_at_once); });
+}
+
+void VtkhdfFile::open(std::int64_t frames) {
+  file_ = hdf5::open_durable_file(path_, ranks_);
+  run_on_first_rank(ranks_, [&] { disk_ = DiskReservation(path_); });
+  root_ = hdf5::open_group(file_.get(), "VTKHDF");
+  point_data_ = hdf5::open_group(root_.get(), "PointData");
+  cell_data_ = hdf5::open_group(root_.get(), "CellData");
+  steps_ = hdf5::open_group(root_.get(), "Steps");
+  point_data_offsets_ = hdf5::open_group(steps_.get(), "PointDataOffsets");
+  cell_data_offsets_ = hdf5::open_group(steps_.get(), "CellDataOffsets");
+  own_ = hdf5::open_group(file_.get(), "percuss");
+  points_.emplace(root_.get(), "Points");
+  times_.emplace(steps_.get(), "Values");
+  point_offsets_.emplace(steps_.get(), "PointOffsets");
+  step_numbers_.emplace(own_.get(), "step");
+  add_constants([](hid_t group, const char* name) { return hdf5::Table(group, name); });
+  frames_ = frames;
+}
+
+void VtkhdfFile::open_fields(std::span<const FieldData> fields) {
+  for (const auto& field : fields) {
+    const bool on_nodes = field.place == FieldPlace::node;
+    fields_.push_back({field.place, hdf5::Table((on_nodes ? point_data_ : cell_data_).get(), field.name),
+                       hdf5::Table((on_nodes ? point_data_offsets_ : cell_data_offsets_).get(), field.name)});
+    if (fields_.back().values.components() != field.components)
+      throw hdf5::Error("go on with field " + field.name, "it has another number of components");
+  }
 }
 
 void VtkhdfFile::create_fields(std::span<const FieldData> fields) {
@@ -240,7 +303,10 @@ void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const do
                               std::span<const FieldData> fields) {
   if (!file_) throw SystemError(fmt::format("cannot write '{}' (it was given up after an error)", path_));
   run_or_abandon("write", [&] {
-    if (frames_ == 0) create_fields(fields);
+    if (frames_ == 0)
+      create_fields(fields);
+    else if (fields_.empty())
+      open_fields(fields);
     reserve(frame_bytes(fields));
     append_rows(time, step, positions, fields);
     flush();
@@ -303,6 +369,10 @@ void VtkhdfFile::trim() {
   } else {
     run_on_first_rank(ranks_, [&] { disk_.trim_if_unused(); });
   }
+}
+
+void VtkhdfFile::sync() {
+  run_on_first_rank(ranks_, [&] { disk_.sync(); });
 }
 
 void VtkhdfFile::close() {

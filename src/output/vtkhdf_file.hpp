@@ -26,6 +26,9 @@ class VtkhdfFile {
   /// Creates the file with the mesh and no frame. Collective, as all below. Throws SystemError; no file is left then.
   VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks);
+  /// Goes on with a file that has so many frames and nothing else (cut_fields_file()).
+  VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
+             const Communicator& ranks, std::int64_t frames);
   /// Closes the file; errors are lost.
   ~VtkhdfFile();
   VtkhdfFile(const VtkhdfFile&) = delete;
@@ -36,6 +39,9 @@ class VtkhdfFile {
   /// frames before and takes no more.
   void append_frame(double time, std::int64_t step, std::span<const double> positions,
                     std::span<const FieldData> fields);
+
+  /// Waits until the disk has the frames written so far. Throws SystemError.
+  void sync();
 
   /// Waits for the disk and closes. Throws SystemError.
   void close();
@@ -62,6 +68,10 @@ class VtkhdfFile {
   void write_mesh(const Mesh& mesh, const FieldsOptions& options);
   void create_steps();
   void create_fields(std::span<const FieldData> fields);
+  template <class Make>
+  void add_constants(const Make& make);
+  void open(std::int64_t frames);
+  void open_fields(std::span<const FieldData> fields);
   hdf5::RowBlock make_block(FieldPlace place, int rows = 1) const;
   hdf5::RowBlock make_block_of_first_rank(hsize_t rows) const;
   void write_numbers(const hdf5::Handle& group, const std::string& name, const hdf5::RowBlock& block,
@@ -70,7 +80,6 @@ class VtkhdfFile {
   void append_items(hdf5::Table& table, FieldPlace place, std::span<const double> values, int components);
   template <class T>
   void append_one(hdf5::Table& table, T value);
-  void add_constant(const hdf5::Handle& group, const std::string& name, std::int64_t value);
   void append_rows(double time, std::int64_t step, std::span<const double> positions,
                    std::span<const FieldData> fields);
   hsize_t frame_bytes(std::span<const FieldData> fields) const;

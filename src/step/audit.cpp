@@ -51,6 +51,19 @@ NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const 
 
 }  // namespace
 
+void AuditResult::archive(CheckpointArchive& archive) {
+  EnergySummary& e = energy;
+  double energies[] = {e.initial, e.kinetic,  e.internal, e.hourglass, e.viscous,
+                       e.contact, e.friction, e.external, e.error};
+  archive.numbers("audited/energy", energies);
+  e = {energies[0], energies[1], energies[2], energies[3], energies[4],
+       energies[5], energies[6], energies[7], energies[8]};
+  archive.numbers("audited/linear", momentum.linear);
+  archive.numbers("audited/angular", momentum.angular);
+  archive.number("audited/linear_error", momentum.linear_error);
+  archive.number("audited/angular_error", momentum.angular_error);
+}
+
 Audit::Audit(const Model& model) : model_(model) {}
 
 Audit::Totals Audit::sum_all(const State& state) {
@@ -115,6 +128,16 @@ MomentumSummary Audit::balance_momentum(const Totals& totals) {
   if (momentum_scale_ > 0) m.linear_error = find_length(linear[0], linear[1], linear[2]) / momentum_scale_;
   if (moment_scale_ > 0) m.angular_error = find_length(moment[0], moment[1], moment[2]) / moment_scale_;
   return m;
+}
+
+void Audit::archive(CheckpointArchive& archive) {
+  archive.integer("audit/started", started_);
+  archive.number("audit/initial_energy", initial_energy_);
+  archive.number("audit/largest_energy", largest_energy_);
+  archive.numbers("audit/initial_momentum", initial_momentum_);
+  archive.numbers("audit/initial_moment", initial_moment_);
+  archive.number("audit/momentum_scale", momentum_scale_);
+  archive.number("audit/moment_scale", moment_scale_);
 }
 
 AuditResult Audit::operator()(const State& state) {

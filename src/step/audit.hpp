@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include "src/output/checkpoint_archive.hpp"
 #include "src/output/summary.hpp"
 #include "src/step/owned_sums.hpp"
 #include "src/step/state.hpp"
@@ -17,6 +18,8 @@ namespace percuss {
 struct AuditResult {
   EnergySummary energy;
   MomentumSummary momentum;
+
+  void archive(CheckpointArchive& archive);
 };
 
 /// Everything that an audit sums over nodes, then over chunks, then over the steps so far.
@@ -47,6 +50,9 @@ class Audit {
   /// Energies and momentum of the state, of all ranks, the same on each. The first call sets what later ones are
   /// compared with. One message a rank. Collective.
   AuditResult operator()(const State& state);
+
+  /// What audits compare with.
+  void archive(CheckpointArchive& archive);
 
  private:
   using Totals = std::array<double, AuditSum::count>;

@@ -171,6 +171,13 @@ void Bookkeeper::start(const State& state) {
                         }));
 }
 
+void Bookkeeper::archive(CheckpointArchive& archive) {
+  archive.numbers("books/start_momentum", momentum_);
+  archive.numbers("books/center_shift", center_shift_);
+  archive.number("books/wall_dt", wall_dt_);
+  archive.sums("books/wall_impulse", wall_impulse_);
+}
+
 void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, bool has_contact) {
   book_conditions(model_, held_sums_, state, dt, dt_mean);
   wall_dt_ = 0;

@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include "src/output/checkpoint_archive.hpp"
 #include "src/step/owned_sums.hpp"
 #include "src/step/state.hpp"
 
@@ -18,6 +19,9 @@ class Bookkeeper {
 
   /// Notes the momentum at time 0. Collective.
   void start(const State& state);
+
+  /// What the books remember besides those of the state.
+  void archive(CheckpointArchive& archive);
 
   /// Books the impulses of a step and the first half of the work of pressure and conditions. Call with v at n+1/2, x
   /// and forces at n. Collective.

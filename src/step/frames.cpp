@@ -20,6 +20,13 @@ bool has(const std::vector<std::string>& names, const char* name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// The fields of every frame; the file always has the displacement.
+std::vector<std::string> list_fields(const Deck& deck) {
+  std::vector<std::string> fields = deck.output.fields;
+  if (!has(fields, "displacement")) fields.push_back("displacement");
+  return fields;
+}
+
 }  // namespace
 
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
@@ -28,6 +35,27 @@ Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh
       model_(model),
       contact_(contact),
       file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, model.ranks) {
+  note_constant_fields(chunked);
+}
+
+Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+               const ContactStage& contact, std::int64_t frames)
+    : deck_(deck),
+      model_(model),
+      contact_(contact),
+      file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, model.ranks, frames,
+            list_fields(deck)),
+      count_(frames) {
+  note_constant_fields(chunked);
+}
+
+void Frames::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+                   std::int64_t frames) {
+  FieldsFile::check(directory, chunked, model.ranks, frames, list_fields(deck));
+}
+
+void Frames::note_constant_fields(const ChunkedMesh& chunked) {
+  const Deck& deck = deck_;
   if (has(deck.output.fields, "body")) {
     body_.assign(chunked.mesh.bodies.begin(), chunked.mesh.bodies.end());
   }
@@ -86,6 +114,7 @@ void Frames::write(const State& state) {
   }
   const auto x = to_host(state.x);
   file_.write_frame(state.time, state.step, {x.data(), x.extent(0) * 3}, frame);
+  ++count_;
 }
 
 }  // namespace percuss

@@ -18,15 +18,30 @@ class Frames {
   Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
          const ContactStage& contact);
 
+  /// Goes on with the fields file of an earlier run behind its first `frames`. Throws InputError, too.
+  Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+         const ContactStage& contact, std::int64_t frames);
+
+  /// Throws what that would throw of the file, and changes nothing.
+  static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+                    std::int64_t frames);
+
   void write(const State& state);
+  /// Waits until the disk has the frames written so far.
+  void sync() { file_.sync(); }
   void close() { file_.close(); }
+  /// In the file.
+  std::int64_t count() const { return count_; }
 
  private:
+  void note_constant_fields(const ChunkedMesh& chunked);
+
   const Deck& deck_;
   const Model& model_;
   const ContactStage& contact_;
   std::vector<double> body_, chunk_;  // constant fields, only if asked for
   FieldsFile file_;
+  std::int64_t count_ = 0;
 };
 
 }  // namespace percuss

@@ -138,6 +138,22 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
   });
 }
 
+History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes)
+    : ranks_(find_ranks(chunked.mesh)), has_walls_(!deck.walls.empty()), points_(find_history_points(deck, chunked)) {
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, has_walls_), bytes);
+  });
+}
+
+void History::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes) {
+  const std::vector<FollowedPoint> points = find_history_points(deck, chunked);
+  const Communicator ranks = find_ranks(chunked.mesh);
+  fail_together(ranks, [&] {
+    if (ranks.rank() == 0)
+      check_history_file(directory + "/history.csv", make_columns(points, !deck.walls.empty()), bytes);
+  });
+}
+
 /// Appends the values of the followed points on rank 0. Each is known to one rank; the others give zeros, and their
 /// bits are put together.
 void History::gather_points(const Model& model, const State& state, std::vector<double>& row) const {
@@ -205,6 +221,15 @@ void History::write(const Model& model, const State& state, const AuditResult& a
   fail_together(ranks_, [&] {
     if (file_) file_->write_row(row);
   });
+}
+
+std::int64_t History::sync() {
+  std::int64_t bytes = 0;
+  fail_together(ranks_, [&] {
+    if (file_) bytes = file_->sync();
+  });
+  wait_mpi([&] { return MPI_Bcast(&bytes, 1, MPI_INT64_T, 0, ranks_.handle()); }, "MPI_Bcast");
+  return bytes;
 }
 
 void History::flush() {

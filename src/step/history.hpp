@@ -30,11 +30,19 @@ class History {
   /// all ranks.
   History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked);
 
+  /// Goes on with the history.csv of an earlier run behind its first `bytes`. Collective. Throws likewise.
+  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes);
+
+  /// Throws on all ranks what that would throw, and changes nothing. Collective.
+  static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes);
+
   /// Collective. Throws SystemError on all ranks if rank 0 cannot write.
   void write(const Model& model, const State& state, const AuditResult& audit, const ContactReport& contact,
              const Vec3& wall_force);
   /// Collective; throws likewise.
   void flush();
+  /// Waits until the disk has all rows; returns the length of the file [byte]. Collective; throws likewise.
+  std::int64_t sync();
 
  private:
   void gather_points(const Model& model, const State& state, std::vector<double>& row) const;

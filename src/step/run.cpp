@@ -9,14 +9,14 @@
 #include <optional>
 
 #include "comm/rendezvous.hpp"
-#include "kernels/core/host_copy.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/step/audit.hpp"
-#include "src/step/frames.hpp"
-#include "src/step/history.hpp"
+#include "src/step/checkpoint.hpp"
 #include "src/step/phases.hpp"
+#include "src/step/run_checks.hpp"
+#include "src/step/run_output.hpp"
 #include "src/step/run_totals.hpp"
 #include "src/step/step.hpp"
 #include "src/step/whole_mesh.hpp"
@@ -27,26 +27,14 @@ namespace {
 
 volatile std::sig_atomic_t stop_requested = 0;
 
-/// The energy is judged at least this often, also without output.
+/// Energy and momentum are judged at least this often, also without output.
 constexpr long steps_between_audits = 500;
+
+constexpr const char* checkpoint_name = "/checkpoint.h5";
 
 using Clock = std::chrono::steady_clock;
 
 double find_seconds(Clock::time_point since) { return std::chrono::duration<double>(Clock::now() - since).count(); }
-
-/// Due at multiples of a period; never twice for one state.
-class Schedule {
- public:
-  explicit Schedule(std::optional<double> period) : period_(period) {}
-  bool is_due(double time) const { return period_ && time >= next_ * (1 - 1e-12); }
-  void advance(double time) {
-    if (period_ && *period_ > 0) next_ = *period_ * (std::floor(time / *period_ * (1 + 1e-12)) + 1);
-  }
-
- private:
-  std::optional<double> period_;
-  double next_ = 0;
-};
 
 /// Everything a run holds between its start and its summary.
 class Run {
@@ -57,20 +45,29 @@ class Run {
  private:
   bool speaks() const { return ranks_.rank() == 0 && options_.progress != Progress::Style::quiet; }
   void warn_about_idle_ranks() const;
+  void begin();
+  void restart();
   void open_files();
   bool is_finished() const;
   void loop();
-  void observe(bool is_last);
+  void advance();
+  void observe();
+  void observe_last();
+  void audit();
   void note_contact();
-  std::string describe_element(std::int64_t number) const;
-  std::string describe_deepest_node() const;
-  void check_elements() const;
-  void check_energy() const;
+  void check_step_made() const;
+  CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }
+  bool wants_checkpoints() const { return deck_.output.checkpoint_every || deck_.output.checkpoint_wall; }
+  StepWishes find_wishes() const;
+  void archive(CheckpointArchive& archive);
+  void write_checkpoint();
+  long steps_done() const { return state_.step - start_step_; }
   void finish(const std::string& status, const std::string& error);
   void fill_summary();
   void fill_contact_summary();
   RankRow make_rank_row() const;
-  void fail(const std::string& error);
+  void fail(const std::exception& error);
+  void write_failed_state();
   ProgressState find_progress() const;
 
   const Deck& deck_;
@@ -85,9 +82,15 @@ class Run {
   Stepper stepper_;
   Audit audit_;
   AuditResult audited_;
-  std::optional<Frames> frames_;
-  std::optional<History> history_;
-  Schedule frame_schedule_, history_schedule_;
+  long audited_step_ = -1;
+  RunOutput output_;
+  Schedule checkpoints_due_;
+  Clock::time_point checkpoint_clock_ = Clock::now();  // when the last one was written, or the run began
+  long checkpoint_step_ = -1;                          // of the last one
+  double checkpoint_time_ = 0;
+  std::string checkpoint_;
+  bool is_state_whole_ = true;  // false while a step is made
+  long start_step_ = 0;         // where this run began
   double first_dt_ = 0;
   std::int64_t limiting_element_id_ = 0;  // bounded the last step
   long unconverged_steps_ = 0;            // of the contact enforcement
@@ -108,21 +111,49 @@ Run::Run(const Deck& deck, const RunOptions& options)
       state_(make_initial_state(model_)),
       stepper_(deck, chunked_, model_, contact_),
       audit_(model_),
-      frame_schedule_(deck.output.fields_every),
-      history_schedule_(deck.output.history_every),
+      output_(deck, chunked_, model_, contact_, options.out_dir),
+      checkpoints_due_(deck.output.checkpoint_every),
       progress_(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet) {
   if (speaks()) {
     for (const std::string& warning : chunked_.mesh.warnings) print_quietly(stderr, "warning: {}\n", warning);
     warn_about_idle_ranks();
   }
+  if (options.restart.empty()) {
+    begin();
+  } else {
+    restart();
+  }
+  open_files();  // last: to close a file that several ranks write takes all of them, should one fail alone
+  summary_.setup_s = find_seconds(setup_start_);
+}
+
+void Run::begin() {
   if (contact_.is_active()) contact_notice_ = contact_.prepare(state_.x, state_.v);
   if (!contact_notice_.empty() && speaks()) print_quietly(stderr, "{}\n", contact_notice_);
   compute_start_ = compute_seconds();
-  stepper_.start(state_, stop_requested != 0);
-  open_files();  // last: to close a file that several ranks write takes all of them, should one fail alone
+  stepper_.start(state_, {stop_requested != 0, false});
   first_dt_ = state_.next_dt;
   limiting_element_id_ = state_.bound.element_id;
-  summary_.setup_s = find_seconds(setup_start_);
+  checkpoints_due_.advance(state_.time);  // none at time 0
+}
+
+void Run::restart() {
+  CheckpointReader reader(options_.restart, chunked_, ranks_);
+  check_checkpoint_header(options_.restart, reader.header(), make_checkpoint_header(deck_, chunked_, model_, state_),
+                          deck_);
+  archive(reader);
+  if (deck_.time.end < state_.time * (1 - 1e-12)) {
+    throw InputError(fmt::format("{}: error: time.end is {:g}, before the checkpoint's time {:g} (a run goes forward)",
+                                 deck_.file, deck_.time.end, state_.time));
+  }
+  complete_state(chunked_, model_, state_);
+  compute_start_ = compute_seconds();
+  stepper_.resume(state_);
+  start_step_ = checkpoint_step_ = state_.step;
+  checkpoint_time_ = state_.time;
+  checkpoint_ = options_.restart;
+  checkpoints_due_.advance(state_.time);
+  if (speaks()) print_quietly(stderr, "goes on from step {}, t = {:.6g}\n", state_.step, state_.time);
 }
 
 void Run::warn_about_idle_ranks() const {
@@ -138,12 +169,15 @@ void Run::open_files() {
   if (!options_.out_dir.empty() && deck_.output.history_every) {
     find_history_points(deck_, chunked_);  // an unknown id is told before earlier results go
   }
+  if (options_.goes_on_in_place) {
+    output_.check_earlier();
+    output_.go_on();
+    return;
+  }
   fail_together(ranks_, [&] {
     if (ranks_.rank() == 0 && options_.prepare_output) options_.prepare_output();
   });
-  if (options_.out_dir.empty()) return;
-  if (deck_.output.history_every) history_.emplace(options_.out_dir, deck_, chunked_);
-  if (deck_.output.fields_every) frames_.emplace(options_.out_dir, deck_, chunked_, model_, contact_);
+  output_.create();
 }
 
 bool Run::is_finished() const {
@@ -152,21 +186,40 @@ bool Run::is_finished() const {
 }
 
 void Run::loop() {
-  summary_.dt.min = first_dt_;
-  check_elements();
-  audited_ = audit_(state_);  // what later audits compare with, whatever the output
-  observe(false);
-  while (!is_finished() && !stepper_.is_stop_agreed()) {
-    limiting_element_id_ = state_.bound.element_id;
-    stepper_.advance(state_, stop_requested != 0);
-    summary_.dt.min = std::min(summary_.dt.min, state_.dt);
-    summary_.dt.max = std::max(summary_.dt.max, state_.dt);
-    note_contact();
-    check_elements();
-    const bool is_last = is_finished() || stepper_.is_stop_agreed();
-    observe(is_last);
-    if (!is_last) progress_.report(find_progress());  // finish() has the last word
+  if (options_.restart.empty()) {
+    summary_.dt.min = first_dt_;
+    check_step_made();
+    audit();  // what later audits compare with, whatever the output
+    observe();
   }
+  while (!is_finished() && !stepper_.is_stop_agreed()) advance();
+  // The checkpoint goes before the last row and frame, which a run that goes on does not have.
+  const bool is_interrupted = !is_finished();
+  if (checkpoint_step_ != state_.step && (is_interrupted || wants_checkpoints())) write_checkpoint();
+  observe_last();
+}
+
+/// A step, and all that is due after it.
+void Run::advance() {
+  limiting_element_id_ = state_.bound.element_id;
+  is_state_whole_ = false;
+  stepper_.advance(state_, find_wishes());
+  is_state_whole_ = true;
+  summary_.dt.min = std::min(summary_.dt.min, state_.dt);
+  summary_.dt.max = std::max(summary_.dt.max, state_.dt);
+  note_contact();
+  check_step_made();
+  observe();
+  if (stepper_.is_checkpoint_agreed() || checkpoints_due_.is_due(state_.time)) write_checkpoint();
+  if (!is_finished() && !stepper_.is_stop_agreed()) progress_.report(find_progress());  // finish() has the last word
+}
+
+StepWishes Run::find_wishes() const {
+  StepWishes wishes;
+  wishes.stop = stop_requested != 0;
+  wishes.checkpoint = ranks_.rank() == 0 && !options_.out_dir.empty() && deck_.output.checkpoint_wall &&
+                      find_seconds(checkpoint_clock_) >= *deck_.output.checkpoint_wall;
+  return wishes;
 }
 
 void Run::note_contact() {
@@ -174,87 +227,69 @@ void Run::note_contact() {
   if (unconverged_steps_++ == 0) first_unconverged_ = state_.step;
 }
 
-/// Audit and output of a state, where they are due. A row of the history is written before the energy is judged, so
+void Run::audit() {
+  if (audited_step_ == state_.step) return;
+  const Phase phase("percuss::reduce", stepper_.clocks().reduce);
+  audited_ = audit_(state_);
+  audited_step_ = state_.step;
+}
+
+/// Audit and output of a state, where they are due. A row of the history is written before the balance is judged, so
 /// that it shows what grew; a frame only after.
-void Run::observe(bool is_last) {
-  const bool history_due = history_schedule_.is_due(state_.time);
-  const bool frame_due = frame_schedule_.is_due(state_.time);
-  if (!history_due && !frame_due && !is_last && state_.step % steps_between_audits != 0) return;
-  {
-    const Phase phase("percuss::reduce", stepper_.clocks().reduce);
-    audited_ = audit_(state_);
-  }
+void Run::observe() {
+  const bool row_due = output_.is_row_due(state_.time), frame_due = output_.is_frame_due(state_.time);
+  if (!row_due && !frame_due && state_.step % steps_between_audits != 0) return;
+  audit();
   const Phase phase("percuss::output", stepper_.clocks().output);
-  if (history_ && (history_due || is_last)) {
-    history_->write(model_, state_, audited_, stepper_.contact_report(), stepper_.find_wall_force());
-  }
-  check_energy();
-  if (frames_ && (frame_due || is_last)) {
-    frames_->write(state_);
-    if (history_) history_->flush();
-  }
-  history_schedule_.advance(state_.time);
-  frame_schedule_.advance(state_.time);
+  if (row_due) output_.write_row(state_, audited_, stepper_);
+  check_balance(seen(), audited_);
+  if (frame_due) output_.write_frame(state_);
+  output_.advance(state_.time);
 }
 
-/// In the words of the rank that has it. Collective.
-std::string Run::describe_element(std::int64_t number) const {
-  const int element = find_local_element(chunked_, number);
-  std::string text;
-  if (element >= 0) {
-    const auto e = static_cast<std::size_t>(element);
-    const auto x = to_host(state_.x);
-    double center[3] = {0, 0, 0};
-    for (const int n : chunked_.mesh.elements[e]) {
-      for (int k = 0; k < 3; ++k) center[k] += x(static_cast<std::size_t>(n), static_cast<std::size_t>(k)) / 8;
-    }
-    text = fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_element(chunked_.mesh, element), center[0], center[1],
-                       center[2]);
-  }
-  return broadcast_text(ranks_, text, chunked_.numbering.find_element_owner(number));
+/// The same of the last state, due or not.
+void Run::observe_last() {
+  audit();
+  const Phase phase("percuss::output", stepper_.clocks().output);
+  output_.write_row(state_, audited_, stepper_);
+  check_balance(seen(), audited_);
+  output_.write_frame(state_);
 }
 
-/// Empty if no contact node lies deep. Collective.
-std::string Run::describe_deepest_node() const {
-  const std::int64_t number = stepper_.contact_report().deepest_node;
-  if (number < 0) return "";
-  const int node = find_local_node(chunked_, number);
-  const std::int64_t id = node < 0 ? 0 : chunked_.mesh.node_ids[static_cast<std::size_t>(node)];
-  return broadcast_text(ranks_, fmt::format("; the deepest contact node is {}", id),
-                        chunked_.numbering.find_node_owner(number));
+void Run::check_step_made() const {
+  check_elements(seen());
+  if (!is_finished()) check_step(seen(), first_dt_);
 }
 
-void Run::check_elements() const {
-  if (state_.bound.failed_element >= 0) {
-    throw RunError(fmt::format(
-        "{} has inverted or is not finite any more, in step {} at t = {:.6g} (the mesh is crushed beyond what it can "
-        "follow, or the run is unstable); try a finer mesh there, a stronger material, or a smaller time.step_scale "
-        "(now {})",
-        describe_element(state_.bound.failed_element), state_.step, state_.time, deck_.time.step_scale));
-  }
-  if (state_.next_dt < deck_.time.collapse_ratio * first_dt_ && !is_finished() &&
-      deck_.time.step_scale * state_.bound.step < deck_.time.collapse_ratio * first_dt_) {
-    throw RunError(fmt::format(
-        "the time step has collapsed to {:.3g} (it began at {:.3g}) in step {} at t = {:.6g}; {} controls it; try a "
-        "coarser mesh there, or lower time.collapse_ratio (now {:g}) to go on",
-        state_.next_dt, first_dt_, state_.step, state_.time, describe_element(state_.bound.element),
-        deck_.time.collapse_ratio));
-  }
+/// Everything that a run needs to go on as if it had never stopped.
+void Run::archive(CheckpointArchive& archive) {
+  archive_state(archive, chunked_, model_, state_);
+  stepper_.archive(archive);
+  audit_.archive(archive);
+  output_.archive(archive, state_.time);
+  archive.number("run/first_dt", first_dt_);
+  archive.number("run/dt_min", summary_.dt.min);
+  archive.number("run/dt_max", summary_.dt.max);
+  archive.number("run/limiting_element_id", limiting_element_id_);
+  archive.integer("run/unconverged_steps", unconverged_steps_);
+  archive.integer("run/first_unconverged", first_unconverged_);
+  archive.integer("run/audited_step", audited_step_);
+  audited_.archive(archive);
 }
 
-void Run::check_energy() const {
-  const double error = audited_.energy.error;
-  if (std::abs(error) <= deck_.audit.max_energy_error) return;  // false for NaN
-  const EnergySummary& e = audited_.energy;
-  const std::string limiting = describe_element(state_.bound.element), deepest = describe_deepest_node();
-  throw RunError(
-      fmt::format("the energy balance is off by {:.3g} of the largest energy, more than audit.max_energy_error = {:g}, "
-                  "in step {} at "
-                  "t = {:.6g} (kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, contact {:.6g}; {} has the smallest "
-                  "step{}); look "
-                  "at history.csv for what grows, try a smaller time.step_scale (now {})",
-                  error, deck_.audit.max_energy_error, state_.step, state_.time, e.kinetic, e.internal, e.hourglass,
-                  e.contact, limiting, deepest, deck_.time.step_scale));
+void Run::write_checkpoint() {
+  if (options_.out_dir.empty()) return;
+  const Phase phase("percuss::output", stepper_.clocks().output);
+  output_.sync();
+  const std::string path = options_.out_dir + checkpoint_name;
+  CheckpointWriter writer(path, make_checkpoint_header(deck_, chunked_, model_, state_), chunked_, ranks_);
+  archive(writer);
+  writer.finish();
+  checkpoint_ = path;
+  checkpoint_step_ = state_.step;
+  checkpoint_time_ = state_.time;
+  checkpoint_clock_ = Clock::now();
+  checkpoints_due_.advance(state_.time);
 }
 
 ProgressState Run::find_progress() const {
@@ -281,14 +316,14 @@ void Run::fill_summary() {
   summary_.phases_s = stepper_.clocks().wall();
   summary_.peak_bytes = find_peak_bytes();
   take_largest(ranks_, summary_);
-  const double work = static_cast<double>(summary_.elements) * static_cast<double>(state_.step);
+  const double work = static_cast<double>(summary_.elements) * static_cast<double>(steps_done());
   if (work > 0) summary_.grind_ns = 1e9 * summary_.loop_s * summary_.ranks * summary_.threads / work;
   fill_contact_summary();
   summary_.balance.elements = find_element_balance(chunked_.numbering, ranks_.size());
   const Traffic halo = stepper_.traffic(), contact = contact_.traffic();
   const Traffic traffic = sum_traffic(ranks_, {halo.messages + contact.messages, halo.bytes + contact.bytes});
-  if (state_.step > 0) {
-    const double rank_steps = static_cast<double>(state_.step) * ranks_.size();
+  if (steps_done() > 0) {
+    const double rank_steps = static_cast<double>(steps_done()) * ranks_.size();
     summary_.messages = {static_cast<double>(traffic.messages) / rank_steps,
                          static_cast<double>(traffic.bytes) / rank_steps};
   }
@@ -300,8 +335,8 @@ void Run::fill_summary() {
 void Run::fill_contact_summary() {
   if (!contact_.is_active()) return;
   const DecompositionReport done = contact_.decomposition();
-  if (state_.step > 0) {
-    const auto steps = static_cast<double>(state_.step);
+  if (steps_done() > 0) {
+    const auto steps = static_cast<double>(steps_done());
     summary_.skipped.searches = 1 - static_cast<double>(contact_.searches()) / steps;
     summary_.skipped.rebalances = 1 - static_cast<double>(done.rebalances) / steps;
   }
@@ -319,8 +354,8 @@ RankRow Run::make_rank_row() const {
   row.contact_faces = load.faces;
   row.compute = stepper_.clocks().compute();
   row.compute_loop = compute_seconds() - compute_start_;
-  if (state_.step == 0) return row;
-  const auto steps = static_cast<double>(state_.step);
+  if (steps_done() == 0) return row;
+  const auto steps = static_cast<double>(steps_done());
   const Traffic halo = stepper_.traffic(), contact = contact_.traffic();
   row.halo_messages = static_cast<double>(halo.messages) / steps;
   row.halo_bytes = static_cast<double>(halo.bytes) / steps;
@@ -350,17 +385,35 @@ void Run::finish(const std::string& status, const std::string& error) {
   });
 }
 
-/// Writes the summary of a failed run, if all ranks have come here; only then may they talk to each other.
-void Run::fail(const std::string& error) {
+/// The state in which a run failed, if it can be looked at: a row and a frame more.
+void Run::write_failed_state() {
+  if (!is_state_whole_) return;
+  output_.write_row(state_, audit_(state_), stepper_);
+  if (!has_finite_positions(model_, state_)) return;
+  output_.write_frame(state_);
+  if (speaks() && !options_.out_dir.empty() && deck_.output.fields_every)
+    print_quietly(stderr, "the last frame is the state that failed, t = {:.6g}; the one before it is sound\n",
+                  state_.time);
+}
+
+/// Writes what there is of a failed run, if all ranks have come here; only then may they talk to each other.
+void Run::fail(const std::exception& error) {
   if (!rendezvous_.meet()) {
     if (options_.end_all_ranks) options_.end_all_ranks();
     ranks_.abort(static_cast<int>(ExitCode::system_failed));
   }
   try {
-    finish("failed", error);
+    if (dynamic_cast<const RunError*>(&error) != nullptr) write_failed_state();
+    finish("failed", error.what());
+    output_.close();
   } catch (const std::exception& second) {  // a full disk must not hide why the run failed
     if (ranks_.rank() == 0) print_quietly(stderr, "percuss: error: {}\n", second.what());
   }
+  if (!speaks() || options_.out_dir.empty()) return;
+  print_quietly(stderr, "results: {}\n", options_.out_dir);
+  if (checkpoint_.empty()) return;
+  print_quietly(stderr, "checkpoint: {}, step {}, t = {:.6g}; from there: percuss run {} --restart {}\n", checkpoint_,
+                checkpoint_step_, checkpoint_time_, deck_.file, checkpoint_);
 }
 
 RunResult Run::operator()() {
@@ -369,15 +422,14 @@ RunResult Run::operator()() {
     ranks_.mark_profiled(true);
     loop();
     ranks_.mark_profiled(false);
-    if (frames_) frames_->close();
-    if (history_) history_->flush();
+    output_.close();
   } catch (const std::exception& error) {
-    fail(error.what());
+    fail(error);
     throw;
   }
   const bool interrupted = stepper_.is_stop_agreed() && !is_finished();
   finish(interrupted ? "interrupted" : "completed", "");
-  return {interrupted ? ExitCode::interrupted : ExitCode::done, summary_};
+  return {interrupted ? ExitCode::interrupted : ExitCode::done, summary_, checkpoint_};
 }
 
 }  // namespace

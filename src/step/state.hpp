@@ -26,6 +26,7 @@ struct StepBound {
   std::int64_t element = 0;          // that has it, the lowest of several
   std::int64_t element_id = 0;       // the user's id of that
   std::int64_t failed_element = -1;  // lowest element without positive volume or step, -1: none
+  std::int64_t broken_chunk = -1;    // lowest chunk whose work is not finite, -1: none
 };
 
 struct State {

@@ -27,7 +27,9 @@ void StepNotice::merge(const StepNotice& other) {
     element_id = other.element_id;
   }
   failed_element = std::min(failed_element, other.failed_element);
+  broken_chunk = std::min(broken_chunk, other.broken_chunk);
   stop = std::max(stop, other.stop);
+  checkpoint = std::max(checkpoint, other.checkpoint);
 }
 
 Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
@@ -44,16 +46,36 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
               to_view("percuss::is_displacement", is_displacement)};
 }
 
-void Stepper::start(State& state, bool wants_stop) {
+void Stepper::start(State& state, StepWishes wishes) {
   // Held directions begin at their prescribed velocity; a displacement curve begins at rest.
   hold_conditions(state, 0);
   compute_forces(state, 0);
-  agree_on_step(state, wants_stop);
+  agree_on_step(state, wishes);
   choose_step(state);
   bookkeeper_.start(state);
 }
 
-void Stepper::advance(State& state, bool wants_stop) {
+void Stepper::resume(State& state) {
+  apply_loads(state, state.time);
+  halo_.begin(space_, state.slot_force);
+  halo_.end();
+  choose_step(state);
+}
+
+void Stepper::archive(CheckpointArchive& archive) {
+  bookkeeper_.archive(archive);
+  if (!contact_.is_active()) return;
+  archive.integer("contact/report/interactions", report_.interactions);
+  archive.number("contact/report/candidates", report_.candidates);
+  archive.integer("contact/report/iterations", report_.iterations);
+  archive.number("contact/report/residual", report_.residual);
+  archive.integer("contact/report/converged", report_.converged);
+  archive.number("contact/report/deepest", report_.deepest);
+  archive.number("contact/report/deepest_node", report_.deepest_node);
+  contact_.archive(archive);
+}
+
+void Stepper::advance(State& state, StepWishes wishes) {
   const double dt = state.next_dt;
   const double dt_mean = 0.5 * (state.dt + dt);
   integrate_motion(state, dt_mean);
@@ -75,7 +97,7 @@ void Stepper::advance(State& state, bool wants_stop) {
   state.time += dt;
   state.step += 1;
   state.dt = dt;
-  agree_on_step(state, wants_stop);
+  agree_on_step(state, wishes);
   choose_step(state);
 }
 
@@ -134,26 +156,30 @@ StepNotice Stepper::find_notice(const State& state) const {
   const auto step = to_host(state.results.stable_step);
   const auto element = to_host(state.results.controlling_element);
   const auto failed = to_host(state.results.failed_element);
+  const auto work = to_host(state.results.work);
   StepNotice notice;
   for (std::size_t c = 0; c < step.extent(0); ++c) {
     const Chunk& chunk = chunked_.chunks[c];
     const std::int64_t shift =
         chunked_.numbering.first_element[static_cast<std::size_t>(chunk.number)] - chunk.first_element;
     notice.merge({step(c), element(c) + shift, chunked_.mesh.element_ids[static_cast<std::size_t>(element(c))],
-                  failed(c) < 0 ? StepNotice::none : failed(c) + shift});
+                  failed(c) < 0 ? StepNotice::none : failed(c) + shift,
+                  std::isfinite(work(c, 0) + work(c, 1) + work(c, 2)) ? StepNotice::none : chunk.number});
   }
   return notice;
 }
 
 /// The one reduction of a step.
-void Stepper::agree_on_step(State& state, bool wants_stop) {
+void Stepper::agree_on_step(State& state, StepWishes wishes) {
   const Phase phase("percuss::reduce", clocks_.reduce);
   StepNotice notice = find_notice(state);
-  notice.stop = wants_stop ? 1 : 0;
+  notice.stop = wishes.stop ? 1 : 0;
+  notice.checkpoint = wishes.checkpoint ? 1 : 0;
   reduction_(model_.ranks, notice);
-  is_stop_agreed_ = notice.stop != 0;
-  const bool is_sound = notice.failed_element == StepNotice::none;
-  state.bound = {notice.step, notice.element, notice.element_id, is_sound ? -1 : notice.failed_element};
+  agreed_ = {notice.stop != 0, notice.checkpoint != 0};
+  const auto or_none = [](std::int64_t number) { return number == StepNotice::none ? -1 : number; };
+  state.bound = {notice.step, notice.element, notice.element_id, or_none(notice.failed_element),
+                 or_none(notice.broken_chunk)};
 }
 
 void Stepper::apply_loads(State& state, double time) {

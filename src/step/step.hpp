@@ -21,9 +21,17 @@ struct StepNotice {
   std::int64_t element = none;         // number in the whole mesh
   std::int64_t element_id = 0;         // the user's id of that
   std::int64_t failed_element = none;  // number in the whole mesh
+  std::int64_t broken_chunk = none;    // number of the lowest chunk whose work is not finite
   std::int64_t stop = 0;               // 1: the run is to end after this step
+  std::int64_t checkpoint = 0;         // 1: a checkpoint is to be written after this step
 
   void merge(const StepNotice& other);
+};
+
+/// What a rank wants of the run after the step; what one wants, all do.
+struct StepWishes {
+  bool stop = false;
+  bool checkpoint = false;
 };
 
 /// Advances a state step by step. Holds only what a step needs besides model and state: messages, sums, curve values,
@@ -34,14 +42,21 @@ class Stepper {
   Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact);
 
   /// Evaluates the elements and loads at time 0 and chooses the first step.
-  void start(State& state, bool wants_stop = false);
+  void start(State& state, StepWishes wishes = {});
+
+  /// What the stepper remembers from step to step, its contact stage included. Collective.
+  void archive(CheckpointArchive& archive);
+
+  /// Instead of start(), for a state from a checkpoint: the forces that it does not hold, and the next step, which the
+  /// deck may have changed. archive() has been called.
+  void resume(State& state);
 
   /// From n to n+1. Afterwards state.bound tells whether an element failed; then the state must not be advanced.
-  /// wants_stop: this rank was asked to end the run.
-  void advance(State& state, bool wants_stop = false);
+  void advance(State& state, StepWishes wishes = {});
 
-  /// Whether a rank wanted to stop by the last step, the same on all ranks.
-  bool is_stop_agreed() const { return is_stop_agreed_; }
+  /// What any rank wanted by the last step, the same on all ranks.
+  bool is_stop_agreed() const { return agreed_.stop; }
+  bool is_checkpoint_agreed() const { return agreed_.checkpoint; }
 
   const ContactReport& contact_report() const { return report_; }
   /// Force of walls on the scene in the last step, its contact impulses summed over dt; zero without walls. Collective.
@@ -59,7 +74,7 @@ class Stepper {
   void advance_blocks(State& state, const HexBlocks& blocks, double dt);
   void apply_loads(State& state, double time);
   StepNotice find_notice(const State& state) const;
-  void agree_on_step(State& state, bool wants_stop);
+  void agree_on_step(State& state, StepWishes wishes);
   void choose_step(State& state) const;
 
   const Deck& deck_;
@@ -69,7 +84,7 @@ class Stepper {
   ExecSpace space_;
   HaloSwap halo_;
   MergeReduction<StepNotice> reduction_;
-  bool is_stop_agreed_ = false;
+  StepWishes agreed_;
   Bookkeeper bookkeeper_;
   PrescribedMotions motions_;
   Array<double> pressures_;

@@ -49,9 +49,10 @@ ProcessResult run_percuss(const std::vector<std::string>& arguments, const std::
   return {decode(status), read_file(folder.path() + "/out"), read_file(folder.path() + "/err")};
 }
 
-ProcessResult interrupt_percuss(const std::vector<std::string>& arguments, const std::string& file, int signal_number) {
+ProcessResult interrupt_percuss(const std::vector<std::string>& arguments, const std::string& file, int signal_number,
+                                const std::string& before) {
   const TemporaryFolder folder;
-  const std::string command = make_command(arguments, "", folder.path());
+  const std::string command = make_command(arguments, before, folder.path());
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork failed");
   if (child == 0) {

@@ -15,7 +15,8 @@ struct ProcessResult {
 ProcessResult run_percuss(const std::vector<std::string>& arguments, const std::string& before = "");
 
 /// Starts percuss, waits until `file` exists, sends it a signal and waits for its end.
-ProcessResult interrupt_percuss(const std::vector<std::string>& arguments, const std::string& file, int signal_number);
+ProcessResult interrupt_percuss(const std::vector<std::string>& arguments, const std::string& file, int signal_number,
+                                const std::string& before = "");
 
 /// A new, empty folder of this process; gone with its contents when this is destroyed.
 class TemporaryFolder {

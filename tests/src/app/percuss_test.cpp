@@ -214,6 +214,8 @@ TEST(PercussRun, EndsCleanlyWhenItIsInterrupted) {
                           out + "/history.csv", signal_number);
     EXPECT_EQ(result.exit_code, 130) << result.err;
     EXPECT_EQ(read_summary(out + "/summary.json").status, "interrupted");
+    EXPECT_THAT(result.err, HasSubstr("to go on: percuss run " + file + " --restart " + out + "/checkpoint.h5"));
+    EXPECT_THAT(run_percuss({"info", out}).out, HasSubstr("checkpoint of a percuss run, whole and undamaged"));
   }
 }
 
@@ -227,6 +229,17 @@ materials: {soft: {model: elastic, density: 2, youngs_modulus: 100, poissons_rat
 initial: [{part: one, velocity: [0, 0, 0.1], angular_velocity: [0, 0, 1]}]
 output: {history: {every: 0}}
 )yaml";
+
+TEST(PercussRun, RefusesARestartFromWhatIsNoCheckpoint) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", cube);
+  const ProcessResult none = run_percuss({"run", file, "--restart", folder.path() + "/none.h5"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("none.h5: error: no such file"));
+  const ProcessResult text = run_percuss({"run", file, "--restart", file});
+  EXPECT_EQ(text.exit_code, 2);
+  EXPECT_THAT(text.err, HasSubstr("deck.yaml: error: not a checkpoint, or not a whole one"));
+}
 
 /// What starts percuss on several ranks.
 std::string launch_on(int ranks) {
@@ -352,4 +365,28 @@ TEST(Percuss, FailsWhenItsOutputIsLost) {
 }
 
 }  // namespace
+TEST(PercussRun, StoppedOnRanksGoesOnOnOthersToTheSameBits) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", blocks), out = folder.path() + "/out",
+                    whole = folder.path() + "/whole";
+  const auto steps = [](int count) { return "time.max_steps=" + std::to_string(count); };
+  // Long enough to be stopped on the way; Open MPI gives its ranks a second otherwise.
+  const ProcessResult stopped =
+      interrupt_percuss({"run", file, "-o", out, "--set", steps(1'000'000), "--set", "time.end=1e6"},
+                        out + "/history.csv", SIGTERM, launch_on(2) + " --mca odls_base_sigkill_timeout 60");
+  EXPECT_NE(stopped.exit_code, 0);
+  const Summary first = read_summary(out + "/summary.json");
+  EXPECT_EQ(first.status, "interrupted") << stopped.err;
+  const int end = static_cast<int>(first.steps) + 9;
+  for (const auto& [launch, arguments] :
+       {std::pair(launch_on(3), std::vector<std::string>{"run", file, "--restart", out + "/checkpoint.h5"}),
+        std::pair(std::string(), std::vector<std::string>{"run", file, "-o", whole})}) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--set", steps(end), "--set", "time.end=1e6"});
+    const ProcessResult result = run_percuss(all, launch);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+  }
+  EXPECT_EQ(read_summary(out + "/summary.json").state_hash, read_summary(whole + "/summary.json").state_hash);
+}
+
 }  // namespace percuss

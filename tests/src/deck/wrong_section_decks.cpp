@@ -116,6 +116,7 @@ std::vector<WrongDeck> at_odds() {
        "both near and id"},
       {"PointNamedTwice", append("output: {history: {nodes: [{name: a, id: 1}], elements: [{name: a, id: 2}]}}"),
        "6:58", "name 'a' is given twice"},
+      {"CheckpointNever", append("output: {checkpoint: {}}"), "6:22", "neither every nor wall"},
       {"NoPairs", append("contact: {surfaces: []}"), "6:21", "at least one pair"},
       {"PairOfThree", append("contact: {surfaces: [[rod, rod, rod]]}"), "6:22", "must be a pair [a, b]"},
       {"PairWithoutB", append("contact: {surfaces: [{a: rod}]}"), "6:22", "contact.surfaces.0.b is missing"},

@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "src/error.hpp"
+#include "src/output/describe_fields.hpp"
 #include "src/step/run.hpp"
+#include "src/step/run_checks.hpp"
 #include "tests/src/step/scene.hpp"
 #include "tests/verification/run_deck.hpp"
 
@@ -77,6 +80,40 @@ initial: [{nodes: {name: bar, inside: [[0, 0, 0], [1, 1, 1]]}, velocity: [100, 0
       take_error(parse_deck(text + "audit: {max_energy_error: 1e-9}\noutput: {history: {every: 1e-5}}\n", "deck.yaml"));
   EXPECT_THAT(error, AllOf(HasSubstr("the energy balance is off by"), HasSubstr("audit.max_energy_error = 1e-09"),
                            HasSubstr("kinetic")));
+}
+
+TEST(Failure, ARunThatLeavesItsMomentumBoundStops) {
+  // A body that flies and rings keeps its momentum to round-off, which is more than 1e-30.
+  const std::string text = R"(
+time: {end: 1e-4}
+parts: {bar: {box: {size: [4, 1.1, 1.3], cells: [8, 2, 2]}, material: steel}}
+initial: [{nodes: {name: bar, inside: [[0, 0, 0], [1, 1, 1]]}, velocity: [100, 3, 7]}]
+output: {history: {every: 1e-6}}
+)" + steel_text;
+  EXPECT_EQ(take_error(parse_deck(text, "deck.yaml")), "no error");
+  EXPECT_THAT(take_error(parse_deck(text + "audit: {max_momentum_error: 1e-30}\n", "deck.yaml")),
+              AllOf(HasSubstr("momentum has changed by"), HasSubstr("audit.max_momentum_error = 1e-30"),
+                    HasSubstr(" of part 'bar' at ")));
+}
+
+TEST(Failure, TheStateThatFailedIsTheLastRowAndFrame) {
+  const TemporaryFolder folder;
+  const std::string output = "output: {fields: {every: 1}, history: {every: 1}}\n";
+  take_error(parse_deck(inverting + output, "deck.yaml"), folder.path());
+  EXPECT_EQ(HistoryTable(folder.path() + "/history.csv").last("step"), 1);
+  EXPECT_THAT(describe_fields_file(folder.path() + "/fields.vtkhdf"), HasSubstr("frames:  2, time 0"));
+}
+
+TEST(Failure, WorkThatIsNotFiniteIsFoundInItsStepWithTheElement) {
+  Scene scene(inverting);
+  scene.stepper.start(scene.state);
+  const CheckedRun run{scene.deck, scene.chunked, scene.model, scene.state, scene.stepper};
+  EXPECT_NO_THROW(check_elements(run));
+  scene.state.elements(scene.model.chunks.first_state(0) + HexRecord::stress * pack_size<double>) = std::nan("");
+  scene.state.x(0, 0) -= 0.01;  // makes the stress work
+  scene.stepper.advance(scene.state);
+  EXPECT_GE(scene.state.bound.broken_chunk, 0);
+  EXPECT_THROW(check_elements(run), RunError);
 }
 
 TEST(Failure, ACollapsingStepNamesTheElementThatControlsIt) {

@@ -211,7 +211,7 @@ TEST(StepOnRanks, StopsWhereAnyRankWantsTo) {
   Scene scene(text);
   scene.run(1);
   EXPECT_FALSE(scene.stepper.is_stop_agreed());
-  scene.stepper.advance(scene.state, scene.model.ranks.rank() == scene.model.ranks.size() - 1);
+  scene.stepper.advance(scene.state, {scene.model.ranks.rank() == scene.model.ranks.size() - 1});
   EXPECT_TRUE(scene.stepper.is_stop_agreed());
 }
 

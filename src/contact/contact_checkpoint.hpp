@@ -1,0 +1,19 @@
+#pragma once
+// What contact needs of a checkpoint to go on to the same bits.
+
+#include "kernels/contact/row_system.hpp"
+#include "src/contact/surface_share.hpp"
+#include "src/output/checkpoint_archive.hpp"
+
+namespace percuss {
+
+/// The records of contact nodes, and of pairs of a wall and a node. Collective. Throws as CheckpointArchive does.
+void archive_history(CheckpointArchive& archive, const ChunkedMesh& chunked, const SurfaceShare& share,
+                     const WallPairs& walls, const ContactHistory& history);
+
+/// Rows of all mesh nodes of this rank from those of its contact nodes, copies included; zero for other nodes.
+/// values: [contact nodes that this rank owns][3]. Collective. Throws MpiError.
+Rows3<double> spread_to_mesh(const Communicator& ranks, const ChunkedMesh& chunked, const SurfaceShare& share,
+                             const Rows3<double>& values);
+
+}  // namespace percuss

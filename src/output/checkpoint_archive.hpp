@@ -1,0 +1,83 @@
+#pragma once
+// What a run puts into a checkpoint and takes back out of it. One list serves both ways: whoever has state that a run
+// needs to go on names it in a function `void archive(CheckpointArchive&)`, a line each.
+//
+// Nothing in a checkpoint depends on ranks or threads. An array lies in it chunk after chunk, and a rank brings or
+// takes the rows of the chunks that it holds; numbers are the same on every rank; exact sums are those of all ranks.
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kernels/core/exact_sum.hpp"
+#include "kernels/core/host_copy.hpp"
+
+namespace percuss {
+
+struct ChunkedMesh;
+
+/// Which rows of an array belong to which chunk.
+struct ChunkRows {
+  std::vector<std::int64_t> counts;  // [chunks of this rank, ascending number] rows that each has
+  std::vector<int> places;           // [rows] where each stands in this rank's array; empty: in their order from 0
+};
+
+/// A row an element, or `size` of them, of every chunk of this rank.
+ChunkRows find_element_rows(const ChunkedMesh& mesh);
+
+/// A row a node: those that this rank owns, of arrays over all nodes that it holds. What is read reaches no copies.
+ChunkRows find_owned_node_rows(const ChunkedMesh& mesh);
+
+/// Rows that belong to some of the nodes that this rank owns. numbers: [rows] of the nodes in the whole mesh,
+/// ascending; a node may have several rows.
+ChunkRows find_rows_of_nodes(const ChunkedMesh& mesh, std::span<const std::int64_t> numbers);
+
+/// Names are unique within a checkpoint, with '/' between the stage that owns the state and what it is. Every call is
+/// collective. Throws SystemError when saving; InputError, on all ranks, when loading what is not there or has another
+/// size.
+class CheckpointArchive {
+ public:
+  virtual ~CheckpointArchive() = default;
+
+  virtual bool is_loading() const = 0;
+
+  /// A number that all ranks know.
+  virtual void number(const std::string& name, double& value) = 0;
+  virtual void number(const std::string& name, std::int64_t& value) = 0;
+
+  /// A sum of which each rank has a share. Loaded, the whole of it is rank 0's share.
+  virtual void sum(const std::string& name, ExactSum& value) = 0;
+
+  /// An array of rows of so many components, row by row, on the host.
+  virtual void rows(const std::string& name, const ChunkRows& rows, int components, std::span<double> values) = 0;
+  virtual void rows(const std::string& name, const ChunkRows& rows, int components, std::span<std::int64_t> values) = 0;
+
+  /// The same for a view of any shape whose memory has the rows one after the other.
+  template <class View>
+  requires Kokkos::is_view<View>::value void rows(const std::string& name, const ChunkRows& chunk_rows, int components,
+                                                  const View& view) {
+    using Value = typename View::non_const_value_type;
+    const auto host = to_host(view);
+    rows(name, chunk_rows, components, std::span<Value>(host.data(), host.size()));
+    if (is_loading()) Kokkos::deep_copy(view, host);
+  }
+
+  /// Several numbers of one name: NAME/0, NAME/1 ...
+  void numbers(const std::string& name, std::span<double> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) number(name + "/" + std::to_string(i), values[i]);
+  }
+  void sums(const std::string& name, std::span<ExactSum> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) sum(name + "/" + std::to_string(i), values[i]);
+  }
+
+  /// A number of another type (bool, int, long, enum).
+  template <class Value>
+  void integer(const std::string& name, Value& value) {
+    auto wide = static_cast<std::int64_t>(value);
+    number(name, wide);
+    value = static_cast<Value>(wide);
+  }
+};
+
+}  // namespace percuss

@@ -1,0 +1,130 @@
+#pragma once
+// checkpoint.h5: the state of a run, from which it goes on to the same bits on any number of ranks (docs/output.md).
+//
+// An HDF5 file with an array for each piece of state, chunk after chunk, and a seal behind it. It is written beside its
+// place and renamed when the disk has it; the one before becomes checkpoint_previous.h5.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "src/mesh/ordering.hpp"
+#include "src/output/checkpoint_archive.hpp"
+#include "src/output/chunk_blocks.hpp"
+#include "src/output/disk_reservation.hpp"
+#include "src/output/hdf5_handle.hpp"
+
+namespace percuss {
+
+/// What a checkpoint says of itself.
+struct CheckpointHeader {
+  std::string version;    // of percuss
+  std::string precision;  // "double"
+  std::string title;      // of the deck
+  std::string deck;       // its values on which the motion depends, a line each
+  std::string mesh;       // hash of the mesh
+  std::string written;    // UTC
+  std::int64_t elements = 0, nodes = 0, step = 0;
+  double time = 0;
+};
+
+/// The checkpoint before the one at `path`: checkpoint_previous.h5.
+std::string find_previous_checkpoint(const std::string& path);
+
+class CheckpointWriter : public CheckpointArchive {
+ public:
+  /// Begins a file beside `path`. `mesh` outlives this. Collective, as is everything below. Throws SystemError.
+  CheckpointWriter(const std::string& path, const CheckpointHeader& header, const ChunkedMesh& mesh,
+                   const Communicator& ranks);
+  /// Without finish() the file is removed.
+  ~CheckpointWriter() override;
+  CheckpointWriter(const CheckpointWriter&) = delete;
+  CheckpointWriter& operator=(const CheckpointWriter&) = delete;
+
+  /// Completes the file, waits for the disk and puts it in its place. Throws SystemError; what was there then stays.
+  void finish();
+
+  bool is_loading() const override { return false; }
+  using CheckpointArchive::rows;
+  void number(const std::string& name, double& value) override;
+  void number(const std::string& name, std::int64_t& value) override;
+  void sum(const std::string& name, ExactSum& value) override;
+  void rows(const std::string& name, const ChunkRows& rows, int components, std::span<double> values) override;
+  void rows(const std::string& name, const ChunkRows& rows, int components, std::span<std::int64_t> values) override;
+
+ private:
+  template <class Work>
+  void run_or_abandon(Work&& work);
+  void create(const CheckpointHeader& header);
+  void write_header(const CheckpointHeader& header);
+  void write_numbers();
+  void reserve(std::uint64_t bytes);
+  void trim();
+  template <class T>
+  void write_rows(const std::string& name, const ChunkRows& rows, int components, std::span<const T> values);
+  template <class T>
+  void write_once(const std::string& name, std::span<const T> values);
+  void make_groups(const std::string& path);
+  void abandon();
+
+  std::string path_, temporary_;
+  Communicator ranks_;
+  ChunkBlocks blocks_;
+  const ChunkedMesh& mesh_;
+  hdf5::Handle transfer_, file_;
+  DiskReservation disk_;  // rank 0's
+  std::set<std::string> groups_;
+  std::vector<std::string> number_names_, sum_names_;
+  std::vector<std::int64_t> numbers_, sums_;  // bits; limbs
+  bool flushing_ = false;
+};
+
+class CheckpointReader : public CheckpointArchive {
+ public:
+  /// Opens a checkpoint whose seal holds. `mesh` outlives this. Collective, as is everything below. Throws InputError,
+  /// SystemError, the same on all ranks.
+  CheckpointReader(const std::string& path, const ChunkedMesh& mesh, const Communicator& ranks);
+
+  const CheckpointHeader& header() const { return header_; }
+
+  bool is_loading() const override { return true; }
+  using CheckpointArchive::rows;
+  void number(const std::string& name, double& value) override;
+  void number(const std::string& name, std::int64_t& value) override;
+  void sum(const std::string& name, ExactSum& value) override;
+  void rows(const std::string& name, const ChunkRows& rows, int components, std::span<double> values) override;
+  void rows(const std::string& name, const ChunkRows& rows, int components, std::span<std::int64_t> values) override;
+
+ private:
+  std::int64_t find_number(const std::string& name) const;
+  void load();
+  template <class T>
+  void read_rows(const std::string& name, const ChunkRows& rows, int components, std::span<T> values);
+  template <class T>
+  void read_runs(const std::string& name, const std::vector<std::int64_t>& first, int components,
+                 std::vector<T>& into) const;
+
+  std::string path_;
+  Communicator ranks_;
+  const ChunkedMesh& mesh_;
+  std::uint64_t file_bytes_ = 0;
+  hdf5::Handle file_;
+  CheckpointHeader header_;
+  std::map<std::string, std::int64_t> numbers_;
+  std::map<std::string, std::size_t> sum_places_;
+  std::vector<std::int64_t> sums_;
+};
+
+/// The header of a checkpoint whose seal holds, by this process alone. Throws InputError, SystemError.
+CheckpointHeader read_checkpoint_header(const std::string& path);
+
+/// Whether an HDF5 file calls itself a checkpoint of percuss; false for what cannot be read.
+bool is_checkpoint(const std::string& path);
+
+/// In words, for `percuss info`. Throws InputError, SystemError.
+std::string describe_checkpoint(const std::string& path);
+
+}  // namespace percuss

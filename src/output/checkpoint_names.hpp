@@ -1,0 +1,19 @@
+#pragma once
+// Where things are in a checkpoint: what its writer and its reader agree on.
+
+#include <cstdint>
+
+namespace percuss::checkpoint_names {
+
+/// Changes when a reader of the other format could not make sense of a file.
+inline constexpr std::int64_t format = 1;
+
+inline constexpr const char* header = "percuss_checkpoint";  // group whose attributes are the header
+inline constexpr const char* state = "state";                // group of the arrays
+inline constexpr const char* deck = "deck";                  // datasets of the header's group
+inline constexpr const char* number_names = "number_names";
+inline constexpr const char* numbers = "numbers";  // bits of a double, or an integer
+inline constexpr const char* sum_names = "sum_names";
+inline constexpr const char* sums = "sums";  // limbs and count of each
+
+}  // namespace percuss::checkpoint_names

@@ -1,0 +1,24 @@
+#pragma once
+// Files that tell whether they are whole: a seal at the end holds the length of what is before it and a hash of that.
+//
+// A file that was cut off, or of which any byte has changed, is found out before anybody interprets it. HDF5 does not
+// mind what stands behind its own data.
+
+#include <string>
+
+#include "comm/communicator.hpp"
+
+namespace percuss {
+
+/// Appends the seal and waits until the disk has all. The ranks share the reading. Collective. Throws SystemError, on
+/// all ranks.
+void seal_file(const Communicator& ranks, const std::string& path);
+
+/// Throws InputError if the file has no seal or does not match it, SystemError if it cannot be read; both on all ranks.
+/// Collective.
+void check_seal(const Communicator& ranks, const std::string& path);
+
+/// The same by this process alone, also without MPI.
+void check_seal(const std::string& path);
+
+}  // namespace percuss

@@ -1,0 +1,90 @@
+#include "src/step/run_output.hpp"
+
+#include <utility>
+
+namespace percuss {
+
+void Schedule::archive(CheckpointArchive& archive, const std::string& name, double time) {
+  double period = period_.value_or(-1), next = next_;
+  archive.number(name + "/period", period);
+  archive.number(name + "/next", next);
+  if (!archive.is_loading()) return;
+  if (period_ && *period_ == period) {
+    next_ = next;
+  } else {
+    advance(time);
+  }
+}
+
+RunOutput::RunOutput(const Deck& deck, const ChunkedMesh& chunked, const Model& model, const ContactStage& contact,
+                     std::string directory)
+    : deck_(deck),
+      chunked_(chunked),
+      model_(model),
+      contact_(contact),
+      directory_(std::move(directory)),
+      frames_due_(deck.output.fields_every),
+      rows_(deck.output.history_every) {}
+
+void RunOutput::create() {
+  if (wants_rows()) history_.emplace(directory_, deck_, chunked_);
+  if (wants_frames()) frames_.emplace(directory_, deck_, chunked_, model_, contact_);
+}
+
+void RunOutput::check_earlier() const {
+  if (wants_rows() && history_bytes_ != no_file) History::check(directory_, deck_, chunked_, history_bytes_);
+  if (wants_frames() && frame_count_ != no_file) Frames::check(directory_, deck_, chunked_, model_, frame_count_);
+}
+
+void RunOutput::go_on() {
+  if (wants_rows() && history_bytes_ != no_file) {
+    history_.emplace(directory_, deck_, chunked_, history_bytes_);
+  } else if (wants_rows()) {
+    history_.emplace(directory_, deck_, chunked_);
+  }
+  if (wants_frames() && frame_count_ != no_file) {
+    frames_.emplace(directory_, deck_, chunked_, model_, contact_, frame_count_);
+  } else if (wants_frames()) {
+    frames_.emplace(directory_, deck_, chunked_, model_, contact_);
+  }
+}
+
+void RunOutput::write_row(const State& state, const AuditResult& audit, const Stepper& stepper) {
+  if (!history_ || last_row_ == state.step) return;
+  history_->write(model_, state, audit, stepper.contact_report(), stepper.find_wall_force());
+  last_row_ = state.step;
+}
+
+void RunOutput::write_frame(const State& state) {
+  if (!frames_ || last_frame_ == state.step) return;
+  frames_->write(state);
+  if (history_) history_->flush();
+  last_frame_ = state.step;
+}
+
+void RunOutput::advance(double time) {
+  rows_.advance(time);
+  frames_due_.advance(time);
+}
+
+void RunOutput::sync() {
+  history_bytes_ = history_ ? history_->sync() : no_file;
+  frame_count_ = frames_ ? frames_->count() : no_file;
+  if (frames_) frames_->sync();
+}
+
+void RunOutput::archive(CheckpointArchive& archive, double time) {
+  rows_.archive(archive, "output/history", time);
+  frames_due_.archive(archive, "output/fields", time);
+  archive.number("output/history/last_step", last_row_);
+  archive.number("output/fields/last_step", last_frame_);
+  archive.number("output/history/bytes", history_bytes_);
+  archive.number("output/fields/frames", frame_count_);
+}
+
+void RunOutput::close() {
+  if (frames_) frames_->close();
+  if (history_) history_->flush();
+}
+
+}  // namespace percuss

@@ -1,0 +1,167 @@
+// A run that is stopped and goes on ends as one that never was; a restart that cannot be right is refused.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "src/deck/read_deck.hpp"
+#include "src/error.hpp"
+#include "src/step/run.hpp"
+#include "tests/verification/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+// Contact with a body, contact with a wall, friction, gravity, prescribed motion and plastic flow.
+const std::string blocks = R"yaml(
+time: {end: 1.5e-3}
+parts:
+  lower: {box: {size: [1, 1, 0.4], cells: [5, 5, 2]}, material: steel}
+  upper: {box: {size: [0.5, 0.5, 0.5], cells: [3, 3, 3]}, at: [0.21, 0.22, 0.401], material: steel}
+materials: {steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, hardening_modulus: 1e9}}
+initial: [{part: upper, velocity: [20, 5, -100]}]
+loads: {gravity: [0, 0, -9.81], pressure: [{faces: upper/z_max, value: {expression: "1e7 * cos(1e4 * t)"}}]}
+conditions: [{nodes: lower/x_min, velocity: {x: {expression: "3 * sin(1e4 * t)"}}}]
+walls: [{point: [0, 0, 0], normal: [0, 0, 1], friction: 0.2}]
+contact: {surfaces: all, friction: 0.3}
+output: {fields: {every: 2e-4, write: [velocity, stress, contact_force]}, history: {every: 0}}
+)yaml";
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+RunResult run(const std::string& deck, const std::string& folder, const std::string& restart = "",
+              bool in_place = true) {
+  RunOptions options;
+  options.out_dir = folder;
+  options.restart = restart;
+  options.goes_on_in_place = !restart.empty() && in_place;
+  return run_scene(parse_deck(deck, "deck.yaml"), options);
+}
+
+std::string take_refusal(const std::string& deck, const std::string& folder, const std::string& restart) {
+  try {
+    run(deck, folder, restart);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no refusal";
+}
+
+const std::string checkpoint_name = "/checkpoint.h5";
+
+std::string change(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+/// The deck that stops after so many steps and leaves a checkpoint then.
+std::string stopped(int steps) {
+  return change(change(blocks, "end: 1.5e-3", "end: 1.5e-3, max_steps: " + std::to_string(steps)),
+                "history: {every: 0}", "history: {every: 0}, checkpoint: {every: 1}");
+}
+
+}  // namespace
+
+TEST(Restart, EndsInTheBitsOfTheRunThatWasNeverStopped) {
+  const TemporaryFolder whole, parts;
+  const Summary expected = run(blocks, whole.path()).summary;
+  run(stopped(7), parts.path());
+  for (const int steps : {8, 20}) run(stopped(steps), parts.path(), parts.path() + checkpoint_name);
+  const Summary summary = run(blocks, parts.path(), parts.path() + checkpoint_name).summary;
+  EXPECT_EQ(summary.state_hash, expected.state_hash);
+  EXPECT_EQ(summary.steps, expected.steps);
+  EXPECT_EQ(summary.dt.min, expected.dt.min);
+  EXPECT_EQ(summary.dt.max, expected.dt.max);
+  EXPECT_EQ(summary.energy.error, expected.energy.error);
+  EXPECT_EQ(summary.momentum.angular_error, expected.momentum.angular_error);
+  EXPECT_EQ(read_file(parts.path() + "/history.csv"), read_file(whole.path() + "/history.csv"));
+  EXPECT_EQ(read_file(parts.path() + "/fields.xdmf"), read_file(whole.path() + "/fields.xdmf"));
+}
+
+TEST(Restart, InAnotherFolderWritesWhatComesAfterTheCheckpoint) {
+  const TemporaryFolder whole, first, second;
+  run(blocks, whole.path());
+  run(stopped(20), first.path());
+  const std::string before = read_file(first.path() + "/history.csv");
+  run(blocks, second.path(), first.path() + checkpoint_name, false);
+  EXPECT_EQ(read_file(first.path() + "/history.csv"), before);
+  const HistoryTable all(whole.path() + "/history.csv"), rest(second.path() + "/history.csv");
+  EXPECT_EQ(rest["step"].front(), 21);
+  EXPECT_EQ(rest.rows(), all.rows() - 21);
+  EXPECT_EQ(rest.last("kinetic"), all.last("kinetic"));
+}
+
+TEST(Restart, AStoppedRunLeavesACheckpointAndIsInterrupted) {
+  const TemporaryFolder whole, parts;
+  const std::string rarely = change(blocks, "history: {every: 0}", "history: {every: 3e-4}");
+  const Summary expected = run(rarely, whole.path()).summary;
+  request_stop();
+  const RunResult stop = run(rarely, parts.path());
+  EXPECT_EQ(stop.exit_code, ExitCode::interrupted);
+  EXPECT_EQ(stop.checkpoint, parts.path() + checkpoint_name);
+  EXPECT_EQ(run(rarely, parts.path(), stop.checkpoint).summary.state_hash, expected.state_hash);
+  EXPECT_EQ(read_file(parts.path() + "/history.csv"), read_file(whole.path() + "/history.csv"));
+}
+
+TEST(Restart, AtTheEndFindsTheRunDone) {
+  const TemporaryFolder folder;
+  const Summary expected = run(stopped(9), folder.path()).summary;
+  const std::string history = read_file(folder.path() + "/history.csv");
+  EXPECT_EQ(run(stopped(9), folder.path(), folder.path() + checkpoint_name).summary.state_hash, expected.state_hash);
+  EXPECT_EQ(read_file(folder.path() + "/history.csv"), history);
+}
+
+TEST(Restart, OfAnotherDeckIsRefusedAndNamesWhatDiffers) {
+  const TemporaryFolder folder;
+  run(stopped(5), folder.path());
+  const std::string checkpoint = folder.path() + checkpoint_name, history = read_file(folder.path() + "/history.csv");
+  EXPECT_THAT(take_refusal(change(blocks, "friction: 0.3", "friction: 0.4"), folder.path(), checkpoint),
+              AllOf(HasSubstr("contact.friction is 0.4 (0.3 in the checkpoint)"), HasSubstr("time.end")));
+  EXPECT_THAT(take_refusal(change(blocks, "time: {", "time: {step_scale: 0.5, "), folder.path(), checkpoint),
+              HasSubstr("time.step_scale is 0.5 (not given in the checkpoint)"));
+  EXPECT_THAT(take_refusal(change(blocks, ", friction: 0.3", ""), folder.path(), checkpoint),
+              HasSubstr("contact.friction is not given (0.3 in the checkpoint)"));
+  EXPECT_THAT(take_refusal(change(blocks, "1.5e-3", "1e-9"), folder.path(), checkpoint),
+              HasSubstr("before the checkpoint's time"));
+  EXPECT_EQ(read_file(folder.path() + "/history.csv"), history);
+  EXPECT_EQ(take_refusal(change(blocks, "200e9", "2.0e+11"), folder.path(), checkpoint), "no refusal");
+}
+
+TEST(Restart, WithFilesThatDoNotFitIsRefusedAndChangesNothing) {
+  const TemporaryFolder folder;
+  run(stopped(5), folder.path());
+  const std::string checkpoint = folder.path() + checkpoint_name;
+  const auto frames = std::filesystem::file_size(folder.path() + "/fields.vtkhdf");
+  EXPECT_THAT(take_refusal(change(blocks, "contact_force]", "mass]"), folder.path(), checkpoint),
+              HasSubstr("its fields are not those of this deck"));
+  EXPECT_THAT(
+      take_refusal(change(blocks, "{every: 0}", "{every: 0, nodes: [{name: a, id: 1}]}"), folder.path(), checkpoint),
+      HasSubstr("its columns are not those of this run"));
+  std::filesystem::resize_file(folder.path() + "/history.csv", 700);
+  EXPECT_THAT(take_refusal(blocks, folder.path(), checkpoint), HasSubstr("it has not the rows"));
+  EXPECT_EQ(std::filesystem::file_size(folder.path() + "/fields.vtkhdf"), frames);
+  EXPECT_EQ(std::filesystem::file_size(folder.path() + "/history.csv"), 700);
+  std::filesystem::remove(folder.path() + "/history.csv");
+  EXPECT_THAT(take_refusal(blocks, folder.path(), checkpoint), HasSubstr("it cannot be opened"));
+}
+
+TEST(Restart, ACheckpointThatCannotBeWrittenEndsTheRunAndLeavesItsResults) {
+  const TemporaryFolder folder;
+  // Nothing can be created where a folder has the name already.
+  std::filesystem::create_directories(folder.path() + checkpoint_name + ".tmp/full");
+  EXPECT_THROW(run(stopped(5), folder.path()), SystemError);
+  EXPECT_EQ(HistoryTable(folder.path() + "/history.csv").last("step"), 5);
+  EXPECT_EQ(read_summary(folder.path() + "/summary.json").status, "failed");
+}
+
+}  // namespace percuss::test
