@@ -35,7 +35,8 @@ output: {{history: {{every: 1e-5, nodes: [{{name: tip, near: [0.1, 0, 0.005]}}]}
 
 }  // namespace
 
-// Eight elements through the thickness and more give 10.6 mm with every kind of element.
+// Extrapolated from 2 and 4 elements through the thickness by second and by first order: 10.6 to 10.7 mm with assumed
+// strain, 10.4 to 10.9 mm with full integration.
 constexpr double deflection = 10.6;
 
 TEST(Cantilever, AssumedStrainNeedsTwoElementsThroughTheThickness) {
