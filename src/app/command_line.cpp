@@ -48,8 +48,8 @@ summary.json. Results go to the folder of --out; without it, to out/SCENE in the
 deck's name, or the name of its folder if it is called deck.yaml. A folder that is not empty is left alone unless
 --force is given, which overwrites an earlier run's files and nothing else.
 
-A first Ctrl-C or SIGTERM ends the run after its step and writes what there is, with a checkpoint; a second one ends it
-at once. `output.checkpoint` of the deck writes checkpoints on the way. --restart goes on from one, on any number of
+A first Ctrl-C, SIGTERM or SIGUSR1 ends the run after its step and writes what there is, with a checkpoint; a second one
+ends it at once. `output.checkpoint` of the deck writes checkpoints on the way. --restart goes on from one, on any number of
 ranks and threads, to the same bits as if the run had never stopped: in the checkpoint's folder, whose history and
 fields are continued, or in the empty folder of --out, where they begin anew. time.end may be later than before.
 

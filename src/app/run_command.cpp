@@ -19,7 +19,8 @@ namespace {
 
 extern "C" void stop_on_signal(int) { request_stop(); }
 
-// The first signal asks the run to stop after its step; SA_RESETHAND lets the second one end the program.
+// The first signal asks the run to stop after its step; SA_RESETHAND lets the second one end the program. SIGUSR1 is
+// what mpirun passes on without killing its ranks a second later, and what queueing systems can be told to send.
 void install_signal_handlers() {
   struct sigaction action = {};
   action.sa_handler = stop_on_signal;
@@ -27,6 +28,7 @@ void install_signal_handlers() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGUSR1, &action, nullptr);
 }
 
 void report(const RunResult& result, const std::string& out_dir, const std::string& deck) {

@@ -370,10 +370,10 @@ TEST(PercussRun, StoppedOnRanksGoesOnOnOthersToTheSameBits) {
   const std::string file = folder.write("deck.yaml", blocks), out = folder.path() + "/out",
                     whole = folder.path() + "/whole";
   const auto steps = [](int count) { return "time.max_steps=" + std::to_string(count); };
-  // Long enough to be stopped on the way; Open MPI gives its ranks a second otherwise.
+  // Long enough to be stopped on the way. SIGUSR1: mpirun leaves its ranks only a second after SIGTERM.
   const ProcessResult stopped =
       interrupt_percuss({"run", file, "-o", out, "--set", steps(1'000'000), "--set", "time.end=1e6"},
-                        out + "/history.csv", SIGTERM, launch_on(2) + " --mca odls_base_sigkill_timeout 60");
+                        out + "/history.csv", SIGUSR1, launch_on(2));
   EXPECT_NE(stopped.exit_code, 0);
   const Summary first = read_summary(out + "/summary.json");
   EXPECT_EQ(first.status, "interrupted") << stopped.err;
