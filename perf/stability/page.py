@@ -162,13 +162,28 @@ def tell_impacts(page, stored):
     page.texts["impact_bad"] = "none crashes and none hangs" if not bad else f"**{len(bad)} crash or hang**"
     page.texts["impact_momentum"] = (f"linear momentum is kept to {max(r['linear_error'] for r in done):.0e}, angular momentum to "
                                      f"{max(r['angular_error'] for r in done):.0e}") if done else ""
+    below = [r for r in done if r["lowest_internal"] < -0.01]
+    page.texts["impact_internal"] = (
+        f"In {len(below)} of the {len(done)} completed runs, at {min(r['speed'] for r in below):g} wave speeds and more, the internal energy falls "
+        f"below zero, to {min(r['lowest_internal'] for r in below):.2f} of the kinetic energy at worst"
+        if below else "In none of them does the internal energy fall below zero")
     messages = {}
     for r in rows:
         if r["verdict"] == "named":
             kind_of = next((words for key, words in REASONS.items() if key in r["error"]), r["error"][:80])
             messages[kind_of] = messages.get(kind_of, 0) + 1
     page.texts["impact_messages"] = "; ".join(f"{words}: {count}" for words, count in sorted(messages.items(), key=lambda m: -m[1])) or "none stopped"
+    thrown = sum(find_distance(r["error"]) > 10 for r in rows if r["verdict"] == "named")
+    page.texts["impact_thrown"] = (
+        f"In {thrown} of these runs the element that is named lies far away from the scene: the iteration of contact between elements crushed to "
+        "slivers has diverged in that step, and its impulses threw nodes away." if thrown else "")
     plots.draw_impacts(rows, page.images / "impacts.svg")
+
+
+def find_distance(message):
+    """Largest coordinate of the place that a message names [m]; the scenes are smaller than one."""
+    place = re.search(r"at \(([^)]*)\)", message)
+    return max(abs(float(x)) for x in place.group(1).split(",")) if place else 0.0
 
 
 REASONS = {"has inverted": "an element has inverted", "energy balance": "the energy balance is off", "collapsed": "the time step has collapsed"}

@@ -107,7 +107,7 @@ def draw_impacts(rows, path):
         panel.set_title(kind, fontsize=9)
         panel.set_xlabel("speed / wave speed", fontsize=8)
     panels[0][0].set_yticks(range(len(cases)), [f"{target}, {material}" for target, material in cases], fontsize=8)
-    names = {"good": "done, energy within 1 %", "coarse": "done, energy error 1 to 10 %", "named": "stopped, cause named",
+    names = {"good": "done, energy within 1 %", "coarse": "done, energy off by 1 to 10 % or internal energy negative", "named": "stopped, cause named",
              "hang": "hang", "crash": "crash"}
     found = [verdict for verdict in VERDICTS if any(row["verdict"] == verdict for row in rows)]
     figure.legend([plt.Rectangle((0, 0), 1, 1, color=VERDICTS[v]) for v in found], [names[v] for v in found],
