@@ -36,7 +36,7 @@ def summarise(name, kind, steps, result):
         row["top_drift"] = float(sink[-1] / 0.06)
         row["slip"] = float(np.hypot(h["top_x"][-1] - h["top_x"][0], h["top_y"][-1] - h["top_y"][0]) / 0.06)
         row["kinetic_late"] = float(np.max(h["kinetic"][len(total) // 2:]))
-        row["kinetic_most"] = float(np.max(h["kinetic"]))
+        row["settled"] = float(np.max(np.abs(h["external"])))
         row["curve"]["kinetic"] = h["kinetic"].tolist()
     return row
 
