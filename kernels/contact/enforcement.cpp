@@ -100,10 +100,19 @@ PassSums correct_rows(const Space& space, double beta, double dt, const RowSyste
                             });
 }
 
+template <class Space>
+void straighten_gaps(const Space& space, const RowSystem& system) {
+  const Array<ContactRow> rows = system.rows;
+  Kokkos::parallel_for(
+      "contact::straighten_gaps", RangeOf<Space>(space, 0, system.num_rows),
+      KOKKOS_LAMBDA(int r) { rows(r).gap_gradient = rows(r).normal; });
+}
+
 #define PERCUSS_INSTANTIATE(Space)                                                           \
   template PredictedGaps find_predicted_gaps(const Space&, const RowSystem&, RowSumMemory&); \
   template void find_corrections(const Space&, const RowSystem&);                            \
   template void extrapolate_corrections(const Space&, double, const RowSystem&);             \
+  template void straighten_gaps(const Space&, const RowSystem&);                             \
   template PassSums correct_rows(const Space&, double, double, const RowSystem&, RowSumMemory&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

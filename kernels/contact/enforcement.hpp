@@ -84,6 +84,12 @@ void extrapolate_corrections(const Space& space, double beta, const RowSystem& s
 template <class Space>
 PassSums correct_rows(const Space& space, double beta, double dt, const RowSystem& system, RowSumMemory& memory);
 
+/// Lets the gap of every row change along its push direction only. Where direction and triangle differ, what rows do to
+/// each other is not symmetric, and between elements crushed to slivers the iteration may diverge; with this it is
+/// symmetric and contracts. The price is the square of the angle, which the next steps recover like any penetration.
+template <class Space>
+void straighten_gaps(const Space& space, const RowSystem& system);
+
 /// Adds the correction to v and fills impulse at the owned nodes. v, impulse: [mesh nodes][3].
 template <class Space>
 void apply_impulses(const Space& space, const RowSystem& system, const Rows3<double>& v, const Rows3<double>& impulse);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "kernels/contact/enforcement.hpp"
 
@@ -54,8 +55,10 @@ SolveReport solve_rows(const Space& space, double dt, RowSystem& system, RowSumM
   // or this share of the smallest h.
   constexpr double relative_tolerance = 1e-3, absolute_tolerance = 1e-10;
   constexpr int max_iterations = 1000;
+  // An iteration whose changes are larger than so many iterations before diverges: straighten_gaps() says why.
+  constexpr int divergence_window = 50;
   SolveReport report{0, 0, false};
-  double beta = 0, t = 1, tolerance = 0;
+  double beta = 0, t = 1, tolerance = 0, change_before = std::numeric_limits<double>::infinity();
   PassSums sums;
   sums.gaps = find_predicted_gaps(space, system, memory);
   for (;;) {
@@ -72,7 +75,14 @@ SolveReport solve_rows(const Space& space, double dt, RowSystem& system, RowSumM
     if (report.iterations > 0) {
       report.converged = sums.change <= tolerance;
       const double next_t = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
-      const bool restart = sums.backwards.round() > 0 || report.converged;
+      bool restart = sums.backwards.round() > 0 || report.converged;
+      if (report.iterations % divergence_window == 0) {
+        if (sums.change > change_before) {
+          straighten_gaps(space, system);
+          restart = true;
+        }
+        change_before = sums.change;
+      }
       beta = restart ? 0 : (t - 1) / next_t;
       t = restart ? 1 : next_t;
     }
