@@ -164,6 +164,8 @@ def tell_impacts(page, stored):
     page.texts["impact_bad"] = "none crashes and none hangs" if not bad else f"**{len(bad)} crash or hang**"
     page.texts["impact_momentum"] = (f"linear momentum is kept to {max(r['linear_error'] for r in done):.0e}, angular momentum to "
                                      f"{max(r['angular_error'] for r in done):.0e}") if done else ""
+    page.texts["impact_kinds"] = ", ".join(
+        f"{sum(r['kind'] == kind for r in done)} with {kind}" for kind in kinds) + f" of {len(rows) // len(kinds)} each"
     below = [r for r in done if r["lowest_internal"] < -0.01]
     page.texts["impact_internal"] = (
         f"In {len(below)} of the {len(done)} completed runs, at {min(r['speed'] for r in below):g} wave speeds and more, the internal energy falls "
@@ -188,7 +190,7 @@ def find_distance(message):
     return max(abs(float(x)) for x in place.group(1).split(",")) if place else 0.0
 
 
-REASONS = {"has inverted": "an element has inverted", "energy balance": "the energy balance is off", "collapsed": "the time step has collapsed"}
+REASONS = {"has inverted": "an element has inverted", "no stable step": "an element has inverted at one of its points", "energy balance": "the energy balance is off", "collapsed": "the time step has collapsed"}
 
 
 def write_page(docs, stored):
