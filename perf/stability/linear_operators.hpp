@@ -5,7 +5,6 @@
 // force -e K u, and a velocity e u at X in a step of no length gives -e C u; central differences in e leave out what is
 // of second order. No formula of an element is repeated here, so that every kind of element is measured alike.
 
-#include <string>
 #include <vector>
 
 #include "src/deck/deck.hpp"
