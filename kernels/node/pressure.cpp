@@ -14,8 +14,11 @@ void apply_pressure(const ExecSpace& space, const PressureFaces& faces, const Ar
           const int n = faces.nodes(f, i);
           corner[i] = {x(n, 0), x(n, 1), x(n, 2)};
         }
+        const double p = pressure(faces.load(f));
+        const Vector3<double> dead{faces.dead_share(f, 0), faces.dead_share(f, 1), faces.dead_share(f, 2)};
+        const bool follows = dead.x == 0 && dead.y == 0 && dead.z == 0;
         const Vector3<double> twice_area = cross(corner[2] - corner[0], corner[3] - corner[1]);
-        const Vector3<double> share = (-0.125 * pressure(faces.load(f))) * twice_area;
+        const Vector3<double> share = follows ? (-0.125 * p) * twice_area : p * dead;
         for (int i = 0; i < 4; ++i) {
           const int s = faces.first_slot + 4 * f + i;
           slot_force(s, 0) = share.x;

@@ -1,5 +1,5 @@
 #pragma once
-// Pressure on faces: a follower load on the current area.
+// Pressure on faces: a follower load on the current area, or a dead load on the area at the start.
 
 #include "kernels/core/views.hpp"
 
@@ -7,14 +7,15 @@ namespace percuss {
 
 /// Loaded faces; const after set-up. Face f writes its four corner shares to the slots first_slot + 4 f + corner.
 struct PressureFaces {
-  Rows4<int> nodes;  // corners, outward by the right-hand rule
-  Array<int> load;   // which pressure acts on the face
+  Rows4<int> nodes;          // corners, outward by the right-hand rule
+  Array<int> load;           // which pressure acts on the face
+  Rows3<double> dead_share;  // of a dead load: what unit pressure puts on each corner [area]; 0: the load follows
   int first_slot = 0;
   int count = 0;
 };
 
 /// Force -p A n on each face, a quarter to each corner; A n is the exact area vector of the bilinear face, half the
-/// cross product of its diagonals. pressure: by load [stress].
+/// cross product of its diagonals. Dead loads: p times their share on each corner. pressure: by load [stress].
 void apply_pressure(const ExecSpace& space, const PressureFaces& faces, const Array<const double>& pressure,
                     const Rows3<const double>& x, const Rows3<double>& slot_force);
 

@@ -39,6 +39,7 @@ const Keys<PressureDeck>& pressure_keys() {
   static const Keys<PressureDeck> keys = {
       need("faces", &PressureDeck::where, SelectorValue{}),
       need("value", &PressureDeck::value, CurveValue{}),
+      may("direction", &PressureDeck::direction, DirectionValue{}),
   };
   return keys;
 }

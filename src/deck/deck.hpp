@@ -132,10 +132,12 @@ struct ConditionDeck {
   std::array<Curve, 3> value;    // velocity or displacement in each active direction
 };
 
-/// Pressure on faces, positive pushes against the outward normal, on the current area.
+/// Pressure on faces, positive pushes against the outward normal, on the current area. With a direction (a unit
+/// vector): a dead load along it, on the area at the start.
 struct PressureDeck {
   Selector where;
   Curve value;
+  std::optional<Vec3> direction;
 };
 
 struct WallDeck {

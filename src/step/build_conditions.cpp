@@ -109,6 +109,17 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+/// What unit pressure along a direction puts on each corner of a face: a quarter of the area.
+Vec3 find_dead_share(const Mesh& mesh, const std::array<int, 4>& nodes, const Vec3& direction) {
+  const auto subtract = [&](std::size_t i, std::size_t j) {
+    const Vec3 &a = mesh.nodes[static_cast<std::size_t>(nodes[i])], &b = mesh.nodes[static_cast<std::size_t>(nodes[j])];
+    return Vec3{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  };
+  const Vec3 twice = cross(subtract(2, 0), subtract(3, 1));
+  const double quarter = 0.125 * std::sqrt(twice[0] * twice[0] + twice[1] * twice[1] + twice[2] * twice[2]);
+  return {quarter * direction[0], quarter * direction[1], quarter * direction[2]};
+}
+
 /// The slots of the chunks, which come first in the sum of a node.
 LocalSlots list_chunk_slots(const ChunkedMesh& chunked, const Model& model) {
   const auto nodes = to_host(model.chunks.slots_to_nodes);
@@ -130,6 +141,7 @@ LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Mo
   faces.first_slot = static_cast<int>(slots.nodes.size());
   std::vector<std::array<int, 4>> corners;
   std::vector<int> loads;
+  std::vector<Vec3> dead_shares;
   for (const PressureDeck& pressure : deck.pressures) {
     const auto load = static_cast<int>(model.pressures.size());
     for (const ElementFace& face : select_faces(mesh, deck, pressure.where)) {
@@ -145,12 +157,14 @@ LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Mo
       }
       corners.push_back(nodes);
       loads.push_back(load);
+      dead_shares.push_back(pressure.direction ? find_dead_share(mesh, nodes, *pressure.direction) : Vec3{});
     }
     model.pressures.push_back(pressure.value);
   }
   faces.count = static_cast<int>(corners.size());
   faces.load = to_view("percuss::pressure_load", loads);
   faces.nodes = to_rows("percuss::pressure_nodes", corners);
+  faces.dead_share = to_rows("percuss::pressure_dead_share", dead_shares);
   return slots;
 }
 

@@ -83,7 +83,7 @@ def prestressed_turn(bench):
             for e in "abcd":
                 got = np.array([h[f"{e}_stress_{c}"][i] for c in COMPONENTS])
                 worst = max(worst, np.abs(got - sigma[[0, 1, 2, 0, 1, 2], [0, 1, 2, 1, 2, 0]]).max())
-        bench.below(f"{name}: stress, largest error over that of the start", worst / sigma0[0, 0], 1e-6)
+        bench.below(f"{name}: stress, largest error over that of the start", worst / sigma0[0, 0], 1e-8)
         after = h["time"] > 1.1e-3
         bench.below(f"{name}: internal energy while it turns, largest change", np.ptp(h["internal"][after]) / h.last("internal"), 1e-6)
 
@@ -184,7 +184,8 @@ output: {history: {every: $every, nodes: [{name: corner, near: [0.2, 0.1, 0.05]}
 @case("spinning_bar", "exact", "Centrifugal stress of a spinning bar")
 def spinning_bar(bench):
     """A free bar of half length a spins about its middle: sigma(x) = rho w^2 (a^2 - x^2) / 2. Between two planes of lumped masses, h apart, the
-    force is that of the continuum with a^2 + h^2 / 4, an error of order 2 that the three meshes have to show. The bar is one element wide, and
+    force is that of the continuum with a^2 + h^2 / 4, an error of order 2 that the three meshes have to show. Poisson's ratio is 0, so that the bar does not contract.
+It is one element wide, and
     masses at its sides pull it apart with rho w^2 b^2, b its half width: that is part of the exact von Mises stress used here. Linear
     viscosity of 1 damps the ringing of the start, and means over the last 75 of its periods (a window of Hann) take the rest."""
     a, b = 0.5, 0.0125
@@ -199,7 +200,8 @@ parts: {bar: {box: {size: [1, 0.025, 0.025], cells: [$cells, 1, 1]}, at: [-0.5, 
 elements: {bulk_viscosity: {linear: 1}}
 initial: [{part: bar, angular_velocity: [0, 0, $w]}]
 output: {history: {every: 2e-5, elements: [$elements]}}
-""" + STEEL, cells=cells, w=w, elements=elements)
+materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0}}
+""", cells=cells, w=w, elements=elements)
         x, middle, h = np.array(points), DENSITY * w**2 * a**2 / 2, 1 / cells
         # the bar turns: von Mises' stress does not, and the stress along follows from it and the stress across
         mises = np.array([run.history.steady(0.01, 0.04, f"s{i}_von_mises") for i in range(len(points))])

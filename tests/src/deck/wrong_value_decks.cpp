@@ -112,6 +112,8 @@ std::vector<WrongDeck> wrong_lists_and_curves() {
        "loads.gravity is [0, 0] (must be a list of 3, each a number)"},
       {"LongVector", append("loads: {gravity: [0, 0, 0, 9]}"), "6:18", "loads.gravity is [0, 0, 0, 9]"},
       {"NumberForVector", append("loads: {gravity: 9.81}"), "6:18", "loads.gravity is 9.81 (must be a list of 3"},
+      {"DeadLoadWithoutDirection", append("loads: {pressure: [{faces: rod, value: 1, direction: [0, 0, 0]}]}"), "6:54",
+       "loads.pressure.0.direction is [0, 0, 0] (must be a vector that is not zero)"},
       {"EmptyTable", append("loads: {pressure: [{faces: rod, value: {table: []}}]}"), "6:48",
        "at least one row [time, value]"},
       {"TableGoesBack", append("loads: {pressure: [{faces: rod, value: {table: [[0, 1], [2, 1], [1, 1]]}}]}"), "6:65",

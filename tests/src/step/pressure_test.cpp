@@ -74,6 +74,25 @@ loads: {pressure: [{faces: a/z_max, value: 3e6}]}
   EXPECT_NEAR(sum[2], -3e6 * 2, 1e-6);
 }
 
+TEST(Pressure, WithADirectionIsADeadLoadOnTheAreaOfTheStart) {
+  Scene scene(R"deck(
+time: {end: 1}
+parts: {a: {box: {size: [1, 2, 3], cells: [2, 3, 4]}, rotate: [{axis: [1, 2, 3], angle: 30}], material: steel}}
+loads: {pressure: [{faces: a/y_max, value: 5e6, direction: [3, 0, -4]}]}
+)deck" + steel_text);
+  distort(scene, 0.1);  // does not change it
+  scene.stepper.start(scene.state);
+  const auto slots = to_host(scene.state.slot_force);
+  double force[3] = {0, 0, 0};
+  for (int s = 0; s < 4 * scene.model.pressure_faces.count; ++s) {
+    const auto slot = static_cast<std::size_t>(scene.model.pressure_faces.first_slot + s);
+    for (std::size_t k = 0; k < 3; ++k) force[k] += slots(slot, k);
+  }
+  EXPECT_NEAR(force[0], 5e6 * 3 * 0.6, 1e-12 * 1.5e7);
+  EXPECT_EQ(force[1], 0);
+  EXPECT_NEAR(force[2], -5e6 * 3 * 0.8, 1e-12 * 1.5e7);
+}
+
 TEST(Pressure, OnAClosedSurfaceSumsToZeroForceAndMoment) {
   Scene scene(R"deck(
 time: {end: 1}
