@@ -17,6 +17,7 @@
 #include "src/step/phases.hpp"
 #include "src/step/run_checks.hpp"
 #include "src/step/run_output.hpp"
+#include "src/step/run_summary.hpp"
 #include "src/step/run_totals.hpp"
 #include "src/step/step.hpp"
 #include "src/step/whole_mesh.hpp"
@@ -63,9 +64,9 @@ class Run {
   void write_checkpoint();
   long steps_done() const { return state_.step - start_step_; }
   void finish(const std::string& status, const std::string& error);
-  void fill_summary();
-  void fill_contact_summary();
-  RankRow make_rank_row() const;
+  SummedRun summed() const {
+    return {chunked_, model_, state_, stepper_, contact_, audited_, steps_done(), compute_seconds() - compute_start_};
+  }
   void fail(const std::exception& error);
   void write_failed_state();
   ProgressState find_progress() const;
@@ -297,79 +298,15 @@ ProgressState Run::find_progress() const {
           state_.dt,   audited_.energy.error, stepper_.contact_report().interactions};
 }
 
-void Run::fill_summary() {
-  summary_.version = PERCUSS_VERSION;
-  summary_.backend = ExecSpace::name();
-  summary_.ranks = ranks_.size();
-  summary_.threads = ExecSpace().concurrency();
-  summary_.elements = chunked_.numbering.element_count();
-  summary_.nodes = chunked_.numbering.node_count();
-  if (contact_.is_active()) {
-    summary_.contact_nodes = contact_.contact_nodes();
-    summary_.contact_faces = contact_.contact_faces();
-  }
-  summary_.steps = state_.step;
-  summary_.time = state_.time;
-  summary_.dt.last = state_.dt;
-  summary_.dt.element = limiting_element_id_;
-  summary_.loop_s = find_seconds(loop_start_);
-  summary_.phases_s = stepper_.clocks().wall();
-  summary_.peak_bytes = find_peak_bytes();
-  take_largest(ranks_, summary_);
-  const double work = static_cast<double>(summary_.elements) * static_cast<double>(steps_done());
-  if (work > 0) summary_.grind_ns = 1e9 * summary_.loop_s * summary_.ranks * summary_.threads / work;
-  fill_contact_summary();
-  summary_.balance.elements = find_element_balance(chunked_.numbering, ranks_.size());
-  const Traffic halo = stepper_.traffic(), contact = contact_.traffic();
-  const Traffic traffic = sum_traffic(ranks_, {halo.messages + contact.messages, halo.bytes + contact.bytes});
-  if (steps_done() > 0) {
-    const double rank_steps = static_cast<double>(steps_done()) * ranks_.size();
-    summary_.messages = {static_cast<double>(traffic.messages) / rank_steps,
-                         static_cast<double>(traffic.bytes) / rank_steps};
-  }
-  summary_.energy = audited_.energy;
-  summary_.momentum = audited_.momentum;
-  summary_.state_hash = fmt::format("{:016x}", hash_state(model_, state_));
-}
-
-void Run::fill_contact_summary() {
-  if (!contact_.is_active()) return;
-  const DecompositionReport done = contact_.decomposition();
-  if (steps_done() > 0) {
-    const auto steps = static_cast<double>(steps_done());
-    summary_.skipped.searches = 1 - static_cast<double>(contact_.searches()) / steps;
-    summary_.skipped.rebalances = 1 - static_cast<double>(done.rebalances) / steps;
-  }
-  summary_.balance.contact = done.imbalance;
-  summary_.decomposition = {done.rebalances, done.ghost_faces, done.worst_imbalance, done.rounds_per_cut};
-}
-
-RankRow Run::make_rank_row() const {
-  RankRow row;
-  row.rank = ranks_.rank();
-  row.elements = static_cast<std::int64_t>(chunked_.mesh.elements.size());
-  row.nodes = static_cast<std::int64_t>(chunked_.mesh.nodes.size());
-  const SearchLoad load = contact_.load();
-  row.contact_nodes = load.nodes;
-  row.contact_faces = load.faces;
-  row.compute = stepper_.clocks().compute();
-  row.compute_loop = compute_seconds() - compute_start_;
-  if (steps_done() == 0) return row;
-  const auto steps = static_cast<double>(steps_done());
-  const Traffic halo = stepper_.traffic(), contact = contact_.traffic();
-  row.halo_messages = static_cast<double>(halo.messages) / steps;
-  row.halo_bytes = static_cast<double>(halo.bytes) / steps;
-  row.contact_messages = static_cast<double>(contact.messages) / steps;
-  row.contact_bytes = static_cast<double>(contact.bytes) / steps;
-  return row;
-}
-
 /// Collective.
 void Run::finish(const std::string& status, const std::string& error) {
   summary_.status = status;
   summary_.error = error;
-  const std::vector<RankRow> rows = gather_rows(ranks_, make_rank_row());
-  fill_summary();
+  summary_.dt.last = state_.dt;
+  summary_.dt.element = limiting_element_id_;
+  summary_.loop_s = find_seconds(loop_start_);
+  const std::vector<RankRow> rows = gather_rows(ranks_, make_rank_row(summed()));
+  fill_summary(summed(), summary_);
   progress_.finish(find_progress());
   if (unconverged_steps_ > 0 && speaks()) {
     print_quietly(
