@@ -41,6 +41,9 @@ struct ContactRow {
   Point3 normal{}, tangent[2]{};
   Point3 gap_gradient{};  // of the gap by the place of the pushed point; gap_gradient . normal = 1
   double friction = 0;
+  int pair = 0;                  // of surfaces, as work is booked; walls are the last
+  bool is_held = false;          // nothing moves its nodes
+  double spring = 0;             // stiffness of a penalty row [force/length], 0: none
   double size = 0;               // h of the face or the edges
   double gap_start = 0;          // gap at n
   double reference = 0;          // overlap accepted at the start, >= 0

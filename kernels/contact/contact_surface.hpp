@@ -27,11 +27,17 @@ struct ContactSurface {
   Array<const int> searched_nodes;    // contact nodes that may touch some face, ascending
   Array<const int> searched_faces;    // faces that may touch some node, ascending
   Array<const double> pair_friction;  // [classes of nodes * classes of faces] friction; negative: may not touch
+  Array<const int> pair_number;       // likewise: which of the deck's pairs
 };
 
 /// Coulomb friction between a node and a face, negative if the pair may not touch.
 KOKKOS_INLINE_FUNCTION double find_friction(const ContactSurface& surface, int node, int face) {
   return surface.pair_friction(surface.node_class(node) * surface.num_classes + surface.face_class(face));
+}
+
+/// Which of the deck's pairs lets a node touch a face.
+KOKKOS_INLINE_FUNCTION int find_pair(const ContactSurface& surface, int node, int face) {
+  return surface.pair_number(surface.node_class(node) * surface.num_classes + surface.face_class(face));
 }
 
 /// Whether the face holds the node or belongs to an element of which the node is a corner opposite the face.

@@ -43,6 +43,8 @@ struct EnforcementSums {
   std::int64_t pushes = 0;        // rows with a push
   ExactSum normal_work;           // of the pushes
   ExactSum friction_work;         // of the rubs
+  ExactSum stored;                // energy in the springs of penalty rows at n+1
+  double rate = 0;                // bound of the square of the frequency that these springs add [1/time^2]
   double residual = 0;            // largest penetration left over / h
   double deepest = 0;             // deepest penetration at n / h beyond what was accepted at the start
   std::int64_t deepest_key = -1;  // of the row that has it, lowest of equals
@@ -56,8 +58,20 @@ struct EnforcementSums {
     pushes += other.pushes;
     normal_work.merge(other.normal_work);
     friction_work.merge(other.friction_work);
+    stored.merge(other.stored);
+    rate = other.rate > rate ? other.rate : rate;
     residual = other.residual > residual ? other.residual : residual;
     add_depth(other.deepest, other.deepest_key);
+  }
+};
+
+/// Work of the rows of one pair of surfaces.
+struct PairWork {
+  ExactSum normal, friction;
+
+  KOKKOS_INLINE_FUNCTION void merge(const PairWork& other) {
+    normal.merge(other.normal);
+    friction.merge(other.friction);
   }
 };
 
@@ -66,6 +80,7 @@ struct RowSumMemory {
   Array<PredictedGaps> gaps = Array<PredictedGaps>("contact::gap_sums", 0);
   Array<PassSums> pass = Array<PassSums>("contact::pass_sums", 0);
   Array<EnforcementSums> outcome = Array<EnforcementSums>("contact::outcome_sums", 0);
+  Array<PairWork> pair = Array<PairWork>("contact::pair_sums", 0);
 };
 
 template <class Space>
@@ -97,6 +112,10 @@ void apply_impulses(const Space& space, const RowSystem& system, const Rows3<dou
 /// Sums up what the impulses did.
 template <class Space>
 EnforcementSums sum_outcome(const Space& space, double dt, const RowSystem& system, RowSumMemory& memory);
+
+/// Work of this rank's rows of one pair.
+template <class Space>
+PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, RowSumMemory& memory);
 
 /// Writes the history for the next step: rows that push, or that hold an overlap accepted at the start. All else is
 /// forgotten.

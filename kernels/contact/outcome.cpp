@@ -15,26 +15,58 @@ struct MeanVelocity {
   }
 };
 
+/// Work of the push and of the rub of a row.
+struct RowWork {
+  double normal = 0, friction = 0;
+};
+KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv) {
+  const Point3 mean = find_work_velocity(row, MeanVelocity{at.v_before, at.v, dv, row});
+  RowWork work;
+  if (row.impulse.push > 0) work.normal = row.impulse.push * dot(row.normal, mean);
+  if (row.friction > 0)
+    work.friction = row.impulse.rub[0] * dot(row.tangent[0], mean) + row.impulse.rub[1] * dot(row.tangent[1], mean);
+  return work;
+}
+
+/// Energy of the springs of a penalty row at n+1: k d(n) d(n+1) / 2 is what the impulses k d(n) of central differences
+/// conserve. gap: at n+1.
+KOKKOS_INLINE_FUNCTION double find_stored(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
+                                          double gap, double dt) {
+  const double before = -row.gap_start - row.reference, after = -gap - row.reference;
+  double energy = before > 0 && after > 0 ? 0.5 * row.spring * before * after : 0;
+  if (!(row.friction > 0)) return energy;
+  const Point3 predicted = dt * find_relative_velocity(row, TouchedVelocity{at.v, row});
+  const Point3 corrected = dt * find_relative_velocity(row, TouchedVelocity{dv, row});
+  for (int d = 0; d < 2; ++d)
+    energy += 0.5 * row.spring * (row.slide[d] - dot(predicted, row.tangent[d])) *
+              (row.slide[d] + dot(corrected, row.tangent[d]));
+  return energy;
+}
+
 KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
                                         double dt, EnforcementSums& sums) {
-  const Point3 mean = find_work_velocity(row, MeanVelocity{at.v_before, at.v, dv, row});
+  const RowWork work = find_work(row, at, dv);
   sums.pushes += row.impulse.push > 0 ? 1 : 0;
-  if (row.impulse.push > 0) sums.normal_work.add(row.impulse.push * dot(row.normal, mean));
-  if (row.friction > 0)
-    sums.friction_work.add(row.impulse.rub[0] * dot(row.tangent[0], mean) +
-                           row.impulse.rub[1] * dot(row.tangent[1], mean));
+  if (work.normal != 0) sums.normal_work.add(work.normal);
+  if (row.friction > 0) sums.friction_work.add(work.friction);
   const double gap = row.gap + dt * dot(row.gap_gradient, find_work_velocity(row, TouchedVelocity{dv, row}));
+  if (row.spring > 0) {
+    sums.stored.add(find_stored(row, at, dv, gap, dt));
+    const double rate =
+        row.spring * (row.friction > 0 && row.rub_stiffness > row.stiffness ? row.rub_stiffness : row.stiffness);
+    sums.rate = rate > sums.rate ? rate : sums.rate;
+  }
   const double residual = row.target > gap ? (row.target - gap) / row.size : 0;
   sums.residual = residual > sums.residual ? residual : sums.residual;
   sums.add_depth((-row.gap_start - row.reference) / row.size, row.key);
 }
 
-/// The tangential displacement that sticking owes after the step; nothing when it slides.
+/// The tangential displacement that sticking owes after the step, or that stretches a spring; nothing when it slides.
 KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<const double>& dv, double dt) {
   constexpr double sticking = 1 - 1e-9;  // share of Coulomb's limit, below which a rub was not shortened
   const double* rub = row.impulse.rub;
   const double limit = sticking * row.friction * row.impulse.push;
-  if (!(rub[0] * rub[0] + rub[1] * rub[1] < limit * limit)) return {};
+  if (!(row.spring > 0) && !(rub[0] * rub[0] + rub[1] * rub[1] < limit * limit)) return {};
   const Point3 moved = dt * find_relative_velocity(row, TouchedVelocity{dv, row});
   return (row.slide[0] + dot(moved, row.tangent[0])) * row.tangent[0] +
          (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];
@@ -75,6 +107,20 @@ EnforcementSums sum_outcome(const Space& space, double dt, const RowSystem& syst
 }
 
 template <class Space>
+PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, RowSumMemory& memory) {
+  const Array<const ContactRow> rows = system.rows;
+  const RowNodes at = system.at;
+  const Rows3<const double> dv = system.correction;
+  return sum_rows<PairWork>(space, system.num_rows, memory.pair,
+                            [rows, at, dv, pair] KOKKOS_FUNCTION(int r, PairWork& s) {
+                              if (rows(r).pair != pair) return;
+                              const RowWork work = find_work(rows(r), at, dv);
+                              if (work.normal != 0) s.normal.add(work.normal);
+                              if (work.friction != 0) s.friction.add(work.friction);
+                            });
+}
+
+template <class Space>
 void write_history(const Space& space, double dt, const RowSystem& system, const ContactHistory& history) {
   Kokkos::deep_copy(space, history.face, std::int64_t{-1});
   const ContactHistory h = history;
@@ -104,6 +150,7 @@ void clear_impulses(const Space& space, const RowSystem& system, const Rows3<dou
 #define PERCUSS_INSTANTIATE(Space)                                                                          \
   template void apply_impulses(const Space&, const RowSystem&, const Rows3<double>&, const Rows3<double>&); \
   template EnforcementSums sum_outcome(const Space&, double, const RowSystem&, RowSumMemory&);              \
+  template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                      \
   template void write_history(const Space&, double, const RowSystem&, const ContactHistory&);               \
   template void clear_impulses(const Space&, const RowSystem&, const Rows3<double>&);
 PERCUSS_INSTANTIATE(ExecSpace)

@@ -18,6 +18,7 @@ KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffnes
   row.stiffness = choose(stiffness[0]);
   row.rub_stiffness = choose(stiffness[1] > stiffness[2] ? stiffness[1] : stiffness[2]);
   if (stiffness[0] > 0) return;
+  row.is_held = true;
   row.impulse = RowImpulse{};
   row.previous = RowImpulse{};
   row.force = Point3{};
@@ -48,7 +49,7 @@ KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const Row
   const double overlap = row.gap_start < 0 ? -row.gap_start : 0;
   row.reference = record.reference < overlap ? record.reference : overlap;
   if (!(row.friction > 0)) return;
-  const Point3 owed = shorten(record.slip, contact_limits::recovery * row.size);
+  const Point3 owed = shorten(record.slip, inputs.longest_slip * row.size);
   for (int d = 0; d < 2; ++d) {
     row.impulse.rub[d] = dot(last, row.tangent[d]);
     row.slide[d] += dot(owed, row.tangent[d]);
@@ -106,6 +107,7 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   row.normal = touch.normal;
   row.gap_gradient = touch.gap_gradient;
   row.friction = touch.friction;
+  row.pair = touch.pair;
   row.size = touch.size;
   row.gap_start = touch.gap_start;
   row.gap = touch.gap_end;
@@ -132,6 +134,7 @@ KOKKOS_INLINE_FUNCTION void fill_wall_row(const WallPairs& walls, const ContactH
   row.normal = wall.normal;
   row.gap_gradient = wall.normal;
   row.friction = wall.friction;
+  row.pair = inputs.num_pairs;
   row.size = walls.size(p);
   row.gap_start = find_wall_gap(walls, inputs.motion, p, 0);
   row.gap = find_wall_gap(walls, inputs.motion, p, 1);

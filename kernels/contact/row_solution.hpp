@@ -10,7 +10,9 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/contact/coupled_rows.hpp"
 #include "kernels/contact/enforcement.hpp"
+#include "kernels/contact/springs.hpp"
 
 namespace percuss {
 
@@ -24,6 +26,10 @@ struct OneRank {
   void send_impulses(const Space&, RowSystem&, PassSums&) {}  // fills RowSystem::remote with impulses; reduces the sums
   void receive_corrections(RowSystem&) {}                     // fills RowSystem::correction at foreign places
   void reduce(EnforcementSums&) {}
+  // Solves the rows of all ranks as one problem; impulses: of this rank's rows.
+  CoupledReport solve_together(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
+    return solve_in_key_order(rows, dt, impulses);
+  }
 };
 
 /// Makes the rows of a step with their first guess; S and D. In: num_foreign, num_remote, remote_node, remote_key of
@@ -46,19 +52,22 @@ struct SolveReport {
   std::int64_t rows = 0;  // on all ranks; 0: nothing was done
   int iterations = 0;
   bool converged = true;
+  double complementarity = 0;  // deviation from complementarity / largest closing velocity
 };
 
-/// Iterates the impulses of the rows; RowSystem::correction is their dv on return. dt: step.
+/// Iterates the impulses of the rows; RowSystem::correction is their dv on return. dt: step. The iteration ends when no
+/// impulse changes by more than would close the share `tolerance` of the largest predicted penetration.
 template <class Space, class Others>
-SolveReport solve_rows(const Space& space, double dt, RowSystem& system, RowSumMemory& memory, Others& others) {
-  // The iteration ends when no impulse changes by more than would close this share of the largest predicted penetration
-  // or this share of the smallest h.
-  constexpr double relative_tolerance = 1e-3, absolute_tolerance = 1e-10;
+SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSystem& system, RowSumMemory& memory,
+                       Others& others) {
+  // Share of the smallest h that is enough in any case. What is left over acts on resting bodies like a small noise, so
+  // that it must be far below the penetration that gravity causes in a step.
+  constexpr double absolute_tolerance = 1e-14;
   constexpr int max_iterations = 1000;
   // An iteration whose changes are larger than so many iterations before diverges: straighten_gaps() says why.
   constexpr int divergence_window = 50;
   SolveReport report{0, 0, false};
-  double beta = 0, t = 1, tolerance = 0, change_before = std::numeric_limits<double>::infinity();
+  double beta = 0, t = 1, enough = 0, change_before = std::numeric_limits<double>::infinity();
   PassSums sums;
   sums.gaps = find_predicted_gaps(space, system, memory);
   for (;;) {
@@ -67,13 +76,13 @@ SolveReport solve_rows(const Space& space, double dt, RowSystem& system, RowSumM
     if (report.iterations == 0) {
       report.rows = sums.gaps.rows;
       if (report.rows == 0) return report;
-      tolerance = std::max(relative_tolerance * sums.gaps.deepest, absolute_tolerance * sums.gaps.smallest_size);
+      enough = std::max(tolerance * sums.gaps.deepest, absolute_tolerance * sums.gaps.smallest_size);
     }
     find_corrections(space, system);
     space.fence();
     others.receive_corrections(system);
     if (report.iterations > 0) {
-      report.converged = sums.change <= tolerance;
+      report.converged = sums.change <= enough;
       const double next_t = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
       bool restart = sums.backwards.round() > 0 || report.converged;
       if (report.iterations % divergence_window == 0) {
@@ -91,6 +100,42 @@ SolveReport solve_rows(const Space& space, double dt, RowSystem& system, RowSumM
     sums = correct_rows(space, beta, dt, system, memory);
     ++report.iterations;
   }
+}
+
+/// RowSystem::correction of the impulses of all rows. sums: reduced over ranks.
+template <class Space, class Others>
+void follow_impulses(const Space& space, PassSums& sums, RowSystem& system, Others& others) {
+  others.send_impulses(space, system, sums);
+  find_corrections(space, system);
+  space.fence();
+  others.receive_corrections(system);
+}
+
+/// The impulses of springs (contact.enforcement: penalty); RowSystem::correction is their dv on return. scale: of the
+/// stiffness; dt_mean: from the middle of the last step to that of this one.
+template <class Space, class Others>
+SolveReport push_rows(const Space& space, double scale, double dt, double dt_mean, RowSystem& system,
+                      RowSumMemory& memory, Others& others) {
+  push_springs(space, scale, dt, dt_mean, system);
+  PassSums sums;
+  sums.gaps = find_predicted_gaps(space, system, memory);
+  follow_impulses(space, sums, system, others);
+  return {sums.gaps.rows, 1, true, 0};
+}
+
+/// The exact impulses of all rows together (contact.enforcement: lagrange); RowSystem::correction is their dv on
+/// return. node_numbers: [mesh nodes].
+template <class Space, class Others>
+SolveReport solve_rows_together(const Space& space, double dt, const Array<const std::int64_t>& node_numbers,
+                                RowSystem& system, Others& others) {
+  space.fence();
+  std::vector<RowImpulse> impulses;
+  const CoupledReport solved = others.solve_together(list_coupled_rows(system, node_numbers), dt, impulses);
+  if (solved.rows == 0) return {};
+  set_impulses(space, impulses, system);
+  PassSums sums;
+  follow_impulses(space, sums, system, others);
+  return {solved.rows, solved.sweeps, solved.converged, solved.complementarity};
 }
 
 }  // namespace percuss

@@ -72,6 +72,8 @@ void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system
   for (Rows3<double>* rows : {&system.at.x, &system.at.v, &system.at.v_before, &system.at.inverse_mass}) {
     reserve(*rows, system.num_places());
   }
+  const bool has_springs = inputs.spring.extent(0) > 0;
+  if (has_springs) reserve(system.at.spring, system.num_places());
   const RowNodes at = system.at;
   const RowInputs in = inputs;
   const Array<const int> nodes = system.nodes;
@@ -82,6 +84,7 @@ void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system
         store_row(at.v, a, load_row(in.motion.v, n));
         store_row(at.v_before, a, load_row(in.v_before, n));
         store_row(at.inverse_mass, a, load_row(in.inverse_mass, n));
+        if (has_springs) at.spring(a) = in.spring(n);
       });
 }
 
@@ -158,6 +161,7 @@ void collect_touches(const Space& space, const ContactSurface& surface, const Ca
           row.face = faces(touch.face);
           row.key = make_face_row_key(numbers(node), j);
           row.friction = find_friction(s, node, touch.face);
+          row.pair = find_pair(s, node, touch.face);
           row.record = contact_limits::max_touches * node + j;
           row.old_record = touch.record < 0 ? -1 : contact_limits::max_touches * node + touch.record;
           row.node[0] = s.nodes(node);

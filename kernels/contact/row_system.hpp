@@ -37,6 +37,7 @@ struct RowTouch {
   double gap_start = 0, gap_end = 0;  // at n and predicted
   double size = 0;                    // h
   double friction = 0;
+  int pair = 0;  // ContactRow::pair
   bool is_caught = false;
   int record = -1;                                             // history record that the row writes
   int old_record = -1;                                         // history record that it continues, -1: none
@@ -78,15 +79,19 @@ struct RowNodes {
   Rows3<double> v = Rows3<double>("contact::row_v", 0);  // predicted without contact
   Rows3<double> v_before = Rows3<double>("contact::row_v_before", 0);
   Rows3<double> inverse_mass = Rows3<double>("contact::row_inverse_mass", 0);  // 0: held
+  Array<double> spring = Array<double>("contact::row_spring", 0);              // stiffness of springs.hpp; penalty only
 };
 
 /// What rows read of the mesh.
 struct RowInputs {
   SurfaceMotion motion;
-  Rows3<const double> v_before;            // [mesh nodes][3]
-  Rows3<const double> inverse_mass;        // [mesh nodes][3], 0: held
-  Array<const std::int64_t> node_numbers;  // [mesh nodes]
-  double impulse_scale = 1;                // dt / last dt: the same force in this step, the first guess
+  Rows3<const double> v_before;                    // [mesh nodes][3]
+  Rows3<const double> inverse_mass;                // [mesh nodes][3], 0: held
+  Array<const std::int64_t> node_numbers;          // [mesh nodes]
+  double impulse_scale = 1;                        // dt / last dt: the same force in this step, the first guess
+  double longest_slip = contact_limits::recovery;  // that sticking takes over from earlier steps / h
+  int num_pairs = 1;                               // of surfaces; walls are booked after them
+  Array<const double> spring{};                    // [mesh nodes] stiffness of springs.hpp, empty without penalty
 };
 
 struct RowSystem {
@@ -99,8 +104,9 @@ struct RowSystem {
   Array<int> awake = Array<int>("contact::awake_rows", 0);
   Array<int> nodes = Array<int>("contact::touched_nodes", 0);      // [num_nodes] mesh nodes, in no order
   Array<int> foreign = Array<int>("contact::foreign_entries", 0);  // [num_foreign] their entry, row * row_nodes + slot
-  RowNodes at;                                                     // [num_nodes + num_foreign]
-  Array<int> offset = Array<int>("contact::entry_offset", 0);      // [num_nodes + 1]
+  Array<std::int64_t> foreign_number = Array<std::int64_t>("contact::foreign_number", 0);  // [num_foreign] of the node
+  RowNodes at;                                                                             // [num_nodes + num_foreign]
+  Array<int> offset = Array<int>("contact::entry_offset", 0);                              // [num_nodes + 1]
   // row * row_nodes + slot; from num_rows * row_nodes on the remote entries. By node, ascending in the row's key.
   Array<int> entry = Array<int>("contact::entries", 0);
   Array<int> remote_node = Array<int>("contact::remote_node", 0);                  // [num_remote] mesh node

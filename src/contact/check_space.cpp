@@ -56,6 +56,7 @@ ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShar
   surface.searched_nodes = to_view("contact::searched_nodes", lists.searched_nodes);
   surface.searched_faces = to_view("contact::searched_faces", lists.searched_faces);
   surface.pair_friction = share.pair_friction;
+  surface.pair_number = share.pair_number;
   return surface;
 }
 

@@ -19,6 +19,7 @@ struct Penetration {
   double depth = 0;        // [length]
   double ratio = 0;        // depth / shortest edge of the face
   double size = 0;         // h of the face
+  int part = 0;            // of the face
 };
 
 /// What the contact decomposition did so far; the same on every rank.

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
+#include "comm/exact_reduction.hpp"
 #include "src/contact/contact_checkpoint.hpp"
 #include "src/contact/enforcer.hpp"
 #include "src/contact/local_finder.hpp"
@@ -24,7 +26,7 @@ struct ContactStage::Impl {
         contact(deck.contact),
         bound(world, share, deck.contact.reuse_search),
         finder(make_contact_finder(seen(), share, deck.contact.rebalance)),
-        enforcer(seen(), walls),
+        enforcer(seen(), share, walls, deck),
         history(make_history(share, walls)) {}
 
   ContactRanks seen() const { return {ranks, numbering, mesh}; }
@@ -109,6 +111,25 @@ std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, co
   return std::make_unique<RankedFinder>(ranks, share, rebalance);
 }
 
+namespace {
+
+/// "; 4 of 'b' in 'a' (up to 0.05)", those with most nodes first, a few of them.
+std::string describe_parts(std::vector<PartOverlap> parts, const Mesh& mesh) {
+  constexpr std::size_t most = 4;
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const PartOverlap& a, const PartOverlap& b) { return a.nodes > b.nodes; });
+  std::string line;
+  const auto name = [&](int part) { return "'" + mesh.parts[static_cast<std::size_t>(part)].name + "'"; };
+  for (std::size_t i = 0; i < parts.size() && i < most; ++i)
+    line += fmt::format("{} {} of {} in {} (up to {:.4g})", i == 0 ? ";" : ",", parts[i].nodes, name(parts[i].part),
+                        parts[i].other < 0 ? fmt::format("walls.{}", -1 - parts[i].other) : name(parts[i].other),
+                        parts[i].deepest);
+  if (parts.size() > most) line += fmt::format(" and {} more pairs of parts", parts.size() - most);
+  return line;
+}
+
+}  // namespace
+
 ContactStage::ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks)
     : impl_(std::make_unique<Impl>(chunked, deck, ranks)) {}
 ContactStage::~ContactStage() = default;
@@ -126,6 +147,7 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
       "{} contact node{} overlap{} another body at the start, deepest {:.4g} at node {}: {}", found.nodes,
       found.nodes == 1 ? "" : "s", found.nodes == 1 ? "s" : "", found.deepest, stage.find_user_id(found.deepest_node),
       overlap == ContactDeck::Overlap::accept ? "accepted as the reference" : "pushed out slowly");
+  line += describe_parts(found.parts, stage.mesh);
   if (found.too_deep > 0)
     line += fmt::format("; {} of them lie deeper than a quarter of a face and are not in contact", found.too_deep);
   return line;
@@ -153,6 +175,26 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
     stage.enforcer.rest(motion, stage.history);
   stage.touched_last = report.iterations > 0;
   return report;
+}
+
+std::vector<std::string> name_contact_pairs(const Deck& deck) {
+  std::vector<std::string> names;
+  if (deck.contact.surfaces == ContactDeck::Surfaces::all) names.emplace_back("surfaces");
+  const auto name = [](const Selector& surface) { return surface.name.empty() ? std::string("all") : surface.name; };
+  for (const SurfacePairDeck& pair : deck.contact.pairs) names.push_back(name(pair.a) + ":" + name(pair.b));
+  if (!deck.walls.empty() && !names.empty()) names.emplace_back("walls");
+  if (names.size() < 2) names.clear();
+  return names;
+}
+
+std::vector<double> ContactStage::sum_pair_work() const {
+  std::vector<double> work;
+  for (const PairWork& pair : impl_->enforcer.pair_work()) {
+    std::array<ExactSum, 2> sums{pair.normal, pair.friction};
+    sum_over_ranks(impl_->ranks, sums);
+    for (const ExactSum& sum : sums) work.push_back(sum.round());
+  }
+  return work;
 }
 
 std::int64_t ContactStage::contact_nodes() const { return impl_->share.total_nodes; }

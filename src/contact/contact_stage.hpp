@@ -36,12 +36,19 @@ struct ContactReport {
   bool searched = false;        // whether the search was due
   int iterations = 0;           // of the enforcement
   double residual = 0;          // largest penetration left over / face edge of its face
+  double complementarity = 0;   // lagrange: deviation from complementarity / largest closing velocity
   bool converged = true;
   double normal_work = 0;          // of the pushes
   double friction_work = 0;        // of the tangential impulses (negative: dissipated)
+  double stored = 0;               // penalty: energy in the springs at n+1
+  double rate = 0;                 // penalty: bound of the square of the frequency that the springs add [1/time^2]
   double deepest = 0;              // deepest penetration at n among checked pairs / face edge, 0 if none
   std::int64_t deepest_node = -1;  // number of the node that has it
 };
+
+/// Names of what work is booked by: "a:b" for each pair of the deck, "surfaces" where all may touch all, "walls". Empty
+/// where one name would mean all work.
+std::vector<std::string> name_contact_pairs(const Deck& deck);
 
 /// Time since the start, by phase.
 struct ContactClocks {
@@ -69,6 +76,10 @@ class ContactStage {
 
   /// Corrects motion.v and fills motion.impulse.
   ContactReport apply(const ContactMotion& motion);
+
+  /// Work of pushes and of rubs since the start by name_contact_pairs(), of all ranks: 2 a pair; booked only for decks
+  /// that write a history. Collective.
+  std::vector<double> sum_pair_work() const;
 
   std::int64_t contact_nodes() const;  // of the whole scene
   std::int64_t contact_faces() const;

@@ -1,6 +1,10 @@
 #include "src/contact/enforcer.hpp"
 
-#include "kernels/contact/row_solution.hpp"
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
 #include "kernels/core/host_copy.hpp"
 
 namespace percuss {
@@ -16,16 +20,28 @@ SharedNodes find_copies(const ContactRanks& ranks) {
   return shared;
 }
 
+/// Contact stiffness by mesh node.
+Array<const double> find_springs(const Mesh& mesh, const SurfaceShare& share, const ContactDeck& deck) {
+  if (deck.enforcement != ContactDeck::Enforcement::penalty) return {};
+  std::vector<double> springs(mesh.nodes.size(), 0);
+  for (std::size_t n = 0; n < share.nodes.mesh_nodes.size(); ++n)
+    springs[static_cast<std::size_t>(share.nodes.mesh_nodes[n])] = share.nodes.springs[n];
+  return to_view("contact::springs", springs);
+}
+
 }  // namespace
 
-Enforcer::Enforcer(const ContactRanks& ranks, const WallPairs& walls)
+Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls, const Deck& deck)
     : walls_(walls),
       node_numbers_(to_view("contact::mesh_node_numbers", ranks.mesh.node_numbers)),
       has_many_ranks_(ranks.ranks.size() > 1),
+      deck_(deck.contact),
       exchange_(ranks),
       copied_(find_copies(ranks)),
       velocity_copies_(ranks.ranks, copied_),
-      impulse_copies_(ranks.ranks, copied_) {}
+      impulse_copies_(ranks.ranks, copied_),
+      spring_(find_springs(ranks.mesh, share, deck.contact)),
+      pair_work_(deck.output.history_every ? name_contact_pairs(deck).size() : 0) {}
 
 void Enforcer::clear_last_impulse(const ContactMotion& motion) {
   // Only the nodes of the last step's rows can be set, if it is the same memory; copies of them are not listed.
@@ -48,6 +64,14 @@ void Enforcer::update_copies(const ContactMotion& motion) {
   impulse_copies_.end(ExecSpace(), motion.impulse);
 }
 
+void Enforcer::archive(CheckpointArchive& archive) {
+  archive.number("contact/last_dt", last_dt_);
+  for (std::size_t p = 0; p < pair_work_.size(); ++p) {
+    archive.sum(fmt::format("contact/pair_{}/normal_work", p), pair_work_[p].normal);
+    archive.sum(fmt::format("contact/pair_{}/friction_work", p), pair_work_[p].friction);
+  }
+}
+
 void Enforcer::rest(const ContactMotion& motion, const ContactHistory& history) {
   clear_last_impulse(motion);
   last_dt_ = motion.dt;
@@ -55,14 +79,37 @@ void Enforcer::rest(const ContactMotion& motion, const ContactHistory& history) 
   remembers_ = false;
 }
 
+template <class Space>
+SolveReport Enforcer::solve(const Space& space, double dt, double dt_mean) {
+  if (deck_.enforcement == ContactDeck::Enforcement::penalty)
+    return push_rows(space, deck_.penalty_scale, dt, dt_mean, system_, sums_, exchange_);
+  if (deck_.enforcement == ContactDeck::Enforcement::lagrange)
+    return solve_rows_together(space, dt, node_numbers_, system_, exchange_);
+  return solve_rows(space, dt, deck_.tolerance, system_, sums_, exchange_);
+}
+
+template <class Space>
+void Enforcer::book_pairs(const Space& space) {
+  for (std::size_t p = 0; p < pair_work_.size(); ++p) {
+    pair_work_[p].merge(sum_pair_work(space, static_cast<int>(p), system_, sums_));
+    pair_work_[p].normal.normalize();
+    pair_work_[p].friction.normalize();
+  }
+}
+
 void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
                        const ContactHistory& history, ContactReport& report) {
   clear_last_impulse(motion);
+  const bool has_springs = deck_.enforcement == ContactDeck::Enforcement::penalty;
   const RowInputs inputs{{motion.x, motion.v, motion.dt},
                          motion.v_before,
                          motion.inverse_mass,
                          node_numbers_,
-                         last_dt_ > 0 ? motion.dt / last_dt_ : 1};
+                         last_dt_ > 0 ? motion.dt / last_dt_ : 1,
+                         has_springs ? std::numeric_limits<double>::infinity() : contact_limits::recovery,
+                         std::max(1, static_cast<int>(deck_.pairs.size())),
+                         spring_};
+  const double dt_mean = last_dt_ > 0 ? 0.5 * (last_dt_ + motion.dt) : motion.dt;
   last_dt_ = motion.dt;
   remembers_ = true;
   exchange_.announce_foreign_nodes(touches, num_touches, system_);
@@ -70,16 +117,20 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
   // A row's solution costs some dozen passes; a wall's pair that is out of reach costs one look.
   run_where_it_pays(num_touches + wall_pairs / 8, [&](const auto& space) {
     build_rows(space, inputs, touches, num_touches, walls_, history, system_, exchange_);
-    const SolveReport solved = solve_rows(space, motion.dt, system_, sums_, exchange_);
+    const SolveReport solved = solve(space, motion.dt, dt_mean);
     if (solved.rows > 0) {
       apply_impulses(space, system_, motion.v, motion.impulse);
       EnforcementSums done = sum_outcome(space, motion.dt, system_, sums_);
       exchange_.reduce(done);
       report.iterations = solved.iterations;
       report.converged = solved.converged;
+      report.complementarity = solved.complementarity;
       report.interactions = static_cast<int>(done.pushes);
       report.normal_work = done.normal_work.round();
       report.friction_work = done.friction_work.round();
+      report.stored = done.stored.round();
+      report.rate = done.rate;
+      book_pairs(space);
       report.residual = done.residual;
       report.deepest = done.deepest;
       report.deepest_node = done.deepest_key < 0 ? -1 : find_key_node(done.deepest_key);

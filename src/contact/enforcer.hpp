@@ -7,6 +7,7 @@
 // way with them.
 
 #include "comm/node_copies.hpp"
+#include "kernels/contact/row_solution.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/contact/row_exchange.hpp"
 
@@ -15,7 +16,7 @@ namespace percuss {
 class Enforcer {
  public:
   /// Collective, as are all calls.
-  Enforcer(const ContactRanks& ranks, const WallPairs& walls);
+  Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls, const Deck& deck);
 
   /// Corrects motion.v and fills motion.impulse for the touches of this rank's contact nodes, on every copy of a node;
   /// writes the history for the next step; fills in what the report says of enforcement.
@@ -25,22 +26,32 @@ class Enforcer {
   /// A step in which nothing touches on any rank: no impulses, nothing to remember.
   void rest(const ContactMotion& motion, const ContactHistory& history);
 
-  void archive(CheckpointArchive& archive) { archive.number("contact/last_dt", last_dt_); }
+  void archive(CheckpointArchive& archive);
+
+  /// Work of this rank's rows since the start by name_contact_pairs().
+  const std::vector<PairWork>& pair_work() const { return pair_work_; }
 
   const Traffic& traffic() const { return exchange_.traffic(); }
 
  private:
+  template <class Space>
+  SolveReport solve(const Space& space, double dt, double dt_mean);
+  template <class Space>
+  void book_pairs(const Space& space);
   void clear_last_impulse(const ContactMotion& motion);
   void update_copies(const ContactMotion& motion);
 
   const WallPairs walls_;
   const Array<const std::int64_t> node_numbers_;  // [mesh nodes]
   const bool has_many_ranks_;
+  const ContactDeck deck_;
   RowExchange exchange_;
   const SharedNodes copied_;
   NodeCopies velocity_copies_, impulse_copies_;
   RowSystem system_;
   RowSumMemory sums_;
+  Array<const double> spring_;            // [mesh nodes] of owned contact nodes; empty without penalty
+  std::vector<PairWork> pair_work_;       // empty: not asked for
   bool was_pushed_ = false;               // impulses of the last step stand in motion.impulse
   const double* last_impulse_ = nullptr;  // where they were written
   double last_dt_ = 0;

@@ -91,7 +91,8 @@ std::vector<Penetration> LocalFinder::find_penetrations(const SurfaceMotion& mot
   std::vector<Penetration> found;
   for (int n = 0; n < check_.surface.num_nodes; ++n) {
     if (face(n) < 0) continue;
-    found.push_back({n, share_.faces[static_cast<std::size_t>(face(n))].number, depth(n), ratio(n), size(face(n))});
+    const FaceTopology& of = share_.faces[static_cast<std::size_t>(face(n))];
+    found.push_back({n, of.number, depth(n), ratio(n), size(face(n)), of.part});
   }
   return found;
 }

@@ -17,6 +17,7 @@ struct RankedFinder::TouchRecord {
   std::int64_t corners[4]{};  // numbers
   Touch touch;
   double friction = 0;
+  int pair = 0;
   int order = 0;  // among the touches of its node
 };
 
@@ -118,6 +119,7 @@ int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& histo
   std::vector<int> counts;
   const auto by_node = to_host(check_.touches.by_node);
   const auto friction = to_host(check_.surface.pair_friction);
+  const auto pair_number = to_host(check_.surface.pair_number);
   const auto node_class = to_host(check_.surface.node_class);
   for (std::size_t i = 0; i < checked_nodes_.size(); ++i) {
     const int n = checked_nodes_[i];
@@ -131,6 +133,7 @@ int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& histo
       record.face = face.number;
       std::copy(std::begin(face.corners), std::end(face.corners), record.corners);
       record.friction = friction(node_class(n) * share_.num_classes + face.surface_class);
+      record.pair = pair_number(node_class(n) * share_.num_classes + face.surface_class);
       records.push_back(record);
     }
   }
@@ -156,6 +159,7 @@ std::vector<RowTouch> RankedFinder::make_row_touches(std::vector<TouchRecord> re
     row.face = record.face;
     row.key = make_face_row_key(record.node, record.order);
     row.friction = record.friction;
+    row.pair = record.pair;
     row.record = max_touches * node + record.order;
     row.old_record = record.touch.record < 0 ? -1 : max_touches * node + record.touch.record;
     row.node[0] = share_.nodes.mesh_nodes[at(node)];
@@ -184,7 +188,8 @@ std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& mo
   for (const int n : checked_nodes_) {
     counts.push_back(check_.candidates.num_pairs > 0 && face(n) >= 0 ? 1 : 0);
     if (counts.back() == 0) continue;
-    records.push_back({check_nodes_[at(n)], {0, check_faces_[at(face(n))].number, depth(n), ratio(n), size(face(n))}});
+    const FaceTopology& of = check_faces_[at(face(n))];
+    records.push_back({check_nodes_[at(n)], {0, of.number, depth(n), ratio(n), size(face(n)), of.part}});
   }
   std::vector<Penetration> found;
   for (Record& record : send_results_to_fe_owners(records, counts)) {

@@ -21,6 +21,7 @@ struct RowExchange::ForeignNotice {
 /// What a row needs of a foreign node.
 struct RowExchange::ForeignData {
   std::array<double, 3> x, v, v_before, inverse_mass;
+  double spring = 0;
 };
 
 RowExchange::RowExchange(const ContactRanks& ranks)
@@ -51,6 +52,9 @@ void RowExchange::announce_foreign_nodes(const Array<const RowTouch>& touches, i
     nodes.push_back(static_cast<int>(std::lower_bound(numbers.begin(), numbers.end(), notice.node) - numbers.begin()));
     keys.push_back(notice.key);
   }
+  std::vector<std::int64_t> foreign;
+  for (const ForeignNotice& notice : notices) foreign.push_back(notice.node);
+  system.foreign_number = to_view("contact::foreign_number", foreign);
   system.num_foreign = static_cast<int>(notices.size());
   system.num_remote = static_cast<int>(nodes.size());
   system.remote_node = to_view("contact::remote_node", nodes);
@@ -66,12 +70,15 @@ void RowExchange::receive_nodes(RowSystem& system) {
   std::array<double, 3> ForeignData::*const members[4] = {&ForeignData::x, &ForeignData::v, &ForeignData::v_before,
                                                           &ForeignData::inverse_mass};
   const auto place = to_host(system.remote_place);
+  const auto spring = to_host(system.at.spring);
+  const bool has_springs = spring.extent(0) > 0;
   std::vector<ForeignData> send(at(system.num_remote));
   std::vector<Rows3<double>::HostMirror> hosts;
   for (const Rows3<double>* view : rows) hosts.push_back(to_host(*view));
   for (std::size_t k = 0; k < send.size(); ++k) {
     const auto a = at(place(k));
     for (std::size_t i = 0; i < 4; ++i) send[k].*members[i] = {hosts[i](a, 0), hosts[i](a, 1), hosts[i](a, 2)};
+    if (has_springs) send[k].spring = spring(a);
   }
   const std::vector<ForeignData> received = data_.exchange(reverse(plan_), send);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -81,6 +88,9 @@ void RowExchange::receive_nodes(RowSystem& system) {
     }
     Kokkos::deep_copy(*rows[i], hosts[i]);
   }
+  if (!has_springs) return;
+  for (std::size_t k = 0; k < received.size(); ++k) spring(at(system.num_nodes + order_[k])) = received[k].spring;
+  Kokkos::deep_copy(system.at.spring, spring);
 }
 
 void RowExchange::begin_sending() {
@@ -123,10 +133,24 @@ void RowExchange::send_to_rows(const RowSystem& system, const Rows3<double>& by_
   Kokkos::deep_copy(by_place, host);
 }
 
+CoupledReport RowExchange::solve_together(const std::vector<CoupledRow>& rows, double dt,
+                                          std::vector<RowImpulse>& impulses) {
+  if (!has_many_ranks_) return solve_in_key_order(rows, dt, impulses);
+  const ExchangePlan plan = exchange_.plan(order_by_destination(std::vector<int>(rows.size(), 0)).to);
+  const std::vector<CoupledRow> gathered = data_.exchange(plan, rows);
+  std::vector<RowImpulse> found;
+  CoupledReport report;
+  if (ranks_.ranks.rank() == 0) report = solve_in_key_order(gathered, dt, found);
+  impulses = data_.exchange(reverse(plan), found);
+  wait_mpi([&] { return MPI_Bcast(&report, sizeof(report), MPI_BYTE, 0, ranks_.ranks.handle()); }, "MPI_Bcast");
+  return report;
+}
+
 void RowExchange::reduce(EnforcementSums& sums) {
   if (!has_many_ranks_) return;
   sums.normal_work.normalize();
   sums.friction_work.normalize();
+  sums.stored.normalize();
   reduce_outcome_(ranks_.ranks, sums);
 }
 

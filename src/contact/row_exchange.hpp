@@ -6,6 +6,7 @@
 
 #include "comm/data_exchange.hpp"
 #include "comm/merge_reduction.hpp"
+#include "kernels/contact/coupled_rows.hpp"
 #include "kernels/contact/enforcement.hpp"
 #include "src/contact/contact_finder.hpp"
 
@@ -42,6 +43,8 @@ class RowExchange {
   }
   void receive_corrections(RowSystem& system) { send_to_rows(system, system.correction); }
   void reduce(EnforcementSums& sums);
+  /// Gathers the rows of all ranks on the first one, which solves them in the order of their keys.
+  CoupledReport solve_together(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses);
 
   const Traffic& traffic() const { return data_.traffic(); }
 

@@ -18,7 +18,23 @@ std::vector<Penetration> look_everywhere(const OverlapSearch& search, const Surf
   return search.finder.find_penetrations(motion);
 }
 
-void note(StartOverlap& found, double depth, std::int64_t node, bool held) {
+/// Adds to the overlap of its two parts.
+void add(const PartOverlap& more, std::vector<PartOverlap>& parts) {
+  const auto is_before = [](const PartOverlap& a, const PartOverlap& b) {
+    return a.part != b.part ? a.part < b.part : a.other < b.other;
+  };
+  auto place = std::lower_bound(parts.begin(), parts.end(), more, is_before);
+  if (place == parts.end() || place->part != more.part || place->other != more.other)
+    place = parts.insert(place, {more.part, more.other, 0, 0});
+  place->nodes += more.nodes;
+  place->deepest = std::max(place->deepest, more.deepest);
+}
+
+/// node: place in OwnedContactNodes; other: as PartOverlap's.
+void note(StartOverlap& found, const OwnedContactNodes& nodes, int place, int other, double depth, bool held) {
+  const auto i = static_cast<std::size_t>(place);
+  const std::int64_t node = nodes.numbers[i];
+  add({nodes.faces[static_cast<std::size_t>(nodes.first_face[i])].part, other, 1, depth}, found.parts);
   ++found.nodes;
   if (!held) ++found.too_deep;
   if (depth < found.deepest || (depth == found.deepest && found.deepest_node >= 0 && node > found.deepest_node)) return;
@@ -47,6 +63,21 @@ struct HostWalls {
   decltype(to_host(Rows3<const double>())) x;
 };
 
+/// The items of all ranks, on each.
+std::vector<PartOverlap> gather_items(const Communicator& ranks, const std::vector<PartOverlap>& own) {
+  const auto size = static_cast<std::size_t>(ranks.size());
+  std::vector<int> bytes(size), first(size + 1, 0);
+  const int count = static_cast<int>(own.size() * sizeof(PartOverlap));
+  wait_mpi([&] { return MPI_Allgather(&count, 1, MPI_INT, bytes.data(), 1, MPI_INT, ranks.handle()); },
+           "MPI_Allgather");
+  for (std::size_t r = 0; r < size; ++r) first[r + 1] = first[r] + bytes[r];
+  std::vector<PartOverlap> all(static_cast<std::size_t>(first[size]) / sizeof(PartOverlap));
+  check_mpi(
+      MPI_Allgatherv(own.data(), count, MPI_BYTE, all.data(), bytes.data(), first.data(), MPI_BYTE, ranks.handle()),
+      "MPI_Allgatherv");
+  return all;
+}
+
 /// The counts of all ranks, and the deepest node of any.
 void reduce(const Communicator& ranks, StartOverlap& found) {
   std::int64_t counts[2] = {found.nodes, found.too_deep};
@@ -59,6 +90,9 @@ void reduce(const Communicator& ranks, StartOverlap& found) {
   std::int64_t node = found.deepest_node >= 0 && own == found.deepest ? found.deepest_node : none;
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &node, 1, MPI_INT64_T, MPI_MIN, ranks.handle()); },
            "MPI_Allreduce");
+  std::vector<PartOverlap> all;
+  for (const PartOverlap& parts : gather_items(ranks, found.parts)) add(parts, all);
+  found.parts = std::move(all);
   found.nodes = counts[0];
   found.too_deep = counts[1];
   found.deepest_node = node == none ? -1 : node;
@@ -85,7 +119,7 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
   for (const Penetration& p : look_everywhere(search, motion)) {
     if (p.depth <= contact_limits::overlap * p.size) continue;
     const bool held = p.depth <= contact_limits::history_depth * p.size;
-    note(found, p.depth, search.share.nodes.numbers[static_cast<std::size_t>(p.node)], held);
+    note(found, search.share.nodes, p.node, p.part, p.depth, held);
     if (!held) continue;
     history_face(contact_limits::max_touches * p.node) = p.face;
     reference(contact_limits::max_touches * p.node) = accept ? p.depth : 0;
@@ -96,7 +130,7 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
     if (host.depth(p) <= contact_limits::overlap * host.size(p)) continue;
     const auto& nodes = search.share.nodes;
     const auto place = std::lower_bound(nodes.mesh_nodes.begin(), nodes.mesh_nodes.end(), host.node(p));
-    note(found, host.depth(p), nodes.numbers[static_cast<std::size_t>(place - nodes.mesh_nodes.begin())], true);
+    note(found, nodes, static_cast<int>(place - nodes.mesh_nodes.begin()), -1 - host.wall(p), host.depth(p), true);
     reference(first + p) = accept ? host.depth(p) : 0;
   }
   Kokkos::deep_copy(history.face, history_face);

@@ -9,12 +9,21 @@ namespace percuss {
 /// An empty history.
 ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls);
 
+/// Overlap between two parts, or of a part with a wall.
+struct PartOverlap {
+  int part = 0;            // of the nodes
+  int other = 0;           // of the faces; -1 - w: wall w
+  std::int64_t nodes = 0;  // contact nodes of `part` inside `other`
+  double deepest = 0;      // [length]
+};
+
 /// Overlap at the start: what was found, on all ranks, and taken into the history.
 struct StartOverlap {
   std::int64_t nodes = 0;          // contact nodes inside another body or behind a wall
   std::int64_t too_deep = 0;       // of these, deeper than contact can hold
   double deepest = 0;              // [length]
   std::int64_t deepest_node = -1;  // number of the node, lowest of equals
+  std::vector<PartOverlap> parts;  // by (part, other)
 };
 
 /// What looks for overlap: a finder of its own, so that the search of the steps is not disturbed.

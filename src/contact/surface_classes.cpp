@@ -7,14 +7,14 @@ namespace {
 
 bool has_surface(const SurfaceSet& set, int surface) { return std::binary_search(set.begin(), set.end(), surface); }
 
-/// Friction between a node on surfaces `node` and a face on surfaces `face`.
-double find_pair_friction(const ContactDeck& contact, const SurfaceSet& node, const SurfaceSet& face) {
+/// Rule for a node on surfaces `node` and a face on surfaces `face`.
+PairRule find_rule(const ContactDeck& contact, const SurfaceSet& node, const SurfaceSet& face) {
   for (std::size_t p = 0; p < contact.pairs.size(); ++p) {
     const int a = 2 * static_cast<int>(p), b = a + 1;
     const bool fits = (has_surface(node, a) && has_surface(face, b)) || (has_surface(node, b) && has_surface(face, a));
-    if (fits) return contact.pairs[p].friction.value_or(contact.friction);
+    if (fits) return {static_cast<int>(p), contact.pairs[p].friction.value_or(contact.friction)};
   }
-  return -1;
+  return {};
 }
 
 void sort_unique(std::vector<SurfaceSet>& sets) {
@@ -48,15 +48,14 @@ int SurfaceClasses::find(const SurfaceSet& set) const {
   return static_cast<int>(std::lower_bound(sets.begin(), sets.end(), set) - sets.begin());
 }
 
-std::vector<double> SurfaceClasses::find_friction(const ContactDeck& contact) const {
-  if (contact.surfaces != ContactDeck::Surfaces::pairs) {
-    return {contact.surfaces == ContactDeck::Surfaces::all ? contact.friction : -1};
-  }
-  std::vector<double> friction;
+std::vector<PairRule> SurfaceClasses::find_rules(const ContactDeck& contact) const {
+  if (contact.surfaces == ContactDeck::Surfaces::all) return {{0, contact.friction}};
+  if (contact.surfaces == ContactDeck::Surfaces::none) return {{}};
+  std::vector<PairRule> rules;
   for (const SurfaceSet& node : sets) {
-    for (const SurfaceSet& face : sets) friction.push_back(find_pair_friction(contact, node, face));
+    for (const SurfaceSet& face : sets) rules.push_back(find_rule(contact, node, face));
   }
-  return friction;
+  return rules;
 }
 
 std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, const std::vector<ElementFace>& faces) {

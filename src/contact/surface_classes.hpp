@@ -11,6 +11,12 @@ namespace percuss {
 /// Numbers of named surfaces, ascending: 2 p and 2 p + 1 are the sides a and b of the deck's pair p.
 using SurfaceSet = std::vector<int>;
 
+/// How a node may touch a face.
+struct PairRule {
+  int pair = -1;         // of the deck, -1: not at all; 0 where all may touch all
+  double friction = -1;  // Coulomb's coefficient; negative: may not touch
+};
+
 /// The combinations of named surfaces on which nodes or faces lie together, the same on every rank.
 struct SurfaceClasses {
   std::vector<SurfaceSet> sets;  // [classes] ascending
@@ -18,9 +24,8 @@ struct SurfaceClasses {
   int count() const { return static_cast<int>(sets.size()); }
   int find(const SurfaceSet& set) const;
 
-  /// Coulomb friction by [class of the node * count() + class of the face]: that of the first pair that fits; -1: they
-  /// may not touch.
-  std::vector<double> find_friction(const ContactDeck& contact) const;
+  /// Rules by [class of the node * count() + class of the face]: that of the first pair that fits.
+  std::vector<PairRule> find_rules(const ContactDeck& contact) const;
 };
 
 /// Surfaces of each face of the share. Throws InputError for unknown surfaces. Collective over Mesh::ranks.

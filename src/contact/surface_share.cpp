@@ -6,6 +6,7 @@
 
 #include "comm/item_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/face_springs.hpp"
 #include "src/contact/surface_classes.hpp"
 
 namespace percuss {
@@ -43,6 +44,7 @@ void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& face
     FaceTopology face;
     face.number = 6 * numbers[at(f.element)] + f.face;
     face.body = mesh.bodies[at(f.element)];
+    face.part = mesh.element_part[at(f.element)];
     std::array<int, 4> corners{}, backs{};
     for (std::size_t i = 0; i < 4; ++i) {
       const int corner = hex_faces[f.face][i];
@@ -60,11 +62,13 @@ void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& face
 /// A face as it is told to the owner of one of its corners.
 struct CornerNotice {
   std::int64_t node = 0;
-  double size = 0;  // shorter of the two edges that meet there
+  double size = 0;    // shorter of the two edges that meet there
+  double spring = 0;  // its share of the stiffness of the face
   FaceTopology face;
 };
 
-CornerNotice make_notice(const Mesh& mesh, const SurfaceShare& share, std::size_t face, std::size_t corner) {
+CornerNotice make_notice(const Mesh& mesh, const SurfaceShare& share, std::size_t face, std::size_t corner,
+                         double spring) {
   const auto measure = [&](int a, int b) {
     const Vec3 &p = mesh.nodes[at(a)], &q = mesh.nodes[at(b)];
     return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
@@ -72,18 +76,19 @@ CornerNotice make_notice(const Mesh& mesh, const SurfaceShare& share, std::size_
   const std::array<int, 4>& nodes = share.face_corners[face];
   const int node = nodes[corner];
   return {share.faces[face].corners[corner],
-          std::min(measure(node, nodes[(corner + 1) % 4]), measure(node, nodes[(corner + 3) % 4])), share.faces[face]};
+          std::min(measure(node, nodes[(corner + 1) % 4]), measure(node, nodes[(corner + 3) % 4])), 0.25 * spring,
+          share.faces[face]};
 }
 
 /// Tells the owner of every corner about each face of this rank; returns what the owned nodes were told, by (node,
 /// face).
 std::vector<CornerNotice> exchange_notices(const ChunkedMesh& chunked, const SurfaceShare& share,
-                                           UnstructuredExchange& exchange) {
+                                           const std::vector<double>& springs, UnstructuredExchange& exchange) {
   std::vector<CornerNotice> notices;
   std::vector<int> owners;
   for (std::size_t f = 0; f < share.faces.size(); ++f) {
     for (std::size_t i = 0; i < 4; ++i) {
-      notices.push_back(make_notice(chunked.mesh, share, f, i));
+      notices.push_back(make_notice(chunked.mesh, share, f, i, springs[f]));
       owners.push_back(chunked.numbering.find_node_owner(notices.back().node));
     }
   }
@@ -102,9 +107,11 @@ void list_nodes(const Mesh& mesh, const std::vector<CornerNotice>& notices, Owne
       nodes.numbers.push_back(notice.node);
       nodes.ids.push_back(mesh.node_ids[at(nodes.mesh_nodes.back())]);
       nodes.sizes.push_back(std::numeric_limits<double>::infinity());
+      nodes.springs.push_back(0);
       nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
     }
     nodes.sizes.back() = std::min(nodes.sizes.back(), notice.size);
+    nodes.springs.back() += notice.spring;
     nodes.faces.push_back(notice.face);
   }
   nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
@@ -133,7 +140,12 @@ void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const Surface
   std::for_each(share.faces.begin(), share.faces.end(), renumber);
   std::for_each(share.nodes.faces.begin(), share.nodes.faces.end(), renumber);
   for (const SurfaceSet& set : node_sets) share.nodes.classes.push_back(classes.find(set));
-  const std::vector<double> friction = classes.find_friction(deck.contact);
+  std::vector<double> friction;
+  std::vector<int> pair_number;
+  for (const PairRule& rule : classes.find_rules(deck.contact)) {
+    friction.push_back(rule.friction);
+    pair_number.push_back(rule.pair);
+  }
   const std::size_t n = at(classes.count());
   std::vector<char> node_searched(n, 0), face_searched(n, 0);
   for (std::size_t a = 0; a < n; ++a) {
@@ -143,6 +155,7 @@ void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const Surface
   }
   share.num_classes = classes.count();
   share.pair_friction = to_view("contact::pair_friction", friction);
+  share.pair_number = to_view("contact::pair_number", pair_number);
   for (const int c : share.nodes.classes) share.nodes.searched.push_back(node_searched[at(c)]);
   for (const FaceTopology& face : share.faces) share.face_searched.push_back(face_searched[at(face.surface_class)]);
 }
@@ -175,7 +188,7 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, U
   const std::vector<SurfaceSet> face_sets = find_face_surfaces(mesh, deck, faces);
   const SurfaceClasses of_faces = agree_on_classes(mesh, face_sets);
   for (std::size_t f = 0; f < faces.size(); ++f) share.faces[f].surface_class = of_faces.find(face_sets[f]);
-  list_nodes(mesh, exchange_notices(chunked, share, exchange), share.nodes);
+  list_nodes(mesh, exchange_notices(chunked, share, find_face_springs(mesh, deck, faces), exchange), share.nodes);
   const std::vector<SurfaceSet> node_sets = find_node_surfaces(share.nodes, of_faces);
   std::vector<SurfaceSet> all = of_faces.sets;
   all.insert(all.end(), node_sets.begin(), node_sets.end());

@@ -18,6 +18,7 @@ struct FaceTopology {
   std::int64_t corners[4]{};  // node numbers, outward by the right-hand rule
   std::int64_t backs[4]{};    // nodes of the element behind the face, opposite each corner
   int body = 0;               // connected body
+  int part = 0;               // index into Mesh::parts
   int surface_class = 0;      // which of the named surfaces it lies on, as a class
 };
 
@@ -28,9 +29,10 @@ struct OwnedContactNodes {
   std::vector<std::int64_t> ids;      // the user's
   std::vector<int> classes;           // as FaceTopology::surface_class
   std::vector<double> sizes;          // shortest edge of the faces around each at time 0 [length]
-  std::vector<int> first_face;        // [nodes + 1] into faces
-  std::vector<FaceTopology> faces;    // around each node, ascending number
-  std::vector<char> searched;         // whether it may touch any face
+  std::vector<double> springs;      // stiffness of each (kernels/contact/springs.hpp) [force/length]; 0 without penalty
+  std::vector<int> first_face;      // [nodes + 1] into faces
+  std::vector<FaceTopology> faces;  // around each node, ascending number
+  std::vector<char> searched;       // whether it may touch any face
 
   int count() const { return static_cast<int>(mesh_nodes.size()); }
 };
@@ -42,6 +44,7 @@ struct SurfaceShare {
   std::vector<std::array<int, 4>> face_corners, face_backs;  // mesh nodes of this rank
   int num_classes = 1;
   Array<const double> pair_friction;  // [class of node * num_classes + class of face]; negative: may not touch
+  Array<const int> pair_number;       // likewise: which of the deck's pairs; -1: none
   std::int64_t total_nodes = 0, total_faces = 0, total_searched_faces = 0;  // of all ranks
 
   // For kernels over the share.

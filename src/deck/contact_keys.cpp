@@ -56,11 +56,18 @@ struct SurfacesValue {
 const Keys<ContactDeck>& contact_keys() {
   using Overlap = ContactDeck::Overlap;
   using Rebalance = ContactDeck::Rebalance;
+  using Enforcement = ContactDeck::Enforcement;
   static const Keys<ContactDeck> keys = {
       group<ContactDeck>("surfaces", SurfacesValue{}),
       may("friction", &ContactDeck::friction, NumberValue{not_negative}),
       may("overlap", &ContactDeck::overlap,
           ChoiceValue<Overlap>{{{"accept", Overlap::accept}, {"push_out", Overlap::push_out}}}),
+      may("enforcement", &ContactDeck::enforcement,
+          ChoiceValue<Enforcement>{{{"kinematic", Enforcement::kinematic},
+                                    {"lagrange", Enforcement::lagrange},
+                                    {"penalty", Enforcement::penalty}}}),
+      may("penalty_scale", &ContactDeck::penalty_scale, NumberValue{positive}),
+      may("tolerance", &ContactDeck::tolerance, NumberValue{positive}),
       may("reuse_search", &ContactDeck::reuse_search, BooleanValue{}),
       may("rebalance", &ContactDeck::rebalance,
           ChoiceValue<Rebalance>{

@@ -160,7 +160,13 @@ struct ContactDeck {
   std::vector<SurfacePairDeck> pairs;  // only with Surfaces::pairs
   double friction = 0;
   Overlap overlap = Overlap::accept;  // what happens to overlap found at the start
-  bool reuse_search = true;           // keep candidate pairs while a guaranteed bound allows it
+  /// How impulses are found: by the iterated penalty force to a share of the predicted penetration, all rows as one
+  /// system with complementarity, or by springs on the penetration.
+  enum class Enforcement { kinematic, lagrange, penalty };
+  Enforcement enforcement = Enforcement::kinematic;
+  double tolerance = 1e-3;     // kinematic: of what is left, as a share of the largest predicted penetration
+  double penalty_scale = 0.5;  // penalty: of the stiffness
+  bool reuse_search = true;    // keep candidate pairs while a guaranteed bound allows it
   /// When contact nodes and faces are divided anew over the ranks. No result depends on it.
   enum class Rebalance { automatic, always, never };
   Rebalance rebalance = Rebalance::automatic;

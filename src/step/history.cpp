@@ -107,12 +107,17 @@ FollowedPoint find_point(const ChunkedMesh& chunked, const Deck& deck, const His
   return found;
 }
 
-std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, bool has_walls) {
+std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, const Deck& deck) {
   std::vector<std::string> columns{"time",       "step",       "dt",         "dt_element", "kinetic",   "internal",
                                    "hourglass",  "viscous",    "contact",    "friction",   "external",  "energy_error",
                                    "momentum_x", "momentum_y", "momentum_z", "angular_x",  "angular_y", "angular_z",
                                    "contacts",   "candidates", "iterations", "residual"};
-  if (has_walls) columns.insert(columns.end(), {"wall_force_x", "wall_force_y", "wall_force_z"});
+  using Enforcement = ContactDeck::Enforcement;
+  if (deck.contact.enforcement == Enforcement::lagrange) columns.emplace_back("complementarity");
+  if (deck.contact.enforcement == Enforcement::penalty) columns.emplace_back("contact_stored");
+  for (const std::string& pair : name_contact_pairs(deck))
+    columns.insert(columns.end(), {"contact:" + pair, "friction:" + pair});
+  if (!deck.walls.empty()) columns.insert(columns.end(), {"wall_force_x", "wall_force_y", "wall_force_z"});
   for (const FollowedPoint& p : points) {
     const std::vector<const char*> suffixes =
         p.is_element ? std::vector<const char*>{"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz",
@@ -132,16 +137,22 @@ std::vector<FollowedPoint> find_history_points(const Deck& deck, const ChunkedMe
 }
 
 History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked)
-    : ranks_(find_ranks(chunked.mesh)), has_walls_(!deck.walls.empty()), points_(find_history_points(deck, chunked)) {
+    : ranks_(find_ranks(chunked.mesh)),
+      has_walls_(!deck.walls.empty()),
+      enforcement_(deck.contact.enforcement),
+      points_(find_history_points(deck, chunked)) {
   fail_together(ranks_, [&] {
-    if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, has_walls_));
+    if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, deck));
   });
 }
 
 History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes)
-    : ranks_(find_ranks(chunked.mesh)), has_walls_(!deck.walls.empty()), points_(find_history_points(deck, chunked)) {
+    : ranks_(find_ranks(chunked.mesh)),
+      has_walls_(!deck.walls.empty()),
+      enforcement_(deck.contact.enforcement),
+      points_(find_history_points(deck, chunked)) {
   fail_together(ranks_, [&] {
-    if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, has_walls_), bytes);
+    if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, deck), bytes);
   });
 }
 
@@ -149,8 +160,7 @@ void History::check(const std::string& directory, const Deck& deck, const Chunke
   const std::vector<FollowedPoint> points = find_history_points(deck, chunked);
   const Communicator ranks = find_ranks(chunked.mesh);
   fail_together(ranks, [&] {
-    if (ranks.rank() == 0)
-      check_history_file(directory + "/history.csv", make_columns(points, !deck.walls.empty()), bytes);
+    if (ranks.rank() == 0) check_history_file(directory + "/history.csv", make_columns(points, deck), bytes);
   });
 }
 
@@ -191,7 +201,7 @@ void History::gather_points(const Model& model, const State& state, std::vector<
 }
 
 void History::write(const Model& model, const State& state, const AuditResult& audit, const ContactReport& contact,
-                    const Vec3& wall_force) {
+                    const Vec3& wall_force, const std::vector<double>& pair_work) {
   const EnergySummary& e = audit.energy;
   const MomentumSummary& m = audit.momentum;
   std::vector<double> row{state.time,
@@ -216,6 +226,9 @@ void History::write(const Model& model, const State& state, const AuditResult& a
                           static_cast<double>(contact.candidates),
                           static_cast<double>(contact.iterations),
                           contact.residual};
+  if (enforcement_ == ContactDeck::Enforcement::lagrange) row.push_back(contact.complementarity);
+  if (enforcement_ == ContactDeck::Enforcement::penalty) row.push_back(contact.stored);
+  row.insert(row.end(), pair_work.begin(), pair_work.end());
   if (has_walls_) row.insert(row.end(), wall_force.begin(), wall_force.end());
   gather_points(model, state, row);
   fail_together(ranks_, [&] {

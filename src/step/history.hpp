@@ -36,9 +36,10 @@ class History {
   /// Throws on all ranks what that would throw, and changes nothing. Collective.
   static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes);
 
-  /// Collective. Throws SystemError on all ranks if rank 0 cannot write.
+  /// wall_force: only with walls; pair_work: ContactStage::sum_pair_work(). Collective. Throws SystemError on all ranks
+  /// if rank 0 cannot write.
   void write(const Model& model, const State& state, const AuditResult& audit, const ContactReport& contact,
-             const Vec3& wall_force);
+             const Vec3& wall_force, const std::vector<double>& pair_work);
   /// Collective; throws likewise.
   void flush();
   /// Waits until the disk has all rows; returns the length of the file [byte]. Collective; throws likewise.
@@ -49,6 +50,7 @@ class History {
 
   Communicator ranks_;
   bool has_walls_;
+  ContactDeck::Enforcement enforcement_;
   std::vector<FollowedPoint> points_;
   std::optional<HistoryFile> file_;  // of rank 0
 };

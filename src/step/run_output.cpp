@@ -51,7 +51,7 @@ void RunOutput::go_on() {
 
 void RunOutput::write_row(const State& state, const AuditResult& audit, const Stepper& stepper) {
   if (!history_ || last_row_ == state.step) return;
-  history_->write(model_, state, audit, stepper.contact_report(), stepper.find_wall_force());
+  history_->write(model_, state, audit, stepper.contact_report(), stepper.find_wall_force(), contact_.sum_pair_work());
   last_row_ = state.step;
 }
 

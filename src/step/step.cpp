@@ -30,6 +30,7 @@ void StepNotice::merge(const StepNotice& other) {
   broken_chunk = std::min(broken_chunk, other.broken_chunk);
   stop = std::max(stop, other.stop);
   checkpoint = std::max(checkpoint, other.checkpoint);
+  contact_rate = std::max(contact_rate, other.contact_rate);
 }
 
 Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
@@ -175,11 +176,16 @@ void Stepper::agree_on_step(State& state, StepWishes wishes) {
   StepNotice notice = find_notice(state);
   notice.stop = wishes.stop ? 1 : 0;
   notice.checkpoint = wishes.checkpoint ? 1 : 0;
+  notice.contact_rate = report_.rate;
   reduction_(model_.ranks, notice);
   agreed_ = {notice.stop != 0, notice.checkpoint != 0};
   const auto or_none = [](std::int64_t number) { return number == StepNotice::none ? -1 : number; };
-  state.bound = {notice.step, notice.element, notice.element_id, or_none(notice.failed_element),
-                 or_none(notice.broken_chunk)};
+  // The square of the largest frequency of elements and springs together is at most the sum of the squares of both.
+  // Without springs the bound of the elements keeps its bits.
+  const double step = notice.contact_rate > 0
+                          ? 1 / std::sqrt(1 / (notice.step * notice.step) + 0.25 * notice.contact_rate)
+                          : notice.step;
+  state.bound = {step, notice.element, notice.element_id, or_none(notice.failed_element), or_none(notice.broken_chunk)};
 }
 
 void Stepper::apply_loads(State& state, double time) {

@@ -24,6 +24,7 @@ struct StepNotice {
   std::int64_t broken_chunk = none;    // number of the lowest chunk whose work is not finite
   std::int64_t stop = 0;               // 1: the run is to end after this step
   std::int64_t checkpoint = 0;         // 1: a checkpoint is to be written after this step
+  double contact_rate = 0;             // ContactReport::rate
 
   void merge(const StepNotice& other);
 };

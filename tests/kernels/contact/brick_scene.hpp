@@ -100,6 +100,7 @@ class BrickScene {
     s.searched_nodes = to_array(nodes);
     s.searched_faces = to_array(all_faces);
     s.pair_friction = to_array(std::vector<double>{friction});
+    s.pair_number = to_array(std::vector<int>{0});
     return s;
   }
 

@@ -1,59 +1,12 @@
-#include "kernels/contact/row_solution.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "tests/kernels/contact/brick_scene.hpp"
+#include "tests/kernels/contact/enforced_scene.hpp"
 
 namespace percuss::test {
 namespace {
-
-/// A scene taken through one enforcement; v is corrected.
-template <class Space>
-struct EnforcedScene {
-  EnforcedScene(const BrickScene& bricks, double dt, double friction, const WallPairs& walls = no_walls())
-      : scene(bricks, dt, friction),
-        before(to_rows(bricks.v)),
-        inverse_mass(to_rows(bricks.inverse_mass)),
-        impulse("test::impulse", bricks.v.size()) {
-    history = make_empty_history(bricks.num_nodes(), static_cast<int>(walls.node.extent(0)));
-    const Space space;
-    const Array<std::int64_t> nodes = count_up(scene.surface.num_nodes), faces = count_up(scene.surface.num_faces);
-    Array<RowTouch> touches("test::touches", 0);
-    collect_touches(space, scene.surface, scene.candidates, scene.touches, faces, nodes, touches);
-    OneRank others;
-    build_rows(space, {scene.motion, before, inverse_mass, nodes, 1}, touches, scene.touches.count, walls, history,
-               system, others);
-    if (system.num_rows == 0) return;
-    RowSumMemory memory;
-    solved = solve_rows(space, dt, system, memory, others);
-    apply_impulses(space, system, scene.v, impulse);
-    sums = sum_outcome(space, dt, system, memory);
-    write_history(space, dt, system, history);
-  }
-
-  static Array<std::int64_t> count_up(int count) {
-    const Array<std::int64_t> numbers("test::numbers", static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) numbers(i) = i;
-    return numbers;
-  }
-
-  static WallPairs no_walls() {
-    return {to_array(std::vector<ContactWall>{}), to_array(std::vector<int>{}), to_array(std::vector<int>{}),
-            to_array(std::vector<double>{})};
-  }
-  Point3 v(int node) const { return load_row(scene.v, node); }
-  Point3 p(int node) const { return load_row(impulse, node); }
-
-  CheckedScene scene;
-  ContactHistory history;
-  Rows3<double> before, inverse_mass, impulse;
-  RowSystem system;
-  SolveReport solved;
-  EnforcementSums sums;
-};
 
 using Small = EnforcedScene<SmallSpace>;
 

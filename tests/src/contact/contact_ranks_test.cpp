@@ -76,6 +76,7 @@ int step_both(Nodes& whole, Nodes& share, double dt) {
   EXPECT_EQ(b.searched, a.searched);
   EXPECT_EQ(b.iterations, a.iterations);
   EXPECT_EQ(b.residual, a.residual);
+  EXPECT_EQ(b.complementarity, a.complementarity);
   EXPECT_EQ(b.normal_work, a.normal_work);
   EXPECT_EQ(b.friction_work, a.friction_work);
   EXPECT_EQ(b.deepest, a.deepest);
@@ -105,6 +106,14 @@ parts:
 
 TEST(ContactOnRanks, ABrickWallThatTouchesEverywhereGivesTheSameBits) {
   compare(bricks + "contact: {surfaces: all, friction: 0.3}\n", 4, 0.02, 100);
+}
+
+TEST(ContactOnRanks, RowsSolvedTogetherGiveTheSameBits) {
+  compare(bricks + R"(
+contact: {surfaces: all, friction: 0.3, enforcement: lagrange}
+walls: [{point: [0, 0, 0.005], normal: [0, 0, 1], friction: 0.2}]
+)",
+          2, 0.02, 100);
 }
 
 TEST(ContactOnRanks, NeitherRebalancingNorReuseOfTheSearchChangesABit) {

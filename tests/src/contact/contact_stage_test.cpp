@@ -151,8 +151,10 @@ contact: {surfaces: all, overlap: )";
 
 TEST(ContactStage, OverlapAtTheStartIsReportedAndAcceptedWithoutForce) {
   FreeNodes nodes(overlapping + "accept}");
-  EXPECT_THAT(nodes.prepare(), testing::AllOf(testing::HasSubstr("5 contact nodes"), testing::HasSubstr("0.05"),
-                                              testing::HasSubstr("accepted")));
+  EXPECT_THAT(
+      nodes.prepare(),
+      testing::AllOf(testing::HasSubstr("5 contact nodes"), testing::HasSubstr("0.05"), testing::HasSubstr("accepted"),
+                     testing::HasSubstr("4 of 'b' in 'a' (up to 0.05)"), testing::HasSubstr("1 of 'a' in 'b'")));
   for (int i = 0; i < 10; ++i) {
     const ContactReport report = nodes.step(0.01);
     EXPECT_EQ(report.normal_work, 0);

@@ -86,7 +86,8 @@ std::string write_history(Scene& scene) {
     Audit audit(scene.model);
     scene.stepper.start(scene.state);
     for (int i = 0; i < 10; ++i) {
-      history.write(scene.model, scene.state, audit(scene.state), scene.stepper.contact_report(), {});
+      history.write(scene.model, scene.state, audit(scene.state), scene.stepper.contact_report(), {},
+                    scene.contact.sum_pair_work());
       scene.stepper.advance(scene.state);
     }
     history.flush();
