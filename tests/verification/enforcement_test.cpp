@@ -87,7 +87,7 @@ contact: {{surfaces: all, friction: 0.5, enforcement: {0}}}
 walls: [{{normal: z, friction: 0.5}}]
 output: {{history: {{every: 2e-3, nodes: [{{name: top, near: [0.2, 0, 0.18], part: top}}]}}}}
 )",
-                                           GetParam().name, std::string(GetParam().name) == "lagrange" ? 200 : 20000));
+                                           GetParam().name, std::string(GetParam().name) == "lagrange" ? 200 : 10000));
   const HistoryTable& h = run.history;
   const double weight = 6 * 2000 * 0.2 * 0.1 * 0.06 * 9.81, height = 0.18;
   const std::size_t last = h.rows() - 1;

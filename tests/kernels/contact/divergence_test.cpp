@@ -36,7 +36,7 @@ TEST(Divergence, RowsThatCloseEachOtherEndWithFinitePushes) {
     row.gap = dt * dot(row.gap_gradient, Point3{0, 0, 1});
   }
   RowSumMemory memory;
-  const SolveReport solved = solve_rows(space, dt, 1e-3, 1e-3, system, memory, others);
+  const SolveReport solved = solve_rows(space, dt, 1e-3, system, memory, others);
   EXPECT_TRUE(solved.converged);
   // Symmetric: the pushes p of both close p + cos(120) p = p / 2 of either gap, which misses cos(110) / cos(50).
   for (int r = 0; r < 2; ++r)
