@@ -113,8 +113,9 @@ output: {history: {every: $every}}
         bench.below(f"{name}: kinetic energy after ten turns, relative change",
                     np.ptp(h["kinetic"][late]) / h["kinetic"][0], 1e-6)
         early = np.abs(h["hourglass"][h["time"] < 10 * turn]).max()
-        bench.below(f"{name}: hourglass energy of the last ten turns over that of the first ten",
-                    np.abs(h["hourglass"][h["time"] > 90 * turn]).max() / early, 1.001)
+        if early > 0:  # full integration has none
+            bench.below(f"{name}: hourglass energy of the last ten turns over that of the first ten",
+                        np.abs(h["hourglass"][h["time"] > 90 * turn]).max() / early, 1.001)
         bench.below(f"{name}: energy balance, largest error", h.largest("energy_error"), 1e-5)
         curves[name] = h["time"] / turn, h["kinetic"] / h["kinetic"][0] - 1
 
