@@ -104,6 +104,6 @@ INSTANTIATE_TEST_SUITE_P(Of, Enforcement,
                          // The fronts are some elements wide: 1.4 % of the momentum is left behind where they meet.
                          testing::Values(Expected{"kinematic", 1.5e-2, 1e-3}, Expected{"lagrange", 1.5e-2, 1e-3},
                                          Expected{"penalty", 1.5e-2, 1e-3}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace percuss::test
