@@ -35,6 +35,17 @@ inline constexpr double inherited = 0.7;
 /// Two accepted normals of a node are further apart than this cosine.
 inline constexpr double independent = 0.95;
 
+/// Edges where faces meet convexly with less than this cosine (30 degrees) between their normals can cross others.
+inline constexpr double feature = 0.8660254037844386;
+/// Edges that cross at a lesser angle than with this sine are nearly parallel: their nodes meet faces.
+inline constexpr double least_sine = 0.05;
+/// Share of an edge at each end that is left to nodes and faces.
+inline constexpr double end_band = 1e-3;
+/// A plane parts two wedges if no face reaches through it by more than this sine ...
+inline constexpr double reach_through = 0.1;
+/// ... or, with history, by this one.
+inline constexpr double history_reach_through = 0.3;
+
 /// Independent pushes a node may obey at once.
 inline constexpr int max_touches = 3;
 /// Quanta of the keys that order the faces of a node: share of the step, of h.

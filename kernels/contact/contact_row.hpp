@@ -25,9 +25,12 @@ struct RowImpulse {
   double rub[2] = {0, 0};
 };
 
+enum class RowKind { face, edges, wall };
+
 struct ContactRow {
-  std::int64_t key = 0;                         // its place in every sum: by (node, face), then edge pairs, then walls
-  std::int64_t face = -1;                       // number of the contact face; -1: edges or a wall
+  std::int64_t key = 0;    // its place in every sum: by (node, face), then edge pairs, then walls
+  std::int64_t face = -1;  // number of the contact face or of edge B; -1: a wall
+  RowKind kind = RowKind::wall;
   int count = 1;                                // slots in use
   int place[row_nodes] = {-1, -1, -1, -1, -1};  // of its nodes in RowSystem::at; -1: no such slot
   double gap = 0;                               // predicted gap at n+1

@@ -31,6 +31,19 @@ struct CheckedNode {
   Point3 low{}, high{};  // box of the node over the step
 };
 
+/// What contacts of two edges remember, in the FE decomposition with the home of edge A, the one of the lower number:
+/// one record a row of the last step, by (a, b).
+struct EdgeHistory {
+  int count = 0;
+  Array<std::int64_t> a = Array<std::int64_t>("contact::edge_history_a", 0);      // [count] numbers of edges
+  Array<std::int64_t> b = Array<std::int64_t>("contact::edge_history_b", 0);      // [count]
+  Array<int> holds = Array<int>("contact::edge_history_holds", 0);                // [count] 0: nothing to remember
+  Rows3<double> normal = Rows3<double>("contact::edge_history_normal", 0);        // [count] push direction of A
+  Rows3<double> impulse = Rows3<double>("contact::edge_history_impulse", 0);      // as in ContactHistory
+  Rows3<double> slip = Rows3<double>("contact::edge_history_slip", 0);            // likewise
+  Array<double> reference = Array<double>("contact::edge_history_reference", 0);  // likewise
+};
+
 /// What a contact remembers from one step to the next, in the FE decomposition with the owner of the node. Record
 /// 3 n + i belongs to push i of contact node n, the records after those to pairs of a wall and a node. Part of the
 /// state: a checkpoint must keep it.
@@ -39,6 +52,7 @@ struct ContactHistory {
   Rows3<double> impulse;     // [records] impulse on the node in the last step
   Rows3<double> slip;        // [records] tangential displacement that sticking still owes
   Array<double> reference;   // [records] overlap accepted at the start, >= 0
+  EdgeHistory edges{};
 };
 
 /// One record of the history.
@@ -47,7 +61,8 @@ struct LastContact {
   double reference = 0;
 };
 
-KOKKOS_INLINE_FUNCTION LastContact load_record(const ContactHistory& history, int record) {
+template <class History>
+KOKKOS_INLINE_FUNCTION LastContact load_record(const History& history, int record) {
   return {load_row(history.impulse, record), load_row(history.slip, record), history.reference(record)};
 }
 

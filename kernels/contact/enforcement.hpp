@@ -120,7 +120,7 @@ PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, Ro
 /// Writes the history for the next step: rows that push, or that hold an overlap accepted at the start. All else is
 /// forgotten.
 template <class Space>
-void write_history(const Space& space, double dt, const RowSystem& system, const ContactHistory& history);
+void write_history(const Space& space, double dt, const RowSystem& system, ContactHistory& history);
 
 /// Zeroes the impulse of the owned nodes of the system's rows.
 template <class Space>

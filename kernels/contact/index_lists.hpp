@@ -1,16 +1,18 @@
 #pragma once
 // Lists of indexes built in parallel, the same for any number of threads: compaction and grouping by key.
 
+#include <type_traits>
+
 #include "kernels/contact/small_space.hpp"
 
 namespace percuss {
 
 /// One value of a view, on the host.
 template <class Space, class T>
-T read_value(const Space& space, const Array<T>& view, int i) {
-  T value{};
+std::remove_const_t<T> read_value(const Space& space, const Array<T>& view, int i) {
+  std::remove_const_t<T> value{};
   const auto source = Kokkos::subview(view, i);
-  Kokkos::View<T, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> target(&value);
+  Kokkos::View<std::remove_const_t<T>, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> target(&value);
   space.fence();
   Kokkos::deep_copy(target, source);
   return value;

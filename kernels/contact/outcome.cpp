@@ -72,13 +72,37 @@ KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<
          (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];
 }
 
+KOKKOS_INLINE_FUNCTION void write_edge_record(const ContactRow& row, const Rows3<const double>& dv, double dt,
+                                              const EdgeHistory& history) {
+  const int r = row.record;
+  history.a(r) = find_key_edge(row.key);
+  history.b(r) = row.face;
+  history.holds(r) = row.impulse.push > 0 || row.reference > 0 ? 1 : 0;
+  store_row(history.normal, r, row.normal);
+  store_row(history.impulse, r, row.force);
+  store_row(history.slip, r, row.friction > 0 ? find_owed_slip(row, dv, dt) : Point3{});
+  history.reference(r) = row.reference;
+}
+
 KOKKOS_INLINE_FUNCTION void write_record(const ContactRow& row, const Rows3<const double>& dv, double dt,
                                          const ContactHistory& history) {
+  if (row.kind == RowKind::edges) {
+    write_edge_record(row, dv, dt, history.edges);
+    return;
+  }
   store_row(history.impulse, row.record, row.force);
   store_row(history.slip, row.record, row.friction > 0 ? find_owed_slip(row, dv, dt) : Point3{});
   history.reference(row.record) = row.reference;
-  if (row.face >= 0 && (row.impulse.push > 0 || row.reference > 0 || row.is_caught))
+  if (row.kind == RowKind::face && (row.impulse.push > 0 || row.reference > 0 || row.is_caught))
     history.face(row.record) = row.face;
+}
+
+void reserve_edge_history(EdgeHistory& history, int records) {
+  history.count = records;
+  for (Array<std::int64_t>* list : {&history.a, &history.b}) reserve(*list, records);
+  for (Rows3<double>* rows : {&history.normal, &history.impulse, &history.slip}) reserve(*rows, records);
+  reserve(history.holds, records);
+  reserve(history.reference, records);
 }
 
 }  // namespace
@@ -121,7 +145,8 @@ PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, Ro
 }
 
 template <class Space>
-void write_history(const Space& space, double dt, const RowSystem& system, const ContactHistory& history) {
+void write_history(const Space& space, double dt, const RowSystem& system, ContactHistory& history) {
+  reserve_edge_history(history.edges, system.num_edge_rows);
   Kokkos::deep_copy(space, history.face, std::int64_t{-1});
   const ContactHistory h = history;
   const int first = static_cast<int>(h.face.extent(0)), last = static_cast<int>(h.reference.extent(0));
@@ -151,7 +176,7 @@ void clear_impulses(const Space& space, const RowSystem& system, const Rows3<dou
   template void apply_impulses(const Space&, const RowSystem&, const Rows3<double>&, const Rows3<double>&); \
   template EnforcementSums sum_outcome(const Space&, double, const RowSystem&, RowSumMemory&);              \
   template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                      \
-  template void write_history(const Space&, double, const RowSystem&, const ContactHistory&);               \
+  template void write_history(const Space&, double, const RowSystem&, ContactHistory&);                     \
   template void clear_impulses(const Space&, const RowSystem&, const Rows3<double>&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

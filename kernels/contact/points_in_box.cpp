@@ -49,16 +49,27 @@ struct HitList {
   }
 };
 
-/// Walks the shortest of the three runs of a face's box.
-struct FaceQuery {
+/// Which nodes make pairs with which faces.
+struct NodeFaceRule {
   ContactSurface surface;
+
+  KOKKOS_INLINE_FUNCTION bool operator()(int node, int face) const {
+    return find_friction(surface, node, face) >= 0 && !shares_element(surface, node, face);
+  }
+};
+
+/// Walks the shortest of the three runs of a box.
+template <class Rule>
+struct BoxWalk {
+  Rule rule;
+  Array<const int> point_names, box_names;
   RankLists lists;
   Boxes boxes;
   HitList hits;
 
   KOKKOS_INLINE_FUNCTION void operator()(int i) const {
     constexpr int buffer_size = 32;
-    const int face = surface.searched_faces(i);
+    const int face = box_names(i);
     Run run[3];
     int shortest = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -71,8 +82,8 @@ struct FaceQuery {
       const int point = lists.order[shortest](place);
       const int rank_b = lists.rank[b](point), rank_c = lists.rank[c](point);
       if (rank_b < run[b].first || rank_b >= run[b].last || rank_c < run[c].first || rank_c >= run[c].last) continue;
-      const int node = surface.searched_nodes(point);
-      if (find_friction(surface, node, face) < 0 || shares_element(surface, node, face)) continue;
+      const int node = point_names(point);
+      if (!rule(node, face)) continue;
       buffer[count++] = node;
       if (count == buffer_size) {
         hits.append(buffer, count, face);
@@ -84,23 +95,16 @@ struct FaceQuery {
 };
 
 template <class Space>
-RankLists rank_nodes(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
-                     SearchScratch& scratch) {
-  const int n = static_cast<int>(surface.searched_nodes.extent(0));
-  reserve(scratch.points, n);
-  const Array<int> points = scratch.points;
-  const ContactSurface s = surface;
-  Kokkos::parallel_for(
-      "contact::list_points", RangeOf<Space>(space, 0, n),
-      KOKKOS_LAMBDA(int i) { points(i) = s.nodes(s.searched_nodes(i)); });
+RankLists rank_all(const Space& space, const PointQuery& query, SearchScratch& scratch) {
   RankLists lists;
-  lists.x = x;
-  lists.points = points;
-  lists.n = n;
+  lists.x = query.x;
+  lists.points = query.points;
+  lists.n = static_cast<int>(query.point_names.extent(0));
   for (int axis = 0; axis < 3; ++axis) {
-    reserve(scratch.order[axis], n);
-    reserve(scratch.rank[axis], n);
-    rank_points<Space>(space, x, points, n, axis, scratch.sort, scratch.order[axis], scratch.rank[axis]);
+    reserve(scratch.order[axis], lists.n);
+    reserve(scratch.rank[axis], lists.n);
+    rank_points<Space>(space, query.x, query.points, lists.n, axis, scratch.sort, scratch.order[axis],
+                       scratch.rank[axis]);
     lists.order[axis] = scratch.order[axis];
     lists.rank[axis] = scratch.rank[axis];
   }
@@ -108,16 +112,16 @@ RankLists rank_nodes(const Space& space, const ContactSurface& surface, const Ro
 }
 
 /// Walks all boxes, again with more room if the hits do not fit; returns their number.
-template <class Space>
-std::int64_t collect_hits(const Space& space, const ContactSurface& surface, const RankLists& lists, const Boxes& boxes,
-                          std::int64_t max_pairs, SearchScratch& scratch) {
-  const int faces = static_cast<int>(surface.searched_faces.extent(0));
+template <class Space, class Rule>
+std::int64_t collect_hits(const Space& space, const PointQuery& query, const Rule& rule, const RankLists& lists,
+                          const Boxes& boxes, std::int64_t max_pairs, SearchScratch& scratch) {
+  const int num_boxes = static_cast<int>(query.box_names.extent(0));
   const Array<std::int64_t> total = scratch.total;
   for (;;) {
     HitList hits{scratch.hit_node, scratch.hit_face, total, static_cast<int>(scratch.hit_node.extent(0))};
     Kokkos::deep_copy(space, total, std::int64_t{0});
-    Kokkos::parallel_for("contact::points_in_box", RangeOf<Space>(space, 0, faces),
-                         FaceQuery{surface, lists, boxes, hits});
+    Kokkos::parallel_for("contact::points_in_box", RangeOf<Space>(space, 0, num_boxes),
+                         BoxWalk<Rule>{rule, query.point_names, query.box_names, lists, boxes, hits});
     const std::int64_t found = read_value(space, total, 0);
     if (found <= hits.capacity || found > max_pairs) return found;
     reserve(scratch.hit_node, static_cast<int>(found));
@@ -127,20 +131,34 @@ std::int64_t collect_hits(const Space& space, const ContactSurface& surface, con
 
 }  // namespace
 
+template <class Space, class Rule>
+std::int64_t find_hits(const Space& space, const PointQuery& query, const Boxes& boxes, const Rule& rule,
+                       std::int64_t max_pairs, SearchScratch& scratch, CandidateList& list) {
+  const RankLists lists = rank_all(space, query, scratch);
+  const std::int64_t found = collect_hits(space, query, rule, lists, boxes, max_pairs, scratch);
+  if (found > max_pairs) return found;
+  list.num_pairs = static_cast<int>(found);
+  reserve(list.offset, query.num_names + 1);
+  reserve(list.face, list.num_pairs);
+  reserve(scratch.count, query.num_names);
+  group_by_key<Space>(space, list.num_pairs, scratch.hit_node, scratch.hit_face, query.num_names, scratch.count,
+                      list.offset, list.face);
+  return found;
+}
+
 template <class Space>
 std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
                                   const Boxes& boxes, std::int64_t max_pairs, SearchScratch& scratch,
                                   CandidateList& list) {
-  const RankLists lists = rank_nodes(space, surface, x, scratch);
-  const std::int64_t found = collect_hits(space, surface, lists, boxes, max_pairs, scratch);
-  if (found > max_pairs) return found;
-  list.num_pairs = static_cast<int>(found);
-  reserve(list.offset, surface.num_nodes + 1);
-  reserve(list.face, list.num_pairs);
-  reserve(scratch.count, surface.num_nodes);
-  group_by_key<Space>(space, list.num_pairs, scratch.hit_node, scratch.hit_face, surface.num_nodes, scratch.count,
-                      list.offset, list.face);
-  return found;
+  const int n = static_cast<int>(surface.searched_nodes.extent(0));
+  reserve(scratch.points, n);
+  const Array<int> points = scratch.points;
+  const ContactSurface s = surface;
+  Kokkos::parallel_for(
+      "contact::list_points", RangeOf<Space>(space, 0, n),
+      KOKKOS_LAMBDA(int i) { points(i) = s.nodes(s.searched_nodes(i)); });
+  const PointQuery query{x, points, surface.searched_nodes, surface.searched_faces, surface.num_nodes};
+  return find_hits(space, query, boxes, NodeFaceRule{surface}, max_pairs, scratch, list);
 }
 
 template <class Space>
@@ -169,13 +187,16 @@ void list_concerned(const Space& space, const ContactSurface& surface, SearchScr
       space, surface.num_nodes, [offset] KOKKOS_FUNCTION(int n) { return offset(n) < offset(n + 1); }, list.nodes);
 }
 
-template std::int64_t find_points_in_boxes(const ExecSpace&, const ContactSurface&, const Rows3<const double>&,
-                                           const Boxes&, std::int64_t, SearchScratch&, CandidateList&);
-template void list_concerned(const ExecSpace&, const ContactSurface&, SearchScratch&, CandidateList&);
+#define PERCUSS_INSTANTIATE(Space)                                                                                  \
+  template std::int64_t find_points_in_boxes(const Space&, const ContactSurface&, const Rows3<const double>&,       \
+                                             const Boxes&, std::int64_t, SearchScratch&, CandidateList&);           \
+  template std::int64_t find_hits(const Space&, const PointQuery&, const Boxes&, const EdgePairRule&, std::int64_t, \
+                                  SearchScratch&, CandidateList&);                                                  \
+  template void list_concerned(const Space&, const ContactSurface&, SearchScratch&, CandidateList&);
+PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
-template std::int64_t find_points_in_boxes(const SmallSpace&, const ContactSurface&, const Rows3<const double>&,
-                                           const Boxes&, std::int64_t, SearchScratch&, CandidateList&);
-template void list_concerned(const SmallSpace&, const ContactSurface&, SearchScratch&, CandidateList&);
+PERCUSS_INSTANTIATE(SmallSpace)
 #endif
+#undef PERCUSS_INSTANTIATE
 
 }  // namespace percuss

@@ -6,6 +6,7 @@
 // that is 7 words a node; time n log n and a walk. Exact in double: the oracle for faster searches.
 
 #include "kernels/contact/contact_state.hpp"
+#include "kernels/contact/edge_surface.hpp"
 #include "kernels/contact/point_order.hpp"
 
 namespace percuss {
@@ -34,6 +35,21 @@ struct SearchScratch {
   Array<int> count = Array<int>("contact::count", 0);
   Array<int> mark = Array<int>("contact::mark", 0);
 };
+
+/// Points and boxes by the names that hits give them.
+struct PointQuery {
+  Rows3<const double> x;
+  Array<const int> points;       // rows of x
+  Array<const int> point_names;  // [points]
+  Array<const int> box_names;    // [boxes]
+  int num_names = 0;             // of points
+};
+
+/// Finds all pairs of a point and a box that holds it and is not ruled out; as find_points_in_boxes(). Rule:
+/// NodeFaceRule or EdgePairRule, called with both names.
+template <class Space, class Rule>
+std::int64_t find_hits(const Space& space, const PointQuery& query, const Boxes& boxes, const Rule& rule,
+                       std::int64_t max_pairs, SearchScratch& scratch, CandidateList& list);
 
 /// Finds all pairs of a searched node and a searched face whose box holds the node, that may touch (pair table) and do
 /// not share an element. boxes: [searched faces]; x: [mesh nodes][3]. Fills offset, face, num_pairs of the list and

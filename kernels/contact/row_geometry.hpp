@@ -101,6 +101,7 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   for (int slot = 0; slot < touch.count; ++slot) row.weight[slot] = touch.weight[slot];
   row.count = touch.count;
   row.key = touch.key;
+  row.kind = touch.kind;
   row.face = touch.face;
   row.record = touch.record;
   row.is_caught = touch.is_caught;
@@ -112,8 +113,10 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   row.gap_start = touch.gap_start;
   row.gap = touch.gap_end;
   set_arms(at.x, row);
-  const bool continues = touch.old_record >= 0;
-  complete_row(inputs, at, continues, continues ? load_record(history, touch.old_record) : LastContact{}, row);
+  const int old = touch.old_record;
+  LastContact last;
+  if (old >= 0) last = touch.kind == RowKind::edges ? load_record(history.edges, old) : load_record(history, old);
+  complete_row(inputs, at, old >= 0, last, row);
 }
 
 /// Gap between the node and the wall of pair p, `share` of the step after n.

@@ -18,6 +18,14 @@ struct SlotNodes {
   }
 };
 
+/// Touches of edges come last and number their records from 0.
+template <class Space>
+int count_edge_touches(const Space& space, const Array<const RowTouch>& touches, int num_touches) {
+  if (num_touches == 0) return 0;
+  const RowTouch last = read_value(space, touches, num_touches - 1);
+  return last.kind == RowKind::edges ? last.record + 1 : 0;
+}
+
 /// Lists the wall pairs in reach; returns how many.
 template <class Space>
 int list_near_walls(const Space& space, const WallPairs& walls, const SurfaceMotion& motion, RowSystem& system) {
@@ -174,6 +182,7 @@ void collect_touches(const Space& space, const ContactSurface& surface, const Ca
 template <class Space>
 void start_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
                 const WallPairs& walls, RowSystem& system) {
+  system.num_edge_rows = count_edge_touches(space, touches, num_touches);
   system.num_rows = num_touches + list_near_walls(space, walls, inputs.motion, system);
   const SlotNodes slots{touches, num_touches, system.near_walls, walls.node};
   number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)), slots, system);

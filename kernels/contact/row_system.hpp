@@ -9,6 +9,7 @@
 
 #include "kernels/contact/contact_row.hpp"
 #include "kernels/contact/detailed_check.hpp"
+#include "kernels/contact/edge_check.hpp"
 #include "kernels/contact/row_sums.hpp"
 
 namespace percuss {
@@ -30,8 +31,9 @@ struct WallPairs {
 /// A touch of the detailed check as its row needs it.
 struct RowTouch {
   std::int64_t key = 0;    // ContactRow::key
-  std::int64_t face = -1;  // number of the face; -1: edges
-  int count = row_nodes;   // slots in use, 5 or 4
+  std::int64_t face = -1;  // number of the face or of edge B
+  RowKind kind = RowKind::face;
+  int count = row_nodes;  // slots in use, 5 or 4
   double weight[row_nodes] = {1, 0, 0, 0, 0};
   Point3 normal{}, gap_gradient{};
   double gap_start = 0, gap_end = 0;  // at n and predicted
@@ -58,19 +60,50 @@ KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
   return row;
 }
 
-/// Keys of rows: by number of the node and order of its touches; walls come after all faces.
+/// What the row of two edges takes over from the check.
+KOKKOS_INLINE_FUNCTION RowTouch make_edge_row_touch(const EdgeTouch& touch) {
+  RowTouch row;
+  row.kind = RowKind::edges;
+  row.count = 4;
+  row.weight[0] = 1 - touch.s;
+  row.weight[1] = touch.s;
+  row.weight[2] = touch.t - 1;
+  row.weight[3] = -touch.t;
+  row.normal = touch.normal;
+  row.gap_gradient = touch.normal;
+  row.gap_start = touch.gap_start;
+  row.gap_end = touch.gap_end;
+  row.size = touch.size;
+  row.old_record = touch.record;
+  return row;
+}
+
+/// Keys of rows: by number of the node and order of its touches; then edge pairs by number of edge A and order of its
+/// touches; then walls. An edge is numbered by its lower node and its place among that node's edges.
 KOKKOS_INLINE_FUNCTION std::int64_t make_face_row_key(std::int64_t node, int touch) {
   return node * (contact_limits::max_touches + 1) + touch;
 }
-inline constexpr int wall_key_bits = 20;  // a million walls, on 4e12 nodes
+inline constexpr int wall_key_bits = 20;        // a million walls, on 4e12 nodes
+inline constexpr int edge_place_bits = 7;       // 128 feature edges that have the same lower node
+inline constexpr int edge_touch_key_bits = 16;  // 65536 touches of an edge, on 2e11 nodes
+inline constexpr std::int64_t first_wall_key = std::int64_t{1} << 62, first_edge_key = std::int64_t{1} << 61;
 KOKKOS_INLINE_FUNCTION std::int64_t make_wall_row_key(std::int64_t node, int wall) {
-  return (std::int64_t{1} << 62) + (node << wall_key_bits) + wall;
+  return first_wall_key + (node << wall_key_bits) + wall;
+}
+KOKKOS_INLINE_FUNCTION std::int64_t make_edge_row_key(std::int64_t edge, int touch) {
+  return first_edge_key + (edge << edge_touch_key_bits) + touch;
 }
 
-/// Number of the contact node of the row with this key.
+/// Number of edge A of the row with this key.
+KOKKOS_INLINE_FUNCTION std::int64_t find_key_edge(std::int64_t key) {
+  return (key - first_edge_key) >> edge_touch_key_bits;
+}
+
+/// Number of the contact node of the row with this key; of two edges the lower node of edge A.
 KOKKOS_INLINE_FUNCTION std::int64_t find_key_node(std::int64_t key) {
-  constexpr std::int64_t first_wall_key = std::int64_t{1} << 62;
-  return key < first_wall_key ? key / (contact_limits::max_touches + 1) : (key - first_wall_key) >> wall_key_bits;
+  if (key >= first_wall_key) return (key - first_wall_key) >> wall_key_bits;
+  if (key >= first_edge_key) return find_key_edge(key) >> edge_place_bits;
+  return key / (contact_limits::max_touches + 1);
 }
 
 /// Data of the nodes that rows touch, by place.
@@ -96,9 +129,10 @@ struct RowInputs {
 
 struct RowSystem {
   int num_rows = 0;
-  int num_nodes = 0;    // places of nodes that this rank owns
-  int num_foreign = 0;  // places after these: foreign nodes, one for each entry that a row of this rank has on one
-  int num_remote = 0;   // entries that rows of other ranks have on nodes of this rank
+  int num_edge_rows = 0;  // of edge pairs among them, after those of faces
+  int num_nodes = 0;      // places of nodes that this rank owns
+  int num_foreign = 0;    // places after these: foreign nodes, one for each entry that a row of this rank has on one
+  int num_remote = 0;     // entries that rows of other ranks have on nodes of this rank
   Array<ContactRow> rows = Array<ContactRow>("contact::rows", 0);
   // Per row: 1 if it pushes, 2 if it did in the iterate before. Rows at rest are passed over without being read.
   Array<int> awake = Array<int>("contact::awake_rows", 0);

@@ -11,6 +11,10 @@ namespace percuss {
 void archive_history(CheckpointArchive& archive, const ChunkedMesh& chunked, const SurfaceShare& share,
                      const WallPairs& walls, const ContactHistory& history);
 
+/// The records of edge pairs; nothing in a scene without edges. Likewise.
+void archive_edges(CheckpointArchive& archive, const ChunkedMesh& chunked, const SurfaceShare& share,
+                   EdgeHistory& history);
+
 /// Rows of all mesh nodes of this rank from those of its contact nodes, copies included; zero for other nodes.
 /// values: [contact nodes that this rank owns][3]. Collective. Throws MpiError.
 Rows3<double> spread_to_mesh(const Communicator& ranks, const ChunkedMesh& chunked, const SurfaceShare& share,

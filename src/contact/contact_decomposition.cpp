@@ -1,13 +1,10 @@
 #include "src/contact/contact_decomposition.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 
 #include "kernels/contact/capture_boxes.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "src/error.hpp"
 
 namespace percuss {
 namespace {
@@ -16,19 +13,6 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Growth of the copies of faces at which cuts are worth renewing.
 constexpr double ghost_growth = 1.15;
-
-/// A node that runs away makes every box reach every rank: told before faces are sent to all.
-void refuse_too_many_copies(const Communicator& ranks, std::int64_t copies, double margin) {
-  std::int64_t most = copies;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_INT64_T, MPI_MAX, ranks.handle()); },
-           "MPI_Allreduce");
-  constexpr std::int64_t most_indexed = 1'000'000'000;
-  if (most <= most_indexed) return;
-  throw RunError(
-      fmt::format("contact search needs {} copies of faces on other ranks (capture boxes are {:.3g} wide beyond their "
-                  "faces: nodes move many faces a step) is the run unstable? try a smaller time.step_scale",
-                  most, margin));
-}
 
 /// A point on its way to the rank that owned it before.
 struct SentPoint {
@@ -101,7 +85,7 @@ void ContactDecomposition::locate_points(const SurfaceMotion& motion) {
 // (5.1) Points go to the rank that owned them before, so that bisection finds nearly all where they belong. Before the
 // first bisection they stay with their FE owners.
 RcbPoints ContactDecomposition::send_contact_data_to_previous_owners() {
-  if (owners_.empty()) return {points_.positions, points_.ids, {}};
+  if (report_.rebalances == 0) return {points_.positions, points_.ids, {}};
   const auto x = to_host(points_.positions);
   const auto ids = to_host(points_.ids);
   const SendOrder order = order_by_destination(owners_);
@@ -176,51 +160,18 @@ void ContactDecomposition::send_nodes_to_owners() {
 
 // (5.4) For all my faces: which ranks does the capture box reach?
 void ContactDecomposition::list_reached_ranks(const SurfaceMotion& motion, double margin) {
-  const ExecSpace space;
-  const int num_faces = static_cast<int>(share_.searched_faces.size());
-  bound_faces(space, share_.corner_list, motion, margin, boxes_);
-  reserve(reach_count_, num_faces + 1);
-  const Array<int> first = reach_count_;
-  const Boxes boxes = boxes_;
-  const CutTree tree = rcb_.tree();
-  using Corner = Kokkos::Array<double, 3>;
-  std::int64_t total = 0;
-  const auto visit = [tree, boxes] KOKKOS_FUNCTION(int f, const auto& call) {
-    const Corner low{{boxes(f, 0), boxes(f, 1), boxes(f, 2)}}, high{{boxes(f, 3), boxes(f, 4), boxes(f, 5)}};
-    visit_reached_ranks(tree, low, high, call);
-  };
-  Kokkos::parallel_scan(
-      "contact::count_reached_ranks", Range(space, 0, num_faces),
-      KOKKOS_LAMBDA(int f, std::int64_t& place, bool final_pass) {
-        if (final_pass) first(f) = static_cast<int>(place);
-        visit(f, [&](int) { ++place; });
-      },
-      total);
-  refuse_too_many_copies(exchange_.ranks(), total, margin);
-  const auto copies = static_cast<std::size_t>(total);
-  const Array<int> face("contact::reached_face", copies), rank("contact::reached_rank", copies);
-  Kokkos::parallel_for(
-      "contact::list_reached_ranks", Range(space, 0, num_faces), KOKKOS_LAMBDA(int f) {
-        int place = first(f);
-        visit(f, [&](int r) {
-          face(place) = f;
-          rank(place++) = r;
-        });
-      });
-  space.fence();
-  const auto host_face = to_host(face);
-  const auto host_rank = to_host(rank);
-  reached_face_.assign(host_face.data(), host_face.data() + total);
-  reached_rank_.assign(host_rank.data(), host_rank.data() + total);
+  bound_faces(ExecSpace(), share_.corner_list, motion, margin, boxes_);
+  reached_ = percuss::list_reached_ranks(exchange_.ranks(), rcb_.tree(), boxes_,
+                                         static_cast<int>(share_.searched_faces.size()), margin, reach_count_);
 }
 
 // (5.5) Faces to the ranks that need them.
 void ContactDecomposition::send_overlapping_faces() {
-  const SendOrder order = order_by_destination(reached_rank_);
+  const SendOrder order = order_by_destination(reached_.rank);
   const auto boxes = to_host(boxes_);
   std::vector<FaceRecord> records;
   for (const int i : order.items) {
-    const int f = reached_face_[at(i)];
+    const int f = reached_.box[at(i)];
     FaceRecord record{share_.faces[at(share_.searched_faces[at(f)])], {}};
     for (std::size_t k = 0; k < 6; ++k) record.box[k] = boxes(f, k);
     records.push_back(record);

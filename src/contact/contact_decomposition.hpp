@@ -12,6 +12,7 @@
 #include "comm/data_exchange.hpp"
 #include "comm/rcb.hpp"
 #include "src/contact/contact_finder.hpp"
+#include "src/contact/reached_ranks.hpp"
 
 namespace percuss {
 
@@ -40,6 +41,10 @@ class ContactDecomposition {
   /// What this rank has after update(), ascending in number.
   const std::vector<NodeRecord>& nodes() const { return nodes_; }
   const std::vector<FaceRecord>& faces() const { return faces_; }
+
+  /// The cuts, and whether the last update() made them anew.
+  const Rcb& cuts() const { return rcb_; }
+  bool was_rebalanced() const { return just_rebalanced_; }
 
   /// Tells how many copies of faces there are on all ranks beyond one each; decides whether the next update rebalances.
   void note_ghost_faces(std::int64_t ghosts);
@@ -77,8 +82,8 @@ class ContactDecomposition {
   std::vector<int> received_order_;  // places of received nodes, ascending in number
   std::vector<NodeRecord> nodes_;
   std::vector<FaceRecord> faces_;
-  Boxes boxes_;                                   // [searched faces]
-  std::vector<int> reached_face_, reached_rank_;  // a face and a rank that its box reaches
+  Boxes boxes_;           // [searched faces]
+  ReachedRanks reached_;  // of the searched faces
   Array<int> reach_count_ = Array<int>("contact::reach_count", 0);
   long searches_ = 0;
   std::int64_t ghosts_after_rebalance_ = 0;

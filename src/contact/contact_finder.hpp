@@ -8,6 +8,7 @@
 
 #include "comm/data_exchange.hpp"
 #include "comm/phase.hpp"
+#include "src/contact/edge_space.hpp"
 #include "src/contact/surface_share.hpp"
 
 namespace percuss {
@@ -46,13 +47,16 @@ class ContactFinder {
   /// RunError, on all ranks, if they are absurdly many.
   virtual std::int64_t search(const SurfaceMotion& motion, double margin) = 0;
 
-  /// Checks the candidate pairs. touches: those of this rank's contact nodes, by (node, face). Returns how many these
-  /// are.
+  /// Checks the candidate pairs. touches: those of this rank's contact nodes, by (node, face), then those of edges
+  /// whose home this rank is, by (edge A, edge B). Returns how many these are.
   virtual int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) = 0;
 
   /// Which of this rank's contact nodes are inside another body, among the candidate pairs, at the places of a motion
   /// with dt = 0; ascending.
   virtual std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) = 0;
+
+  /// Which edges whose home this rank is are inside another edge of a higher number; as above.
+  virtual std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) = 0;
 
   /// Rank that owns each searched contact node (ascending) in the contact decomposition; -1 before it is first made.
   virtual std::vector<int> node_ranks() const = 0;

@@ -142,20 +142,25 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
   // frame.
   const ContactDeck::Overlap overlap = stage.contact.overlap;
   const StartOverlap found = seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, overlap, stage.history);
-  if (found.nodes == 0) return "";
-  std::string line = fmt::format(
-      "{} contact node{} overlap{} another body at the start, deepest {:.4g} at node {}: {}", found.nodes,
-      found.nodes == 1 ? "" : "s", found.nodes == 1 ? "s" : "", found.deepest, stage.find_user_id(found.deepest_node),
-      overlap == ContactDeck::Overlap::accept ? "accepted as the reference" : "pushed out slowly");
+  const char* const what = overlap == ContactDeck::Overlap::accept ? "accepted as the reference" : "pushed out slowly";
+  if (found.nodes == 0 && found.edge_pairs == 0) return "";
+  const std::string edges = fmt::format("{} pair{} of edges overlap{}", found.edge_pairs,
+                                        found.edge_pairs == 1 ? "" : "s", found.edge_pairs == 1 ? "s" : "");
+  if (found.nodes == 0) return fmt::format("{} at the start, deepest {:.4g}: {}", edges, found.deepest_edges, what);
+  std::string line = fmt::format("{} contact node{} overlap{} another body at the start, deepest {:.4g} at node {}: {}",
+                                 found.nodes, found.nodes == 1 ? "" : "s", found.nodes == 1 ? "s" : "", found.deepest,
+                                 stage.find_user_id(found.deepest_node), what);
   line += describe_parts(found.parts, stage.mesh);
   if (found.too_deep > 0)
     line += fmt::format("; {} of them lie deeper than a quarter of a face and are not in contact", found.too_deep);
+  if (found.edge_pairs > 0) line += fmt::format("; {} too, deepest {:.4g}", edges, found.deepest_edges);
   return line;
 }
 
 void ContactStage::archive(CheckpointArchive& archive) {
   Impl& stage = *impl_;
   archive_history(archive, stage.chunks, stage.share, stage.walls, stage.history);
+  archive_edges(archive, stage.chunks, stage.share, stage.history.edges);
   stage.bound.archive(archive, find_rows_of_nodes(stage.chunks, stage.share.nodes.numbers));
   stage.enforcer.archive(archive);
   if (archive.is_loading()) stage.search_again();

@@ -72,10 +72,11 @@ void Enforcer::archive(CheckpointArchive& archive) {
   }
 }
 
-void Enforcer::rest(const ContactMotion& motion, const ContactHistory& history) {
+void Enforcer::rest(const ContactMotion& motion, ContactHistory& history) {
   clear_last_impulse(motion);
   last_dt_ = motion.dt;
   if (remembers_) Kokkos::deep_copy(history.face, std::int64_t{-1});
+  history.edges.count = 0;
   remembers_ = false;
 }
 
@@ -98,7 +99,7 @@ void Enforcer::book_pairs(const Space& space) {
 }
 
 void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
-                       const ContactHistory& history, ContactReport& report) {
+                       ContactHistory& history, ContactReport& report) {
   clear_last_impulse(motion);
   const bool has_springs = deck_.enforcement == ContactDeck::Enforcement::penalty;
   const RowInputs inputs{{motion.x, motion.v, motion.dt},

@@ -21,10 +21,10 @@ class Enforcer {
   /// Corrects motion.v and fills motion.impulse for the touches of this rank's contact nodes, on every copy of a node;
   /// writes the history for the next step; fills in what the report says of enforcement.
   void enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
-               const ContactHistory& history, ContactReport& report);
+               ContactHistory& history, ContactReport& report);
 
   /// A step in which nothing touches on any rank: no impulses, nothing to remember.
-  void rest(const ContactMotion& motion, const ContactHistory& history);
+  void rest(const ContactMotion& motion, ContactHistory& history);
 
   void archive(CheckpointArchive& archive);
 

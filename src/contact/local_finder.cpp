@@ -5,6 +5,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/check_space.hpp"
 #include "src/contact/local_finder.hpp"
+#include "src/contact/number_map.hpp"
 #include "src/contact/pair_limit.hpp"
 
 namespace percuss {
@@ -43,9 +44,37 @@ LocalFinder::LocalFinder(const SurfaceShare& share) : share_(share) {
   set_surface(make_whole_surface(share), list_face_numbers(share), check_);
   node_numbers_ = to_view("contact::node_numbers", share.nodes.numbers);
   boxes_ = Boxes("contact::boxes", share.searched_faces.size());
+  if (share.edges.empty()) return;
+  const auto find_row = [&](std::int64_t number) {
+    return share.nodes.mesh_nodes[static_cast<std::size_t>(find_number(share.nodes.numbers, number))];
+  };
+  set_edge_surface(make_edge_surface(share.edges, find_row, share), edges_);
+  edge_points_ = list_edge_points(share.edges, edges_.surface, {});
+  edge_places_ = Rows3<double>("contact::edge_places", static_cast<std::size_t>(edge_points_.points.num_points));
+  edge_boxes_ = Boxes("contact::edge_boxes", share.edges.size());
 }
 
 std::int64_t LocalFinder::search(const SurfaceMotion& motion, double margin) {
+  return search_faces(motion, margin) + search_edges(motion, margin);
+}
+
+std::int64_t LocalFinder::search_edges(const SurfaceMotion& motion, double margin) {
+  if (share_.edges.empty()) return 0;
+  const std::int64_t limit = std::min(find_edge_pair_limit(share_), most_indexed_pairs);
+  std::int64_t hits = 0;
+  run_where_it_pays(static_cast<int>(share_.edges.size()) / 2, [&](const auto& space) {
+    const EdgePoints& points = edge_points_.points;
+    place_edge_points(space, points, motion.x, edge_places_);
+    const Point3 half = find_half_piece(space, points, motion.x);
+    bound_edges(space, points.ends, motion, find_edge_margin(half, margin), edge_boxes_);
+    const EdgeQuery query{edge_points_.names, edge_places_, motion.x, edge_boxes_, find_edge_slack(half, margin)};
+    hits = find_edge_pairs(space, edges_.surface, query, limit, edge_scratch_, edges_.pairs);
+  });
+  refuse_too_many_pairs(hits, limit, margin);
+  return edges_.pairs.num_pairs;
+}
+
+std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margin) {
   const ContactSurface& surface = check_.surface;
   const std::int64_t limit = std::min(find_pair_limit(share_), most_indexed_pairs);
   std::int64_t pairs = 0;
@@ -61,6 +90,14 @@ std::int64_t LocalFinder::search(const SurfaceMotion& motion, double margin) {
 }
 
 int LocalFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
+  const int found = check_faces(motion, history, touches);
+  if (edges_.pairs.num_pairs == 0) return found;
+  const int of_edges = check_edge_pairs(motion, history.edges, edges_);
+  append_edge_touches(edges_, found, touches);
+  return found + of_edges;
+}
+
+int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
   if (check_.candidates.num_pairs == 0) return 0;
   const CandidateList& candidates = check_.candidates;
   const Array<const int> nodes = candidates.nodes;
@@ -95,6 +132,10 @@ std::vector<Penetration> LocalFinder::find_penetrations(const SurfaceMotion& mot
     found.push_back({n, of.number, depth(n), ratio(n), size(face(n)), of.part});
   }
   return found;
+}
+
+std::vector<EdgePenetration> LocalFinder::find_edge_penetrations(const SurfaceMotion& motion) {
+  return measure_edge_pairs(motion, edges_);
 }
 
 SearchLoad LocalFinder::load() const {

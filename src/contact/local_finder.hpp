@@ -3,6 +3,7 @@
 
 #include "src/contact/check_space.hpp"
 #include "src/contact/contact_finder.hpp"
+#include "src/contact/edge_space.hpp"
 
 namespace percuss {
 
@@ -16,6 +17,7 @@ class LocalFinder : public ContactFinder {
   std::int64_t search(const SurfaceMotion& motion, double margin) override;
   int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
+  std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) override;
   std::vector<int> node_ranks() const override;
   DecompositionReport report() const override { return {}; }
   SearchLoad load() const override;
@@ -23,11 +25,22 @@ class LocalFinder : public ContactFinder {
   Traffic traffic() const override { return {}; }
 
  private:
+  std::int64_t search_faces(const SurfaceMotion& motion, double margin);
+  std::int64_t search_edges(const SurfaceMotion& motion, double margin);
+  int check_faces(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches);
+
   const SurfaceShare& share_;
   CheckSpace check_;
   Array<const std::int64_t> node_numbers_;  // [contact nodes]
   Boxes boxes_;
   SearchScratch scratch_;
+
+  // Edges, if the scene has any that may touch.
+  EdgeSpace edges_;
+  EdgePointLists edge_points_;
+  Rows3<double> edge_places_ = Rows3<double>("contact::edge_places", 0);
+  Boxes edge_boxes_ = Boxes("contact::edge_boxes", 0);
+  EdgeSearchScratch edge_scratch_;
 };
 
 }  // namespace percuss

@@ -19,10 +19,15 @@ inline std::int64_t find_pair_limit(const SurfaceShare& share) {
   return std::int64_t{1'000'000} + 2000 * share.total_nodes;
 }
 
+/// Likewise of edges' points and boxes.
+inline std::int64_t find_edge_pair_limit(const SurfaceShare& share) {
+  return std::int64_t{1'000'000} + 4000 * share.total_edges;
+}
+
 inline void refuse_too_many_pairs(std::int64_t pairs, std::int64_t limit, double margin) {
   if (pairs <= limit) return;
   throw RunError(fmt::format(
-      "contact search found {} pairs of a node and a face (capture boxes are {:.3g} wide beyond their faces: "
+      "contact search found {} pairs of nodes and faces or of edges (capture boxes are {:.3g} wide beyond their faces: "
       "nodes move many faces a step) is the run unstable? try a smaller time.step_scale",
       pairs, margin));
 }

@@ -27,49 +27,12 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr int max_touches = contact_limits::max_touches;
 
-/// Place and velocity of a node.
-struct MotionItem {
-  double x[3], v[3];
-};
-
 /// The faces that pushed a node in the last step.
 struct HistoryItem {
   std::int64_t face[max_touches];
 };
 
 }  // namespace
-
-/// Places and velocities of the nodes concerned, from their FE owners.
-void RankedFinder::receive_motion(const SurfaceMotion& motion) {
-  const Array<const int> published = published_nodes_, order = motion_order_;
-  const auto sent = published.extent(0), received = order.extent(0);
-  const Array<MotionItem> send(Kokkos::view_alloc("contact::sent_motion", Kokkos::WithoutInitializing), sent);
-  const Array<MotionItem> receive(Kokkos::view_alloc("contact::received_motion", Kokkos::WithoutInitializing),
-                                  received);
-  const SurfaceMotion m = motion;
-  Kokkos::parallel_for(
-      "contact::pack_motion", Range(ExecSpace(), 0, static_cast<int>(sent)), KOKKOS_LAMBDA(int i) {
-        for (int k = 0; k < 3; ++k) {
-          send(i).x[k] = m.x(published(i), k);
-          send(i).v[k] = m.v(published(i), k);
-        }
-      });
-  ExecSpace().fence();
-  const auto send_buffer = to_host(send);
-  const auto receive_buffer = Kokkos::create_mirror_view(receive);
-  data_.begin<MotionItem>(reverse(motion_.request), {send_buffer.data(), sent}, {receive_buffer.data(), received});
-  data_.end();
-  Kokkos::deep_copy(receive, receive_buffer);
-  const Rows3<double> x = x_, v = v_;
-  Kokkos::parallel_for(
-      "contact::unpack_motion", Range(ExecSpace(), 0, static_cast<int>(received)), KOKKOS_LAMBDA(int i) {
-        for (int k = 0; k < 3; ++k) {
-          x(order(i), k) = receive(i).x[k];
-          v(order(i), k) = receive(i).v[k];
-        }
-      });
-  ExecSpace().fence();
-}
 
 /// What the FE owners remember of the checked nodes.
 void RankedFinder::receive_history(const ContactHistory& history) {
@@ -111,10 +74,20 @@ std::vector<Record> RankedFinder::send_results_to_fe_owners(const std::vector<Re
 }
 
 int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
-  if (total_pairs_ == 0) return 0;
-  receive_motion(motion);
+  std::vector<RowTouch> rows = check_faces(motion, history);
+  edges_.append_touches(motion, history.edges, rows);
+  reserve(touches, static_cast<int>(rows.size()));
+  Kokkos::View<const RowTouch*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(rows.data(),
+                                                                                                 rows.size());
+  Kokkos::deep_copy(Kokkos::subview(touches, std::pair<std::size_t, std::size_t>(0, rows.size())), host);
+  return static_cast<int>(rows.size());
+}
+
+std::vector<RowTouch> RankedFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& history) {
+  if (total_pairs_ == 0) return {};
+  const SurfaceMotion here = motion_.receive(data_, motion);
   receive_history(history);
-  check_candidates({x_, v_, motion.dt}, check_);  // (5.6), second half
+  check_candidates(here, check_);  // (5.6), second half
   std::vector<TouchRecord> records;
   std::vector<int> counts;
   const auto by_node = to_host(check_.touches.by_node);
@@ -137,12 +110,7 @@ int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& histo
       records.push_back(record);
     }
   }
-  const std::vector<RowTouch> rows = make_row_touches(send_results_to_fe_owners(records, counts));
-  reserve(touches, static_cast<int>(rows.size()));
-  Kokkos::View<const RowTouch*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(rows.data(),
-                                                                                                 rows.size());
-  Kokkos::deep_copy(Kokkos::subview(touches, std::pair<std::size_t, std::size_t>(0, rows.size())), host);
-  return static_cast<int>(rows.size());
+  return make_row_touches(send_results_to_fe_owners(records, counts));
 }
 
 /// Touches of this rank's contact nodes as rows need them, by (node, face). Corners that other ranks own are numbered
@@ -175,8 +143,7 @@ std::vector<RowTouch> RankedFinder::make_row_touches(std::vector<TouchRecord> re
 
 std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& motion) {
   if (total_pairs_ == 0) return {};
-  receive_motion(motion);
-  const PenetrationTable table = measure_candidates({x_, v_, motion.dt}, check_);
+  const PenetrationTable table = measure_candidates(motion_.receive(data_, motion), check_);
   const auto depth = to_host(table.depth), ratio = to_host(table.ratio), size = to_host(check_.faces.size);
   const auto face = to_host(table.face);
   struct Record {

@@ -75,11 +75,12 @@ RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share,
       share_(share),
       exchange_(ranks.ranks),
       data_(ranks.ranks),
-      decomposition_(ranks.ranks, share, rebalance) {}
+      decomposition_(ranks.ranks, share, rebalance),
+      edges_(ranks, share) {}
 
 Traffic RankedFinder::traffic() const {
-  const Traffic &own = data_.traffic(), &decomposition = decomposition_.traffic();
-  return {own.messages + decomposition.messages, own.bytes + decomposition.bytes};
+  const Traffic &own = data_.traffic(), &decomposition = decomposition_.traffic(), edges = edges_.traffic();
+  return {own.messages + decomposition.messages + edges.messages, own.bytes + decomposition.bytes + edges.bytes};
 }
 
 SearchLoad RankedFinder::load() const {
@@ -125,6 +126,11 @@ std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
     const Phase phase("percuss::contact_rcb", decomposition_clock_);
     decomposition_.update(motion, margin);
   }
+  const std::int64_t of_faces = search_faces(margin);
+  return of_faces + edges_.search(motion, margin, decomposition_);
+}
+
+std::int64_t RankedFinder::search_faces(double margin) {
   const std::int64_t limit = find_pair_limit(share_);
   const std::int64_t pairs = find_points_in_boxes_here(std::min(limit, most_indexed_pairs));
   std::int64_t sums[3] = {pairs, static_cast<std::int64_t>(decomposition_.faces().size()),
@@ -152,7 +158,7 @@ std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
 
 /// Asks the FE owners of nodes for all faces around these.
 std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<std::int64_t>& nodes) {
-  const Subscription asked = subscribe(nodes, [&](std::int64_t number) { return find_contact_node(number); });
+  const Subscription asked = subscribe_to_contact_nodes(nodes);
   const OwnedContactNodes& own = share_.nodes;
   std::vector<int> counts;
   std::vector<FaceTopology> faces;
@@ -170,19 +176,12 @@ std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<s
   return received;
 }
 
-/// Items by number from their FE owners. find(number): the owner's place of it.
-template <class Find>
-RankedFinder::Subscription RankedFinder::subscribe(const std::vector<std::int64_t>& numbers, const Find& find) {
+/// What the FE owners of contact nodes have of these.
+Subscription RankedFinder::subscribe_to_contact_nodes(const std::vector<std::int64_t>& numbers) {
   std::vector<int> owners;
   owners.reserve(numbers.size());
   for (const std::int64_t number : numbers) owners.push_back(ranks_.numbering.find_node_owner(number));
-  SendOrder order = order_by_destination(owners);
-  const std::vector<std::int64_t> ordered = ItemExchange::arrange(order, numbers);
-  Subscription made;
-  made.request = exchange_.plan(order.to);
-  made.order = std::move(order.items);
-  for (const std::int64_t number : data_.exchange(made.request, ordered)) made.published.push_back(find(number));
-  return made;
+  return subscribe(exchange_, data_, owners, numbers, [&](std::int64_t number) { return find_contact_node(number); });
 }
 
 /// The surface of the check: candidate faces, the faces around all nodes concerned, and all their nodes.
@@ -243,12 +242,8 @@ void RankedFinder::build_check_space(std::vector<FaceTopology> faces) {
   std::iota(all_faces.begin(), all_faces.end(), 0);
   candidates.faces = to_view("contact::candidate_faces", all_faces);
 
-  motion_ = subscribe(check_nodes_, [&](std::int64_t number) { return find_mesh_node(number); });
-  history_ = subscribe(checked_numbers, [&](std::int64_t number) { return find_contact_node(number); });
-  motion_order_ = to_view("contact::motion_order", motion_.order);
-  published_nodes_ = to_view("contact::published_nodes", motion_.published);
-  reserve(x_, static_cast<int>(check_nodes_.size()));
-  reserve(v_, static_cast<int>(check_nodes_.size()));
+  motion_.ask(ranks_, exchange_, data_, check_nodes_);
+  history_ = subscribe_to_contact_nodes(checked_numbers);
 }
 
 }  // namespace percuss

@@ -9,6 +9,8 @@
 #include "comm/merge_reduction.hpp"
 #include "src/contact/check_space.hpp"
 #include "src/contact/contact_decomposition.hpp"
+#include "src/contact/motion_copy.hpp"
+#include "src/contact/ranked_edges.hpp"
 
 namespace percuss {
 
@@ -19,6 +21,9 @@ class RankedFinder : public ContactFinder {
   std::int64_t search(const SurfaceMotion& motion, double margin) override;
   int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
+  std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) override {
+    return edges_.find_penetrations(motion);
+  }
   std::vector<int> node_ranks() const override { return decomposition_.node_owners(); }
   DecompositionReport report() const override { return decomposition_.report(); }
   SearchLoad load() const override;
@@ -26,22 +31,16 @@ class RankedFinder : public ContactFinder {
   Traffic traffic() const override;
 
  private:
-  /// Items asked for by number, from those who own them; `order` puts what comes back to its place.
-  struct Subscription {
-    ExchangePlan request;        // to the owners
-    std::vector<int> order;      // item k of the messages is the asker's item order[k]
-    std::vector<int> published;  // the owner's places of the items that it sends, in the order of its messages
-  };
   /// A touch on its way to the FE owner of its node.
   struct TouchRecord;
 
+  std::int64_t search_faces(double margin);
+  std::vector<RowTouch> check_faces(const SurfaceMotion& motion, const ContactHistory& history);
   std::int64_t find_points_in_boxes_here(std::int64_t limit);
   void list_pairs();
   std::vector<FaceTopology> ask_for_faces_around(const std::vector<std::int64_t>& nodes);
   void build_check_space(std::vector<FaceTopology> faces);
-  template <class Find>
-  Subscription subscribe(const std::vector<std::int64_t>& numbers, const Find& find);
-  void receive_motion(const SurfaceMotion& motion);
+  Subscription subscribe_to_contact_nodes(const std::vector<std::int64_t>& numbers);
   void receive_history(const ContactHistory& history);
   template <class Record>
   std::vector<Record> send_results_to_fe_owners(const std::vector<Record>& records, const std::vector<int>& counts);
@@ -69,10 +68,10 @@ class RankedFinder : public ContactFinder {
   std::vector<std::int64_t> check_nodes_;  // [nodes] numbers, ascending
   std::vector<FaceTopology> check_faces_;  // [faces] ascending
   std::vector<int> checked_nodes_;         // [checked] places in check_nodes_
-  Subscription motion_, history_;
-  Array<int> motion_order_ = Array<int>("contact::motion_order", 0);
-  Array<int> published_nodes_ = Array<int>("contact::published_nodes", 0);
-  Rows3<double> x_ = Rows3<double>("contact::check_x", 0), v_ = Rows3<double>("contact::check_v", 0);
+  MotionCopy motion_;
+  Subscription history_;
+
+  RankedEdges edges_;
 };
 
 }  // namespace percuss

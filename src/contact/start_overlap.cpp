@@ -78,14 +78,45 @@ std::vector<PartOverlap> gather_items(const Communicator& ranks, const std::vect
   return all;
 }
 
+/// Overlap of edges, by (a, b), into a history of its own.
+EdgeHistory seed_edges(const std::vector<EdgePenetration>& penetrations, bool accept, StartOverlap& found) {
+  std::vector<std::int64_t> a, b;
+  std::vector<std::array<double, 3>> normals;
+  std::vector<double> references;
+  for (const EdgePenetration& p : penetrations) {
+    if (p.depth <= contact_limits::overlap * p.size) continue;
+    ++found.edge_pairs;
+    found.deepest_edges = std::max(found.deepest_edges, p.depth);
+    if (p.depth > contact_limits::history_depth * p.size) continue;
+    a.push_back(p.a);
+    b.push_back(p.b);
+    normals.push_back({p.normal.x, p.normal.y, p.normal.z});
+    references.push_back(accept ? p.depth : 0);
+  }
+  const std::vector<std::array<double, 3>> zeros(a.size(), {0, 0, 0});
+  EdgeHistory history;
+  history.count = static_cast<int>(a.size());
+  history.a = to_view("contact::edge_history_a", a);
+  history.b = to_view("contact::edge_history_b", b);
+  history.holds = to_view("contact::edge_history_holds", std::vector<int>(a.size(), 1));
+  history.normal = to_rows("contact::edge_history_normal", normals);
+  history.impulse = to_rows("contact::edge_history_impulse", zeros);
+  history.slip = to_rows("contact::edge_history_slip", zeros);
+  history.reference = to_view("contact::edge_history_reference", references);
+  return history;
+}
+
 /// The counts of all ranks, and the deepest node of any.
 void reduce(const Communicator& ranks, StartOverlap& found) {
-  std::int64_t counts[2] = {found.nodes, found.too_deep};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, ranks.handle()); },
+  std::int64_t counts[3] = {found.nodes, found.too_deep, found.edge_pairs};
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 3, MPI_INT64_T, MPI_SUM, ranks.handle()); },
            "MPI_Allreduce");
   const double own = found.deepest;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &found.deepest, 1, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
+  double deepest[2] = {found.deepest, found.deepest_edges};
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, deepest, 2, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
            "MPI_Allreduce");
+  found.deepest = deepest[0];
+  found.deepest_edges = deepest[1];
   constexpr std::int64_t none = std::int64_t{1} << 62;
   std::int64_t node = found.deepest_node >= 0 && own == found.deepest ? found.deepest_node : none;
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &node, 1, MPI_INT64_T, MPI_MIN, ranks.handle()); },
@@ -95,6 +126,7 @@ void reduce(const Communicator& ranks, StartOverlap& found) {
   found.parts = std::move(all);
   found.nodes = counts[0];
   found.too_deep = counts[1];
+  found.edge_pairs = counts[2];
   found.deepest_node = node == none ? -1 : node;
 }
 
@@ -111,7 +143,7 @@ ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls) {
 }
 
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
-                          const ContactHistory& history) {
+                          ContactHistory& history) {
   const auto history_face = to_host(history.face);
   const auto reference = to_host(history.reference);
   const bool accept = overlap == ContactDeck::Overlap::accept;
@@ -133,6 +165,8 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
     note(found, nodes, static_cast<int>(place - nodes.mesh_nodes.begin()), -1 - host.wall(p), host.depth(p), true);
     reference(first + p) = accept ? host.depth(p) : 0;
   }
+  if (search.share.total_searched_faces > 0)
+    history.edges = seed_edges(search.finder.find_edge_penetrations(motion), accept, found);
   Kokkos::deep_copy(history.face, history_face);
   Kokkos::deep_copy(history.reference, reference);
   reduce(search.ranks, found);
@@ -142,6 +176,9 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
 double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion) {
   double deepest = 0;
   for (const Penetration& p : look_everywhere(search, motion)) deepest = std::max(deepest, p.ratio);
+  if (search.share.total_searched_faces > 0)
+    for (const EdgePenetration& p : search.finder.find_edge_penetrations(motion))
+      deepest = std::max(deepest, p.depth / p.size);
   const HostWalls host(search.walls, motion.x);
   for (int p = 0; p < host.count(); ++p) deepest = std::max(deepest, host.depth(p) / host.size(p));
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, search.ranks.handle()); },

@@ -24,6 +24,8 @@ struct StartOverlap {
   double deepest = 0;              // [length]
   std::int64_t deepest_node = -1;  // number of the node, lowest of equals
   std::vector<PartOverlap> parts;  // by (part, other)
+  std::int64_t edge_pairs = 0;     // pairs of edges inside one another
+  double deepest_edges = 0;        // [length]
 };
 
 /// What looks for overlap: a finder of its own, so that the search of the steps is not disturbed.
@@ -38,7 +40,7 @@ struct OverlapSearch {
 /// Finds overlap at the places of `motion`, whose dt is 0, and writes it to the history: as accepted reference, or to
 /// be pushed out. Collective.
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
-                          const ContactHistory& history);
+                          ContactHistory& history);
 
 /// Deepest penetration / shortest edge, faces and walls, on any rank. Collective.
 double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "comm/item_exchange.hpp"
@@ -131,6 +132,42 @@ std::vector<SurfaceSet> find_node_surfaces(const OwnedContactNodes& nodes, const
   return sets;
 }
 
+/// Surfaces of each edge: those of its two faces.
+std::vector<SurfaceSet> find_edge_surfaces(const std::vector<FoundEdge>& edges, const SurfaceClasses& classes) {
+  std::vector<SurfaceSet> sets;
+  for (const FoundEdge& found : edges) {
+    const SurfaceSet &a = classes.sets[at(found.face_classes[0])], &b = classes.sets[at(found.face_classes[1])];
+    SurfaceSet both;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    sets.push_back(std::move(both));
+  }
+  return sets;
+}
+
+/// Keeps the edges that may touch others, with their mesh nodes.
+void set_edges(const Mesh& mesh, const Communicator& ranks, const std::vector<FoundEdge>& edges,
+               const std::vector<SurfaceSet>& sets, const SurfaceClasses& classes, SurfaceShare& share) {
+  const auto friction = to_host(share.pair_friction);
+  const std::size_t n = at(classes.count());
+  std::vector<double> lengths;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const int surface_class = classes.find(sets[e]);
+    const double* const row = friction.data() + at(surface_class) * n;
+    if (std::all_of(row, row + n, [](double f) { return f < 0; })) continue;
+    share.edges.push_back(edges[e].edge);
+    share.edges.back().surface_class = surface_class;
+    std::array<int, 2> ends{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), edges[e].edge.ends[i]);
+      ends[i] = static_cast<int>(place - mesh.node_numbers.begin());
+    }
+    share.edge_ends.push_back(ends);
+    const Vec3 &p = mesh.nodes[at(ends[0])], &q = mesh.nodes[at(ends[1])];
+    lengths.push_back(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+  }
+  divide_edges(ranks, lengths, share.edges);
+}
+
 /// Classes of nodes and faces, who may touch whom, and which nodes and faces a search must look at.
 void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const SurfaceClasses& classes,
                  const std::vector<SurfaceSet>& node_sets, SurfaceShare& share) {
@@ -169,13 +206,14 @@ void set_lists(const Communicator& ranks, SurfaceShare& share) {
   }
   share.node_list = to_view("contact::nodes", share.nodes.mesh_nodes);
   share.corner_list = to_rows("contact::face_nodes", corners);
-  std::int64_t totals[3] = {share.nodes.count(), static_cast<std::int64_t>(share.faces.size()),
-                            static_cast<std::int64_t>(corners.size())};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, totals, 3, MPI_INT64_T, MPI_SUM, ranks.handle()); },
+  std::int64_t totals[4] = {share.nodes.count(), static_cast<std::int64_t>(share.faces.size()),
+                            static_cast<std::int64_t>(corners.size()), static_cast<std::int64_t>(share.edges.size())};
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, totals, 4, MPI_INT64_T, MPI_SUM, ranks.handle()); },
            "MPI_Allreduce");
   share.total_nodes = totals[0];
   share.total_faces = totals[1];
   share.total_searched_faces = totals[2];
+  share.total_edges = totals[3];
 }
 
 }  // namespace
@@ -192,7 +230,14 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, U
   const std::vector<SurfaceSet> node_sets = find_node_surfaces(share.nodes, of_faces);
   std::vector<SurfaceSet> all = of_faces.sets;
   all.insert(all.end(), node_sets.begin(), node_sets.end());
-  set_classes(deck, of_faces, agree_on_classes(mesh, std::move(all)), node_sets, share);
+  std::vector<FoundEdge> edges;
+  const bool has_edges = deck.contact.edges && deck.contact.surfaces != ContactDeck::Surfaces::none;
+  if (has_edges) edges = find_feature_edges(chunked, share.faces, share.face_corners, exchange);
+  const std::vector<SurfaceSet> edge_sets = find_edge_surfaces(edges, of_faces);
+  all.insert(all.end(), edge_sets.begin(), edge_sets.end());
+  const SurfaceClasses classes = agree_on_classes(mesh, std::move(all));
+  set_classes(deck, of_faces, classes, node_sets, share);
+  if (has_edges) set_edges(mesh, exchange.ranks(), edges, edge_sets, classes, share);
   set_lists(exchange.ranks(), share);
   return share;
 }

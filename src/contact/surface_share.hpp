@@ -7,6 +7,7 @@
 
 #include "comm/unstructured_exchange.hpp"
 #include "kernels/contact/row_system.hpp"
+#include "src/contact/feature_edges.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
 
@@ -43,8 +44,11 @@ struct SurfaceShare {
   std::vector<char> face_searched;                           // whether it may be touched by any node
   std::vector<std::array<int, 4>> face_corners, face_backs;  // mesh nodes of this rank
   int num_classes = 1;
-  Array<const double> pair_friction;  // [class of node * num_classes + class of face]; negative: may not touch
-  Array<const int> pair_number;       // likewise: which of the deck's pairs; -1: none
+  Array<const double> pair_friction;          // [class of node * num_classes + class of face]; negative: may not touch
+  Array<const int> pair_number;               // likewise: which of the deck's pairs; -1: none
+  std::vector<EdgeTopology> edges;            // feature edges whose home this rank is, ascending number; those searched
+  std::vector<std::array<int, 2>> edge_ends;  // mesh nodes of this rank
+  std::int64_t total_edges = 0;               // of all ranks
   std::int64_t total_nodes = 0, total_faces = 0, total_searched_faces = 0;  // of all ranks
 
   // For kernels over the share.

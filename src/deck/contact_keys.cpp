@@ -68,6 +68,7 @@ const Keys<ContactDeck>& contact_keys() {
                                     {"penalty", Enforcement::penalty}}}),
       may("penalty_scale", &ContactDeck::penalty_scale, NumberValue{positive}),
       may("tolerance", &ContactDeck::tolerance, NumberValue{positive}),
+      may("edges", &ContactDeck::edges, BooleanValue{}),
       may("reuse_search", &ContactDeck::reuse_search, BooleanValue{}),
       may("rebalance", &ContactDeck::rebalance,
           ChoiceValue<Rebalance>{

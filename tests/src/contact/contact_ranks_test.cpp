@@ -140,6 +140,30 @@ contact: {surfaces: all, friction: 0.2}
           4, 0.02, 5);
 }
 
+// Bars that lie across one another: only their edges meet.
+const std::string crossed = R"(
+parts:
+  lower: {box: {size: [4, 0.5, 0.5], cells: [7, 1, 1]}, at: [-2, 0, 0], material: m}
+  upper: {box: {size: [0.5, 4, 0.5], cells: [1, 7, 1]}, rotate: [{axis: z, angle: 20}], at: [0.2, -2, 0.505], material: m}
+  roof:  {box: {size: [0.5, 0.5, 0.5], cells: [3, 3, 3]}, rotate: [{axis: x, angle: 45}, {axis: z, angle: 30}], at: [-0.4, -0.7, 1.012], material: m}
+)";
+
+TEST(ContactOnRanks, CrossedEdgesGiveTheSameBits) {
+  compare(crossed + "contact: {surfaces: all, friction: 0.3}\n", 8, 0.02, 2);
+  compare(crossed + "contact: {surfaces: [[lower, upper], [upper, roof]], rebalance: always, reuse_search: false}\n", 8,
+          0.02, 2);
+}
+
+TEST(ContactOnRanks, OverlapOfEdgesAtTheStartIsTheSameReferenceOnAnyRanks) {
+  compare(R"(
+parts:
+  lower: {box: {size: [4, 0.5, 0.5], cells: [7, 1, 1]}, at: [-2, 0, 0], material: m}
+  upper: {box: {size: [0.5, 4, 0.5], cells: [1, 7, 1]}, rotate: [{axis: z, angle: 20}], at: [0.2, -2, 0.48], material: m}
+contact: {surfaces: all, friction: 0.2}
+)",
+          4, 0.02, 1);
+}
+
 /// Sets the velocity of all nodes of a part along z.
 void set_velocity(Nodes& nodes, const std::string& part, double velocity) {
   for (const int n : nodes.chunked.mesh.node_sets.at(part)) store_row(nodes.v, n, {0, 0, velocity});

@@ -106,6 +106,55 @@ contact: {surfaces: all, friction: 0.1})",
   EXPECT_LT(std::abs(o.audit.energy.error), 1e-3);
 }
 
+/// Two cubes turned so that an edge of one falls across an edge of the other, away from all nodes. speed: of each, as
+/// a share of the speed of a wave in a bar.
+std::string crossed_cubes(double speed, int angle, const std::string& contact) {
+  const std::string v = std::to_string(5000 * speed);
+  return R"(
+time: {end: 1}
+parts:
+  low:  {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, rotate: [{axis: x, angle: 45}], at: [-0.05, 0, -0.1414213562], material: steel}
+  high: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, rotate: [{axis: x, angle: 45}, {axis: z, angle: )" +
+         std::to_string(angle) + R"(, center: [0.05, 0, 0]}], at: [-0.05, 0.001, 0.0005], material: steel}
+initial: [{part: low, velocity: [0, 0, )" +
+         v + "]}, {part: high, velocity: [0, 0, -" + v + "]}]\ncontact: " + contact;
+}
+
+TEST(ContactScenes, CubesMeetEdgeOnEdgeAndPart) {
+  for (const double speed : {0.0005, 0.005, 0.015}) {
+    for (const int angle : {90, 40}) {
+      const int steps = std::min(400, 60 + static_cast<int>(0.12 / speed));
+      SCOPED_TRACE(std::to_string(speed) + ", " + std::to_string(angle));
+      expect_sound(run_scene_text(crossed_cubes(speed, angle, "{surfaces: all}"), steps));
+    }
+  }
+}
+
+TEST(ContactScenes, WithoutEdgesTheSameCubesFeelNothing) {
+  // They are more than 10 mm inside one another then, a third of an element, and no node has met a face.
+  EXPECT_EQ(run_scene_text(crossed_cubes(0.005, 90, "{surfaces: all, edges: false}"), 84).pushes, 0);
+}
+
+std::string crossed_bars(int angle) {
+  return R"(
+time: {end: 1}
+parts:
+  low:  {box: {size: [0.5, 0.05, 0.05], cells: [8, 1, 1]}, at: [-0.25, -0.025, -0.05], material: steel}
+  high: {box: {size: [0.5, 0.05, 0.05], cells: [9, 1, 1]}, at: [-0.25, -0.025, 0.0001], rotate: [{axis: z, angle: )" +
+         std::to_string(angle) + R"(}], material: steel}
+initial: [{part: low, velocity: [0, 0, 5]}, {part: high, velocity: [8, 5, -5]}]
+contact: {surfaces: all, friction: 0.3})";
+}
+
+TEST(ContactScenes, CrossedBarsArePressedAndSlideAlong) {
+  for (const int angle : {90, 30}) {
+    SCOPED_TRACE(angle);
+    const Outcome o = run_scene_text(crossed_bars(angle), 300);
+    expect_sound(o);
+    EXPECT_LT(o.audit.energy.friction, 0);
+  }
+}
+
 TEST(ContactScenes, TheSwitchForReuseOfSearchesChangesNoBit) {
   const auto hash = [](const std::string& reuse) {
     Scene scene(parse_deck(drop("at: [0.013, 0.017, 0.0006]") + steel, "deck.yaml", {"contact.reuse_search=" + reuse}));

@@ -170,7 +170,7 @@ TEST(ReadDeck, ReadsLoadsConditionsAndWalls) {
 TEST(ReadDeck, ReadsPairsOfSurfacesInBothForms) {
   const Deck deck =
       parse(block("contact: {surfaces: [[a/x_min, a/x_max], {a: a, b: a, friction: 0.5}], overlap: push_out, "
-                  "enforcement: lagrange, reuse_search: false}"));
+                  "enforcement: lagrange, reuse_search: false, edges: false}"));
   EXPECT_EQ(deck.contact.surfaces, ContactDeck::Surfaces::pairs);
   EXPECT_EQ(deck.contact.pairs.at(0).b.name, "a/x_max");
   EXPECT_FALSE(deck.contact.pairs.at(0).friction);
@@ -178,6 +178,7 @@ TEST(ReadDeck, ReadsPairsOfSurfacesInBothForms) {
   EXPECT_EQ(deck.contact.overlap, ContactDeck::Overlap::push_out);
   EXPECT_EQ(deck.contact.enforcement, ContactDeck::Enforcement::lagrange);
   EXPECT_FALSE(deck.contact.reuse_search);
+  EXPECT_FALSE(deck.contact.edges);
 }
 
 TEST(ReadDeck, ReadsHistoryPoints) {

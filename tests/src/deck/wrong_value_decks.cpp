@@ -38,6 +38,7 @@ std::vector<WrongDeck> wrong_numbers() {
       {"TrueForInteger", change("cells: [2,", "cells: [yes,"), "3:40", "must be an integer"},
       {"NumberForBoolean", append("contact: {reuse_search: 1}"), "6:25",
        "contact.reuse_search is 1 (must be true or false)"},
+      {"WordForEdges", append("contact: {edges: sharp}"), "6:18", "contact.edges is 'sharp' (must be true or false)"},
       {"YesForBoolean", append("contact: {reuse_search: yes}"), "6:25",
        "contact.reuse_search is 'yes' (must be true or false)"},
       {"ListForText", append("title: [a]"), "6:8", "title is ['a'] (must be a text)"},

@@ -1,0 +1,41 @@
+#pragma once
+// The feature edges of the contact surface: where two faces of a body meet at a convex angle at the start of the run.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "comm/unstructured_exchange.hpp"
+#include "src/mesh/ordering.hpp"
+
+namespace percuss {
+
+struct FaceTopology;
+
+/// A feature edge as ranks tell each other about it.
+struct EdgeTopology {
+  std::int64_t number = -1;    // 128 * number of its lower node + place among that node's edges
+  std::int64_t ends[2]{};      // node numbers, ascending
+  std::int64_t wings[4]{};     // corners of the first face, then of the second, next to end 0 and next to end 1
+  std::int64_t elements[2]{};  // numbers of the elements behind the faces
+  int surface_class = 0;       // which of the named surfaces it lies on, as a class
+  int home = 0;                // rank that has the first face's element: it remembers the edge's contacts
+  int pieces = 1;              // that search sees, each as a point
+};
+
+/// An edge before its class is known.
+struct FoundEdge {
+  EdgeTopology edge;
+  int face_classes[2] = {0, 0};  // FaceTopology::surface_class of its faces
+};
+
+/// The feature edges whose home this rank is, ascending in number. faces: of this rank's elements, with face_corners
+/// their mesh nodes. Throws InputError, on all ranks, if more than 128 edges have the same lower node. Collective.
+std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const std::vector<FaceTopology>& faces,
+                                          const std::vector<std::array<int, 4>>& face_corners,
+                                          UnstructuredExchange& exchange);
+
+/// Divides edges into pieces of at most 1.25 times the mean length of all ranks' edges. lengths: [edges]. Collective.
+void divide_edges(const Communicator& ranks, const std::vector<double>& lengths, std::vector<EdgeTopology>& edges);
+
+}  // namespace percuss
