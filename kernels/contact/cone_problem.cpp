@@ -212,7 +212,9 @@ struct Sweeper {
   void project(const Array<double>& z) const {
     const ConeProblem p = problem;
     Kokkos::parallel_for(
-        "contact::cone_project", Range(0, p.num_rows), KOKKOS_LAMBDA(int r) { project_row(p, r, z); });
+        "contact::cone_project_pushes", Range(0, p.num_rows), KOKKOS_LAMBDA(int r) { project_push(p, r, z); });
+    Kokkos::parallel_for(
+        "contact::cone_project_rubs", Range(0, p.num_rows), KOKKOS_LAMBDA(int r) { project_rub(p, r, z); });
   }
 
   ConeProblem problem;

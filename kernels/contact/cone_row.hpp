@@ -69,10 +69,14 @@ KOKKOS_INLINE_FUNCTION void project_on_disc(double limit, double& t1, double& t2
   t2 *= limit / length;
 }
 
-/// Back into the cone, along the push first.
-KOKKOS_INLINE_FUNCTION void project_row(const ConeProblem& problem, int row, const Array<double>& z) {
+/// Back into the cone: the push, and when all rows have theirs, the rub, whose limit reads the push of the follower
+/// too.
+KOKKOS_INLINE_FUNCTION void project_push(const ConeProblem& problem, int row, const Array<double>& z) {
   const int f = problem.first(row);
   if (!(z(f) > 0)) z(f) = 0;
+}
+KOKKOS_INLINE_FUNCTION void project_rub(const ConeProblem& problem, int row, const Array<double>& z) {
+  const int f = problem.first(row);
   if (has_rub(problem, row)) project_on_disc(find_limit(problem, row, z), z(f + 1), z(f + 2));
 }
 
