@@ -10,7 +10,6 @@
 #include "src/output/atomic_file.hpp"
 #include "src/output/first_rank.hpp"
 #include "src/output/hdf5_file.hpp"
-#include "src/output/hdf5_reading.hpp"
 
 namespace percuss {
 namespace {
@@ -18,7 +17,6 @@ namespace {
 using hdf5::check;
 
 constexpr std::uint8_t vtk_hexahedron = 12;  // VTK's number of the cell type
-constexpr hsize_t steps_at_once = 512;       // entries of a chunk of the tables that get one number a frame
 
 // Most bytes of metadata (B-tree nodes on two levels, headers) that a table adds with a frame, and that a file starts
 // with; counted from the sizes in the HDF5 file format specification for the k above, and rounded up.
@@ -66,17 +64,22 @@ std::vector<std::int64_t> flatten_connectivity(const Mesh& mesh) {
 
 }  // namespace
 
-VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
+VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, FieldPrecision precision,
                        const Communicator& ranks)
     : path_(path),
       ranks_(ranks),
-      precision_(options.precision),
+      precision_(precision),
       nodes_(static_cast<hsize_t>(chunked.numbering.node_count())),
       elements_(static_cast<hsize_t>(chunked.numbering.element_count())),
       node_rows_(ranks, find_owned_nodes(chunked, ranks), chunked.mesh.node_numbers, chunked.numbering.node_count()),
       element_rows_(ranks, count_up(chunked.mesh.elements.size()), number_elements(chunked),
                     chunked.numbering.element_count()) {
   if (ranks.size() > 1) transfer_ = hdf5::create_collective_transfer();
+}
+
+VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
+                       const Communicator& ranks)
+    : VtkhdfFile(path, chunked, options.precision, ranks) {
   try {
     run_or_abandon("create", [&] { create(chunked.mesh, options); });
   } catch (...) {
@@ -87,15 +90,7 @@ VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, cons
 
 VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
                        const Communicator& ranks, std::int64_t frames)
-    : path_(path),
-      ranks_(ranks),
-      precision_(options.precision),
-      nodes_(static_cast<hsize_t>(chunked.numbering.node_count())),
-      elements_(static_cast<hsize_t>(chunked.numbering.element_count())),
-      node_rows_(ranks, find_owned_nodes(chunked, ranks), chunked.mesh.node_numbers, chunked.numbering.node_count()),
-      element_rows_(ranks, count_up(chunked.mesh.elements.size()), number_elements(chunked),
-                    chunked.numbering.element_count()) {
-  if (ranks.size() > 1) transfer_ = hdf5::create_collective_transfer();
+    : VtkhdfFile(path, chunked, options.precision, ranks) {
   run_or_abandon("open", [&] { open(frames); });
 }
 
@@ -139,17 +134,9 @@ void VtkhdfFile::create(const Mesh& mesh, const FieldsOptions& options) {
     disk_ = DiskReservation(path_);
     disk_.reserve(0, metadata_bytes_of_file + nodes_ * mesh_bytes_per_node + elements_ * mesh_bytes_per_element);
   });
-  root_ = hdf5::create_group(file_.get(), "VTKHDF");
-  hdf5::write_attribute(root_.get(), "Version", std::array<std::int64_t, 2>{2, 0});
-  hdf5::write_attribute(root_.get(), "Type", std::string("UnstructuredGrid"));
-  point_data_ = hdf5::create_group(root_.get(), "PointData");
-  cell_data_ = hdf5::create_group(root_.get(), "CellData");
-  steps_ = hdf5::create_group(root_.get(), "Steps");
-  point_data_offsets_ = hdf5::create_group(steps_.get(), "PointDataOffsets");
-  cell_data_offsets_ = hdf5::create_group(steps_.get(), "CellDataOffsets");
-  own_ = hdf5::create_group(file_.get(), "percuss");
+  tables_.create_groups(file_.get());
   write_mesh(mesh, options);
-  create_steps();
+  tables_.create_steps(nodes_);
   flush();
   trim();
 }
@@ -173,12 +160,13 @@ void VtkhdfFile::write_numbers(const hdf5::Handle& group, const std::string& nam
 // Writes whole numbers of the local nodes or elements.
 void VtkhdfFile::write_items(const std::string& name, FieldPlace place, std::span<const std::int64_t> values) {
   auto& rows = place == FieldPlace::node ? node_rows_ : element_rows_;
-  write_numbers(place == FieldPlace::node ? point_data_ : cell_data_, name, make_block(place), rows.gather(values, 1));
+  write_numbers(place == FieldPlace::node ? tables_.point_data : tables_.cell_data, name, make_block(place),
+                rows.gather(values, 1));
 }
 
 void VtkhdfFile::write_cells(const Mesh& mesh) {
   const auto corners = flatten_connectivity(mesh);
-  write_numbers(root_, "Connectivity", make_block(FieldPlace::element, 8),
+  write_numbers(tables_.root, "Connectivity", make_block(FieldPlace::element, 8),
                 element_rows_.gather(std::span<const std::int64_t>(corners), 8));
   // One more than there are cells: the end of the last one.
   auto block = make_block(FieldPlace::element);
@@ -186,15 +174,15 @@ void VtkhdfFile::write_cells(const Mesh& mesh) {
   std::vector<std::int64_t> offsets(block.count + (last ? 1 : 0));
   for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(8 * (block.first + i));
   const std::vector<std::uint8_t> types(block.count, vtk_hexahedron);
-  hdf5::write_dataset(root_.get(), "Types", H5T_STD_U8LE, block, H5T_NATIVE_UINT8, types.data());
+  hdf5::write_dataset(tables_.root.get(), "Types", H5T_STD_U8LE, block, H5T_NATIVE_UINT8, types.data());
   block.all += 1;
   block.count = offsets.size();
-  write_numbers(root_, "Offsets", block, offsets);
+  write_numbers(tables_.root, "Offsets", block, offsets);
 }
 
 void VtkhdfFile::write_mesh(const Mesh& mesh, const FieldsOptions& options) {
   const auto write_count = [&](const char* name, hsize_t count) {
-    write_numbers(root_, name, make_block_of_first_rank(1), std::array{static_cast<std::int64_t>(count)});
+    write_numbers(tables_.root, name, make_block_of_first_rank(1), std::array{static_cast<std::int64_t>(count)});
   };
   write_count("NumberOfPoints", nodes_);
   write_count("NumberOfCells", elements_);
@@ -207,94 +195,22 @@ void VtkhdfFile::write_mesh(const Mesh& mesh, const FieldsOptions& options) {
 
   std::vector<std::string> names;
   for (const auto& part : mesh.parts) names.push_back(part.name);
-  hdf5::write_texts(own_.get(), "part_names", names, make_block_of_first_rank(names.size()));
-  hdf5::write_attribute(own_.get(), "title", options.title);
-  hdf5::write_attribute(own_.get(), "units", options.units);
-}
-
-namespace {
-
-// Tables of Steps to which every frame adds the same number: their group, name and number.
-struct StepConstantPlace {
-  enum class Group { steps, point_data, cell_data } group;
-  const char* name;
-  std::int64_t value;
-};
-constexpr StepConstantPlace step_constants[] = {
-    {StepConstantPlace::Group::steps, "PartOffsets", 0},  {StepConstantPlace::Group::steps, "NumberOfParts", 1},
-    {StepConstantPlace::Group::steps, "CellOffsets", 0},  {StepConstantPlace::Group::steps, "ConnectivityIdOffsets", 0},
-    {StepConstantPlace::Group::point_data, "node_id", 0}, {StepConstantPlace::Group::cell_data, "element_id", 0},
-    {StepConstantPlace::Group::cell_data, "part", 0},
-};
-
-}  // namespace
-
-/// make(group, name) gives each table of the constants.
-template <class Make>
-void VtkhdfFile::add_constants(const Make& make) {
-  for (const StepConstantPlace& c : step_constants) {
-    using Group = StepConstantPlace::Group;
-    const auto& group = c.group == Group::steps        ? steps_
-                        : c.group == Group::point_data ? point_data_offsets_
-                                                       : cell_data_offsets_;
-    constants_.push_back({make(group.get(), c.name), c.value});
-  }
-}
-
-void VtkhdfFile::create_steps() {
-  hdf5::write_attribute(steps_.get(), "NSteps", std::array<std::int64_t, 1>{0});
-  points_.emplace(root_.get(), "Points", H5T_IEEE_F64LE, 3, nodes_);
-  times_.emplace(steps_.get(), "Values", H5T_IEEE_F64LE, 1, steps_at_once);
-  point_offsets_.emplace(steps_.get(), "PointOffsets", H5T_STD_I64LE, 1, steps_at_once);
-  step_numbers_.emplace(own_.get(), "step", H5T_STD_I64LE, 1, steps_at_once);
-  add_constants(
-      [](hid_t group, const char* name) { return hdf5::Table(group, name, H5T_STD_I64LE, 1, steps_at_once); });
+  hdf5::write_texts(tables_.own.get(), "part_names", names, make_block_of_first_rank(names.size()));
+  hdf5::write_attribute(tables_.own.get(), "title", options.title);
+  hdf5::write_attribute(tables_.own.get(), "units", options.units);
 }
 
 void VtkhdfFile::open(std::int64_t frames) {
   file_ = hdf5::open_durable_file(path_, ranks_);
   run_on_first_rank(ranks_, [&] { disk_ = DiskReservation(path_); });
-  root_ = hdf5::open_group(file_.get(), "VTKHDF");
-  point_data_ = hdf5::open_group(root_.get(), "PointData");
-  cell_data_ = hdf5::open_group(root_.get(), "CellData");
-  steps_ = hdf5::open_group(root_.get(), "Steps");
-  point_data_offsets_ = hdf5::open_group(steps_.get(), "PointDataOffsets");
-  cell_data_offsets_ = hdf5::open_group(steps_.get(), "CellDataOffsets");
-  own_ = hdf5::open_group(file_.get(), "percuss");
-  points_.emplace(root_.get(), "Points");
-  times_.emplace(steps_.get(), "Values");
-  point_offsets_.emplace(steps_.get(), "PointOffsets");
-  step_numbers_.emplace(own_.get(), "step");
-  add_constants([](hid_t group, const char* name) { return hdf5::Table(group, name); });
+  tables_.open(file_.get());
   frames_ = frames;
 }
 
-void VtkhdfFile::open_fields(std::span<const FieldData> fields) {
-  for (const auto& field : fields) {
-    const bool on_nodes = field.place == FieldPlace::node;
-    fields_.push_back({field.place, hdf5::Table((on_nodes ? point_data_ : cell_data_).get(), field.name),
-                       hdf5::Table((on_nodes ? point_data_offsets_ : cell_data_offsets_).get(), field.name)});
-    if (fields_.back().values.components() != field.components)
-      throw hdf5::Error("go on with field " + field.name, "it has another number of components");
-  }
-}
-
-void VtkhdfFile::create_fields(std::span<const FieldData> fields) {
-  const hid_t type = precision_ == FieldPrecision::float32 ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
-  for (const auto& field : fields) {
-    const bool on_nodes = field.place == FieldPlace::node;
-    const auto& group = on_nodes ? point_data_ : cell_data_;
-    const auto& offsets = on_nodes ? point_data_offsets_ : cell_data_offsets_;
-    fields_.push_back({field.place,
-                       hdf5::Table(group.get(), field.name, type, field.components, on_nodes ? nodes_ : elements_),
-                       hdf5::Table(offsets.get(), field.name, H5T_STD_I64LE, 1, steps_at_once)});
-  }
-}
-
 hsize_t VtkhdfFile::frame_bytes(std::span<const FieldData> fields) const {
-  const hsize_t tables = 4 + constants_.size() + 2 * fields.size();
-  hsize_t bytes = metadata_bytes_per_table * tables + points_->growth_bytes(nodes_);
-  for (const auto& table : fields_)
+  const hsize_t tables = 4 + tables_.constants.size() + 2 * fields.size();
+  hsize_t bytes = metadata_bytes_per_table * tables + tables_.points->growth_bytes(nodes_);
+  for (const auto& table : tables_.fields)
     bytes += table.values.growth_bytes(table.place == FieldPlace::node ? nodes_ : elements_);
   return bytes;
 }
@@ -304,14 +220,14 @@ void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const do
   if (!file_) throw SystemError(fmt::format("cannot write '{}' (it was given up after an error)", path_));
   run_or_abandon("write", [&] {
     if (frames_ == 0)
-      create_fields(fields);
-    else if (fields_.empty())
-      open_fields(fields);
+      tables_.create_fields(fields, precision_, nodes_, elements_);
+    else if (tables_.fields.empty())
+      tables_.open_fields(fields);
     reserve(frame_bytes(fields));
     append_rows(time, step, positions, fields);
     flush();
     // Only now does the frame exist for a reader.
-    hdf5::write_attribute(steps_.get(), "NSteps", std::array<std::int64_t, 1>{frames_ + 1});
+    hdf5::write_attribute(tables_.steps.get(), "NSteps", std::array<std::int64_t, 1>{frames_ + 1});
     flush();
     ++frames_;
     trim();
@@ -330,15 +246,15 @@ void VtkhdfFile::append_items(hdf5::Table& table, FieldPlace place, std::span<co
 
 void VtkhdfFile::append_rows(double time, std::int64_t step, std::span<const double> positions,
                              std::span<const FieldData> fields) {
-  append_one(*point_offsets_, static_cast<std::int64_t>(points_->rows()));
-  append_items(*points_, FieldPlace::node, positions, 3);
+  append_one(*tables_.point_offsets, static_cast<std::int64_t>(tables_.points->rows()));
+  append_items(*tables_.points, FieldPlace::node, positions, 3);
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    append_one(fields_[i].offsets, static_cast<std::int64_t>(fields_[i].values.rows()));
-    append_items(fields_[i].values, fields[i].place, fields[i].values, fields[i].components);
+    append_one(tables_.fields[i].offsets, static_cast<std::int64_t>(tables_.fields[i].values.rows()));
+    append_items(tables_.fields[i].values, fields[i].place, fields[i].values, fields[i].components);
   }
-  for (auto& constant : constants_) append_one(constant.table, constant.value);
-  append_one(*step_numbers_, step);
-  append_one(*times_, time);
+  for (auto& constant : tables_.constants) append_one(constant.table, constant.value);
+  append_one(*tables_.step_numbers, step);
+  append_one(*tables_.times, time);
 }
 
 void VtkhdfFile::flush() {
@@ -379,24 +295,15 @@ void VtkhdfFile::close() {
   if (!file_) return;
   run_or_abandon("write", [&] {
     flush();
-    release_objects();
+    tables_.release();
     check(file_.reset(), "close the file");
     run_on_first_rank(ranks_, [&] { disk_.sync(); });
   });
 }
 
-// HDF5 closes a file only when nothing within it is open.
-void VtkhdfFile::release_objects() {
-  fields_.clear();
-  constants_.clear();
-  for (auto* table : {&points_, &times_, &point_offsets_, &step_numbers_}) table->reset();
-  for (auto* group : {&own_, &cell_data_offsets_, &point_data_offsets_, &steps_, &cell_data_, &point_data_, &root_})
-    group->reset();
-}
-
 void VtkhdfFile::abandon() {
   hdf5::turn_to_memory(file_, ranks_);
-  release_objects();
+  tables_.release();
   hdf5::close_abandoned(file_, flushing_ ? hdf5::Failure::in_a_flush : hdf5::Failure::elsewhere);
 }
 

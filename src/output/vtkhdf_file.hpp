@@ -9,15 +9,14 @@
 // program at once, because within HDF5 the other ranks wait for the one that failed.
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "src/output/disk_reservation.hpp"
 #include "src/output/fields_file.hpp"
-#include "src/output/hdf5_table.hpp"
 #include "src/output/row_blocks.hpp"
+#include "src/output/vtkhdf_tables.hpp"
 
 namespace percuss {
 
@@ -47,17 +46,7 @@ class VtkhdfFile {
   void close();
 
  private:
-  // One field of every frame, and the row at which each frame of it starts.
-  struct FieldTables {
-    FieldPlace place;
-    hdf5::Table values;
-    hdf5::Table offsets;
-  };
-  // A table of Steps to which every frame adds the same number.
-  struct StepConstant {
-    hdf5::Table table;
-    std::int64_t value;
-  };
+  VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, FieldPrecision precision, const Communicator& ranks);
 
   template <class Work>
   void run_or_abandon(const char* action, Work&& work);
@@ -66,12 +55,7 @@ class VtkhdfFile {
   void create(const Mesh& mesh, const FieldsOptions& options);
   void write_cells(const Mesh& mesh);
   void write_mesh(const Mesh& mesh, const FieldsOptions& options);
-  void create_steps();
-  void create_fields(std::span<const FieldData> fields);
-  template <class Make>
-  void add_constants(const Make& make);
   void open(std::int64_t frames);
-  void open_fields(std::span<const FieldData> fields);
   hdf5::RowBlock make_block(FieldPlace place, int rows = 1) const;
   hdf5::RowBlock make_block_of_first_rank(hsize_t rows) const;
   void write_numbers(const hdf5::Handle& group, const std::string& name, const hdf5::RowBlock& block,
@@ -87,7 +71,6 @@ class VtkhdfFile {
   void reserve(hsize_t bytes);
   void trim();
   void flush();
-  void release_objects();
   void abandon();
 
   std::string path_;
@@ -99,10 +82,8 @@ class VtkhdfFile {
   std::int64_t frames_ = 0;
   bool flushing_ = false;  // stays true if that failed
   DiskReservation disk_;   // rank 0's
-  hdf5::Handle file_, root_, point_data_, cell_data_, steps_, point_data_offsets_, cell_data_offsets_, own_;
-  std::optional<hdf5::Table> points_, times_, point_offsets_, step_numbers_;
-  std::vector<StepConstant> constants_;
-  std::vector<FieldTables> fields_;
+  hdf5::Handle file_;
+  VtkhdfTables tables_;
 };
 
 }  // namespace percuss
