@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -14,24 +13,12 @@
 
 #include "comm/communicator.hpp"
 #include "tests/fuzz/target.hpp"
+#include "tests/random.hpp"
 
 namespace {
 
 using percuss::fuzz::try_bytes;
-
-/// Small numbers that are the same everywhere (Marsaglia's xorshift).
-class Random {
- public:
-  std::size_t below(std::size_t n) {
-    state_ ^= state_ << 13U;
-    state_ ^= state_ >> 7U;
-    state_ ^= state_ << 17U;
-    return static_cast<std::size_t>(state_ % n);
-  }
-
- private:
-  std::uint64_t state_ = 0x9E3779B97F4A7C15ULL;
-};
+using percuss::test::Random;
 
 /// One change: a bit flipped, a byte set, a piece cut, repeated or taken from another seed, a word put in.
 void damage(std::string& bytes, const std::vector<std::string>& seeds, const std::vector<std::string>& words,

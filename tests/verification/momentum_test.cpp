@@ -41,29 +41,37 @@ void expect_closed(const Outcome& run, double energy) {
   EXPECT_LE(run.history.largest("friction"), 0);
 }
 
+/// Largest depth of a node behind a face, in edges of an element, over a breaking wall.
+double find_deepest(const std::string& wall) {
+  Scene scene(wall);
+  EXPECT_EQ(scene.contact.prepare(scene.state.x, scene.state.v), "");
+  scene.stepper.start(scene.state);
+  int touching = 0;
+  double deepest = 0;
+  while (scene.state.time < scene.deck.time.end) {
+    scene.stepper.advance(scene.state);
+    if (scene.state.bound.failed_element >= 0) {
+      ADD_FAILURE() << "an element inverted at " << scene.state.time;
+      break;
+    }
+    touching = std::max(touching, scene.stepper.contact_report().interactions);
+    if (scene.state.step % 20 == 0) deepest = std::max(deepest, scene.contact.measure_penetration(scene.state.x));
+  }
+  EXPECT_GT(touching, 100);
+  return deepest;
+}
+
 }  // namespace
 
 TEST(Momentum, StaysInAWallOfLooseBricksThatARodBreaks) { expect_closed(run_deck(small_wall), 1e-2); }
 
 TEST(Penetration, NoNodeStaysBehindAFaceWhileARodBreaksAWall) {
-  // Of nodes and faces alone: two edges of bricks that break apart are up to 2 % of an edge inside each other in
-  // passing.
+  // The enforcement aims at a thousandth of an edge.
   std::string wall = small_wall;
   wall.replace(wall.find("friction: 0.3"), 0, "edges: false, ");
-  Scene scene(wall);
-  EXPECT_EQ(scene.contact.prepare(scene.state.x, scene.state.v), "");
-  scene.stepper.start(scene.state);
-  int touching = 0;
-  while (scene.state.time < scene.deck.time.end) {
-    scene.stepper.advance(scene.state);
-    ASSERT_LT(scene.state.bound.failed_element, 0);
-    touching = std::max(touching, scene.stepper.contact_report().interactions);
-    // A hundredth of an element's edge; the enforcement aims at a thousandth.
-    if (scene.state.step % 20 == 0) {
-      EXPECT_LT(scene.contact.measure_penetration(scene.state.x), 0.01) << scene.state.time;
-    }
-  }
-  EXPECT_GT(touching, 100);
+  EXPECT_LT(find_deepest(wall), 0.01);
+  // With edges, two of bricks that break apart are for a moment up to 2 % of an edge inside each other.
+  EXPECT_LT(find_deepest(small_wall), 0.03);
 }
 
 TEST(Momentum, StaysInAPileOfBlocksThatFlyIntoEachOther) {

@@ -2,6 +2,7 @@
 // Hexahedral bricks of one element each as a contact surface, for tests: every node is a contact node.
 
 #include <array>
+#include <random>
 #include <vector>
 
 #include "kernels/contact/row_system.hpp"
@@ -109,6 +110,33 @@ class BrickScene {
  private:
   std::vector<std::array<int, 4>> faces_, backs_;
 };
+
+/// A crooked pile of bricks that fall with different velocities.
+inline BrickScene make_pile() {
+  BrickScene bricks;
+  bricks.add_brick({0, 0, 0}, {3, 3, 1}, {0.1, 0, 0.2}, 5);
+  bricks.add_brick({0.3, 0.2, 1}, {1.2, 1.1, 1}, {0, 0.1, -0.5}, 1);
+  bricks.add_brick({1.6, 0.4, 1}, {1, 1.3, 1}, {-0.2, 0, -0.7}, 2);
+  bricks.add_brick({0.9, 0.5, 2}, {1.4, 0.9, 1}, {0, -0.1, -1}, 3);
+  return bricks;
+}
+
+/// A wall of n x n bricks in a running bond that drops on its held foot, every brick a little differently.
+inline BrickScene make_brick_wall(int n) {
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> speed(-0.01, 0.01);
+  BrickScene bricks;
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < n; ++k)
+      bricks.add_brick({i + 0.5 * (k % 2), 0, 1.0 * k}, {1, 1, 1},
+                       {speed(random), speed(random), -0.1 + speed(random)});
+  for (std::size_t a = 0; a < bricks.x.size(); ++a) {
+    if (bricks.x[a].z > 0.5) continue;
+    bricks.inverse_mass[a] = {0, 0, 0};
+    bricks.v[a] = {0, 0, 0};
+  }
+  return bricks;
+}
 
 /// No history for a surface with `pairs` pairs of a wall and a node.
 inline ContactHistory make_empty_history(int num_nodes, int pairs = 0) {

@@ -60,4 +60,23 @@ struct EnforcedScene {
   EnforcementSums sums;
 };
 
+/// What a step of contact gave a scene in all.
+struct Gain {
+  Point3 linear{}, angular{};
+  double kinetic = 0;
+};
+
+template <class Space>
+Gain find_gain(const EnforcedScene<Space>& scene, const BrickScene& bricks) {
+  Gain gain;
+  for (int n = 0; n < bricks.num_nodes(); ++n) {
+    const double mass = 1 / bricks.inverse_mass[static_cast<std::size_t>(n)].x;
+    const Point3 old = load_row(scene.before, n), dp = mass * (scene.v(n) - old);
+    gain.linear = gain.linear + dp;
+    gain.angular = gain.angular + cross(bricks.x[static_cast<std::size_t>(n)], dp);
+    gain.kinetic += 0.5 * mass * (dot(scene.v(n), scene.v(n)) - dot(old, old));
+  }
+  return gain;
+}
+
 }  // namespace percuss::test

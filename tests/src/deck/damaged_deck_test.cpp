@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "src/deck/read_deck.hpp"
 #include "src/error.hpp"
+#include "tests/random.hpp"
 
 namespace percuss {
 namespace {
@@ -53,20 +53,6 @@ Outcome try_deck(const std::string& text) {
   }
 }
 
-// A small generator with the same numbers everywhere (Marsaglia's xorshift).
-class Random {
- public:
-  std::size_t below(std::size_t n) {
-    state_ ^= state_ << 13U;
-    state_ ^= state_ >> 7U;
-    state_ ^= state_ << 17U;
-    return static_cast<std::size_t>(state_ % n);
-  }
-
- private:
-  std::uint64_t state_ = 0x9E3779B97F4A7C15ULL;
-};
-
 TEST(DamagedDeck, IsRightBeforeItIsDamaged) { EXPECT_EQ(try_deck(full_deck), Outcome::read); }
 
 TEST(DamagedDeck, IsRefusedOrReadWhereverItIsCut) {
@@ -78,7 +64,7 @@ TEST(DamagedDeck, IsRefusedOrReadWhereverItIsCut) {
 }
 
 TEST(DamagedDeck, SurvivesBytesInPlaceOfOthers) {
-  Random random;
+  test::Random random;
   const std::string bytes = "{}[]:,-?&*!|>'\"%@`#~ \t\n\r\\0e.\x00\x7f\xc3\xff<=";
   for (int i = 0; i < 3000; ++i) {
     std::string text = full_deck;
@@ -90,7 +76,7 @@ TEST(DamagedDeck, SurvivesBytesInPlaceOfOthers) {
 }
 
 TEST(DamagedDeck, SurvivesPiecesMovedAndRepeated) {
-  Random random;
+  test::Random random;
   for (int i = 0; i < 2000; ++i) {
     const std::string piece = full_deck.substr(random.below(full_deck.size()), 1 + random.below(60));
     std::string text = full_deck;
@@ -101,7 +87,7 @@ TEST(DamagedDeck, SurvivesPiecesMovedAndRepeated) {
 }
 
 TEST(DamagedDeck, SurvivesWordsOfYamlAlone) {
-  Random random;
+  test::Random random;
   const std::vector<std::string> words = {"{",     "}",     "[",   "]",    ": ",    ", ", "- ", "? ",   "&a ",
                                           "*a",    "!t ",   "|\n", ">\n",  "'",     "\"", "\n", "\n  ", "%YAML 1.2\n",
                                           "---\n", "...\n", "a",   "time", "parts", "1",  "~",  "#",    "<<"};
