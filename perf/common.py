@@ -1,0 +1,54 @@
+"""Whole scenes as benchmarks: what is run, and what one run says."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+
+NO_OUTPUT = {"output.fields": "{}", "output.history": "{}"}
+
+# Deck, settings of a full run, settings of a quick one. Few steps of many elements: a start is not what is measured.
+SCENES = {
+    "block": ("perf/block/deck.yaml", {"time.max_steps": 200}, {"time.max_steps": 60}),
+    "block_stiffness": ("perf/block/deck.yaml", {"time.max_steps": 200, "elements.hourglass": "stiffness"}, {"time.max_steps": 60}),
+    "block_full": ("perf/block/deck.yaml", {"time.max_steps": 80, "elements.integration": "full"}, {"time.max_steps": 25}),
+    "wave_into_rest": ("perf/wave_into_rest/deck.yaml", {"time.max_steps": 300}, {"time.max_steps": 100}),
+    "brick_wall": ("inputs/brick_wall/deck.yaml", {"time.max_steps": 400}, {"time.max_steps": 60}),
+    "brick_wall_early": ("inputs/brick_wall/deck.yaml", {"time.max_steps": 60, "parts.rod.at": "[-0.83, 0.73, 0.63]"}, {"time.max_steps": 20}),
+    "can_crush": ("inputs/can_crush/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 400}),
+    "taylor_bar": ("inputs/taylor_bar/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 400}),
+    "sphere_drop": ("inputs/elastic_sphere_drop/deck.yaml", {}, {"time.max_steps": 300}),
+}
+CONTACT = ["contact_rcb", "contact_search", "contact_check", "contact_enforce"]
+
+
+def find_settings(scene, quick):
+    _, full, short = SCENES[scene]
+    return dict(full, **short) if quick else full
+
+
+def run_scene(percuss, scene, quick, folder, threads=1, ranks=1, mpirun=""):
+    """One run; its summary."""
+    shutil.rmtree(folder, ignore_errors=True)
+    command = [str(percuss), "run", str(ROOT / SCENES[scene][0]), "--quiet", "--force", "--out", str(folder)]
+    for key, value in find_settings(scene, quick).items():
+        command += ["--set", f"{key}={value}"]
+    if ranks > 1:
+        command = mpirun.split() + ["-n", str(ranks)] + command
+    environment = dict(os.environ, OMP_NUM_THREADS=str(threads), OMP_PROC_BIND="false")
+    done = subprocess.run(command, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
+    if done.returncode != 0:
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: error: exit code {done.returncode} of: {' '.join(command)}\n{done.stderr}")
+    return json.loads((pathlib.Path(folder) / "summary.json").read_text())
+
+
+def grind(summary):
+    """Nanoseconds of a core per element and step, over the whole loop."""
+    return 1e9 * summary["loop_s"] * summary["threads"] * summary["ranks"] / (summary["elements"] * summary["steps"])
+
+
+def contact_share(summary):
+    return sum(summary["phases_s"][phase] for phase in CONTACT) / summary["loop_s"]
