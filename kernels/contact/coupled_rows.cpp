@@ -148,7 +148,6 @@ CoupledReport solve_in_key_order(const std::vector<CoupledRow>& rows, double dt,
 template <class Space>
 void set_impulses(const Space& space, const std::vector<RowImpulse>& impulses, const RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
-  const Array<int> awake = system.awake;
   const Array<const RowImpulse> values = to_view("contact::impulses", impulses);
   Kokkos::parallel_for(
       "contact::set_impulses", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
@@ -156,9 +155,6 @@ void set_impulses(const Space& space, const std::vector<RowImpulse>& impulses, c
         row.impulse = row.previous = values(r);
         row.force = sum_impulse(row, row.impulse);
         row.couple = find_couple(row, row.force);
-        // One of two twins may rub for both without a push of its own.
-        const RowImpulse& p = row.impulse;
-        awake(r) = p.push > 0 || p.rub[0] != 0 || p.rub[1] != 0 ? pushes_now | pushed_before : 0;
       });
   space.fence();
 }

@@ -6,7 +6,7 @@
 // (O'Donoghue and Candes 2015). D, the row sum of |G M^-1 G^T|, is the partition factor: it makes the correction a
 // contraction however many nodes share a face, and needs no tuning. Only pushing, within Coulomb's limit.
 //
-// These are the passes; kernels/contact/row_solution.hpp is the iteration.
+// Here is what comes before and after; row_packs.hpp has the passes, row_solution.hpp is the iteration.
 
 #include "kernels/contact/row_system.hpp"
 
@@ -86,24 +86,9 @@ struct RowSumMemory {
 template <class Space>
 PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, RowSumMemory& memory);
 
-/// New dv of the owned nodes from the impulses: system.correction; the old one goes to system.extrapolated.
+/// dv of the owned nodes from the shares of their entries, once: RowSystem::correction.
 template <class Space>
 void find_corrections(const Space& space, const RowSystem& system);
-
-/// dv + beta (dv - dv of the iterate before) at all places, from correction and what find_corrections left in
-/// extrapolated. In: the correction of foreign places.
-template <class Space>
-void extrapolate_corrections(const Space& space, double beta, const RowSystem& system);
-
-/// Corrects the impulses of all rows from their extrapolated iterate.
-template <class Space>
-PassSums correct_rows(const Space& space, double beta, double dt, const RowSystem& system, RowSumMemory& memory);
-
-/// Lets the gap of every row change along its push direction only. Where direction and triangle differ, what rows do to
-/// each other is not symmetric, and between elements crushed to slivers the iteration may diverge; with this it is
-/// symmetric and contracts. The price is the square of the angle, which the next steps recover like any penetration.
-template <class Space>
-void straighten_gaps(const Space& space, const RowSystem& system);
 
 /// Adds the correction to v and fills impulse at the owned nodes. v, impulse: [mesh nodes][3].
 template <class Space>

@@ -109,14 +109,14 @@ void reserve_edge_history(EdgeHistory& history, int records) {
 
 template <class Space>
 void apply_impulses(const Space& space, const RowSystem& system, const Rows3<double>& v, const Rows3<double>& impulse) {
-  const EntryLists lists(system);
+  const ShareSums sums(system);
   const Array<const int> nodes = system.nodes;
   const Rows3<const double> dv = system.correction;
   const Rows3<double> out_v = v, out_impulse = impulse;
   Kokkos::parallel_for(
       "contact::apply_impulses", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
         store_row(out_v, nodes(a), load_row(out_v, nodes(a)) + load_row(dv, a));
-        store_row(out_impulse, nodes(a), lists.gather_impulse(a));
+        store_row(out_impulse, nodes(a), sums(a));
       });
 }
 

@@ -5,10 +5,7 @@
 
 namespace percuss {
 
-/// |coefficient| of a node in direction d of a row, component by component.
-KOKKOS_INLINE_FUNCTION Point3 find_abs_coefficient(const ContactRow& row, int slot, int d) {
-  const Point3& direction = get_direction(row, d);
-  const Point3 c = spread_impulse(row, slot, direction, find_couple(row, direction));
+KOKKOS_INLINE_FUNCTION Point3 find_abs(const Point3& c) {
   return {c.x < 0 ? -c.x : c.x, c.y < 0 ? -c.y : c.y, c.z < 0 ? -c.z : c.z};
 }
 

@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "kernels/contact/coupled_rows.hpp"
-#include "kernels/contact/enforcement.hpp"
+#include "kernels/contact/row_packs.hpp"
 #include "kernels/contact/springs.hpp"
 
 namespace percuss {
@@ -20,10 +20,10 @@ namespace percuss {
 struct OneRank {
   void receive_nodes(RowSystem&) {}  // fills RowSystem::at at foreign places
   template <class Space>
-  void send_coefficients(const Space&, RowSystem&) {}  // fills RowSystem::remote with coefficients of remote entries
+  void send_coefficients(const Space&, RowSystem&) {}  // fills RowSystem::remote with shares of other ranks' rows
   void receive_coefficients(RowSystem&) {}             // fills RowSystem::abs_sum at foreign places
   template <class Space>
-  void send_impulses(const Space&, RowSystem&, PassSums&) {}  // fills RowSystem::remote with impulses; reduces the sums
+  void send_impulses(const Space&, RowSystem&, PassSums&) {}  // the same; reduces the sums
   void receive_corrections(RowSystem&) {}                     // fills RowSystem::correction at foreign places
   void reduce(EnforcementSums&) {}
   // Solves the rows of all ranks as one problem; impulses: of this rank's rows.
@@ -41,6 +41,7 @@ void build_rows(const Space& space, const RowInputs& inputs, const Array<const R
   space.fence();
   others.receive_nodes(system);
   make_rows(space, inputs, touches, num_touches, walls, history, system);
+  share_coefficients(space, system);
   others.send_coefficients(space, system);
   sum_coefficients(space, system);
   space.fence();
@@ -70,6 +71,7 @@ SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSyste
   double beta = 0, t = 1, enough = 0, change_before = std::numeric_limits<double>::infinity();
   PassSums sums;
   sums.gaps = find_predicted_gaps(space, system, memory);
+  pack_rows(space, system);
   for (;;) {
     // The motion that the impulses cause, on both sides of every contact.
     others.send_impulses(space, system, sums);
@@ -78,9 +80,6 @@ SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSyste
       if (report.rows == 0) return report;
       enough = std::max(tolerance * sums.gaps.deepest, absolute_tolerance * sums.gaps.smallest_size);
     }
-    find_corrections(space, system);
-    space.fence();
-    others.receive_corrections(system);
     if (report.iterations > 0) {
       report.converged = sums.change <= enough;
       const double next_t = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
@@ -95,16 +94,22 @@ SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSyste
       beta = restart ? 0 : (t - 1) / next_t;
       t = restart ? 1 : next_t;
     }
-    if (report.converged || report.iterations == max_iterations) return report;
-    extrapolate_corrections(space, beta, system);
+    move_nodes(space, beta, system);
+    space.fence();
+    others.receive_corrections(system);
+    if (report.converged || report.iterations == max_iterations) break;
+    move_foreign_nodes(space, beta, system);
     sums = correct_rows(space, beta, dt, system, memory);
     ++report.iterations;
   }
+  unpack_rows(space, system);
+  return report;
 }
 
 /// RowSystem::correction of the impulses of all rows. sums: reduced over ranks.
 template <class Space, class Others>
 void follow_impulses(const Space& space, PassSums& sums, RowSystem& system, Others& others) {
+  share_impulses(space, system);
   others.send_impulses(space, system, sums);
   find_corrections(space, system);
   space.fence();

@@ -103,8 +103,12 @@ void group_entries(const Space& space, RowSystem& system) {
   reserve(system.entry_key, num_entries);
   reserve(system.entry_value, num_entries);
   reserve(system.entry, num_entries);
+  reserve(system.shares, num_entries + system.num_foreign);
+  reserve(system.share_of_slot, num_local);
+  reserve(system.share_of_remote, system.num_remote);
   reserve(system.count, system.num_nodes + 1);
   reserve(system.offset, system.num_nodes + 2);
+  const Array<int> share_of_slot = system.share_of_slot, share_of_remote = system.share_of_remote;
   const Array<const ContactRow> rows = system.rows;
   const Array<int> key = system.entry_key, value = system.entry_value, place = system.place_of_node;
   const Array<const int> remote_place = system.remote_place;
@@ -115,6 +119,7 @@ void group_entries(const Space& space, RowSystem& system) {
           const int a = rows(r).place[slot];
           key(r * row_nodes + slot) = a >= 0 && a < nowhere ? a : nowhere;
           value(r * row_nodes + slot) = r * row_nodes + slot;
+          share_of_slot(r * row_nodes + slot) = -1;
         }
       });
   Kokkos::parallel_for(
@@ -138,14 +143,33 @@ void group_entries(const Space& space, RowSystem& system) {
           for (; j > offset(a) && get_key(entry(j - 1)) > get_key(e); --j) entry(j) = entry(j - 1);
           entry(j) = e;
         }
+        for (int i = offset(a); i < last; ++i) {
+          if (entry(i) < num_local)
+            share_of_slot(entry(i)) = i;
+          else
+            share_of_remote(entry(i) - num_local) = i;
+        }
       });
+  const Array<const int> foreign = system.foreign;
+  const int first_foreign = system.first_foreign();
+  Kokkos::parallel_for(
+      "contact::place_foreign_shares", RangeOf<Space>(space, 0, system.num_foreign),
+      KOKKOS_LAMBDA(int k) { share_of_slot(foreign(k)) = first_foreign + k; });
 }
 
-/// Absolute coefficients of one entry, its directions summed.
-KOKKOS_INLINE_FUNCTION Point3 sum_abs_coefficients(const ContactRow& row, int slot) {
-  Point3 sum{};
-  for (int d = 0; d < count_directions(row); ++d) sum = sum + find_abs_coefficient(row, slot, d);
-  return sum;
+/// Stores values(row, slot) as the share of every slot of every row.
+template <class Space, class Values>
+void store_shares(const Space& space, const RowSystem& system, const Values& values) {
+  const Array<const ContactRow> rows = system.rows;
+  const Array<const int> share_of_slot = system.share_of_slot;
+  const Rows4<double> shares = system.shares;
+  Kokkos::parallel_for(
+      "contact::store_shares", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        Point3 value[row_nodes];
+        values(rows(r), value);
+        for (int slot = 0; slot < count_nodes(rows(r)); ++slot)
+          store_row(shares, share_of_slot(r * row_nodes + slot), value[slot]);
+      });
 }
 
 }  // namespace
@@ -187,16 +211,13 @@ void start_rows(const Space& space, const RowInputs& inputs, const Array<const R
   const SlotNodes slots{touches, num_touches, system.near_walls, walls.node};
   number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)), slots, system);
   gather_nodes(space, inputs, system);
-  for (Rows3<double>* rows : {&system.correction, &system.extrapolated, &system.abs_sum}) {
-    reserve(*rows, system.num_places());
-  }
+  for (Rows3<double>* rows : {&system.correction, &system.abs_sum}) reserve(*rows, system.num_places());
 }
 
 template <class Space>
 void make_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
                const WallPairs& walls, const ContactHistory& history, RowSystem& system) {
   reserve(system.rows, system.num_rows);
-  reserve(system.awake, system.num_rows);
   reserve(system.foreign, system.num_foreign);
   const Array<ContactRow> rows = system.rows;
   const Array<int> place = system.place_of_node, foreign = system.foreign, near_walls = system.near_walls;
@@ -227,62 +248,72 @@ void make_rows(const Space& space, const RowInputs& inputs, const Array<const Ro
 }
 
 template <class Space>
-void find_foreign_coefficients(const Space& space, const RowSystem& system, const Rows3<double>& values) {
-  const Array<const ContactRow> rows = system.rows;
-  const Array<const int> foreign = system.foreign;
+void share_coefficients(const Space& space, const RowSystem& system) {
+  store_shares(space, system, [] KOKKOS_FUNCTION(const ContactRow& row, Point3* value) {
+    Point3 couple[3];
+    for (int d = 0; d < count_directions(row); ++d) couple[d] = find_couple(row, get_direction(row, d));
+    for (int slot = 0; slot < count_nodes(row); ++slot) {
+      value[slot] = Point3{};
+      for (int d = 0; d < count_directions(row); ++d)
+        value[slot] = value[slot] + find_abs(spread_impulse(row, slot, get_direction(row, d), couple[d]));
+    }
+  });
+}
+
+template <class Space>
+void share_impulses(const Space& space, const RowSystem& system) {
+  store_shares(space, system, [] KOKKOS_FUNCTION(const ContactRow& row, Point3* value) {
+    for (int slot = 0; slot < count_nodes(row); ++slot) value[slot] = spread_impulse(row, slot, row.force, row.couple);
+  });
+}
+
+template <class Space>
+void get_foreign_shares(const Space& space, const RowSystem& system, const Rows3<double>& values) {
+  const Rows4<const double> shares = system.shares;
   const Rows3<double> out = values;
+  const int first = system.first_foreign();
   Kokkos::parallel_for(
-      "contact::foreign_coefficients", RangeOf<Space>(space, 0, system.num_foreign), KOKKOS_LAMBDA(int k) {
-        store_row(out, k, sum_abs_coefficients(rows(foreign(k) / row_nodes), foreign(k) % row_nodes));
-      });
+      "contact::foreign_shares", RangeOf<Space>(space, 0, system.num_foreign),
+      KOKKOS_LAMBDA(int k) { store_row(out, k, load_row(shares, first + k)); });
+}
+
+template <class Space>
+void place_remote_shares(const Space& space, const RowSystem& system) {
+  const Array<const int> share = system.share_of_remote;
+  const Rows3<const double> remote = system.remote;
+  const Rows4<double> shares = system.shares;
+  Kokkos::parallel_for(
+      "contact::remote_shares", RangeOf<Space>(space, 0, system.num_remote),
+      KOKKOS_LAMBDA(int k) { store_row(shares, share(k), load_row(remote, k)); });
 }
 
 template <class Space>
 void sum_coefficients(const Space& space, RowSystem& system) {
-  const EntryLists lists(system);
+  place_remote_shares(space, system);
+  const ShareSums sums(system);
   const Rows3<double> sum = system.abs_sum;
   Kokkos::parallel_for(
-      "contact::sum_coefficients", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
-        Point3 s{};
-        for (int i = lists.offset(a); i < lists.offset(a + 1); ++i) {
-          const int e = lists.entry(i);
-          s = s + (e < lists.num_local ? sum_abs_coefficients(lists.rows(e / row_nodes), e % row_nodes)
-                                       : load_row(lists.remote, e - lists.num_local));
-        }
-        store_row(sum, a, s);
-      });
+      "contact::sum_coefficients", RangeOf<Space>(space, 0, system.num_nodes),
+      KOKKOS_LAMBDA(int a) { store_row(sum, a, sums(a)); });
 }
 
 template <class Space>
 void sum_stiffness(const Space& space, const RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
-  const Array<int> awake = system.awake;
   const Rows3<const double> sum = system.abs_sum, inverse_mass = system.at.inverse_mass;
   Kokkos::parallel_for(
       "contact::sum_stiffness", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         ContactRow& row = rows(r);
         double stiffness[3] = {0, 0, 0};
-        for (int d = 0; d < count_directions(row); ++d)
+        for (int d = 0; d < count_directions(row); ++d) {
+          const Point3 direction = get_direction(row, d), couple = find_couple(row, direction);
           for (int slot = 0; slot < count_nodes(row); ++slot) {
-            const Point3 c = find_abs_coefficient(row, slot, d);
+            const Point3 c = find_abs(spread_impulse(row, slot, direction, couple));
             const Point3 s = load_row(sum, row.place[slot]), w = load_row(inverse_mass, row.place[slot]);
             stiffness[d] += (c.x * s.x * w.x + c.y * s.y * w.y) + c.z * s.z * w.z;
           }
+        }
         set_stiffness(row, stiffness);
-        awake(r) = row.impulse.push > 0 ? pushes_now | pushed_before : 0;
-      });
-}
-
-template <class Space>
-void find_foreign_impulses(const Space& space, const RowSystem& system, const Rows3<double>& values) {
-  const EntryLists lists(system);
-  const Array<const int> foreign = system.foreign;
-  const Rows3<double> out = values;
-  Kokkos::parallel_for(
-      "contact::foreign_impulses", RangeOf<Space>(space, 0, system.num_foreign), KOKKOS_LAMBDA(int k) {
-        const ContactRow& row = lists.rows(foreign(k) / row_nodes);
-        const bool pushes = (lists.awake(foreign(k) / row_nodes) & pushes_now) != 0;
-        store_row(out, k, pushes ? spread_impulse(row, foreign(k) % row_nodes, row.force, row.couple) : Point3{});
       });
 }
 
@@ -293,10 +324,12 @@ void find_foreign_impulses(const Space& space, const RowSystem& system, const Ro
                            RowSystem&);                                                                                \
   template void make_rows(const Space&, const RowInputs&, const Array<const RowTouch>&, int, const WallPairs&,         \
                           const ContactHistory&, RowSystem&);                                                          \
-  template void find_foreign_coefficients(const Space&, const RowSystem&, const Rows3<double>&);                       \
+  template void share_coefficients(const Space&, const RowSystem&);                                                    \
+  template void share_impulses(const Space&, const RowSystem&);                                                        \
+  template void get_foreign_shares(const Space&, const RowSystem&, const Rows3<double>&);                              \
+  template void place_remote_shares(const Space&, const RowSystem&);                                                   \
   template void sum_coefficients(const Space&, RowSystem&);                                                            \
-  template void sum_stiffness(const Space&, const RowSystem&);                                                         \
-  template void find_foreign_impulses(const Space&, const RowSystem&, const Rows3<double>&);
+  template void sum_stiffness(const Space&, const RowSystem&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -10,6 +10,7 @@
 #include "kernels/contact/contact_row.hpp"
 #include "kernels/contact/detailed_check.hpp"
 #include "kernels/contact/edge_check.hpp"
+#include "kernels/contact/row_pack.hpp"
 #include "kernels/contact/row_sums.hpp"
 
 namespace percuss {
@@ -134,8 +135,6 @@ struct RowSystem {
   int num_foreign = 0;    // places after these: foreign nodes, one for each entry that a row of this rank has on one
   int num_remote = 0;     // entries that rows of other ranks have on nodes of this rank
   Array<ContactRow> rows = Array<ContactRow>("contact::rows", 0);
-  // Per row: 1 if it pushes, 2 if it did in the iterate before. Rows at rest are passed over without being read.
-  Array<int> awake = Array<int>("contact::awake_rows", 0);
   Array<int> nodes = Array<int>("contact::touched_nodes", 0);      // [num_nodes] mesh nodes, in no order
   Array<int> foreign = Array<int>("contact::foreign_entries", 0);  // [num_foreign] their entry, row * row_nodes + slot
   Array<std::int64_t> foreign_number = Array<std::int64_t>("contact::foreign_number", 0);  // [num_foreign] of the node
@@ -143,13 +142,17 @@ struct RowSystem {
   Array<int> offset = Array<int>("contact::entry_offset", 0);                              // [num_nodes + 1]
   // row * row_nodes + slot; from num_rows * row_nodes on the remote entries. By node, ascending in the row's key.
   Array<int> entry = Array<int>("contact::entries", 0);
-  Array<int> remote_node = Array<int>("contact::remote_node", 0);                  // [num_remote] mesh node
-  Array<int> remote_place = Array<int>("contact::remote_place", 0);                // [num_remote]
+  // What each entry adds to its node, as `entry` has them; from first_foreign() on those of foreign entries.
+  Rows4<double> shares = Rows4<double>("contact::shares", 0);
+  Array<int> share_of_slot = Array<int>("contact::share_of_slot", 0);      // [rows * row_nodes] in shares, -1: no slot
+  Array<int> share_of_remote = Array<int>("contact::share_of_remote", 0);  // [num_remote] likewise
+  Array<int> remote_node = Array<int>("contact::remote_node", 0);          // [num_remote] mesh node
+  Array<int> remote_place = Array<int>("contact::remote_place", 0);        // [num_remote]
   Array<std::int64_t> remote_key = Array<std::int64_t>("contact::remote_key", 0);  // [num_remote] of its row
-  Rows3<double> remote = Rows3<double>("contact::remote", 0);              // [num_remote] value of each remote entry
-  Rows3<double> correction = Rows3<double>("contact::correction", 0);      // dv of the iterate
-  Rows3<double> extrapolated = Rows3<double>("contact::extrapolated", 0);  // dv of the extrapolated iterate
-  Rows3<double> abs_sum = Rows3<double>("contact::abs_sum", 0);            // S
+  Rows3<double> remote = Rows3<double>("contact::remote", 0);          // [num_remote] value of each remote entry
+  Rows3<double> correction = Rows3<double>("contact::correction", 0);  // dv of the iterate
+  Rows3<double> abs_sum = Rows3<double>("contact::abs_sum", 0);        // S
+  RowPacks packs;                                                      // what the iteration works on
   // Scratch of the set-up.
   Array<int> near_walls = Array<int>("contact::near_walls", 0);        // wall pairs in reach
   Array<int> place_of_node = Array<int>("contact::place_of_node", 0);  // [mesh nodes] -1 outside set-up
@@ -158,37 +161,19 @@ struct RowSystem {
   Array<int> total = Array<int>("contact::row_total", 1);
 
   int num_places() const { return num_nodes + num_foreign; }
+  int first_foreign() const { return num_rows * row_nodes + num_remote; }
 };
 
-inline constexpr int pushes_now = 1, pushed_before = 2;
+/// Sums of what the entries of a node add to it, in the order of their rows' keys.
+struct ShareSums {
+  Array<const int> offset;
+  Rows4<const double> shares;
 
-/// Values of nodes: impulse of all entries on owned place a, in the order of their rows' keys.
-struct EntryLists {
-  Array<const ContactRow> rows;
-  Array<const int> awake, offset, entry;
-  Rows3<const double> remote;
-  int num_local = 0;  // entries of rows of this rank
-  int num_owned = 0;  // places of nodes of this rank
+  explicit ShareSums(const RowSystem& system) : offset(system.offset), shares(system.shares) {}
 
-  explicit EntryLists(const RowSystem& system)
-      : rows(system.rows),
-        awake(system.awake),
-        offset(system.offset),
-        entry(system.entry),
-        remote(system.remote),
-        num_local(system.num_rows * row_nodes),
-        num_owned(system.num_nodes) {}
-
-  KOKKOS_INLINE_FUNCTION Point3 gather_impulse(int a) const {
+  KOKKOS_INLINE_FUNCTION Point3 operator()(int a) const {
     Point3 sum{};
-    for (int e = offset(a); e < offset(a + 1); ++e) {
-      if (entry(e) >= num_local) {
-        sum = sum + load_row(remote, entry(e) - num_local);
-      } else if ((awake(entry(e) / row_nodes) & pushes_now) != 0) {
-        const ContactRow& row = rows(entry(e) / row_nodes);
-        sum = sum + spread_impulse(row, entry(e) % row_nodes, row.force, row.couple);
-      }
-    }
+    for (int i = offset(a); i < offset(a + 1); ++i) sum = sum + load_row(shares, i);
     return sum;
   }
 };
@@ -219,21 +204,28 @@ template <class Space>
 void make_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
                const WallPairs& walls, const ContactHistory& history, RowSystem& system);
 
-/// Sums of absolute coefficients of foreign entry k: what its owner adds to S.
+/// Sums of absolute coefficients of each entry: RowSystem::shares.
 template <class Space>
-void find_foreign_coefficients(const Space& space, const RowSystem& system, const Rows3<double>& values);
+void share_coefficients(const Space& space, const RowSystem& system);
 
-/// S of the owned nodes: sums of absolute coefficients in the order of keys. In: `remote` holds those of remote
-/// entries.
+/// Impulse of each entry: RowSystem::shares.
+template <class Space>
+void share_impulses(const Space& space, const RowSystem& system);
+
+/// Shares of foreign entries: what their owners are to add. values: out, [num_foreign][3].
+template <class Space>
+void get_foreign_shares(const Space& space, const RowSystem& system, const Rows3<double>& values);
+
+/// Puts what other ranks' rows add to owned nodes, RowSystem::remote, among the shares.
+template <class Space>
+void place_remote_shares(const Space& space, const RowSystem& system);
+
+/// S of the owned nodes: sums of absolute coefficients in the order of keys. In: shares, remote.
 template <class Space>
 void sum_coefficients(const Space& space, RowSystem& system);
 
 /// D of each row: sum over its nodes of |c| S / m, a bound of the row sum of |G M^-1 G^T|. In: S at all places.
 template <class Space>
 void sum_stiffness(const Space& space, const RowSystem& system);
-
-/// Impulses of the rows of this rank on foreign entries. values: out, [num_foreign][3].
-template <class Space>
-void find_foreign_impulses(const Space& space, const RowSystem& system, const Rows3<double>& values);
 
 }  // namespace percuss

@@ -26,7 +26,6 @@ KOKKOS_INLINE_FUNCTION void push_row(ContactRow& row, const RowNodes& at, double
 template <class Space>
 void push_springs(const Space& space, double scale, double dt, double dt_mean, const RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
-  const Array<int> awake = system.awake;
   const RowNodes at = system.at;
   Kokkos::parallel_for(
       "contact::push_springs", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
@@ -40,7 +39,6 @@ void push_springs(const Space& space, double scale, double dt, double dt_mean, c
         row.previous = row.impulse;
         row.force = sum_impulse(row, row.impulse);
         row.couple = find_couple(row, row.force);
-        awake(r) = row.impulse.push > 0 ? pushes_now | pushed_before : 0;
       });
 }
 

@@ -25,7 +25,7 @@ class RowExchange {
   template <class Space>
   void send_coefficients(const Space& space, RowSystem& system) {
     if (!has_many_ranks_) return;
-    find_foreign_coefficients(space, system, foreign_values_);
+    get_foreign_shares(space, system, foreign_values_);
     space.fence();
     begin_sending();
     end_sending(system);
@@ -34,7 +34,7 @@ class RowExchange {
   template <class Space>
   void send_impulses(const Space& space, RowSystem& system, PassSums& sums) {
     if (!has_many_ranks_) return;
-    find_foreign_impulses(space, system, foreign_values_);
+    get_foreign_shares(space, system, foreign_values_);
     space.fence();
     begin_sending();
     sums.backwards.normalize();

@@ -1,0 +1,258 @@
+#include "kernels/contact/row_packs.hpp"
+
+#include "kernels/contact/index_lists.hpp"
+
+namespace percuss {
+namespace {
+
+KOKKOS_INLINE_FUNCTION Point3 multiply(const Point3& a, const Point3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+
+KOKKOS_INLINE_FUNCTION void set_lane(double (*values)[RowPack::lanes], int lane, const Point3& a) {
+  values[0][lane] = a.x;
+  values[1][lane] = a.y;
+  values[2][lane] = a.z;
+}
+
+/// A lane without a row: its impulse is 0 and stays so.
+KOKKOS_INLINE_FUNCTION void clear_lane(RowPack& pack, int lane, int nowhere) {
+  for (int slot = 0; slot < row_nodes; ++slot) {
+    pack.weight[slot][lane] = 0;
+    pack.place[slot][lane] = nowhere;
+    pack.share[slot][lane] = -1;
+  }
+  for (auto& rho : pack.rho) set_lane(rho, lane, {});
+  for (auto& value : pack.inverse_inertia) value[lane] = 0;
+  for (auto* values : {pack.arm, pack.normal, pack.gap_gradient, pack.tangent[0], pack.tangent[1], pack.impulse,
+                       pack.previous})
+    set_lane(values, lane, {});
+  for (auto* value : {pack.missing, pack.slide[0], pack.slide[1], pack.friction}) value[lane] = 0;
+  pack.stiffness[0][lane] = pack.stiffness[1][lane] = 1;
+  pack.row[lane] = -1;
+}
+
+KOKKOS_INLINE_FUNCTION void set_row(RowPack& pack, int lane, const ContactRow& row, int r,
+                                    const Array<const int>& share_of_slot) {
+  const int first = row.count == RowPack::bearing ? 1 : 0;
+  for (int slot = 0; slot < row.count; ++slot) {
+    pack.weight[first + slot][lane] = row.weight[slot];
+    pack.place[first + slot][lane] = row.place[slot];
+    pack.share[first + slot][lane] = share_of_slot(r * row_nodes + slot);
+    if (first + slot > 0) set_lane(pack.rho[first + slot - 1], lane, row.rho[slot]);
+  }
+  const Symmetric3<double>& j = row.inverse_inertia;
+  const double inverse_inertia[6] = {j.xx, j.yy, j.zz, j.xy, j.yz, j.zx};
+  for (int i = 0; i < 6; ++i) pack.inverse_inertia[i][lane] = inverse_inertia[i];
+  set_lane(pack.arm, lane, row.arm);
+  set_lane(pack.normal, lane, row.normal);
+  set_lane(pack.gap_gradient, lane, row.gap_gradient);
+  pack.missing[lane] = row.gap - row.target;
+  pack.friction[lane] = row.friction;
+  pack.stiffness[0][lane] = row.stiffness;
+  pack.stiffness[1][lane] = row.rub_stiffness;
+  for (int d = 0; d < 2; ++d) {
+    set_lane(pack.tangent[d], lane, row.tangent[d]);
+    pack.slide[d][lane] = row.slide[d];
+  }
+  set_lane(pack.impulse, lane, {row.impulse.push, row.impulse.rub[0], row.impulse.rub[1]});
+  set_lane(pack.previous, lane, {row.previous.push, row.previous.rub[0], row.previous.rub[1]});
+  pack.row[lane] = r;
+}
+
+KOKKOS_INLINE_FUNCTION bool wants_something(const ContactRow& row) {
+  return row.impulse.push > 0 || row.gap < row.target;
+}
+
+/// From now on the nodes of the pack are looked at.
+KOKKOS_INLINE_FUNCTION void stir(const RowPack& pack, const Array<int>& stirred) {
+  for (const auto& places : pack.place)
+    for (const int place : places) Kokkos::atomic_fetch_or(&stirred(place), 1);
+}
+
+KOKKOS_INLINE_FUNCTION bool is_moved(const RowPack& pack, const Array<const int>& moved) {
+  int any = 0;
+  for (const auto& places : pack.place)
+    for (const int place : places) any |= moved(place);
+  return any != 0;
+}
+
+/// dv of a place in the extrapolated iterate.
+KOKKOS_INLINE_FUNCTION void set_dv(const RowPacks& packs, int a, const Point3& dv) {
+  store_row(packs.dv, a, dv);
+  packs.dv(a, 3) = 0;
+  packs.moved(a) = dv.x != 0 || dv.y != 0 || dv.z != 0 ? 1 : 0;
+}
+
+KOKKOS_INLINE_FUNCTION Point3 extrapolate(const Point3& dv, const Point3& before, double beta) {
+  return beta > 0 ? dv + beta * (dv - before) : dv;
+}
+
+/// Corrects the rows of an active pack and adds up how they changed. Flattened: a call in here would spill all registers.
+[[gnu::flatten]] KOKKOS_FUNCTION void advance_pack(RowPack& pack, const Rows4<double>& dv, const Rows4<double>& shares,
+                                                   double beta, double dt, PassSums& sums) {
+  const PackedChange change = correct_pack(pack, dv, beta, dt);
+  share_pack(pack, shares);
+  alignas(64) double size[RowPack::lanes], backwards[RowPack::lanes];
+  store_pack(size, change.size);
+  store_pack(backwards, change.backwards);
+  for (int lane = 0; lane < RowPack::lanes; ++lane) {
+    sums.change = size[lane] > sums.change ? size[lane] : sums.change;
+    if (backwards[lane] != 0) sums.backwards.add(backwards[lane]);
+  }
+}
+
+/// Rows that want something first, both kinds ascending.
+template <class Space>
+void order_rows(const Space& space, const Array<const ContactRow>& rows, int num_rows, RowPacks& packs) {
+  reserve(packs.order, num_rows);
+  reserve(packs.resting, num_rows);
+  const int wanting = list_where<Space>(
+      space, num_rows, [rows] KOKKOS_FUNCTION(int r) { return wants_something(rows(r)); }, packs.order);
+  const int resting = list_where<Space>(
+      space, num_rows, [rows] KOKKOS_FUNCTION(int r) { return !wants_something(rows(r)); }, packs.resting);
+  const Array<int> order = packs.order, others = packs.resting;
+  Kokkos::parallel_for(
+      "contact::append_resting_rows", RangeOf<Space>(space, 0, resting),
+      KOKKOS_LAMBDA(int i) { order(wanting + i) = others(i); });
+}
+
+}  // namespace
+
+template <class Space>
+void pack_rows(const Space& space, RowSystem& system) {
+  RowPacks& packs = system.packs;
+  const int num_rows = system.num_rows, nowhere = system.num_places();
+  packs.count = (num_rows + RowPack::lanes - 1) / RowPack::lanes;
+  order_rows<Space>(space, system.rows, num_rows, packs);
+  reserve(packs.pack, packs.count);
+  reserve(packs.active, packs.count);
+  reserve(packs.dv, nowhere + 1);
+  reserve(packs.moved, nowhere + 1);
+  reserve(packs.stirred, nowhere + 1);
+  const RowPacks p = packs;
+  const Rows3<double> correction = system.correction;
+  Kokkos::parallel_for(
+      "contact::clear_places", RangeOf<Space>(space, 0, nowhere + 1), KOKKOS_LAMBDA(int a) {
+        set_dv(p, a, Point3{});
+        p.stirred(a) = 0;
+        if (a < nowhere) store_row(correction, a, Point3{});
+      });
+  const Array<const ContactRow> rows = system.rows;
+  const Array<const int> share_of_slot = system.share_of_slot;
+  const Rows4<double> shares = system.shares;
+  Kokkos::parallel_for(
+      "contact::pack_rows", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
+        RowPack& pack = p.pack(i);
+        pack.rubs = 0;
+        p.active(i) = 0;
+        for (int lane = 0; lane < RowPack::lanes; ++lane) {
+          clear_lane(pack, lane, nowhere);
+          if (i * RowPack::lanes + lane >= num_rows) continue;
+          const int r = p.order(i * RowPack::lanes + lane);
+          set_row(pack, lane, rows(r), r, share_of_slot);
+          if (rows(r).friction > 0) pack.rubs = 1;
+          if (wants_something(rows(r))) p.active(i) = 1;
+        }
+        share_pack(pack, shares);
+        if (p.active(i) != 0) stir(pack, p.stirred);
+      });
+  const Array<const int> remote_place = system.remote_place;
+  Kokkos::parallel_for(
+      "contact::stir_remote", RangeOf<Space>(space, 0, system.num_remote),
+      KOKKOS_LAMBDA(int k) { Kokkos::atomic_fetch_or(&p.stirred(remote_place(k)), 1); });
+}
+
+template <class Space>
+void move_nodes(const Space& space, double beta, const RowSystem& system) {
+  place_remote_shares(space, system);
+  const ShareSums sums(system);
+  const RowPacks p = system.packs;
+  const Rows3<double> correction = system.correction;
+  const Rows3<const double> inverse_mass = system.at.inverse_mass;
+  const int num_owned = system.num_nodes;
+  Kokkos::parallel_for(
+      "contact::move_nodes", RangeOf<Space>(space, 0, system.num_places()), KOKKOS_LAMBDA(int a) {
+        const Point3 before = load_row(correction, a);
+        if (a >= num_owned) {
+          store_row(p.dv, a, before);
+          return;
+        }
+        if (p.stirred(a) == 0) return;
+        const Point3 dv = multiply(load_row(inverse_mass, a), sums(a));
+        store_row(correction, a, dv);
+        set_dv(p, a, extrapolate(dv, before, beta));
+      });
+}
+
+template <class Space>
+void move_foreign_nodes(const Space& space, double beta, const RowSystem& system) {
+  const RowPacks p = system.packs;
+  const Rows3<const double> correction = system.correction;
+  Kokkos::parallel_for(
+      "contact::move_foreign_nodes", RangeOf<Space>(space, system.num_nodes, system.num_places()),
+      KOKKOS_LAMBDA(int a) { set_dv(p, a, extrapolate(load_row(correction, a), load_row(p.dv, a), beta)); });
+}
+
+template <class Space>
+PassSums correct_rows(const Space& space, double beta, double dt, const RowSystem& system, RowSumMemory& memory) {
+  const RowPacks p = system.packs;
+  const Rows4<double> shares = system.shares;
+  return sum_rows<PassSums>(space, p.count, memory.pass, [p, shares, beta, dt] KOKKOS_FUNCTION(int i, PassSums& s) {
+    RowPack& pack = p.pack(i);
+    if (p.active(i) == 0) {
+      if (!is_moved(pack, p.moved)) return;
+      p.active(i) = 1;
+      stir(pack, p.stirred);
+    }
+    advance_pack(pack, p.dv, shares, beta, dt, s);
+  });
+}
+
+template <class Space>
+void straighten_gaps(const Space& space, const RowSystem& system) {
+  const RowPacks p = system.packs;
+  const Array<ContactRow> rows = system.rows;
+  Kokkos::parallel_for(
+      "contact::straighten_gaps", RangeOf<Space>(space, 0, p.count), KOKKOS_LAMBDA(int i) {
+        RowPack& pack = p.pack(i);
+        for (int lane = 0; lane < RowPack::lanes; ++lane) {
+          if (pack.row[lane] < 0) continue;
+          ContactRow& row = rows(pack.row[lane]);
+          row.gap_gradient = row.normal;
+          set_lane(pack.gap_gradient, lane, row.normal);
+        }
+      });
+}
+
+template <class Space>
+void unpack_rows(const Space& space, const RowSystem& system) {
+  const RowPacks p = system.packs;
+  const Array<ContactRow> rows = system.rows;
+  Kokkos::parallel_for(
+      "contact::unpack_rows", RangeOf<Space>(space, 0, p.count), KOKKOS_LAMBDA(int i) {
+        if (p.active(i) == 0) return;
+        const RowPack& pack = p.pack(i);
+        for (int lane = 0; lane < RowPack::lanes; ++lane) {
+          if (pack.row[lane] < 0) continue;
+          ContactRow& row = rows(pack.row[lane]);
+          row.previous = {pack.previous[0][lane], {pack.previous[1][lane], pack.previous[2][lane]}};
+          row.impulse = {pack.impulse[0][lane], {pack.impulse[1][lane], pack.impulse[2][lane]}};
+          row.force = sum_impulse(row, row.impulse);
+          row.couple = find_couple(row, row.force);
+        }
+      });
+}
+
+#define PERCUSS_INSTANTIATE(Space)                                                                \
+  template void pack_rows(const Space&, RowSystem&);                                              \
+  template void move_nodes(const Space&, double, const RowSystem&);                               \
+  template void move_foreign_nodes(const Space&, double, const RowSystem&);                       \
+  template PassSums correct_rows(const Space&, double, double, const RowSystem&, RowSumMemory&);  \
+  template void straighten_gaps(const Space&, const RowSystem&);                                  \
+  template void unpack_rows(const Space&, const RowSystem&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss
