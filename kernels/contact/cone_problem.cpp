@@ -24,6 +24,7 @@ struct HostProblem {
         offset(copy_to_host(problem.a.offset)),
         column(copy_to_host(problem.a.column)),
         value(copy_to_host(problem.a.value)),
+        friction(copy_to_host(problem.friction)),
         row_of(static_cast<std::size_t>(problem.a.num_rows)) {
     for (int r = 0; r < num_rows; ++r)
       for (int i = first(r); i < first(r + 1); ++i) row_of[static_cast<std::size_t>(i)] = r;
@@ -34,6 +35,7 @@ struct HostProblem {
       if (column(i) == unknown) return value(i);
     return 0;
   }
+  bool is_tied(int row) const { return friction(row) >= contact_limits::no_friction_limit; }
   /// Calls visit(row) for the rows that are coupled with row r, perhaps more than once. A's pattern is symmetric.
   template <class Visit>
   void for_neighbours(int r, const Visit& visit) const {
@@ -43,7 +45,7 @@ struct HostProblem {
 
   int num_rows;
   decltype(copy_to_host(ConeProblem().first)) first, offset, column;
-  decltype(copy_to_host(SparseMatrix().value)) value;
+  decltype(copy_to_host(SparseMatrix().value)) value, friction;
   std::vector<int> row_of;  // of each unknown
 };
 
@@ -58,9 +60,15 @@ std::vector<RowTwins> pair_twins(const HostProblem& problem) {
     block.row = r;
     const int f = problem.first(r);
     block.a11 = problem.find(f, f);
+    if (problem.is_tied(r)) {
+      blocks.push_back(block);
+      continue;
+    }
     for (int i = problem.offset(f); i < problem.offset(f + 1) && block.twin < 0 && block.a11 > 0; ++i) {
       const int g = problem.column(i), other = problem.row_of[static_cast<std::size_t>(g)];
-      if (other <= r || is_taken[static_cast<std::size_t>(other)] != 0 || problem.first(other) != g) continue;
+      if (other <= r || is_taken[static_cast<std::size_t>(other)] != 0 || problem.first(other) != g ||
+          problem.is_tied(other))
+        continue;
       block.a12 = problem.value(i);
       block.a21 = problem.find(g, f);
       block.a22 = problem.find(g, g);

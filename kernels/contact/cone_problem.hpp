@@ -28,7 +28,7 @@ struct ConeProblem {
   Array<const double> b;         // [unknowns] [velocity]
   int num_rows = 0;              // contact rows
   Array<const int> first;        // [num_rows + 1] first unknown of each: its push, then its rubs (none or two)
-  Array<const double> friction;  // [num_rows]
+  Array<const double> friction;  // [num_rows]; no_friction_limit: a tie, whose three unknowns only want w = 0
   // [num_rows] Of two rows that push the same nodes almost the same way, as a corner on a corner seen from both sides,
   // the leader rubs for both, up to the sum of their limits, and the follower's rub is zero. -1: none; found by the
   // solver.

@@ -4,12 +4,18 @@
 #include <cmath>
 
 #include "kernels/contact/cone_problem.hpp"
+#include "kernels/contact/contact_limits.hpp"
 
 namespace percuss {
 
 /// Whether a row rubs for itself: not without friction, and not if its twin rubs for both.
 KOKKOS_INLINE_FUNCTION bool has_rub(const ConeProblem& problem, int row) {
   return problem.first(row + 1) - problem.first(row) > 1 && problem.leader(row) < 0;
+}
+
+/// Whether a row holds its three directions both ways: its friction tells.
+KOKKOS_INLINE_FUNCTION bool is_tied(const ConeProblem& problem, int row) {
+  return problem.friction(row) >= contact_limits::no_friction_limit;
 }
 
 /// Coulomb's limit of a row's rub, that of its follower added.
@@ -73,11 +79,11 @@ KOKKOS_INLINE_FUNCTION void project_on_disc(double limit, double& t1, double& t2
 /// too.
 KOKKOS_INLINE_FUNCTION void project_push(const ConeProblem& problem, int row, const Array<double>& z) {
   const int f = problem.first(row);
-  if (!(z(f) > 0)) z(f) = 0;
+  if (!(z(f) > 0) && !is_tied(problem, row)) z(f) = 0;
 }
 KOKKOS_INLINE_FUNCTION void project_rub(const ConeProblem& problem, int row, const Array<double>& z) {
   const int f = problem.first(row);
-  if (has_rub(problem, row)) project_on_disc(find_limit(problem, row, z), z(f + 1), z(f + 2));
+  if (has_rub(problem, row) && !is_tied(problem, row)) project_on_disc(find_limit(problem, row, z), z(f + 1), z(f + 2));
 }
 
 /// What a row does in an iterate.
@@ -85,6 +91,7 @@ enum RowStatus : int { is_apart, sticks, slides };
 
 KOKKOS_INLINE_FUNCTION int find_status(const ConeProblem& problem, int row, const Array<double>& z) {
   constexpr double inside = 1 - 1e-9;  // share of Coulomb's limit below which a rub was not shortened
+  if (is_tied(problem, row)) return sticks;
   const int f = problem.first(row);
   const bool pushes = z(f) > 0 || find_limit(problem, row, z) > 0;
   if (!pushes) return is_apart;
@@ -96,6 +103,7 @@ KOKKOS_INLINE_FUNCTION int find_status(const ConeProblem& problem, int row, cons
 /// Longest share, at most 1, of the way from z to `to` on which the row keeps what it does: it pushes, it sticks.
 KOKKOS_INLINE_FUNCTION double find_open_way(const ConeProblem& problem, int row, const Array<double>& z,
                                             const Array<double>& to) {
+  if (is_tied(problem, row)) return 1;
   const int status = find_status(problem, row, z), f = problem.first(row);
   if (status == is_apart) return 1;
   double way = to(f) < 0 && z(f) > 0 ? z(f) / (z(f) - to(f)) : 1;
@@ -193,9 +201,21 @@ KOKKOS_INLINE_FUNCTION void correct_twin_pushes(const ConeProblem& problem, cons
   }
 }
 
+/// Meets the conditions of a tie, one direction after the other; one that nothing moves stays.
+KOKKOS_INLINE_FUNCTION void correct_tie(const ConeProblem& problem, int row, const Array<double>& z) {
+  for (int i = problem.first(row); i < problem.first(row + 1); ++i) {
+    const double diagonal = find_entry(problem.a, i, i);
+    if (diagonal > 0) z(i) -= find_velocity(problem, z, i) / diagonal;
+  }
+}
+
 /// Meets the conditions of one row, or of two twins, with all others as they are: pushes before rubs.
 KOKKOS_INLINE_FUNCTION void correct_twins(const ConeProblem& problem, const Array<const ConeBlock>& blocks,
                                           const RowTwins& twins, double slack, const Array<double>& z) {
+  if (is_tied(problem, twins.row)) {
+    correct_tie(problem, twins.row, z);
+    return;
+  }
   if (!(blocks(twins.row).push > 0)) return;
   if (twins.twin < 0)
     correct_push(problem, blocks(twins.row), twins.row, z);
@@ -207,6 +227,14 @@ KOKKOS_INLINE_FUNCTION void correct_twins(const ConeProblem& problem, const Arra
 /// Deviation from the conditions: the natural map z - P(z - w / D), as a velocity.
 KOKKOS_INLINE_FUNCTION double find_deviation(const ConeProblem& problem, const ConeBlock& block, int row,
                                              const Array<double>& z) {
+  if (is_tied(problem, row)) {
+    double most = 0;
+    for (int i = problem.first(row); i < problem.first(row + 1); ++i) {
+      const double w = find_entry(problem.a, i, i) > 0 ? std::fabs(find_velocity(problem, z, i)) : 0;
+      most = w > most ? w : most;
+    }
+    return most;
+  }
   if (!(block.push > 0)) return 0;
   const int f = problem.first(row);
   const double w = find_velocity(problem, z, f), force = block.push * z(f);

@@ -48,6 +48,8 @@ inline constexpr double history_reach_through = 0.3;
 
 /// Independent pushes a node may obey at once.
 inline constexpr int max_touches = 3;
+/// Friction of a tie's row, which holds its three directions both ways.
+inline constexpr double no_friction_limit = 1e300;
 /// Quanta of the keys that order the faces of a node: share of the step, of h.
 inline constexpr double time_quantum = 1.0 / 1024;
 inline constexpr double depth_quantum = 1e-3;

@@ -1,6 +1,6 @@
 #pragma once
 // One row of the contact system: a node against a face, an edge against an edge or a node against a wall, in the normal
-// and two tangential directions.
+// and two tangential directions; or a node tied to a face (tie_row.hpp) in the directions of the axes.
 //
 // The row sees its nodes through signed weights w: those of the point that is pushed sum to 1, those of the point that
 // pushes back to -1. Node on face: 1 and -N_i. Edge on edge: 1 - s, s and t - 1, -t. An impulse P acts on node i as
@@ -11,6 +11,7 @@
 // x_n x m v(n+1/2) is kept exactly when the moments are taken with the places at n. Solvers see slots, weights and
 // directions only; a wall's row has one node and nothing that pushes back.
 
+#include "kernels/contact/contact_limits.hpp"
 #include "kernels/contact/point3.hpp"
 
 namespace percuss {
@@ -25,10 +26,10 @@ struct RowImpulse {
   double rub[2] = {0, 0};
 };
 
-enum class RowKind { face, edges, wall };
+enum class RowKind { face, edges, wall, tie };
 
 struct ContactRow {
-  std::int64_t key = 0;    // its place in every sum: by (node, face), then edge pairs, then walls
+  std::int64_t key = 0;    // its place in every sum: by (node, face), then edge pairs, ties, walls
   std::int64_t face = -1;  // number of the contact face or of edge B; -1: a wall
   RowKind kind = RowKind::wall;
   int count = 1;                                // slots in use
@@ -42,8 +43,8 @@ struct ContactRow {
   Symmetric3<double> inverse_inertia{};  // J^-1
   Point3 arm{};                          // r
   Point3 normal{}, tangent[2]{};
-  Point3 gap_gradient{};  // of the gap by the place of the pushed point; gap_gradient . normal = 1
-  double friction = 0;
+  Point3 gap_gradient{};         // of the gap by the place of the pushed point; gap_gradient . normal = 1
+  double friction = 0;           // contact_limits::no_friction_limit: a tie
   int pair = 0;                  // of surfaces, as work is booked; walls are the last
   bool is_held = false;          // nothing moves its nodes
   double spring = 0;             // stiffness of a penalty row [force/length], 0: none
@@ -57,6 +58,7 @@ struct ContactRow {
   Point3 force{}, couple{};      // P and q of `impulse`
 };
 
+KOKKOS_INLINE_FUNCTION bool is_tie(const ContactRow& row) { return row.kind == RowKind::tie; }
 KOKKOS_INLINE_FUNCTION int count_nodes(const ContactRow& row) { return row.count; }
 KOKKOS_INLINE_FUNCTION int count_directions(const ContactRow& row) { return row.friction > 0 ? 3 : 1; }
 KOKKOS_INLINE_FUNCTION const Point3& get_direction(const ContactRow& row, int d) {
@@ -111,8 +113,9 @@ KOKKOS_INLINE_FUNCTION Point3 sum_impulse(const ContactRow& row, const RowImpuls
   return row.friction > 0 ? push + (p.rub[0] * row.tangent[0] + p.rub[1] * row.tangent[1]) : push;
 }
 
-/// Shortens the rub to Coulomb's limit, friction times push.
+/// Shortens the rub to Coulomb's limit, friction times push; a tie has none.
 KOKKOS_INLINE_FUNCTION void limit_rub(const ContactRow& row, RowImpulse& p) {
+  if (is_tie(row)) return;
   const double limit = row.friction * p.push;
   const double length = std::sqrt(p.rub[0] * p.rub[0] + p.rub[1] * p.rub[1]);
   if (!(length > limit)) return;
@@ -122,12 +125,13 @@ KOKKOS_INLINE_FUNCTION void limit_rub(const ContactRow& row, RowImpulse& p) {
 }
 
 /// One corrected force of the iteration: the impulse that would close the row if its neighbours followed, pushing
-/// only, within Coulomb's limit. y: impulse to correct; u: work velocity of the correction that y and all others cause.
+/// only (but for ties), within Coulomb's limit. y: impulse to correct; u: work velocity of the correction that y and
+/// all others cause.
 KOKKOS_INLINE_FUNCTION RowImpulse correct_impulse(const ContactRow& row, const RowImpulse& y, const Point3& u,
                                                   double dt) {
   RowImpulse p;
   const double push = y.push - (row.gap - row.target + dt * dot(row.gap_gradient, u)) / (dt * row.stiffness);
-  p.push = push > 0 ? push : 0;
+  p.push = push > 0 || is_tie(row) ? push : 0;
   if (!(row.friction > 0)) return p;
   for (int d = 0; d < 2; ++d)
     p.rub[d] = y.rub[d] - (row.slide[d] + dt * dot(row.tangent[d], u)) / (dt * row.rub_stiffness);

@@ -53,6 +53,7 @@ struct ContactHistory {
   Rows3<double> slip;        // [records] tangential displacement that sticking still owes
   Array<double> reference;   // [records] overlap accepted at the start, >= 0
   EdgeHistory edges{};
+  Rows3<double> ties{};  // [ties] impulse on the tied node in the last step
 };
 
 /// One record of the history.

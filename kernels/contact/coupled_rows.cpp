@@ -159,6 +159,13 @@ void set_impulses(const Space& space, const std::vector<RowImpulse>& impulses, c
   space.fence();
 }
 
+/// Largest of n absolute values.
+double find_largest(const double* values, int n) {
+  double largest = 0;
+  for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(values[i]));
+  return largest;
+}
+
 CoupledReport solve_coupled_rows(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
   constexpr double tolerance = 1e-10;  // of the largest closing velocity
   std::vector<int> first;
@@ -174,7 +181,7 @@ CoupledReport solve_coupled_rows(const std::vector<CoupledRow>& rows, double dt,
       b.push_back(r.row.slide[d - 1] / dt);
       guess.push_back(r.row.impulse.rub[d - 1]);
     }
-    closing = std::max(closing, -velocity);
+    closing = std::max(closing, is_tie(r.row) ? find_largest(b.data() + first.back(), 3) : -velocity);
   }
   first.push_back(static_cast<int>(b.size()));
   impulses.assign(rows.size(), {});

@@ -6,8 +6,12 @@ template <class Space>
 PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, RowSumMemory& memory) {
   const Array<const ContactRow> rows = system.rows;
   return sum_rows<PredictedGaps>(space, system.num_rows, memory.gaps, [rows] KOKKOS_FUNCTION(int r, PredictedGaps& s) {
+    if (is_tie(rows(r))) {
+      s.merge({0, max_component({rows(r).gap, rows(r).slide[0], rows(r).slide[1]}), rows(r).size, 1});
+      return;
+    }
     const double missing = rows(r).target - rows(r).gap;
-    s.merge({missing > 0 ? missing : 0, rows(r).size, 1});
+    s.merge({missing > 0 ? missing : 0, 0, rows(r).size, 1});
   });
 }
 

@@ -15,11 +15,13 @@ namespace percuss {
 /// What the rows ask for before the iteration.
 struct PredictedGaps {
   double deepest = 0;        // largest penetration to be closed [length]
+  double farthest_tied = 0;  // largest distance of a tied node from its place, by component [length]
   double smallest_size = 0;  // smallest h of a row, 0: no rows
   std::int64_t rows = 0;
 
   KOKKOS_INLINE_FUNCTION void merge(const PredictedGaps& other) {
     deepest = other.deepest > deepest ? other.deepest : deepest;
+    farthest_tied = other.farthest_tied > farthest_tied ? other.farthest_tied : farthest_tied;
     if (other.rows > 0 && (rows == 0 || other.smallest_size < smallest_size)) smallest_size = other.smallest_size;
     rows += other.rows;
   }
@@ -27,25 +29,27 @@ struct PredictedGaps {
 
 /// What one pass over the rows says about convergence.
 struct PassSums {
-  PredictedGaps gaps;  // before the first pass only
-  double change = 0;   // largest change of an impulse as a displacement: |p' - y| dt D [length]
-  ExactSum backwards;  // sum of D (y - p') (p' - p): positive when the extrapolation points back
+  PredictedGaps gaps;     // before the first pass only
+  double change = 0;      // largest change of an impulse as a displacement: |p' - y| dt D [length]
+  double tie_change = 0;  // the same of ties
+  ExactSum backwards;     // sum of D (y - p') (p' - p): positive when the extrapolation points back
 
   KOKKOS_INLINE_FUNCTION void merge(const PassSums& other) {
     gaps.merge(other.gaps);
     change = other.change > change ? other.change : change;
+    tie_change = other.tie_change > tie_change ? other.tie_change : tie_change;
     backwards.merge(other.backwards);
   }
 };
 
 /// What the impulses of a step did.
 struct EnforcementSums {
-  std::int64_t pushes = 0;        // rows with a push
+  std::int64_t pushes = 0;        // rows with a push; ties
   ExactSum normal_work;           // of the pushes
   ExactSum friction_work;         // of the rubs
   ExactSum stored;                // energy in the springs of penalty rows at n+1
   double rate = 0;                // bound of the square of the frequency that these springs add [1/time^2]
-  double residual = 0;            // largest penetration left over / h
+  double residual = 0;            // largest penetration, or way of a tied node to its place, left over / h
   double deepest = 0;             // deepest penetration at n / h beyond what was accepted at the start
   std::int64_t deepest_key = -1;  // of the row that has it, lowest of equals
 

@@ -22,6 +22,10 @@ struct RowWork {
 KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv) {
   const Point3 mean = find_work_velocity(row, MeanVelocity{at.v_before, at.v, dv, row});
   RowWork work;
+  if (is_tie(row)) {
+    work.normal = dot(row.force, mean);
+    return work;
+  }
   if (row.impulse.push > 0) work.normal = row.impulse.push * dot(row.normal, mean);
   if (row.friction > 0)
     work.friction = row.impulse.rub[0] * dot(row.tangent[0], mean) + row.impulse.rub[1] * dot(row.tangent[1], mean);
@@ -43,9 +47,23 @@ KOKKOS_INLINE_FUNCTION double find_stored(const ContactRow& row, const RowNodes&
   return energy;
 }
 
+KOKKOS_INLINE_FUNCTION void add_tie_outcome(const ContactRow& row, double work, const Rows3<const double>& dv,
+                                            double dt, EnforcementSums& sums) {
+  ++sums.pushes;
+  if (work != 0) sums.normal_work.add(work);
+  const Point3 moved = dt * find_work_velocity(row, TouchedVelocity{dv, row});
+  const Point3 left{row.gap + moved.x, row.slide[0] + moved.y, row.slide[1] + moved.z};
+  const double residual = max_component(left) / row.size;
+  sums.residual = residual > sums.residual ? residual : sums.residual;
+}
+
 KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
                                         double dt, EnforcementSums& sums) {
   const RowWork work = find_work(row, at, dv);
+  if (is_tie(row)) {
+    add_tie_outcome(row, work.normal, dv, dt, sums);
+    return;
+  }
   sums.pushes += row.impulse.push > 0 ? 1 : 0;
   if (work.normal != 0) sums.normal_work.add(work.normal);
   if (row.friction > 0) sums.friction_work.add(work.friction);
@@ -88,6 +106,10 @@ KOKKOS_INLINE_FUNCTION void write_record(const ContactRow& row, const Rows3<cons
                                          const ContactHistory& history) {
   if (row.kind == RowKind::edges) {
     write_edge_record(row, dv, dt, history.edges);
+    return;
+  }
+  if (is_tie(row)) {
+    store_row(history.ties, row.record, row.force);
     return;
   }
   store_row(history.impulse, row.record, row.force);

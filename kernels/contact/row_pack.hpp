@@ -24,13 +24,15 @@ struct alignas(64) RowPack {
   double normal[3][lanes], gap_gradient[3][lanes], tangent[2][3][lanes];
   double missing[lanes];                         // gap - target, below 0 where something is to be closed
   double slide[2][lanes];                        // as in ContactRow
-  double friction[lanes];                        // likewise
+  double friction[lanes];                        // likewise; 0 for a tie
+  double tied[lanes];                            // 1: a tie, which has no sign and no limit
   double stiffness[2][lanes];                    // D of the push and of the rubs
   double impulse[3][lanes], previous[3][lanes];  // push and rubs of iterates k and k-1
   int place[row_nodes][lanes];                   // of the nodes in RowPacks::dv
   int share[row_nodes][lanes];                   // of the impulses in RowSystem::shares, -1: nowhere
   int row[lanes];                                // -1: no row
-  int rubs;                                      // whether any row has friction
+  int rubs;                                      // whether any row has friction, or is a tie
+  int ties;                                      // whether any row is a tie
 };
 
 /// The rows of a step in packs. Those that want something from the start come first, so that packs of others may rest.
@@ -102,6 +104,12 @@ KOKKOS_FORCEINLINE_FUNCTION void limit_rub(const Packed& friction, Packed (&p)[3
   p[2] = p[2] * factor;
 }
 
+/// Gives the ties among the rows what they ask for, `free`.
+KOKKOS_FORCEINLINE_FUNCTION void free_ties(const RowPack& pack, const Packed (&free)[3], Packed (&p)[3]) {
+  const auto is_tied = load_pack(pack.tied) > Packed(0);
+  for (int d = 0; d < 3; ++d) p[d] = select(is_tied, free[d], p[d]);
+}
+
 /// Change of the impulses of a pack from y: its size as a displacement, how far it points back.
 struct PackedChange {
   Packed size = Packed(0), backwards = Packed(0);
@@ -131,15 +139,17 @@ KOKKOS_FORCEINLINE_FUNCTION PackedChange correct_pack(RowPack& pack, const Rows4
   const Packed push =
       y[0] - (load_pack(pack.missing) + step * dot(load_point(pack.gap_gradient), u)) / (step * stiffness);
   p[0] = select(push > Packed(0), push, Packed(0));
-  change.add(y[0], p[0], load_pack(pack.impulse[0]), stiffness, dt);
   if (pack.rubs != 0) {
     const Packed rub_stiffness = load_pack(pack.stiffness[1]);
     for (int d = 1; d < 3; ++d)
       p[d] = y[d] - (load_pack(pack.slide[d - 1]) + step * dot(load_point(pack.tangent[d - 1]), u)) /
                         (step * rub_stiffness);
+    const Packed free[3] = {push, p[1], p[2]};
     limit_rub(load_pack(pack.friction), p);
+    if (pack.ties != 0) free_ties(pack, free, p);
     for (int d = 1; d < 3; ++d) change.add(y[d], p[d], load_pack(pack.impulse[d]), rub_stiffness, dt);
   }
+  change.add(y[0], p[0], load_pack(pack.impulse[0]), stiffness, dt);
   for (int d = 0; d < directions; ++d) {
     store_pack(pack.previous[d], load_pack(pack.impulse[d]));
     store_pack(pack.impulse[d], p[d]);

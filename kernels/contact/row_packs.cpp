@@ -25,7 +25,7 @@ KOKKOS_INLINE_FUNCTION void clear_lane(RowPack& pack, int lane, int nowhere) {
   for (auto* values : {pack.arm, pack.normal, pack.gap_gradient, pack.tangent[0], pack.tangent[1], pack.impulse,
                        pack.previous})
     set_lane(values, lane, {});
-  for (auto* value : {pack.missing, pack.slide[0], pack.slide[1], pack.friction}) value[lane] = 0;
+  for (auto* value : {pack.missing, pack.slide[0], pack.slide[1], pack.friction, pack.tied}) value[lane] = 0;
   pack.stiffness[0][lane] = pack.stiffness[1][lane] = 1;
   pack.row[lane] = -1;
 }
@@ -46,7 +46,8 @@ KOKKOS_INLINE_FUNCTION void set_row(RowPack& pack, int lane, const ContactRow& r
   set_lane(pack.normal, lane, row.normal);
   set_lane(pack.gap_gradient, lane, row.gap_gradient);
   pack.missing[lane] = row.gap - row.target;
-  pack.friction[lane] = row.friction;
+  pack.friction[lane] = is_tie(row) ? 0 : row.friction;
+  pack.tied[lane] = is_tie(row) ? 1 : 0;
   pack.stiffness[0][lane] = row.stiffness;
   pack.stiffness[1][lane] = row.rub_stiffness;
   for (int d = 0; d < 2; ++d) {
@@ -59,7 +60,7 @@ KOKKOS_INLINE_FUNCTION void set_row(RowPack& pack, int lane, const ContactRow& r
 }
 
 KOKKOS_INLINE_FUNCTION bool wants_something(const ContactRow& row) {
-  return row.impulse.push > 0 || row.gap < row.target;
+  return row.impulse.push > 0 || row.gap < row.target || is_tie(row);
 }
 
 /// From now on the nodes of the pack are looked at.
@@ -95,7 +96,8 @@ KOKKOS_INLINE_FUNCTION Point3 extrapolate(const Point3& dv, const Point3& before
   store_pack(size, change.size);
   store_pack(backwards, change.backwards);
   for (int lane = 0; lane < RowPack::lanes; ++lane) {
-    sums.change = size[lane] > sums.change ? size[lane] : sums.change;
+    double& most = pack.tied[lane] > 0 ? sums.tie_change : sums.change;
+    most = size[lane] > most ? size[lane] : most;
     if (backwards[lane] != 0) sums.backwards.add(backwards[lane]);
   }
 }
@@ -142,7 +144,7 @@ void pack_rows(const Space& space, RowSystem& system) {
   Kokkos::parallel_for(
       "contact::pack_rows", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
-        pack.rubs = 0;
+        pack.rubs = pack.ties = 0;
         p.active(i) = 0;
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
           clear_lane(pack, lane, nowhere);
@@ -150,6 +152,7 @@ void pack_rows(const Space& space, RowSystem& system) {
           const int r = p.order(i * RowPack::lanes + lane);
           set_row(pack, lane, rows(r), r, share_of_slot);
           if (rows(r).friction > 0) pack.rubs = 1;
+          if (is_tie(rows(r))) pack.ties = 1;
           if (wants_something(rows(r))) p.active(i) = 1;
         }
         share_pack(pack, shares);

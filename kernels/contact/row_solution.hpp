@@ -64,11 +64,14 @@ SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSyste
   // Share of the smallest h that is enough in any case. What is left over acts on resting bodies like a small noise, so
   // that it must be far below the penetration that gravity causes in a step.
   constexpr double absolute_tolerance = 1e-14;
+  // Share of the largest way that a tied node would take from its place in the step. Ties are always at work: what they
+  // leave is a noise that bodies see in every step.
+  constexpr double tie_tolerance = 1e-6;
   constexpr int max_iterations = 1000;
   // An iteration whose changes are larger than so many iterations before diverges: straighten_gaps() says why.
   constexpr int divergence_window = 50;
   SolveReport report{0, 0, false};
-  double beta = 0, t = 1, enough = 0, change_before = std::numeric_limits<double>::infinity();
+  double beta = 0, t = 1, enough = 0, enough_tied = 0, change_before = std::numeric_limits<double>::infinity();
   PassSums sums;
   sums.gaps = find_predicted_gaps(space, system, memory);
   pack_rows(space, system);
@@ -78,10 +81,12 @@ SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSyste
     if (report.iterations == 0) {
       report.rows = sums.gaps.rows;
       if (report.rows == 0) return report;
-      enough = std::max(tolerance * sums.gaps.deepest, absolute_tolerance * sums.gaps.smallest_size);
+      const double least = absolute_tolerance * sums.gaps.smallest_size;
+      enough = std::max(tolerance * sums.gaps.deepest, least);
+      enough_tied = std::max(tie_tolerance * sums.gaps.farthest_tied, least);
     }
     if (report.iterations > 0) {
-      report.converged = sums.change <= enough;
+      report.converged = sums.change <= enough && sums.tie_change <= enough_tied;
       const double next_t = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
       bool restart = sums.backwards.round() > 0 || report.converged;
       if (report.iterations % divergence_window == 0) {

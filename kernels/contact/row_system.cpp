@@ -2,6 +2,7 @@
 
 #include "kernels/contact/index_lists.hpp"
 #include "kernels/contact/row_geometry.hpp"
+#include "kernels/contact/tie_row.hpp"
 
 namespace percuss {
 namespace {
@@ -18,7 +19,7 @@ struct SlotNodes {
   }
 };
 
-/// Touches of edges come last and number their records from 0.
+/// Touches of edges come after those of faces and number their records from 0.
 template <class Space>
 int count_edge_touches(const Space& space, const Array<const RowTouch>& touches, int num_touches) {
   if (num_touches == 0) return 0;
@@ -206,7 +207,8 @@ void collect_touches(const Space& space, const ContactSurface& surface, const Ca
 template <class Space>
 void start_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
                 const WallPairs& walls, RowSystem& system) {
-  system.num_edge_rows = count_edge_touches(space, touches, num_touches);
+  const int num_ties = static_cast<int>(inputs.ties.extent(0));
+  system.num_edge_rows = count_edge_touches(space, touches, num_touches - num_ties);
   system.num_rows = num_touches + list_near_walls(space, walls, inputs.motion, system);
   const SlotNodes slots{touches, num_touches, system.near_walls, walls.node};
   number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)), slots, system);
@@ -240,7 +242,11 @@ void make_rows(const Space& space, const RowInputs& inputs, const Array<const Ro
             row.place[slot] = n >= 0 ? place(n) : num_nodes - 1 - n;
             if (n < 0) foreign(-1 - n) = r * row_nodes + slot;
           }
-          fill_touch_row(h, in, at, list(r), row);
+          const int record = list(r).record;
+          if (list(r).kind == RowKind::tie)
+            fill_tie_row(in.ties(record), in, at, list(r), load_row(h.ties, record), row);
+          else
+            fill_touch_row(h, in, at, list(r), row);
         }
         rows(r) = row;
       });
@@ -313,7 +319,10 @@ void sum_stiffness(const Space& space, const RowSystem& system) {
             stiffness[d] += (c.x * s.x * w.x + c.y * s.y * w.y) + c.z * s.z * w.z;
           }
         }
-        set_stiffness(row, stiffness);
+        if (is_tie(row))
+          set_tie_stiffness(row, stiffness);
+        else
+          set_stiffness(row, stiffness);
       });
 }
 

@@ -12,6 +12,7 @@
 #include "kernels/contact/edge_check.hpp"
 #include "kernels/contact/row_pack.hpp"
 #include "kernels/contact/row_sums.hpp"
+#include "kernels/contact/tie_geometry.hpp"
 
 namespace percuss {
 
@@ -80,20 +81,23 @@ KOKKOS_INLINE_FUNCTION RowTouch make_edge_row_touch(const EdgeTouch& touch) {
 }
 
 /// Keys of rows: by number of the node and order of its touches; then edge pairs by number of edge A and order of its
-/// touches; then walls. An edge is numbered by its lower node and its place among that node's edges.
+/// touches; then ties by node; then walls. An edge is numbered by its lower node and its place among that node's edges.
 KOKKOS_INLINE_FUNCTION std::int64_t make_face_row_key(std::int64_t node, int touch) {
   return node * (contact_limits::max_touches + 1) + touch;
 }
 inline constexpr int wall_key_bits = 20;        // a million walls, on 4e12 nodes
 inline constexpr int edge_place_bits = 7;       // 128 feature edges that have the same lower node
-inline constexpr int edge_touch_key_bits = 16;  // 65536 touches of an edge, on 2e11 nodes
-inline constexpr std::int64_t first_wall_key = std::int64_t{1} << 62, first_edge_key = std::int64_t{1} << 61;
+inline constexpr int edge_touch_key_bits = 16;  // 65536 touches of an edge, on 1e11 nodes
+inline constexpr std::int64_t first_wall_key = std::int64_t{1} << 62, first_edge_key = std::int64_t{1} << 61,
+                              first_tie_key = std::int64_t{3} << 60;
 KOKKOS_INLINE_FUNCTION std::int64_t make_wall_row_key(std::int64_t node, int wall) {
   return first_wall_key + (node << wall_key_bits) + wall;
 }
 KOKKOS_INLINE_FUNCTION std::int64_t make_edge_row_key(std::int64_t edge, int touch) {
   return first_edge_key + (edge << edge_touch_key_bits) + touch;
 }
+
+KOKKOS_INLINE_FUNCTION std::int64_t make_tie_row_key(std::int64_t node) { return first_tie_key + node; }
 
 /// Number of edge A of the row with this key.
 KOKKOS_INLINE_FUNCTION std::int64_t find_key_edge(std::int64_t key) {
@@ -103,6 +107,7 @@ KOKKOS_INLINE_FUNCTION std::int64_t find_key_edge(std::int64_t key) {
 /// Number of the contact node of the row with this key; of two edges the lower node of edge A.
 KOKKOS_INLINE_FUNCTION std::int64_t find_key_node(std::int64_t key) {
   if (key >= first_wall_key) return (key - first_wall_key) >> wall_key_bits;
+  if (key >= first_tie_key) return key - first_tie_key;
   if (key >= first_edge_key) return find_key_edge(key) >> edge_place_bits;
   return key / (contact_limits::max_touches + 1);
 }
@@ -124,8 +129,9 @@ struct RowInputs {
   Array<const std::int64_t> node_numbers;          // [mesh nodes]
   double impulse_scale = 1;                        // dt / last dt: the same force in this step, the first guess
   double longest_slip = contact_limits::recovery;  // that sticking takes over from earlier steps / h
-  int num_pairs = 1;                               // of surfaces; walls are booked after them
+  int num_pairs = 1;                               // of surfaces and ties; walls are booked after them
   Array<const double> spring{};                    // [mesh nodes] stiffness of springs.hpp, empty without penalty
+  Array<const TieGeometry> ties{};                 // of this rank; their touches come last
 };
 
 struct RowSystem {

@@ -49,6 +49,10 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
     faces(pair.a);
     faces(pair.b);
   }
+  for (const TieDeck& tie : deck.contact.ties) {
+    faces(tie.a);
+    faces(tie.b);
+  }
   findings.gather([&] { find_history_points(deck, chunked); });
 }
 
@@ -74,6 +78,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   scene.contact_nodes = contact.contact_nodes();
   scene.contact_faces = contact.contact_faces();
   scene.overlap = overlap;
+  scene.contact_notes = contact.start_notes();
   if (ranks.rank() == 0) fmt::print("{}", format_scene(scene));
   return ExitCode::done;
 }

@@ -57,6 +57,7 @@ std::string format_contact(const SceneReport& scene) {
   if (!scene.deck.walls.empty()) text += "; " + count(scene.deck.walls.size(), "wall", "walls");
   std::string lines = line("contact", text);
   if (!scene.overlap.empty()) lines += line("", scene.overlap);
+  for (const std::string& note : scene.contact_notes) lines += line("", note);
   return lines;
 }
 

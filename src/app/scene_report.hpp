@@ -26,7 +26,8 @@ struct SceneReport {
   double first_step = 0;                        // time unit of the deck
   std::string controlling_element = {};         // that limits it, in words
   std::int64_t contact_nodes = 0, contact_faces = 0;
-  std::string overlap = {};  // what contact says about overlap at the start; empty if there is none
+  std::string overlap = {};                     // what contact says about overlap at the start; empty if there is none
+  std::vector<std::string> contact_notes = {};  // what else contact says of the start
 };
 
 /// What the mesh tells: everything down to its warnings, of all ranks together. Collective. Throws MpiError.

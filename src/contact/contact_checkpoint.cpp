@@ -53,6 +53,14 @@ void archive_history(CheckpointArchive& archive, const ChunkedMesh& chunked, con
   archive_walls(archive, chunked, walls, history, records);
 }
 
+void archive_ties(CheckpointArchive& archive, const ChunkedMesh& chunked, const TiedSurfaces& ties,
+                  const ContactHistory& history) {
+  if (!ties.any()) return;
+  std::vector<std::int64_t> numbers;
+  for (const TiedNode& tied : ties.nodes) numbers.push_back(tied.node);
+  archive.rows("contact/ties/impulse", find_rows_of_nodes(chunked, numbers), 3, history.ties);
+}
+
 Rows3<double> spread_to_mesh(const Communicator& ranks, const ChunkedMesh& chunked, const SurfaceShare& share,
                              const Rows3<double>& values) {
   const Mesh& mesh = chunked.mesh;

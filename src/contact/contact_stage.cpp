@@ -11,6 +11,7 @@
 #include "src/contact/local_finder.hpp"
 #include "src/contact/ranked_finder.hpp"
 #include "src/contact/start_overlap.hpp"
+#include "src/contact/tie_rows.hpp"
 
 namespace percuss {
 struct ContactStage::Impl {
@@ -20,14 +21,19 @@ struct ContactStage::Impl {
         numbering(chunked.numbering),
         mesh(chunked.mesh),
         exchange(world),
-        share(build_surface_share(chunked, deck, exchange)),
+        ties(find_ties(chunked, deck, world)),
+        share(build_surface_share(chunked, deck, ties, exchange)),
+        tie_rows(seen(), ties, deck.contact),
         walls(build_walls(chunked.mesh, deck, share)),
         has_walls(!deck.walls.empty()),
         contact(deck.contact),
         bound(world, share, deck.contact.reuse_search),
         finder(make_contact_finder(seen(), share, deck.contact.rebalance)),
-        enforcer(seen(), share, walls, deck),
-        history(make_history(share, walls)) {}
+        enforcer(seen(), share, walls, tie_rows.geometry(), deck),
+        history(make_history(share, walls)) {
+    history.ties = Rows3<double>("contact::history_ties", ties.nodes.size());
+    if (ties.any()) start_notes = describe_ties(deck, ties);
+  }
 
   ContactRanks seen() const { return {ranks, numbering, mesh}; }
   bool has_pairs() const { return share.total_searched_faces > 0; }
@@ -44,7 +50,9 @@ struct ContactStage::Impl {
   const Numbering& numbering;
   const Mesh& mesh;
   UnstructuredExchange exchange;
+  const TiedSurfaces ties;
   const SurfaceShare share;
+  const TieRows tie_rows;
   const WallPairs walls;
   const bool has_walls;
   const ContactDeck contact;
@@ -52,6 +60,7 @@ struct ContactStage::Impl {
   std::unique_ptr<ContactFinder> finder;
   Enforcer enforcer;
   ContactHistory history;
+  std::vector<std::string> start_notes;
   Array<RowTouch> touches = Array<RowTouch>("contact::row_touches", 0);
   std::int64_t candidates = 0;  // of the last search, on all ranks
   long searches = 0;
@@ -77,13 +86,13 @@ void ContactStage::Impl::search_again() {
 }
 
 int ContactStage::Impl::check(const SurfaceMotion& motion) {
-  if (candidates == 0) return 0;
+  if (candidates == 0) return tie_rows.append(0, touches);
   const Phase phase("percuss::contact_check", clocks.check);
-  return finder->check(motion, history, touches);
+  return tie_rows.append(finder->check(motion, history, touches), touches);
 }
 
 bool ContactStage::Impl::is_anything_touched(int num_touches) const {
-  if (has_walls) return true;
+  if (has_walls || ties.any()) return true;
   if (candidates == 0) return false;
   // What touched in the last step most likely does again: then asking costs more than it saves.
   if (ranks.size() > 1 && touched_last) return true;
@@ -134,7 +143,9 @@ ContactStage::ContactStage(const ChunkedMesh& chunked, const Deck& deck, const C
     : impl_(std::make_unique<Impl>(chunked, deck, ranks)) {}
 ContactStage::~ContactStage() = default;
 
-bool ContactStage::is_active() const { return impl_->has_pairs() || impl_->has_walls; }
+bool ContactStage::is_active() const { return impl_->has_pairs() || impl_->has_walls || impl_->ties.any(); }
+
+const std::vector<std::string>& ContactStage::start_notes() const { return impl_->start_notes; }
 
 std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
@@ -161,6 +172,7 @@ void ContactStage::archive(CheckpointArchive& archive) {
   Impl& stage = *impl_;
   archive_history(archive, stage.chunks, stage.share, stage.walls, stage.history);
   archive_edges(archive, stage.chunks, stage.share, stage.history.edges);
+  archive_ties(archive, stage.chunks, stage.ties, stage.history);
   stage.bound.archive(archive, find_rows_of_nodes(stage.chunks, stage.share.nodes.numbers));
   stage.enforcer.archive(archive);
   if (archive.is_loading()) stage.search_again();
@@ -187,6 +199,7 @@ std::vector<std::string> name_contact_pairs(const Deck& deck) {
   if (deck.contact.surfaces == ContactDeck::Surfaces::all) names.emplace_back("surfaces");
   const auto name = [](const Selector& surface) { return surface.name.empty() ? std::string("all") : surface.name; };
   for (const SurfacePairDeck& pair : deck.contact.pairs) names.push_back(name(pair.a) + ":" + name(pair.b));
+  for (const TieDeck& tie : deck.contact.ties) names.push_back("tie:" + name(tie.a) + ":" + name(tie.b));
   if (!deck.walls.empty() && !names.empty()) names.emplace_back("walls");
   if (names.size() < 2) names.clear();
   return names;

@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "comm/phase.hpp"
 #include "kernels/core/views.hpp"
@@ -31,11 +32,11 @@ struct ContactMotion {
 /// bodies; every impulse P of a node does the work P . (v(n-1/2) + v(n+1/2)) / 2, which closes the energy balance of
 /// the explicit midpoint rule exactly.
 struct ContactReport {
-  int interactions = 0;         // rows with a push, walls included
+  int interactions = 0;         // rows with a push, walls included, and tied nodes
   std::int64_t candidates = 0;  // candidate pairs held
   bool searched = false;        // whether the search was due
   int iterations = 0;           // of the enforcement
-  double residual = 0;          // largest penetration left over / face edge of its face
+  double residual = 0;          // largest penetration left over, or of a tied node from its place / face edge
   double complementarity = 0;   // lagrange: deviation from complementarity / largest closing velocity
   bool converged = true;
   double normal_work = 0;          // of the pushes
@@ -46,8 +47,8 @@ struct ContactReport {
   std::int64_t deepest_node = -1;  // number of the node that has it
 };
 
-/// Names of what work is booked by: "a:b" for each pair of the deck, "surfaces" where all may touch all, "walls". Empty
-/// where one name would mean all work.
+/// Names of what work is booked by: "surfaces" where all may touch all or "a:b" for each pair of the deck, "tie:a:b"
+/// for each tie, "walls". Empty where one name would mean all work.
 std::vector<std::string> name_contact_pairs(const Deck& deck);
 
 /// Time since the start, by phase.
@@ -63,12 +64,15 @@ class ContactStage {
   ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks);
   ~ContactStage();
 
-  /// Whether the scene has contact or walls at all; if not, apply() must not be called.
+  /// Whether the scene has contact, ties or walls at all; if not, apply() must not be called.
   bool is_active() const;
 
   /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns one
   /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), empty if there is none. Call once before the loop.
   std::string prepare(Rows3<const double> x, Rows3<const double> v);
+
+  /// What else there is to say of the start: a line for each tie.
+  const std::vector<std::string>& start_notes() const;
 
   /// What the stage remembers from step to step. Loaded, the last search is done again, so that what is counted of it
   /// is the same; then prepare() must not be called. Collective.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/tie_rows.hpp"
 
 namespace percuss {
 namespace {
@@ -31,8 +32,10 @@ Array<const double> find_springs(const Mesh& mesh, const SurfaceShare& share, co
 
 }  // namespace
 
-Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls, const Deck& deck)
+Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls,
+                   const Array<const TieGeometry>& ties, const Deck& deck)
     : walls_(walls),
+      ties_(ties),
       node_numbers_(to_view("contact::mesh_node_numbers", ranks.mesh.node_numbers)),
       has_many_ranks_(ranks.ranks.size() > 1),
       deck_(deck.contact),
@@ -108,8 +111,9 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
                          node_numbers_,
                          last_dt_ > 0 ? motion.dt / last_dt_ : 1,
                          has_springs ? std::numeric_limits<double>::infinity() : contact_limits::recovery,
-                         std::max(1, static_cast<int>(deck_.pairs.size())),
-                         spring_};
+                         count_booked_surfaces(deck_) + static_cast<int>(deck_.ties.size()),
+                         spring_,
+                         ties_};
   const double dt_mean = last_dt_ > 0 ? 0.5 * (last_dt_ + motion.dt) : motion.dt;
   last_dt_ = motion.dt;
   remembers_ = true;

@@ -16,10 +16,11 @@ namespace percuss {
 class Enforcer {
  public:
   /// Collective, as are all calls.
-  Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls, const Deck& deck);
+  Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls,
+           const Array<const TieGeometry>& ties, const Deck& deck);
 
-  /// Corrects motion.v and fills motion.impulse for the touches of this rank's contact nodes, on every copy of a node;
-  /// writes the history for the next step; fills in what the report says of enforcement.
+  /// Corrects motion.v and fills motion.impulse for the touches of this rank's contact nodes, its ties last, on every
+  /// copy of a node; writes the history for the next step; fills in what the report says of enforcement.
   void enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
                ContactHistory& history, ContactReport& report);
 
@@ -42,6 +43,7 @@ class Enforcer {
   void update_copies(const ContactMotion& motion);
 
   const WallPairs walls_;
+  const Array<const TieGeometry> ties_;
   const Array<const std::int64_t> node_numbers_;  // [mesh nodes]
   const bool has_many_ranks_;
   const ContactDeck deck_;

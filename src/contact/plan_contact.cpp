@@ -113,7 +113,7 @@ struct ContactPlanner::Reach {
 ContactPlanner::ContactPlanner(const ChunkedMesh& whole, const Deck& deck)
     : whole_(whole),
       exchange_(Communicator(MPI_COMM_SELF)),
-      share_(build_surface_share(whole, deck, exchange_)),
+      share_(build_surface_share(whole, deck, find_ties(whole, deck, exchange_.ranks()), exchange_)),
       x_(to_rows("contact::start_places", whole.mesh.nodes)),
       contact_nodes_(whole.mesh.nodes.size(), -1) {
   for (int n = 0; n < share_.nodes.count(); ++n) {

@@ -7,13 +7,19 @@ namespace {
 
 bool has_surface(const SurfaceSet& set, int surface) { return std::binary_search(set.begin(), set.end(), surface); }
 
+/// Whether one is on one side of a pair or tie and the other on the other.
+bool are_opposite(const SurfaceSet& node, const SurfaceSet& face, std::size_t pair) {
+  const int a = 2 * static_cast<int>(pair), b = a + 1;
+  return (has_surface(node, a) && has_surface(face, b)) || (has_surface(node, b) && has_surface(face, a));
+}
+
 /// Rule for a node on surfaces `node` and a face on surfaces `face`.
 PairRule find_rule(const ContactDeck& contact, const SurfaceSet& node, const SurfaceSet& face) {
-  for (std::size_t p = 0; p < contact.pairs.size(); ++p) {
-    const int a = 2 * static_cast<int>(p), b = a + 1;
-    const bool fits = (has_surface(node, a) && has_surface(face, b)) || (has_surface(node, b) && has_surface(face, a));
-    if (fits) return {static_cast<int>(p), contact.pairs[p].friction.value_or(contact.friction)};
-  }
+  for (std::size_t t = 0; t < contact.ties.size(); ++t)
+    if (are_opposite(node, face, contact.pairs.size() + t)) return {};
+  if (contact.surfaces == ContactDeck::Surfaces::all) return {0, contact.friction};
+  for (std::size_t p = 0; p < contact.pairs.size(); ++p)
+    if (are_opposite(node, face, p)) return {static_cast<int>(p), contact.pairs[p].friction.value_or(contact.friction)};
   return {};
 }
 
@@ -49,8 +55,6 @@ int SurfaceClasses::find(const SurfaceSet& set) const {
 }
 
 std::vector<PairRule> SurfaceClasses::find_rules(const ContactDeck& contact) const {
-  if (contact.surfaces == ContactDeck::Surfaces::all) return {{0, contact.friction}};
-  if (contact.surfaces == ContactDeck::Surfaces::none) return {{}};
   std::vector<PairRule> rules;
   for (const SurfaceSet& node : sets) {
     for (const SurfaceSet& face : sets) rules.push_back(find_rule(contact, node, face));
@@ -58,18 +62,23 @@ std::vector<PairRule> SurfaceClasses::find_rules(const ContactDeck& contact) con
   return rules;
 }
 
-std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, const std::vector<ElementFace>& faces) {
+std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, const TiedSurfaces& ties,
+                                           const std::vector<ElementFace>& faces) {
   std::vector<SurfaceSet> sets(faces.size());
-  if (deck.contact.surfaces != ContactDeck::Surfaces::pairs) return sets;
-  for (std::size_t p = 0; p < deck.contact.pairs.size(); ++p) {
-    const Selector* sides[2] = {&deck.contact.pairs[p].a, &deck.contact.pairs[p].b};
-    for (int side = 0; side < 2; ++side) {
-      for (const ElementFace& selected : select_faces(mesh, deck, *sides[side])) {
-        const auto place = std::lower_bound(faces.begin(), faces.end(), selected);
-        sets[static_cast<std::size_t>(place - faces.begin())].push_back(2 * static_cast<int>(p) + side);
-      }
+  if (deck.contact.surfaces == ContactDeck::Surfaces::none) return sets;
+  const auto add = [&](const std::vector<ElementFace>& selected, std::size_t pair, int side) {
+    for (const ElementFace& face : selected) {
+      const auto place = std::lower_bound(faces.begin(), faces.end(), face);
+      sets[static_cast<std::size_t>(place - faces.begin())].push_back(2 * static_cast<int>(pair) + side);
     }
+  };
+  for (std::size_t p = 0; p < deck.contact.pairs.size(); ++p) {
+    add(select_faces(mesh, deck, deck.contact.pairs[p].a), p, 0);
+    add(select_faces(mesh, deck, deck.contact.pairs[p].b), p, 1);
   }
+  for (std::size_t t = 0; t < ties.faces.size(); ++t)
+    for (std::size_t side = 0; side < 2; ++side)
+      add(ties.faces[t][side], deck.contact.pairs.size() + t, static_cast<int>(side));
   return sets;
 }
 

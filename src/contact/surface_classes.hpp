@@ -3,12 +3,14 @@
 
 #include <vector>
 
+#include "src/contact/ties.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/mesh.hpp"
 
 namespace percuss {
 
-/// Numbers of named surfaces, ascending: 2 p and 2 p + 1 are the sides a and b of the deck's pair p.
+/// Numbers of named surfaces, ascending: 2 p and 2 p + 1 are the sides a and b of the deck's pair p;
+/// then those of its ties, side a as far as it is tied.
 using SurfaceSet = std::vector<int>;
 
 /// How a node may touch a face.
@@ -25,11 +27,13 @@ struct SurfaceClasses {
   int find(const SurfaceSet& set) const;
 
   /// Rules by [class of the node * count() + class of the face]: that of the first pair that fits.
+  /// What is tied to a surface may not touch it.
   std::vector<PairRule> find_rules(const ContactDeck& contact) const;
 };
 
 /// Surfaces of each face of the share. Throws InputError for unknown surfaces. Collective over Mesh::ranks.
-std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, const std::vector<ElementFace>& faces);
+std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, const TiedSurfaces& ties,
+                                           const std::vector<ElementFace>& faces);
 
 /// All sets that occur on any rank. Collective over Mesh::ranks.
 SurfaceClasses agree_on_classes(const Mesh& mesh, std::vector<SurfaceSet> sets);

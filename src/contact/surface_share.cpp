@@ -11,6 +11,17 @@
 #include "src/contact/surface_classes.hpp"
 
 namespace percuss {
+
+std::vector<std::int64_t> number_elements(const ChunkedMesh& chunked) {
+  std::vector<std::int64_t> numbers;
+  numbers.reserve(chunked.mesh.elements.size());
+  for (const Chunk& chunk : chunked.chunks) {
+    for (int e = 0; e < chunk.element_count; ++e)
+      numbers.push_back(chunked.numbering.first_element[static_cast<std::size_t>(chunk.number)] + e);
+  }
+  return numbers;
+}
+
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
@@ -25,17 +36,6 @@ int find_back_corner(int face, int corner) {
   for (const int neighbour : hex_neighbours[corner])
     if (std::find(on_face, on_face + 4, neighbour) == on_face + 4) return neighbour;
   return corner;
-}
-
-/// Number of each element of the share.
-std::vector<std::int64_t> number_elements(const ChunkedMesh& chunked) {
-  std::vector<std::int64_t> numbers;
-  numbers.reserve(chunked.mesh.elements.size());
-  for (const Chunk& chunk : chunked.chunks) {
-    for (int e = 0; e < chunk.element_count; ++e)
-      numbers.push_back(chunked.numbering.first_element[at(chunk.number)] + e);
-  }
-  return numbers;
 }
 
 void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& faces, SurfaceShare& share) {
@@ -218,12 +218,13 @@ void set_lists(const Communicator& ranks, SurfaceShare& share) {
 
 }  // namespace
 
-SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, UnstructuredExchange& exchange) {
+SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
+                                 UnstructuredExchange& exchange) {
   const Mesh& mesh = chunked.mesh;
   SurfaceShare share;
   const std::vector<ElementFace> faces = find_exterior_faces(mesh);
   list_faces(chunked, faces, share);
-  const std::vector<SurfaceSet> face_sets = find_face_surfaces(mesh, deck, faces);
+  const std::vector<SurfaceSet> face_sets = find_face_surfaces(mesh, deck, ties, faces);
   const SurfaceClasses of_faces = agree_on_classes(mesh, face_sets);
   for (std::size_t f = 0; f < faces.size(); ++f) share.faces[f].surface_class = of_faces.find(face_sets[f]);
   list_nodes(mesh, exchange_notices(chunked, share, find_face_springs(mesh, deck, faces), exchange), share.nodes);

@@ -8,6 +8,7 @@
 #include "comm/unstructured_exchange.hpp"
 #include "kernels/contact/row_system.hpp"
 #include "src/contact/feature_edges.hpp"
+#include "src/contact/ties.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
 
@@ -57,8 +58,12 @@ struct SurfaceShare {
   std::vector<int> searched_faces;  // places in `faces`
 };
 
+/// Number of each element of this rank.
+std::vector<std::int64_t> number_elements(const ChunkedMesh& chunked);
+
 /// Finds the contact surface of the mesh. Throws InputError for unknown surfaces. Collective.
-SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, UnstructuredExchange& exchange);
+SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
+                                 UnstructuredExchange& exchange);
 
 /// The deck's rigid walls with the owned contact nodes that may touch them. Throws InputError, on all ranks, for
 /// unknown selections and for one without a contact node. Collective over Mesh::ranks.

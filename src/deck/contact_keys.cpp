@@ -32,6 +32,20 @@ struct PairValue {
   void list(const std::string& path, std::vector<DeckKey>& out) const { list_keys(pair_keys(), path, out); }
 };
 
+const Keys<TieDeck>& tie_keys() {
+  static const Keys<TieDeck> keys = {
+      need("a", &TieDeck::a, SelectorValue{}),
+      need("b", &TieDeck::b, SelectorValue{}),
+      may("distance", &TieDeck::distance, NumberValue{positive}),
+  };
+  return keys;
+}
+
+bool note_place(const Reader&, const Node& node, TieDeck& tie) {
+  tie.place = node.spot.place;
+  return true;
+}
+
 /// all, none or a list of pairs.
 struct SurfacesValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, ContactDeck& out) const {
@@ -60,6 +74,7 @@ const Keys<ContactDeck>& contact_keys() {
   static const Keys<ContactDeck> keys = {
       group<ContactDeck>("surfaces", SurfacesValue{}),
       may("friction", &ContactDeck::friction, NumberValue{not_negative}),
+      may("ties", &ContactDeck::ties, ListValue<MapValue<TieDeck>>{{tie_keys, note_place}}),
       may("overlap", &ContactDeck::overlap,
           ChoiceValue<Overlap>{{{"accept", Overlap::accept}, {"push_out", Overlap::push_out}}}),
       may("enforcement", &ContactDeck::enforcement,
@@ -77,11 +92,20 @@ const Keys<ContactDeck>& contact_keys() {
   return keys;
 }
 
+/// Springs that hold ties as they hold contact would let tied bodies part; ties by impulses beside springs are neither.
+bool check_contact(const Reader& reader, const Node& node, ContactDeck& contact) {
+  if (contact.ties.empty() || contact.enforcement != ContactDeck::Enforcement::penalty) return true;
+  reader.error(node.find("ties")->spot,
+               "ties cannot be held by contact.enforcement: penalty (springs would let them part) use kinematic or "
+               "lagrange");
+  return false;
+}
+
 }  // namespace
 
 bool ContactValue::read(const Reader& reader, const std::string& name, const Node& node, ContactDeck& out) const {
   out.surfaces = ContactDeck::Surfaces::all;
-  return MapValue<ContactDeck>{contact_keys}.read(reader, name, node, out);
+  return MapValue<ContactDeck>{contact_keys, check_contact}.read(reader, name, node, out);
 }
 
 void ContactValue::list(const std::string& path, std::vector<DeckKey>& out) const {

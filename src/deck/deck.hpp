@@ -153,11 +153,18 @@ struct SurfacePairDeck {
   std::optional<double> friction;
 };
 
+struct TieDeck {
+  Selector a, b;                   // nodes of a are tied to faces of b
+  std::optional<double> distance;  // within which nodes are tied [length]; default: a share of the face
+  Place place;
+};
+
 struct ContactDeck {
   enum class Surfaces { none, all, pairs };
   enum class Overlap { accept, push_out };
   Surfaces surfaces = Surfaces::none;
   std::vector<SurfacePairDeck> pairs;  // only with Surfaces::pairs
+  std::vector<TieDeck> ties;
   double friction = 0;
   Overlap overlap = Overlap::accept;  // what happens to overlap found at the start
   /// How impulses are found: by the iterated penalty force to a share of the predicted penetration, all rows as one

@@ -131,6 +131,8 @@ Run::Run(const Deck& deck, const RunOptions& options)
 void Run::begin() {
   if (contact_.is_active()) contact_notice_ = contact_.prepare(state_.x, state_.v);
   if (!contact_notice_.empty() && speaks()) print_quietly(stderr, "{}\n", contact_notice_);
+  if (speaks())
+    for (const std::string& note : contact_.start_notes()) print_quietly(stderr, "{}\n", note);
   compute_start_ = compute_seconds();
   stepper_.start(state_, {stop_requested != 0, false});
   first_dt_ = state_.next_dt;

@@ -31,7 +31,7 @@ struct Built {
         chunked(load_mesh(deck, Communicator::world())),
         mesh(chunked.mesh),
         exchange(Communicator::world()),
-        share(build_surface_share(chunked, deck, exchange)),
+        share(build_surface_share(chunked, deck, find_ties(chunked, deck, Communicator::world()), exchange)),
         surface(make_whole_surface(share)) {}
 
   double friction(int mesh_node, int face) const {
