@@ -47,6 +47,7 @@ struct ContactRow {
   double friction = 0;           // contact_limits::no_friction_limit: a tie
   int pair = 0;                  // of surfaces, as work is booked; walls are the last
   bool is_held = false;          // nothing moves its nodes
+  double torn = 0;               // tie: way to its place in directions in which nothing moves its nodes [length]
   double spring = 0;             // stiffness of a penalty row [force/length], 0: none
   double size = 0;               // h of the face or the edges
   double gap_start = 0;          // gap at n

@@ -55,6 +55,7 @@ KOKKOS_INLINE_FUNCTION void add_tie_outcome(const ContactRow& row, double work, 
   const Point3 left{row.gap + moved.x, row.slide[0] + moved.y, row.slide[1] + moved.z};
   const double residual = max_component(left) / row.size;
   sums.residual = residual > sums.residual ? residual : sums.residual;
+  sums.add_torn(row.torn / row.size, row.key);
 }
 
 KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,

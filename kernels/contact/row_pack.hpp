@@ -67,9 +67,9 @@ struct PackedForce {
   KOKKOS_FORCEINLINE_FUNCTION PackedForce(const RowPack& pack, const Packed (&p)[3]) {
     force = p[0] * load_point(pack.normal);
     if (pack.rubs != 0) force = force + (p[1] * load_point(pack.tangent[0]) + p[2] * load_point(pack.tangent[1]));
-    const Symmetric3<Packed> inverse_inertia = {
-        load_pack(pack.inverse_inertia[0]), load_pack(pack.inverse_inertia[1]), load_pack(pack.inverse_inertia[2]),
-        load_pack(pack.inverse_inertia[3]), load_pack(pack.inverse_inertia[4]), load_pack(pack.inverse_inertia[5])};
+    const Symmetric3<Packed> inverse_inertia = {load_pack(pack.inverse_inertia[0]), load_pack(pack.inverse_inertia[1]),
+                                                load_pack(pack.inverse_inertia[2]), load_pack(pack.inverse_inertia[3]),
+                                                load_pack(pack.inverse_inertia[4]), load_pack(pack.inverse_inertia[5])};
     couple = inverse_inertia * cross(load_point(pack.arm), force);
   }
 
@@ -88,9 +88,9 @@ KOKKOS_FORCEINLINE_FUNCTION PackedPoint find_work_velocity(const RowPack& pack, 
     relative = relative + load_pack(pack.weight[k + 1]) * v;
     spin = spin + cross(load_point(pack.rho[k]), v);
   }
-  const Symmetric3<Packed> inverse_inertia = {
-      load_pack(pack.inverse_inertia[0]), load_pack(pack.inverse_inertia[1]), load_pack(pack.inverse_inertia[2]),
-      load_pack(pack.inverse_inertia[3]), load_pack(pack.inverse_inertia[4]), load_pack(pack.inverse_inertia[5])};
+  const Symmetric3<Packed> inverse_inertia = {load_pack(pack.inverse_inertia[0]), load_pack(pack.inverse_inertia[1]),
+                                              load_pack(pack.inverse_inertia[2]), load_pack(pack.inverse_inertia[3]),
+                                              load_pack(pack.inverse_inertia[4]), load_pack(pack.inverse_inertia[5])};
   return relative - cross(inverse_inertia * spin, load_point(pack.arm));
 }
 
@@ -104,10 +104,9 @@ KOKKOS_FORCEINLINE_FUNCTION void limit_rub(const Packed& friction, Packed (&p)[3
   p[2] = p[2] * factor;
 }
 
-/// Gives the ties among the rows what they ask for, `free`.
-KOKKOS_FORCEINLINE_FUNCTION void free_ties(const RowPack& pack, const Packed (&free)[3], Packed (&p)[3]) {
-  const auto is_tied = load_pack(pack.tied) > Packed(0);
-  for (int d = 0; d < 3; ++d) p[d] = select(is_tied, free[d], p[d]);
+/// What a tie asks for without sign and limit, and what any other row may have.
+KOKKOS_FORCEINLINE_FUNCTION Packed choose_tied(const RowPack& pack, const Packed& of_tie, const Packed& of_others) {
+  return pack.ties == 0 ? of_others : select(load_pack(pack.tied) > Packed(0), of_tie, of_others);
 }
 
 /// Change of the impulses of a pack from y: its size as a displacement, how far it points back.
@@ -138,18 +137,18 @@ KOKKOS_FORCEINLINE_FUNCTION PackedChange correct_pack(RowPack& pack, const Rows4
   const Packed stiffness = load_pack(pack.stiffness[0]);
   const Packed push =
       y[0] - (load_pack(pack.missing) + step * dot(load_point(pack.gap_gradient), u)) / (step * stiffness);
-  p[0] = select(push > Packed(0), push, Packed(0));
+  p[0] = choose_tied(pack, push, select(push > Packed(0), push, Packed(0)));
+  change.add(y[0], p[0], load_pack(pack.impulse[0]), stiffness, dt);
   if (pack.rubs != 0) {
     const Packed rub_stiffness = load_pack(pack.stiffness[1]);
     for (int d = 1; d < 3; ++d)
-      p[d] = y[d] - (load_pack(pack.slide[d - 1]) + step * dot(load_point(pack.tangent[d - 1]), u)) /
-                        (step * rub_stiffness);
-    const Packed free[3] = {push, p[1], p[2]};
+      p[d] = y[d] -
+             (load_pack(pack.slide[d - 1]) + step * dot(load_point(pack.tangent[d - 1]), u)) / (step * rub_stiffness);
+    const Packed free[2] = {p[1], p[2]};
     limit_rub(load_pack(pack.friction), p);
-    if (pack.ties != 0) free_ties(pack, free, p);
+    for (int d = 1; d < 3; ++d) p[d] = choose_tied(pack, free[d - 1], p[d]);
     for (int d = 1; d < 3; ++d) change.add(y[d], p[d], load_pack(pack.impulse[d]), rub_stiffness, dt);
   }
-  change.add(y[0], p[0], load_pack(pack.impulse[0]), stiffness, dt);
   for (int d = 0; d < directions; ++d) {
     store_pack(pack.previous[d], load_pack(pack.impulse[d]));
     store_pack(pack.impulse[d], p[d]);

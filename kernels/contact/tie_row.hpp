@@ -52,13 +52,17 @@ KOKKOS_INLINE_FUNCTION void fill_tie_row(const TieGeometry& tie, const RowInputs
   row.couple = find_couple(row, row.force);
 }
 
-/// D of a tie: one for all directions. A direction in which nothing can be moved asks for nothing.
+/// D of a tie: one for all directions. A direction in which nothing can be moved asks for nothing; what is missing
+/// there is what conditions do to the tie.
 KOKKOS_INLINE_FUNCTION void set_tie_stiffness(ContactRow& row, const double stiffness[3]) {
   double largest = 0;
   for (int d = 0; d < 3; ++d) {
     largest = stiffness[d] > largest ? stiffness[d] : largest;
     if (stiffness[d] > 0) continue;
-    (d == 0 ? row.gap : row.slide[d - 1]) = 0;
+    double& apart = d == 0 ? row.gap : row.slide[d - 1];
+    const double way = apart < 0 ? -apart : apart;
+    row.torn = way > row.torn ? way : row.torn;
+    apart = 0;
     (d == 0 ? row.impulse.push : row.impulse.rub[d - 1]) = 0;
   }
   row.is_held = !(largest > 0);

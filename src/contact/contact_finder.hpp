@@ -9,6 +9,7 @@
 #include "comm/data_exchange.hpp"
 #include "comm/phase.hpp"
 #include "src/contact/edge_space.hpp"
+#include "src/contact/part_gaps.hpp"
 #include "src/contact/surface_share.hpp"
 
 namespace percuss {
@@ -57,6 +58,9 @@ class ContactFinder {
 
   /// Which edges whose home this rank is are inside another edge of a higher number; as above.
   virtual std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) = 0;
+
+  /// The smallest gap between parts among the candidate pairs of this rank, at the places of a motion with dt = 0.
+  virtual std::vector<PartGap> find_gaps(const SurfaceMotion& motion) = 0;
 
   /// Rank that owns each searched contact node (ascending) in the contact decomposition; -1 before it is first made.
   virtual std::vector<int> node_ranks() const = 0;

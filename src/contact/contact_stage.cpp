@@ -12,6 +12,7 @@
 #include "src/contact/ranked_finder.hpp"
 #include "src/contact/start_overlap.hpp"
 #include "src/contact/tie_rows.hpp"
+#include "src/error.hpp"
 
 namespace percuss {
 struct ContactStage::Impl {
@@ -44,6 +45,7 @@ struct ContactStage::Impl {
   bool is_anything_touched(int num_touches) const;
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
+  void refuse_torn_ties(const ContactReport& report) const;
 
   const Communicator ranks;
   const ChunkedMesh& chunks;
@@ -114,6 +116,16 @@ std::int64_t ContactStage::Impl::find_user_id(std::int64_t node) const {
   return id;
 }
 
+/// Conditions that hold a tied node and its face in one direction must move both alike.
+void ContactStage::Impl::refuse_torn_ties(const ContactReport& report) const {
+  constexpr double torn = 1e-3;  // of a face: conditions that move both alike differ by round-off
+  if (!(report.torn > torn)) return;
+  throw RunError(fmt::format(
+      "conditions hold node {} and the face that it is tied to, and move them apart (by {:.2g} of the face) "
+      "leave one of them free",
+      find_user_id(report.torn_node), report.torn));
+}
+
 std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,
                                                    ContactDeck::Rebalance rebalance) {
   if (ranks.ranks.size() == 1) return std::make_unique<LocalFinder>(share);
@@ -153,6 +165,7 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
   // frame.
   const ContactDeck::Overlap overlap = stage.contact.overlap;
   const StartOverlap found = seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, overlap, stage.history);
+  if (const std::string gaps = describe_gaps(found.gaps, stage.mesh); !gaps.empty()) stage.start_notes.push_back(gaps);
   const char* const what = overlap == ContactDeck::Overlap::accept ? "accepted as the reference" : "pushed out slowly";
   if (found.nodes == 0 && found.edge_pairs == 0) return "";
   const std::string edges = fmt::format("{} pair{} of edges overlap{}", found.edge_pairs,
@@ -191,6 +204,7 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   else
     stage.enforcer.rest(motion, stage.history);
   stage.touched_last = report.iterations > 0;
+  stage.refuse_torn_ties(report);
   return report;
 }
 

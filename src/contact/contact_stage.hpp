@@ -45,6 +45,8 @@ struct ContactReport {
   double rate = 0;                 // penalty: bound of the square of the frequency that the springs add [1/time^2]
   double deepest = 0;              // deepest penetration at n among checked pairs / face edge, 0 if none
   std::int64_t deepest_node = -1;  // number of the node that has it
+  double torn = 0;                 // farthest that conditions hold a tied node from its place / face edge
+  std::int64_t torn_node = -1;     // number of that node
 };
 
 /// Names of what work is booked by: "surfaces" where all may touch all or "a:b" for each pair of the deck, "tie:a:b"
@@ -71,14 +73,14 @@ class ContactStage {
   /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), empty if there is none. Call once before the loop.
   std::string prepare(Rows3<const double> x, Rows3<const double> v);
 
-  /// What else there is to say of the start: a line for each tie.
+  /// What else there is to say of the start: a line for each tie; after prepare() one of the smallest gaps.
   const std::vector<std::string>& start_notes() const;
 
   /// What the stage remembers from step to step. Loaded, the last search is done again, so that what is counted of it
   /// is the same; then prepare() must not be called. Collective.
   void archive(CheckpointArchive& archive);
 
-  /// Corrects motion.v and fills motion.impulse.
+  /// Corrects motion.v and fills motion.impulse. Throws RunError, on all ranks, if conditions tear a tie apart.
   ContactReport apply(const ContactMotion& motion);
 
   /// Work of pushes and of rubs since the start by name_contact_pairs(), of all ranks: 2 a pair; booked only for decks

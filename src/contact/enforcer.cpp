@@ -139,6 +139,8 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
       report.residual = done.residual;
       report.deepest = done.deepest;
       report.deepest_node = done.deepest_key < 0 ? -1 : find_key_node(done.deepest_key);
+      report.torn = done.torn;
+      report.torn_node = done.torn_key < 0 ? -1 : find_key_node(done.torn_key);
       update_copies(motion);
       was_pushed_ = true;
     }

@@ -138,6 +138,12 @@ std::vector<EdgePenetration> LocalFinder::find_edge_penetrations(const SurfaceMo
   return measure_edge_pairs(motion, edges_);
 }
 
+std::vector<PartGap> LocalFinder::find_gaps(const SurfaceMotion& motion) {
+  std::vector<int> parts;
+  for (const FaceTopology& face : share_.faces) parts.push_back(face.part);
+  return measure_gaps(motion, check_, parts);
+}
+
 SearchLoad LocalFinder::load() const {
   return {static_cast<std::int64_t>(check_.surface.searched_nodes.extent(0)),
           static_cast<std::int64_t>(share_.searched_faces.size())};

@@ -18,6 +18,7 @@ class LocalFinder : public ContactFinder {
   int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
   std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) override;
+  std::vector<PartGap> find_gaps(const SurfaceMotion& motion) override;
   std::vector<int> node_ranks() const override;
   DecompositionReport report() const override { return {}; }
   SearchLoad load() const override;

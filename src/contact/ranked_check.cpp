@@ -167,4 +167,11 @@ std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& mo
   return found;
 }
 
+std::vector<PartGap> RankedFinder::find_gaps(const SurfaceMotion& motion) {
+  if (total_pairs_ == 0) return {};
+  std::vector<int> parts;
+  for (const FaceTopology& face : check_faces_) parts.push_back(face.part);
+  return measure_gaps(motion_.receive(data_, motion), check_, parts);
+}
+
 }  // namespace percuss

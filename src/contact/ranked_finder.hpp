@@ -24,6 +24,7 @@ class RankedFinder : public ContactFinder {
   std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) override {
     return edges_.find_penetrations(motion);
   }
+  std::vector<PartGap> find_gaps(const SurfaceMotion& motion) override;
   std::vector<int> node_ranks() const override { return decomposition_.node_owners(); }
   DecompositionReport report() const override { return decomposition_.report(); }
   SearchLoad load() const override;

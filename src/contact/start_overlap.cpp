@@ -4,6 +4,7 @@
 
 #include "kernels/contact/row_geometry.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/gather_items.hpp"
 
 namespace percuss {
 namespace {
@@ -62,21 +63,6 @@ struct HostWalls {
   decltype(to_host(WallPairs().size)) size;
   decltype(to_host(Rows3<const double>())) x;
 };
-
-/// The items of all ranks, on each.
-std::vector<PartOverlap> gather_items(const Communicator& ranks, const std::vector<PartOverlap>& own) {
-  const auto size = static_cast<std::size_t>(ranks.size());
-  std::vector<int> bytes(size), first(size + 1, 0);
-  const int count = static_cast<int>(own.size() * sizeof(PartOverlap));
-  wait_mpi([&] { return MPI_Allgather(&count, 1, MPI_INT, bytes.data(), 1, MPI_INT, ranks.handle()); },
-           "MPI_Allgather");
-  for (std::size_t r = 0; r < size; ++r) first[r + 1] = first[r] + bytes[r];
-  std::vector<PartOverlap> all(static_cast<std::size_t>(first[size]) / sizeof(PartOverlap));
-  check_mpi(
-      MPI_Allgatherv(own.data(), count, MPI_BYTE, all.data(), bytes.data(), first.data(), MPI_BYTE, ranks.handle()),
-      "MPI_Allgatherv");
-  return all;
-}
 
 /// Overlap of edges, by (a, b), into a history of its own.
 EdgeHistory seed_edges(const std::vector<EdgePenetration>& penetrations, bool accept, StartOverlap& found) {
@@ -165,8 +151,10 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
     note(found, nodes, static_cast<int>(place - nodes.mesh_nodes.begin()), -1 - host.wall(p), host.depth(p), true);
     reference(first + p) = accept ? host.depth(p) : 0;
   }
-  if (search.share.total_searched_faces > 0)
+  if (search.share.total_searched_faces > 0) {
     history.edges = seed_edges(search.finder.find_edge_penetrations(motion), accept, found);
+    found.gaps = gather_gaps(search.ranks, search.finder.find_gaps(motion));
+  }
   Kokkos::deep_copy(history.face, history_face);
   Kokkos::deep_copy(history.reference, reference);
   reduce(search.ranks, found);

@@ -26,6 +26,7 @@ struct StartOverlap {
   std::vector<PartOverlap> parts;  // by (part, other)
   std::int64_t edge_pairs = 0;     // pairs of edges inside one another
   double deepest_edges = 0;        // [length]
+  std::vector<PartGap> gaps;       // of parts within reach of each other
 };
 
 /// What looks for overlap: a finder of its own, so that the search of the steps is not disturbed.

@@ -127,7 +127,7 @@ std::vector<WrongDeck> at_odds() {
       {"TieWithoutB", append("contact: {ties: [{a: rod}]}"), "6:18", "contact.ties.0.b is missing"},
       {"TieIsAPair", append("contact: {ties: [[rod, rod]]}"), "6:18",
        "contact.ties.0 is ['rod', 'rod'] (must be a map)"},
-      {"TieToUnknownPart", append("contact: {ties: [{a: rod, b: wall}]}"), "6:31", "unknown part 'wall'"},
+      {"TieToUnknownPart", append("contact: {ties: [{a: rod, b: wall}]}"), "6:30", "unknown part 'wall'"},
       {"TieDistanceZero", append("contact: {ties: [{a: rod, b: rod, distance: 0}]}"), "6:45",
        "contact.ties.0.distance is 0 (must be positive)"},
       {"TiesWithSprings", append("contact: {enforcement: penalty, ties: [{a: rod/x_min, b: rod/x_max}]}"), "6:39",
