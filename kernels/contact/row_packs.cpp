@@ -22,8 +22,8 @@ KOKKOS_INLINE_FUNCTION void clear_lane(RowPack& pack, int lane, int nowhere) {
   }
   for (auto& rho : pack.rho) set_lane(rho, lane, {});
   for (auto& value : pack.inverse_inertia) value[lane] = 0;
-  for (auto* values : {pack.arm, pack.normal, pack.gap_gradient, pack.tangent[0], pack.tangent[1], pack.impulse,
-                       pack.previous})
+  for (auto* values :
+       {pack.arm, pack.normal, pack.gap_gradient, pack.tangent[0], pack.tangent[1], pack.impulse, pack.previous})
     set_lane(values, lane, {});
   for (auto* value : {pack.missing, pack.slide[0], pack.slide[1], pack.friction, pack.tied}) value[lane] = 0;
   pack.stiffness[0][lane] = pack.stiffness[1][lane] = 1;
@@ -87,7 +87,8 @@ KOKKOS_INLINE_FUNCTION Point3 extrapolate(const Point3& dv, const Point3& before
   return beta > 0 ? dv + beta * (dv - before) : dv;
 }
 
-/// Corrects the rows of an active pack and adds up how they changed. Flattened: a call in here would spill all registers.
+/// Corrects the rows of an active pack and adds up how they changed. Flattened: a call in here would spill all
+/// registers.
 [[gnu::flatten]] KOKKOS_FUNCTION void advance_pack(RowPack& pack, const Rows4<double>& dv, const Rows4<double>& shares,
                                                    double beta, double dt, PassSums& sums) {
   const PackedChange change = correct_pack(pack, dv, beta, dt);
@@ -245,12 +246,12 @@ void unpack_rows(const Space& space, const RowSystem& system) {
       });
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                \
-  template void pack_rows(const Space&, RowSystem&);                                              \
-  template void move_nodes(const Space&, double, const RowSystem&);                               \
-  template void move_foreign_nodes(const Space&, double, const RowSystem&);                       \
-  template PassSums correct_rows(const Space&, double, double, const RowSystem&, RowSumMemory&);  \
-  template void straighten_gaps(const Space&, const RowSystem&);                                  \
+#define PERCUSS_INSTANTIATE(Space)                                                               \
+  template void pack_rows(const Space&, RowSystem&);                                             \
+  template void move_nodes(const Space&, double, const RowSystem&);                              \
+  template void move_foreign_nodes(const Space&, double, const RowSystem&);                      \
+  template PassSums correct_rows(const Space&, double, double, const RowSystem&, RowSumMemory&); \
+  template void straighten_gaps(const Space&, const RowSystem&);                                 \
   template void unpack_rows(const Space&, const RowSystem&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
