@@ -118,6 +118,10 @@ KOKKOS_INLINE_FUNCTION Point3 sum_impulse(const ContactRow& row, const RowImpuls
 KOKKOS_INLINE_FUNCTION void limit_rub(const ContactRow& row, RowImpulse& p) {
   if (is_tie(row)) return;
   const double limit = row.friction * p.push;
+  if (!(limit > 0)) {  // even where the square of a tiny rub is zero
+    p.rub[0] = p.rub[1] = 0;
+    return;
+  }
   const double length = std::sqrt(p.rub[0] * p.rub[0] + p.rub[1] * p.rub[1]);
   if (!(length > limit)) return;
   const double factor = limit / length;

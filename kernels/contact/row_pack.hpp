@@ -100,8 +100,9 @@ KOKKOS_FORCEINLINE_FUNCTION void limit_rub(const Packed& friction, Packed (&p)[3
   const Packed length = square_root(p[1] * p[1] + p[2] * p[2]);
   const auto is_long = length > limit;
   const Packed factor = select(is_long, limit / length, Packed(1));
-  p[1] = p[1] * factor;
-  p[2] = p[2] * factor;
+  // Without a push there is no rub, even where the square of a tiny one is zero: a row that rests must not depend on
+  // whether its pack is looked at.
+  for (int d = 1; d < 3; ++d) p[d] = select(limit > Packed(0), p[d] * factor, Packed(0));
 }
 
 /// What a tie asks for without sign and limit, and what any other row may have.

@@ -106,4 +106,28 @@ INSTANTIATE_TEST_SUITE_P(Of, Enforcement,
                                          Expected{"penalty", 1.5e-2, 1e-3}),
                          [](const auto& one) { return std::string(one.param.name); });
 
+TEST(PairWork, OfTwoCubesIsTheEnergyThatTheirNodesLose) {
+  // Cubes of one element and 8 kg that touch, one at 2 m/s. In the first step the four nodes of 1 kg on each side share
+  // their momentum: the impulse of each is 1 N s, the velocity between them 2 m/s before and 0 after, the work
+  // -4 (1 N s) (2 m/s + 0) / 2 = -4 J, which is what is left of 4 (1 kg) (2 m/s)^2 / 2 less the 4 J of the common
+  // motion. The third cube is out of reach.
+  const HistoryTable h = run_deck(R"(
+title: two cubes hit
+time: {end: 1, max_steps: 1}
+parts:
+  a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: m}
+  b: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [1, 0, 0], material: m}
+  c: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [9, 0, 0], material: m}
+materials: {m: {model: elastic, density: 8, youngs_modulus: 1e6, poissons_ratio: 0}}
+initial: [{part: a, velocity: [2, 0, 0]}]
+contact: {surfaces: [[c, b], [a, b]], tolerance: 1e-12}
+output: {history: {}}
+)")
+                             .history;
+  EXPECT_NEAR(h.last("contact:a:b"), -4, 1e-10);
+  EXPECT_EQ(h.last("contact:c:b"), 0);
+  EXPECT_NEAR(h.last("contact"), h.last("contact:a:b"), 1e-15);
+  EXPECT_EQ(h.last("friction:a:b"), 0);
+}
+
 }  // namespace percuss::test
