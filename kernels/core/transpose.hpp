@@ -19,7 +19,7 @@ struct RawPack {
 };
 
 template <int S, int W, class Raw, int... E>
-inline void swap_blocks(Raw& a, Raw& b, std::integer_sequence<int, E...>) {
+PERCUSS_FORCE_INLINE void swap_blocks(Raw& a, Raw& b, std::integer_sequence<int, E...>) {
   const Raw low = __builtin_shufflevector(a, b, ((E & S) != 0 ? W + E - S : E)...);
   const Raw high = __builtin_shufflevector(a, b, ((E & S) != 0 ? W + E : E + S)...);
   a = low;
@@ -27,7 +27,7 @@ inline void swap_blocks(Raw& a, Raw& b, std::integer_sequence<int, E...>) {
 }
 
 template <int S, int W, class Raw>
-inline void transpose_round(Raw (&rows)[W]) {
+PERCUSS_FORCE_INLINE void transpose_round(Raw (&rows)[W]) {
   for (int i = 0; i < W; ++i) {
     if ((i & S) == 0) swap_blocks<S, W>(rows[i], rows[i | S], std::make_integer_sequence<int, W>());
   }
@@ -39,8 +39,8 @@ inline void transpose_round(Raw (&rows)[W]) {
 
 /// Eight columns of W records into eight packs: packs[k][lane] = records[lane][k]. Records and packs are aligned to
 /// eight doubles; W = pack_size<double> is 1, 2, 4 or 8.
-inline KOKKOS_FUNCTION void transpose_to_packs(const double* const (&records)[pack_size<double>],
-                                               double (&packs)[8][pack_size<double>]) {
+PERCUSS_FORCE_INLINE void transpose_to_packs(const double* const (&records)[pack_size<double>],
+                                             double (&packs)[8][pack_size<double>]) {
 #ifdef PERCUSS_HAS_SIMD
   constexpr int W = pack_size<double>;
   using Raw = typename detail::RawPack<W>::type;
@@ -56,8 +56,8 @@ inline KOKKOS_FUNCTION void transpose_to_packs(const double* const (&records)[pa
 }
 
 /// The way back: records[lane][k] = packs[k][lane].
-inline KOKKOS_FUNCTION void transpose_to_records(const double (&packs)[8][pack_size<double>],
-                                                 double (&records)[pack_size<double>][8]) {
+PERCUSS_FORCE_INLINE void transpose_to_records(const double (&packs)[8][pack_size<double>],
+                                               double (&records)[pack_size<double>][8]) {
 #ifdef PERCUSS_HAS_SIMD
   constexpr int W = pack_size<double>;
   using Raw = typename detail::RawPack<W>::type;
@@ -156,7 +156,7 @@ KOKKOS_FORCEINLINE_FUNCTION void store_rows_of_four(const double (&packs)[4][W],
 }
 
 /// to[0..4) -= from[0..4), both aligned to four doubles.
-inline KOKKOS_FUNCTION void subtract_record(const double* from, double* to) {
+PERCUSS_FORCE_INLINE void subtract_record(const double* from, double* to) {
 #ifdef PERCUSS_HAS_SIMD
   using Raw = detail::RawPack<4>::type;
   *reinterpret_cast<Raw*>(to) -= *reinterpret_cast<const Raw*>(from);

@@ -22,7 +22,7 @@ struct PlateModuli {
   double largest;  // largest stiffness of a plate for a strain of size 1
 };
 
-KOKKOS_INLINE_FUNCTION PlateModuli find_plate_moduli(const LameConstants& c) {
+PERCUSS_FORCE_INLINE PlateModuli find_plate_moduli(const LameConstants& c) {
   const double young = c.mu * (3 * c.lambda + 2 * c.mu) / (c.lambda + c.mu);
   const double poisson = c.lambda / (2 * (c.lambda + c.mu));
   const double plane = young / (1 - poisson * poisson);
@@ -36,7 +36,7 @@ struct Plate {
   int first_mode, second_mode;  // modes that strain it along the first and the second
 };
 
-KOKKOS_INLINE_FUNCTION constexpr Plate find_plate(int i) {
+PERCUSS_FORCE_INLINE constexpr Plate find_plate(int i) {
   return i == 0 ? Plate{0, 1, 1, 0} : i == 1 ? Plate{1, 2, 2, 1} : Plate{0, 2, 2, 0};
 }
 
@@ -51,7 +51,7 @@ struct ElementAxes {
 
 /// From the modes a of the mid-point and the half-way rotation.
 template <class T>
-KOKKOS_INLINE_FUNCTION ElementAxes<T> find_element_axes(const VectorModes<T>& a, const Matrix3<T>& turn) {
+PERCUSS_FORCE_INLINE ElementAxes<T> find_element_axes(const VectorModes<T>& a, const Matrix3<T>& turn) {
   ElementAxes<T> axes;
   for (int k = 0; k < 3; ++k) {
     axes.g[k] = transpose_times(turn, a[1 + k]);
@@ -74,9 +74,9 @@ struct HourglassResponse {
 
 /// Adds the forces of one plate. bound: in and out, by mode; sum over plates of what bounds their stiffness.
 template <class T>
-KOKKOS_INLINE_FUNCTION void add_plate(const Plate& plate, const PlateModuli& moduli, const ElementAxes<T>& axes,
-                                      const T& product, const T& third_volume, const HourglassModes<T>& u,
-                                      HourglassModes<T>& q, T (&bound)[3]) {
+PERCUSS_FORCE_INLINE void add_plate(const Plate& plate, const PlateModuli& moduli, const ElementAxes<T>& axes,
+                                    const T& product, const T& third_volume, const HourglassModes<T>& u,
+                                    HourglassModes<T>& q, T (&bound)[3]) {
   const Vector3<T>&g1 = axes.g[plate.first], &g2 = axes.g[plate.second];
   const Vector3<T>&u1 = u.mode[plate.first_mode], &u2 = u.mode[plate.second_mode];
   const T m11 = axes.square[plate.first], m22 = axes.square[plate.second];
@@ -102,9 +102,9 @@ KOKKOS_INLINE_FUNCTION void add_plate(const Plate& plate, const PlateModuli& mod
 /// Rates of the hourglass forces for the rates u, all in the unrotated frame. The fourth mode, xi eta zeta, is given
 /// the stiffness of a rod along each axis: Q = (V/9) E sum_k (u . g_k) g_k / (g_k . g_k)^2.
 template <class T>
-KOKKOS_INLINE_FUNCTION HourglassResponse<T> find_assumed_strain_response(const PlateModuli& moduli,
-                                                                         const ElementAxes<T>& axes, const T& volume,
-                                                                         const HourglassModes<T>& u) {
+PERCUSS_FORCE_INLINE HourglassResponse<T> find_assumed_strain_response(const PlateModuli& moduli,
+                                                                       const ElementAxes<T>& axes, const T& volume,
+                                                                       const HourglassModes<T>& u) {
   const Vector3<T> zero{T(0), T(0), T(0)};
   HourglassResponse<T> out{{{zero, zero, zero, zero}}, T(0)};
   T bound[3] = {T(0), T(0), T(0)};
@@ -126,8 +126,8 @@ KOKKOS_INLINE_FUNCTION HourglassResponse<T> find_assumed_strain_response(const P
 
 /// Square of the equivalent stress that the hourglass forces stand for at the surface of the element, plate by plate.
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_surface_stress_square(const ElementAxes<T>& axes, const T& volume,
-                                                    const HourglassModes<T>& q) {
+PERCUSS_FORCE_INLINE T find_surface_stress_square(const ElementAxes<T>& axes, const T& volume,
+                                                  const HourglassModes<T>& q) {
   T sum(0);
   for (int i = 0; i < 3; ++i) {
     const Plate plate = find_plate(i);
@@ -146,7 +146,7 @@ KOKKOS_INLINE_FUNCTION T find_surface_stress_square(const ElementAxes<T>& axes, 
 /// How near to inverted an element is, from 0 to 1: by how much the gradients of its hourglass modes outweigh those of
 /// its axes. 0 for all but strongly distorted elements.
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_guard(const VectorModes<T>& a, const VolumeGradient<T>& b) {
+PERCUSS_FORCE_INLINE T find_guard(const VectorModes<T>& a, const VolumeGradient<T>& b) {
   T sum(0);
   for (int h = 4; h <= 7; ++h) {
     for (int k = 1; k <= 3; ++k) {

@@ -20,8 +20,8 @@ struct ViscousPressure {
 /// q = rho l (-b1 c tr D + b2^2 l (tr D)^2 in compression). The linear part acts both ways and damps ringing; the
 /// quadratic part only spreads shocks. l: thickness of the element, c: dilatational wave speed.
 template <class T>
-KOKKOS_INLINE_FUNCTION ViscousPressure<T> find_viscous_pressure(const BulkViscosity& b, const T& density,
-                                                                const T& length, const T& speed, const T& trace_d) {
+PERCUSS_FORCE_INLINE ViscousPressure<T> find_viscous_pressure(const BulkViscosity& b, const T& density, const T& length,
+                                                              const T& speed, const T& trace_d) {
   const T compression = larger(-trace_d, T(0));
   const T linear = T(b.linear) * speed;
   const T quadratic = T(b.quadratic * b.quadratic) * length * compression;

@@ -13,7 +13,7 @@ struct GaussPoint {
   double xi, eta, zeta;
 };
 
-KOKKOS_INLINE_FUNCTION GaussPoint find_gauss_point(int p) {
+PERCUSS_FORCE_INLINE GaussPoint find_gauss_point(int p) {
   constexpr double place = 0.57735026918962576451;  // 1/sqrt(3)
   const int side = p & 3;
   return {side == 1 || side == 2 ? place : -place, side >= 2 ? place : -place, p >= 4 ? place : -place};
@@ -21,7 +21,7 @@ KOKKOS_INLINE_FUNCTION GaussPoint find_gauss_point(int p) {
 
 /// 8 times the derivatives by xi, eta, zeta of the field with the modes a.
 template <class T>
-KOKKOS_INLINE_FUNCTION void find_derivatives(const VectorModes<T>& a, const GaussPoint& at, Vector3<T> (&d)[3]) {
+PERCUSS_FORCE_INLINE void find_derivatives(const VectorModes<T>& a, const GaussPoint& at, Vector3<T> (&d)[3]) {
   const T xi(at.xi), eta(at.eta), zeta(at.zeta);
   d[0] = a[1] + eta * a[6] + zeta * (a[5] + eta * a[7]);
   d[1] = a[2] + xi * a[6] + zeta * (a[4] + xi * a[7]);
@@ -36,7 +36,7 @@ struct PointGeometry {
 };
 
 template <class T>
-KOKKOS_INLINE_FUNCTION PointGeometry<T> find_point_geometry(const VectorModes<T>& a, const GaussPoint& at) {
+PERCUSS_FORCE_INLINE PointGeometry<T> find_point_geometry(const VectorModes<T>& a, const GaussPoint& at) {
   Vector3<T> d[3];
   find_derivatives(a, at, d);
   PointGeometry<T> out{{cross(d[1], d[2]), cross(d[2], d[0]), cross(d[0], d[1])}, T(0)};
@@ -46,8 +46,8 @@ KOKKOS_INLINE_FUNCTION PointGeometry<T> find_point_geometry(const VectorModes<T>
 
 /// Adds 512 times the modes of the corner forces that a stress at a point gives: sum_k (d phi_m / d xi_k) sigma c_k.
 template <class T>
-KOKKOS_INLINE_FUNCTION void add_point_force(const Symmetric3<T>& stress, const PointGeometry<T>& point,
-                                            const GaussPoint& at, VectorModes<T>& f) {
+PERCUSS_FORCE_INLINE void add_point_force(const Symmetric3<T>& stress, const PointGeometry<T>& point,
+                                          const GaussPoint& at, VectorModes<T>& f) {
   const T xi(at.xi), eta(at.eta), zeta(at.zeta);
   const Vector3<T> t1 = stress * point.c[0], t2 = stress * point.c[1], t3 = stress * point.c[2];
   f[1] = f[1] + t1;
@@ -65,7 +65,7 @@ struct PointMetrics {
   T xx[8], yy[8], zz[8], xy[8], yz[8], zx[8];
 
   /// 8 times it, from the geometry of point p.
-  KOKKOS_INLINE_FUNCTION void set(int p, const PointGeometry<T>& g) {
+  PERCUSS_FORCE_INLINE void set(int p, const PointGeometry<T>& g) {
     const T scale = T(1) / g.volume;
     xx[p] = scale * dot(g.c[0], g.c[0]);
     yy[p] = scale * dot(g.c[1], g.c[1]);
@@ -78,7 +78,7 @@ struct PointMetrics {
 
 /// Upper bound of the largest eigenvalue of a symmetric 4x4 matrix, from its trace and the sum of its squares.
 template <class T>
-KOKKOS_INLINE_FUNCTION T bound_largest_of_four(const T& sum, const T& square) {
+PERCUSS_FORCE_INLINE T bound_largest_of_four(const T& sum, const T& square) {
   return T(0.25) * sum + square_root(T(0.75) * larger(square - T(0.25) * sum * sum, T(0)));
 }
 
@@ -90,7 +90,7 @@ KOKKOS_INLINE_FUNCTION T bound_largest_of_four(const T& sum, const T& square) {
 /// from the transform of the corners; each factor xi, eta or zeta brings r = 1/sqrt(3). For a brick C vanishes, and the
 /// bound is exact if two of its edges are equal.
 template <class T>
-KOKKOS_INLINE_FUNCTION T bound_largest_laplacian(PointMetrics<T>& m) {
+PERCUSS_FORCE_INLINE T bound_largest_laplacian(PointMetrics<T>& m) {
   to_modes(m.xx);
   to_modes(m.yy);
   to_modes(m.zz);

@@ -48,9 +48,9 @@ struct HexResult {
 /// Corner forces from Cauchy stress t and hourglass forces q on the end geometry; x, y, z hold them by corner.
 /// Power balance: sum_I f_I . v_I = V t:D + sum_h Q_h . u_h, and sum_I x_I cross f_I = 0.
 template <class T>
-KOKKOS_INLINE_FUNCTION void find_corner_forces(const Symmetric3<T>& t, const HourglassModes<T>& q,
-                                               const VectorModes<T>& a, const VolumeGradient<T>& b, T (&fx)[8],
-                                               T (&fy)[8], T (&fz)[8]) {
+PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& t, const HourglassModes<T>& q,
+                                             const VectorModes<T>& a, const VolumeGradient<T>& b, T (&fx)[8],
+                                             T (&fy)[8], T (&fz)[8]) {
   const T inverse_volume = T(1) / b.volume;
   Matrix3<T> p = full(t);
   for (int h = 0; h < 4; ++h) {
@@ -81,10 +81,9 @@ KOKKOS_INLINE_FUNCTION void find_corner_forces(const Symmetric3<T>& t, const Hou
 /// Advances the element from n to n+1. a, v: modes of x(n+1) and v(n+1/2). fx, fy, fz: out, the internal forces by
 /// corner (they resist the motion: the node feels their negative). With dt = 0 it evaluates forces and step only.
 template <class T, class Material, HexKind Kind>
-KOKKOS_INLINE_FUNCTION HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
-                                                 const VectorModes<T>& v, const T& dt,
-                                                 HexState<T, Material, Kind>& state, T (&fx)[8], T (&fy)[8],
-                                                 T (&fz)[8]) {
+PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
+                                               const VectorModes<T>& v, const T& dt, HexState<T, Material, Kind>& state,
+                                               T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
   const T half = T(0.5);
   // mid-point geometry and rates
   VectorModes<T> am;

@@ -21,7 +21,7 @@ struct HexState<T, Material, HexKind::full> {
 
 /// `turn` transposed times each mode: a vector field in the unrotated frame.
 template <class T>
-KOKKOS_INLINE_FUNCTION VectorModes<T> pull_back(const Matrix3<T>& turn, const VectorModes<T>& a) {
+PERCUSS_FORCE_INLINE VectorModes<T> pull_back(const Matrix3<T>& turn, const VectorModes<T>& a) {
   VectorModes<T> out;
   for (int m = 1; m <= 7; ++m) out[m] = transpose_times(turn, a[m]);
   return out;
@@ -29,8 +29,8 @@ KOKKOS_INLINE_FUNCTION VectorModes<T> pull_back(const Matrix3<T>& turn, const Ve
 
 /// Rate of deformation at a point of the mid-point geometry, turned to the unrotated frame; v: already turned.
 template <class T>
-KOKKOS_INLINE_FUNCTION Symmetric3<T> find_point_rate(const PointGeometry<T>& point, const GaussPoint& at,
-                                                     const VectorModes<T>& v, const Matrix3<T>& turn) {
+PERCUSS_FORCE_INLINE Symmetric3<T> find_point_rate(const PointGeometry<T>& point, const GaussPoint& at,
+                                                   const VectorModes<T>& v, const Matrix3<T>& turn) {
   Vector3<T> d[3];
   find_derivatives(v, at, d);
   const T scale = T(1) / point.volume;
@@ -46,8 +46,8 @@ KOKKOS_INLINE_FUNCTION Symmetric3<T> find_point_rate(const PointGeometry<T>& poi
 
 /// Corner forces from the modes of the deviatoric forces in the unrotated frame (512 times) and a uniform pressure.
 template <class T>
-KOKKOS_INLINE_FUNCTION void find_full_forces(const VectorModes<T>& modes, const Matrix3<T>& rotation, const T& tension,
-                                             const VolumeGradient<T>& b, T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
+PERCUSS_FORCE_INLINE void find_full_forces(const VectorModes<T>& modes, const Matrix3<T>& rotation, const T& tension,
+                                           const VolumeGradient<T>& b, T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
   const T scale = T(1.0 / 64.0) * tension;
   fx[0] = fy[0] = fz[0] = T(0);
   for (int m = 1; m <= 7; ++m) {
@@ -75,10 +75,10 @@ struct PointSums {
 /// Strains, stresses and forces point by point. a, v, middle: modes of positions at n+1, of velocities at n+1/2 and of
 /// positions at n+1/2, all spatial; trace_de: of the mean strain increment.
 template <class T, class Material>
-KOKKOS_INLINE_FUNCTION PointSums<T> advance_points(const Material& material, const VectorModes<T>& a,
-                                                   const VectorModes<T>& v, const VectorModes<T>& middle,
-                                                   const Matrix3<T>& turn, const T& trace_de, const T& dt,
-                                                   HexState<T, Material, HexKind::full>& state) {
+PERCUSS_FORCE_INLINE PointSums<T> advance_points(const Material& material, const VectorModes<T>& a,
+                                                 const VectorModes<T>& v, const VectorModes<T>& middle,
+                                                 const Matrix3<T>& turn, const T& trace_de, const T& dt,
+                                                 HexState<T, Material, HexKind::full>& state) {
   const T third = T(1.0 / 3.0);
   const VectorModes<T> rates = pull_back(turn, v), end = pull_back(state.polar.rotation, a);
   PointSums<T> sums;
@@ -113,10 +113,10 @@ KOKKOS_INLINE_FUNCTION PointSums<T> advance_points(const Material& material, con
 /// As advance_hex8 of the one-point elements. HexResult::volume is 8 times the smallest of a point: an element that is
 /// inverted anywhere has failed.
 template <class T, class Material>
-KOKKOS_INLINE_FUNCTION HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
-                                                 const VectorModes<T>& v, const T& dt,
-                                                 HexState<T, Material, HexKind::full>& state, T (&fx)[8], T (&fy)[8],
-                                                 T (&fz)[8]) {
+PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
+                                               const VectorModes<T>& v, const T& dt,
+                                               HexState<T, Material, HexKind::full>& state, T (&fx)[8], T (&fy)[8],
+                                               T (&fz)[8]) {
   const T half = T(0.5);
   VectorModes<T> middle;
   const T half_dt = half * dt;

@@ -16,8 +16,8 @@ struct HourglassModes {
 
 /// u_h = v_h - L a_h with the geometry of the mid-point.
 template <class T>
-KOKKOS_INLINE_FUNCTION HourglassModes<T> find_hourglass_rates(const VectorModes<T>& v, const VectorModes<T>& a,
-                                                              const Matrix3<T>& l) {
+PERCUSS_FORCE_INLINE HourglassModes<T> find_hourglass_rates(const VectorModes<T>& v, const VectorModes<T>& a,
+                                                            const Matrix3<T>& l) {
   HourglassModes<T> u;
   for (int h = 0; h < 4; ++h) u.mode[h] = v[4 + h] - l * a[4 + h];
   return u;
@@ -25,29 +25,29 @@ KOKKOS_INLINE_FUNCTION HourglassModes<T> find_hourglass_rates(const VectorModes<
 
 /// Power sum_h Q_h . u_h.
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_power(const HourglassModes<T>& q, const HourglassModes<T>& u) {
+PERCUSS_FORCE_INLINE T find_power(const HourglassModes<T>& q, const HourglassModes<T>& u) {
   return dot(q.mode[0], u.mode[0]) + dot(q.mode[1], u.mode[1]) + dot(q.mode[2], u.mode[2]) + dot(q.mode[3], u.mode[3]);
 }
 
 /// kappa of the stiffness form Q_dot = kappa u in the unrotated frame: (k/8) 2 mu (B:B / V), `coefficient` being k.
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_hourglass_stiffness(const T& gradient_square, const T& volume, double mu,
-                                                  double coefficient) {
+PERCUSS_FORCE_INLINE T find_hourglass_stiffness(const T& gradient_square, const T& volume, double mu,
+                                                double coefficient) {
   return T(coefficient * mu / 4) * gradient_square / volume;
 }
 
 /// eta of the viscous form Q = eta u: the share k (`coefficient`) of the critical damping of an hourglass mode that has
 /// the stiffness form with k = 1, whose omega_h^2 = 64 kappa / m = 16 mu B:B / (m V).
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_hourglass_viscosity(const T& gradient_square, const T& volume, const T& mass, double mu,
-                                                  double coefficient) {
+PERCUSS_FORCE_INLINE T find_hourglass_viscosity(const T& gradient_square, const T& volume, const T& mass, double mu,
+                                                double coefficient) {
   return T(coefficient / 8) * square_root(T(mu) * mass * gradient_square / volume);
 }
 
 /// Work of a step by the trapezoid: (Q(n) + Q(n+1)) . u dt / 2.
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_hourglass_work(const HourglassModes<T>& old_q, const HourglassModes<T>& new_q,
-                                             const HourglassModes<T>& u, const T& dt) {
+PERCUSS_FORCE_INLINE T find_hourglass_work(const HourglassModes<T>& old_q, const HourglassModes<T>& new_q,
+                                           const HourglassModes<T>& u, const T& dt) {
   return T(0.5) * dt * (find_power(old_q, u) + find_power(new_q, u));
 }
 

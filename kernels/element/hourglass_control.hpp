@@ -39,8 +39,8 @@ struct HourglassStep {
 
 /// Updates the stress; returns a PlasticReturn if the material can yield, and nothing to speak of otherwise.
 template <class T, class Material>
-KOKKOS_INLINE_FUNCTION auto update_stress(const Material& material, Symmetric3<T>& stress, T* history,
-                                          const Symmetric3<T>& de) {
+PERCUSS_FORCE_INLINE auto update_stress(const Material& material, Symmetric3<T>& stress, T* history,
+                                        const Symmetric3<T>& de) {
   if constexpr (Material::can_yield) {
     return material.update(stress, history, de);
   } else {
@@ -61,10 +61,10 @@ struct PlasticHourglass {
 
   T guard;
 
-  KOKKOS_INLINE_FUNCTION T rate_share(const PlasticReturn<T>& plastic) const {
+  PERCUSS_FORCE_INLINE T rate_share(const PlasticReturn<T>& plastic) const {
     return larger(select(plastic.share < T(1), T(flowing), T(1)), guard);
   }
-  KOKKOS_INLINE_FUNCTION T force_share(const PlasticReturn<T>& plastic, const T& surface_stress_square) const {
+  PERCUSS_FORCE_INLINE T force_share(const PlasticReturn<T>& plastic, const T& surface_stress_square) const {
     const T room = larger(larger(T(1) - plastic.loading, T(least_headroom)), guard);
     const T most = T(headroom) * plastic.flow_stress * room;
     return smaller(T(1), most / square_root(larger(surface_stress_square, T(1e-300))));
@@ -73,11 +73,11 @@ struct PlasticHourglass {
 
 /// The assumed-strain stabilisation. q: Q in the unrotated frame, in and out.
 template <class T, class Material, class Plastic>
-KOKKOS_INLINE_FUNCTION HourglassStep<T> control_by_assumed_strain(const Material& material,
-                                                                  [[maybe_unused]] const Plastic& plastic,
-                                                                  const HourglassMotion<T>& motion,
-                                                                  const HourglassElement<T>& element,
-                                                                  HourglassModes<T>& q) {
+PERCUSS_FORCE_INLINE HourglassStep<T> control_by_assumed_strain(const Material& material,
+                                                                [[maybe_unused]] const Plastic& plastic,
+                                                                const HourglassMotion<T>& motion,
+                                                                const HourglassElement<T>& element,
+                                                                HourglassModes<T>& q) {
   const ElementAxes<T> axes = find_element_axes(motion.middle, motion.turn);
   HourglassModes<T> u;
   for (int h = 0; h < 4; ++h) u.mode[h] = transpose_times(motion.turn, motion.rate.mode[h]);
@@ -106,10 +106,10 @@ KOKKOS_INLINE_FUNCTION HourglassStep<T> control_by_assumed_strain(const Material
 
 /// The stiffness form of Flanagan and Belytschko, relaxed by plastic return. q: Q in the unrotated frame, in and out.
 template <class T, class Material, class Plastic>
-KOKKOS_INLINE_FUNCTION HourglassStep<T> control_by_stiffness(double mu, double coefficient,
-                                                             [[maybe_unused]] const Plastic& plastic,
-                                                             const HourglassMotion<T>& motion,
-                                                             const HourglassElement<T>& element, HourglassModes<T>& q) {
+PERCUSS_FORCE_INLINE HourglassStep<T> control_by_stiffness(double mu, double coefficient,
+                                                           [[maybe_unused]] const Plastic& plastic,
+                                                           const HourglassMotion<T>& motion,
+                                                           const HourglassElement<T>& element, HourglassModes<T>& q) {
   const T kappa = find_hourglass_stiffness(element.gradient_square, element.volume, mu, coefficient);
   const T rate = motion.dt * kappa;
   HourglassModes<T> u;
@@ -126,9 +126,9 @@ KOKKOS_INLINE_FUNCTION HourglassStep<T> control_by_stiffness(double mu, double c
 
 /// The control of Kind over one step; `mu` and `coefficient` size the forms of Flanagan and Belytschko.
 template <HexKind Kind, class T, class Material, class Plastic>
-KOKKOS_INLINE_FUNCTION HourglassStep<T> control_hourglass(const Material& material, double mu, double coefficient,
-                                                          const Plastic& plastic, const HourglassMotion<T>& motion,
-                                                          const HourglassElement<T>& element, HourglassModes<T>& q) {
+PERCUSS_FORCE_INLINE HourglassStep<T> control_hourglass(const Material& material, double mu, double coefficient,
+                                                        const Plastic& plastic, const HourglassMotion<T>& motion,
+                                                        const HourglassElement<T>& element, HourglassModes<T>& q) {
   if constexpr (Kind == HexKind::assumed_strain) {
     return control_by_assumed_strain(material, plastic, motion, element, q);
   } else if constexpr (Kind == HexKind::stiffness) {

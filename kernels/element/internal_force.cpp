@@ -17,7 +17,7 @@ using Member = Policy::member_type;
 template <class Material, HexKind Kind>
 using LaneState = HexState<Lanes, Material, Kind>;
 
-KOKKOS_INLINE_FUNCTION void load_symmetric(const double* from, Symmetric3<Lanes>& s) {
+PERCUSS_FORCE_INLINE void load_symmetric(const double* from, Symmetric3<Lanes>& s) {
   s = {load_pack(from),
        load_pack(from + width),
        load_pack(from + 2 * width),
@@ -25,7 +25,7 @@ KOKKOS_INLINE_FUNCTION void load_symmetric(const double* from, Symmetric3<Lanes>
        load_pack(from + 4 * width),
        load_pack(from + 5 * width)};
 }
-KOKKOS_INLINE_FUNCTION void store_symmetric(double* to, const Symmetric3<Lanes>& s) {
+PERCUSS_FORCE_INLINE void store_symmetric(double* to, const Symmetric3<Lanes>& s) {
   store_pack(to, s.xx);
   store_pack(to + width, s.yy);
   store_pack(to + 2 * width, s.zz);
@@ -33,17 +33,17 @@ KOKKOS_INLINE_FUNCTION void store_symmetric(double* to, const Symmetric3<Lanes>&
   store_pack(to + 4 * width, s.yz);
   store_pack(to + 5 * width, s.zx);
 }
-KOKKOS_INLINE_FUNCTION Vector3<Lanes> load_vector(const double* from) {
+PERCUSS_FORCE_INLINE Vector3<Lanes> load_vector(const double* from) {
   return {load_pack(from), load_pack(from + width), load_pack(from + 2 * width)};
 }
-KOKKOS_INLINE_FUNCTION void store_vector(double* to, const Vector3<Lanes>& v) {
+PERCUSS_FORCE_INLINE void store_vector(double* to, const Vector3<Lanes>& v) {
   store_pack(to, v.x);
   store_pack(to + width, v.y);
   store_pack(to + 2 * width, v.z);
 }
 
 template <class Material, HexKind Kind>
-KOKKOS_INLINE_FUNCTION void load_state(const double* record, LaneState<Material, Kind>& s) {
+PERCUSS_FORCE_INLINE void load_state(const double* record, LaneState<Material, Kind>& s) {
   s.mass = load_pack(record + HexRecord::mass * width);
   s.viscous_pressure = load_pack(record + HexRecord::viscous_pressure * width);
   for (int i = 0; i < 3; ++i) s.polar.rotation.row[i] = load_vector(record + (HexRecord::rotation + 3 * i) * width);
@@ -64,7 +64,7 @@ KOKKOS_INLINE_FUNCTION void load_state(const double* record, LaneState<Material,
 }
 
 template <class Material, HexKind Kind>
-KOKKOS_INLINE_FUNCTION void store_state(double* record, const LaneState<Material, Kind>& s) {
+PERCUSS_FORCE_INLINE void store_state(double* record, const LaneState<Material, Kind>& s) {
   store_pack(record + HexRecord::viscous_pressure * width, s.viscous_pressure);
   for (int i = 0; i < 3; ++i) store_vector(record + (HexRecord::rotation + 3 * i) * width, s.polar.rotation.row[i]);
   store_symmetric(record + HexRecord::stretch * width, s.polar.stretch);
@@ -84,7 +84,7 @@ KOKKOS_INLINE_FUNCTION void store_state(double* record, const LaneState<Material
 }
 
 /// Asks for the next pack's record while this one is computed: the hardware does not see across the pack's long body.
-KOKKOS_INLINE_FUNCTION void prefetch([[maybe_unused]] const double* from, [[maybe_unused]] int count) {
+PERCUSS_FORCE_INLINE void prefetch([[maybe_unused]] const double* from, [[maybe_unused]] int count) {
 #ifdef PERCUSS_HAS_SIMD
   constexpr int line = 8;
   for (int i = 0; i < count; i += line) __builtin_prefetch(from + i, 1, 3);
@@ -92,8 +92,8 @@ KOKKOS_INLINE_FUNCTION void prefetch([[maybe_unused]] const double* from, [[mayb
 }
 
 /// Modes of positions and velocities of the pack's elements, from the chunk's node records.
-KOKKOS_INLINE_FUNCTION void gather_modes(const double* nodes, const std::uint16_t* corners, VectorModes<Lanes>& a,
-                                         VectorModes<Lanes>& v) {
+PERCUSS_FORCE_INLINE void gather_modes(const double* nodes, const std::uint16_t* corners, VectorModes<Lanes>& a,
+                                       VectorModes<Lanes>& v) {
   Lanes u[6][8];
   for (int i = 0; i < 8; ++i) {
     const double* records[width];
@@ -115,8 +115,8 @@ KOKKOS_INLINE_FUNCTION void gather_modes(const double* nodes, const std::uint16_
 }
 
 /// Subtracts the corner forces of the first `lanes` elements from the chunk's force records, element by element.
-KOKKOS_INLINE_FUNCTION void scatter_forces(const Lanes (&f)[3][8], const std::uint16_t* corners, int lanes,
-                                           double* forces) {
+PERCUSS_FORCE_INLINE void scatter_forces(const Lanes (&f)[3][8], const std::uint16_t* corners, int lanes,
+                                         double* forces) {
   alignas(64) double records[4][width][8];  // two corners a record
   for (int pair = 0; pair < 4; ++pair) {
     alignas(64) double packs[8][width];
@@ -143,7 +143,7 @@ struct ChunkStep {
   int failed;
 };
 
-KOKKOS_INLINE_FUNCTION void take_lanes(const HexResult<Lanes>& result, int first_element, int lanes, ChunkStep& chunk) {
+PERCUSS_FORCE_INLINE void take_lanes(const HexResult<Lanes>& result, int first_element, int lanes, ChunkStep& chunk) {
   alignas(64) double step[width];
   alignas(64) double volume[width];
   store_pack(step, result.stable_step);
@@ -159,7 +159,7 @@ KOKKOS_INLINE_FUNCTION void take_lanes(const HexResult<Lanes>& result, int first
 }
 
 /// Sum over the first `lanes` lanes in their order.
-KOKKOS_INLINE_FUNCTION double sum_lanes(const Lanes& value, int lanes) {
+PERCUSS_FORCE_INLINE double sum_lanes(const Lanes& value, int lanes) {
   alignas(64) double row[width];
   store_pack(row, value);
   double sum = 0;

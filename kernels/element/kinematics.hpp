@@ -18,8 +18,8 @@ struct Polar {
 
 /// Spin of the material axes: axial vector of Omega = R_dot transpose(R), from V_dot = L V - V Omega symmetric.
 template <class T>
-KOKKOS_INLINE_FUNCTION Vector3<T> find_material_spin(const Symmetric3<T>& d, const Vector3<T>& w,
-                                                     const Symmetric3<T>& stretch) {
+PERCUSS_FORCE_INLINE Vector3<T> find_material_spin(const Symmetric3<T>& d, const Vector3<T>& w,
+                                                   const Symmetric3<T>& stretch) {
   const T minus_two = T(-2);
   const Vector3<T> z = minus_two * axial_vector(full(stretch) * full(d));  // axial vector of D V - V D
   const T tr = trace(stretch);
@@ -29,7 +29,7 @@ KOKKOS_INLINE_FUNCTION Vector3<T> find_material_spin(const Symmetric3<T>& d, con
 
 /// Rotation by the constant spin w over dt: (I - dt/2 W)^-1 (I + dt/2 W), exactly orthogonal.
 template <class T>
-KOKKOS_INLINE_FUNCTION Matrix3<T> find_rotation_increment(const Vector3<T>& w, const T& dt) {
+PERCUSS_FORCE_INLINE Matrix3<T> find_rotation_increment(const Vector3<T>& w, const T& dt) {
   const Vector3<T> h = (T(0.5) * dt) * w;
   const T s = T(2) / (T(1) + dot(h, h));
   const Vector3<T> sh = s * h;
@@ -43,7 +43,7 @@ KOKKOS_INLINE_FUNCTION Matrix3<T> find_rotation_increment(const Vector3<T>& w, c
 /// The spin at n turns the axes to first order; what is left of the antisymmetric part of F(n+1) transpose(R) then
 /// gives the missing rotation (one Newton step of the polar decomposition), so that V R = F to fourth order in a step.
 template <class T>
-KOKKOS_INLINE_FUNCTION Polar<T> advance_polar(const Polar<T>& old, const Matrix3<T>& l, const T& dt) {
+PERCUSS_FORCE_INLINE Polar<T> advance_polar(const Polar<T>& old, const Matrix3<T>& l, const T& dt) {
   const Vector3<T> spin = find_material_spin(symmetric_part(l), axial_vector(l), old.stretch);
   const Matrix3<T> turn = find_rotation_increment(spin, dt);
 

@@ -12,7 +12,7 @@ namespace percuss {
 
 /// Modes of one scalar corner quantity; u[8] in Exodus corner order is overwritten by its modes 0 to 7.
 template <class T>
-KOKKOS_INLINE_FUNCTION void to_modes(T (&u)[8]) {
+PERCUSS_FORCE_INLINE void to_modes(T (&u)[8]) {
   // Corners (xi, eta, zeta): 0 ---, 1 +--, 2 ++-, 3 -+-, 4 --+, 5 +-+, 6 +++, 7 -++. First xi, then eta, then zeta.
   const T s01 = u[0] + u[1], d01 = u[1] - u[0];
   const T s32 = u[3] + u[2], d32 = u[2] - u[3];
@@ -32,7 +32,7 @@ KOKKOS_INLINE_FUNCTION void to_modes(T (&u)[8]) {
 
 /// Corner values u_I = sum_m phi_m(I) f_m, the transpose of to_modes (8 times its inverse); f[8] is overwritten.
 template <class T>
-KOKKOS_INLINE_FUNCTION void to_corners(T (&f)[8]) {
+PERCUSS_FORCE_INLINE void to_corners(T (&f)[8]) {
   const T low = f[0] - f[3], top = f[0] + f[3];
   const T low_xi = f[1] - f[5], top_xi = f[1] + f[5];
   const T low_eta = f[2] - f[4], top_eta = f[2] + f[4];
@@ -53,8 +53,8 @@ KOKKOS_INLINE_FUNCTION void to_corners(T (&f)[8]) {
 template <class T>
 struct VectorModes {
   Vector3<T> mode[7];
-  KOKKOS_INLINE_FUNCTION const Vector3<T>& operator[](int m) const { return mode[m - 1]; }
-  KOKKOS_INLINE_FUNCTION Vector3<T>& operator[](int m) { return mode[m - 1]; }
+  PERCUSS_FORCE_INLINE const Vector3<T>& operator[](int m) const { return mode[m - 1]; }
+  PERCUSS_FORCE_INLINE Vector3<T>& operator[](int m) { return mode[m - 1]; }
 };
 
 /// The modes of the volume derivative: B_iI = dV/dx_iI = sum_m phi_m(I) b_im / 64, and the volume itself.
@@ -62,13 +62,13 @@ template <class T>
 struct VolumeGradient {
   Vector3<T> mode[6];  // b_1 to b_6; b_7 is zero
   T volume;
-  KOKKOS_INLINE_FUNCTION const Vector3<T>& operator[](int m) const { return mode[m - 1]; }
-  KOKKOS_INLINE_FUNCTION Vector3<T>& operator[](int m) { return mode[m - 1]; }
+  PERCUSS_FORCE_INLINE const Vector3<T>& operator[](int m) const { return mode[m - 1]; }
+  PERCUSS_FORCE_INLINE Vector3<T>& operator[](int m) { return mode[m - 1]; }
 };
 
 /// Exact volume and its exact derivative (Flanagan and Belytschko 1981, their equations 16 to 18 and 79, in modes).
 template <class T>
-KOKKOS_INLINE_FUNCTION VolumeGradient<T> find_volume_gradient(const VectorModes<T>& a) {
+PERCUSS_FORCE_INLINE VolumeGradient<T> find_volume_gradient(const VectorModes<T>& a) {
   const T third = T(1.0 / 3.0);
   VolumeGradient<T> b;
   b[1] = cross(a[2], a[3]) + third * cross(a[6], a[5]);
@@ -83,7 +83,7 @@ KOKKOS_INLINE_FUNCTION VolumeGradient<T> find_volume_gradient(const VectorModes<
 
 /// L_ij = (1/V) sum_I v_iI B_jI, the mean velocity gradient; exactly zero for a uniform velocity.
 template <class T>
-KOKKOS_INLINE_FUNCTION Matrix3<T> find_velocity_gradient(const VectorModes<T>& v, const VolumeGradient<T>& b) {
+PERCUSS_FORCE_INLINE Matrix3<T> find_velocity_gradient(const VectorModes<T>& v, const VolumeGradient<T>& b) {
   const T scale = T(1) / (T(64) * b.volume);
   Matrix3<T> l{{v[1].x * b[1], v[1].y * b[1], v[1].z * b[1]}};
   for (int m = 2; m <= 6; ++m) {

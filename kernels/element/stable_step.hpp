@@ -19,7 +19,7 @@ struct GradientSize {
 
 /// Upper bound of the largest eigenvalue of a symmetric tensor: tr/3 + sqrt(2/3) |dev|, exact if the others are equal.
 template <class T>
-KOKKOS_INLINE_FUNCTION T bound_largest_eigenvalue(const Symmetric3<T>& g) {
+PERCUSS_FORCE_INLINE T bound_largest_eigenvalue(const Symmetric3<T>& g) {
   const T mean = T(1.0 / 3.0) * trace(g);
   const Symmetric3<T> deviator{g.xx - mean, g.yy - mean, g.zz - mean, g.xy, g.yz, g.zx};
   return mean + square_root(T(2.0 / 3.0) * contract(deviator, deviator));
@@ -27,12 +27,12 @@ KOKKOS_INLINE_FUNCTION T bound_largest_eigenvalue(const Symmetric3<T>& g) {
 
 /// Adds the dyad v v.
 template <class T>
-KOKKOS_INLINE_FUNCTION void add_square(Symmetric3<T>& g, const Vector3<T>& v) {
+PERCUSS_FORCE_INLINE void add_square(Symmetric3<T>& g, const Vector3<T>& v) {
   g = g + Symmetric3<T>{v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.y * v.z, v.z * v.x};
 }
 
 template <class T>
-KOKKOS_INLINE_FUNCTION GradientSize<T> find_gradient_size(const VolumeGradient<T>& b) {
+PERCUSS_FORCE_INLINE GradientSize<T> find_gradient_size(const VolumeGradient<T>& b) {
   Symmetric3<T> g{T(0), T(0), T(0), T(0), T(0), T(0)};
   for (int m = 1; m <= 6; ++m) add_square(g, b[m]);
   g = T(1.0 / 512.0) * g;
@@ -41,7 +41,7 @@ KOKKOS_INLINE_FUNCTION GradientSize<T> find_gradient_size(const VolumeGradient<T
 
 /// Thickness of the element across its thinnest direction: V / sqrt(2 g_max), the edge of a cube.
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_thickness(const GradientSize<T>& g, const T& volume) {
+PERCUSS_FORCE_INLINE T find_thickness(const GradientSize<T>& g, const T& volume) {
   return volume / square_root(T(2) * g.largest);
 }
 
@@ -53,7 +53,7 @@ KOKKOS_INLINE_FUNCTION T find_thickness(const GradientSize<T>& g, const T& volum
 /// the complementary projector, which has the same norm: |sum c_h gamma_h|^2 <= 8 p |c|^2. And the angle between the
 /// spaces of B and of gamma has cos^2 <= 1 - 1/p.
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_obliqueness(const VectorModes<T>& a, const GradientSize<T>& g, const T& volume) {
+PERCUSS_FORCE_INLINE T find_obliqueness(const VectorModes<T>& a, const GradientSize<T>& g, const T& volume) {
   Symmetric3<T> y{T(0), T(0), T(0), T(0), T(0), T(0)};
   for (int m = 1; m <= 7; ++m) add_square(y, a[m]);
   return larger(T(0.125) * contract(y, g.square) / (volume * volume) - T(2), T(1));
@@ -61,8 +61,8 @@ KOKKOS_INLINE_FUNCTION T find_obliqueness(const VectorModes<T>& a, const Gradien
 
 /// Bound of omega^2 of the elastic element without hourglass control.
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_frequency_square(const GradientSize<T>& g, const T& volume, const T& mass, double lambda,
-                                               double mu) {
+PERCUSS_FORCE_INLINE T find_frequency_square(const GradientSize<T>& g, const T& volume, const T& mass, double lambda,
+                                             double mu) {
   return T(8) * (T(lambda) * g.trace + T(2 * mu) * g.largest) / (mass * volume);
 }
 
@@ -70,8 +70,8 @@ KOKKOS_INLINE_FUNCTION T find_frequency_square(const GradientSize<T>& g, const T
 /// each see one of two spaces has at most (a + b) / 2 + sqrt((a - b)^2 / 4 + a b cos^2), the larger of the two
 /// for a parallelepiped.
 template <class T>
-KOKKOS_INLINE_FUNCTION T join_hourglass_frequency(const T& frequency_square, const T& stiffness, const T& mass,
-                                                  const T& obliqueness) {
+PERCUSS_FORCE_INLINE T join_hourglass_frequency(const T& frequency_square, const T& stiffness, const T& mass,
+                                                const T& obliqueness) {
   const T half = T(0.5);
   const T hourglass = T(64) * stiffness * obliqueness / mass;
   const T difference = half * (frequency_square - hourglass);
@@ -82,13 +82,13 @@ KOKKOS_INLINE_FUNCTION T join_hourglass_frequency(const T& frequency_square, con
 
 /// Bound of the damping rate (largest eigenvalue of M^-1 C) that a viscous pressure with tangent dq/d(tr D) brings.
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_damping_rate(const GradientSize<T>& g, const T& volume, const T& mass, const T& tangent) {
+PERCUSS_FORCE_INLINE T find_damping_rate(const GradientSize<T>& g, const T& volume, const T& mass, const T& tangent) {
   return T(8) * tangent * g.trace / (mass * volume);
 }
 
 /// Largest dt with omega^2 dt^2 / 4 + rate dt / 2 <= 1: central differences with velocities that lag half a step.
 template <class T>
-KOKKOS_INLINE_FUNCTION T find_stable_step(const T& frequency_square, const T& damping_rate) {
+PERCUSS_FORCE_INLINE T find_stable_step(const T& frequency_square, const T& damping_rate) {
   const T half = T(0.5) * damping_rate;
   return T(2) / (half + square_root(frequency_square + half * half));
 }

@@ -12,7 +12,7 @@ struct LameConstants {
 };
 
 /// lambda and mu from Young's modulus and Poisson's ratio.
-KOKKOS_INLINE_FUNCTION LameConstants find_lame_constants(double youngs_modulus, double poissons_ratio) {
+PERCUSS_FORCE_INLINE LameConstants find_lame_constants(double youngs_modulus, double poissons_ratio) {
   return {youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio)),
           youngs_modulus / (2 * (1 + poissons_ratio))};
 }
@@ -24,11 +24,11 @@ struct Elastic {
   double lambda = 0;
   double mu = 0;
 
-  KOKKOS_INLINE_FUNCTION LameConstants moduli() const { return {lambda, mu}; }
+  PERCUSS_FORCE_INLINE LameConstants moduli() const { return {lambda, mu}; }
 
   /// Advances the unrotated Cauchy stress by the strain increment d dt.
   template <class T>
-  KOKKOS_INLINE_FUNCTION void update(Symmetric3<T>& stress, T* /*history*/, const Symmetric3<T>& de) const {
+  PERCUSS_FORCE_INLINE void update(Symmetric3<T>& stress, T* /*history*/, const Symmetric3<T>& de) const {
     const T volumetric = T(lambda) * trace(de);
     stress = stress + T(2 * mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
   }

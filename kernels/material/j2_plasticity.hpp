@@ -16,11 +16,11 @@ struct J2Plasticity {
   double yield_stress = 0;
   double hardening_modulus = 0;
 
-  KOKKOS_INLINE_FUNCTION LameConstants moduli() const { return {lambda, mu}; }
+  PERCUSS_FORCE_INLINE LameConstants moduli() const { return {lambda, mu}; }
 
   /// Advances the unrotated Cauchy stress and p by the strain increment d dt.
   template <class T>
-  KOKKOS_INLINE_FUNCTION PlasticReturn<T> update(Symmetric3<T>& stress, T* history, const Symmetric3<T>& de) const {
+  PERCUSS_FORCE_INLINE PlasticReturn<T> update(Symmetric3<T>& stress, T* history, const Symmetric3<T>& de) const {
     const T third = T(1.0 / 3.0);
     // trial
     const T volumetric = T(lambda) * trace(de);
