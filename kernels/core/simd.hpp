@@ -26,6 +26,8 @@
 #else
 #define PERCUSS_FORCE_INLINE KOKKOS_INLINE_FUNCTION
 #endif
+// A function whose packs go through memory anyhow, and which has all registers to itself as a call.
+#define PERCUSS_NO_INLINE [[gnu::noinline]] KOKKOS_FUNCTION
 
 namespace percuss {
 

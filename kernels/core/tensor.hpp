@@ -150,26 +150,30 @@ template <class T>
 PERCUSS_FORCE_INLINE T determinant(const Matrix3<T>& a) {
   return dot(a.row[0], cross(a.row[1], a.row[2]));
 }
-/// inverse(a); a must not be singular.
+/// numerator inverse(a); a must not be singular.
 template <class T>
-PERCUSS_FORCE_INLINE Matrix3<T> inverse(const Matrix3<T>& a) {
+PERCUSS_FORCE_INLINE Matrix3<T> inverse(const Matrix3<T>& a, const T& numerator = T(1)) {
   const Vector3<T> c0 = cross(a.row[1], a.row[2]);
   const Vector3<T> c1 = cross(a.row[2], a.row[0]);
   const Vector3<T> c2 = cross(a.row[0], a.row[1]);
-  const T scale = T(1) / dot(a.row[0], c0);
+  const T scale = numerator / dot(a.row[0], c0);
   return scale * transpose(Matrix3<T>{{c0, c1, c2}});
 }
-/// transpose(q) s q: a symmetric tensor in the axes that the columns of q span.
+/// a transpose(b), which is known to be symmetric.
 template <class T>
-PERCUSS_FORCE_INLINE Symmetric3<T> pull_back(const Matrix3<T>& q, const Symmetric3<T>& s) {
-  const Matrix3<T> t = full(s) * q;
-  const Matrix3<T> qt = transpose(q);
-  return symmetric_part(qt * t);
+PERCUSS_FORCE_INLINE Symmetric3<T> symmetric_product(const Matrix3<T>& a, const Matrix3<T>& b) {
+  return {dot(a.row[0], b.row[0]), dot(a.row[1], b.row[1]), dot(a.row[2], b.row[2]),
+          dot(a.row[0], b.row[1]), dot(a.row[1], b.row[2]), dot(a.row[2], b.row[0])};
 }
 /// q s transpose(q): the way back for an orthogonal q.
 template <class T>
 PERCUSS_FORCE_INLINE Symmetric3<T> push_forward(const Matrix3<T>& q, const Symmetric3<T>& s) {
-  return symmetric_part((q * full(s)) * transpose(q));
+  return symmetric_product(q * full(s), q);
+}
+/// transpose(q) s q: a symmetric tensor in the axes that the columns of q span.
+template <class T>
+PERCUSS_FORCE_INLINE Symmetric3<T> pull_back(const Matrix3<T>& q, const Symmetric3<T>& s) {
+  return push_forward(transpose(q), s);
 }
 
 }  // namespace percuss

@@ -26,58 +26,9 @@ PERCUSS_FORCE_INLINE void swap_blocks(Raw& a, Raw& b, std::integer_sequence<int,
   b = high;
 }
 
-template <int S, int W, class Raw>
-PERCUSS_FORCE_INLINE void transpose_round(Raw (&rows)[W]) {
-  for (int i = 0; i < W; ++i) {
-    if ((i & S) == 0) swap_blocks<S, W>(rows[i], rows[i | S], std::make_integer_sequence<int, W>());
-  }
-  if constexpr (S > 1) transpose_round<S / 2, W>(rows);
-}
-
-}  // namespace detail
-#endif
-
-/// Eight columns of W records into eight packs: packs[k][lane] = records[lane][k]. Records and packs are aligned to
-/// eight doubles; W = pack_size<double> is 1, 2, 4 or 8.
-PERCUSS_FORCE_INLINE void transpose_to_packs(const double* const (&records)[pack_size<double>],
-                                             double (&packs)[8][pack_size<double>]) {
-#ifdef PERCUSS_HAS_SIMD
-  constexpr int W = pack_size<double>;
-  using Raw = typename detail::RawPack<W>::type;
-  for (int first = 0; first < 8; first += W) {
-    Raw rows[W];
-    for (int i = 0; i < W; ++i) rows[i] = *reinterpret_cast<const Raw*>(records[i] + first);
-    if constexpr (W > 1) detail::transpose_round<W / 2, W>(rows);
-    for (int k = 0; k < W; ++k) *reinterpret_cast<Raw*>(packs[first + k]) = rows[k];
-  }
-#else
-  for (int k = 0; k < 8; ++k) packs[k][0] = records[0][k];
-#endif
-}
-
-/// The way back: records[lane][k] = packs[k][lane].
-PERCUSS_FORCE_INLINE void transpose_to_records(const double (&packs)[8][pack_size<double>],
-                                               double (&records)[pack_size<double>][8]) {
-#ifdef PERCUSS_HAS_SIMD
-  constexpr int W = pack_size<double>;
-  using Raw = typename detail::RawPack<W>::type;
-  for (int first = 0; first < 8; first += W) {
-    Raw rows[W];
-    for (int k = 0; k < W; ++k) rows[k] = *reinterpret_cast<const Raw*>(packs[first + k]);
-    if constexpr (W > 1) detail::transpose_round<W / 2, W>(rows);
-    for (int i = 0; i < W; ++i) *reinterpret_cast<Raw*>(records[i] + first) = rows[i];
-  }
-#else
-  for (int k = 0; k < 8; ++k) records[0][k] = packs[k][0];
-#endif
-}
-
-#ifdef PERCUSS_HAS_SIMD
-namespace detail {
-
 /// Transposes the blocks of 4 x 4 in four vectors of W lanes.
 template <int W, class Raw>
-inline void transpose_blocks(Raw (&rows)[4]) {
+PERCUSS_FORCE_INLINE void transpose_blocks(Raw (&rows)[4]) {
   constexpr auto lanes = std::make_integer_sequence<int, W>();
   swap_blocks<2, W>(rows[0], rows[2], lanes);
   swap_blocks<2, W>(rows[1], rows[3], lanes);
@@ -87,25 +38,98 @@ inline void transpose_blocks(Raw (&rows)[4]) {
 
 using RowOfFour = RawPack<4>::type;
 
+PERCUSS_FORCE_INLINE RowOfFour load_row(const double* from) { return *reinterpret_cast<const RowOfFour*>(from); }
+
+/// Two rows side by side; W is 8.
 template <int W>
-inline void load_blocks(const double* rows, const int* index, double (&packs)[4][W]) {
+PERCUSS_FORCE_INLINE typename RawPack<W>::type join_rows(const double* low, const double* high) {
+#ifdef __AVX512F__  // of the general form GCC 12 makes a load and a shuffle
+  return _mm512_maskz_insertf64x4(0xff, _mm512_castpd256_pd512(load_row(low)), load_row(high), 1);
+#else
+  return __builtin_shufflevector(load_row(low), load_row(high), 0, 1, 2, 3, 4, 5, 6, 7);
+#endif
+}
+
+template <class Raw>
+PERCUSS_FORCE_INLINE void part_rows(const Raw& rows, double* low, double* high) {
+  *reinterpret_cast<RowOfFour*>(low) = __builtin_shufflevector(rows, rows, 0, 1, 2, 3);
+  *reinterpret_cast<RowOfFour*>(high) = __builtin_shufflevector(rows, rows, 4, 5, 6, 7);
+}
+
+}  // namespace detail
+#endif
+
+/// The first three columns of W records of four doubles, aligned to these, as packs: packs[k][lane] = records[lane][k].
+/// W = pack_size<double> is 1, 2, 4 or 8.
+template <int W>
+PERCUSS_FORCE_INLINE void transpose_to_packs(const double* const (&records)[W], Pack<double> (&packs)[3]) {
+#ifdef PERCUSS_HAS_SIMD
+  if constexpr (W >= 4) {
+    typename detail::RawPack<W>::type block[4];
+    for (int i = 0; i < 4; ++i) {
+      if constexpr (W == 8) {
+        block[i] = detail::join_rows<W>(records[i], records[i + 4]);
+      } else {
+        block[i] = detail::load_row(records[i]);
+      }
+    }
+    detail::transpose_blocks<W>(block);
+    for (int k = 0; k < 3; ++k) packs[k] = Pack<double>(block[k]);
+    return;
+  }
+#endif
+  for (int k = 0; k < 3; ++k) {
+    alignas(64) double column[W];
+    for (int lane = 0; lane < W; ++lane) column[lane] = records[lane][k];
+    packs[k] = load_pack(column);
+  }
+}
+
+/// The way back: records[lane] = {packs[0][lane], packs[1][lane], packs[2][lane], 0}.
+template <int W>
+PERCUSS_FORCE_INLINE void transpose_to_records(const Pack<double> (&packs)[3], double (&records)[W][4]) {
+#ifdef PERCUSS_HAS_SIMD
+  if constexpr (W >= 4) {
+    using Raw = typename detail::RawPack<W>::type;
+    Raw block[4] = {static_cast<Raw>(packs[0]), static_cast<Raw>(packs[1]), static_cast<Raw>(packs[2]), Raw{}};
+    detail::transpose_blocks<W>(block);
+    for (int i = 0; i < 4; ++i) {
+      if constexpr (W == 8) {
+        detail::part_rows(block[i], records[i], records[i + 4]);
+      } else {
+        *reinterpret_cast<Raw*>(records[i]) = block[i];
+      }
+    }
+    return;
+  }
+#endif
+  for (int k = 0; k < 4; ++k) {
+    alignas(64) double column[W];
+    store_pack(column, k < 3 ? packs[k] : Pack<double>(0));
+    for (int lane = 0; lane < W; ++lane) records[lane][k] = column[lane];
+  }
+}
+
+#ifdef PERCUSS_HAS_SIMD
+namespace detail {
+
+template <int W>
+PERCUSS_FORCE_INLINE void load_blocks(const double* rows, const int* index, double (&packs)[4][W]) {
   using Raw = typename RawPack<W>::type;
-  const auto row = [&](int lane) {
-    return *reinterpret_cast<const RowOfFour*>(rows + 4 * std::ptrdiff_t{index[lane]});
-  };
+  const auto row = [&](int lane) { return rows + 4 * std::ptrdiff_t{index[lane]}; };
   Raw block[4];
   for (int i = 0; i < 4; ++i) {
     if constexpr (W == 8)
-      block[i] = __builtin_shufflevector(row(i), row(i + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+      block[i] = join_rows<W>(row(i), row(i + 4));
     else
-      block[i] = row(i);
+      block[i] = load_row(row(i));
   }
   transpose_blocks<W>(block);
   for (int k = 0; k < 4; ++k) *reinterpret_cast<Raw*>(packs[k]) = block[k];
 }
 
 template <int W>
-inline void store_blocks(const double (&packs)[4][W], const int* index, double* rows) {
+PERCUSS_FORCE_INLINE void store_blocks(const double (&packs)[4][W], const int* index, double* rows) {
   using Raw = typename RawPack<W>::type;
   Raw block[4];
   for (int k = 0; k < 4; ++k) block[k] = *reinterpret_cast<const Raw*>(packs[k]);

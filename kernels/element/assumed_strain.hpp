@@ -139,7 +139,7 @@ PERCUSS_FORCE_INLINE T find_surface_stress_square(const ElementAxes<T>& axes, co
           T(1.5) *
               (t12 * t12 * m1 * axes.inverse_square[plate.second] + t21 * t21 * m2 * axes.inverse_square[plate.first]);
   }
-  const T scale = T(3) / volume;
+  const T scale = T(192) * (T(1) / (T(64) * volume));
   return scale * scale * sum;
 }
 
@@ -154,7 +154,7 @@ PERCUSS_FORCE_INLINE T find_guard(const VectorModes<T>& a, const VolumeGradient<
       sum = sum + part * part;
     }
   }
-  const T scale = T(1.0 / 64.0) / b.volume;
+  const T scale = T(1) / (T(64) * b.volume);
   return larger(smaller(T(2) * scale * scale * sum - T(1), T(1)), T(0));
 }
 

@@ -12,15 +12,16 @@
 
 namespace percuss {
 
-/// What one element, or a pack of them, remembers between steps; all in the unrotated frame but the stretch.
+/// What one element, or a pack of them, remembers between steps; all in the unrotated frame but the stretch. The
+/// members lie like the scalars of a record (HexRecord), so that a record of packs is read and written in place.
 template <class T, class Material, HexKind Kind>
 struct HexState {
-  T mass;                       // constant
-  T viscous_pressure;           // q at n, for the trapezoid of its work
-  Polar<T> polar;               // R and V at n
-  Symmetric3<T> stress;         // Cauchy, unrotated, at n
-  HourglassModes<T> hourglass;  // Q at n; not kept for the viscous form
-  T history[Material::history_count > 0 ? Material::history_count : 1];
+  T mass;                                                    // constant
+  T viscous_pressure;                                        // q at n, for the trapezoid of its work
+  Polar<T> polar;                                            // R and V at n
+  Symmetric3<T> stress;                                      // Cauchy, unrotated, at n
+  [[no_unique_address]] StoredHourglass<T, Kind> hourglass;  // Q at n
+  [[no_unique_address]] MaterialHistory<T, Material, 1> history;
 };
 
 /// Numbers that are the same for all elements of a block.
@@ -51,15 +52,14 @@ template <class T>
 PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& t, const HourglassModes<T>& q,
                                              const VectorModes<T>& a, const VolumeGradient<T>& b, T (&fx)[8],
                                              T (&fy)[8], T (&fz)[8]) {
-  const T inverse_volume = T(1) / b.volume;
-  Matrix3<T> p = full(t);
-  for (int h = 0; h < 4; ++h) {
-    const Vector3<T> s = inverse_volume * q.mode[h];
-    p.row[0] = p.row[0] - s.x * a[4 + h];
-    p.row[1] = p.row[1] - s.y * a[4 + h];
-    p.row[2] = p.row[2] - s.z * a[4 + h];
+  const T over_64 = T(1.0 / 64.0), over_64_volumes = over_64 * (T(1) / b.volume);
+  Matrix3<T> p{{q.mode[0].x * a[4], q.mode[0].y * a[4], q.mode[0].z * a[4]}};
+  for (int h = 1; h < 4; ++h) {
+    p.row[0] = p.row[0] + q.mode[h].x * a[4 + h];
+    p.row[1] = p.row[1] + q.mode[h].y * a[4 + h];
+    p.row[2] = p.row[2] + q.mode[h].z * a[4 + h];
   }
-  p = T(1.0 / 64.0) * p;
+  p = full(over_64 * t) - over_64_volumes * p;
   fx[0] = fy[0] = fz[0] = T(0);
   for (int m = 1; m <= 6; ++m) {
     const Vector3<T> f = p * b[m];
@@ -85,43 +85,31 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
                                                const VectorModes<T>& v, const T& dt, HexState<T, Material, Kind>& state,
                                                T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
   const T half = T(0.5);
-  // mid-point geometry and rates
-  VectorModes<T> am;
-  const T half_dt = half * dt;
-  for (int m = 1; m <= 7; ++m) am[m] = a[m] - half_dt * v[m];
-  const VolumeGradient<T> bm = find_volume_gradient(am);
-  const Matrix3<T> l = find_velocity_gradient(v, bm);
-  const Symmetric3<T> d = symmetric_part(l);
-  const T trace_d = trace(d);
-
-  // unrotated strain increment, turned half way
-  const Polar<T> polar = advance_polar(state.polar, l, dt);
-  const Matrix3<T> turn = half * (state.polar.rotation + polar.rotation);
-  const Symmetric3<T> de = dt * pull_back(turn, d);
-  state.polar = polar;
+  const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
 
   // stress
   const Symmetric3<T> old_stress = state.stress;
-  const auto plastic = update_stress(par.material, state.stress, state.history, de);
+  const auto plastic = update_stress(par.material, state.stress, state.history, 0, step.de);
 
   // end geometry
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
-  const T density = state.mass / b.volume;
-  const T speed = square_root(T(par.lambda + 2 * par.mu) / density);
+  const T density = state.mass * (T(1) / b.volume);
+  const T speed = square_root(T(par.lambda + 2 * par.mu) * b.volume * (T(1) / state.mass));
 
   const ViscousPressure<T> viscous =
-      find_viscous_pressure(par.viscosity, density, find_thickness(size, b.volume), speed, trace_d);
+      find_viscous_pressure(par.viscosity, density, find_thickness(size, b.volume), speed, step.trace_d);
   const T old_viscous_pressure = state.viscous_pressure;
   state.viscous_pressure = viscous.pressure;
 
   // hourglass forces, in the spatial frame for assembly
-  const HourglassMotion<T> motion{am, find_hourglass_rates(v, am, l), turn, polar.rotation, dt};
-  const HourglassElement<T> element{state.mass, size.trace, b.volume, bm};
+  const HourglassModes<T> rates = find_hourglass_rates(v, step.middle, step.l);
+  const HourglassMotion<T> motion{step.middle, rates, step.turn, state.polar.rotation, dt};
+  const HourglassElement<T> element{state.mass, size.trace, b.volume, step.b};
   const HourglassStep<T> hourglass =
       control_hourglass<Kind>(par.material, par.mu, par.hourglass, plastic, motion, element, state.hourglass);
 
-  Symmetric3<T> t = push_forward(polar.rotation, state.stress);
+  Symmetric3<T> t = push_forward(state.polar.rotation, state.stress);
   t.xx = t.xx - viscous.pressure;
   t.yy = t.yy - viscous.pressure;
   t.zz = t.zz - viscous.pressure;
@@ -131,10 +119,10 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   const T frequency_square = join_hourglass_frequency(
       find_frequency_square(size, b.volume, state.mass, par.lambda, par.mu), hourglass.stiffness, state.mass, oblique);
   const T damping_rate = find_damping_rate(size, b.volume, state.mass, viscous.tangent) +
-                         T(64) * hourglass.viscosity * oblique / state.mass;
-  const T half_volume = half * bm.volume;
-  return {{half_volume * contract(old_stress + state.stress, de), hourglass.work,
-           -half_volume * (old_viscous_pressure + viscous.pressure) * dt * trace_d},
+                         T(64) * hourglass.viscosity * oblique * (T(1) / state.mass);
+  const T half_volume = half * step.b.volume;
+  return {{half_volume * contract(old_stress + state.stress, step.de), hourglass.work,
+           -half_volume * (old_viscous_pressure + viscous.pressure) * dt * step.trace_d},
           find_stable_step(frequency_square, damping_rate),
           b.volume};
 }

@@ -11,12 +11,11 @@ namespace percuss {
 
 template <class T, class Material>
 struct HexState<T, Material, HexKind::full> {
-  static constexpr int history_size = Material::history_count > 0 ? Material::history_count : 1;
   T mass;                   // constant
   T viscous_pressure;       // q at n, for the trapezoid of its work
   Polar<T> polar;           // R and V of the mean gradient, at n
   Symmetric3<T> stress[8];  // Cauchy, unrotated, at n, by point
-  T history[8][history_size];
+  [[no_unique_address]] MaterialHistory<T, Material, 8> history;
 };
 
 /// `turn` transposed times each mode: a vector field in the unrotated frame.
@@ -93,7 +92,7 @@ PERCUSS_FORCE_INLINE PointSums<T> advance_points(const Material& material, const
     de = de + Symmetric3<T>{dilatation, dilatation, dilatation, T(0), T(0), T(0)};
     const Symmetric3<T> old_stress = state.stress[p];
     Symmetric3<T> stress = old_stress;
-    update_stress(material, stress, state.history[p], de);
+    update_stress(material, stress, state.history, p, de);
     state.stress[p] = stress;
     sums.work = sums.work + mid_point.volume * contract(old_stress + stress, de);
 
@@ -118,26 +117,17 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
                                                HexState<T, Material, HexKind::full>& state, T (&fx)[8], T (&fy)[8],
                                                T (&fz)[8]) {
   const T half = T(0.5);
-  VectorModes<T> middle;
-  const T half_dt = half * dt;
-  for (int m = 1; m <= 7; ++m) middle[m] = a[m] - half_dt * v[m];
-  const VolumeGradient<T> bm = find_volume_gradient(middle);
-  const Matrix3<T> l = find_velocity_gradient(v, bm);
-  const Symmetric3<T> d = symmetric_part(l);
-  const T trace_d = trace(d);
-  const Polar<T> polar = advance_polar(state.polar, l, dt);
-  const Matrix3<T> turn = half * (state.polar.rotation + polar.rotation);
-  state.polar = polar;
-  PointSums<T> points = advance_points(par.material, a, v, middle, turn, dt * trace(pull_back(turn, d)), dt, state);
+  const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
+  PointSums<T> points = advance_points(par.material, a, v, step.middle, step.turn, trace(step.de), dt, state);
 
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
   const T speed = square_root(T(par.lambda + 2 * par.mu) * b.volume / state.mass);
   const ViscousPressure<T> viscous =
-      find_viscous_pressure(par.viscosity, state.mass / b.volume, find_thickness(size, b.volume), speed, trace_d);
-  const T viscous_work = -half * bm.volume * (state.viscous_pressure + viscous.pressure) * dt * trace_d;
+      find_viscous_pressure(par.viscosity, state.mass / b.volume, find_thickness(size, b.volume), speed, step.trace_d);
+  const T viscous_work = -half * step.b.volume * (state.viscous_pressure + viscous.pressure) * dt * step.trace_d;
   state.viscous_pressure = viscous.pressure;
-  find_full_forces(points.force, polar.rotation, points.tension / b.volume - viscous.pressure, b, fx, fy, fz);
+  find_full_forces(points.force, state.polar.rotation, points.tension / b.volume - viscous.pressure, b, fx, fy, fz);
 
   // 2 mu |dev D|^2 + K (tr D)^2 <= 2 mu |D|^2 + lambda (tr D)^2, as the mean dilatation has the smallest square
   const T frequency_square =

@@ -1,6 +1,8 @@
 #pragma once
 // The hourglass controls of the one-point hexahedron, over one step.
 
+#include <type_traits>
+
 #include "kernels/element/assumed_strain.hpp"
 #include "kernels/element/hourglass.hpp"
 #include "kernels/material/plastic_return.hpp"
@@ -13,10 +15,10 @@ enum class HexKind { assumed_strain, stiffness, viscous, full };
 /// The motion over the step as hourglass control sees it.
 template <class T>
 struct HourglassMotion {
-  VectorModes<T> middle;   // positions at n+1/2
-  HourglassModes<T> rate;  // u at n+1/2, spatial
-  Matrix3<T> turn;         // (R(n) + R(n+1)) / 2
-  Matrix3<T> rotation;     // R(n+1)
+  const VectorModes<T>& middle;   // positions at n+1/2
+  const HourglassModes<T>& rate;  // u at n+1/2, spatial
+  const Matrix3<T>& turn;         // (R(n) + R(n+1)) / 2
+  const Matrix3<T>& rotation;     // R(n+1)
   T dt;
 };
 
@@ -24,9 +26,9 @@ struct HourglassMotion {
 template <class T>
 struct HourglassElement {
   T mass;
-  T gradient_square;         // B:B at n+1
-  T volume;                  // at n+1
-  VolumeGradient<T> middle;  // at n+1/2
+  T gradient_square;                // B:B at n+1
+  T volume;                         // at n+1
+  const VolumeGradient<T>& middle;  // at n+1/2
 };
 
 template <class T>
@@ -37,14 +39,43 @@ struct HourglassStep {
   T viscosity;  // dQ/d(u rate), for the step
 };
 
+struct NoHourglass {};
+
+/// Q between steps, for the forms that keep it.
+template <class T, HexKind Kind>
+using StoredHourglass = std::conditional_t<Kind == HexKind::viscous, NoHourglass, HourglassModes<T>>;
+
+/// What a material remembers at the points of an element: scalar i of point p is value[i][p]; no room for nothing.
+template <class T, class Material, int Points, int Count = Material::history_count>
+struct MaterialHistory {
+  T value[Count][Points];
+  PERCUSS_FORCE_INLINE void load(int p, T* point) const {
+    for (int i = 0; i < Count; ++i) point[i] = value[i][p];
+  }
+  PERCUSS_FORCE_INLINE void store(int p, const T* point) {
+    for (int i = 0; i < Count; ++i) value[i][p] = point[i];
+  }
+};
+template <class T, class Material, int Points>
+struct MaterialHistory<T, Material, Points, 0> {
+  PERCUSS_FORCE_INLINE void load(int, T*) const {}
+  PERCUSS_FORCE_INLINE void store(int, const T*) {}
+};
+
 /// Updates the stress; returns a PlasticReturn if the material can yield, and nothing to speak of otherwise.
-template <class T, class Material>
-PERCUSS_FORCE_INLINE auto update_stress(const Material& material, Symmetric3<T>& stress, T* history,
+template <class T, class Material, int Points>
+PERCUSS_FORCE_INLINE auto update_stress(const Material& material, Symmetric3<T>& stress,
+                                        MaterialHistory<T, Material, Points>& history, int point,
                                         const Symmetric3<T>& de) {
+  T here[Material::history_count > 0 ? Material::history_count : 1];
+  history.load(point, here);
   if constexpr (Material::can_yield) {
-    return material.update(stress, history, de);
+    const PlasticReturn<T> plastic = material.update(stress, here, de);
+    history.store(point, here);
+    return plastic;
   } else {
-    material.update(stress, history, de);
+    material.update(stress, here, de);
+    history.store(point, here);
     return false;
   }
 }
@@ -128,7 +159,8 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_by_stiffness(double mu, double coe
 template <HexKind Kind, class T, class Material, class Plastic>
 PERCUSS_FORCE_INLINE HourglassStep<T> control_hourglass(const Material& material, double mu, double coefficient,
                                                         const Plastic& plastic, const HourglassMotion<T>& motion,
-                                                        const HourglassElement<T>& element, HourglassModes<T>& q) {
+                                                        const HourglassElement<T>& element,
+                                                        [[maybe_unused]] StoredHourglass<T, Kind>& q) {
   if constexpr (Kind == HexKind::assumed_strain) {
     return control_by_assumed_strain(material, plastic, motion, element, q);
   } else if constexpr (Kind == HexKind::stiffness) {

@@ -1,5 +1,7 @@
 #include "kernels/element/internal_force.hpp"
 
+#include <cstring>
+
 #include "kernels/core/transpose.hpp"
 
 namespace percuss {
@@ -17,143 +19,69 @@ using Member = Policy::member_type;
 template <class Material, HexKind Kind>
 using LaneState = HexState<Lanes, Material, Kind>;
 
-PERCUSS_FORCE_INLINE void load_symmetric(const double* from, Symmetric3<Lanes>& s) {
-  s = {load_pack(from),
-       load_pack(from + width),
-       load_pack(from + 2 * width),
-       load_pack(from + 3 * width),
-       load_pack(from + 4 * width),
-       load_pack(from + 5 * width)};
-}
-PERCUSS_FORCE_INLINE void store_symmetric(double* to, const Symmetric3<Lanes>& s) {
-  store_pack(to, s.xx);
-  store_pack(to + width, s.yy);
-  store_pack(to + 2 * width, s.zz);
-  store_pack(to + 3 * width, s.xy);
-  store_pack(to + 4 * width, s.yz);
-  store_pack(to + 5 * width, s.zx);
-}
-PERCUSS_FORCE_INLINE Vector3<Lanes> load_vector(const double* from) {
-  return {load_pack(from), load_pack(from + width), load_pack(from + 2 * width)};
-}
-PERCUSS_FORCE_INLINE void store_vector(double* to, const Vector3<Lanes>& v) {
-  store_pack(to, v.x);
-  store_pack(to + width, v.y);
-  store_pack(to + 2 * width, v.z);
-}
-
-template <class Material, HexKind Kind>
-PERCUSS_FORCE_INLINE void load_state(const double* record, LaneState<Material, Kind>& s) {
-  s.mass = load_pack(record + HexRecord::mass * width);
-  s.viscous_pressure = load_pack(record + HexRecord::viscous_pressure * width);
-  for (int i = 0; i < 3; ++i) s.polar.rotation.row[i] = load_vector(record + (HexRecord::rotation + 3 * i) * width);
-  load_symmetric(record + HexRecord::stretch * width, s.polar.stretch);
-  if constexpr (HexRecord::keeps_hourglass<Kind>) {
-    for (int h = 0; h < 4; ++h) s.hourglass.mode[h] = load_vector(record + (HexRecord::hourglass + 3 * h) * width);
-  }
-  const double* history = record + HexRecord::history<Kind> * width;
-  if constexpr (Kind == HexKind::full) {
-    for (int p = 0; p < 8; ++p) {
-      load_symmetric(record + (HexRecord::stress + 6 * p) * width, s.stress[p]);
-      for (int i = 0; i < Material::history_count; ++i) s.history[p][i] = load_pack(history + (8 * i + p) * width);
-    }
-  } else {
-    load_symmetric(record + HexRecord::stress * width, s.stress);
-    for (int i = 0; i < Material::history_count; ++i) s.history[i] = load_pack(history + i * width);
-  }
-}
-
-template <class Material, HexKind Kind>
-PERCUSS_FORCE_INLINE void store_state(double* record, const LaneState<Material, Kind>& s) {
-  store_pack(record + HexRecord::viscous_pressure * width, s.viscous_pressure);
-  for (int i = 0; i < 3; ++i) store_vector(record + (HexRecord::rotation + 3 * i) * width, s.polar.rotation.row[i]);
-  store_symmetric(record + HexRecord::stretch * width, s.polar.stretch);
-  if constexpr (HexRecord::keeps_hourglass<Kind>) {
-    for (int h = 0; h < 4; ++h) store_vector(record + (HexRecord::hourglass + 3 * h) * width, s.hourglass.mode[h]);
-  }
-  double* history = record + HexRecord::history<Kind> * width;
-  if constexpr (Kind == HexKind::full) {
-    for (int p = 0; p < 8; ++p) {
-      store_symmetric(record + (HexRecord::stress + 6 * p) * width, s.stress[p]);
-      for (int i = 0; i < Material::history_count; ++i) store_pack(history + (8 * i + p) * width, s.history[p][i]);
-    }
-  } else {
-    store_symmetric(record + HexRecord::stress * width, s.stress);
-    for (int i = 0; i < Material::history_count; ++i) store_pack(history + i * width, s.history[i]);
-  }
-}
-
-/// Asks for the next pack's record while this one is computed: the hardware does not see across the pack's long body.
-PERCUSS_FORCE_INLINE void prefetch([[maybe_unused]] const double* from, [[maybe_unused]] int count) {
+/// Asks for a third of the next pack's record while this one is computed: the hardware does not see across the pack's
+/// long body. In thirds, because a core that asks for all at once has to wait until its requests are taken.
+template <int Size>
+PERCUSS_FORCE_INLINE void prefetch([[maybe_unused]] const double* record, [[maybe_unused]] int third) {
 #ifdef PERCUSS_HAS_SIMD
-  constexpr int line = 8;
-  for (int i = 0; i < count; i += line) __builtin_prefetch(from + i, 1, 3);
+  constexpr int line = 8, lines = (Size + line - 1) / line;
+  for (int i = lines * third / 3; i < lines * (third + 1) / 3; ++i) __builtin_prefetch(record + line * i, 1, 3);
 #endif
 }
 
-/// Modes of positions and velocities of the pack's elements, from the chunk's node records.
-PERCUSS_FORCE_INLINE void gather_modes(const double* nodes, const std::uint16_t* corners, VectorModes<Lanes>& a,
-                                       VectorModes<Lanes>& v) {
-  Lanes u[6][8];
-  for (int i = 0; i < 8; ++i) {
+/// Modes of a vector field of the pack's elements, from the chunk's node records. A call, as its results go to memory
+/// anyhow: there are more of them than registers.
+PERCUSS_NO_INLINE void gather_modes(const double* nodes, const std::uint16_t* corners, VectorModes<Lanes>& modes) {
+  Lanes u[3][8];
+  // one after the other and not in a loop, so that u stays in registers
+  const auto gather_corner = [&](auto i) {
     const double* records[width];
     for (int lane = 0; lane < width; ++lane) {
-      records[lane] = nodes + node_record * static_cast<int>(corners[i * width + lane]);
+      records[lane] = nodes + node_record * static_cast<std::size_t>(corners[i * width + lane]);
     }
-    alignas(64) double packs[8][width];
+    Lanes packs[3];
     transpose_to_packs(records, packs);
-    for (int k = 0; k < 3; ++k) {
-      u[k][i] = load_pack(packs[k]);
-      u[3 + k][i] = load_pack(packs[4 + k]);
-    }
-  }
-  for (int k = 0; k < 6; ++k) to_modes(u[k]);
-  for (int m = 1; m < 8; ++m) {
-    a[m] = {u[0][m], u[1][m], u[2][m]};
-    v[m] = {u[3][m], u[4][m], u[5][m]};
-  }
+    for (int k = 0; k < 3; ++k) u[k][i] = packs[k];
+  };
+  [&]<int... I>(std::integer_sequence<int, I...>) { (gather_corner(std::integral_constant<int, I>()), ...); }
+  (std::make_integer_sequence<int, 8>());
+  for (int k = 0; k < 3; ++k) to_modes(u[k]);
+  for (int m = 1; m < 8; ++m) modes[m] = {u[0][m], u[1][m], u[2][m]};
 }
 
 /// Subtracts the corner forces of the first `lanes` elements from the chunk's force records, element by element.
-PERCUSS_FORCE_INLINE void scatter_forces(const Lanes (&f)[3][8], const std::uint16_t* corners, int lanes,
-                                         double* forces) {
-  alignas(64) double records[4][width][8];  // two corners a record
-  for (int pair = 0; pair < 4; ++pair) {
-    alignas(64) double packs[8][width];
-    for (int k = 0; k < 3; ++k) {
-      store_pack(packs[k], f[k][2 * pair]);
-      store_pack(packs[4 + k], f[k][2 * pair + 1]);
-    }
-    store_pack(packs[3], Lanes(0));
-    store_pack(packs[7], Lanes(0));
-    transpose_to_records(packs, records[pair]);
+PERCUSS_NO_INLINE void scatter_forces(const Lanes (&f)[3][8], const std::uint16_t* corners, int lanes, double* forces) {
+  alignas(64) double records[8][width][4];
+  for (int i = 0; i < 8; ++i) {
+    const Lanes packs[3] = {f[0][i], f[1][i], f[2][i]};
+    transpose_to_records(packs, records[i]);
   }
   for (int lane = 0; lane < lanes; ++lane) {
     for (int i = 0; i < 8; ++i) {
-      subtract_record(&records[i / 2][lane][4 * (i % 2)],
-                      forces + force_record * static_cast<int>(corners[i * width + lane]));
+      subtract_record(records[i][lane], forces + force_record * static_cast<std::size_t>(corners[i * width + lane]));
     }
   }
 }
 
-/// Smallest step of a chunk and the element that has it; lowest element first among equals.
+/// Smallest step of a chunk, the element that has it (the lowest among equals), and the lowest element that failed.
 struct ChunkStep {
-  double step;
-  int element;
+  Lanes step;   // by lane
+  Lanes first;  // first element of the pack that has it
   int failed;
 };
 
 PERCUSS_FORCE_INLINE void take_lanes(const HexResult<Lanes>& result, int first_element, int lanes, ChunkStep& chunk) {
-  alignas(64) double step[width];
-  alignas(64) double volume[width];
-  store_pack(step, result.stable_step);
-  store_pack(volume, result.volume);
-  for (int lane = 0; lane < lanes; ++lane) {
-    const bool good = volume[lane] > 0 && step[lane] > 0;  // false for NaN
-    if (!good && chunk.failed < 0) chunk.failed = first_element + lane;
-    if (step[lane] < chunk.step) {
-      chunk.step = step[lane];
-      chunk.element = first_element + lane;
+  const auto smaller_step = result.stable_step < chunk.step;
+  chunk.step = select(smaller_step, result.stable_step, chunk.step);
+  chunk.first = select(smaller_step, Lanes(first_element), chunk.first);
+  const auto good = (result.volume > Lanes(0)) & (result.stable_step > Lanes(0));
+  if (any(!good) && chunk.failed < 0) {  // also for NaN
+    alignas(64) double step[width];
+    alignas(64) double volume[width];
+    store_pack(step, result.stable_step);
+    store_pack(volume, result.volume);
+    for (int lane = lanes - 1; lane >= 0; --lane) {
+      if (!(volume[lane] > 0 && step[lane] > 0)) chunk.failed = first_element + lane;
     }
   }
 }
@@ -166,6 +94,9 @@ PERCUSS_FORCE_INLINE double sum_lanes(const Lanes& value, int lanes) {
   for (int lane = 0; lane < lanes; ++lane) sum += row[lane];
   return sum;
 }
+
+/// Three numbers: a row of a view, or a record without its padding.
+PERCUSS_FORCE_INLINE void copy_row(const double* from, double* to) { std::memcpy(to, from, 3 * sizeof(double)); }
 
 template <class Material, HexKind Kind>
 struct AdvanceChunk {
@@ -191,50 +122,71 @@ struct AdvanceChunk {
     };
     double* nodes = scratch(node_record);
     double* forces = scratch(force_record);
+    const int* const slots_to_nodes = &chunks.slots_to_nodes(first_slot);
+    const double* const x = motion.x.data();
+    const double* const v = motion.v.data();
     for (int s = 0; s < slot_count; ++s) {
-      const int n = chunks.slots_to_nodes(first_slot + s);
-      for (int k = 0; k < 3; ++k) {
-        nodes[node_record * s + k] = motion.x(n, k);
-        nodes[node_record * s + 4 + k] = motion.v(n, k);
-      }
-      nodes[node_record * s + 3] = nodes[node_record * s + 7] = 0;
+      const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
+      copy_row(x + n, nodes + node_record * s);
+      copy_row(v + n, nodes + node_record * s + 4);
       for (int k = 0; k < force_record; ++k) forces[force_record * s + k] = 0;
     }
     advance_packs(c, nodes, forces);
-    for (int s = 0; s < slot_count; ++s) {
-      for (int k = 0; k < 3; ++k) slot_force(first_slot + s, k) = forces[force_record * s + k];
-    }
+    double* const share = &slot_force(first_slot, 0);
+    for (int s = 0; s < slot_count; ++s) copy_row(forces + force_record * s, share + 3 * s);
   }
 
   KOKKOS_FUNCTION void advance_packs(int c, const double* nodes, double* forces) const {
     constexpr int record_size = hex_record_size<Material, Kind> * width;
+    static_assert(sizeof(LaneState<Material, Kind>) == record_size * sizeof(double));
     const HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
     const int first = chunks.first_element(c);
     const int end = chunks.first_element(c + 1);
     double* record = &state(chunks.first_state(c));
     const std::uint16_t* corners = &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
-    ChunkStep step{1e300, first, -1};
+    ChunkStep step{Lanes(1e300), Lanes(first), -1};
     double work[3] = {0, 0, 0};
     for (int e = first; e < end; e += width, record += record_size, corners += 8 * width) {
       const int lanes = end - e < width ? end - e : width;
-      prefetch(record + record_size, record_size);
+      const double* const next = record + record_size;
       VectorModes<Lanes> a, v;
-      gather_modes(nodes, corners, a, v);
-      LaneState<Material, Kind> s;
-      load_state<Material, Kind>(record, s);
+      prefetch<record_size>(next, 0);
+      gather_modes(nodes, corners, a);
+      prefetch<record_size>(next, 1);
+      gather_modes(nodes + 4, corners, v);
+      auto& s = *reinterpret_cast<LaneState<Material, Kind>*>(record);  // its scalars lie like the record's
       Lanes f[3][8];
       const HexResult<Lanes> result = advance_hex8(parameters, a, v, Lanes(motion.dt), s, f[0], f[1], f[2]);
-      store_state<Material, Kind>(record, s);
+      prefetch<record_size>(next, 2);
       scatter_forces(f, corners, lanes, forces);
       take_lanes(result, e, lanes, step);
       work[0] += sum_lanes(result.work.internal, lanes);
       work[1] += sum_lanes(result.work.hourglass, lanes);
       work[2] += sum_lanes(result.work.viscous, lanes);
     }
-    results.stable_step(c) = step.step;
-    results.controlling_element(c) = step.element;
+    set_step(c, step, end);
     results.failed_element(c) = step.failed;
     for (int k = 0; k < 3; ++k) results.work(c, k) += work[k];
+  }
+
+  /// Of the lanes' smallest steps the smallest, and the lowest element that has it.
+  KOKKOS_FUNCTION void set_step(int c, const ChunkStep& chunk, int end) const {
+    alignas(64) double step[width];
+    alignas(64) double first[width];
+    store_pack(step, chunk.step);
+    store_pack(first, chunk.first);
+    double smallest = 1e300;
+    int element = end;
+    for (int lane = 0; lane < width; ++lane) {
+      int e = static_cast<int>(first[lane]) + lane;
+      if (e >= end) e = end - 1;  // lanes past the end repeat the last element
+      if (step[lane] < smallest || (step[lane] == smallest && e < element)) {
+        smallest = step[lane];
+        element = e;
+      }
+    }
+    results.stable_step(c) = smallest;
+    results.controlling_element(c) = element;
   }
 };
 

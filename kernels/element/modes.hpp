@@ -71,12 +71,13 @@ template <class T>
 PERCUSS_FORCE_INLINE VolumeGradient<T> find_volume_gradient(const VectorModes<T>& a) {
   const T third = T(1.0 / 3.0);
   VolumeGradient<T> b;
-  b[1] = cross(a[2], a[3]) + third * cross(a[6], a[5]);
-  b[2] = cross(a[3], a[1]) + third * cross(a[4], a[6]);
-  b[3] = cross(a[1], a[2]) + third * cross(a[5], a[4]);
-  b[4] = third * (cross(a[3], a[5]) + cross(a[6], a[2]));
-  b[5] = third * (cross(a[1], a[6]) + cross(a[4], a[3]));
-  b[6] = third * (cross(a[5], a[1]) + cross(a[2], a[4]));
+  const Vector3<T> c4 = third * a[4], c5 = third * a[5], c6 = third * a[6];
+  b[1] = cross(a[2], a[3]) + cross(c6, a[5]);
+  b[2] = cross(a[3], a[1]) + cross(c4, a[6]);
+  b[3] = cross(a[1], a[2]) + cross(c5, a[4]);
+  b[4] = cross(a[3], c5) + cross(c6, a[2]);
+  b[5] = cross(a[1], c6) + cross(c4, a[3]);
+  b[6] = cross(c5, a[1]) + cross(a[2], c4);
   b.volume = T(1.0 / 64.0) * (dot(a[1], b[1]) + dot(a[4], b[4]));
   return b;
 }

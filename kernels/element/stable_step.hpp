@@ -56,14 +56,15 @@ template <class T>
 PERCUSS_FORCE_INLINE T find_obliqueness(const VectorModes<T>& a, const GradientSize<T>& g, const T& volume) {
   Symmetric3<T> y{T(0), T(0), T(0), T(0), T(0), T(0)};
   for (int m = 1; m <= 7; ++m) add_square(y, a[m]);
-  return larger(T(0.125) * contract(y, g.square) / (volume * volume) - T(2), T(1));
+  const T inverse_volume = T(1) / volume;
+  return larger(T(0.125) * contract(y, g.square) * (inverse_volume * inverse_volume) - T(2), T(1));
 }
 
 /// Bound of omega^2 of the elastic element without hourglass control.
 template <class T>
 PERCUSS_FORCE_INLINE T find_frequency_square(const GradientSize<T>& g, const T& volume, const T& mass, double lambda,
                                              double mu) {
-  return T(8) * (T(lambda) * g.trace + T(2 * mu) * g.largest) / (mass * volume);
+  return (T(8 * lambda) * g.trace + T(16 * mu) * g.largest) * ((T(1) / mass) * (T(1) / volume));
 }
 
 /// Adds hourglass control to omega^2: `stiffness` bounds the largest eigenvalue of Q over u. The sum of two forms that
@@ -73,17 +74,17 @@ template <class T>
 PERCUSS_FORCE_INLINE T join_hourglass_frequency(const T& frequency_square, const T& stiffness, const T& mass,
                                                 const T& obliqueness) {
   const T half = T(0.5);
-  const T hourglass = T(64) * stiffness * obliqueness / mass;
+  const T aligned = T(64) * stiffness * (T(1) / mass);
+  const T hourglass = aligned * obliqueness;
   const T difference = half * (frequency_square - hourglass);
-  const T cosine_square = T(1) - T(1) / obliqueness;
   return half * (frequency_square + hourglass) +
-         square_root(difference * difference + frequency_square * hourglass * cosine_square);
+         square_root(difference * difference + frequency_square * aligned * (obliqueness - T(1)));
 }
 
 /// Bound of the damping rate (largest eigenvalue of M^-1 C) that a viscous pressure with tangent dq/d(tr D) brings.
 template <class T>
 PERCUSS_FORCE_INLINE T find_damping_rate(const GradientSize<T>& g, const T& volume, const T& mass, const T& tangent) {
-  return T(8) * tangent * g.trace / (mass * volume);
+  return T(8) * tangent * g.trace * ((T(1) / mass) * (T(1) / volume));
 }
 
 /// Largest dt with omega^2 dt^2 / 4 + rate dt / 2 <= 1: central differences with velocities that lag half a step.

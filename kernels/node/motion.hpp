@@ -20,11 +20,22 @@ struct Gravity {
 void assemble_forces(const ExecSpace& space, const NodeSlots& nodes_to_slots, const Rows3<const double>& slot_force,
                      const Rows3<double>& force);
 
+/// What drives the nodes at n.
+struct NodeForces {
+  NodeSlots nodes_to_slots;
+  Rows3<const double> slot_force;
+  Rows3<const double> inverse_mass;  // 0 in held directions
+  Gravity gravity;
+};
+
 /// v(n+1/2) = v(n-1/2) + dt_mean (f / m + g) in each direction with a finite mass; held directions keep their velocity.
-/// v_before: out, v(n-1/2).
-void predict_velocities(const ExecSpace& space, const Rows3<const double>& force,
-                        const Rows3<const double>& inverse_mass, const Gravity& gravity, double dt_mean,
+/// force, v_before: out, f(n) as assemble_forces gives it and v(n-1/2), for what acts on nodes besides.
+void predict_velocities(const ExecSpace& space, const NodeForces& forces, double dt_mean, const Rows3<double>& force,
                         const Rows3<double>& v_before, const Rows3<double>& v);
+
+/// predict_velocities() and move_nodes() in one pass, for nodes on which nothing else acts; to the same bits.
+void advance_free_nodes(const ExecSpace& space, const NodeForces& forces, double dt_mean, double dt,
+                        const Rows3<double>& v, const Rows3<double>& x);
 
 /// v(-1/2) = 2 v(0) - v*(1/2), the velocity from which the forces at 0 lead over v(0) to v*(1/2): with it the work of
 /// the impulses of the first step is that of any other. v_before: in v(0), out v(-1/2).

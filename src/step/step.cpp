@@ -79,14 +79,18 @@ void Stepper::archive(CheckpointArchive& archive) {
 void Stepper::advance(State& state, StepWishes wishes) {
   const double dt = state.next_dt;
   const double dt_mean = 0.5 * (state.dt + dt);
-  integrate_motion(state, dt_mean);
-  hold_conditions(state, dt);
-  resolve_contact(state, dt);
+  if (is_free()) {
+    integrate_free_motion(state, dt, dt_mean);
+  } else {
+    integrate_motion(state, dt_mean);
+    hold_conditions(state, dt);
+    resolve_contact(state, dt);
+  }
   {
     const Phase phase("percuss::book", clocks_.reduce);
     bookkeeper_.book_impulses(state, dt, dt_mean, report_.interactions > 0);
   }
-  {
+  if (!is_free()) {
     const Phase phase("percuss::integrate", clocks_.integrate);
     move_nodes(space_, state.v, dt, state.x);
   }
@@ -102,10 +106,22 @@ void Stepper::advance(State& state, StepWishes wishes) {
   choose_step(state);
 }
 
+/// Whether only elements and gravity act on the nodes: then nothing comes between their velocities and their motion,
+/// and nothing asks for their forces.
+bool Stepper::is_free() const {
+  return !contact_.is_active() && model_.held.count == 0 && model_.pressure_faces.count == 0;
+}
+
+void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {
+  const Phase phase("percuss::integrate", clocks_.integrate);
+  advance_free_nodes(space_, {model_.nodes_to_slots, state.slot_force, model_.inverse_mass, model_.gravity}, dt_mean,
+                     dt, state.v, state.x);
+}
+
 void Stepper::integrate_motion(State& state, double dt_mean) {
   const Phase phase("percuss::integrate", clocks_.integrate);
-  assemble_forces(space_, model_.nodes_to_slots, state.slot_force, state.force);
-  predict_velocities(space_, state.force, model_.inverse_mass, model_.gravity, dt_mean, state.v_before, state.v);
+  predict_velocities(space_, {model_.nodes_to_slots, state.slot_force, model_.inverse_mass, model_.gravity}, dt_mean,
+                     state.force, state.v_before, state.v);
   if (state.step == 0) mirror_velocities(space_, state.v, state.v_before);
 }
 

@@ -68,6 +68,8 @@ class Stepper {
   const PhaseClocks& clocks() const { return clocks_; }
 
  private:
+  bool is_free() const;
+  void integrate_free_motion(State& state, double dt, double dt_mean);
   void integrate_motion(State& state, double dt_mean);
   void hold_conditions(State& state, double dt);
   void resolve_contact(State& state, double dt);

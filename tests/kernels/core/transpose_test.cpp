@@ -8,28 +8,34 @@ namespace {
 constexpr int width = pack_size<double>;
 }
 
-TEST(Transpose, RecordsBecomePacksLaneByLane) {
-  alignas(64) double memory[2 * width][8];
+TEST(Transpose, RecordsBecomePacks) {
+  alignas(64) double memory[2 * width][4] = {};
   const double* records[width];
   for (int lane = 0; lane < width; ++lane) {
     records[lane] = memory[2 * ((lane * 3) % width)];  // records lie anywhere, even twice
-    for (int k = 0; k < 8; ++k) memory[2 * lane][k] = 100 * lane + k;
+    for (int k = 0; k < 4; ++k) memory[2 * lane][k] = 100 * lane + k;
   }
-  alignas(64) double packs[8][width];
+  Pack<double> packs[3];
   transpose_to_packs(records, packs);
-  for (int k = 0; k < 8; ++k) {
-    for (int lane = 0; lane < width; ++lane) EXPECT_EQ(packs[k][lane], records[lane][k]);
+  for (int k = 0; k < 3; ++k) {
+    alignas(64) double row[width];
+    store_pack(row, packs[k]);
+    for (int lane = 0; lane < width; ++lane) EXPECT_EQ(row[lane], records[lane][k]);
   }
 }
 
 TEST(Transpose, PacksBecomeRecordsAgain) {
-  alignas(64) double packs[8][width], records[width][8];
-  for (int k = 0; k < 8; ++k) {
-    for (int lane = 0; lane < width; ++lane) packs[k][lane] = 100 * lane + k;
+  Pack<double> packs[3];
+  alignas(64) double records[width][4];
+  for (int k = 0; k < 3; ++k) {
+    alignas(64) double row[width];
+    for (int lane = 0; lane < width; ++lane) row[lane] = 100 * lane + k + 1;
+    packs[k] = load_pack(row);
   }
   transpose_to_records(packs, records);
-  for (int k = 0; k < 8; ++k) {
-    for (int lane = 0; lane < width; ++lane) EXPECT_EQ(records[lane][k], 100 * lane + k);
+  for (int lane = 0; lane < width; ++lane) {
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(records[lane][k], 100 * lane + k + 1);
+    EXPECT_EQ(records[lane][3], 0);
   }
 }
 
