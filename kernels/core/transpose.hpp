@@ -38,7 +38,10 @@ PERCUSS_FORCE_INLINE void transpose_blocks(Raw (&rows)[4]) {
 
 using RowOfFour = RawPack<4>::type;
 
-PERCUSS_FORCE_INLINE RowOfFour load_row(const double* from) { return *reinterpret_cast<const RowOfFour*>(from); }
+template <int W = 4>  // a template: where no register holds four doubles, none is made
+PERCUSS_FORCE_INLINE typename RawPack<W>::type load_row(const double* from) {
+  return *reinterpret_cast<const typename RawPack<W>::type*>(from);
+}
 
 /// Two rows side by side; W is 8.
 template <int W>
