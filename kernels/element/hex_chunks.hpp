@@ -35,6 +35,8 @@ struct ChunkResults {
   Array<int> controlling_element;  // [count] element that has it
   Array<int> failed_element;       // [count] lowest element with no positive volume or no step, -1: none
   Rows3<double> work;              // [count][3] internal, hourglass, viscous energy put in since the start
+  Array<int> is_settled;           // [count] 1: evaluated at rest, which changed nothing
+  Array<std::int64_t> skipped;     // [count] evaluations that were not needed, since the start
 };
 
 /// Points with stress and history of their own.

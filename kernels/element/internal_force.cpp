@@ -98,6 +98,13 @@ PERCUSS_FORCE_INLINE double sum_lanes(const Lanes& value, int lanes) {
 /// Three numbers: a row of a view, or a record without its padding.
 PERCUSS_FORCE_INLINE void copy_row(const double* from, double* to) { std::memcpy(to, from, 3 * sizeof(double)); }
 
+/// Whether the bits of three numbers are those of +0. (The sign of a zero could reach the bits of the state.)
+PERCUSS_FORCE_INLINE bool is_plain_zero(const double* row) {
+  std::uint64_t bits[3];
+  std::memcpy(bits, row, sizeof bits);
+  return (bits[0] | bits[1] | bits[2]) == 0;
+}
+
 template <class Material, HexKind Kind>
 struct AdvanceChunk {
   HexChunks chunks;
@@ -125,18 +132,34 @@ struct AdvanceChunk {
     const int* const slots_to_nodes = &chunks.slots_to_nodes(first_slot);
     const double* const x = motion.x.data();
     const double* const v = motion.v.data();
+    const bool at_rest = motion.skips_rest && is_at_rest(slots_to_nodes, slot_count);
+    if (at_rest && results.is_settled(c) != 0) {
+      ++results.skipped(c);
+      return;
+    }
     for (int s = 0; s < slot_count; ++s) {
       const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
       copy_row(x + n, nodes + node_record * s);
       copy_row(v + n, nodes + node_record * s + 4);
       for (int k = 0; k < force_record; ++k) forces[force_record * s + k] = 0;
     }
-    advance_packs(c, nodes, forces);
+    const bool changed = advance_packs(c, nodes, forces, at_rest);
+    results.is_settled(c) = at_rest && !changed ? 1 : 0;
     double* const share = &slot_force(first_slot, 0);
     for (int s = 0; s < slot_count; ++s) copy_row(forces + force_record * s, share + 3 * s);
   }
 
-  KOKKOS_FUNCTION void advance_packs(int c, const double* nodes, double* forces) const {
+  /// The positions of nodes without velocity are those of the step before.
+  KOKKOS_FUNCTION bool is_at_rest(const int* slots_to_nodes, int slot_count) const {
+    const double* const v = motion.v.data();
+    for (int s = 0; s < slot_count; ++s) {
+      if (!is_plain_zero(v + 3 * static_cast<std::size_t>(slots_to_nodes[s]))) return false;
+    }
+    return true;
+  }
+
+  /// Returns whether a bit of the records has changed, if watched.
+  KOKKOS_FUNCTION bool advance_packs(int c, const double* nodes, double* forces, bool watched) const {
     constexpr int record_size = hex_record_size<Material, Kind> * width;
     static_assert(sizeof(LaneState<Material, Kind>) == record_size * sizeof(double));
     const HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
@@ -146,6 +169,8 @@ struct AdvanceChunk {
     const std::uint16_t* corners = &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
     ChunkStep step{Lanes(1e300), Lanes(first), -1};
     double work[3] = {0, 0, 0};
+    double before[record_size];
+    bool changed = false;
     for (int e = first; e < end; e += width, record += record_size, corners += 8 * width) {
       const int lanes = end - e < width ? end - e : width;
       const double* const next = record + record_size;
@@ -155,10 +180,12 @@ struct AdvanceChunk {
       prefetch<record_size>(next, 1);
       gather_modes(nodes + 4, corners, v);
       auto& s = *reinterpret_cast<LaneState<Material, Kind>*>(record);  // its scalars lie like the record's
+      if (watched) std::memcpy(before, record, sizeof before);
       Lanes f[3][8];
       const HexResult<Lanes> result = advance_hex8(parameters, a, v, Lanes(motion.dt), s, f[0], f[1], f[2]);
       prefetch<record_size>(next, 2);
       scatter_forces(f, corners, lanes, forces);
+      if (watched) changed = changed || std::memcmp(before, record, sizeof before) != 0;
       take_lanes(result, e, lanes, step);
       work[0] += sum_lanes(result.work.internal, lanes);
       work[1] += sum_lanes(result.work.hourglass, lanes);
@@ -167,6 +194,7 @@ struct AdvanceChunk {
     set_step(c, step, end);
     results.failed_element(c) = step.failed;
     for (int k = 0; k < 3; ++k) results.work(c, k) += work[k];
+    return changed;
   }
 
   /// Of the lanes' smallest steps the smallest, and the lowest element that has it.

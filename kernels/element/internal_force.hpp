@@ -13,6 +13,7 @@ struct ElementMotion {
   Rows3<const double> x;
   Rows3<const double> v;
   double dt = 0;
+  bool skips_rest = false;  // chunks that rest and are settled are left as they are, which changes no bit
 };
 
 /// One compiled variant of the element: a material and a kind of element, with the chunks that use it.
@@ -33,7 +34,7 @@ struct AllHexBlocks<TypeList<Material...>> {
 using HexBlocks = AllHexBlocks<Materials>::type;
 
 /// Advances every element from n to n+1. state: element records, in and out. slot_force: out, the chunk's share of the
-/// force on its nodes (minus the internal force). results: out; work is added to.
+/// force on its nodes (minus the internal force), as it was where a chunk is skipped. results: out; work is added to.
 void advance_elements(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
                       const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
                       const ChunkResults& results);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "kernels/core/host_copy.hpp"
 #include "src/step/run_totals.hpp"
 
 namespace percuss {
@@ -19,6 +20,15 @@ void fill_contact_summary(const SummedRun& run, Summary& summary) {
   }
   summary.balance.contact = done.imbalance;
   summary.decomposition = {done.rebalances, done.ghost_faces, done.worst_imbalance, done.rounds_per_cut};
+}
+
+void fill_skipped_chunks(const SummedRun& run, Summary& summary) {
+  std::int64_t skipped = 0;
+  const auto by_chunk = to_host(run.state.results.skipped);
+  for (std::size_t c = 0; c < by_chunk.extent(0); ++c) skipped += by_chunk(c);
+  skipped = sum_counts(run.model.ranks, skipped);
+  const double updates = static_cast<double>(run.chunked.numbering.chunk_count()) * static_cast<double>(run.steps);
+  if (updates > 0) summary.skipped.chunk_updates = static_cast<double>(skipped) / updates;
 }
 
 void fill_messages(const SummedRun& run, Summary& summary) {
@@ -49,6 +59,7 @@ void fill_summary(const SummedRun& run, Summary& summary) {
   take_largest(ranks, summary);
   const double work = static_cast<double>(summary.elements) * static_cast<double>(run.steps);
   if (work > 0) summary.grind_ns = 1e9 * summary.loop_s * summary.ranks * summary.threads / work;
+  fill_skipped_chunks(run, summary);
   fill_contact_summary(run, summary);
   summary.balance.elements = find_element_balance(numbering, ranks.size());
   fill_messages(run, summary);

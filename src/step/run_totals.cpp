@@ -64,6 +64,11 @@ Traffic sum_traffic(const Communicator& ranks, const Traffic& own) {
   return {sums[0], sums[1]};
 }
 
+std::int64_t sum_counts(const Communicator& ranks, std::int64_t own) {
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &own, 1, MPI_INT64_T, MPI_SUM, ranks.handle()); }, "MPI_Allreduce");
+  return own;
+}
+
 std::vector<RankRow> gather_rows(const Communicator& ranks, const RankRow& own) {
   static_assert(std::is_trivially_copyable_v<RankRow>, "rows travel as bytes");
   constexpr int bytes = sizeof(RankRow);

@@ -27,6 +27,9 @@ void take_largest(const Communicator& ranks, Summary& summary);
 /// Adds up what the ranks have sent. Collective. Throws MpiError.
 Traffic sum_traffic(const Communicator& ranks, const Traffic& own);
 
+/// Adds up a count of all ranks. Collective. Throws MpiError.
+std::int64_t sum_counts(const Communicator& ranks, std::int64_t own);
+
 /// [ranks] the rows of all ranks on rank 0, in their order; empty on the others. Collective. Throws MpiError.
 std::vector<RankRow> gather_rows(const Communicator& ranks, const RankRow& own);
 

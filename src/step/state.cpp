@@ -78,7 +78,8 @@ State make_initial_state(const Model& model) {
   s.slot_force = Rows3<double>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
   const auto chunks = static_cast<std::size_t>(model.chunks.count);
   s.results = {Array<double>("percuss::stable_step", chunks), Array<int>("percuss::controlling_element", chunks),
-               Array<int>("percuss::failed_element", chunks), Rows3<double>("percuss::work", chunks)};
+               Array<int>("percuss::failed_element", chunks), Rows3<double>("percuss::work", chunks),
+               Array<int>("percuss::is_settled", chunks),     Array<std::int64_t>("percuss::skipped", chunks)};
   return s;
 }
 

@@ -165,8 +165,8 @@ void Stepper::compute_forces(State& state, double dt) {
 }
 
 void Stepper::advance_blocks(State& state, const HexBlocks& blocks, double dt) {
-  advance_elements(space_, model_.chunks, blocks, {state.x, state.v, dt}, state.elements, state.slot_force,
-                   state.results);
+  advance_elements(space_, model_.chunks, blocks, {state.x, state.v, dt, deck_.elements.skip_resting}, state.elements,
+                   state.slot_force, state.results);
 }
 
 StepNotice Stepper::find_notice(const State& state) const {
