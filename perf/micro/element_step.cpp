@@ -87,7 +87,7 @@ void report(benchmark::State& run, const Block& block, double flop, double bytes
   const double elements = static_cast<double>(run.iterations()) * block.model.element_count;
   const double least = std::max(flop / ceilings.flops, bytes / ceilings.stream);
   using benchmark::Counter;
-  run.counters["ns"] = Counter(elements * 1e-9, Counter::kIsRate | Counter::kInvert);
+  run.counters["element"] = Counter(elements, Counter::kIsRate | Counter::kInvert);
   run.counters["bytes"] = bytes;
   run.counters["flop"] = flop;
   run.counters["roofline"] = Counter(elements * least, Counter::kIsRate);
@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   ceilings = measure_ceilings();
   const int threads = ExecSpace().concurrency();
-  fmt::print("one thread at most: {:.1f} Gflop/s, {:.1f} GB/s; {} thread{}; ns: nanoseconds an element and step\n",
+  fmt::print("one thread at most: {:.1f} Gflop/s, {:.1f} GB/s; {} thread{}; element: CPU time of an element and step\n",
              ceilings.flops * 1e-9, ceilings.stream * 1e-9, threads, threads == 1 ? "" : "s");
   ceilings = {threads * ceilings.flops, threads * ceilings.stream};
   register_all();

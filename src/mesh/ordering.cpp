@@ -82,8 +82,9 @@ ElementOrder bisect_elements(const PartMesh& mesh) {
   if (mesh.elements.empty()) return order;
   std::iota(order.elements.begin(), order.elements.end(), 0);
   const std::vector<Vec3> centers = find_element_centers(mesh);
+  const auto limit = static_cast<std::size_t>(find_chunk_limit(static_cast<std::int64_t>(mesh.elements.size())));
   const std::size_t count = mesh.elements.size(), units = Bisection::divide_up(count, chunk_granularity);
-  Bisection(centers, order).cut(0, count, Bisection::divide_up(units, max_chunk_elements / chunk_granularity));
+  Bisection(centers, order).cut(0, count, Bisection::divide_up(units, limit / chunk_granularity));
   return order;
 }
 

@@ -26,10 +26,10 @@ struct Cut {
   int larger = 0;
 };
 
-/// All cuts of a direction into tiles of different sizes, at most max_chunk_elements cells long.
-std::vector<Cut> list_cuts(int cells) {
+/// All cuts of a direction into tiles of different sizes, at most `limit` cells long.
+std::vector<Cut> list_cuts(int cells, int limit) {
   std::vector<Cut> cuts;
-  for (int size = 1; size <= std::min(cells, max_chunk_elements); ++size) {
+  for (int size = 1; size <= std::min(cells, limit); ++size) {
     const int tiles = divide_up(cells, size);
     if (!cuts.empty() && cuts.back().tiles == tiles) continue;
     cuts.push_back({tiles, cells / tiles, cells % tiles});
@@ -79,13 +79,13 @@ struct Candidate {
   TilesCost cost;
 };
 
-std::vector<Candidate> list_candidates(const CellBlock& block) {
+std::vector<Candidate> list_candidates(const CellBlock& block, int limit) {
   std::vector<Candidate> candidates;
-  for (const Cut& x : list_cuts(block.cells[0])) {
-    for (const Cut& y : list_cuts(block.cells[1])) {
-      if (find_largest(x) * find_largest(y) > max_chunk_elements) continue;
-      for (const Cut& z : list_cuts(block.cells[2])) {
-        if (find_largest(x) * find_largest(y) * find_largest(z) > max_chunk_elements) continue;
+  for (const Cut& x : list_cuts(block.cells[0], limit)) {
+    for (const Cut& y : list_cuts(block.cells[1], limit)) {
+      if (find_largest(x) * find_largest(y) > limit) continue;
+      for (const Cut& z : list_cuts(block.cells[2], limit)) {
+        if (find_largest(x) * find_largest(y) * find_largest(z) > limit) continue;
         candidates.push_back({{x, y, z}, find_cost({x, y, z}, block.edges)});
       }
     }
@@ -95,8 +95,8 @@ std::vector<Candidate> list_candidates(const CellBlock& block) {
 
 }  // namespace
 
-BlockTiles choose_tiles(const CellBlock& block) {
-  const std::vector<Candidate> candidates = list_candidates(block);
+BlockTiles choose_tiles(const CellBlock& block, int limit) {
+  const std::vector<Candidate> candidates = list_candidates(block, limit);
   double least_surface = candidates.front().cost.surface;
   for (const Candidate& c : candidates) least_surface = std::min(least_surface, c.cost.surface);
   const auto rate = [&](const Candidate& c) {
@@ -110,12 +110,13 @@ BlockTiles choose_tiles(const CellBlock& block) {
 }
 
 PartTiling::PartTiling(const ShapeSource& source, int copies) : copies_(copies), elements_(source.element_count()) {
-  if (elements_ <= max_chunk_elements) {
-    shared_chunks_ = divide_up(copies, max_chunk_elements / elements_);
+  const int limit = find_chunk_limit(std::int64_t{copies} * elements_);
+  if (elements_ <= limit) {
+    shared_chunks_ = divide_up(copies, limit / elements_);
     return;
   }
   for (const CellBlock& block : source.blocks()) {
-    tiles_.push_back(choose_tiles(block));
+    tiles_.push_back(choose_tiles(block, limit));
     tiles_a_copy_ += tiles_.back().count();
   }
 }

@@ -19,9 +19,9 @@ struct BlockTiles {
 };
 
 /// Chooses how many tiles a block is cut into in each direction: the cheapest of all cuts into tiles of at most
-/// max_chunk_elements cells. A cut costs the lanes of its packs of 8 and the copies that its chunks have of their
+/// `limit` cells. A cut costs the lanes of its packs of 8 and the copies that its chunks have of their
 /// nodes; among near-equal ones the tiles with the least surface win.
-BlockTiles choose_tiles(const CellBlock& block);
+BlockTiles choose_tiles(const CellBlock& block, int limit);
 
 /// An element of a part: which of the copies that an array makes, and which element of the shape.
 struct SourceElement {
@@ -31,7 +31,7 @@ struct SourceElement {
 };
 
 /// The chunks of a generated part, in the order of their numbers: copy after copy, block after block, tile after tile.
-/// Shapes of at most max_chunk_elements elements are chunks of their own, those of at most half as many share one with
+/// Shapes of at most find_chunk_limit() elements are chunks of their own, those of at most half as many share one with
 /// the next copies.
 class PartTiling {
  public:

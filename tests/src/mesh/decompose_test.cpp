@@ -198,7 +198,7 @@ TEST_F(Decomposition, MakesNoMoreThanItsShareOfTheGeneratedChunks) {
   for (std::size_t c = 0; c < pieces.chunks.size(); ++c) {
     if (scene.parts[at(pieces.parts[c])].generated) {
       ++made;
-      EXPECT_LE(pieces.first_element[c + 1] - pieces.first_element[c], max_chunk_elements);
+      EXPECT_LE(pieces.first_element[c + 1] - pieces.first_element[c], least_chunk_limit);
     } else {
       EXPECT_EQ(world.rank(), 0);
     }

@@ -29,7 +29,7 @@ TEST(BisectElements, CoversEveryElementOnceInAscendingOrderWithinAChunk) {
   const ElementOrder order = bisect_elements(mesh);
   for (const std::vector<int>& chunk : list_chunks(order)) {
     EXPECT_GE(chunk.size(), 1U);
-    EXPECT_LE(chunk.size(), static_cast<std::size_t>(max_chunk_elements));
+    EXPECT_LE(chunk.size(), static_cast<std::size_t>(least_chunk_limit));
     EXPECT_TRUE(std::is_sorted(chunk.begin(), chunk.end()));
   }
   std::vector<int> listed = order.elements, all(mesh.elements.size());
@@ -41,7 +41,7 @@ TEST(BisectElements, CoversEveryElementOnceInAscendingOrderWithinAChunk) {
 TEST(BisectElements, CutsIntoTheFewestChunksOfNearEqualSize) {
   for (const int cells : {1, 63, 64, 65, 128, 129, 7777}) {
     const auto chunks = list_chunks(bisect_elements(make_part_mesh(BoxShape{{1, 1, 1}, {cells, 1, 1}})));
-    EXPECT_EQ(static_cast<int>(chunks.size()), (cells + max_chunk_elements - 1) / max_chunk_elements) << cells;
+    EXPECT_EQ(static_cast<int>(chunks.size()), (cells + least_chunk_limit - 1) / least_chunk_limit) << cells;
     for (std::size_t c = 0; c < chunks.size(); ++c) {
       const int count = static_cast<int>(chunks[c].size()), mean = cells / static_cast<int>(chunks.size());
       // Each level of bisection rounds to the granularity once.

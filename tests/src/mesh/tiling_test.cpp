@@ -12,13 +12,28 @@
 namespace percuss {
 namespace {
 
-std::array<int, 3> count_tiles(const std::array<int, 3>& cells, const Vec3& edges = {1, 1, 1}) {
-  return choose_tiles({0, cells, {1, cells[0], cells[0] * cells[1]}, edges}).counts;
+std::array<int, 3> count_tiles(const std::array<int, 3>& cells, const Vec3& edges = {1, 1, 1},
+                               int limit = least_chunk_limit) {
+  return choose_tiles({0, cells, {1, cells[0], cells[0] * cells[1]}, edges}, limit).counts;
 }
 
 TEST(ChooseTiles, MakesCubesOfFourCells) {
   EXPECT_EQ(count_tiles({16, 16, 16}), (std::array<int, 3>{4, 4, 4}));
   EXPECT_EQ(count_tiles({100, 200, 40}), (std::array<int, 3>{25, 50, 10}));
+}
+
+TEST(ChooseTiles, MakesLargerTilesWhereTheyMayBeLarger) {
+  EXPECT_EQ(count_tiles({64, 64, 64}, {1, 1, 1}, 512), (std::array<int, 3>{8, 8, 8}));
+  EXPECT_EQ(count_tiles({16, 16, 32}, {1, 1, 1}, 128), (std::array<int, 3>{4, 4, 4}));
+}
+
+TEST(ChunkLimit, GrowsWithThePartSoThatItHasEnoughChunks) {
+  EXPECT_EQ(find_chunk_limit(1), 64);
+  EXPECT_EQ(find_chunk_limit(16'383), 64);
+  EXPECT_EQ(find_chunk_limit(16'384), 128);
+  EXPECT_EQ(find_chunk_limit(64'000), 256);
+  EXPECT_EQ(find_chunk_limit(65'536), 512);
+  EXPECT_EQ(find_chunk_limit(std::int64_t{1} << 40), 512);
 }
 
 TEST(ChooseTiles, KeepsWhatFitsWhole) {
@@ -53,7 +68,7 @@ TEST_P(PartTilingOf, ListsEveryElementOnceInChunksOfTheirSize) {
     const std::vector<SourceElement> elements = tiling.list_elements(c);
     EXPECT_EQ(static_cast<int>(elements.size()), tiling.count_elements(c));
     EXPECT_GE(elements.size(), 1U);
-    EXPECT_LE(elements.size(), static_cast<std::size_t>(max_chunk_elements));
+    EXPECT_LE(elements.size(), static_cast<std::size_t>(least_chunk_limit));
     for (const SourceElement& e : elements) {
       EXPECT_TRUE(seen.emplace(e.copy, e.element).second);
       EXPECT_GE(e.copy, last_copy) << "bodies are counted in the order of copies";
