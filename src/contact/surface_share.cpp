@@ -40,7 +40,7 @@ int find_back_corner(int face, int corner) {
 
 void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& faces, SurfaceShare& share) {
   const Mesh& mesh = chunked.mesh;
-  const std::vector<std::int64_t> numbers = number_elements(chunked);
+  const std::vector<std::int64_t> numbers = list_element_numbers(chunked);
   for (const ElementFace& f : faces) {
     FaceTopology face;
     face.number = 6 * numbers[at(f.element)] + f.face;

@@ -77,6 +77,16 @@ class Bisection {
 
 }  // namespace
 
+std::vector<std::int64_t> list_element_numbers(const ChunkedMesh& chunked) {
+  std::vector<std::int64_t> numbers(chunked.mesh.elements.size());
+  for (const Chunk& chunk : chunked.chunks) {
+    const auto first = numbers.begin() + chunk.first_element;
+    std::iota(first, first + chunk.element_count,
+              chunked.numbering.first_element[static_cast<std::size_t>(chunk.number)]);
+  }
+  return numbers;
+}
+
 ElementOrder bisect_elements(const PartMesh& mesh) {
   ElementOrder order{std::vector<int>(mesh.elements.size()), {0}};
   if (mesh.elements.empty()) return order;

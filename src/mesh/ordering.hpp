@@ -44,6 +44,9 @@ struct ChunkedMesh {
   Numbering numbering;        // of the whole mesh, the same on every rank
 };
 
+/// Number of each element of the share in the whole mesh.
+std::vector<std::int64_t> list_element_numbers(const ChunkedMesh& chunked);
+
 /// Elements chunk after chunk.
 struct ElementOrder {
   std::vector<int> elements;        // place i of the new order has element elements[i] of the old

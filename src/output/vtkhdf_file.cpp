@@ -42,16 +42,6 @@ std::vector<int> count_up(std::size_t count) {
   return items;
 }
 
-std::vector<std::int64_t> number_elements(const ChunkedMesh& chunked) {
-  std::vector<std::int64_t> numbers(chunked.mesh.elements.size());
-  for (const Chunk& chunk : chunked.chunks) {
-    const auto first = numbers.begin() + chunk.first_element;
-    std::iota(first, first + chunk.element_count,
-              chunked.numbering.first_element[static_cast<std::size_t>(chunk.number)]);
-  }
-  return numbers;
-}
-
 // Corners as they are numbered in the whole mesh.
 std::vector<std::int64_t> flatten_connectivity(const Mesh& mesh) {
   std::vector<std::int64_t> corners;
@@ -72,7 +62,7 @@ VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, Fiel
       nodes_(static_cast<hsize_t>(chunked.numbering.node_count())),
       elements_(static_cast<hsize_t>(chunked.numbering.element_count())),
       node_rows_(ranks, find_owned_nodes(chunked, ranks), chunked.mesh.node_numbers, chunked.numbering.node_count()),
-      element_rows_(ranks, count_up(chunked.mesh.elements.size()), number_elements(chunked),
+      element_rows_(ranks, count_up(chunked.mesh.elements.size()), list_element_numbers(chunked),
                     chunked.numbering.element_count()) {
   if (ranks.size() > 1) transfer_ = hdf5::create_collective_transfer();
 }
