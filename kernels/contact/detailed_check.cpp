@@ -20,6 +20,24 @@ KOKKOS_INLINE_FUNCTION double find_thickness(const ContactSurface& surface, cons
   return 0.25 * norm(sum);
 }
 
+/// Flattened: a pair is checked by some fifty small functions.
+[[gnu::flatten]] KOKKOS_FUNCTION NodeTouches check_node_flat(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                             const FaceState& faces,
+                                                             const Array<const int>& history_face, int node,
+                                                             const Array<const int>& candidates, int first, int last) {
+  return check_node(surface, motion, faces, history_face, node, candidates, first, last);
+}
+
+/// The first of the candidates first to last - 1 whose box the node meets in the step, or `last`: for most nodes, in
+/// most steps, there is none.
+KOKKOS_INLINE_FUNCTION int find_first_near(const ContactSurface& surface, const SurfaceMotion& motion,
+                                           const FaceState& faces, int node, const Array<const int>& candidates,
+                                           int first, int last) {
+  const CheckedNode checked = load_checked_node(surface, motion, node);
+  while (first < last && !is_in_box(checked, faces.box, candidates(first))) ++first;
+  return first;
+}
+
 }  // namespace
 
 template <class Space>
@@ -62,13 +80,17 @@ void find_touches(const Space& space, const ContactSurface& surface, const Surfa
   Kokkos::parallel_for(
       "contact::detailed_check", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
         const int node = nodes(i);
-        by_node(i) = check_node(s, m, f, h, node, face, offset(node), offset(node + 1));
+        const int last = offset(node + 1), first = find_first_near(s, m, f, node, face, offset(node), last);
+        if (first == last)
+          by_node(i).count = 0;
+        else
+          by_node(i) = check_node_flat(s, m, f, h, node, face, first, last);
       });
-  const Array<int> first = table.first;
+  const Array<int> place_of_first = table.first;
   Kokkos::parallel_scan(
       "contact::first_touch", RangeOf<Space>(space, 0, candidates.num_nodes),
       KOKKOS_LAMBDA(int i, int& place, bool final_pass) {
-        if (final_pass) first(i) = place;
+        if (final_pass) place_of_first(i) = place;
         place += by_node(i).count;
       },
       table.count);

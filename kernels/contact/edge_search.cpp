@@ -34,15 +34,14 @@ KOKKOS_INLINE_FUNCTION void bound_edge(const Rows2<const int>& ends, const Surfa
   }
 }
 
-/// The hits of all points of an edge that make a pair with it, each once.
+/// Which hits of an edge's points make pairs with it.
 struct PairFilter {
+  EdgeSurface surface;
   EdgeQuery query;
-  Rows2<const int> ends;
-  Array<const int> first_point, offset, hit;
 
   /// Whether edge a meets the box of b without its slack.
   KOKKOS_INLINE_FUNCTION bool meets(int a, int b) const {
-    const Point3 p = load_row(query.x, ends(a, 0)), q = load_row(query.x, ends(a, 1));
+    const Point3 p = load_row(query.x, surface.ends(a, 0)), q = load_row(query.x, surface.ends(a, 1));
     const double from[3] = {p.x, p.y, p.z}, to[3] = {q.x, q.y, q.z};
     const double slack[3] = {query.slack.x, query.slack.y, query.slack.z};
     for (int k = 0; k < 3; ++k) {
@@ -52,28 +51,18 @@ struct PairFilter {
     return true;
   }
 
-  template <class Visit>
-  KOKKOS_INLINE_FUNCTION void operator()(int a, const Visit& visit) const {
-    for (int p = first_point(a); p < first_point(a + 1); ++p)
-      for (int i = offset(p); i < offset(p + 1); ++i) {
-        if (meets(a, hit(i)) && !was_hit(a, p, hit(i))) visit(hit(i));
-      }
-  }
-
-  /// Whether a point of `a` before p lies in the box of b.
-  KOKKOS_INLINE_FUNCTION bool was_hit(int a, int p, int b) const {
-    for (int q = first_point(a); q < p; ++q) {
-      int lo = offset(q), hi = offset(q + 1);
-      while (lo < hi) {
-        const int middle = lo + (hi - lo) / 2;
-        if (hit(middle) == b) return true;
-        if (hit(middle) < b)
-          lo = middle + 1;
-        else
-          hi = middle;
-      }
+  /// Leaves of hits first to last - 1 of edge a those that make pairs, ascending, each once; returns where they end.
+  KOKKOS_INLINE_FUNCTION int keep(int a, int first, int last, const Array<int>& hit) const {
+    int end = first;
+    for (int i = first; i < last; ++i)
+      if (meets(a, hit(i))) hit(end++) = hit(i);
+    sort_run(hit, first, end);
+    int kept = first;
+    for (int i = first; i < end; ++i) {
+      const int b = hit(i);
+      if ((i == first || b != hit(i - 1)) && !are_joined(surface, a, b)) hit(kept++) = b;
     }
-    return false;
+    return kept;
   }
 };
 
@@ -166,15 +155,22 @@ std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, con
   const EdgePairRule rule{surface, points.edge_of_point};
   const std::int64_t hits = find_hits(space, by_point, query.boxes, rule, max_pairs, scratch.points, scratch.hits);
   if (hits > max_pairs) return hits;
-  const PairFilter filter{query, surface.ends, points.first_point, scratch.hits.offset, scratch.hits.face};
+  const PairFilter filter{surface, query};
   const int num_edges = surface.num_edges;
   reserve(scratch.first, num_edges + 1);
-  const Array<int> first = scratch.first;
+  reserve(scratch.kept, num_edges);
+  const Array<int> first = scratch.first, kept = scratch.kept, hit = scratch.hits.face;
+  const Array<const int> offset = scratch.hits.offset, first_point = points.first_point;
+  Kokkos::parallel_for(
+      "contact::keep_edge_pairs", RangeOf<Space>(space, 0, num_edges), KOKKOS_LAMBDA(int e) {
+        const int from = offset(first_point(e));
+        kept(e) = filter.keep(e, from, offset(first_point(e + 1)), hit) - from;
+      });
   Kokkos::parallel_scan(
       "contact::count_edge_pairs", RangeOf<Space>(space, 0, num_edges),
       KOKKOS_LAMBDA(int e, int& place, bool final_pass) {
         if (final_pass) first(e) = place;
-        filter(e, [&](int) { ++place; });
+        place += kept(e);
       },
       pairs.num_pairs);
   reserve(pairs.a, pairs.num_pairs);
@@ -182,12 +178,10 @@ std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, con
   const Array<int> a = pairs.a, b = pairs.b;
   Kokkos::parallel_for(
       "contact::list_edge_pairs", RangeOf<Space>(space, 0, num_edges), KOKKOS_LAMBDA(int e) {
-        int place = first(e);
-        filter(e, [&](int other) {
-          a(place) = e;
-          b(place++) = other;
-        });
-        sort_run(b, first(e), place);
+        for (int i = 0; i < kept(e); ++i) {
+          a(first(e) + i) = e;
+          b(first(e) + i) = hit(offset(first_point(e)) + i);
+        }
       });
   list_paired_edges(space, num_edges, scratch, pairs);
   return hits;

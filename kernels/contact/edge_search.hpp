@@ -56,6 +56,7 @@ struct EdgeSearchScratch {
   SearchScratch points;
   CandidateList hits;  // by point
   Array<int> first = Array<int>("contact::edge_first_pair", 0);
+  Array<int> kept = Array<int>("contact::edge_kept_hits", 0);
   Array<int> mark = Array<int>("contact::edge_mark", 0);
 };
 

@@ -166,11 +166,15 @@ KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const Surf
   touch.opposed = find_opposition(surface, faces, node.node, face) <= contact_limits::opposing;
   // Faces that only meet at an edge, as those of bricks in line do, are hit only by going through them for certain.
   const bool starts_in_front = range.most_start > contact_limits::overlap * h;
+  // What is farther from the face's plane than the band at both ends of the step, and so at any time, goes through
+  // nothing.
+  constexpr double slack = 1.001;  // for round-off
+  const bool may_sweep = starts_in_front && range.least <= slack * contact_limits::new_band * h;
   if (!touch.opposed && !touch.same_face)
-    return starts_in_front && check_swept(surface, faces, relative, end, touch) &&
+    return may_sweep && check_swept(surface, faces, relative, end, touch) &&
            touch.gap_start > contact_limits::overlap * h;
   if (check_touching(surface, faces, relative.start, end, touch)) return true;
-  if (starts_in_front && check_swept(surface, faces, relative, end, touch)) return true;
+  if (may_sweep && check_swept(surface, faces, relative, end, touch)) return true;
   return check_held(surface, faces, relative.start, end, touch);
 }
 

@@ -49,15 +49,6 @@ struct HitList {
   }
 };
 
-/// Which nodes make pairs with which faces.
-struct NodeFaceRule {
-  ContactSurface surface;
-
-  KOKKOS_INLINE_FUNCTION bool operator()(int node, int face) const {
-    return find_friction(surface, node, face) >= 0 && !shares_element(surface, node, face);
-  }
-};
-
 /// Walks the shortest of the three runs of a box.
 template <class Rule>
 struct BoxWalk {
@@ -134,6 +125,8 @@ std::int64_t collect_hits(const Space& space, const PointQuery& query, const Rul
 template <class Space, class Rule>
 std::int64_t find_hits(const Space& space, const PointQuery& query, const Boxes& boxes, const Rule& rule,
                        std::int64_t max_pairs, SearchScratch& scratch, CandidateList& list) {
+  if (scratch.method == SearchMethod::blocks)
+    return find_hits_in_blocks(space, query, boxes, rule, max_pairs, scratch.blocks, list);
   const RankLists lists = rank_all(space, query, scratch);
   const std::int64_t found = collect_hits(space, query, rule, lists, boxes, max_pairs, scratch);
   if (found > max_pairs) return found;
@@ -164,22 +157,29 @@ std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surf
 template <class Space>
 void list_concerned(const Space& space, const ContactSurface& surface, SearchScratch& scratch, CandidateList& list) {
   reserve(scratch.mark, surface.num_faces);
+  reserve(scratch.read_nodes, surface.num_nodes);
   reserve(list.nodes, surface.num_nodes);
   reserve(list.faces, surface.num_faces);
   const ContactSurface s = surface;
   const Array<int> mark = scratch.mark, offset = list.offset, face = list.face;
+  const Array<int> read = scratch.read_nodes;
   Kokkos::parallel_for(
       "contact::clear_marks", RangeOf<Space>(space, 0, surface.num_faces), KOKKOS_LAMBDA(int f) { mark(f) = 0; });
+  const int num_pairs = list.num_pairs;
   Kokkos::parallel_for(
-      "contact::mark_faces", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
-        const auto mark_around = [&](int n) {
-          for (int j = s.nodes_to_faces_offset(n); j < s.nodes_to_faces_offset(n + 1); ++j)
-            Kokkos::atomic_fetch_or(&mark(s.nodes_to_faces(j)), 1);
-        };
-        if (offset(node) == offset(node + 1)) return;
-        mark_around(node);
-        for (int c = offset(node); c < offset(node + 1); ++c)
-          for (int i = 0; i < 4; ++i) mark_around(s.face_corners(face(c), i));
+      "contact::mark_candidates", RangeOf<Space>(space, 0, num_pairs),
+      KOKKOS_LAMBDA(int c) { Kokkos::atomic_fetch_or(&mark(face(c)), 1); });
+  // Nodes around which all faces are read: those with candidates and the corners of candidates.
+  Kokkos::parallel_for(
+      "contact::mark_nodes", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int n) {
+        int any = offset(n) < offset(n + 1) ? 1 : 0;
+        for (int j = s.nodes_to_faces_offset(n); j < s.nodes_to_faces_offset(n + 1); ++j)
+          any |= mark(s.nodes_to_faces(j));
+        read(n) = any;
+      });
+  Kokkos::parallel_for(
+      "contact::mark_faces", RangeOf<Space>(space, 0, surface.num_faces), KOKKOS_LAMBDA(int f) {
+        for (int i = 0; i < 4; ++i) mark(f) |= read(s.face_corners(f, i));
       });
   list.num_faces = list_where<Space>(
       space, surface.num_faces, [mark] KOKKOS_FUNCTION(int f) { return mark(f) != 0; }, list.faces);

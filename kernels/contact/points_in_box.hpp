@@ -3,27 +3,20 @@
 //
 // The nodes are ranked along each axis once: three lists and three ranks. For each box a binary search finds its
 // run in each list; the shortest run is walked and the other two axes are tested by rank. With the counts by node
-// that is 7 words a node; time n log n and a walk. Exact in double: the oracle for faster searches.
+// that is 7 words a node; time n log n and a walk. Exact in double: the oracle of block_search.hpp, which is faster.
 
-#include "kernels/contact/contact_state.hpp"
-#include "kernels/contact/edge_surface.hpp"
+#include "kernels/contact/block_search.hpp"
 #include "kernels/contact/point_order.hpp"
 
 namespace percuss {
 
-/// Candidate pairs by node, faces ascending: the pair list sorted by (node, face).
-struct CandidateList {
-  int num_pairs = 0;
-  int num_nodes = 0;                                               // nodes with candidates
-  int num_faces = 0;                                               // faces whose geometry the detailed check reads
-  Array<int> offset = Array<int>("contact::candidate_offset", 0);  // [contact nodes + 1]
-  Array<int> face = Array<int>("contact::candidate_face", 0);      // [pairs]
-  Array<int> nodes = Array<int>("contact::candidate_nodes", 0);    // [num_nodes] contact nodes, ascending
-  Array<int> faces = Array<int>("contact::candidate_faces", 0);    // [num_faces] ascending
-};
+/// How pairs are found: the list is the same.
+enum class SearchMethod { blocks, points_in_box };
 
-/// Memory of the search, kept between searches.
+/// How to search, and memory kept between searches.
 struct SearchScratch {
+  SearchMethod method = SearchMethod::blocks;
+  BlockScratch blocks;
   Array<int> points = Array<int>("contact::points", 0);  // [searched nodes] mesh node
   Array<int> order[3] = {Array<int>("contact::order_x", 0), Array<int>("contact::order_y", 0),
                          Array<int>("contact::order_z", 0)};
@@ -34,15 +27,7 @@ struct SearchScratch {
   Array<std::int64_t> total = Array<std::int64_t>("contact::hit_total", 1);
   Array<int> count = Array<int>("contact::count", 0);
   Array<int> mark = Array<int>("contact::mark", 0);
-};
-
-/// Points and boxes by the names that hits give them.
-struct PointQuery {
-  Rows3<const double> x;
-  Array<const int> points;       // rows of x
-  Array<const int> point_names;  // [points]
-  Array<const int> box_names;    // [boxes]
-  int num_names = 0;             // of points
+  Array<int> read_nodes = Array<int>("contact::read_nodes", 0);
 };
 
 /// Finds all pairs of a point and a box that holds it and is not ruled out; as find_points_in_boxes(). Rule:

@@ -81,6 +81,11 @@ struct ContactRanks {
 
 /// The finder that suits the number of ranks.
 std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,
-                                                   ContactDeck::Rebalance rebalance);
+                                                   ContactDeck::Rebalance rebalance, ContactDeck::Search search);
+
+/// The kernels' name of the deck's choice.
+constexpr SearchMethod find_method(ContactDeck::Search search) {
+  return search == ContactDeck::Search::blocks ? SearchMethod::blocks : SearchMethod::points_in_box;
+}
 
 }  // namespace percuss

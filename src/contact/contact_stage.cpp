@@ -29,7 +29,7 @@ struct ContactStage::Impl {
         has_walls(!deck.walls.empty()),
         contact(deck.contact),
         bound(world, share, deck.contact.reuse_search),
-        finder(make_contact_finder(seen(), share, deck.contact.rebalance)),
+        finder(make_contact_finder(seen(), share, deck.contact.rebalance, deck.contact.search)),
         enforcer(seen(), share, walls, tie_rows.geometry(), deck),
         history(make_history(share, walls)) {
     history.ties = Rows3<double>("contact::history_ties", ties.nodes.size());
@@ -127,9 +127,9 @@ void ContactStage::Impl::refuse_torn_ties(const ContactReport& report) const {
 }
 
 std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,
-                                                   ContactDeck::Rebalance rebalance) {
-  if (ranks.ranks.size() == 1) return std::make_unique<LocalFinder>(share);
-  return std::make_unique<RankedFinder>(ranks, share, rebalance);
+                                                   ContactDeck::Rebalance rebalance, ContactDeck::Search search) {
+  if (ranks.ranks.size() == 1) return std::make_unique<LocalFinder>(share, find_method(search));
+  return std::make_unique<RankedFinder>(ranks, share, rebalance, find_method(search));
 }
 
 namespace {
@@ -263,7 +263,8 @@ std::vector<double> ContactStage::contact_ranks() const {
 }
 
 double ContactStage::measure_penetration(Rows3<const double> x) const {
-  const auto finder = make_contact_finder(impl_->seen(), impl_->share, ContactDeck::Rebalance::never);
+  const auto finder =
+      make_contact_finder(impl_->seen(), impl_->share, ContactDeck::Rebalance::never, impl_->contact.search);
   return find_deepest_penetration(impl_->look_for_overlap(*finder), {x, x, 0});
 }
 

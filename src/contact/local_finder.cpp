@@ -40,7 +40,8 @@ ContactSurface make_whole_surface(const SurfaceShare& share) {
   return make_contact_surface(lists, share);
 }
 
-LocalFinder::LocalFinder(const SurfaceShare& share) : share_(share) {
+LocalFinder::LocalFinder(const SurfaceShare& share, SearchMethod method) : share_(share) {
+  scratch_.method = edge_scratch_.points.method = method;
   set_surface(make_whole_surface(share), list_face_numbers(share), check_);
   node_numbers_ = to_view("contact::node_numbers", share.nodes.numbers);
   boxes_ = Boxes("contact::boxes", share.searched_faces.size());

@@ -12,7 +12,7 @@ ContactSurface make_whole_surface(const SurfaceShare& share);
 
 class LocalFinder : public ContactFinder {
  public:
-  explicit LocalFinder(const SurfaceShare& share);
+  LocalFinder(const SurfaceShare& share, SearchMethod method);
 
   std::int64_t search(const SurfaceMotion& motion, double margin) override;
   int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;

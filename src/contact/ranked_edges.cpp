@@ -23,7 +23,9 @@ struct RankedEdges::EdgeRecord {
   bool is_owned = false;
 };
 
-RankedEdges::RankedEdges(const ContactRanks& ranks, const SurfaceShare& share) : ranks_(ranks), share_(share) {
+RankedEdges::RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, SearchMethod method)
+    : ranks_(ranks), share_(share) {
+  scratch_.points.method = method;
   if (share.total_edges == 0) return;
   exchange_.emplace(ranks.ranks);
   data_.emplace(ranks.ranks);

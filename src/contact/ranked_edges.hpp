@@ -18,7 +18,7 @@ namespace percuss {
 class RankedEdges {
  public:
   /// Collective, as are all calls; a scene without edges sends nothing. The share outlives this.
-  RankedEdges(const ContactRanks& ranks, const SurfaceShare& share);
+  RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, SearchMethod method);
 
   /// Finds the pairs for boxes widened by `margin`, by the cuts of the decomposition. Returns how many there are on all
   /// ranks. Throws RunError, on all ranks, if they are absurdly many.

@@ -70,13 +70,16 @@ Rows3<double> copy_places(const std::vector<NodeRecord>& nodes) {
 
 }  // namespace
 
-RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, ContactDeck::Rebalance rebalance)
+RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, ContactDeck::Rebalance rebalance,
+                           SearchMethod method)
     : ranks_(ranks),
       share_(share),
       exchange_(ranks.ranks),
       data_(ranks.ranks),
       decomposition_(ranks.ranks, share, rebalance),
-      edges_(ranks, share) {}
+      edges_(ranks, share, method) {
+  scratch_.method = method;
+}
 
 Traffic RankedFinder::traffic() const {
   const Traffic &own = data_.traffic(), &decomposition = decomposition_.traffic(), edges = edges_.traffic();

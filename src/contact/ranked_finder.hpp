@@ -16,7 +16,8 @@ namespace percuss {
 
 class RankedFinder : public ContactFinder {
  public:
-  RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, ContactDeck::Rebalance rebalance);
+  RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, ContactDeck::Rebalance rebalance,
+               SearchMethod method);
 
   std::int64_t search(const SurfaceMotion& motion, double margin) override;
   int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;

@@ -71,6 +71,7 @@ const Keys<ContactDeck>& contact_keys() {
   using Overlap = ContactDeck::Overlap;
   using Rebalance = ContactDeck::Rebalance;
   using Enforcement = ContactDeck::Enforcement;
+  using Search = ContactDeck::Search;
   static const Keys<ContactDeck> keys = {
       group<ContactDeck>("surfaces", SurfacesValue{}),
       may("friction", &ContactDeck::friction, NumberValue{not_negative}),
@@ -84,6 +85,8 @@ const Keys<ContactDeck>& contact_keys() {
       may("penalty_scale", &ContactDeck::penalty_scale, NumberValue{positive}),
       may("tolerance", &ContactDeck::tolerance, NumberValue{positive}),
       may("edges", &ContactDeck::edges, BooleanValue{}),
+      may("search", &ContactDeck::search,
+          ChoiceValue<Search>{{{"blocks", Search::blocks}, {"points_in_box", Search::points_in_box}}}),
       may("reuse_search", &ContactDeck::reuse_search, BooleanValue{}),
       may("rebalance", &ContactDeck::rebalance,
           ChoiceValue<Rebalance>{

@@ -174,7 +174,10 @@ struct ContactDeck {
   double tolerance = 1e-3;     // kinematic: of what is left, as a share of the largest predicted penetration
   double penalty_scale = 0.5;  // penalty: of the stiffness
   bool reuse_search = true;    // keep candidate pairs while a guaranteed bound allows it
-  bool edges = true;           // contact between edges, besides that of nodes and faces
+  /// How candidate pairs are found. The pairs are the same.
+  enum class Search { blocks, points_in_box };
+  Search search = Search::blocks;
+  bool edges = true;  // contact between edges, besides that of nodes and faces
   /// When contact nodes and faces are divided anew over the ranks. No result depends on it.
   enum class Rebalance { automatic, always, never };
   Rebalance rebalance = Rebalance::automatic;

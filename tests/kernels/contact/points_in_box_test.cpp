@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 
+#include "kernels/contact/kd_order.hpp"
 #include "tests/kernels/contact/brick_scene.hpp"
 
 namespace percuss::test {
@@ -39,8 +41,7 @@ Pairs find_by_brute_force(const BrickScene& scene, const Boxes& boxes) {
 }
 
 template <class Space>
-Pairs find_pairs(const BrickScene& scene, const Boxes& boxes) {
-  SearchScratch scratch;
+Pairs find_pairs(const BrickScene& scene, const Boxes& boxes, SearchScratch& scratch) {
   CandidateList list;
   const Rows3<double> x = to_rows(scene.x);
   find_points_in_boxes(Space(), scene.surface(), x, boxes, 10'000'000, scratch, list);
@@ -54,8 +55,12 @@ Pairs find_pairs(const BrickScene& scene, const Boxes& boxes) {
 void expect_same_as_brute_force(const BrickScene& scene, double reach) {
   const Boxes boxes = bound_all(scene, reach);
   const Pairs expected = find_by_brute_force(scene, boxes);
-  EXPECT_EQ(find_pairs<SmallSpace>(scene, boxes), expected);  // and so sorted by (node, face)
-  EXPECT_EQ(find_pairs<ExecSpace>(scene, boxes), expected);
+  for (const SearchMethod method : {SearchMethod::points_in_box, SearchMethod::blocks}) {
+    SearchScratch scratch;
+    scratch.method = method;
+    EXPECT_EQ(find_pairs<SmallSpace>(scene, boxes, scratch), expected);  // and so sorted by (node, face)
+    EXPECT_EQ(find_pairs<ExecSpace>(scene, boxes, scratch), expected);
+  }
 }
 
 TEST(PointsInBox, FindsTheRandomPairsOfBruteForce) {
@@ -97,11 +102,75 @@ TEST(PointsInBox, FindsPairsOfVeryDifferentSizesFarFromTheOrigin) {
 TEST(PointsInBox, ReportsTooManyPairsInsteadOfListingThem) {
   BrickScene scene;
   for (int i = 0; i < 20; ++i) scene.add_brick({}, {1, 1, 1});
-  SearchScratch scratch;
-  CandidateList list;
   const Rows3<double> x = to_rows(scene.x);
-  EXPECT_GT(find_points_in_boxes(SmallSpace(), scene.surface(), x, bound_all(scene, 1), 100, scratch, list), 100);
-  EXPECT_EQ(list.num_pairs, 0);
+  for (const SearchMethod method : {SearchMethod::points_in_box, SearchMethod::blocks}) {
+    SearchScratch scratch;
+    scratch.method = method;
+    CandidateList list;
+    EXPECT_GT(find_points_in_boxes(SmallSpace(), scene.surface(), x, bound_all(scene, 1), 100, scratch, list), 100);
+    EXPECT_EQ(list.num_pairs, 0);
+  }
+}
+
+/// Bricks that fly apart and past one another.
+BrickScene make_swarm(double time) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> place(-2, 2), speed(-1, 1);
+  BrickScene scene;
+  for (int i = 0; i < 400; ++i) {
+    const double x = place(random) + time * speed(random), y = place(random) + time * speed(random);
+    scene.add_brick({x, y, place(random) + time * speed(random)}, {0.3, 0.3, 0.3});
+  }
+  return scene;
+}
+
+TEST(BlockSearch, KeepsItsOrderWhileItServesAndFindsTheSamePairsWhateverTheOrderIs) {
+  SearchScratch kept;
+  bool was_worn = false, was_kept = false;
+  for (int step = 0; step < 12; ++step) {
+    const BrickScene scene = make_swarm(0.25 * step);
+    const Boxes boxes = bound_all(scene, 0.05);
+    SearchScratch fresh;
+    EXPECT_EQ(find_pairs<SmallSpace>(scene, boxes, kept), find_pairs<SmallSpace>(scene, boxes, fresh));
+    (kept.blocks.is_worn ? was_worn : was_kept) = true;
+  }
+  EXPECT_TRUE(was_worn);
+  EXPECT_TRUE(was_kept);
+}
+
+TEST(BlockSearch, TakesOtherPointsThanTheLastTime) {
+  SearchScratch scratch;
+  for (const int bricks : {40, 7, 1, 90}) {
+    BrickScene scene;
+    for (int i = 0; i < bricks; ++i) scene.add_brick({0.9 * (i % 9), 0.9 * (i / 9), 0.1 * (i % 2)}, {1, 1, 1});
+    const Boxes boxes = bound_all(scene, 0.1);
+    EXPECT_EQ(find_pairs<ExecSpace>(scene, boxes, scratch), find_by_brute_force(scene, boxes));
+  }
+}
+
+TEST(KdOrder, IsAPermutationWhoseBlocksAreSmall) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> place(0, 1);
+  std::vector<double> points(3 * 4096);
+  for (double& x : points) x = place(random);
+  points[7] = std::nan("");
+  std::vector<int> order;
+  find_kd_order(points, order);
+  std::vector<int> sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], static_cast<int>(i));
+  // 256 blocks of a unit cube: cells of 1/4 x 1/8 x 1/8 or near it.
+  double mean = 0;
+  for (std::size_t b = 0; b < 256; ++b) {
+    double low = 1, high = 0;
+    for (std::size_t i = 0; i < 16; ++i) {
+      const double x = points[3 * static_cast<std::size_t>(order[16 * b + i])];
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    mean += (high - low) / 256;
+  }
+  EXPECT_LT(mean, 0.25);
 }
 
 TEST(PointOrder, RanksByCoordinateThenByPlaceInTheList) {

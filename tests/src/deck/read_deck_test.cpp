@@ -170,13 +170,14 @@ TEST(ReadDeck, ReadsLoadsConditionsAndWalls) {
 TEST(ReadDeck, ReadsPairsOfSurfacesInBothForms) {
   const Deck deck =
       parse(block("contact: {surfaces: [[a/x_min, a/x_max], {a: a, b: a, friction: 0.5}], overlap: push_out, "
-                  "enforcement: lagrange, reuse_search: false, edges: false}"));
+                  "enforcement: lagrange, search: points_in_box, reuse_search: false, edges: false}"));
   EXPECT_EQ(deck.contact.surfaces, ContactDeck::Surfaces::pairs);
   EXPECT_EQ(deck.contact.pairs.at(0).b.name, "a/x_max");
   EXPECT_FALSE(deck.contact.pairs.at(0).friction);
   EXPECT_EQ(deck.contact.pairs.at(1).friction, 0.5);
   EXPECT_EQ(deck.contact.overlap, ContactDeck::Overlap::push_out);
   EXPECT_EQ(deck.contact.enforcement, ContactDeck::Enforcement::lagrange);
+  EXPECT_EQ(deck.contact.search, ContactDeck::Search::points_in_box);
   EXPECT_FALSE(deck.contact.reuse_search);
   EXPECT_FALSE(deck.contact.edges);
 }

@@ -38,6 +38,8 @@ std::vector<WrongDeck> wrong_numbers() {
       {"TrueForInteger", change("cells: [2,", "cells: [yes,"), "3:40", "must be an integer"},
       {"NumberForBoolean", append("contact: {reuse_search: 1}"), "6:25",
        "contact.reuse_search is 1 (must be true or false)"},
+      {"OddSearch", append("contact: {search: tree}"), "6:19",
+       "contact.search is 'tree' (must be blocks | points_in_box)"},
       {"WordForEdges", append("contact: {edges: sharp}"), "6:18", "contact.edges is 'sharp' (must be true or false)"},
       {"YesForBoolean", append("contact: {reuse_search: yes}"), "6:25",
        "contact.reuse_search is 'yes' (must be true or false)"},

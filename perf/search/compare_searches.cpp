@@ -1,0 +1,99 @@
+// Nanoseconds of a core a contact node and search by both methods, everything counted but the capture boxes: ranking or
+// refitting, the query, the list sorted by node and face. Arguments: numbers of nodes (default 40000 250000 1000000).
+//
+// "kept": the order of the last search serves, as it nearly always does in a run; "ordered": a new order is made.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "kernels/contact/points_in_box.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "perf/search/clouds.hpp"
+
+namespace percuss::perf {
+namespace {
+
+struct Scene {
+  ContactSurface surface;
+  Rows3<const double> x;
+  Boxes boxes;
+};
+
+Array<const int> count_up(std::size_t n) {
+  std::vector<int> numbers(n);
+  for (std::size_t i = 0; i < n; ++i) numbers[i] = static_cast<int>(i);
+  return to_view("perf::numbers", numbers);
+}
+
+/// All nodes and faces may touch; boxes reach 0.15 beyond their faces.
+Scene make_scene(const Cloud& cloud) {
+  Scene scene;
+  ContactSurface& s = scene.surface;
+  s.num_nodes = static_cast<int>(cloud.nodes.size());
+  s.num_faces = static_cast<int>(cloud.faces.size());
+  s.nodes = s.searched_nodes = count_up(cloud.nodes.size());
+  s.searched_faces = count_up(cloud.faces.size());
+  s.face_corners = to_rows("perf::corners", cloud.faces);
+  s.face_backs = to_rows("perf::backs", std::vector<std::array<int, 4>>(cloud.faces.size(), {-1, -1, -1, -1}));
+  s.node_class = to_view("perf::node_class", std::vector<int>(cloud.nodes.size(), 0));
+  s.face_class = to_view("perf::face_class", std::vector<int>(cloud.faces.size(), 0));
+  s.pair_friction = to_view("perf::friction", std::vector<double>{0});
+  scene.x = to_rows("perf::x", cloud.nodes);
+  scene.boxes = Boxes("perf::boxes", cloud.faces.size());
+  const SurfaceMotion at_rest{scene.x, scene.x, 0};
+  for (int f = 0; f < s.num_faces; ++f) {
+    constexpr double reach = 0.15;
+    bound_face(
+        at_rest, [&](int i) { return s.face_corners(f, i); }, reach, scene.boxes, f);
+  }
+  return scene;
+}
+
+/// Median of the times of some searches [ns a node]. prepare: what happens before each.
+template <class Prepare>
+double time_searches(const Scene& scene, SearchScratch& scratch, CandidateList& list, const Prepare& prepare) {
+  constexpr std::size_t repeats = 5;
+  std::vector<double> times;
+  for (std::size_t i = 0; i <= repeats; ++i) {
+    prepare();
+    const std::clock_t start = std::clock();
+    find_points_in_boxes(ExecSpace(), scene.surface, scene.x, scene.boxes, 1'000'000'000, scratch, list);
+    const double passed = 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    if (i > 0) times.push_back(passed / scene.surface.num_nodes);
+  }
+  std::nth_element(times.begin(), times.begin() + repeats / 2, times.end());
+  return times[repeats / 2];
+}
+
+void report(const std::string& name, int num_nodes) {
+  const Scene scene = make_scene(make_cloud(name, num_nodes));
+  SearchScratch lists, blocks;
+  lists.method = SearchMethod::points_in_box;
+  CandidateList list;
+  const double by_lists = time_searches(scene, lists, list, [] {});
+  const int pairs = list.num_pairs;
+  const double kept = time_searches(scene, blocks, list, [] {});
+  const double ordered = time_searches(scene, blocks, list, [&] { blocks.blocks.is_worn = true; });
+  fmt::print("{:8} {:9} {:11.1f} {:14.0f} {:7.0f} {:9.0f} {}\n", name, scene.surface.num_nodes,
+             static_cast<double>(pairs) / scene.surface.num_nodes, by_lists, kept, ordered,
+             pairs == list.num_pairs ? "" : "NOT THE SAME PAIRS");
+}
+
+}  // namespace
+}  // namespace percuss::perf
+
+int main(int argc, char** argv) {
+  Kokkos::ScopeGuard kokkos(argc, argv);
+  std::vector<int> sizes;
+  for (int i = 1; i < argc; ++i) sizes.push_back(std::stoi(argv[i]));
+  if (sizes.empty()) sizes = {40'000, 250'000, 1'000'000};
+  fmt::print("{:8} {:>9} {:>11} {:>14} {:>7} {:>9}\n", "cloud", "nodes", "pairs/node", "points-in-box", "kept",
+             "ordered");
+  for (const std::string& name : percuss::perf::cloud_names())
+    for (const int nodes : sizes) percuss::perf::report(name, nodes);
+  return 0;
+}
