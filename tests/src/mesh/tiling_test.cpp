@@ -29,10 +29,10 @@ TEST(ChooseTiles, MakesLargerTilesWhereTheyMayBeLarger) {
 
 TEST(ChunkLimit, GrowsWithThePartSoThatItHasEnoughChunks) {
   EXPECT_EQ(find_chunk_limit(1), 64);
-  EXPECT_EQ(find_chunk_limit(16'383), 64);
-  EXPECT_EQ(find_chunk_limit(16'384), 128);
-  EXPECT_EQ(find_chunk_limit(64'000), 256);
-  EXPECT_EQ(find_chunk_limit(65'536), 512);
+  EXPECT_EQ(find_chunk_limit(262'143), 64);
+  EXPECT_EQ(find_chunk_limit(262'144), 128);
+  EXPECT_EQ(find_chunk_limit(1'000'000), 256);
+  EXPECT_EQ(find_chunk_limit(1'048'576), 512);
   EXPECT_EQ(find_chunk_limit(std::int64_t{1} << 40), 512);
 }
 

@@ -66,10 +66,10 @@ class OneByOne {
     if (!is_plastic(e)) return 0;
     if constexpr (Kind == HexKind::full) {
       double sum = 0;
-      for (const auto& point : plastic_[e].history) sum += point[0] / 8;
+      for (const double strain : plastic_[e].history.value[0]) sum += strain / 8;
       return sum;
     } else {
-      return plastic_[e].history[0];
+      return plastic_[e].history.value[0][0];
     }
   }
 
