@@ -20,8 +20,8 @@
 
 // A function of packs that must not become a call: packs are passed through memory, and what a register allocator does
 // not see it cannot keep. Left to itself, GCC 12 makes calls of most of an element's step, at half of its speed.
-// Without optimisation a call costs nothing beside the rest.
-#if defined(__OPTIMIZE__)
+// Without optimisation a call costs nothing beside the rest; under a sanitizer one body of it all compiles for minutes.
+#if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define PERCUSS_FORCE_INLINE KOKKOS_FORCEINLINE_FUNCTION
 #else
 #define PERCUSS_FORCE_INLINE KOKKOS_INLINE_FUNCTION
