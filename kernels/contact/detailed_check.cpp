@@ -1,5 +1,7 @@
 #include "kernels/contact/detailed_check.hpp"
 
+#include "kernels/core/simd.hpp"
+
 namespace percuss {
 namespace {
 
@@ -21,10 +23,10 @@ KOKKOS_INLINE_FUNCTION double find_thickness(const ContactSurface& surface, cons
 }
 
 /// Flattened: a pair is checked by some fifty small functions.
-[[gnu::flatten]] KOKKOS_FUNCTION NodeTouches check_node_flat(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                             const FaceState& faces,
-                                                             const Array<const int>& history_face, int node,
-                                                             const Array<const int>& candidates, int first, int last) {
+PERCUSS_FLATTEN KOKKOS_FUNCTION NodeTouches check_node_flat(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                            const FaceState& faces,
+                                                            const Array<const int>& history_face, int node,
+                                                            const Array<const int>& candidates, int first, int last) {
   return check_node(surface, motion, faces, history_face, node, candidates, first, last);
 }
 

@@ -89,8 +89,8 @@ KOKKOS_INLINE_FUNCTION Point3 extrapolate(const Point3& dv, const Point3& before
 
 /// Corrects the rows of an active pack and adds up how they changed. Flattened: a call in here would spill all
 /// registers.
-[[gnu::flatten]] KOKKOS_FUNCTION void advance_pack(RowPack& pack, const Rows4<double>& dv, const Rows4<double>& shares,
-                                                   double beta, double dt, PassSums& sums) {
+PERCUSS_FLATTEN KOKKOS_FUNCTION void advance_pack(RowPack& pack, const Rows4<double>& dv, const Rows4<double>& shares,
+                                                  double beta, double dt, PassSums& sums) {
   const PackedChange change = correct_pack(pack, dv, beta, dt);
   share_pack(pack, shares);
   alignas(64) double size[RowPack::lanes], backwards[RowPack::lanes];

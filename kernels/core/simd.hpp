@@ -23,9 +23,12 @@
 // Without optimisation a call costs nothing beside the rest; under a sanitizer one body of it all compiles for minutes.
 #if defined(__OPTIMIZE__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define PERCUSS_FORCE_INLINE KOKKOS_FORCEINLINE_FUNCTION
+#define PERCUSS_FLATTEN [[gnu::flatten]]
 #else
 #define PERCUSS_FORCE_INLINE KOKKOS_INLINE_FUNCTION
+#define PERCUSS_FLATTEN
 #endif
+// PERCUSS_FLATTEN: a function into which everything that it calls is inlined, packs or not.
 // A function whose packs go through memory anyhow, and which has all registers to itself as a call.
 #define PERCUSS_NO_INLINE [[gnu::noinline]] KOKKOS_FUNCTION
 

@@ -12,16 +12,6 @@
 
 namespace percuss {
 
-std::vector<std::int64_t> number_elements(const ChunkedMesh& chunked) {
-  std::vector<std::int64_t> numbers;
-  numbers.reserve(chunked.mesh.elements.size());
-  for (const Chunk& chunk : chunked.chunks) {
-    for (int e = 0; e < chunk.element_count; ++e)
-      numbers.push_back(chunked.numbering.first_element[static_cast<std::size_t>(chunk.number)] + e);
-  }
-  return numbers;
-}
-
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }

@@ -58,9 +58,6 @@ struct SurfaceShare {
   std::vector<int> searched_faces;  // places in `faces`
 };
 
-/// Number of each element of this rank.
-std::vector<std::int64_t> number_elements(const ChunkedMesh& chunked);
-
 /// Finds the contact surface of the mesh. Throws InputError for unknown surfaces. Collective.
 SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
                                  UnstructuredExchange& exchange);
