@@ -98,14 +98,21 @@ std::string describe_version() {
 /// More ranks than any machine has; beyond, a plan only fills memory.
 constexpr int most_ranks = 1'000'000;
 
-/// Accepts whole numbers of ranks.
-CLI::Validator rank_count() {
-  const auto check = [](const std::string& text) -> std::string {
+/// The whole numbers of ranks in "1,8,64". Throws CLI::ValidationError for anything else.
+std::vector<int> read_rank_counts(const std::string& text) {
+  std::vector<int> counts;
+  for (std::size_t first = 0; first <= text.size();) {
+    const std::size_t end = std::min(text.find(',', first), text.size());
+    const std::string word = text.substr(first, end - first);
     int value = 0;
-    if (CLI::detail::lexical_cast(text, value) && value >= 1 && value <= most_ranks) return "";
-    return fmt::format("'{}' (must be a whole number from 1 to {})", text, most_ranks);
-  };
-  return CLI::Validator(check, "");
+    if (!CLI::detail::lexical_cast(word, value) || value < 1 || value > most_ranks) {
+      throw CLI::ValidationError("--ranks",
+                                 fmt::format("'{}' (must be a whole number from 1 to {})", word, most_ranks));
+    }
+    counts.push_back(value);
+    first = end + 1;
+  }
+  return counts;
 }
 
 /// Accepts finite numbers that are at least `least`, which `words` say.
@@ -168,12 +175,12 @@ struct Parser {
   }
 
   void add_plan_options() {
-    plan->add_option("-n,--ranks", command.rank_counts, "Numbers of ranks, with commas between them")
+    // Not the library's own list of values, which leaves out empty ones.
+    plan->add_option_function<std::string>(
+            "-n,--ranks", [this](const std::string& text) { command.rank_counts = read_rank_counts(text); },
+            "Numbers of ranks, with commas between them")
         ->required()
-        ->delimiter(',')
-        ->type_name("N,...")
-        ->allow_extra_args(false)
-        ->check(rank_count());
+        ->type_name("N,...");
     const CLI::Validator zero_or_more = at_least(0, "zero or more"), one_or_more = at_least(1, "at least 1");
     const CLI::Validator above_zero = at_least(std::numeric_limits<double>::min(), "above zero");
     const auto figure = [&](const char* name, double& value, const CLI::Validator& valid, const char* unit,

@@ -58,7 +58,7 @@ TEST(CommandLine, ReadsAPlan) {
 TEST(CommandLine, RefusesFiguresThatMakeNoSense) {
   EXPECT_THAT(answer({"plan", "d"}).text, HasSubstr("percuss plan needs --ranks"));
   EXPECT_THAT(answer({"plan", "-n", "4"}).text, HasSubstr("percuss plan needs a deck"));
-  for (const char* ranks : {"0", "-2", "2.5", "1,x", "1e3", "2000000", "nan"}) {
+  for (const char* ranks : {"0", "-2", "2.5", "1,x", "1,,2", "1,", "1e3", "2000000", "nan"}) {
     EXPECT_THAT(answer({"plan", "d", "--ranks", ranks}).text, HasSubstr("(must be a whole number from 1 to 1000000)"))
         << ranks;
   }

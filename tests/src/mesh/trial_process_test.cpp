@@ -35,6 +35,10 @@ TEST(TrialProcess, SurvivesACrash) {
   EXPECT_THAT([] { run_trial_process([] { std::abort(); }, 60); }, ThrowsMessage<InputError>(HasSubstr("crashes")));
 }
 
+TEST(TrialProcess, TakesALibraryThatEndsTheProcessForACrash) {
+  EXPECT_THAT([] { run_trial_process([] { _exit(66); }, 60); }, ThrowsMessage<InputError>(HasSubstr("crashes")));
+}
+
 TEST(TrialProcess, EndsAHang) {
   EXPECT_THAT(
       [] {
