@@ -1,0 +1,174 @@
+#pragma once
+// The one-point four-node shell over one step: from corner motion to corner forces and moments, as a pure function.
+//
+// Place in the step: (1.3) to (1.5) of the paper's Figure 1. Positions are at n+1, velocities and angular velocities at
+// n+1/2. Rates are taken on the geometry of n+1/2, forces act on that of n+1: with either geometry for both, a warped
+// element in free spin gains energy. Stresses are components in the frame of the element, which turns with it. Formulas
+// and their reasons: docs/theory_shells.md.
+
+#include "kernels/shell/plane_stress.hpp"
+#include "kernels/shell/shell_forces.hpp"
+#include "kernels/shell/shell_step.hpp"
+#include "kernels/shell/thickness_points.hpp"
+
+namespace percuss {
+
+/// What an element, or a pack of them, remembers between steps, but for its points: stress xx, yy, xy and history,
+/// point after point from bottom to top, follow it in the record.
+template <class T>
+struct ShellState {
+  T mass;                                                             // constant
+  T gyration_square;                                                  // rotary inertia over mass, constant
+  T thickness;                                                        // at n
+  T shear[2];                                                         // transverse shear stress xz, yz, at n
+  T membrane_hourglass[2], bending_hourglass[2], shear_hourglass[2];  // forces on these rates, at n
+};
+
+/// Numbers that are the same for all elements of a part.
+template <class Material>
+struct ShellParameters {
+  Material material;
+  ThicknessPoints points;
+};
+
+/// Energy that one step put into the element [energy].
+template <class T>
+struct ShellWork {
+  T internal, hourglass;
+};
+
+template <class T>
+struct ShellResult {
+  ShellWork<T> work;
+  T stable_step;  // bound for the next step, without the deck's scale
+  T size;         // of the smallest corner triangle at n+1, twice its area; not positive: the element has folded
+};
+
+/// Smallest share of the membrane's hourglass stiffness on a warped element, where it would lock.
+inline constexpr double shell_least_membrane_hourglass = 0.05;
+
+/// Advances the hourglass forces by their rates: the stiffness of the element's own membrane, bending and shear beyond
+/// what its point sees (physical stabilisation, Belytschko and Leviatan 1994). Returns their work.
+template <class T>
+PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellGeometry<T>& g, const ShellRates<T>& rate,
+                                         const T& dt, ShellState<T>& state) {
+  const HourglassIntegrals<T> h = integrate_hourglass(g);
+  const T t = state.thickness, nu = T(e.poissons_ratio), half = T(0.5);
+  const T warp = T(4) * g.z * (T(1) / t);
+  const T fade =
+      T(shell_least_membrane_hourglass) + T(1 - shell_least_membrane_hourglass) * (T(1) / (T(1) + warp * warp));
+  const T membrane = fade * T(e.youngs_modulus) * t * dt;
+  const T bending = T(e.youngs_modulus / (12 * (1 - e.poissons_ratio * e.poissons_ratio))) * t * t * t * dt;
+  const T shear = T(shell_shear_correction * e.shear_modulus / 3) * t * g.area * dt;
+  const T a = half * (T(1) - nu), mixed = half * (T(1) + nu) * h.xy;  // a + nu
+  const T(&m)[2] = rate.membrane_hourglass;
+  const T(&b)[2] = rate.bending_hourglass;
+  const T(&s)[2] = rate.shear_hourglass;
+  T work = T(0);
+  const auto advance = [&](T& force, const T& change, const T& along) {
+    work = work + (force + half * change) * along;
+    force = force + change;
+  };
+  advance(state.membrane_hourglass[0], membrane * (h.xx * m[0] - nu * h.xy * m[1]), m[0]);
+  advance(state.membrane_hourglass[1], membrane * (h.yy * m[1] - nu * h.xy * m[0]), m[1]);
+  advance(state.bending_hourglass[0], bending * ((h.xx + a * h.yy) * b[0] + mixed * b[1]), b[0]);
+  advance(state.bending_hourglass[1], bending * ((h.yy + a * h.xx) * b[1] + mixed * b[0]), b[1]);
+  advance(state.shear_hourglass[0], shear * (g.xi_x * g.xi_x + g.xi_y * g.xi_y) * s[0], s[0]);
+  advance(state.shear_hourglass[1], shear * (g.eta_x * g.eta_x + g.eta_y * g.eta_y) * s[1], s[1]);
+  return dt * work;
+}
+
+/// What the layers of a step give: stress over the thickness and its first moment, about the middle and in units of
+/// half the thickness; their work per volume; the mean strain across the thickness.
+template <class T>
+struct LayerSums {
+  T force[3], moment[3], work, across;
+};
+
+/// Advances the layers' stresses. layer: where the records of the points begin; they lie `width` scalars apart where
+/// the record is one of packs, which T stands for.
+template <class T, class Material>
+PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>& par, const ShellRates<T>& rate,
+                                                 const T& dt, const T& half_thickness, T* layer) {
+  LayerSums<T> sums{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, T(0), T(0)};
+  const T half = T(0.5);
+  for (int p = 0; p < par.points.count; ++p, layer += 3 + Material::history_count) {
+    const T place = T(par.points.place[p]), weight = T(par.points.weight[p]);
+    T de[3], stress[3];
+    for (int k = 0; k < 3; ++k) {
+      de[k] = dt * (rate.membrane[k] + half_thickness * place * rate.curvature[k]);
+      stress[k] = layer[k];
+    }
+    sums.across = sums.across + weight * par.material.update(stress, layer + 3, de);
+    for (int k = 0; k < 3; ++k) {
+      sums.work = sums.work + weight * half * (layer[k] + stress[k]) * de[k];
+      layer[k] = stress[k];
+      sums.force[k] = sums.force[k] + weight * stress[k];
+      sums.moment[k] = sums.moment[k] + weight * place * stress[k];
+    }
+  }
+  return sums;
+}
+
+/// Positions half a step before n+1.
+template <class T>
+PERCUSS_FORCE_INLINE ShellDifferences<T> step_back(const ShellDifferences<T>& x, const ShellDifferences<T>& v,
+                                                   const T& half_dt) {
+  return {x.r - half_dt * v.r, x.s - half_dt * v.s, x.h - half_dt * v.h};
+}
+
+/// Forces on the rates of the element at n+1.
+template <class T>
+PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, const LayerSums<T>& layers,
+                                                 const T& area) {
+  const T volume = area * state.thickness, lever = T(0.5) * state.thickness * volume;
+  ShellRates<T> on;
+  for (int k = 0; k < 3; ++k) {
+    on.membrane[k] = volume * layers.force[k];
+    on.curvature[k] = lever * layers.moment[k];
+  }
+  for (int k = 0; k < 2; ++k) {
+    on.shear[k] = volume * state.shear[k];
+    on.membrane_hourglass[k] = state.membrane_hourglass[k];
+    on.bending_hourglass[k] = state.bending_hourglass[k];
+    on.shear_hourglass[k] = state.shear_hourglass[k];
+  }
+  return on;
+}
+
+/// Advances the element from n to n+1. x, v: differences of the corner positions at n+1 and of the velocities at n+1/2;
+/// w: angular velocities of the corners at n+1/2; all in space axes. layer: the records of its points, in and out.
+/// force, moment: out, what resists the motion at the corners (the node feels the negative). With dt = 0 it evaluates
+/// forces and step only.
+template <class T, class Material>
+PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Material>& par, const ShellDifferences<T>& x,
+                                                   const ShellDifferences<T>& v, const Vector3<T> (&w)[4], const T& dt,
+                                                   ShellState<T>& state, T* layer, Vector3<T> (&force)[4],
+                                                   Vector3<T> (&moment)[4]) {
+  const PlaneElasticity& elastic = par.material.elasticity;
+  const T half = T(0.5);
+  const ShellGeometry<T> middle = find_shell_geometry(step_back(x, v, half * dt));
+  const Vector3<T> turned[4] = {middle.frame * w[0], middle.frame * w[1], middle.frame * w[2], middle.frame * w[3]};
+  const ShellRates<T> rate = find_shell_rates(middle, turn(middle.frame, v), turned);
+
+  const LayerSums<T> layers = advance_layers(par, rate, dt, half * state.thickness, layer);
+  T work = layers.work;
+  for (int k = 0; k < 2; ++k) {
+    const T change = T(shell_shear_correction * elastic.shear_modulus) * dt * rate.shear[k];
+    work = work + (state.shear[k] + half * change) * dt * rate.shear[k];
+    state.shear[k] = state.shear[k] + change;
+  }
+  const T hourglass_work = advance_hourglass(elastic, middle, rate, dt, state);
+  const T old_thickness = state.thickness;
+  const T half_across = half * layers.across;
+  state.thickness = old_thickness * ((T(1) + half_across) * (T(1) / (T(1) - half_across)));
+
+  const ShellGeometry<T> end = find_shell_geometry(x);
+  find_shell_forces(end, join_stresses(state, layers, end.area), force, moment);
+  return {{half * (old_thickness + state.thickness) * middle.area * work, hourglass_work},
+          find_shell_step(end, state.thickness, state.mass, state.gyration_square, elastic.youngs_modulus,
+                          elastic.poissons_ratio),
+          end.least_corner};
+}
+
+}  // namespace percuss

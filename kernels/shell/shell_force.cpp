@@ -1,0 +1,198 @@
+#include "kernels/shell/shell_force.hpp"
+
+#include "kernels/element/chunk_records.hpp"
+
+namespace percuss {
+
+namespace {
+
+constexpr int width = pack_size<double>;
+constexpr int corners_of_pack = 8 * width;  // of the shared table; shells use the first half
+constexpr int shell_node_record = 12;       // x, -, v, -, w, -: three numbers each
+constexpr int shell_force_record = 8;       // force, -, moment, -
+
+using Policy = Kokkos::TeamPolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
+using Member = Policy::member_type;
+
+/// A vector of the pack's corners, from the chunk's node records.
+PERCUSS_FORCE_INLINE void gather_corners(const double* nodes, const std::uint16_t* corners, Vector3<Lanes> (&u)[4]) {
+  for (int i = 0; i < 4; ++i) {
+    const double* records[width];
+    for (int lane = 0; lane < width; ++lane) {
+      records[lane] = nodes + shell_node_record * static_cast<std::size_t>(corners[i * width + lane]);
+    }
+    Lanes packs[3];
+    transpose_to_packs(records, packs);
+    u[i] = {packs[0], packs[1], packs[2]};
+  }
+}
+
+/// Subtracts a vector of the corners of the first `lanes` elements from the chunk's records, element by element.
+PERCUSS_FORCE_INLINE void scatter_corners(const Vector3<Lanes> (&u)[4], const std::uint16_t* corners, int lanes,
+                                          double* sums) {
+  alignas(64) double records[4][width][4];
+  for (int i = 0; i < 4; ++i) {
+    const Lanes packs[3] = {u[i].x, u[i].y, u[i].z};
+    transpose_to_records(packs, records[i]);
+  }
+  for (int lane = 0; lane < lanes; ++lane) {
+    for (int i = 0; i < 4; ++i) {
+      subtract_record(records[i][lane],
+                      sums + shell_force_record * static_cast<std::size_t>(corners[i * width + lane]));
+    }
+  }
+}
+
+/// What the elements of a chunk add up to, taken lane by lane in their order.
+struct ChunkSums {
+  double step = 1e300;
+  int controlling = -1;
+  int failed = -1;
+  double work[2] = {0, 0};
+
+  PERCUSS_FORCE_INLINE void take(const ShellResult<Lanes>& result, int first_element, int lanes) {
+    alignas(64) double steps[width];
+    alignas(64) double size[width];
+    alignas(64) double internal[width];
+    alignas(64) double hourglass[width];
+    store_pack(steps, result.stable_step);
+    store_pack(size, result.size);
+    store_pack(internal, result.work.internal);
+    store_pack(hourglass, result.work.hourglass);
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (steps[lane] < step) {
+        step = steps[lane];
+        controlling = first_element + lane;
+      }
+      if (failed < 0 && !(size[lane] > 0 && steps[lane] > 0)) failed = first_element + lane;  // also for NaN
+      work[0] += internal[lane];
+      work[1] += hourglass[lane];
+    }
+  }
+};
+
+template <class Layer>
+struct AdvanceShellChunk {
+  HexChunks chunks;
+  ShellBlock<Layer> block;
+  ShellMotion motion;
+  Array<double> state;
+  Rows3<double> slot_force, slot_moment;
+  ChunkResults results;
+
+  static std::size_t scratch_bytes(const HexChunks& chunks) {
+    const std::size_t scalars = shell_node_record + shell_force_record;
+    return (static_cast<std::size_t>(chunks.largest_slot_count) * scalars + 8) * sizeof(double) + 128;
+  }
+
+  KOKKOS_FUNCTION void operator()(const Member& member) const {
+    const int c = block.chunks(member.league_rank());
+    const int first_slot = chunks.first_slot(c);
+    const int slot_count = chunks.first_slot(c + 1) - first_slot;
+    const int* const slots_to_nodes = &chunks.slots_to_nodes(first_slot);
+    const bool at_rest = motion.skips_rest && is_at_rest(slots_to_nodes, slot_count);
+    if (at_rest && results.is_settled(c) != 0) {
+      ++results.skipped(c);
+      return;
+    }
+    const auto scratch = [&](int record) {
+      return static_cast<double*>(
+          member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(slot_count * record) * sizeof(double), 64));
+    };
+    double* const nodes = scratch(shell_node_record);
+    double* const forces = scratch(shell_force_record);
+    for (int s = 0; s < slot_count; ++s) {
+      const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
+      double* const node = nodes + shell_node_record * s;
+      copy_row(motion.x.data() + n, node);
+      copy_row(motion.v.data() + n, node + 4);
+      copy_row(motion.w.data() + n, node + 8);
+      for (int k = 0; k < shell_force_record; ++k) forces[shell_force_record * s + k] = 0;
+    }
+    const bool changed = advance_packs(c, nodes, forces, at_rest);
+    results.is_settled(c) = at_rest && !changed ? 1 : 0;
+    for (int s = 0; s < slot_count; ++s) {
+      copy_row(forces + shell_force_record * s, &slot_force(first_slot + s, 0));
+      copy_row(forces + shell_force_record * s + 4, &slot_moment(first_slot + s, 0));
+    }
+  }
+
+  /// The positions of nodes without velocity are those of the step before.
+  KOKKOS_FUNCTION bool is_at_rest(const int* slots_to_nodes, int slot_count) const {
+    for (int s = 0; s < slot_count; ++s) {
+      const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
+      if (!is_plain_zero(motion.v.data() + n) || !is_plain_zero(motion.w.data() + n)) return false;
+    }
+    return true;
+  }
+
+  /// Returns whether a bit of the records has changed, if watched.
+  KOKKOS_FUNCTION bool advance_packs(int c, const double* nodes, double* forces, bool watched) const {
+    const ShellParameters<Layer> parameters = block.parameters(chunks.parameters(c));
+    constexpr int largest_record = find_shell_record_size<Layer>(most_thickness_points) * width;
+    const int record_size = chunks.record_size(c) * width;
+    const int first = chunks.first_element(c), end = chunks.first_element(c + 1);
+    double* record = &state(chunks.first_state(c));
+    const std::uint16_t* corners =
+        &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * corners_of_pack);
+    ChunkSums sums;
+    double before[largest_record];
+    bool changed = false;
+    for (int e = first; e < end; e += width, record += record_size, corners += corners_of_pack) {
+      const int lanes = end - e < width ? end - e : width;
+      const auto bytes = static_cast<std::size_t>(record_size) * sizeof(double);
+      if (watched) std::memcpy(before, record, bytes);
+      sums.take(advance_pack(parameters, nodes, corners, lanes, record, forces), e, lanes);
+      if (watched) changed = changed || std::memcmp(before, record, bytes) != 0;
+    }
+    results.stable_step(c) = sums.step;
+    results.controlling_element(c) = sums.controlling < 0 ? first : sums.controlling;
+    results.failed_element(c) = sums.failed;
+    for (int k = 0; k < 2; ++k) results.work(c, k) += sums.work[k];
+    return changed;
+  }
+
+  KOKKOS_FUNCTION ShellResult<Lanes> advance_pack(const ShellParameters<Layer>& parameters, const double* nodes,
+                                                  const std::uint16_t* corners, int lanes, double* record,
+                                                  double* forces) const {
+    Vector3<Lanes> x[4], v[4], w[4], f[4], m[4];
+    gather_corners(nodes, corners, x);
+    gather_corners(nodes + 4, corners, v);
+    gather_corners(nodes + 8, corners, w);
+    auto& head = *reinterpret_cast<ShellState<Lanes>*>(record);  // its scalars lie like the record's
+    static_assert(sizeof(ShellState<Lanes>) == ShellRecord::layers * sizeof(Lanes));
+    auto* const layers = reinterpret_cast<Lanes*>(record + ShellRecord::layers * width);
+    const auto result =
+        advance_shell4(parameters, find_differences(x), find_differences(v), w, Lanes(motion.dt), head, layers, f, m);
+    scatter_corners(f, corners, lanes, forces);
+    scatter_corners(m, corners, lanes, forces + 4);
+    return result;
+  }
+};
+
+template <class Layer>
+void advance_block(const ExecSpace& space, const HexChunks& chunks, const ShellBlock<Layer>& block,
+                   const ShellMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                   const Rows3<double>& slot_moment, const ChunkResults& results) {
+  const int count = static_cast<int>(block.chunks.extent(0));
+  if (count == 0) return;
+  using Kernel = AdvanceShellChunk<Layer>;
+  Policy policy(space, count, 1);
+  policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(Kernel::scratch_bytes(chunks)))).set_chunk_size(1);
+  Kokkos::parallel_for("percuss::advance_shells", policy,
+                       Kernel{chunks, block, motion, state, slot_force, slot_moment, results});
+}
+
+}  // namespace
+
+void advance_shells(const ExecSpace& space, const HexChunks& chunks, const ShellBlocks& blocks,
+                    const ShellMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                    const Rows3<double>& slot_moment, const ChunkResults& results) {
+  std::apply(
+      [&](const auto&... block) {
+        (advance_block(space, chunks, block, motion, state, slot_force, slot_moment, results), ...);
+      },
+      blocks);
+}
+
+}  // namespace percuss

@@ -1,0 +1,54 @@
+#pragma once
+// Launcher of the shells' part of a step: (1.3) to (1.5) of the paper's Figure 1, for all chunks of shells.
+//
+// They lie in the tables of all chunks (kernels/element/hex_chunks.hpp) and write to the same slots, so that nodes add
+// up what shells and hexahedra give them in one order. A shell takes the first four of the eight corners there.
+
+#include <tuple>
+
+#include "kernels/element/hex_chunks.hpp"
+#include "kernels/shell/shell4.hpp"
+
+namespace percuss {
+
+/// Where things lie in a record, in scalars of one lane: those of ShellState, then point after point the stress xx, yy,
+/// xy in the element's frame and the history.
+struct ShellRecord {
+  static constexpr int mass = 0, gyration_square = 1, thickness = 2,
+                       layers = sizeof(ShellState<double>) / sizeof(double);
+  static constexpr int stress_count = 3;
+};
+
+/// Scalars that one element's record holds.
+template <class Layer>
+constexpr int find_shell_record_size(int points) {
+  return ShellRecord::layers + points * (ShellRecord::stress_count + Layer::history_count);
+}
+
+/// Chunks of one material of layers.
+template <class Layer>
+struct ShellBlock {
+  Array<int> chunks;                                           // ascending chunk ids
+  Kokkos::View<ShellParameters<Layer>*, MemSpace> parameters;  // by HexChunks::parameters
+};
+
+/// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
+using ShellBlocks = std::tuple<ShellBlock<ElasticLayer>, ShellBlock<J2Layer>>;
+
+/// The motion that shells see: positions at n+1, velocities and angular velocities at n+1/2, the step between.
+struct ShellMotion {
+  Rows3<const double> x;
+  Rows3<const double> v;
+  Rows3<const double> w;
+  double dt = 0;
+  bool skips_rest = false;  // as ElementMotion::skips_rest
+};
+
+/// Advances every shell from n to n+1. state: element records, in and out. slot_force, slot_moment: out, the chunk's
+/// share of the force and the moment on its nodes (minus the internal ones), as they were where a chunk is skipped.
+/// results: out; work is added to.
+void advance_shells(const ExecSpace& space, const HexChunks& chunks, const ShellBlocks& blocks,
+                    const ShellMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                    const Rows3<double>& slot_moment, const ChunkResults& results);
+
+}  // namespace percuss

@@ -1,0 +1,117 @@
+#pragma once
+// A four-node quadrilateral in its own frame: diagonals, gradient operator, corner normals.
+//
+// The frame follows the diagonals r = x3 - x1 and s = x4 - x2: e3 is normal to both, e1 halves the angle between the
+// direction of xi and the normal of the direction of eta, so that the frame does not depend on which corner is first.
+// Corners then lie at heights z, -z, z, -z: z is the warp. Fields of the corners are kept as differences, which is what
+// the gradient operator of one point takes (Belytschko, Lin and Tsay 1984): B1.u = b1[0] ur + b1[1] us.
+
+#include "kernels/core/tensor.hpp"
+
+namespace percuss {
+
+/// Differences of a corner field: along the diagonals, u3 - u1 and u4 - u2, and its hourglass part u1 - u2 + u3 - u4.
+template <class T>
+struct ShellDifferences {
+  Vector3<T> r, s, h;
+};
+
+template <class T>
+PERCUSS_FORCE_INLINE ShellDifferences<T> find_differences(const Vector3<T> (&u)[4]) {
+  return {u[2] - u[0], u[3] - u[1], (u[0] + u[2]) - (u[1] + u[3])};
+}
+
+/// The same in other axes, the rows of a matrix.
+template <class T>
+PERCUSS_FORCE_INLINE ShellDifferences<T> turn(const Matrix3<T>& axes, const ShellDifferences<T>& u) {
+  return {axes * u.r, axes * u.s, axes * u.h};
+}
+
+/// Corner values about their mean.
+template <class T>
+PERCUSS_FORCE_INLINE void find_corner_values(const T& r, const T& s, const T& h, T (&u)[4]) {
+  const T half = T(0.5), quarter = T(0.25);
+  u[0] = quarter * h - half * r;
+  u[2] = quarter * h + half * r;
+  u[1] = -quarter * h - half * s;
+  u[3] = -quarter * h + half * s;
+}
+
+/// Signs of the hourglass mode, which are also those of the corners' heights.
+inline constexpr int shell_warp_sign[4] = {1, -1, 1, -1};
+
+template <class T>
+struct ShellGeometry {
+  Matrix3<T> frame;            // rows e1, e2, e3
+  T area;                      // of the projection along e3
+  T x[4], y[4], z;             // corners about their mean; heights z, -z, z, -z
+  T hx, hy;                    // hourglass parts of x and y
+  T b1[2], b2[2];              // gradient operator: d/dx and d/dy of a field from its differences along r and s
+  T px[4], py[4];              // corner normals, scaled to (px, py, 1)
+  T least_corner;              // smallest of the corner triangles, twice its area; not positive: the element has folded
+  T xi_x, xi_y, eta_x, eta_y;  // inverse of the Jacobian at the centre
+};
+
+/// Corner normals, from the two edges of each corner. Neighbours of a corner are as high as each other, so that the
+/// in-plane part of the normal is the other diagonal, turned by a right angle.
+template <class T>
+PERCUSS_FORCE_INLINE void find_corner_normals(const ShellDifferences<T>& d, ShellGeometry<T>& g) {
+  const T twice = g.z + g.z;
+  const T nx[4] = {twice * d.s.y, twice * d.r.y, -twice * d.s.y, -twice * d.r.y};
+  const T ny[4] = {-twice * d.s.x, -twice * d.r.x, twice * d.s.x, twice * d.r.x};
+  for (int i = 0; i < 4; ++i) {
+    const int next = (i + 1) % 4, previous = (i + 3) % 4;
+    const T nz = (g.x[next] - g.x[i]) * (g.y[previous] - g.y[i]) - (g.y[next] - g.y[i]) * (g.x[previous] - g.x[i]);
+    g.least_corner = i == 0 ? nz : smaller(g.least_corner, nz);
+    const T over_nz = T(1) / nz;
+    g.px[i] = over_nz * nx[i];
+    g.py[i] = over_nz * ny[i];
+  }
+}
+
+/// Geometry of a quadrilateral from the differences of its corner positions in space axes.
+template <class T>
+PERCUSS_FORCE_INLINE ShellGeometry<T> find_shell_geometry(const ShellDifferences<T>& position) {
+  const T half = T(0.5), quarter = T(0.25);
+  ShellGeometry<T> g;
+  const Vector3<T> normal = cross(position.r, position.s);
+  const T twice_area = norm(normal);
+  g.area = half * twice_area;
+  const Vector3<T> e3 = (T(1) / twice_area) * normal;
+  const Vector3<T> xi = position.r - position.s, eta = position.r + position.s;
+  const Vector3<T> middle = (T(1) / norm(xi)) * xi + (T(1) / norm(eta)) * cross(eta, e3);
+  const Vector3<T> e1 = (T(1) / norm(middle)) * middle;
+  g.frame = {{e1, cross(e3, e1), e3}};
+  const ShellDifferences<T> d = turn(g.frame, position);
+  g.hx = d.h.x;
+  g.hy = d.h.y;
+  g.z = quarter * d.h.z;
+  find_corner_values(d.r.x, d.s.x, d.h.x, g.x);
+  find_corner_values(d.r.y, d.s.y, d.h.y, g.y);
+  const T over_twice_area = T(1) / twice_area;
+  g.b1[0] = over_twice_area * d.s.y;
+  g.b1[1] = -over_twice_area * d.r.y;
+  g.b2[0] = -over_twice_area * d.s.x;
+  g.b2[1] = over_twice_area * d.r.x;
+  g.xi_x = over_twice_area * T(2) * (d.r.y + d.s.y);
+  g.xi_y = -over_twice_area * T(2) * (d.r.x + d.s.x);
+  g.eta_x = -over_twice_area * T(2) * (d.r.y - d.s.y);
+  g.eta_y = over_twice_area * T(2) * (d.r.x - d.s.x);
+  find_corner_normals(d, g);
+  return g;
+}
+
+/// Integrals over the element of the products of the gradient of xi eta: xx, yy, xy, for a constant Jacobian.
+template <class T>
+struct HourglassIntegrals {
+  T xx, yy, xy;
+};
+
+template <class T>
+PERCUSS_FORCE_INLINE HourglassIntegrals<T> integrate_hourglass(const ShellGeometry<T>& g) {
+  const T third = T(1.0 / 3.0) * g.area;
+  return {third * (g.xi_x * g.xi_x + g.eta_x * g.eta_x), third * (g.xi_y * g.xi_y + g.eta_y * g.eta_y),
+          third * (g.xi_x * g.xi_y + g.eta_x * g.eta_y)};
+}
+
+}  // namespace percuss

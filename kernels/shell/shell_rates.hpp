@@ -1,0 +1,95 @@
+#pragma once
+// Rates of a shell element from the motion of its corners, and the corner forces that are the exact transpose.
+//
+// Rotations are projected by the normals of the element's own corners, so that turning about the normal does nothing
+// and needs no stiffness of its own. The rigid spin is taken out of the rates, and by the transpose out of the forces:
+// their moments sum to zero to round-off on warped elements too, which the plain one-point shell (Belytschko, Lin and
+// Tsay 1984) does not keep. Transverse shear is sampled on the edges (Dvorkin and Bathe 1984; Hughes and Tezduyar
+// 1981).
+
+#include "kernels/shell/shell_geometry.hpp"
+
+namespace percuss {
+
+/// Rates of an element in its frame; or the forces that do work on them, integrated over the element.
+template <class T>
+struct ShellRates {
+  T membrane[3];            // xx, yy, 2 xy
+  T curvature[3];           // likewise: the rate of a layer is membrane + z curvature
+  T shear[2];               // 2 xz, 2 yz
+  T membrane_hourglass[2];  // of vx, vy
+  T bending_hourglass[2];   // of the director's rates
+  T shear_hourglass[2];     // part of the covariant shear that changes along eta, along xi
+};
+
+/// The four edges whose shear is sampled, each along xi or eta: 1-2, 4-3, 1-4, 2-3.
+inline constexpr int shell_shear_edges[4][2] = {{0, 1}, {3, 2}, {0, 3}, {1, 2}};
+
+/// Corner fields in the frame, by component.
+template <class T>
+struct ShellCornerField {
+  T x[4], y[4], z[4];
+};
+
+/// Velocity of the corners without the rigid motion of the element, and the rate of their directors against it.
+/// velocity: differences in the frame; rotation: angular velocities in the frame.
+template <class T>
+PERCUSS_FORCE_INLINE void remove_rigid_motion(const ShellGeometry<T>& g, const ShellDifferences<T>& velocity,
+                                              const Vector3<T> (&rotation)[4], ShellCornerField<T>& v,
+                                              ShellCornerField<T>& beta) {
+  const Vector3<T> v_x = g.b1[0] * velocity.r + g.b1[1] * velocity.s;
+  const Vector3<T> v_y = g.b2[0] * velocity.r + g.b2[1] * velocity.s;
+  const Vector3<T> w{v_y.z, -v_x.z, T(0.5) * (v_x.y - v_y.x)};
+  find_corner_values(velocity.r.x, velocity.s.x, velocity.h.x, v.x);
+  find_corner_values(velocity.r.y, velocity.s.y, velocity.h.y, v.y);
+  const T warping = T(0.25) * (velocity.h.z - g.hx * v_x.z - g.hy * v_y.z);
+  for (int i = 0; i < 4; ++i) {
+    const T sign = T(shell_warp_sign[i]), height = sign * g.z;
+    v.x[i] = v.x[i] - (w.y * height - w.z * g.y[i]);
+    v.y[i] = v.y[i] - (w.z * g.x[i] - w.x * height);
+    v.z[i] = sign * warping;
+    const Vector3<T> theta = rotation[i] - w;
+    beta.x[i] = theta.y - theta.z * g.py[i];
+    beta.y[i] = theta.z * g.px[i] - theta.x;
+    beta.z[i] = theta.x * g.py[i] - theta.y * g.px[i];
+  }
+}
+
+/// Covariant shear rate of an edge: that of the chord against the mean of the directors at its ends.
+template <class T>
+PERCUSS_FORCE_INLINE T find_edge_shear(const ShellGeometry<T>& g, const ShellCornerField<T>& v,
+                                       const ShellCornerField<T>& beta, int i, int j) {
+  const T rise = T(shell_warp_sign[j] - shell_warp_sign[i]) * g.z;
+  return T(0.25) * ((v.x[j] - v.x[i]) * (g.px[i] + g.px[j]) + (v.y[j] - v.y[i]) * (g.py[i] + g.py[j]) +
+                    T(2) * (v.z[j] - v.z[i]) + (g.x[j] - g.x[i]) * (beta.x[i] + beta.x[j]) +
+                    (g.y[j] - g.y[i]) * (beta.y[i] + beta.y[j]) + rise * (beta.z[i] + beta.z[j]));
+}
+
+/// Rates from the differences of the velocity and the angular velocities of the corners, both in the element's frame.
+template <class T>
+PERCUSS_FORCE_INLINE ShellRates<T> find_shell_rates(const ShellGeometry<T>& g, const ShellDifferences<T>& velocity,
+                                                    const Vector3<T> (&rotation)[4]) {
+  ShellCornerField<T> v, beta;
+  remove_rigid_motion(g, velocity, rotation, v, beta);
+  const auto along_x = [&](const T(&u)[4]) { return g.b1[0] * (u[2] - u[0]) + g.b1[1] * (u[3] - u[1]); };
+  const auto along_y = [&](const T(&u)[4]) { return g.b2[0] * (u[2] - u[0]) + g.b2[1] * (u[3] - u[1]); };
+  const auto hourglass = [&](const T(&u)[4], const T& u_x, const T& u_y) {
+    return T(0.25) * ((u[0] + u[2]) - (u[1] + u[3]) - g.hx * u_x - g.hy * u_y);
+  };
+  const T vx_x = along_x(v.x), vx_y = along_y(v.x), vy_x = along_x(v.y), vy_y = along_y(v.y);
+  const T bx_x = along_x(beta.x), bx_y = along_y(beta.x), by_x = along_x(beta.y), by_y = along_y(beta.y);
+  T edge[4];
+  for (int k = 0; k < 4; ++k) {
+    edge[k] = find_edge_shear(g, v, beta, shell_shear_edges[k][0], shell_shear_edges[k][1]);
+  }
+  const T half = T(0.5);
+  const T along_xi = half * (edge[0] + edge[1]), along_eta = half * (edge[2] + edge[3]);
+  return {{vx_x, vy_y, vx_y + vy_x},
+          {bx_x, by_y, bx_y + by_x},
+          {g.xi_x * along_xi + g.eta_x * along_eta, g.xi_y * along_xi + g.eta_y * along_eta},
+          {hourglass(v.x, vx_x, vx_y), hourglass(v.y, vy_x, vy_y)},
+          {hourglass(beta.x, bx_x, bx_y), hourglass(beta.y, by_x, by_y)},
+          {half * (edge[1] - edge[0]), half * (edge[3] - edge[2])}};
+}
+
+}  // namespace percuss

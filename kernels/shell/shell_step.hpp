@@ -1,0 +1,43 @@
+#pragma once
+// Bound of the stable step of a shell element.
+
+#include "kernels/shell/shell_geometry.hpp"
+
+namespace percuss {
+
+/// Share of the membrane's step that covers bending and hourglass modes too, with a rotary inertia of mass times
+/// (t^2 / 12 + A / 8), and of the step of transverse shear, which is shorter where Poisson's ratio is small
+/// (tests/kernels/shell compares the bound with the largest eigenvalue).
+inline constexpr double shell_step_share = 0.9, shell_shear_step_share = 0.8;
+
+/// Shear correction of a homogeneous section (Reissner 1945).
+inline constexpr double shell_shear_correction = 5.0 / 6.0;
+
+/// Largest step of central differences for an element of mass m. With lumped masses m / 4 a frequency is 2 c sqrt(l):
+/// for the membrane l is the largest eigenvalue of the products of gradients in plane stress; for transverse shear, of
+/// deflections and rotations together, kappa (1 - nu) / 2 (g + 2 / a), g the largest eigenvalue of those products and
+/// a twice the smallest corner triangle (the area of a parallelogram).
+/// gyration_square: rotary inertia over mass [length^2]; where it is less than that of the current shape, as in an
+/// element that was stretched, frequencies grow by at most the square root of the ratio.
+template <class T>
+PERCUSS_FORCE_INLINE T find_shell_step(const ShellGeometry<T>& g, const T& thickness, const T& mass,
+                                       const T& gyration_square, double youngs_modulus, double poissons_ratio) {
+  const T xx = T(2) * (g.b1[0] * g.b1[0] + g.b1[1] * g.b1[1]);
+  const T yy = T(2) * (g.b2[0] * g.b2[0] + g.b2[1] * g.b2[1]);
+  const T xy = T(2) * (g.b1[0] * g.b2[0] + g.b1[1] * g.b2[1]);
+  const double stiffness = 1 - poissons_ratio * poissons_ratio;
+  const T half_trace = T(0.5) * (xx + yy), determinant = xx * yy - xy * xy;
+  const auto find_eigenvalue = [&](double share) {
+    return half_trace + square_root(larger(half_trace * half_trace - T(share) * determinant, T(0)));
+  };
+  const double shear_share = shell_shear_correction * (1 - poissons_ratio) / 2;
+  const T membrane = T(1 / (shell_step_share * shell_step_share)) * find_eigenvalue(stiffness);
+  const T shear =
+      T(shear_share / (shell_shear_step_share * shell_shear_step_share)) * (find_eigenvalue(1) + T(2) / g.least_corner);
+  const T speed_square = T(youngs_modulus / stiffness) * thickness * g.area * (T(1) / mass);
+  const T ideal = T(1.0 / 12.0) * thickness * thickness + T(0.125) * g.area;
+  const T deficit = smaller(gyration_square * (T(1) / ideal), T(1));
+  return square_root(deficit * (T(1) / (speed_square * larger(membrane, shear))));
+}
+
+}  // namespace percuss

@@ -1,0 +1,89 @@
+// The step bound against the largest eigenvalue of random elements.
+
+#include <gtest/gtest.h>
+
+#include "tests/kernels/shell/random_shell.hpp"
+
+namespace percuss::test {
+
+namespace {
+
+constexpr int freedoms = 24;
+using Matrix = std::array<std::array<double, freedoms>, freedoms>;
+
+double& component(Vec& a, std::size_t k) { return k == 0 ? a.x : k == 1 ? a.y : a.z; }
+
+/// Stiffness of an unstressed element, scaled by its masses: column by column, by motions so small that nothing turns.
+Matrix find_scaled_stiffness(const TestShell<ElasticLayer>& shell, const ShellCorners& x) {
+  const double node_mass = shell.state.mass / 4, inertia = node_mass * shell.state.gyration_square;
+  const double dt = 1e-10;
+  Matrix k{};
+  for (std::size_t j = 0; j < freedoms; ++j) {
+    ShellCorners v{}, w{};
+    component(j < 12 ? v[j / 3] : w[j / 3 - 4], j % 3) = 1;
+    TestShell<ElasticLayer> moved = shell;
+    moved.advance(move(x, v, dt), v, w, dt);
+    for (std::size_t i = 0; i < freedoms; ++i) {
+      Vec row = i < 12 ? moved.force[i / 3] : moved.moment[i / 3 - 4];
+      k[i][j] = component(row, i % 3) / dt / std::sqrt((i < 12 ? node_mass : inertia) * (j < 12 ? node_mass : inertia));
+    }
+  }
+  return k;
+}
+
+/// Largest eigenvalue by the power method, from below.
+double find_largest_eigenvalue(const Matrix& k, Random& random) {
+  std::array<double, freedoms> u, next;
+  for (double& value : u) value = random();
+  double largest = 0;
+  for (int iteration = 0; iteration < 200; ++iteration) {
+    double size = 0;
+    for (std::size_t i = 0; i < freedoms; ++i) {
+      next[i] = 0;
+      for (std::size_t j = 0; j < freedoms; ++j) next[i] += k[i][j] * u[j];
+      size += next[i] * next[i];
+    }
+    largest = std::sqrt(size);
+    for (std::size_t i = 0; i < freedoms; ++i) u[i] = next[i] / largest;
+  }
+  return largest;
+}
+
+struct StepShare {
+  double largest = 0, least = 1e300;  // bound over the exact step
+};
+
+StepShare compare_steps(Random& random, int trials, double stretch) {
+  StepShare share;
+  for (int trial = 0; trial < trials; ++trial) {
+    const double aspect = 3 + 2 * random(), poisson = -0.2 + 0.69 * random();
+    const double thickness = std::pow(10.0, -1.75 + 1.25 * random());  // 1e-3 to 0.3 of an edge
+    const double warp = trial % 2 == 0 ? 0 : 0.2;
+    const ShellCorners start = make_quad(random, aspect, 1, 0.2, warp);
+    TestShell<ElasticLayer> shell({find_plane_elasticity(1, poisson)}, 2, start, thickness, 1);
+    ShellCorners x = start;
+    for (Vec& corner : x) corner = stretch * corner;
+    shell.state.thickness /= stretch * stretch;
+    const double bound = shell.advance(x, {}, {}, 0).stable_step;
+    const double exact = 2 / std::sqrt(find_largest_eigenvalue(find_scaled_stiffness(shell, x), random));
+    share.largest = std::max(share.largest, bound / exact);
+    share.least = std::min(share.least, bound / exact);
+  }
+  return share;
+}
+
+}  // namespace
+
+TEST(ShellStep, BoundIsBelowTheExactStepOfRandomElements) {
+  Random random(21);
+  const StepShare share = compare_steps(random, 3000, 1);
+  EXPECT_LE(share.largest, 1);
+  EXPECT_GT(share.least, 0.6);
+}
+
+TEST(ShellStep, BoundHoldsForElementsThatWereStretched) {
+  Random random(22);
+  for (const double stretch : {0.5, 2.0, 4.0}) EXPECT_LE(compare_steps(random, 300, stretch).largest, 1) << stretch;
+}
+
+}  // namespace percuss::test
