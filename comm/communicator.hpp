@@ -18,7 +18,8 @@ class MpiError : public std::runtime_error {
 void check_mpi(int code, const char* call);
 
 /// CPU seconds of the calling thread without what it spent in wait_mpi(): its work, whoever else uses the core. A rank
-/// that waits for others may spin or yield; neither is work.
+/// that waits for others may spin or yield; neither is work. Of a program on one rank: seconds by the clock, which cost
+/// less to read.
 double compute_seconds();
 
 /// Tells compute_seconds() that the calling thread waits for other ranks while this lives.
