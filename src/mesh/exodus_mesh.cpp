@@ -236,7 +236,7 @@ unsigned find_patience(const ExodusContainer& container) {
 
 PartMesh read_exodus_mesh(const ExodusMesh& source) {
   const ExodusContainer container = inspect_exodus_container(source.file);
-  if (container.is_hdf5) run_trial_process([&] { read_file(source); }, find_patience(container));
+  run_trial_process([&] { read_file(source); }, find_patience(container));
   PartMesh mesh = read_file(source);
   for (Vec3& x : mesh.nodes) {
     for (double& coordinate : x) coordinate *= source.scale;

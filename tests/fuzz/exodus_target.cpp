@@ -59,6 +59,7 @@ std::vector<std::string> make_seeds() {
   plain.element_ids.clear();
   plain.single_precision = true;
   seeds.push_back(take_bytes(write_exodus(plain, "plain.exo")));
+  seeds.push_back(lengthen_status(take_bytes(write_exodus(make_two_cubes(), "status.exo"))));
   return seeds;
 }
 

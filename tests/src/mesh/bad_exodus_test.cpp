@@ -222,5 +222,16 @@ TEST(DamagedExodusFile, ThatClaimsMoreThanItHoldsIsRefusedBeforeMemoryIsAskedFor
   std::remove(path.c_str());
 }
 
+TEST(DamagedExodusFile, OnWhichALibraryCrashesIsRefused) {
+  for (const Container container : {Container::classic, Container::offset64}) {
+    const std::string good = write_exodus(make_two_cubes(), "status.exo", container), bytes = read_bytes(good);
+    std::remove(good.c_str());
+    ASSERT_NE(bytes.find("int64_status"), std::string::npos);
+    const std::string path = write_bytes(lengthen_status(bytes), "status.exo");
+    EXPECT_THAT(find_error(path), HasSubstr("the file is damaged"));
+    std::remove(path.c_str());
+  }
+}
+
 }  // namespace
 }  // namespace percuss

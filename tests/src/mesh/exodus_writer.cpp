@@ -110,4 +110,11 @@ std::string read_bytes(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+std::string lengthen_status(std::string bytes) {
+  const std::string name = "int64_status";
+  const std::size_t count = bytes.find(name) + name.size() + 4;  // after the name and the type; before the value
+  bytes.replace(count, 4, std::string("\x00\x00\x00\xff", 4));
+  return bytes.insert(count + 8, 254 * 4, '\x7f');
+}
+
 }  // namespace percuss::testing_mesh

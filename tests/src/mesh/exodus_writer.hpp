@@ -46,4 +46,7 @@ std::string write_exodus(const WrittenMesh& mesh, const std::string& name, Conta
 std::string write_bytes(const std::string& bytes, const std::string& name);
 std::string read_bytes(const std::string& path);
 
+/// A classic file whose attribute `int64_status` has 255 values, which libraries read into room for one.
+std::string lengthen_status(std::string bytes);
+
 }  // namespace percuss::testing_mesh
