@@ -49,6 +49,25 @@ PERCUSS_FORCE_INLINE void take_lanes(const HexResult<Lanes>& result, int first_e
   }
 }
 
+/// Follows the bounds of a pack: growth of the square of the element's frequency since the estimate, relative to it or
+/// to the square of the mesh's frequency, whichever is larger.
+PERCUSS_FORCE_INLINE void watch_step(const StepWatch& watch, std::size_t lane, const Lanes& bound, Lanes& growth) {
+  store_pack(&watch.bound(lane), bound);
+  if (watch.step <= 0) return;
+  const Lanes reference = load_pack(&watch.reference(lane));
+  const Lanes ratio = reference / bound, share = Lanes(watch.step) / reference;
+  growth = larger(growth, (ratio * ratio - Lanes(1)) * smaller(Lanes(1), share * share));
+}
+
+/// Largest of the lanes.
+PERCUSS_FORCE_INLINE double find_largest_lane(const Lanes& value) {
+  alignas(64) double row[width];
+  store_pack(row, value);
+  double largest = row[0];
+  for (int lane = 1; lane < width; ++lane) largest = larger(largest, row[lane]);
+  return largest;
+}
+
 /// Sum over the first `lanes` lanes in their order.
 PERCUSS_FORCE_INLINE double sum_lanes(const Lanes& value, int lanes) {
   alignas(64) double row[width];
@@ -124,6 +143,8 @@ struct AdvanceChunk {
     double work[3] = {0, 0, 0};
     double before[record_size];
     bool changed = false;
+    const bool watches_step = motion.watch.bound.extent(0) > 0;
+    Lanes growth(0);
     for (int e = first; e < end; e += width, record += record_size, corners += 8 * width) {
       const int lanes = end - e < width ? end - e : width;
       const double* const next = record + record_size;
@@ -140,11 +161,16 @@ struct AdvanceChunk {
       scatter_forces(f, corners, lanes, forces);
       if (watched) changed = changed || std::memcmp(before, record, sizeof before) != 0;
       take_lanes(result, e, lanes, step);
+      if (watches_step) {
+        const int pack = chunks.first_pack(c) + (e - first) / width;
+        watch_step(motion.watch, static_cast<std::size_t>(pack) * width, result.stable_step, growth);
+      }
       work[0] += sum_lanes(result.work.internal, lanes);
       work[1] += sum_lanes(result.work.hourglass, lanes);
       work[2] += sum_lanes(result.work.viscous, lanes);
     }
     set_step(c, step, end);
+    if (watches_step) motion.watch.growth(c) = find_largest_lane(growth);
     results.failed_element(c) = step.failed;
     for (int k = 0; k < 3; ++k) results.work(c, k) += work[k];
     return changed;

@@ -8,12 +8,21 @@
 
 namespace percuss {
 
+/// Follows how the step bounds of the elements change, for a step that is longer than they are.
+struct StepWatch {
+  Array<double> bound;      // [packs x W] of each element at n; empty: nobody watches
+  Array<double> reference;  // [packs x W] the same when the step was estimated
+  Array<double> growth;     // [chunks] largest of (reference / bound)^2 - 1, in proportion to what the element counts
+  double step = 0;          // the bound that was estimated; 0: none has been yet
+};
+
 /// The motion that the elements see: positions at n+1, velocities at n+1/2, the step between n and n+1.
 struct ElementMotion {
   Rows3<const double> x;
   Rows3<const double> v;
   double dt = 0;
   bool skips_rest = false;  // chunks that rest and are settled are left as they are, which changes no bit
+  StepWatch watch = {};
 };
 
 /// One compiled variant of the element: a material and a kind of element, with the chunks that use it.

@@ -20,6 +20,7 @@ std::string format_phases(const Summary& summary) {
                                                    {"contact check", p.contact_check},
                                                    {"contact enforce", p.contact_enforce},
                                                    {"reduce", p.reduce},
+                                                   {"estimate", p.estimate},
                                                    {"output", p.output}};
   std::string text;
   for (const auto& [name, seconds] : phases) {
@@ -40,6 +41,10 @@ std::string format_summary(const Summary& s) {
                                     s.contact_nodes, s.contact_faces));
   text += line("time", fmt::format("{:.6g} in {} steps; step {:.4g} to {:.4g}, last {:.4g} (element {})", s.time,
                                    s.steps, s.dt.min, s.dt.max, s.dt.last, s.dt.element));
+  if (s.dt.estimates > 0) {
+    text += line("", fmt::format("{:.4g} times what the elements alone allow, by {} estimates of the whole mesh",
+                                 s.dt.gain, s.dt.estimates));
+  }
   text += line("took", fmt::format("set-up {:.3g} s, loop {:.3g} s, {:.4g} ns per element and step; {:.4g} MB at most",
                                    s.setup_s, s.loop_s, s.grind_ns, static_cast<double>(s.peak_bytes) / 1e6));
   text += format_phases(s);

@@ -197,6 +197,9 @@ struct ElementDeck {
 struct TimeDeck {
   double end = 0;
   double step_scale = 0.9;
+  /// What is stable: the least bound of an element, or the largest eigenvalue of the mesh, estimated now and then.
+  enum class StepEstimate { element, global };
+  StepEstimate step_estimate = StepEstimate::element;
   std::optional<double> max_step;  // upper bound of the step [s]
   std::optional<long> max_steps;   // stop as "completed" after so many
   double collapse_ratio = 1e-4;    // a step below this share of the first one is an error

@@ -6,9 +6,12 @@ namespace percuss {
 namespace {
 
 const Keys<TimeDeck>& time_keys() {
+  using StepEstimate = TimeDeck::StepEstimate;
   static const Keys<TimeDeck> keys = {
       need("end", &TimeDeck::end, NumberValue{positive}),
       may("step_scale", &TimeDeck::step_scale, NumberValue{{"above 0, at most 1", 0, 1, true}}),
+      may("step_estimate", &TimeDeck::step_estimate,
+          ChoiceValue<StepEstimate>{{{"element", StepEstimate::element}, {"global", StepEstimate::global}}}),
       may("max_step", &TimeDeck::max_step, NumberValue{positive}),
       may("max_steps", &TimeDeck::max_steps, IntegerValue{1, std::numeric_limits<long>::max()}),
       may("collapse_ratio", &TimeDeck::collapse_ratio, NumberValue{{"at least 0 and below 1", 0, 1, false, true}}),

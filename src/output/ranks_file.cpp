@@ -23,6 +23,7 @@ void visit_columns(const RankRow& row, const Visitor& visit) {
   visit("compute_contact_check", spent.contact_check);
   visit("compute_contact_enforce", spent.contact_enforce);
   visit("compute_reduce", spent.reduce);
+  visit("compute_estimate", spent.estimate);
   visit("compute_output", spent.output);
   visit("compute_loop", row.compute_loop);
   visit("halo_messages", row.halo_messages);

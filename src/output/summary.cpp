@@ -30,6 +30,7 @@ void visit_phases(S& s, Visitor&& v) {
   v.value("contact_check", s.contact_check);
   v.value("contact_enforce", s.contact_enforce);
   v.value("reduce", s.reduce);
+  v.value("estimate", s.estimate);
   v.value("output", s.output);
 }
 
@@ -71,6 +72,9 @@ void visit_summary(S& s, Visitor&& v) {
     v.value("max", s.dt.max);
     v.value("last", s.dt.last);
     v.value("element", s.dt.element);
+    v.value("estimate", s.dt.estimate);
+    v.value("estimates", s.dt.estimates);
+    v.value("gain", s.dt.gain);
   });
   v.value("setup_s", s.setup_s);
   v.value("loop_s", s.loop_s);

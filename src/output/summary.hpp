@@ -9,7 +9,7 @@ namespace percuss {
 /// Seconds spent in each phase of the loop.
 struct PhaseSeconds {
   double internal_force = 0, halo = 0, integrate = 0, contact_rcb = 0, contact_search = 0, contact_check = 0,
-         contact_enforce = 0, reduce = 0, output = 0;
+         contact_enforce = 0, reduce = 0, estimate = 0, output = 0;
 };
 
 /// Energies [energy unit] at the end of the run; `error` is relative to the largest energy held so far
@@ -34,6 +34,9 @@ struct Summary {
   struct {
     double min = 0, max = 0, last = 0;
     std::int64_t element = 0;  // id of the element that controls the last step
+    std::string estimate = "element";
+    std::int64_t estimates = 0;  // of the largest eigenvalue of the mesh
+    double gain = 1;             // mean over the steps of the bound taken over the least bound of an element
   } dt;
   double setup_s = 0, loop_s = 0, grind_ns = 0;
   PhaseSeconds phases_s;

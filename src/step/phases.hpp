@@ -8,7 +8,7 @@ namespace percuss {
 
 struct PhaseClocks {
   PhaseClock internal_force, halo, integrate, contact_rcb, contact_search, contact_check, contact_enforce, reduce,
-      output;
+      estimate, output;
 
   PhaseSeconds wall() const { return pick(&PhaseClock::wall); }
   PhaseSeconds compute() const { return pick(&PhaseClock::compute); }
@@ -16,7 +16,7 @@ struct PhaseClocks {
  private:
   PhaseSeconds pick(double PhaseClock::*of) const {
     return {internal_force.*of,  halo.*of,   integrate.*of, contact_rcb.*of, contact_search.*of, contact_check.*of,
-            contact_enforce.*of, reduce.*of, output.*of};
+            contact_enforce.*of, reduce.*of, estimate.*of,  output.*of};
   }
 };
 

@@ -54,6 +54,10 @@ void fill_summary(const SummedRun& run, Summary& summary) {
   summary.nodes = numbering.node_count();
   summary.steps = run.state.step;
   summary.time = run.state.time;
+  const StepEstimateReport estimates = run.stepper.step_estimates();
+  summary.dt.estimate = run.stepper.estimates_steps() ? "global" : "element";
+  summary.dt.estimates = estimates.count;
+  summary.dt.gain = estimates.gain;
   summary.phases_s = run.stepper.clocks().wall();
   summary.peak_bytes = find_peak_bytes();
   take_largest(ranks, summary);

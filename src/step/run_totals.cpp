@@ -42,9 +42,19 @@ int count_idle_ranks(const Numbering& numbering, int rank_count) {
 void take_largest(const Communicator& ranks, Summary& summary) {
   PhaseSeconds& p = summary.phases_s;
   auto peak = static_cast<double>(summary.peak_bytes);  // exact up to 2^53
-  const std::array<double*, 12> places{&summary.setup_s,   &summary.loop_s, &p.internal_force, &p.halo,
-                                       &p.integrate,       &p.contact_rcb,  &p.contact_search, &p.contact_check,
-                                       &p.contact_enforce, &p.reduce,       &p.output,         &peak};
+  const std::array<double*, 13> places{&summary.setup_s,
+                                       &summary.loop_s,
+                                       &p.internal_force,
+                                       &p.halo,
+                                       &p.integrate,
+                                       &p.contact_rcb,
+                                       &p.contact_search,
+                                       &p.contact_check,
+                                       &p.contact_enforce,
+                                       &p.reduce,
+                                       &p.estimate,
+                                       &p.output,
+                                       &peak};
   std::array<double, places.size()> values{};
   for (std::size_t i = 0; i < places.size(); ++i) values[i] = *places[i];
   wait_mpi(

@@ -31,6 +31,7 @@ void StepNotice::merge(const StepNotice& other) {
   stop = std::max(stop, other.stop);
   checkpoint = std::max(checkpoint, other.checkpoint);
   contact_rate = std::max(contact_rate, other.contact_rate);
+  growth = std::max(growth, other.growth);
 }
 
 Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
@@ -45,6 +46,9 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
   for (const Motion& motion : model.motions) is_displacement.push_back(motion.is_displacement ? 1 : 0);
   motions_ = {Array<double>("percuss::motion_values", model.motions.size()),
               to_view("percuss::is_displacement", is_displacement)};
+  if (deck.time.step_estimate == TimeDeck::StepEstimate::global) {
+    global_ = std::make_unique<GlobalStep>(chunked, model, deck.time.end, deck.time.step_scale);
+  }
 }
 
 void Stepper::start(State& state, StepWishes wishes) {
@@ -65,6 +69,7 @@ void Stepper::resume(State& state) {
 
 void Stepper::archive(CheckpointArchive& archive) {
   bookkeeper_.archive(archive);
+  if (global_) global_->archive(archive);
   if (!contact_.is_active()) return;
   archive.integer("contact/report/interactions", report_.interactions);
   archive.number("contact/report/candidates", report_.candidates);
@@ -165,8 +170,9 @@ void Stepper::compute_forces(State& state, double dt) {
 }
 
 void Stepper::advance_blocks(State& state, const HexBlocks& blocks, double dt) {
-  advance_elements(space_, model_.chunks, blocks, {state.x, state.v, dt, deck_.elements.skip_resting}, state.elements,
-                   state.slot_force, state.results);
+  advance_elements(space_, model_.chunks, blocks,
+                   {state.x, state.v, dt, deck_.elements.skip_resting, global_ ? global_->watch() : StepWatch{}},
+                   state.elements, state.slot_force, state.results);
 }
 
 StepNotice Stepper::find_notice(const State& state) const {
@@ -183,25 +189,39 @@ StepNotice Stepper::find_notice(const State& state) const {
                   failed(c) < 0 ? StepNotice::none : failed(c) + shift,
                   std::isfinite(work(c, 0) + work(c, 1) + work(c, 2)) ? StepNotice::none : chunk.number});
   }
+  if (global_) {
+    const auto growth = to_host(global_->watch().growth);
+    for (std::size_t c = 0; c < growth.extent(0); ++c) notice.growth = std::max(notice.growth, growth(c));
+  }
   return notice;
 }
 
 /// The one reduction of a step.
 void Stepper::agree_on_step(State& state, StepWishes wishes) {
-  const Phase phase("percuss::reduce", clocks_.reduce);
-  StepNotice notice = find_notice(state);
-  notice.stop = wishes.stop ? 1 : 0;
-  notice.checkpoint = wishes.checkpoint ? 1 : 0;
-  notice.contact_rate = report_.rate;
-  reduction_(model_.ranks, notice);
+  StepNotice notice;
+  {
+    const Phase phase("percuss::reduce", clocks_.reduce);
+    notice = find_notice(state);
+    notice.stop = wishes.stop ? 1 : 0;
+    notice.checkpoint = wishes.checkpoint ? 1 : 0;
+    notice.contact_rate = report_.rate;
+    reduction_(model_.ranks, notice);
+  }
   agreed_ = {notice.stop != 0, notice.checkpoint != 0};
   const auto or_none = [](std::int64_t number) { return number == StepNotice::none ? -1 : number; };
+  const double mesh_step = find_mesh_step(state, notice);
   // The square of the largest frequency of elements and springs together is at most the sum of the squares of both.
   // Without springs the bound of the elements keeps its bits.
-  const double step = notice.contact_rate > 0
-                          ? 1 / std::sqrt(1 / (notice.step * notice.step) + 0.25 * notice.contact_rate)
-                          : notice.step;
+  const double step =
+      notice.contact_rate > 0 ? 1 / std::sqrt(1 / (mesh_step * mesh_step) + 0.25 * notice.contact_rate) : mesh_step;
   state.bound = {step, notice.element, notice.element_id, or_none(notice.failed_element), or_none(notice.broken_chunk)};
+}
+
+/// The bound of the elements, or what the whole mesh allows; an element that has failed ends the run anyhow.
+double Stepper::find_mesh_step(const State& state, const StepNotice& notice) {
+  if (!global_ || notice.failed_element != StepNotice::none) return notice.step;
+  const Phase phase("percuss::estimate", clocks_.estimate);
+  return global_->find_bound(state, notice.step, notice.growth);
 }
 
 void Stepper::apply_loads(State& state, double time) {

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 #include "comm/halo_swap.hpp"
 #include "comm/merge_reduction.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/step/books.hpp"
+#include "src/step/global_step.hpp"
 #include "src/step/model.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/state.hpp"
@@ -25,6 +27,7 @@ struct StepNotice {
   std::int64_t stop = 0;               // 1: the run is to end after this step
   std::int64_t checkpoint = 0;         // 1: a checkpoint is to be written after this step
   double contact_rate = 0;             // ContactReport::rate
+  double growth = 0;                   // largest of StepWatch::growth
 
   void merge(const StepNotice& other);
 };
@@ -64,6 +67,9 @@ class Stepper {
   Vec3 find_wall_force() const { return bookkeeper_.find_wall_force(); }
   /// What this rank has sent of the forces of shared nodes.
   const Traffic& traffic() const { return halo_.traffic(); }
+  /// Whether the step comes from the largest eigenvalue of the mesh; how often that was estimated and what it brought.
+  bool estimates_steps() const { return global_ != nullptr; }
+  StepEstimateReport step_estimates() const { return global_ ? global_->report() : StepEstimateReport{}; }
   PhaseClocks& clocks() { return clocks_; }
   const PhaseClocks& clocks() const { return clocks_; }
 
@@ -78,6 +84,7 @@ class Stepper {
   void apply_loads(State& state, double time);
   StepNotice find_notice(const State& state) const;
   void agree_on_step(State& state, StepWishes wishes);
+  double find_mesh_step(const State& state, const StepNotice& notice);
   void choose_step(State& state) const;
 
   const Deck& deck_;
@@ -88,6 +95,7 @@ class Stepper {
   HaloSwap halo_;
   MergeReduction<StepNotice> reduction_;
   StepWishes agreed_;
+  std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
   Bookkeeper bookkeeper_;
   PrescribedMotions motions_;
   Array<double> pressures_;

@@ -88,6 +88,22 @@ TEST(Restart, EndsInTheBitsOfTheRunThatWasNeverStopped) {
   EXPECT_EQ(read_file(parts.path() + "/fields.xdmf"), read_file(whole.path() + "/fields.xdmf"));
 }
 
+TEST(Restart, AnEstimatedStepGoesOnFromItsLastEstimate) {
+  const auto text = [](int steps) {
+    return change(change(stopped(steps), "1.5e-3, ", "1.5, step_estimate: global, "), "fields: {every: 2e-4,",
+                  "fields: {every: 2e-2,");
+  };
+  const TemporaryFolder whole, parts;
+  const Summary expected = run(text(40), whole.path()).summary;
+  EXPECT_EQ(expected.dt.estimates, 1);
+  EXPECT_GT(expected.dt.gain, 1.1);
+  run(text(15), parts.path());
+  const Summary summary = run(text(40), parts.path(), parts.path() + checkpoint_name).summary;
+  EXPECT_EQ(summary.state_hash, expected.state_hash);
+  EXPECT_EQ(summary.dt.gain, expected.dt.gain);
+  EXPECT_EQ(summary.dt.estimates, 1);
+}
+
 TEST(Restart, InAnotherFolderWritesWhatComesAfterTheCheckpoint) {
   const TemporaryFolder whole, first, second;
   run(blocks, whole.path());

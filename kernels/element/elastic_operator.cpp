@@ -1,0 +1,112 @@
+#include "kernels/element/elastic_operator.hpp"
+
+#include "kernels/element/chunk_records.hpp"
+
+namespace percuss {
+
+namespace {
+
+constexpr int width = pack_size<double>;
+
+using Policy = Kokkos::TeamPolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
+using Member = Policy::member_type;
+
+template <class Material, HexKind Kind>
+struct ProbeChunk {
+  HexChunks chunks;
+  HexBlock<Material, Kind> block;
+  ElasticProbe probe;
+  Array<double> state;
+  ChunkResults results;
+  Rows3<double> slot_force;
+
+  static std::size_t scratch_bytes(const HexChunks& chunks) {
+    return (static_cast<std::size_t>(chunks.largest_slot_count) * (node_record + force_record) + 8) * sizeof(double) +
+           128;
+  }
+
+  KOKKOS_FUNCTION void operator()(const Member& member) const {
+    const int c = block.chunks(member.league_rank());
+    const int first_slot = chunks.first_slot(c);
+    const int slot_count = chunks.first_slot(c + 1) - first_slot;
+    const auto scratch = [&](int record) {
+      return static_cast<double*>(
+          member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(slot_count * record) * sizeof(double), 64));
+    };
+    double* nodes = scratch(node_record);
+    double* forces = scratch(force_record);
+    for (int s = 0; s < slot_count; ++s) {
+      const std::size_t n = 3 * static_cast<std::size_t>(chunks.slots_to_nodes(first_slot + s));
+      copy_row(probe.x.data() + n, nodes + node_record * s);
+      copy_row(probe.u.data() + n, nodes + node_record * s + 4);
+      for (int k = 0; k < force_record; ++k) forces[force_record * s + k] = 0;
+    }
+    if (results.stable_step(c) > probe.coarse) {
+      add_bound(c, nodes, forces);
+    } else {
+      probe_packs(c, nodes, forces);
+    }
+    for (int s = 0; s < slot_count; ++s) copy_row(forces + force_record * s, &slot_force(first_slot + s, 0));
+  }
+
+  KOKKOS_FUNCTION const double* find_record(int c, int pack) const {
+    return &state(chunks.first_state(c)) + static_cast<std::size_t>(pack) * hex_record_size<Material, Kind> * width;
+  }
+  KOKKOS_FUNCTION const std::uint16_t* find_corners(int c, int pack) const {
+    return &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c) + pack) * 8 * width);
+  }
+
+  KOKKOS_FUNCTION void probe_packs(int c, const double* nodes, double* forces) const {
+    const HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
+    const int count = chunks.first_element(c + 1) - chunks.first_element(c);
+    for (int i = 0; i * width < count; ++i) {
+      const std::uint16_t* corners = find_corners(c, i);
+      VectorModes<Lanes> a, u;
+      gather_modes(nodes, corners, a);
+      gather_modes(nodes + 4, corners, u);
+      const double* record = find_record(c, i);
+      const ProbedElement<Lanes> element{load_pack(record + HexRecord::mass * width),
+                                         load_pack(record + HexRecord::viscous_pressure * width), Lanes(probe.step)};
+      Lanes f[3][8];
+      probe_hex8<Kind>(parameters, a, u, element, f[0], f[1], f[2]);
+      scatter_forces(f, corners, count - i * width < width ? count - i * width : width, forces);
+    }
+  }
+
+  /// Each corner has an eighth of its element's mass.
+  KOKKOS_FUNCTION void add_bound(int c, const double* nodes, double* forces) const {
+    const double ratio = probe.step / results.stable_step(c);
+    const int count = chunks.first_element(c + 1) - chunks.first_element(c);
+    for (int e = 0; e < count; ++e) {
+      const double share = 0.125 * ratio * ratio * find_record(c, e / width)[HexRecord::mass * width + e % width];
+      for (int i = 0; i < 8; ++i) {
+        const int s = find_corners(c, e / width)[i * width + e % width];
+        for (int k = 0; k < 3; ++k) forces[force_record * s + k] -= share * nodes[node_record * s + 4 + k];
+      }
+    }
+  }
+};
+
+template <class Material, HexKind Kind>
+void probe_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
+                 const ElasticProbe& probe, const Array<double>& state, const ChunkResults& results,
+                 const Rows3<double>& slot_force) {
+  const int count = static_cast<int>(block.chunks.extent(0));
+  if (count == 0) return;
+  using Kernel = ProbeChunk<Material, Kind>;
+  Policy policy(space, count, 1);
+  policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(Kernel::scratch_bytes(chunks)))).set_chunk_size(1);
+  Kokkos::parallel_for("percuss::apply_elastic_operator", policy,
+                       Kernel{chunks, block, probe, state, results, slot_force});
+}
+
+}  // namespace
+
+void apply_elastic_operator(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
+                            const ElasticProbe& probe, const Array<double>& state, const ChunkResults& results,
+                            const Rows3<double>& slot_force) {
+  std::apply([&](const auto&... block) { (probe_block(space, chunks, block, probe, state, results, slot_force), ...); },
+             blocks);
+}
+
+}  // namespace percuss
