@@ -89,6 +89,20 @@ PERCUSS_FORCE_INLINE std::experimental::simd<Scalar, Abi> smaller(const std::exp
                                                                   const std::experimental::simd<Scalar, Abi>& b) {
   return select(b < a, b, a);
 }
+/// Lane by lane by the functions of the scalar, so that a lane has the bits of the scalar.
+template <class Scalar, class Abi>
+KOKKOS_INLINE_FUNCTION std::experimental::simd<Scalar, Abi> exponential(const std::experimental::simd<Scalar, Abi>& a) {
+  return std::experimental::simd<Scalar, Abi>([&](auto lane) { return std::exp(Scalar(a[lane])); });
+}
+template <class Scalar, class Abi>
+KOKKOS_INLINE_FUNCTION std::experimental::simd<Scalar, Abi> logarithm(const std::experimental::simd<Scalar, Abi>& a) {
+  return std::experimental::simd<Scalar, Abi>([&](auto lane) { return std::log(Scalar(a[lane])); });
+}
+template <class Scalar, class Abi>
+KOKKOS_INLINE_FUNCTION std::experimental::simd<Scalar, Abi> power(const std::experimental::simd<Scalar, Abi>& a,
+                                                                  Scalar exponent) {
+  return std::experimental::simd<Scalar, Abi>([&](auto lane) { return std::pow(Scalar(a[lane]), exponent); });
+}
 template <class Scalar, class Abi>
 PERCUSS_FORCE_INLINE bool any(const std::experimental::simd_mask<Scalar, Abi>& mask) {
   return std::experimental::any_of(mask);
@@ -121,6 +135,9 @@ PERCUSS_FORCE_INLINE double select(bool mask, double yes, double no) { return ma
 PERCUSS_FORCE_INLINE float select(bool mask, float yes, float no) { return mask ? yes : no; }
 PERCUSS_FORCE_INLINE double square_root(double a) { return sqrt(a); }
 PERCUSS_FORCE_INLINE float square_root(float a) { return sqrtf(a); }
+KOKKOS_INLINE_FUNCTION double exponential(double a) { return exp(a); }
+KOKKOS_INLINE_FUNCTION double logarithm(double a) { return log(a); }
+KOKKOS_INLINE_FUNCTION double power(double a, double exponent) { return pow(a, exponent); }
 PERCUSS_FORCE_INLINE double larger(double a, double b) { return a < b ? b : a; }
 PERCUSS_FORCE_INLINE float larger(float a, float b) { return a < b ? b : a; }
 PERCUSS_FORCE_INLINE double smaller(double a, double b) { return b < a ? b : a; }

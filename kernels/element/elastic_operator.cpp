@@ -41,7 +41,10 @@ struct ProbeChunk {
       copy_row(probe.u.data() + n, nodes + node_record * s + 4);
       for (int k = 0; k < force_record; ++k) forces[force_record * s + k] = 0;
     }
-    if (results.stable_step(c) > probe.coarse) {
+    // A called material tells its moduli with the bound alone.
+    if constexpr (is_called<Material>) {
+      add_bound(c, nodes, forces);
+    } else if (results.stable_step(c) > probe.coarse) {
       add_bound(c, nodes, forces);
     } else {
       probe_packs(c, nodes, forces);
@@ -50,7 +53,7 @@ struct ProbeChunk {
   }
 
   KOKKOS_FUNCTION const double* find_record(int c, int pack) const {
-    return &state(chunks.first_state(c)) + static_cast<std::size_t>(pack) * hex_record_size<Material, Kind> * width;
+    return &state(chunks.first_state(c)) + static_cast<std::size_t>(pack * chunks.record_size(c) * width);
   }
   KOKKOS_FUNCTION const std::uint16_t* find_corners(int c, int pack) const {
     return &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c) + pack) * 8 * width);

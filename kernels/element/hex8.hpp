@@ -31,6 +31,7 @@ struct HexParameters {
   double lambda = 0, mu = 0;  // bound of the elastic stiffness; a negative lambda counts as 0
   double hourglass = 0.05;    // coefficient of the stiffness and the viscous form
   BulkViscosity viscosity;
+  double time = 0;  // at n+1; set for each step
 };
 
 /// Energy that one step put into the element [energy].
@@ -87,27 +88,33 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   const T half = T(0.5);
   const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
 
-  // stress
-  const Symmetric3<T> old_stress = state.stress;
-  const auto plastic = update_stress(par.material, state.stress, state.history, 0, step.de);
-
   // end geometry
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
-  const T density = state.mass * (T(1) / b.volume);
-  const T speed = square_root(T(par.lambda + 2 * par.mu) * b.volume * (T(1) / state.mass));
+  const T density = state.mass * (T(1) / b.volume), length = find_thickness(size, b.volume);
+  const T speed = square_root(find_longitudinal_modulus<T>(par, state.history) * b.volume * (T(1) / state.mass));
 
-  const ViscousPressure<T> viscous =
-      find_viscous_pressure(par.viscosity, density, find_thickness(size, b.volume), speed, step.trace_d);
+  const ViscousPressure<T> viscous = find_viscous_pressure(par.viscosity, density, length, speed, step.trace_d);
   const T old_viscous_pressure = state.viscous_pressure;
   state.viscous_pressure = viscous.pressure;
+
+  // stress
+  const Symmetric3<T> old_stress = state.stress;
+  const PointMotion<T> point{step.de,
+                             dt,
+                             find_volume_ratio(par.material, b.volume, state.mass),
+                             length,
+                             half * (old_viscous_pressure + viscous.pressure),
+                             par.time};
+  const auto response = update_stress(par.material, state.stress, state.history, 0, point);
+  const auto moduli = find_moduli(par, response);
 
   // hourglass forces, in the spatial frame for assembly
   const HourglassModes<T> rates = find_hourglass_rates(v, step.middle, step.l);
   const HourglassMotion<T> motion{step.middle, rates, step.turn, state.polar.rotation, dt};
   const HourglassElement<T> element{state.mass, size.trace, b.volume, step.b};
   const HourglassStep<T> hourglass =
-      control_hourglass<Kind>(par.material, par.mu, par.hourglass, plastic, motion, element, state.hourglass);
+      control_hourglass<Kind>(par.material, par.mu, par.hourglass, response, motion, element, state.hourglass);
 
   Symmetric3<T> t = push_forward(state.polar.rotation, state.stress);
   t.xx = t.xx - viscous.pressure;
@@ -116,8 +123,9 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   find_corner_forces(t, hourglass.force, a, b, fx, fy, fz);
 
   const T oblique = find_obliqueness(a, size, b.volume);
-  const T frequency_square = join_hourglass_frequency(
-      find_frequency_square(size, b.volume, state.mass, par.lambda, par.mu), hourglass.stiffness, state.mass, oblique);
+  const T frequency_square =
+      join_hourglass_frequency(find_frequency_square(size, b.volume, state.mass, moduli.lambda, moduli.mu),
+                               hourglass.stiffness, state.mass, oblique);
   const T damping_rate = find_damping_rate(size, b.volume, state.mass, viscous.tangent) +
                          T(64) * hourglass.viscosity * oblique * (T(1) / state.mass);
   const T half_volume = half * step.b.volume;

@@ -61,46 +61,57 @@ PERCUSS_FORCE_INLINE void find_full_forces(const VectorModes<T>& modes, const Ma
   to_corners(fz);
 }
 
-/// What the points give together.
-template <class T>
+/// What the points give together. S: double, or T where moduli change.
+template <class T, class S>
 struct PointSums {
   VectorModes<T> force;  // 512 times the modes of the deviatoric forces, unrotated
   T tension;             // V times the mean stress
   T work;
   T smallest_volume;  // 512 times the smallest det J
   PointMetrics<T> metrics;
+  Moduli<S> moduli;  // the largest of a point
 };
 
+template <class T>
+PERCUSS_FORCE_INLINE void take_larger(Moduli<T>& largest, const Moduli<T>& moduli) {
+  largest = {larger(largest.lambda, moduli.lambda), larger(largest.mu, moduli.mu)};
+}
+
 /// Strains, stresses and forces point by point. a, v, middle: modes of positions at n+1, of velocities at n+1/2 and of
-/// positions at n+1/2, all spatial; trace_de: of the mean strain increment.
+/// positions at n+1/2, all spatial; mean: the motion of the element's mean.
 template <class T, class Material>
-PERCUSS_FORCE_INLINE PointSums<T> advance_points(const Material& material, const VectorModes<T>& a,
-                                                 const VectorModes<T>& v, const VectorModes<T>& middle,
-                                                 const Matrix3<T>& turn, const T& trace_de, const T& dt,
-                                                 HexState<T, Material, HexKind::full>& state) {
+PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, const VectorModes<T>& a,
+                                         const VectorModes<T>& v, const VectorModes<T>& middle, const Matrix3<T>& turn,
+                                         const PointMotion<T>& mean, HexState<T, Material, HexKind::full>& state) {
   const T third = T(1.0 / 3.0);
   const VectorModes<T> rates = pull_back(turn, v), end = pull_back(state.polar.rotation, a);
-  PointSums<T> sums;
+  const T trace_de = trace(mean.de);
+  PointSums<T, std::conditional_t<is_called<Material>, T, double>> sums;
+  sums.moduli = {{}, {}};
   for (int m = 1; m <= 7; ++m) sums.force[m] = {T(0), T(0), T(0)};
   sums.tension = sums.work = T(0);
   sums.smallest_volume = T(1e300);
   for (int p = 0; p < 8; ++p) {
     const GaussPoint at = find_gauss_point(p);
     const PointGeometry<T> mid_point = find_point_geometry(middle, at);
-    Symmetric3<T> de = dt * find_point_rate(mid_point, at, rates, turn);
+    Symmetric3<T> de = mean.dt * find_point_rate(mid_point, at, rates, turn);
     const T dilatation = third * (trace_de - trace(de));
     de = de + Symmetric3<T>{dilatation, dilatation, dilatation, T(0), T(0), T(0)};
     const Symmetric3<T> old_stress = state.stress[p];
     Symmetric3<T> stress = old_stress;
-    update_stress(material, stress, state.history, p, de);
+    PointMotion<T> motion = mean;
+    motion.de = de;
+    const auto response = update_stress(par.material, stress, state.history, p, motion);
+    take_larger(sums.moduli, find_moduli(par, response));
     state.stress[p] = stress;
     sums.work = sums.work + mid_point.volume * contract(old_stress + stress, de);
 
     const PointGeometry<T> point = find_point_geometry(end, at);
-    const T mean = third * trace(stress);
-    const Symmetric3<T> deviator{stress.xx - mean, stress.yy - mean, stress.zz - mean, stress.xy, stress.yz, stress.zx};
+    const T mean_stress = third * trace(stress);
+    const Symmetric3<T> deviator{
+        stress.xx - mean_stress, stress.yy - mean_stress, stress.zz - mean_stress, stress.xy, stress.yz, stress.zx};
     add_point_force(deviator, point, at, sums.force);
-    sums.tension = sums.tension + point.volume * mean;
+    sums.tension = sums.tension + point.volume * mean_stress;
     sums.smallest_volume = smaller(sums.smallest_volume, point.volume);
     sums.metrics.set(p, point);
   }
@@ -118,21 +129,27 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
                                                T (&fz)[8]) {
   const T half = T(0.5);
   const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
-  PointSums<T> points = advance_points(par.material, a, v, step.middle, step.turn, trace(step.de), dt, state);
-
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
-  const T speed = square_root(T(par.lambda + 2 * par.mu) * b.volume / state.mass);
+  const T length = find_thickness(size, b.volume);
+  const T speed = square_root(find_longitudinal_modulus<T>(par, state.history) * b.volume / state.mass);
   const ViscousPressure<T> viscous =
-      find_viscous_pressure(par.viscosity, state.mass / b.volume, find_thickness(size, b.volume), speed, step.trace_d);
+      find_viscous_pressure(par.viscosity, state.mass / b.volume, length, speed, step.trace_d);
   const T viscous_work = -half * step.b.volume * (state.viscous_pressure + viscous.pressure) * dt * step.trace_d;
+  const PointMotion<T> mean{step.de,
+                            dt,
+                            find_volume_ratio(par.material, b.volume, state.mass),
+                            length,
+                            half * (state.viscous_pressure + viscous.pressure),
+                            par.time};
   state.viscous_pressure = viscous.pressure;
+  auto points = advance_points(par, a, v, step.middle, step.turn, mean, state);
   find_full_forces(points.force, state.polar.rotation, points.tension / b.volume - viscous.pressure, b, fx, fy, fz);
 
   // 2 mu |dev D|^2 + K (tr D)^2 <= 2 mu |D|^2 + lambda (tr D)^2, as the mean dilatation has the smallest square
-  const T frequency_square =
-      T(8) / state.mass *
-      (T(par.lambda) * size.trace / b.volume + T(2 * par.mu) * bound_largest_laplacian(points.metrics));
+  const T frequency_square = T(8) / state.mass *
+                             (T(points.moduli.lambda) * size.trace / b.volume +
+                              T(2 * points.moduli.mu) * bound_largest_laplacian(points.metrics));
   return {{points.work, T(0), viscous_work},
           find_stable_step(frequency_square, find_damping_rate(size, b.volume, state.mass, viscous.tangent)),
           T(1.0 / 64.0) * points.smallest_volume};

@@ -27,6 +27,13 @@ struct HexChunks {
   Array<int> record_size;             // [count] scalars an element's record holds
   Array<int> history;                 // [count] place of the material's history in the record, -1: it has none
   Array<int> points;                  // [count] points of an element with stress and history of their own
+  Array<int> scalars;                 // [count][history_scalars] place of a named scalar of the first point, -1: none
+
+  /// Where the record of an element of chunk c holds a scalar of its first point; point p has it at this + p. -1: the
+  /// material has none.
+  KOKKOS_INLINE_FUNCTION int find_scalar(int c, HistoryScalar name) const {
+    return scalars(c * history_scalars + static_cast<int>(name));
+  }
 };
 
 /// What a step leaves for each chunk.

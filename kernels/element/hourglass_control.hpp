@@ -5,7 +5,7 @@
 
 #include "kernels/element/assumed_strain.hpp"
 #include "kernels/element/hourglass.hpp"
-#include "kernels/material/plastic_return.hpp"
+#include "kernels/element/material_point.hpp"
 
 namespace percuss {
 
@@ -44,41 +44,6 @@ struct NoHourglass {};
 /// Q between steps, for the forms that keep it.
 template <class T, HexKind Kind>
 using StoredHourglass = std::conditional_t<Kind == HexKind::viscous, NoHourglass, HourglassModes<T>>;
-
-/// What a material remembers at the points of an element: scalar i of point p is value[i][p]; no room for nothing.
-template <class T, class Material, int Points, int Count = Material::history_count>
-struct MaterialHistory {
-  T value[Count][Points];
-  PERCUSS_FORCE_INLINE void load(int p, T* point) const {
-    for (int i = 0; i < Count; ++i) point[i] = value[i][p];
-  }
-  PERCUSS_FORCE_INLINE void store(int p, const T* point) {
-    for (int i = 0; i < Count; ++i) value[i][p] = point[i];
-  }
-};
-template <class T, class Material, int Points>
-struct MaterialHistory<T, Material, Points, 0> {
-  PERCUSS_FORCE_INLINE void load(int, T*) const {}
-  PERCUSS_FORCE_INLINE void store(int, const T*) {}
-};
-
-/// Updates the stress; returns a PlasticReturn if the material can yield, and nothing to speak of otherwise.
-template <class T, class Material, int Points>
-PERCUSS_FORCE_INLINE auto update_stress(const Material& material, Symmetric3<T>& stress,
-                                        MaterialHistory<T, Material, Points>& history, int point,
-                                        const Symmetric3<T>& de) {
-  T here[Material::history_count > 0 ? Material::history_count : 1];
-  history.load(point, here);
-  if constexpr (Material::can_yield) {
-    const PlasticReturn<T> plastic = material.update(stress, here, de);
-    history.store(point, here);
-    return plastic;
-  } else {
-    material.update(stress, here, de);
-    history.store(point, here);
-    return false;
-  }
-}
 
 /// How stored forces follow a step of plastic flow, and the guard of near-inverted elements.
 ///

@@ -4,7 +4,8 @@
 #include <tuple>
 
 #include "kernels/element/hex_chunks.hpp"
-#include "kernels/material/materials.hpp"
+#include "kernels/material/elastic.hpp"
+#include "kernels/material/j2_plasticity.hpp"
 
 namespace percuss {
 
@@ -22,15 +23,20 @@ struct ElementMotion {
   Rows3<const double> v;
   double dt = 0;
   bool skips_rest = false;  // chunks that rest and are settled are left as they are, which changes no bit
+  double time = 0;          // at n+1
   StepWatch watch = {};
 };
 
-/// One compiled variant of the element: a material and a kind of element, with the chunks that use it.
+/// One compiled variant of the element: a compiled-in material (or CalledMaterial, for all others) and a kind of
+/// element, with the chunks that use it.
 template <class Material, HexKind Kind>
 struct HexBlock {
   Array<int> chunks;                                            // ascending chunk ids
   Kokkos::View<HexParameters<Material>*, MemSpace> parameters;  // by HexChunks::parameters
 };
+
+/// The materials that the element is compiled for: those that say so, and one that calls all others.
+using CompiledMaterials = TypeList<Elastic, J2Plasticity, CalledMaterial>;
 
 template <class List>
 struct AllHexBlocks;
@@ -40,12 +46,18 @@ struct AllHexBlocks<TypeList<Material...>> {
                           HexBlock<Material, HexKind::viscous>..., HexBlock<Material, HexKind::full>...>;
 };
 /// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
-using HexBlocks = AllHexBlocks<Materials>::type;
+using HexBlocks = AllHexBlocks<CompiledMaterials>::type;
 
 /// Advances every element from n to n+1. state: element records, in and out. slot_force: out, the chunk's share of the
 /// force on its nodes (minus the internal force), as it was where a chunk is skipped. results: out; work is added to.
 void advance_elements(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
                       const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
                       const ChunkResults& results);
+
+/// The same for one variant; compiled in a file for each material.
+template <class Material, HexKind Kind>
+void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
+                   const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                   const ChunkResults& results);
 
 }  // namespace percuss

@@ -60,10 +60,10 @@ PERCUSS_FORCE_INLINE T find_obliqueness(const VectorModes<T>& a, const GradientS
   return larger(T(0.125) * contract(y, g.square) * (inverse_volume * inverse_volume) - T(2), T(1));
 }
 
-/// Bound of omega^2 of the elastic element without hourglass control.
-template <class T>
-PERCUSS_FORCE_INLINE T find_frequency_square(const GradientSize<T>& g, const T& volume, const T& mass, double lambda,
-                                             double mu) {
+/// Bound of omega^2 of the elastic element without hourglass control. lambda, mu: for all lanes, or by lane.
+template <class T, class S>
+PERCUSS_FORCE_INLINE T find_frequency_square(const GradientSize<T>& g, const T& volume, const T& mass, const S& lambda,
+                                             const S& mu) {
   return (T(8 * lambda) * g.trace + T(16 * mu) * g.largest) * ((T(1) / mass) * (T(1) / volume));
 }
 

@@ -2,6 +2,7 @@
 // Linear (hypo)elasticity in the unrotated configuration.
 
 #include "kernels/core/tensor.hpp"
+#include "kernels/material/material_key.hpp"
 
 namespace percuss {
 
@@ -19,10 +20,22 @@ PERCUSS_FORCE_INLINE LameConstants find_lame_constants(double youngs_modulus, do
 
 /// Stress increment lambda tr(de) I + 2 mu de; no history, no yield.
 struct Elastic {
+  static constexpr const char* name = "elastic";
+  struct Constants {
+    double youngs_modulus = 0, poissons_ratio = 0;
+  };
+  static constexpr auto keys() { return with_elastic_keys<Constants>(); }
+
+  static constexpr bool is_compiled_in = true;
   static constexpr int history_count = 0;
   static constexpr bool can_yield = false;
   double lambda = 0;
   double mu = 0;
+
+  static Elastic make(const Constants& c) {
+    const LameConstants moduli = find_lame_constants(c.youngs_modulus, c.poissons_ratio);
+    return {moduli.lambda, moduli.mu};
+  }
 
   PERCUSS_FORCE_INLINE LameConstants moduli() const { return {lambda, mu}; }
 

@@ -3,18 +3,38 @@
 
 #include "kernels/material/elastic.hpp"
 #include "kernels/material/plastic_return.hpp"
+#include "kernels/material/point_step.hpp"
 
 namespace percuss {
 
 /// Yield stress sigma_y = yield_stress + hardening_modulus * p, with p the equivalent plastic strain.
 /// History: p. The hardening modulus is d(sigma_y)/dp, in units of stress.
 struct J2Plasticity {
+  static constexpr const char* name = "j2_plasticity";
+  struct Constants {
+    double youngs_modulus = 0, poissons_ratio = 0, yield_stress = 0, hardening_modulus = 0;
+  };
+  static constexpr auto keys() {
+    return with_elastic_keys<Constants>(need("yield_stress", &Constants::yield_stress, KeyRange::positive, "pressure",
+                                             "Uniaxial stress at first yield."),
+                                        may("hardening_modulus", &Constants::hardening_modulus, KeyRange::not_negative,
+                                            "pressure", "Slope of yield stress over equivalent plastic strain."));
+  }
+
+  static constexpr bool is_compiled_in = true;
+  static constexpr bool takes_equation_of_state = true;
+  static constexpr HistoryScalar history_names[] = {HistoryScalar::equivalent_plastic_strain};
   static constexpr int history_count = 1;
   static constexpr bool can_yield = true;
   double lambda = 0;
   double mu = 0;
   double yield_stress = 0;
   double hardening_modulus = 0;
+
+  static J2Plasticity make(const Constants& c) {
+    const LameConstants moduli = find_lame_constants(c.youngs_modulus, c.poissons_ratio);
+    return {moduli.lambda, moduli.mu, c.yield_stress, c.hardening_modulus};
+  }
 
   PERCUSS_FORCE_INLINE LameConstants moduli() const { return {lambda, mu}; }
 

@@ -1,17 +1,26 @@
 #pragma once
-// The list of materials. A new material is its own header and one entry here. It has
-//   history_count, can_yield      constants
-//   moduli()                      elastic constants, for the stabilisation of the element
-//   update(stress, history, de)   one strain increment; returns a PlasticReturn if it can yield, nothing otherwise
+// The list of materials. A new material is its own header and one entry here; CONTRIBUTING.md shows one.
 
+#include "kernels/material/combined_hardening.hpp"
 #include "kernels/material/elastic.hpp"
+#include "kernels/material/fluid.hpp"
+#include "kernels/material/honeycomb.hpp"
 #include "kernels/material/j2_plasticity.hpp"
+#include "kernels/material/johnson_cook.hpp"
+#include "kernels/material/low_density_foam.hpp"
+#include "kernels/material/mooney_rivlin.hpp"
+#include "kernels/material/neo_hookean.hpp"
+#include "kernels/material/power_law_plasticity.hpp"
+#include "kernels/material/soil_and_foam.hpp"
+#include "kernels/material/tabulated_plasticity.hpp"
+#include "kernels/material/type_list.hpp"
+#include "kernels/material/viscoelastic.hpp"
+#include "kernels/material/voce_plasticity.hpp"
 
 namespace percuss {
 
-template <class... Ts>
-struct TypeList {};
-
-using Materials = TypeList<Elastic, J2Plasticity>;
+using Materials =
+    TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, CombinedHardening,
+             JohnsonCook, NeoHookean, MooneyRivlin, Viscoelastic, SoilAndFoam, Honeycomb, LowDensityFoam, Fluid>;
 
 }  // namespace percuss

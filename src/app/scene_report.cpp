@@ -118,8 +118,8 @@ std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chun
   std::vector<PartReport> parts;
   for (std::size_t p = 0; p < count; ++p) {
     const MaterialDeck& material = deck.materials.at(index(mesh.parts[p].material));
-    const double density = std::visit([](const auto& model) { return model.density; }, material.model);
-    parts.push_back({mesh.parts[p].name, material.name, counts[p], counts[count + p], density * volumes[p].round()});
+    parts.push_back(
+        {mesh.parts[p].name, material.name, counts[p], counts[count + p], material.density * volumes[p].round()});
   }
   return parts;
 }

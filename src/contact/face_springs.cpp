@@ -2,13 +2,15 @@
 
 #include <cmath>
 
+#include "src/deck/make_material.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
 
 double find_bulk_modulus(const MaterialDeck& material) {
-  return std::visit([](const auto& m) { return m.youngs_modulus / (3 * (1 - 2 * m.poissons_ratio)); }, material.model);
+  const LameConstants moduli = find_moduli(material);
+  return moduli.lambda + 2.0 / 3.0 * moduli.mu;
 }
 
 /// Area of a quadrilateral from its diagonals; of a warped one, of its projection along their normal.

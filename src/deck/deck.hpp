@@ -5,6 +5,7 @@
 // these members.
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -95,15 +96,19 @@ struct PartDeck {
 
 // --- materials
 
-struct ElasticDeck {
-  double density = 0, youngs_modulus = 0, poissons_ratio = 0;
-};
-struct J2PlasticityDeck {
-  double density = 0, youngs_modulus = 0, poissons_ratio = 0, yield_stress = 0, hardening_modulus = 0;
+/// The constants of a law by the keys of its table (kernels/material), those that have defaults included.
+struct LawDeck {
+  std::string model;  // its name in the deck
+  std::map<std::string, double> numbers;
+  std::map<std::string, std::vector<std::array<double, 2>>> tables;
+  std::map<std::string, Vec3> vectors;
+  Place place;
 };
 struct MaterialDeck {
   std::string name;
-  std::variant<ElasticDeck, J2PlasticityDeck> model;
+  double density = 0;
+  LawDeck law;
+  std::optional<LawDeck> equation_of_state;
   Place place;
 };
 

@@ -1,105 +1,238 @@
-// Keys of `materials`. A new model is a struct in deck.hpp, a table and a row in models() here.
+// Keys of `materials`: `model` says which law, whose own table of keys is in kernels/material.
 
+#include "kernels/material/equations_of_state.hpp"
+#include "kernels/material/materials.hpp"
 #include "src/deck/deck_keys.hpp"
+#include "src/deck/make_material.hpp"
 
 namespace percuss {
 namespace {
 
-// Outside this range the bulk or shear modulus is not positive.
-const Range poissons_ratio_range{"between -1 and 0.5, both excluded", -1, 0.5, true, true};
+const Range& find_range(KeyRange range) {
+  // Outside this range the bulk or shear modulus is not positive.
+  static const Range poissons_ratio{"between -1 and 0.5, both excluded", -1, 0.5, true, true};
+  static const Range share{"from 0 to 1", 0, 1};
+  static const Range above_one{"above 1", 1, std::numeric_limits<double>::infinity(), true};
+  static const Range not_positive{"zero or negative", -std::numeric_limits<double>::infinity(), 0};
+  switch (range) {
+    case KeyRange::positive:
+      return positive;
+    case KeyRange::not_negative:
+      return not_negative;
+    case KeyRange::not_positive:
+      return not_positive;
+    case KeyRange::above_one:
+      return above_one;
+    case KeyRange::share:
+      return share;
+    case KeyRange::poissons_ratio:
+      return poissons_ratio;
+    case KeyRange::any:
+      break;
+  }
+  return any_number;
+}
 
-/// The keys that every elastic-based model has.
-template <class M>
-Keys<M> elastic_constants() {
-  return {
-      need("density", &M::density, NumberValue{positive}),
-      need("youngs_modulus", &M::youngs_modulus, NumberValue{positive}),
-      need("poissons_ratio", &M::poissons_ratio, NumberValue{poissons_ratio_range}),
+/// Rows [x, y], x ascending.
+struct TableValue {
+  Range range;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node,
+            std::vector<std::array<double, 2>>& out) const {
+    std::vector<std::array<double, 2>> rows;
+    if (!ListValue<TupleValue<NumberValue, 2>>{}.read(reader, name, node, rows)) return false;
+    if (rows.empty() || rows.size() > MaterialTable::most_rows) {
+      reader.error(node.spot, fmt::format("{} has {} rows{} (must have 1 to {})", name, rows.size(), reader.in(),
+                                          MaterialTable::most_rows));
+      return false;
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::string row = fmt::format("{}.{}", name, i);
+      if (i > 0 && !(rows[i][0] > rows[i - 1][0])) {
+        reader.error(node.items[i].spot, fmt::format("{} begins with {} after {}{} (rows must ascend)", row, rows[i][0],
+                                                     rows[i - 1][0], reader.in()));
+        return false;
+      }
+      if (!range.holds(rows[i][1])) {
+        reader.error(node.items[i].spot,
+                     fmt::format("{} has the value {}{} (must be {})", row, rows[i][1], reader.in(), range.text));
+        return false;
+      }
+    }
+    out = std::move(rows);
+    return true;
+  }
+  std::string takes() const {
+    return "a table [[x, y], ...]" + (range.text.empty() ? std::string() : ", y " + range.text);
+  }
+};
+
+/// A row of the deck's table from one of a law's.
+template <class C>
+Key<LawDeck> make_law_key(const MaterialKey<C>& key) {
+  const auto into = [name = std::string(key.name)](auto LawDeck::*map) {
+    return [name, map](const auto& value, const Reader& reader, const std::string& full, const Node& node,
+                       LawDeck& law) { return value.read(reader, full, node, (law.*map)[name]); };
   };
-}
-
-const Keys<ElasticDeck>& elastic_keys() {
-  static const Keys<ElasticDeck> keys = elastic_constants<ElasticDeck>();
-  return keys;
-}
-
-const Keys<J2PlasticityDeck>& j2_plasticity_keys() {
-  static const Keys<J2PlasticityDeck> keys = [] {
-    auto all = elastic_constants<J2PlasticityDeck>();
-    all.push_back(need("yield_stress", &J2PlasticityDeck::yield_stress, NumberValue{positive}));
-    all.push_back(may("hardening_modulus", &J2PlasticityDeck::hardening_modulus, NumberValue{not_negative}));
-    return all;
-  }();
-  return keys;
+  const Range& range = find_range(key.range);
+  if (key.table != nullptr) return make_key<LawDeck>(key.name, key.required, TableValue{range}, into(&LawDeck::tables));
+  if (key.vector != nullptr) return make_key<LawDeck>(key.name, key.required, vector3(range), into(&LawDeck::vectors));
+  return make_key<LawDeck>(key.name, key.required, NumberValue{range}, into(&LawDeck::numbers));
 }
 
 struct Model {
+  enum class State { none, may, must };
   std::string name;
-  std::vector<DeckKey> keys;
-  std::function<bool(const Reader&, const Node&, const OtherKeys&, MaterialDeck&)> read;
+  State state;  // whether it has an equation of state
+  Keys<LawDeck> keys;
+  std::string (*find_fault)(const LawDeck&);  // what is wrong between several constants; empty: nothing
 };
 
-template <class M>
-Model make_model(std::string name, const Keys<M>& keys) {
-  Model model{std::move(name), {}, {}};
-  list_keys(keys, "", model.keys);
-  model.read = [&keys](const Reader& reader, const Node& node, const OtherKeys& others, MaterialDeck& out) {
-    M constants{};
-    const bool good = read_keys(reader, node, keys, constants, others);
-    out.model = constants;
-    return good;
-  };
+template <class Law>
+Model make_model() {
+  constexpr Model::State state = needs_equation_of_state<Law>   ? Model::State::must
+                                 : takes_equation_of_state<Law> ? Model::State::may
+                                                                : Model::State::none;
+  Model model{Law::name, state, {}, [](const LawDeck& law) {
+                if constexpr (requires(const typename Law::Constants& c) { c.find_fault(); }) {
+                  return std::string(find_constants<Law>(law).find_fault());
+                }
+                return std::string();
+              }};
+  for (const auto& key : Law::keys()) model.keys.push_back(make_law_key(key));
   return model;
 }
 
-const std::vector<Model>& models() {
-  static const std::vector<Model> all = {
-      make_model("elastic", elastic_keys()),
-      make_model("j2_plasticity", j2_plasticity_keys()),
-  };
+template <class... Law>
+std::vector<Model> make_models(TypeList<Law...>) {
+  return {make_model<Law>()...};
+}
+
+const std::vector<Model>& states() {
+  static const std::vector<Model> all = make_models(EquationsOfState());
   return all;
 }
 
-ChoiceValue<const Model*> model_value() {
+const std::vector<Model>& models() {
+  static const std::vector<Model> all = make_models(Materials());
+  return all;
+}
+
+ChoiceValue<const Model*> choose_model(const std::vector<Model>& models) {
   ChoiceValue<const Model*> value;
-  for (const Model& model : models()) value.choices.emplace_back(model.name, &model);
+  for (const Model& model : models) value.choices.emplace_back(model.name, &model);
   return value;
 }
 
-// " (a key of model j2_plasticity, not of elastic)" for a key that another model has.
-std::string find_other_model(const std::string& key, const Model& own) {
-  for (const Model& model : models()) {
-    for (const DeckKey& other : model.keys) {
-      if (other.path == key) return fmt::format(" (a key of model {}, not of {})", model.name, own.name);
-    }
-  }
-  return {};
-}
-
-}  // namespace
-
-bool MaterialValue::read_inside(const Reader& reader, const Node& node, MaterialDeck& out) const {
-  const Node* choice = node.find("model");
-  if (choice == nullptr) {
-    refuse_missing(reader, node, "model", model_value().takes());
-    return false;
-  }
-  const Model* model = nullptr;
-  if (!model_value().read(reader, reader.name_of("model"), *choice, model)) return false;
-  const OtherKeys others{{"model"}, [model](const std::string& key) { return find_other_model(key, *model); }};
-  return model->read(reader, node, others, out);
-}
-
-void MaterialValue::list(const std::string& path, std::vector<DeckKey>& out) const {
-  out.push_back({path + ".model", model_value().takes(), true});
-  for (const Model& model : models()) {
-    for (DeckKey key : model.keys) {
-      key.path = path + "." + key.path;
+/// The keys of each model, those that several have once.
+void list_models(const std::vector<Model>& models, const std::string& path, std::vector<DeckKey>& out) {
+  for (const Model& model : models) {
+    std::vector<DeckKey> keys;
+    list_keys(model.keys, path, keys);
+    for (DeckKey& key : keys) {
       const bool listed =
           std::any_of(out.begin(), out.end(), [&](const DeckKey& known) { return known.path == key.path; });
       if (!listed) out.push_back(std::move(key));
     }
   }
+}
+
+// " (a key of model j2_plasticity, not of elastic)" for a key that another model has.
+std::string find_other_model(const std::vector<Model>& models, const char* kind, const std::string& key,
+                             const Model& own) {
+  for (const Model& model : models) {
+    for (const Key<LawDeck>& other : model.keys) {
+      if (other.name == key) return fmt::format(" (a key of {} {}, not of {})", kind, model.name, own.name);
+    }
+  }
+  return {};
+}
+
+/// Reads which model a map chooses with the key `kind`.
+const Model* read_choice(const std::vector<Model>& models, const char* kind, const Reader& reader, const Node& node,
+                         LawDeck& out) {
+  const auto choices = choose_model(models);
+  const Node* choice = node.find(kind);
+  if (choice == nullptr) {
+    refuse_missing(reader, node, kind, choices.takes());
+    return nullptr;
+  }
+  const Model* model = nullptr;
+  if (!choices.read(reader, reader.name_of(kind), *choice, model)) return nullptr;
+  out.model = model->name;
+  out.place = choice->spot.place;
+  return model;
+}
+
+bool check_faults(const Model& model, const Reader& reader, const Node& node, const LawDeck& law) {
+  const std::string fault = model.find_fault(law);
+  if (!fault.empty()) reader.error(node.key, reader.self() + " has " + fault);
+  return fault.empty();
+}
+
+/// equation_of_state: `kind` says which.
+struct StateValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, LawDeck& out) const {
+    if (!reader.expect(node, Node::Kind::map, name, takes())) return false;
+    const Reader inner = reader.inside(name);
+    const Model* model = read_choice(states(), "kind", inner, node, out);
+    if (model == nullptr) return false;
+    const OtherKeys others{{"kind"},
+                           [model](const std::string& key) { return find_other_model(states(), "kind", key, *model); }};
+    return read_keys(inner, node, model->keys, out, others) && check_faults(*model, inner, node, out);
+  }
+  std::string takes() const { return "a map"; }
+  void list(const std::string& path, std::vector<DeckKey>& out) const {
+    out.push_back({path + ".kind", choose_model(states()).takes(), true});
+    list_models(states(), path, out);
+  }
+};
+
+/// The keys that materials have whatever their law.
+const Keys<MaterialDeck>& common_keys() {
+  static const Keys<MaterialDeck> keys = {
+      need("density", &MaterialDeck::density, NumberValue{positive}),
+      may("equation_of_state", &MaterialDeck::equation_of_state, StateValue{}),
+  };
+  return keys;
+}
+
+bool check_state(const Model& model, const Reader& reader, const Node& node) {
+  const Node* const state = node.find("equation_of_state");
+  if (model.state == Model::State::must && state == nullptr) {
+    refuse_missing(reader, node, "equation_of_state", "a map");
+    return false;
+  }
+  if (model.state != Model::State::none || state == nullptr) return true;
+  reader.error(state->key,
+               fmt::format("{} has an equation_of_state, which model {} does not take", reader.self(), model.name));
+  return false;
+}
+
+}  // namespace
+
+bool MaterialValue::read_inside(const Reader& reader, const Node& node, MaterialDeck& out) const {
+  const Model* model = read_choice(models(), "model", reader, node, out.law);
+  if (model == nullptr) return false;
+  // One pass over the map tells what is unknown, in the order of the deck.
+  Keys<MaterialDeck> keys = common_keys();
+  for (const Key<LawDeck>& key : model->keys) {
+    Key<MaterialDeck> row{key.name, key.required, key.takes, {}, {}};
+    row.read = [&key](const Reader& inner, const Node& value, MaterialDeck& material) {
+      return key.read(inner, value, material.law);
+    };
+    keys.push_back(std::move(row));
+  }
+  const OtherKeys others{{"model"},
+                         [model](const std::string& key) { return find_other_model(models(), "model", key, *model); }};
+  const bool good = read_keys(reader, node, keys, out, others);
+  return check_state(*model, reader, node) && good && check_faults(*model, reader, node, out.law);
+}
+
+void MaterialValue::list(const std::string& path, std::vector<DeckKey>& out) const {
+  out.push_back({path + ".model", choose_model(models()).takes(), true});
+  list_keys(common_keys(), path, out);
+  list_models(models(), path, out);
 }
 
 }  // namespace percuss

@@ -107,7 +107,8 @@ EnergySummary Audit::balance_energy(const State& state, const Totals& totals) {
   const double balanced = held - totals[S::half_steps];
   note_start(state, totals, balanced);
   e.initial = initial_energy_;
-  largest_energy_ = std::max({largest_energy_, std::abs(initial_energy_), held});
+  // A gas that expands gives its energy away: then what moves is more than what is held besides.
+  largest_energy_ = std::max({largest_energy_, std::abs(initial_energy_), held, e.kinetic});
   if (largest_energy_ > 0) {
     e.error = (balanced - e.external - e.contact - e.friction - initial_energy_) / largest_energy_;
   }

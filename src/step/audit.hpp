@@ -66,7 +66,7 @@ class Audit {
   OwnedNodeSums<AuditSum::count_of_nodes> node_sums_{"percuss::audit"};
   bool started_ = false;
   double initial_energy_ = 0;
-  double largest_energy_ = 0;  // largest of the initial and any later kinetic plus stored energy
+  double largest_energy_ = 0;  // largest of the initial and any later kinetic, or kinetic plus stored, energy
   Vec3 initial_momentum_{}, initial_moment_{};
   double momentum_scale_ = 0, moment_scale_ = 0;  // largest sums of magnitudes so far
 };

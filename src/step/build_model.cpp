@@ -10,6 +10,7 @@
 #include "comm/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
+#include "src/step/block_builder.hpp"
 #include "src/step/build_conditions.hpp"
 #include "src/step/model.hpp"
 #include "src/step/whole_mesh.hpp"
@@ -19,22 +20,6 @@ namespace percuss {
 namespace {
 
 constexpr int width = pack_size<double>;
-
-// --- materials: the one place that turns a deck's material into the kernel's
-
-Elastic make_material(const ElasticDeck& d) {
-  const LameConstants c = find_lame_constants(d.youngs_modulus, d.poissons_ratio);
-  return {c.lambda, c.mu};
-}
-
-J2Plasticity make_material(const J2PlasticityDeck& d) {
-  const LameConstants c = find_lame_constants(d.youngs_modulus, d.poissons_ratio);
-  return {c.lambda, c.mu, d.yield_stress, d.hardening_modulus};
-}
-
-double find_density(const MaterialDeck& material) {
-  return std::visit([](const auto& m) { return m.density; }, material.model);
-}
 
 // --- chunks
 
@@ -83,70 +68,20 @@ ChunkTables make_chunk_tables(const ChunkedMesh& chunked) {
 
 // --- blocks
 
-HexKind find_kind(const ElementDeck& deck) {
-  if (deck.integration == ElementDeck::Integration::full) return HexKind::full;
-  switch (deck.hourglass) {
-    case ElementDeck::Hourglass::stiffness:
-      return HexKind::stiffness;
-    case ElementDeck::Hourglass::viscous:
-      return HexKind::viscous;
-    case ElementDeck::Hourglass::assumed_strain:
-      break;
-  }
-  return HexKind::assumed_strain;
-}
-
-/// Adds the chunks of one material to the variant that computes it, and says how long its records are.
-struct BlockBuilder {
-  const Deck& deck;
-  const ChunkedMesh& chunked;
-  std::vector<int> record_size, history, points, parameters;
-
-  template <class Material, HexKind Kind>
-  void build(HexBlock<Material, Kind>& block) {
-    std::vector<int> chunks;
-    std::vector<HexParameters<Material>> rows;
-    std::map<int, int> row_of_material;
-    const bool wanted = find_kind(deck.elements) == Kind;
-    for (std::size_t c = 0; wanted && c < chunked.chunks.size(); ++c) {
-      const int material = chunked.mesh.parts[static_cast<std::size_t>(chunked.chunks[c].part)].material;
-      std::visit(
-          [&](const auto& m) {
-            if constexpr (std::is_same_v<decltype(make_material(m)), Material>) {
-              const auto [row, is_new] = row_of_material.emplace(material, static_cast<int>(rows.size()));
-              if (is_new) rows.push_back(make_parameters(m));
-              chunks.push_back(static_cast<int>(c));
-              parameters[c] = row->second;
-              record_size[c] = hex_record_size<Material, Kind>;
-              points[c] = hex_points<Kind>;
-              history[c] = Material::history_count > 0 ? HexRecord::history<Kind> : -1;
-            }
-          },
-          deck.materials[static_cast<std::size_t>(material)].model);
-    }
-    block.chunks = to_view("percuss::chunks_of_block", chunks);
-    block.parameters = to_view("percuss::parameters", rows);
-  }
-
-  template <class MaterialModel>
-  auto make_parameters(const MaterialModel& m) const {
-    using Material = decltype(make_material(m));
-    HexParameters<Material> p;
-    p.material = make_material(m);
-    const LameConstants c = find_lame_constants(m.youngs_modulus, m.poissons_ratio);
-    p.lambda = std::max(c.lambda, 0.0);
-    p.mu = c.mu;
-    p.hourglass = deck.elements.hourglass_coefficient;
-    p.viscosity = {deck.elements.linear_viscosity, deck.elements.quadratic_viscosity};
-    return p;
-  }
-};
-
 void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   const ChunkTables tables = make_chunk_tables(chunked);
   const std::size_t count = chunked.chunks.size();
   const std::vector<int> empty(count);
-  BlockBuilder builder{deck, chunked, empty, empty, empty, empty};
+  BlockBuilder builder{deck,
+                       chunked,
+                       empty,
+                       empty,
+                       empty,
+                       empty,
+                       std::vector<int>(count * history_scalars),
+                       std::vector<std::size_t>(count),
+                       empty,
+                       {}};
   std::apply([&](auto&... block) { (builder.build(block), ...); }, model.blocks);
 
   std::vector<std::size_t> first_state(count);
@@ -168,6 +103,10 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   chunks.record_size = to_view("percuss::record_size", builder.record_size);
   chunks.history = to_view("percuss::history", builder.history);
   chunks.points = to_view("percuss::points", builder.points);
+  model.start_history = {to_view("percuss::first_start", builder.first_start),
+                         to_view("percuss::start_count", builder.start_count),
+                         to_view("percuss::start_history", builder.start_values)};
+  chunks.scalars = to_view("percuss::history_scalars", builder.scalars);
 }
 
 // --- places in the whole mesh
@@ -284,7 +223,7 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
   std::vector<double> element_mass(mesh.elements.size());
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const int material = mesh.parts[static_cast<std::size_t>(mesh.element_part[e])].material;
-    element_mass[e] = find_density(deck.materials[static_cast<std::size_t>(material)]) * find_element_volume(mesh, e);
+    element_mass[e] = deck.materials[static_cast<std::size_t>(material)].density * find_element_volume(mesh, e);
   }
   std::vector<double> mass = assemble_masses(model, element_mass);
   std::vector<int> all(mass.size());

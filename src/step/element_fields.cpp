@@ -54,10 +54,12 @@ struct ReadStress {
   }
 };
 
-struct ReadPlasticStrain {
+/// A scalar of the history; of an element with several points their mean, 0 where the material has none.
+struct ReadScalar {
   static constexpr int components = 1;
+  HistoryScalar name;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, const double* record, double* row) const {
-    const int place = chunks.history(c);
+    const int place = chunks.find_scalar(c, name);
     const int points = place < 0 ? 0 : chunks.points(c);
     row[0] = 0;
     for (int p = 0; p < points; ++p) row[0] += record[(place + p) * width] / points;
@@ -107,7 +109,16 @@ std::vector<double> find_stresses(const Model& model, const State& state) {
 }
 
 std::vector<double> find_plastic_strains(const Model& model, const State& state) {
-  return read_all(model, state, ReadPlasticStrain{});
+  return read_all(model, state, ReadScalar{HistoryScalar::equivalent_plastic_strain});
+}
+
+std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name) {
+  return read_all(model, state, ReadScalar{name});
+}
+
+std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name,
+                                 const std::vector<int>& elements) {
+  return read_some(model, state, elements, ReadScalar{name});
 }
 
 std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements) {
@@ -115,7 +126,7 @@ std::vector<double> find_stresses(const Model& model, const State& state, const 
 }
 
 std::vector<double> find_plastic_strains(const Model& model, const State& state, const std::vector<int>& elements) {
-  return read_some(model, state, elements, ReadPlasticStrain{});
+  return read_some(model, state, elements, ReadScalar{HistoryScalar::equivalent_plastic_strain});
 }
 
 std::vector<double> find_pressures(const std::vector<double>& stresses) {

@@ -14,6 +14,11 @@ std::vector<double> find_stresses(const Model& model, const State& state);
 /// Equivalent plastic strain an element; 0 where the material has none.
 std::vector<double> find_plastic_strains(const Model& model, const State& state);
 
+/// A named scalar of the materials' history an element, at several points their mean; 0 where the material has none.
+std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name);
+std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name,
+                                 const std::vector<int>& elements);
+
 /// The same of some elements alone, in their order.
 std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements);
 std::vector<double> find_plastic_strains(const Model& model, const State& state, const std::vector<int>& elements);

@@ -99,6 +99,10 @@ void Frames::write(const State& state) {
       add(name, FieldPlace::element, 1, find_von_mises(stresses));
     } else if (name == "equivalent_plastic_strain") {
       add(name, FieldPlace::element, 1, find_plastic_strains(model_, state));
+    } else if (name == "temperature") {
+      add(name, FieldPlace::element, 1, find_history(model_, state, HistoryScalar::temperature));
+    } else if (name == "internal_energy") {
+      add(name, FieldPlace::element, 1, find_history(model_, state, HistoryScalar::internal_energy));
     } else if (name == "body") {
       add(name, FieldPlace::element, 1, body_);
     } else if (name == "chunk") {

@@ -8,6 +8,7 @@
 
 #include "comm/merge_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/step/element_fields.hpp"
@@ -107,6 +108,31 @@ FollowedPoint find_point(const ChunkedMesh& chunked, const Deck& deck, const His
   return found;
 }
 
+/// Columns of a followed element that only some materials fill.
+struct ThermalColumn {
+  HistoryScalar name;
+  const char* suffix;
+};
+
+/// Those that a material of the scene fills.
+std::vector<ThermalColumn> find_thermal_columns(const Deck& deck) {
+  std::vector<ThermalColumn> columns;
+  for (const ThermalColumn& column : {ThermalColumn{HistoryScalar::temperature, "temperature"},
+                                      ThermalColumn{HistoryScalar::internal_energy, "energy"}}) {
+    if (std::any_of(deck.materials.begin(), deck.materials.end(),
+                    [&](const MaterialDeck& material) { return has_scalar(material, column.name); })) {
+      columns.push_back(column);
+    }
+  }
+  return columns;
+}
+
+std::vector<HistoryScalar> name_thermal_columns(const Deck& deck) {
+  std::vector<HistoryScalar> names;
+  for (const ThermalColumn& column : find_thermal_columns(deck)) names.push_back(column.name);
+  return names;
+}
+
 std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, const Deck& deck) {
   std::vector<std::string> columns{"time",       "step",       "dt",         "dt_element", "kinetic",   "internal",
                                    "hourglass",  "viscous",    "contact",    "friction",   "external",  "energy_error",
@@ -124,6 +150,8 @@ std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, 
                                                 "stress_zx", "pressure",  "von_mises", "eps"}
                      : std::vector<const char*>{"x", "y", "z", "vx", "vy", "vz"};
     for (const char* suffix : suffixes) columns.push_back(p.name + "_" + suffix);
+    if (!p.is_element) continue;
+    for (const ThermalColumn& column : find_thermal_columns(deck)) columns.push_back(p.name + "_" + column.suffix);
   }
   return columns;
 }
@@ -140,7 +168,8 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
     : ranks_(find_ranks(chunked.mesh)),
       has_walls_(!deck.walls.empty()),
       enforcement_(deck.contact.enforcement),
-      points_(find_history_points(deck, chunked)) {
+      points_(find_history_points(deck, chunked)),
+      thermal_(name_thermal_columns(deck)) {
   fail_together(ranks_, [&] {
     if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, deck));
   });
@@ -150,7 +179,8 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
     : ranks_(find_ranks(chunked.mesh)),
       has_walls_(!deck.walls.empty()),
       enforcement_(deck.contact.enforcement),
-      points_(find_history_points(deck, chunked)) {
+      points_(find_history_points(deck, chunked)),
+      thermal_(name_thermal_columns(deck)) {
   fail_together(ranks_, [&] {
     if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, deck), bytes);
   });
@@ -174,16 +204,19 @@ void History::gather_points(const Model& model, const State& state, std::vector<
   }
   const std::vector<double> stresses = find_stresses(model, state, elements);
   const std::vector<double> strains = find_plastic_strains(model, state, elements);
+  std::vector<std::vector<double>> thermal;
+  for (const HistoryScalar name : thermal_) thermal.push_back(find_history(model, state, name, elements));
   const std::vector<double> pressures = find_pressures(stresses), von_mises = find_von_mises(stresses);
   const auto x = to_host(state.x), v = to_host(state.v);
   std::vector<double> values;
   std::size_t e = 0;  // of the elements of this rank
   for (const FollowedPoint& p : points_) {
     if (p.index < 0) {
-      values.insert(values.end(), p.is_element ? 9 : 6, 0.0);
+      values.insert(values.end(), p.is_element ? 9 + thermal.size() : 6, 0.0);
     } else if (p.is_element) {
       values.insert(values.end(), &stresses[6 * e], &stresses[6 * e] + 6);
       values.insert(values.end(), {pressures[e], von_mises[e], strains[e]});
+      for (const std::vector<double>& column : thermal) values.push_back(column[e]);
       ++e;
     } else {
       const auto n = static_cast<std::size_t>(p.index);

@@ -52,7 +52,8 @@ class History {
   bool has_walls_;
   ContactDeck::Enforcement enforcement_;
   std::vector<FollowedPoint> points_;
-  std::optional<HistoryFile> file_;  // of rank 0
+  std::vector<HistoryScalar> thermal_;  // columns of followed elements that only some materials fill
+  std::optional<HistoryFile> file_;     // of rank 0
 };
 
 }  // namespace percuss

@@ -34,6 +34,13 @@ struct NodeRuns {
   Array<int> end;    // [count] node past its last
 };
 
+/// History that does not start at zero: that of the called materials. A row an element: [element of the chunk][scalar].
+struct StartHistory {
+  Array<std::size_t> first;  // [chunks] where the rows of a chunk begin
+  Array<int> count;          // [chunks] scalars of a row; 0: the history of the chunk starts at zero
+  Array<double> values;
+};
+
 struct Model {
   Communicator ranks{MPI_COMM_SELF};  // those that hold the scene together
   int node_count = 0;                 // of this rank, copies included
@@ -43,6 +50,7 @@ struct Model {
   HexBlocks sending_blocks;    // chunks whose forces other ranks need, and wait for
   HexBlocks blocks;            // the other chunks
   std::size_t state_size = 0;  // scalars of all element records
+  StartHistory start_history;
 
   NodeSlots nodes_to_slots;
   HaloPlan halo;

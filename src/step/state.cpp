@@ -45,6 +45,27 @@ void set_element_masses(const Model& model, const Array<double>& elements) {
       });
 }
 
+/// History that does not start at zero, at every point of an element the same.
+void set_start_history(const Model& model, const Array<double>& elements) {
+  if (model.start_history.values.extent(0) == 0) return;
+  const HexChunks chunks = model.chunks;
+  const StartHistory start = model.start_history;
+  Kokkos::parallel_for(
+      "percuss::set_start_history", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
+        const int elements_here = chunks.first_element(c + 1) - chunks.first_element(c);
+        const int size = chunks.record_size(c), points = chunks.points(c);
+        for (int i = 0; i < packs * width; ++i) {
+          double* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          const int row = i < elements_here ? i : elements_here - 1;
+          for (int k = 0; k < start.count(c); ++k) {
+            const double value = start.values(start.first(c) + static_cast<std::size_t>(row * start.count(c) + k));
+            for (int p = 0; p < points; ++p) record[(chunks.history(c) + points * k + p) * width] = value;
+          }
+        }
+      });
+}
+
 KOKKOS_INLINE_FUNCTION std::uint64_t mix(std::uint64_t h) {  // the finaliser of SplitMix64 (Steele et al. 2014)
   h += 0x9e3779b97f4a7c15ull;
   h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
@@ -75,6 +96,7 @@ State make_initial_state(const Model& model) {
   Kokkos::deep_copy(s.v, model.start_velocity);
   s.elements = make_element_records(model);
   set_element_masses(model, s.elements);
+  set_start_history(model, s.elements);
   s.slot_force = Rows3<double>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
   const auto chunks = static_cast<std::size_t>(model.chunks.count);
   s.results = {Array<double>("percuss::stable_step", chunks), Array<int>("percuss::controlling_element", chunks),

@@ -170,9 +170,10 @@ void Stepper::compute_forces(State& state, double dt) {
 }
 
 void Stepper::advance_blocks(State& state, const HexBlocks& blocks, double dt) {
+  const StepWatch watch = global_ ? global_->watch() : StepWatch{};
   advance_elements(space_, model_.chunks, blocks,
-                   {state.x, state.v, dt, deck_.elements.skip_resting, global_ ? global_->watch() : StepWatch{}},
-                   state.elements, state.slot_force, state.results);
+                   {state.x, state.v, dt, deck_.elements.skip_resting, state.time + dt, watch}, state.elements,
+                   state.slot_force, state.results);
 }
 
 StepNotice Stepper::find_notice(const State& state) const {

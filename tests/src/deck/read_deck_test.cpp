@@ -58,10 +58,12 @@ TEST(ReadDeck, ReadsTheDeckOfTheBrickWall) {
   ASSERT_TRUE(deck.parts[1].array);
   EXPECT_EQ(deck.parts[1].array->count, (std::array<int, 3>{1, 10, 14}));
   EXPECT_EQ(deck.parts[1].array->stagger, 0.5);
-  const auto& steel = std::get<J2PlasticityDeck>(deck.materials[0].model);
-  EXPECT_EQ(steel.youngs_modulus, 200e9);
-  EXPECT_EQ(steel.hardening_modulus, 1e9);
-  EXPECT_EQ(std::get<ElasticDeck>(deck.materials[1].model).poissons_ratio, 0.2);
+  const LawDeck& steel = deck.materials[0].law;
+  EXPECT_EQ(steel.model, "j2_plasticity");
+  EXPECT_EQ(steel.numbers.at("youngs_modulus"), 200e9);
+  EXPECT_EQ(steel.numbers.at("hardening_modulus"), 1e9);
+  EXPECT_EQ(deck.materials[1].law.model, "elastic");
+  EXPECT_EQ(deck.materials[1].law.numbers.at("poissons_ratio"), 0.2);
   EXPECT_EQ(deck.initial.at(0).where.name, "rod");
   EXPECT_EQ(deck.initial.at(0).velocity, (Vec3{200, 0, 0}));
   EXPECT_EQ(deck.contact.surfaces, ContactDeck::Surfaces::all);

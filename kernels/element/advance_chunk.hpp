@@ -1,0 +1,235 @@
+#pragma once
+// Advances the elements of one chunk, one after the other, and the chunks of a block in parallel.
+//
+// The body of an element is compiled for each compiled-in material and each kind of element (advance_*.cpp name the
+// pairs); every other material shares one body and is called.
+
+#include <cstring>
+
+#include "kernels/element/chunk_records.hpp"
+#include "kernels/element/internal_force.hpp"
+
+namespace percuss {
+
+using ChunkPolicy = Kokkos::TeamPolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
+using ChunkMember = ChunkPolicy::member_type;
+
+template <class Material, HexKind Kind>
+using LaneState = HexState<Lanes, Material, Kind>;
+
+/// Asks for a third of the next pack's record while this one is computed: the hardware does not see across the pack's
+/// long body. In thirds, because a core that asks for all at once has to wait until its requests are taken.
+template <int Size>
+PERCUSS_FORCE_INLINE void prefetch([[maybe_unused]] const double* record, [[maybe_unused]] int third) {
+#ifdef PERCUSS_HAS_SIMD
+  constexpr int line = 8, lines = (Size + line - 1) / line;
+  for (int i = lines * third / 3; i < lines * (third + 1) / 3; ++i) __builtin_prefetch(record + line * i, 1, 3);
+#endif
+}
+
+/// Smallest step of a chunk, the element that has it (the lowest among equals), and the lowest element that failed.
+struct ChunkStep {
+  Lanes step;   // by lane
+  Lanes first;  // first element of the pack that has it
+  int failed;
+};
+
+PERCUSS_FORCE_INLINE void take_lanes(const HexResult<Lanes>& result, int first_element, int lanes, ChunkStep& chunk) {
+  const auto smaller_step = result.stable_step < chunk.step;
+  chunk.step = select(smaller_step, result.stable_step, chunk.step);
+  chunk.first = select(smaller_step, Lanes(first_element), chunk.first);
+  const auto good = (result.volume > Lanes(0)) & (result.stable_step > Lanes(0));
+  if (any(!good) && chunk.failed < 0) {  // also for NaN
+    constexpr int width = pack_size<double>;
+    alignas(64) double step[width];
+    alignas(64) double volume[width];
+    store_pack(step, result.stable_step);
+    store_pack(volume, result.volume);
+    for (int lane = lanes - 1; lane >= 0; --lane) {
+      if (!(volume[lane] > 0 && step[lane] > 0)) chunk.failed = first_element + lane;
+    }
+  }
+}
+
+/// Follows the bounds of a pack: growth of the square of the element's frequency since the estimate, relative to it or
+/// to the square of the mesh's frequency, whichever is larger.
+PERCUSS_FORCE_INLINE void watch_step(const StepWatch& watch, std::size_t lane, const Lanes& bound, Lanes& growth) {
+  store_pack(&watch.bound(lane), bound);
+  if (watch.step <= 0) return;
+  const Lanes reference = load_pack(&watch.reference(lane));
+  const Lanes ratio = reference / bound, share = Lanes(watch.step) / reference;
+  growth = larger(growth, (ratio * ratio - Lanes(1)) * smaller(Lanes(1), share * share));
+}
+
+/// Largest of the lanes.
+PERCUSS_FORCE_INLINE double find_largest_lane(const Lanes& value) {
+  constexpr int width = pack_size<double>;
+  alignas(64) double row[width];
+  store_pack(row, value);
+  double largest = row[0];
+  for (int lane = 1; lane < width; ++lane) largest = larger(largest, row[lane]);
+  return largest;
+}
+
+/// Sum over the first `lanes` lanes in their order.
+PERCUSS_FORCE_INLINE double sum_lanes(const Lanes& value, int lanes) {
+  alignas(64) double row[pack_size<double>];
+  store_pack(row, value);
+  double sum = 0;
+  for (int lane = 0; lane < lanes; ++lane) sum += row[lane];
+  return sum;
+}
+
+template <class Material, HexKind Kind>
+struct AdvanceChunk {
+  static constexpr int width = pack_size<double>;
+  HexChunks chunks;
+  HexBlock<Material, Kind> block;
+  ElementMotion motion;
+  Array<double> state;
+  Rows3<double> slot_force;
+  ChunkResults results;
+
+  static std::size_t scratch_bytes(const HexChunks& chunks) {
+    return (static_cast<std::size_t>(chunks.largest_slot_count) * (node_record + force_record) + 8) * sizeof(double) +
+           128;
+  }
+
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
+    const int c = block.chunks(member.league_rank());
+    const int first_slot = chunks.first_slot(c);
+    const int slot_count = chunks.first_slot(c + 1) - first_slot;
+    const auto scratch = [&](int record) {
+      return static_cast<double*>(
+          member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(slot_count * record) * sizeof(double), 64));
+    };
+    double* nodes = scratch(node_record);
+    double* forces = scratch(force_record);
+    const int* const slots_to_nodes = &chunks.slots_to_nodes(first_slot);
+    const double* const x = motion.x.data();
+    const double* const v = motion.v.data();
+    const bool at_rest = motion.skips_rest && !changes_at_rest(block.parameters(chunks.parameters(c)).material) &&
+                         is_at_rest(slots_to_nodes, slot_count);
+    if (at_rest && results.is_settled(c) != 0) {
+      ++results.skipped(c);
+      return;
+    }
+    for (int s = 0; s < slot_count; ++s) {
+      const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
+      copy_row(x + n, nodes + node_record * s);
+      copy_row(v + n, nodes + node_record * s + 4);
+      for (int k = 0; k < force_record; ++k) forces[force_record * s + k] = 0;
+    }
+    const bool changed = advance_packs(c, nodes, forces, at_rest);
+    results.is_settled(c) = at_rest && !changed ? 1 : 0;
+    double* const share = &slot_force(first_slot, 0);
+    for (int s = 0; s < slot_count; ++s) copy_row(forces + force_record * s, share + 3 * s);
+  }
+
+  /// The positions of nodes without velocity are those of the step before.
+  KOKKOS_FUNCTION bool is_at_rest(const int* slots_to_nodes, int slot_count) const {
+    const double* const v = motion.v.data();
+    for (int s = 0; s < slot_count; ++s) {
+      if (!is_plain_zero(v + 3 * static_cast<std::size_t>(slots_to_nodes[s]))) return false;
+    }
+    return true;
+  }
+
+  /// Returns whether a bit of the records has changed, if watched.
+  KOKKOS_FUNCTION bool advance_packs(int c, const double* nodes, double* forces, bool watched) const {
+    constexpr int largest_size = hex_record_size<Material, Kind> * width;
+    static_assert(sizeof(LaneState<Material, Kind>) == largest_size * sizeof(double));
+    const auto record_size = find_record_size(c);
+    HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
+    parameters.time = motion.time;
+    const int first = chunks.first_element(c);
+    const int end = chunks.first_element(c + 1);
+    double* record = &state(chunks.first_state(c));
+    const std::uint16_t* corners = &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
+    constexpr int prefetched = is_called<Material> ? HexRecord::history<Kind> * width : largest_size;
+    ChunkStep step{Lanes(1e300), Lanes(first), -1};
+    double work[3] = {0, 0, 0};
+    double before[largest_size];
+    bool changed = false;
+    const bool watches_step = motion.watch.bound.extent(0) > 0;
+    Lanes growth(0);
+    for (int e = first; e < end; e += width, record += record_size, corners += 8 * width) {
+      const int lanes = end - e < width ? end - e : width;
+      const double* const next = record + record_size;
+      VectorModes<Lanes> a, v;
+      prefetch<prefetched>(next, 0);
+      gather_modes(nodes, corners, a);
+      prefetch<prefetched>(next, 1);
+      gather_modes(nodes + 4, corners, v);
+      auto& s = *reinterpret_cast<LaneState<Material, Kind>*>(record);  // its scalars lie like the record's
+      if (watched) std::memcpy(before, record, static_cast<std::size_t>(record_size) * sizeof(double));
+      Lanes f[3][8];
+      const HexResult<Lanes> result = advance_hex8(parameters, a, v, Lanes(motion.dt), s, f[0], f[1], f[2]);
+      prefetch<prefetched>(next, 2);
+      scatter_forces(f, corners, lanes, forces);
+      if (watched)
+        changed = changed || std::memcmp(before, record, static_cast<std::size_t>(record_size) * sizeof(double)) != 0;
+      take_lanes(result, e, lanes, step);
+      if (watches_step) {
+        const int pack = chunks.first_pack(c) + (e - first) / width;
+        watch_step(motion.watch, static_cast<std::size_t>(pack) * width, result.stable_step, growth);
+      }
+      work[0] += sum_lanes(result.work.internal, lanes);
+      work[1] += sum_lanes(result.work.hourglass, lanes);
+      work[2] += sum_lanes(result.work.viscous, lanes);
+    }
+    set_step(c, step, end);
+    if (watches_step) motion.watch.growth(c) = find_largest_lane(growth);
+    results.failed_element(c) = step.failed;
+    for (int k = 0; k < 3; ++k) results.work(c, k) += work[k];
+    return changed;
+  }
+
+  /// Numbers of a pack's record: known to the compiler, but for a called material, of which each remembers its own.
+  KOKKOS_FUNCTION auto find_record_size(int c) const {
+    if constexpr (is_called<Material>) {
+      return chunks.record_size(c) * width;
+    } else {
+      return std::integral_constant<int, hex_record_size<Material, Kind> * width>();
+    }
+  }
+
+  /// Of the lanes' smallest steps the smallest, and the lowest element that has it.
+  KOKKOS_FUNCTION void set_step(int c, const ChunkStep& chunk, int end) const {
+    alignas(64) double step[width];
+    alignas(64) double first[width];
+    store_pack(step, chunk.step);
+    store_pack(first, chunk.first);
+    double smallest = 1e300;
+    int element = end;
+    for (int lane = 0; lane < width; ++lane) {
+      int e = static_cast<int>(first[lane]) + lane;
+      if (e >= end) e = end - 1;  // lanes past the end repeat the last element
+      if (step[lane] < smallest || (step[lane] == smallest && e < element)) {
+        smallest = step[lane];
+        element = e;
+      }
+    }
+    results.stable_step(c) = smallest;
+    results.controlling_element(c) = element;
+  }
+};
+
+template <class Material, HexKind Kind>
+void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
+                   const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                   const ChunkResults& results) {
+  const int count = static_cast<int>(block.chunks.extent(0));
+  if (count == 0) return;
+  using Kernel = AdvanceChunk<Material, Kind>;
+  ChunkPolicy policy(space, count, 1);
+  policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(Kernel::scratch_bytes(chunks)))).set_chunk_size(1);
+  Kokkos::parallel_for("percuss::advance_elements", policy, Kernel{chunks, block, motion, state, slot_force, results});
+}
+
+/// Compiles advance_block for a material and a kind of element.
+#define PERCUSS_COMPILE_ADVANCE(MATERIAL, KIND)                                                    \
+  template void advance_block(const ExecSpace&, const HexChunks&, const HexBlock<MATERIAL, KIND>&, \
+                              const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
+
+}  // namespace percuss

@@ -1,0 +1,12 @@
+// The elements of linear elasticity, of every kind.
+
+#include "kernels/element/advance_chunk.hpp"
+
+namespace percuss {
+
+PERCUSS_COMPILE_ADVANCE(Elastic, HexKind::assumed_strain)
+PERCUSS_COMPILE_ADVANCE(Elastic, HexKind::stiffness)
+PERCUSS_COMPILE_ADVANCE(Elastic, HexKind::viscous)
+PERCUSS_COMPILE_ADVANCE(Elastic, HexKind::full)
+
+}  // namespace percuss

@@ -1,0 +1,12 @@
+// The elements of J2 plasticity, of every kind.
+
+#include "kernels/element/advance_chunk.hpp"
+
+namespace percuss {
+
+PERCUSS_COMPILE_ADVANCE(J2Plasticity, HexKind::assumed_strain)
+PERCUSS_COMPILE_ADVANCE(J2Plasticity, HexKind::stiffness)
+PERCUSS_COMPILE_ADVANCE(J2Plasticity, HexKind::viscous)
+PERCUSS_COMPILE_ADVANCE(J2Plasticity, HexKind::full)
+
+}  // namespace percuss

@@ -1,0 +1,39 @@
+#pragma once
+// Any material of the list, called through its number: one compiled element serves them all.
+//
+// The element's body is long, and it is compiled anew for each material that is compiled into it, for some nanoseconds
+// an element. What a called material computes (powers, logarithms, tables) costs more than the call. The lists are seen
+// only by who makes and who calls one (call_material.hpp).
+
+#include "kernels/material/elastic.hpp"
+#include "kernels/material/point_step.hpp"
+#include "kernels/material/type_list.hpp"
+
+namespace percuss {
+
+/// A material that is called, with or without an equation of state. Its history: lambda + 2 mu, which bulk viscosity
+/// takes in the next step, then that of the law, then that of the equation of state.
+struct CalledMaterial {
+  static constexpr int history_count = 32;  // room for the longest; a record has count_history()
+  static constexpr bool can_yield = true;
+  static constexpr int law_place = 1;
+
+  AnyOf<4096> law;          // one of Materials
+  AnyOf<256> state;         // one of EquationsOfState, or none
+  LameConstants reference;  // moduli at the start, for hourglass control
+  double density = 0;       // at the start
+  int law_history = 0;      // scalars
+  int state_history = 0;
+  bool changes_at_rest = false;  // whether the state changes with time alone
+
+  PERCUSS_FORCE_INLINE LameConstants moduli() const { return reference; }
+  KOKKOS_INLINE_FUNCTION int count_history() const { return law_place + law_history + state_history; }
+  /// Where the history of the equation of state begins; -1: there is none.
+  int find_state_place() const { return state_history > 0 ? law_place + law_history : -1; }
+
+  /// Advances a point from n to n+1. step.history: [count_history()].
+  template <class T>
+  void update(PointStep<T>& step) const;
+};
+
+}  // namespace percuss

@@ -1,0 +1,95 @@
+#pragma once
+// Johnson-Cook plasticity (Johnson and Cook, 7th Int. Symp. Ballistics, 1983), heated by its own plastic work.
+
+#include "kernels/material/radial_return.hpp"
+
+namespace percuss {
+
+/// Flow stress (A + B p^n) (1 + C ln r) (1 - t^m), r = max(rate of p / reference_rate, 1), t = (T - T_room) / (T_melt -
+/// T_room) between 0 and 1; at t = 1 nothing of it is left. No heat is conducted: rho cp dT = beta sigma dp. The flow
+/// stress of a step takes the temperature of its beginning, its heat the mean flow stress.
+/// History: p, T.
+struct JohnsonCook {
+  static constexpr const char* name = "johnson_cook";
+  using Constants = JohnsonCook;
+  double youngs_modulus = 0, poissons_ratio = 0;
+  double a = 0, b = 0, n = 1, c = 0, m = 1;
+  double reference_rate = 1;
+  double start_temperature = 293.15, room_temperature = 293.15, melt_temperature = 0;
+  double specific_heat = 0, heating_share = 0.9;
+
+  static constexpr auto keys() {
+    using M = JohnsonCook;
+    return with_elastic_keys<M>(
+        need("a", &M::a, KeyRange::positive, "pressure", "A of the flow stress (A + B p^n) (1 + C ln r) (1 - t^m)."),
+        need("b", &M::b, KeyRange::not_negative, "pressure", "B of the same."),
+        need("n", &M::n, KeyRange::positive, "-", "n of the same."),
+        may("c", &M::c, KeyRange::not_negative, "-", "C of the same."),
+        may("reference_rate", &M::reference_rate, KeyRange::positive, "1 / time",
+            "Rate of plastic strain that r is counted in; r is at least 1."),
+        may("m", &M::m, KeyRange::positive, "-", "m of the same."),
+        need("melt_temperature", &M::melt_temperature, KeyRange::positive, "temperature",
+             "Where t = 1: the flow stress is gone."),
+        may("room_temperature", &M::room_temperature, KeyRange::any, "temperature", "Where t = 0."),
+        may("start_temperature", &M::start_temperature, KeyRange::any, "temperature", "Temperature at the start."),
+        need("specific_heat", &M::specific_heat, KeyRange::positive, "energy / mass / temperature",
+             "Heat that a unit of mass takes for a degree."),
+        may("heating_share", &M::heating_share, KeyRange::share, "-", "Share of the plastic work that heats."));
+  }
+
+  /// What is wrong between constants; empty: nothing.
+  const char* find_fault() const {
+    return melt_temperature > room_temperature ? "" : "a melt_temperature that is not above its room_temperature";
+  }
+
+  static constexpr HistoryScalar history_names[] = {HistoryScalar::equivalent_plastic_strain,
+                                                    HistoryScalar::temperature};
+  static constexpr int history_count = 2;
+  static constexpr bool takes_equation_of_state = true;
+
+  void start(double* history) const { history[1] = start_temperature; }
+
+  KOKKOS_INLINE_FUNCTION LameConstants moduli() const { return find_lame_constants(youngs_modulus, poissons_ratio); }
+
+  /// 1 - t^m.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION T find_softening(const T& temperature) const {
+    const T t =
+        smaller(larger((temperature - T(room_temperature)) * T(1 / (melt_temperature - room_temperature)), T(0)), T(1));
+    return T(1) - power(t, m);
+  }
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION void update(PointStep<T>& step) const {
+    const LameConstants moduli_now = moduli();
+    const double resistance = 3 * moduli_now.mu;
+    const Trial<T> trial = find_trial(moduli_now, step.stress, step.motion.de);
+    const T p = step.history[0], softening = find_softening(step.history[1]);
+    const T at_rest = (T(a) + T(b) * power(p, n)) * softening;
+    const T over_rate = T(1) / larger(T(reference_rate) * step.motion.dt, T(1e-300));
+    const auto flow = [&](const T& dp) {
+      const T hardening = T(b) * power(p + dp, n), strain = larger(dp, T(1e-300));
+      const T yield = (T(a) + hardening) * softening;
+      const T slope = T(n) * hardening / larger(p + dp, T(1e-300)) * softening;
+      const T rate = strain * over_rate;
+      const T faster = T(1) + T(c) * logarithm(larger(rate, T(1)));
+      return FlowStress<T>{yield * faster, slope * faster + select(rate > T(1), yield * T(c) / strain, T(0))};
+    };
+    const T dp = find_plastic_increment(trial.von_mises, resistance, at_rest, flow);
+    const T flow_stress = larger(trial.von_mises - T(resistance) * dp, at_rest);
+    step.history[0] = p + dp;
+    const T before = square_root(T(1.5)) * find_norm_of_deviator(step.stress);
+    const T mean_stress = T(0.5) * (before + flow_stress);
+    step.history[1] = step.history[1] + T(heating_share / (step.density * specific_heat)) * mean_stress * dp;
+    return_stress(trial, resistance, dp, flow_stress, step);
+  }
+
+ private:
+  template <class T>
+  KOKKOS_INLINE_FUNCTION static T find_norm_of_deviator(const Symmetric3<T>& stress) {
+    const Symmetric3<T> deviator = add_pressure(stress, T(-1.0 / 3.0) * trace(stress));
+    return square_root(contract(deviator, deviator));
+  }
+};
+
+}  // namespace percuss

@@ -1,0 +1,76 @@
+#pragma once
+// Radial return (Wilkins 1964; Krieg and Krieg 1977) for any flow stress that depends on the equivalent plastic strain
+// and its rate: the return factor is the root of one scalar equation.
+
+#include "kernels/material/elastic.hpp"
+#include "kernels/material/point_step.hpp"
+
+namespace percuss {
+
+/// Flow stress, and its derivative by dp at a given step (hardening and rate together).
+template <class T>
+struct FlowStress {
+  T value;
+  T slope;
+};
+
+/// The elastic trial of a step.
+template <class T>
+struct Trial {
+  T mean;                  // stress
+  Symmetric3<T> deviator;  // stress
+  T von_mises;
+};
+
+template <class T>
+KOKKOS_INLINE_FUNCTION Symmetric3<T> add_pressure(const Symmetric3<T>& deviator, const T& mean) {
+  return deviator + Symmetric3<T>{mean, mean, mean, T(0), T(0), T(0)};
+}
+
+/// The elastic stress after the strain increment, from the one before.
+template <class T>
+KOKKOS_INLINE_FUNCTION Trial<T> find_trial(const LameConstants& c, const Symmetric3<T>& stress,
+                                           const Symmetric3<T>& de) {
+  const Symmetric3<T> trial = add_pressure(stress + T(2 * c.mu) * de, T(c.lambda) * trace(de));
+  const T mean = T(1.0 / 3.0) * trace(trial);
+  const Symmetric3<T> deviator = add_pressure(trial, -mean);
+  return {mean, deviator, square_root(T(1.5) * contract(deviator, deviator))};
+}
+
+/// The plastic increment dp >= 0 with von_mises - resistance dp = flow(dp).value, where von_mises > flow(0).value; 0
+/// elsewhere. resistance: 3 mu. Newton's method from above, kept between bounds: where the flow stress grows less and
+/// less with dp, it comes down once and then rises to the root from one side. A lane stays as it is once it has
+/// converged, so that its bits do not depend on its neighbours.
+template <class T, class Flow>
+KOKKOS_INLINE_FUNCTION T find_plastic_increment(const T& von_mises, double resistance, const T& flow_at_rest,
+                                                const Flow& flow) {
+  constexpr int most_steps = 60;
+  constexpr double tolerance = 1e-13;  // of the von Mises stress
+  const auto yields = von_mises > flow_at_rest;
+  if (!any(yields)) return T(0);
+  T low = T(0), high = select(yields, (von_mises - flow_at_rest) * T(1 / resistance), T(1)), dp = high;
+  auto open = yields;
+  for (int i = 0; i < most_steps && any(open); ++i) {
+    const FlowStress<T> now = flow(dp);
+    const T excess = von_mises - T(resistance) * dp - now.value;
+    low = select(open && excess > T(0), dp, low);
+    high = select(open && excess <= T(0), dp, high);
+    const T newton = dp + excess / (T(resistance) + now.slope);
+    const T next = select(newton > low && newton < high, newton, T(0.5) * (low + high));
+    open = open && larger(excess, -excess) > T(tolerance) * von_mises && high - low > T(1e-15) * high;
+    dp = select(open, next, dp);
+  }
+  return select(yields, dp, T(0));
+}
+
+/// Sets the stress and what the element has to know from the trial and dp.
+template <class T>
+KOKKOS_INLINE_FUNCTION void return_stress(const Trial<T>& trial, double resistance, const T& dp, const T& flow_stress,
+                                          PointStep<T>& step) {
+  const T share = T(1) - T(resistance) * dp / larger(trial.von_mises, T(1e-300));
+  step.stress = add_pressure(share * trial.deviator, trial.mean);
+  const T ratio = share * trial.von_mises / larger(flow_stress, T(1e-300));
+  step.plastic = {share, flow_stress, smaller(ratio * ratio, T(1))};
+}
+
+}  // namespace percuss

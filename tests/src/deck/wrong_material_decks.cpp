@@ -1,0 +1,101 @@
+// Wrong decks: constants of materials.
+
+#include "tests/src/deck/wrong_decks.hpp"
+
+namespace percuss {
+namespace {
+
+/// The right deck with other keys of its material.
+std::string material(const std::string& keys) {
+  return change("model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3", keys);
+}
+
+}  // namespace
+
+std::vector<WrongDeck> wrong_material_decks() {
+  return {
+      {"TableOfNothing",
+       material(
+           "model: tabulated_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, hardening: []"),
+       "5:110", "hardening has 0 rows in material 'steel' (must have 1 to 32)"},
+      {"TableThatGoesBack",
+       material("model: tabulated_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, hardening: "
+                "[[0, 1e8], [0, 2e8]]"),
+       "5:121", "hardening.1 begins with 0 after 0 in material 'steel' (rows must ascend)"},
+      {"TableOfNegativeStress",
+       material("model: tabulated_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, hardening: "
+                "[[0, 1e8], [1, -2e8]]"),
+       "5:121", "hardening.1 has the value -200000000 in material 'steel' (must be positive)"},
+      {"TableIsANumber",
+       material(
+           "model: tabulated_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, hardening: 4e8"),
+       "5:110", "hardening is 4e8 in material 'steel' (must be a list"},
+      {"PowerLawWithoutExponent",
+       material("model: power_law_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: "
+                "1e8, hardening_coefficient: 1e8"),
+       "5:3", "hardening_exponent is missing in material 'steel'"},
+      {"KinematicShareAboveOne",
+       material("model: combined_hardening, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: "
+                "1e8, kinematic_share: 1.5"),
+       "5:133", "kinematic_share is 1.5 in material 'steel' (must be from 0 to 1)"},
+      {"NegativeRate",
+       material("model: voce_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 1e8, "
+                "saturation_stress: 1e8, saturation_rate: 3, cowper_symonds_rate: -1"),
+       "5:178", "cowper_symonds_rate is -1 in material 'steel' (must be zero or positive)"},
+      {"MeltsBelowRoomTemperature",
+       material("model: johnson_cook, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, a: 1e8, b: 1e8, n: "
+                "0.2, specific_heat: 460, melt_temperature: 200"),
+       "5:3", "material 'steel' has a melt_temperature that is not above its room_temperature"},
+      {"KeyOfAnotherPlasticity",
+       material("model: power_law_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: "
+                "1e8, hardening_coefficient: 1e8, hardening_exponent: 1, kinematic_share: 1"),
+       "5:169", "a key of model combined_hardening, not of power_law_plasticity"},
+      {"FluidWithoutState", material("model: fluid, density: 1"), "5:3",
+       "equation_of_state is missing in material 'steel'"},
+      {"ElasticWithState",
+       material("model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, equation_of_state: {kind: "
+                "linear, bulk_modulus: 1}"),
+       "5:86", "material 'steel' has an equation_of_state, which model elastic does not take"},
+      {"StateWithoutKind", material("model: fluid, density: 1, equation_of_state: {gamma: 1.4}"), "5:37",
+       "equation_of_state.kind is missing in material 'steel'"},
+      {"UnknownState", material("model: fluid, density: 1, equation_of_state: {kind: ideal}"), "5:63",
+       "did you mean 'ideal_gas'?"},
+      {"KeyOfAnotherState",
+       material("model: fluid, density: 1, equation_of_state: {kind: linear, bulk_modulus: 1, gamma: 1.4}"), "5:88",
+       "a key of kind ideal_gas, not of linear"},
+      {"GammaOfOne",
+       material("model: fluid, density: 1, equation_of_state: {kind: ideal_gas, gamma: 1, start_energy: 1}"), "5:81",
+       "gamma is 1 in material 'steel' (must be above 1)"},
+      {"VapourBeforeIncipient",
+       material("model: fluid, density: 1, equation_of_state: {kind: tillotson, heat_a: 0.5, heat_b: 1, bulk_a: 1, "
+                "bulk_b: 1, reference_energy: 1, alpha: 5, beta: 5, incipient_energy: 3, vapour_energy: 2}"),
+       "5:37", "has a vapour_energy that is not above its incipient_energy"},
+      {"DetonationInAPlane",
+       material("model: fluid, density: 1, equation_of_state: {kind: jwl, a: 1, b: 1, r1: 4, r2: 1, omega: 0.3, "
+                "energy: 1, detonation_velocity: 1, detonation_point: [0, 0]}"),
+       "5:159", "detonation_point is [0, 0] in material 'steel' (must be a list of 3"},
+      {"SoilThatStartsUnderPressure",
+       material("model: soil_and_foam, density: 1, shear_modulus: 1, unloading_bulk_modulus: 2, a0: 1, compaction: "
+                "[[0, 1], [1, 2]]"),
+       "5:3", "material 'steel' has a compaction that does not begin with [0, 0]"},
+      {"SoilSteeperThanItsRelease",
+       material("model: soil_and_foam, density: 1, shear_modulus: 1, unloading_bulk_modulus: 2, a0: 1, compaction: "
+                "[[0, 0], [1, 3]]"),
+       "5:3", "material 'steel' has a compaction that is steeper than its unloading_bulk_modulus"},
+      {"SoilWhosePressureFalls",
+       material("model: soil_and_foam, density: 1, shear_modulus: 1, unloading_bulk_modulus: 2, a0: 1, compaction: "
+                "[[0, 0], [1, 1], [2, 0.5]]"),
+       "5:3", "material 'steel' has a compaction whose pressure falls"},
+      {"FoamOfOneRow", material("model: low_density_foam, density: 1, youngs_modulus: 1, compression: [[0, 0]]"), "5:3",
+       "material 'steel' has a compression that does not begin with [0, 0] and a second row"},
+      {"TooManyRelaxations",
+       material("model: viscoelastic, density: 1, bulk_modulus: 1, long_term_shear_modulus: 1, relaxation: [[1, 1], "
+                "[2, 1], [3, 1], [4, 1], [5, 1]]"),
+       "5:3", "material 'steel' has more than 4 rows of relaxation"},
+      {"RelaxationInNoTime",
+       material("model: viscoelastic, density: 1, bulk_modulus: 1, long_term_shear_modulus: 1, relaxation: [[0, 1]]"),
+       "5:3", "material 'steel' has a relaxation time that is not positive"},
+  };
+}
+
+}  // namespace percuss
