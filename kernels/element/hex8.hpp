@@ -79,6 +79,33 @@ PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& t, const Hourg
   to_corners(fz);
 }
 
+/// What a material is told of the step, and lambda + 2 mu at n.
+template <class T>
+struct ToldMotion {
+  PointMotion<T> point;
+  T modulus;
+};
+
+/// A called material is told what the end of the step looks like; others are compiled to do without, so that their
+/// stress is done with before the end geometry needs the registers.
+template <class T, class Material, class State>
+PERCUSS_FORCE_INLINE ToldMotion<T> tell_motion(const HexParameters<Material>& par, const VectorModes<T>& a,
+                                               [[maybe_unused]] const State& state, const StepMotion<T>& step,
+                                               const T& dt) {
+  ToldMotion<T> told{{step.de, dt, T(1), T(1), T(0), par.time}, T(par.lambda + 2 * par.mu)};
+  if constexpr (is_called<Material>) {
+    const VolumeGradient<T> b = find_volume_gradient(a);
+    told.modulus = find_longitudinal_modulus<T>(state.history);
+    told.point.length = find_thickness(find_gradient_size(b), b.volume);
+    told.point.volume_ratio = T(par.material.density) * b.volume / state.mass;
+    const T density = state.mass * (T(1) / b.volume),
+            speed = square_root(told.modulus * b.volume * (T(1) / state.mass));
+    const T pressure = find_viscous_pressure(par.viscosity, density, told.point.length, speed, step.trace_d).pressure;
+    told.point.viscosity = T(0.5) * (state.viscous_pressure + pressure);
+  }
+  return told;
+}
+
 /// Advances the element from n to n+1. a, v: modes of x(n+1) and v(n+1/2). fx, fy, fz: out, the internal forces by
 /// corner (they resist the motion: the node feels their negative). With dt = 0 it evaluates forces and step only.
 template <class T, class Material, HexKind Kind>
@@ -88,26 +115,22 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   const T half = T(0.5);
   const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
 
+  // stress
+  const Symmetric3<T> old_stress = state.stress;
+  const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
+  const auto response = update_stress(par.material, state.stress, state.history, 0, told.point);
+  const auto moduli = find_moduli(par, response);
+
   // end geometry
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
-  const T density = state.mass * (T(1) / b.volume), length = find_thickness(size, b.volume);
-  const T speed = square_root(find_longitudinal_modulus<T>(par, state.history) * b.volume * (T(1) / state.mass));
+  const T density = state.mass * (T(1) / b.volume);
+  const T speed = square_root(told.modulus * b.volume * (T(1) / state.mass));
 
-  const ViscousPressure<T> viscous = find_viscous_pressure(par.viscosity, density, length, speed, step.trace_d);
+  const ViscousPressure<T> viscous =
+      find_viscous_pressure(par.viscosity, density, find_thickness(size, b.volume), speed, step.trace_d);
   const T old_viscous_pressure = state.viscous_pressure;
   state.viscous_pressure = viscous.pressure;
-
-  // stress
-  const Symmetric3<T> old_stress = state.stress;
-  const PointMotion<T> point{step.de,
-                             dt,
-                             find_volume_ratio(par.material, b.volume, state.mass),
-                             length,
-                             half * (old_viscous_pressure + viscous.pressure),
-                             par.time};
-  const auto response = update_stress(par.material, state.stress, state.history, 0, point);
-  const auto moduli = find_moduli(par, response);
 
   // hourglass forces, in the spatial frame for assembly
   const HourglassModes<T> rates = find_hourglass_rates(v, step.middle, step.l);

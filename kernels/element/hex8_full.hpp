@@ -129,21 +129,16 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
                                                T (&fz)[8]) {
   const T half = T(0.5);
   const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
+  const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
+  auto points = advance_points(par, a, v, step.middle, step.turn, told.point, state);
+
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
-  const T length = find_thickness(size, b.volume);
-  const T speed = square_root(find_longitudinal_modulus<T>(par, state.history) * b.volume / state.mass);
+  const T speed = square_root(told.modulus * b.volume / state.mass);
   const ViscousPressure<T> viscous =
-      find_viscous_pressure(par.viscosity, state.mass / b.volume, length, speed, step.trace_d);
+      find_viscous_pressure(par.viscosity, state.mass / b.volume, find_thickness(size, b.volume), speed, step.trace_d);
   const T viscous_work = -half * step.b.volume * (state.viscous_pressure + viscous.pressure) * dt * step.trace_d;
-  const PointMotion<T> mean{step.de,
-                            dt,
-                            find_volume_ratio(par.material, b.volume, state.mass),
-                            length,
-                            half * (state.viscous_pressure + viscous.pressure),
-                            par.time};
   state.viscous_pressure = viscous.pressure;
-  auto points = advance_points(par, a, v, step.middle, step.turn, mean, state);
   find_full_forces(points.force, state.polar.rotation, points.tension / b.volume - viscous.pressure, b, fx, fy, fz);
 
   // 2 mu |dev D|^2 + K (tr D)^2 <= 2 mu |D|^2 + lambda (tr D)^2, as the mean dilatation has the smallest square

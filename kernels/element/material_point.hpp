@@ -46,26 +46,12 @@ KOKKOS_INLINE_FUNCTION bool changes_at_rest(const Material& material) {
   return false;
 }
 
-/// lambda + 2 mu at n, of which bulk viscosity takes the wave speed: of the stiffest point.
-template <class T, class Parameters, class History>
-PERCUSS_FORCE_INLINE T find_longitudinal_modulus(const Parameters& par, [[maybe_unused]] const History& history) {
-  if constexpr (is_called<decltype(par.material)>) {
-    T largest = history.value[0][0];
-    for (const T& modulus : history.value[0]) largest = larger(largest, modulus);
-    return largest;
-  } else {
-    return T(par.lambda + 2 * par.mu);
-  }
-}
-
-/// V / V(0) at n+1.
-template <class T, class Material>
-PERCUSS_FORCE_INLINE T find_volume_ratio([[maybe_unused]] const Material& material, const T& volume, const T& mass) {
-  if constexpr (is_called<Material>) {
-    return T(material.density) * volume / mass;
-  } else {
-    return T(1);  // nobody looks
-  }
+/// lambda + 2 mu of a called material at n, of which bulk viscosity takes the wave speed: of the stiffest point.
+template <class T, class History>
+PERCUSS_FORCE_INLINE T find_longitudinal_modulus(const History& history) {
+  T largest = history.value[0][0];
+  for (const T& modulus : history.value[0]) largest = larger(largest, modulus);
+  return largest;
 }
 
 /// Advances the stress of a point; returns a CalledResponse, or a PlasticReturn if the material can yield, and nothing
