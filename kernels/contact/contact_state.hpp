@@ -114,10 +114,11 @@ KOKKOS_INLINE_FUNCTION FacePoints find_end(const RelativeFace& face) {
 }
 
 /// Least cosine between the normals of the node's own faces and that of the face: negative if they look at each other.
+/// A node without faces, a free particle, looks everywhere.
 KOKKOS_INLINE_FUNCTION double find_opposition(const ContactSurface& surface, const FaceState& faces, int node,
                                               int face) {
   const Point3 normal = load_row(faces.normal, face);
-  double least = 1;
+  double least = surface.nodes_to_faces_offset(node) == surface.nodes_to_faces_offset(node + 1) ? -1 : 1;
   for (int j = surface.nodes_to_faces_offset(node); j < surface.nodes_to_faces_offset(node + 1); ++j) {
     const double cosine = dot(load_row(faces.normal, surface.nodes_to_faces(j)), normal);
     if (cosine < least) least = cosine;

@@ -8,6 +8,7 @@
 
 #include "kernels/element/chunk_records.hpp"
 #include "kernels/element/internal_force.hpp"
+#include "kernels/element/living_lanes.hpp"
 
 namespace percuss {
 
@@ -145,7 +146,8 @@ struct AdvanceChunk {
     const int first = chunks.first_element(c);
     const int end = chunks.first_element(c + 1);
     double* record = &state(chunks.first_state(c));
-    const std::uint16_t* corners = &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
+    const std::uint16_t* next_corners =
+        &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
     constexpr int prefetched = is_called<Material> ? HexRecord::history<Kind> * width : largest_size;
     ChunkStep step{Lanes(1e300), Lanes(first), -1};
     double work[3] = {0, 0, 0};
@@ -153,8 +155,11 @@ struct AdvanceChunk {
     bool changed = false;
     const bool watches_step = motion.watch.bound.extent(0) > 0;
     Lanes growth(0);
-    for (int e = first; e < end; e += width, record += record_size, corners += 8 * width) {
+    LivingLanes living(motion.failing, motion.lives, c);
+    for (int e = first; e < end; e += width, record += record_size, next_corners += 8 * width) {
       const int lanes = end - e < width ? end - e : width;
+      const std::uint16_t* corners = next_corners;
+      if (living.can_fail() && !living.take_pack(corners)) continue;
       const double* const next = record + record_size;
       VectorModes<Lanes> a, v;
       prefetch<prefetched>(next, 0);
@@ -164,8 +169,9 @@ struct AdvanceChunk {
       auto& s = *reinterpret_cast<LaneState<Material, Kind>*>(record);  // its scalars lie like the record's
       if (watched) std::memcpy(before, record, static_cast<std::size_t>(record_size) * sizeof(double));
       Lanes f[3][8];
-      const HexResult<Lanes> result = advance_hex8(parameters, a, v, Lanes(motion.dt), s, f[0], f[1], f[2]);
+      HexResult<Lanes> result = advance_hex8(parameters, a, v, Lanes(motion.dt), s, f[0], f[1], f[2]);
       prefetch<prefetched>(next, 2);
+      if (living.can_fail()) living.settle(result, f);
       scatter_forces(f, corners, lanes, forces);
       if (watched)
         changed = changed || std::memcmp(before, record, static_cast<std::size_t>(record_size) * sizeof(double)) != 0;

@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "kernels/element/element_lives.hpp"
 #include "kernels/element/hex_chunks.hpp"
 #include "kernels/material/elastic.hpp"
 #include "kernels/material/j2_plasticity.hpp"
@@ -17,7 +18,8 @@ struct StepWatch {
   double step = 0;          // the bound that was estimated; 0: none has been yet
 };
 
-/// The motion that the elements see: positions at n+1, velocities at n+1/2, the step between n and n+1.
+/// The motion that the elements see: positions at n+1, velocities at n+1/2, the step between n and n+1; and which of
+/// them live.
 struct ElementMotion {
   Rows3<const double> x;
   Rows3<const double> v;
@@ -25,6 +27,8 @@ struct ElementMotion {
   bool skips_rest = false;  // chunks that rest and are settled are left as they are, which changes no bit
   double time = 0;          // at n+1
   StepWatch watch = {};
+  FailingChunks failing{};
+  ElementLives lives{};  // forces and work of the chunks that can fail count by these; work is added to
 };
 
 /// One compiled variant of the element: a compiled-in material (or CalledMaterial, for all others) and a kind of

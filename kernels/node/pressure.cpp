@@ -14,7 +14,7 @@ void apply_pressure(const ExecSpace& space, const PressureFaces& faces, const Ar
           const int n = faces.nodes(f, i);
           corner[i] = {x(n, 0), x(n, 1), x(n, 2)};
         }
-        const double p = pressure(faces.load(f));
+        const double p = (faces.share.extent(0) == 0 ? 1.0 : faces.share(f)) * pressure(faces.load(f));
         const Vector3<double> dead{faces.dead_share(f, 0), faces.dead_share(f, 1), faces.dead_share(f, 2)};
         const bool follows = dead.x == 0 && dead.y == 0 && dead.z == 0;
         const Vector3<double> twice_area = cross(corner[2] - corner[0], corner[3] - corner[1]);

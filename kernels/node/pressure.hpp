@@ -10,6 +10,7 @@ struct PressureFaces {
   Rows4<int> nodes;          // corners, outward by the right-hand rule
   Array<int> load;           // which pressure acts on the face
   Rows3<double> dead_share;  // of a dead load: what unit pressure puts on each corner [area]; 0: the load follows
+  Array<double> share;       // 0: no load any more; empty: every face has its load
   int first_slot = 0;
   int count = 0;
 };

@@ -60,6 +60,12 @@ class FieldsFile:
         first = int(self.root[f"Steps/{group}Offsets/{name}"][frame])
         return to_scalar(self.root[f"{group}/{name}"][first : first + items])
 
+    def alive(self, frame):
+        """[elements] whether each has not died; all of a run without the field."""
+        if "alive" not in self.names():
+            return np.ones(self.elements, dtype=bool)
+        return self.values("alive", frame) > 0
+
 
 def _text(value):
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)

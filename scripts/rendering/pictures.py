@@ -34,7 +34,13 @@ def render(arguments):
     os.makedirs(folder, exist_ok=True)
     images = []
     live = sys.stdout.isatty()
+    alive = kept
     for frame in frames:
+        now = kept & fields.alive(frame)
+        if not np.array_equal(now, alive):
+            alive = now
+            faces, owners = exterior_faces(fields.hexahedra, alive)
+            surface.choose(faces)
         surface.move(fields.positions(frame))
         surface.color(*coloring.choose_values(frame, surface.nodes, faces, owners))
         clock.SetInput(colors.format_time(fields.times[frame], fields.times[-1], fields.units))

@@ -34,14 +34,18 @@ class Surface:
     """The exterior faces of the mesh as polygons whose points move from frame to frame."""
 
     def __init__(self, faces):
+        self.points = vtkPoints()
+        self.mesh = vtkPolyData()
+        self.mesh.SetPoints(self.points)
+        self.choose(faces)
+
+    def choose(self, faces):
+        """Other faces of the same mesh; they have neither places nor colours until they are given some."""
         self.nodes, corners = np.unique(faces, return_inverse=True)
         cells = vtkCellArray()
         offsets = np.arange(0, 4 * len(faces) + 1, 4, dtype=np.int64)
         cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=1),
                       numpy_to_vtkIdTypeArray(corners.reshape(-1).astype(np.int64), deep=1))
-        self.points = vtkPoints()
-        self.mesh = vtkPolyData()
-        self.mesh.SetPoints(self.points)
         self.mesh.SetPolys(cells)
 
     def move(self, positions):

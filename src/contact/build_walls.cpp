@@ -28,7 +28,7 @@ std::vector<int> list_wall_nodes(const Mesh& mesh, const Deck& deck, const WallD
   if (mesh.ranks)
     wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, mesh.ranks->handle()); },
              "MPI_Allreduce");
-  if (some == 0)
+  if (some == 0 && !mesh.eroded.any)
     throw InputError(
         deck.where(wall.place) +
         ": error: wall touches no node (the nodes named are all inside their bodies) name a part or a side");

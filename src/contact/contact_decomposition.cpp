@@ -13,6 +13,8 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Growth of the copies of faces at which cuts are worth renewing.
 constexpr double ghost_growth = 1.15;
+/// Change of the number of points, where erosion redefines the surface, at which they are.
+constexpr double point_growth = 1.1;
 
 /// A point on its way to the rank that owned it before.
 struct SentPoint {
@@ -48,9 +50,26 @@ ContactDecomposition::ContactDecomposition(const Communicator& ranks, const Surf
   points_ = {Rows3<double>("contact::point_positions", ids.size()), to_view("contact::point_ids", ids)};
 }
 
+void ContactDecomposition::take_over(const ContactDecomposition& before) {
+  searches_ = before.searches_;
+  ghosts_after_rebalance_ = before.ghosts_after_rebalance_;
+  points_at_rebalance_ = before.points_at_rebalance_;
+  warm_rounds_ = before.warm_rounds_;
+  report_ = before.report_;
+  if (report_.rebalances == 0) return;
+  rcb_.restore(before.rcb_.cuts());
+  std::int64_t counts[2] = {static_cast<std::int64_t>(points_.ids.extent(0)), points_at_rebalance_};
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, exchange_.ranks().handle()); },
+           "MPI_Allreduce");
+  const auto points = static_cast<double>(counts[0]), earlier = static_cast<double>(counts[1]);
+  const bool has_changed = points > point_growth * earlier || earlier > point_growth * points;
+  is_due_ = before.is_due_ || (has_changed && rebalance_ != ContactDeck::Rebalance::never);
+}
+
 void ContactDecomposition::update(const SurfaceMotion& motion, double margin) {
   ++searches_;
   locate_points(motion);
+  if (owners_.empty() && report_.rebalances > 0) find_new_owners();  // of another surface's cuts
   just_rebalanced_ = is_due_;
   if (is_due_) {
     rebalance_points(send_contact_data_to_previous_owners());
@@ -107,6 +126,7 @@ RcbPoints ContactDecomposition::send_contact_data_to_previous_owners() {
 void ContactDecomposition::rebalance_points(const RcbPoints& points) {
   const RcbReport done = rcb_.decompose(ExecSpace(), points);
   ++report_.rebalances;
+  points_at_rebalance_ = static_cast<std::int64_t>(points_.ids.extent(0));
   report_.imbalance = done.imbalance;
   report_.worst_imbalance = std::max(report_.worst_imbalance, done.imbalance);
   if (report_.rebalances > 1) {

@@ -34,6 +34,9 @@ class ContactDecomposition {
   /// Collective. The share outlives this.
   ContactDecomposition(const Communicator& ranks, const SurfaceShare& share, ContactDeck::Rebalance rebalance);
 
+  /// Goes on with the cuts and the counts of the decomposition of another surface of the same scene. Collective.
+  void take_over(const ContactDecomposition& before);
+
   /// Brings searched contact nodes to their owners and searched faces to the ranks that their boxes, widened by
   /// `margin`, reach; rebalances before if that is due. Collective. Throws MpiError.
   void update(const SurfaceMotion& motion, double margin);
@@ -87,6 +90,7 @@ class ContactDecomposition {
   Array<int> reach_count_ = Array<int>("contact::reach_count", 0);
   long searches_ = 0;
   std::int64_t ghosts_after_rebalance_ = 0;
+  std::int64_t points_at_rebalance_ = 0;  // of this rank's FE share
   bool is_due_ = true, just_rebalanced_ = false;
   double warm_rounds_ = 0;
   DecompositionReport report_;

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "comm/exact_reduction.hpp"
+#include "src/contact/carried_history.hpp"
 #include "src/contact/contact_checkpoint.hpp"
 #include "src/contact/enforcer.hpp"
 #include "src/contact/local_finder.hpp"
@@ -16,13 +17,15 @@
 
 namespace percuss {
 struct ContactStage::Impl {
-  Impl(const ChunkedMesh& chunked, const Deck& deck, const Communicator& world)
+  Impl(const ChunkedMesh& chunked, const Deck& scene, const Communicator& world)
       : ranks(world),
+        deck(scene),
         chunks(chunked),
         numbering(chunked.numbering),
         mesh(chunked.mesh),
         exchange(world),
-        ties(find_ties(chunked, deck, world)),
+        ties_of_start(find_ties(chunked, deck, world)),
+        ties(ties_of_start),
         share(build_surface_share(chunked, deck, ties, exchange)),
         tie_rows(seen(), ties, deck.contact),
         walls(build_walls(chunked.mesh, deck, share)),
@@ -33,6 +36,7 @@ struct ContactStage::Impl {
         enforcer(seen(), share, walls, tie_rows.geometry(), deck),
         history(make_history(share, walls)) {
     history.ties = Rows3<double>("contact::history_ties", ties.nodes.size());
+    is_active = has_pairs() || has_walls || ties.any();
     if (ties.any()) start_notes = describe_ties(deck, ties);
   }
 
@@ -46,17 +50,22 @@ struct ContactStage::Impl {
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
   void refuse_torn_ties(const ContactReport& report) const;
+  void redefine_surface();
+  HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, ties); }
 
   const Communicator ranks;
+  const Deck& deck;
   const ChunkedMesh& chunks;
   const Numbering& numbering;
   const Mesh& mesh;
   UnstructuredExchange exchange;
-  const TiedSurfaces ties;
-  const SurfaceShare share;
-  const TieRows tie_rows;
-  const WallPairs walls;
+  const TiedSurfaces ties_of_start;
+  TiedSurfaces ties;  // those that erosion has left
+  SurfaceShare share;
+  TieRows tie_rows;
+  WallPairs walls;
   const bool has_walls;
+  bool is_active = false;  // from the start to the end
   const ContactDeck contact;
   ReuseBound bound;
   std::unique_ptr<ContactFinder> finder;
@@ -126,6 +135,21 @@ void ContactStage::Impl::refuse_torn_ties(const ContactReport& report) const {
       find_user_id(report.torn_node), report.torn));
 }
 
+/// Everything that follows from the mesh as it is now, but the history.
+void ContactStage::Impl::redefine_surface() {
+  const Phase phase("percuss::contact_redefine", clocks.search);
+  ties = keep_living_ties(chunks, ties_of_start, ranks);
+  share = build_surface_share(chunks, deck, ties, exchange);
+  tie_rows = TieRows(seen(), ties, contact);
+  walls = build_walls(mesh, deck, share);
+  bound.redefine();
+  std::unique_ptr<ContactFinder> next = make_contact_finder(seen(), share, contact.rebalance, contact.search);
+  next->take_over(*finder);
+  finder = std::move(next);
+  enforcer.redefine(mesh, share, walls, tie_rows.geometry());
+  candidates = 0;
+}
+
 std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,
                                                    ContactDeck::Rebalance rebalance, ContactDeck::Search search) {
   if (ranks.ranks.size() == 1) return std::make_unique<LocalFinder>(share, find_method(search));
@@ -155,7 +179,7 @@ ContactStage::ContactStage(const ChunkedMesh& chunked, const Deck& deck, const C
     : impl_(std::make_unique<Impl>(chunked, deck, ranks)) {}
 ContactStage::~ContactStage() = default;
 
-bool ContactStage::is_active() const { return impl_->has_pairs() || impl_->has_walls || impl_->ties.any(); }
+bool ContactStage::is_active() const { return impl_->is_active; }
 
 const std::vector<std::string>& ContactStage::start_notes() const { return impl_->start_notes; }
 
@@ -179,6 +203,23 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
     line += fmt::format("; {} of them lie deeper than a quarter of a face and are not in contact", found.too_deep);
   if (found.edge_pairs > 0) line += fmt::format("; {} too, deepest {:.4g}", edges, found.deepest_edges);
   return line;
+}
+
+void ContactStage::restore_surface() {
+  Impl& stage = *impl_;
+  stage.redefine_surface();
+  stage.history = make_history(stage.share, stage.walls);
+  stage.history.ties = Rows3<double>("contact::history_ties", stage.ties.nodes.size());
+}
+
+void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) {
+  Impl& stage = *impl_;
+  const HistoryOwners before = stage.list_owners();
+  stage.redefine_surface();
+  const HistoryOwners now = stage.list_owners();
+  stage.history = carry_history(stage.ranks, stage.history, before, now, stage.share, stage.walls);
+  const Phase phase("percuss::contact_redefine", stage.clocks.search);
+  seed_opened(stage.look_for_overlap(*stage.finder), {x, v, 0}, stage.contact.overlap, {before, now}, stage.history);
 }
 
 void ContactStage::archive(CheckpointArchive& archive) {

@@ -80,6 +80,14 @@ class ContactStage {
   /// is the same; then prepare() must not be called. Collective.
   void archive(CheckpointArchive& archive);
 
+  /// The surface that erosion has left of the mesh: Mesh::eroded and Mesh::exterior are new. What contacts remember
+  /// stays with them; overlap of faces and nodes that have come to light is taken like that of the start. Call between
+  /// steps, with x and v of the state.
+  void redefine(Rows3<const double> x, Rows3<const double> v);
+
+  /// The same for a state from a checkpoint, before archive(): the surface alone.
+  void restore_surface();
+
   /// Corrects motion.v and fills motion.impulse. Throws RunError, on all ranks, if conditions tear a tie apart.
   ContactReport apply(const ContactMotion& motion);
 

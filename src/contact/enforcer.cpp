@@ -46,6 +46,14 @@ Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const W
       spring_(find_springs(ranks.mesh, share, deck.contact)),
       pair_work_(deck.output.history_every ? name_contact_pairs(deck).size() : 0) {}
 
+void Enforcer::redefine(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
+                        const Array<const TieGeometry>& ties) {
+  walls_ = walls;
+  ties_ = ties;
+  spring_ = find_springs(mesh, share, deck_);
+  remembers_ = true;
+}
+
 void Enforcer::clear_last_impulse(const ContactMotion& motion) {
   // Only the nodes of the last step's rows can be set, if it is the same memory; copies of them are not listed.
   if (last_impulse_ != motion.impulse.data() || (was_pushed_ && has_many_ranks_)) {

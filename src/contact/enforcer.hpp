@@ -24,6 +24,10 @@ class Enforcer {
   void enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
                ContactHistory& history, ContactReport& report);
 
+  /// The surface is another now: `walls` with the pairs of its nodes, the ties that are left.
+  void redefine(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
+                const Array<const TieGeometry>& ties);
+
   /// A step in which nothing touches on any rank: no impulses, nothing to remember.
   void rest(const ContactMotion& motion, ContactHistory& history);
 
@@ -42,8 +46,8 @@ class Enforcer {
   void clear_last_impulse(const ContactMotion& motion);
   void update_copies(const ContactMotion& motion);
 
-  const WallPairs walls_;
-  const Array<const TieGeometry> ties_;
+  WallPairs walls_;
+  Array<const TieGeometry> ties_;
   const Array<const std::int64_t> node_numbers_;  // [mesh nodes]
   const bool has_many_ranks_;
   const ContactDeck deck_;

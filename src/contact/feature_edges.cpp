@@ -62,6 +62,8 @@ std::vector<EdgeSide> exchange_sides(const ChunkedMesh& chunked, const std::vect
                                      const std::vector<std::array<int, 4>>& face_corners, const Communicator& ranks) {
   std::vector<EdgeSide> sides;
   std::vector<int> owners;
+  sides.reserve(4 * faces.size());
+  owners.reserve(4 * faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f) {
     FacePoints places;
     const Vec3& origin = chunked.mesh.nodes[at(face_corners[f][0])];

@@ -83,7 +83,15 @@ RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share,
 
 Traffic RankedFinder::traffic() const {
   const Traffic &own = data_.traffic(), &decomposition = decomposition_.traffic(), edges = edges_.traffic();
-  return {own.messages + decomposition.messages + edges.messages, own.bytes + decomposition.bytes + edges.bytes};
+  return {traffic_before_.messages + own.messages + decomposition.messages + edges.messages,
+          traffic_before_.bytes + own.bytes + decomposition.bytes + edges.bytes};
+}
+
+void RankedFinder::take_over(const ContactFinder& before) {
+  const auto& other = dynamic_cast<const RankedFinder&>(before);  // of the same number of ranks
+  decomposition_.take_over(other.decomposition_);
+  decomposition_clock_ = other.decomposition_clock_;
+  traffic_before_ = other.traffic();
 }
 
 SearchLoad RankedFinder::load() const {

@@ -29,6 +29,7 @@ class RankedFinder : public ContactFinder {
   std::vector<int> node_ranks() const override { return decomposition_.node_owners(); }
   DecompositionReport report() const override { return decomposition_.report(); }
   SearchLoad load() const override;
+  void take_over(const ContactFinder& before) override;
   PhaseClock decomposition_clock() const override { return decomposition_clock_; }
   Traffic traffic() const override;
 
@@ -56,6 +57,7 @@ class RankedFinder : public ContactFinder {
   DataExchange data_;
   ContactDecomposition decomposition_;
   PhaseClock decomposition_clock_;
+  Traffic traffic_before_;  // of finders whose place this one took
 
   // The search on this rank.
   SearchScratch scratch_;

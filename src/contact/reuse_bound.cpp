@@ -21,6 +21,13 @@ ReuseBound::ReuseBound(const Communicator& ranks, const SurfaceShare& share, boo
       origin_("contact::search_origin", static_cast<std::size_t>(share.nodes.count())),
       velocity_("contact::search_velocity", static_cast<std::size_t>(share.nodes.count())) {}
 
+void ReuseBound::redefine() {
+  valid_ = false;
+  margin_ = dt_ = 0;
+  origin_ = Rows3<double>("contact::search_origin", static_cast<std::size_t>(share_.nodes.count()));
+  velocity_ = Rows3<double>("contact::search_velocity", static_cast<std::size_t>(share_.nodes.count()));
+}
+
 double ReuseBound::find_largest(double value) const {
   if (ranks_.size() > 1)
     wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, ranks_.handle()); },

@@ -12,6 +12,9 @@ class ReuseBound {
   /// enabled: whether pairs may be used again at all. The share outlives this. Collective, as are all calls.
   ReuseBound(const Communicator& ranks, const SurfaceShare& share, bool enabled);
 
+  /// The share is another now: the next step searches.
+  void redefine();
+
   /// Whether the pairs of the last search still hold all that the check could accept in this step.
   bool covers(const SurfaceMotion& motion) const;
 

@@ -1,6 +1,7 @@
 #include "src/contact/start_overlap.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "kernels/contact/row_geometry.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -35,7 +36,7 @@ void add(const PartOverlap& more, std::vector<PartOverlap>& parts) {
 void note(StartOverlap& found, const OwnedContactNodes& nodes, int place, int other, double depth, bool held) {
   const auto i = static_cast<std::size_t>(place);
   const std::int64_t node = nodes.numbers[i];
-  add({nodes.faces[static_cast<std::size_t>(nodes.first_face[i])].part, other, 1, depth}, found.parts);
+  add({nodes.parts[i], other, 1, depth}, found.parts);
   ++found.nodes;
   if (!held) ++found.too_deep;
   if (depth < found.deepest || (depth == found.deepest && found.deepest_node >= 0 && node > found.deepest_node)) return;
@@ -159,6 +160,34 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
   Kokkos::deep_copy(history.reference, reference);
   reduce(search.ranks, found);
   return found;
+}
+
+void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                 const SurfaceChange& change, ContactHistory& history) {
+  if (search.share.total_searched_faces == 0) return;
+  const auto list_new = [](const std::vector<std::int64_t>& before, const std::vector<std::int64_t>& now) {
+    std::vector<std::int64_t> fresh;
+    std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(fresh));
+    return fresh;
+  };
+  const std::vector<std::int64_t> nodes = list_new(change.before.nodes, change.now.nodes);
+  std::vector<std::int64_t> faces = gather_items(search.ranks, list_new(change.before.faces, change.now.faces));
+  std::sort(faces.begin(), faces.end());
+  const auto history_face = to_host(history.face);
+  const auto reference = to_host(history.reference);
+  for (const Penetration& p : look_everywhere(search, motion)) {
+    const bool is_new =
+        std::binary_search(faces.begin(), faces.end(), p.face) ||
+        std::binary_search(nodes.begin(), nodes.end(), search.share.nodes.numbers[static_cast<std::size_t>(p.node)]);
+    const int record = contact_limits::max_touches * p.node;
+    if (!is_new || p.depth <= contact_limits::overlap * p.size || p.depth > contact_limits::history_depth * p.size)
+      continue;
+    if (history_face(record) >= 0) continue;  // a contact that goes on
+    history_face(record) = p.face;
+    reference(record) = overlap == ContactDeck::Overlap::accept ? p.depth : 0;
+  }
+  Kokkos::deep_copy(history.face, history_face);
+  Kokkos::deep_copy(history.reference, reference);
 }
 
 double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion) {

@@ -1,6 +1,7 @@
 #pragma once
 // Overlap between surfaces: what a scene starts with, and what an audit finds.
 
+#include "src/contact/carried_history.hpp"
 #include "src/contact/contact_finder.hpp"
 #include "src/contact/reuse_bound.hpp"
 
@@ -42,6 +43,17 @@ struct OverlapSearch {
 /// be pushed out. Collective.
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
                           ContactHistory& history);
+
+/// The surface before and after erosion has redefined it.
+struct SurfaceChange {
+  const HistoryOwners& before;
+  const HistoryOwners& now;
+};
+
+/// Of overlap at the places of `motion`, whose dt is 0, takes into the history what a new node or a new face has, as
+/// seed_history() does. What the surfaces before had is as it was. Collective.
+void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                 const SurfaceChange& change, ContactHistory& history);
 
 /// Deepest penetration / shortest edge, faces and walls, on any rank. Collective.
 double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion);

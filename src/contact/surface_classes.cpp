@@ -82,6 +82,20 @@ std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, c
   return sets;
 }
 
+std::vector<SurfaceSet> find_part_surfaces(const Mesh& mesh, const Deck& deck) {
+  std::vector<SurfaceSet> sets(mesh.parts.size());
+  const auto add = [&](const Selector& side, int surface) {
+    for (std::size_t part = 0; part < sets.size(); ++part) {
+      if (!side.inside && (side.name.empty() || side.name == mesh.parts[part].name)) sets[part].push_back(surface);
+    }
+  };
+  for (std::size_t p = 0; p < deck.contact.pairs.size(); ++p) {
+    add(deck.contact.pairs[p].a, 2 * static_cast<int>(p));
+    add(deck.contact.pairs[p].b, 2 * static_cast<int>(p) + 1);
+  }
+  return sets;
+}
+
 SurfaceClasses agree_on_classes(const Mesh& mesh, std::vector<SurfaceSet> sets) {
   sort_unique(sets);
   if (mesh.ranks && mesh.ranks->size() > 1) {

@@ -35,6 +35,9 @@ struct SurfaceClasses {
 std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, const TiedSurfaces& ties,
                                            const std::vector<ElementFace>& faces);
 
+/// [parts] surfaces that a part belongs to as a whole: what its particles touch as.
+std::vector<SurfaceSet> find_part_surfaces(const Mesh& mesh, const Deck& deck);
+
 /// All sets that occur on any rank. Collective over Mesh::ranks.
 SurfaceClasses agree_on_classes(const Mesh& mesh, std::vector<SurfaceSet> sets);
 

@@ -71,12 +71,44 @@ CornerNotice make_notice(const Mesh& mesh, const SurfaceShare& share, std::size_
           share.faces[face]};
 }
 
-/// Tells the owner of every corner about each face of this rank; returns what the owned nodes were told, by (node,
-/// face).
-std::vector<CornerNotice> exchange_notices(const ChunkedMesh& chunked, const SurfaceShare& share,
-                                           const std::vector<double>& springs, UnstructuredExchange& exchange) {
+/// Of nodes that no element holds any more: what their dead elements say of them, without a face. part_classes: the
+/// class of each part's surface.
+std::vector<CornerNotice> list_particles(const Mesh& mesh, const Deck& deck, const std::vector<int>& part_classes) {
   std::vector<CornerNotice> notices;
+  std::vector<ElementFace> faces;  // a face at each corner, for its stiffness
+  for (std::size_t e = 0; e < mesh.eroded.dead.size(); ++e) {
+    if (mesh.eroded.dead[e] == 0) continue;
+    const auto place = [&](int corner) { return mesh.nodes[at(mesh.elements[e][at(corner)])]; };
+    for (int i = 0; i < 8; ++i) {
+      const int node = mesh.elements[e][at(i)];
+      if (mesh.eroded.nodes[at(node)] != ErodedMesh::particle) continue;
+      CornerNotice notice;
+      notice.node = mesh.node_numbers[at(node)];
+      notice.size = std::numeric_limits<double>::infinity();
+      for (const int other : hex_neighbours[i]) {
+        const Vec3 p = place(i), q = place(other);
+        notice.size = std::min(notice.size, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+      }
+      notice.face.part = mesh.element_part[e];
+      notice.face.surface_class = part_classes[at(notice.face.part)];
+      notices.push_back(notice);
+      faces.push_back({static_cast<int>(e), i < 4 ? 4 : 5});
+    }
+  }
+  const std::vector<double> springs = find_face_springs(mesh, deck, faces);
+  for (std::size_t n = 0; n < notices.size(); ++n) notices[n].spring = 0.25 * springs[n];
+  return notices;
+}
+
+/// Tells the owner of every corner about each face of this rank, and of particles; returns what the owned nodes were
+/// told, by (node, face).
+std::vector<CornerNotice> exchange_notices(const ChunkedMesh& chunked, const SurfaceShare& share,
+                                           const std::vector<double>& springs, std::vector<CornerNotice> notices,
+                                           UnstructuredExchange& exchange) {
   std::vector<int> owners;
+  notices.reserve(notices.size() + 4 * share.faces.size());
+  owners.reserve(notices.capacity());
+  for (const CornerNotice& notice : notices) owners.push_back(chunked.numbering.find_node_owner(notice.node));
   for (std::size_t f = 0; f < share.faces.size(); ++f) {
     for (std::size_t i = 0; i < 4; ++i) {
       notices.push_back(make_notice(chunked.mesh, share, f, i, springs[f]));
@@ -90,7 +122,9 @@ std::vector<CornerNotice> exchange_notices(const ChunkedMesh& chunked, const Sur
   return received;
 }
 
-void list_nodes(const Mesh& mesh, const std::vector<CornerNotice>& notices, OwnedContactNodes& nodes) {
+/// particle_classes: out, [nodes] classes of the surfaces of particles.
+void list_nodes(const Mesh& mesh, const std::vector<CornerNotice>& notices, OwnedContactNodes& nodes,
+                std::vector<std::vector<int>>& particle_classes) {
   for (const CornerNotice& notice : notices) {
     if (nodes.numbers.empty() || nodes.numbers.back() != notice.node) {
       const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), notice.node);
@@ -99,23 +133,34 @@ void list_nodes(const Mesh& mesh, const std::vector<CornerNotice>& notices, Owne
       nodes.ids.push_back(mesh.node_ids[at(nodes.mesh_nodes.back())]);
       nodes.sizes.push_back(std::numeric_limits<double>::infinity());
       nodes.springs.push_back(0);
+      nodes.parts.push_back(notice.face.part);
       nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
+      particle_classes.emplace_back();
     }
     nodes.sizes.back() = std::min(nodes.sizes.back(), notice.size);
+    if (notice.face.number < 0) {  // in no certain order
+      nodes.springs.back() = std::max(nodes.springs.back(), notice.spring);
+      nodes.parts.back() = std::min(nodes.parts.back(), notice.face.part);
+      particle_classes.back().push_back(notice.face.surface_class);
+      continue;
+    }
     nodes.springs.back() += notice.spring;
     nodes.faces.push_back(notice.face);
   }
   nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
 }
 
-/// Surfaces of each owned node: those of all faces around it.
-std::vector<SurfaceSet> find_node_surfaces(const OwnedContactNodes& nodes, const SurfaceClasses& classes) {
+/// Surfaces of each owned node: those of all faces around it, of a particle those of its parts.
+std::vector<SurfaceSet> find_node_surfaces(const OwnedContactNodes& nodes, const SurfaceClasses& classes,
+                                           const std::vector<std::vector<int>>& particle_classes) {
   std::vector<SurfaceSet> sets(at(nodes.count()));
   for (std::size_t n = 0; n < sets.size(); ++n) {
-    for (int f = nodes.first_face[n]; f < nodes.first_face[n + 1]; ++f) {
-      const SurfaceSet& set = classes.sets[at(nodes.faces[at(f)].surface_class)];
+    const auto add = [&](int surface_class) {
+      const SurfaceSet& set = classes.sets[at(surface_class)];
       sets[n].insert(sets[n].end(), set.begin(), set.end());
-    }
+    };
+    for (int f = nodes.first_face[n]; f < nodes.first_face[n + 1]; ++f) add(nodes.faces[at(f)].surface_class);
+    for (const int surface_class : particle_classes[n]) add(surface_class);
     std::sort(sets[n].begin(), sets[n].end());
     sets[n].erase(std::unique(sets[n].begin(), sets[n].end()), sets[n].end());
   }
@@ -215,10 +260,19 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   const std::vector<ElementFace> faces = find_exterior_faces(mesh);
   list_faces(chunked, faces, share);
   const std::vector<SurfaceSet> face_sets = find_face_surfaces(mesh, deck, ties, faces);
-  const SurfaceClasses of_faces = agree_on_classes(mesh, face_sets);
+  std::vector<SurfaceSet> named = face_sets, part_sets;
+  if (mesh.eroded.any) part_sets = find_part_surfaces(mesh, deck);
+  named.insert(named.end(), part_sets.begin(), part_sets.end());
+  const SurfaceClasses of_faces = agree_on_classes(mesh, std::move(named));
   for (std::size_t f = 0; f < faces.size(); ++f) share.faces[f].surface_class = of_faces.find(face_sets[f]);
-  list_nodes(mesh, exchange_notices(chunked, share, find_face_springs(mesh, deck, faces), exchange), share.nodes);
-  const std::vector<SurfaceSet> node_sets = find_node_surfaces(share.nodes, of_faces);
+  std::vector<int> part_classes;
+  for (const SurfaceSet& set : part_sets) part_classes.push_back(of_faces.find(set));
+  std::vector<std::vector<int>> particle_classes;
+  list_nodes(mesh,
+             exchange_notices(chunked, share, find_face_springs(mesh, deck, faces),
+                              list_particles(mesh, deck, part_classes), exchange),
+             share.nodes, particle_classes);
+  const std::vector<SurfaceSet> node_sets = find_node_surfaces(share.nodes, of_faces, particle_classes);
   std::vector<SurfaceSet> all = of_faces.sets;
   all.insert(all.end(), node_sets.begin(), node_sets.end());
   std::vector<FoundEdge> edges;

@@ -30,10 +30,11 @@ struct OwnedContactNodes {
   std::vector<std::int64_t> numbers;  // ascending
   std::vector<std::int64_t> ids;      // the user's
   std::vector<int> classes;           // as FaceTopology::surface_class
+  std::vector<int> parts;             // index into Mesh::parts
   std::vector<double> sizes;          // shortest edge of the faces around each at time 0 [length]
   std::vector<double> springs;      // stiffness of each (kernels/contact/springs.hpp) [force/length]; 0 without penalty
   std::vector<int> first_face;      // [nodes + 1] into faces
-  std::vector<FaceTopology> faces;  // around each node, ascending number
+  std::vector<FaceTopology> faces;  // around each node, ascending number; a free particle has none
   std::vector<char> searched;       // whether it may touch any face
 
   int count() const { return static_cast<int>(mesh_nodes.size()); }

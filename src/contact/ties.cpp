@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "src/contact/gather_items.hpp"
+#include "src/contact/number_map.hpp"
 #include "src/contact/surface_share.hpp"
 #include "src/contact/tie_search.hpp"
 #include "src/error.hpp"
@@ -132,6 +134,28 @@ TiedSurfaces find_ties(const ChunkedMesh& chunked, const Deck& deck, const Commu
     ties.counts.push_back(counts);
   }
   return ties;
+}
+
+TiedSurfaces keep_living_ties(const ChunkedMesh& chunked, const TiedSurfaces& ties, const Communicator& ranks) {
+  if (!ties.any()) return ties;
+  const Mesh& mesh = chunked.mesh;
+  const auto is_dead = [&](const ElementFace& face) { return mesh.eroded.dead[at(face.element)] != 0; };
+  const std::vector<std::int64_t> numbers = list_element_numbers(chunked);
+  std::vector<std::int64_t> dead_faces;
+  TiedSurfaces left = ties;
+  left.nodes.clear();
+  for (auto& sides : left.faces) {
+    for (const ElementFace& face : sides[1])
+      if (is_dead(face)) dead_faces.push_back(6 * numbers[at(face.element)] + face.face);
+    for (auto& side : sides) side.erase(std::remove_if(side.begin(), side.end(), is_dead), side.end());
+  }
+  dead_faces = gather_items(ranks, dead_faces);
+  std::sort(dead_faces.begin(), dead_faces.end());
+  for (const TiedNode& tied : ties.nodes) {
+    const bool is_held = mesh.eroded.nodes[at(find_number(mesh.node_numbers, tied.node))] == ErodedMesh::held;
+    if (is_held && !std::binary_search(dead_faces.begin(), dead_faces.end(), tied.face)) left.nodes.push_back(tied);
+  }
+  return left;
 }
 
 std::vector<std::string> describe_ties(const Deck& deck, const TiedSurfaces& ties) {

@@ -48,6 +48,10 @@ inline constexpr double default_tie_distance = 0.05;
 /// on all ranks, for unknown surfaces, a surface tied to itself and a tie that ties nothing. Collective.
 TiedSurfaces find_ties(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks);
 
+/// What is left of the ties of a mesh that is eroded: a tie goes with the element behind its face, and with the last
+/// element that holds its node. Collective.
+TiedSurfaces keep_living_ties(const ChunkedMesh& chunked, const TiedSurfaces& ties, const Communicator& ranks);
+
 /// One line for each tie: how many nodes are tied, how many not, the largest offset.
 std::vector<std::string> describe_ties(const Deck& deck, const TiedSurfaces& ties);
 

@@ -89,6 +89,19 @@ void check_curves(const Deck& deck, Reading& reading) {
   }
 }
 
+/// What the step watches of elements is not kept for those that die.
+void check_estimate(const Deck& deck, const Node& root, Reading& reading) {
+  const Node* materials = root.find("materials");
+  if (deck.time.step_estimate != TimeDeck::StepEstimate::global) return;
+  for (const MaterialDeck& material : deck.materials) {
+    if (!material.failure) continue;
+    reading.errors.add(materials->find(material.name)->key,
+                       fmt::format("material '{}' can fail (time.step_estimate: global is for meshes that stay whole) "
+                                   "use time.step_estimate: element",
+                                   material.name));
+  }
+}
+
 void check_frames(const Deck& deck, const Node& root, Reading& reading) {
   constexpr double most_frames = 1e6;
   if (!deck.output.fields_every || deck.time.end / *deck.output.fields_every <= most_frames) return;
@@ -111,6 +124,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_selectors(deck, reading);
   check_size(deck, root, reading);
   check_curves(deck, reading);
+  check_estimate(deck, root, reading);
   check_frames(deck, root, reading);
 }
 

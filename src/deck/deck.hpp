@@ -104,12 +104,35 @@ struct LawDeck {
   std::map<std::string, Vec3> vectors;
   Place place;
 };
+struct JohnsonCookDamageDeck {
+  double d1 = 0, d2 = 0, d3 = 0, d4 = 0, d5 = 0;
+  double reference_rate = 1;  // [1/time]
+};
+/// When an element of a material fails: at the first of the criteria that are given.
+struct FailureDeck {
+  std::optional<double> plastic_strain;    // equivalent
+  std::optional<double> principal_stress;  // largest, tension positive
+  std::optional<double> principal_strain;  // largest, logarithmic
+  std::optional<double> pressure;          // below minus this
+  std::optional<JohnsonCookDamageDeck> johnson_cook;
+  std::optional<double> yield_time;  // at yield, in all
+  std::optional<double> step;        // the step that the element allows falls below this
+  bool inverted = false;             // no positive volume: the element fails, and the run goes on
+  int fade_steps = 1;                // steps in which its force falls to zero
+};
+/// What becomes of nodes whose elements are all dead.
+struct ErosionDeck {
+  enum class FreeNodes { keep, remove };
+  FreeNodes free_nodes = FreeNodes::keep;
+};
+
 struct MaterialDeck {
   std::string name;
   double density = 0;
   LawDeck law;
   std::optional<LawDeck> equation_of_state;
   Place place;
+  std::optional<FailureDeck> failure;
 };
 
 // --- where a condition acts
@@ -241,6 +264,7 @@ struct Deck {
   std::vector<PartDeck> parts;  // in the order of the deck
   std::vector<MaterialDeck> materials;
   ElementDeck elements;
+  ErosionDeck erosion;
   std::vector<InitialDeck> initial;
   Vec3 gravity{};
   std::vector<PressureDeck> pressures;

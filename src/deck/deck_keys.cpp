@@ -114,6 +114,7 @@ const Keys<Deck>& deck_keys() {
       need("parts", &Deck::parts, NamedMapValue<PartDeck, PartValue>{"part", {}}),
       need("materials", &Deck::materials, NamedMapValue<MaterialDeck, MaterialValue>{"material", {}}),
       may("elements", &Deck::elements, element_value()),
+      may("erosion", &Deck::erosion, erosion_value()),
       may("initial", &Deck::initial, ListValue<MapValue<InitialDeck>>{initial_value()}),
       group<Deck>("loads", MapValue<Deck>{load_keys}),
       may("conditions", &Deck::conditions, ListValue<ConditionValue>{}),

@@ -18,6 +18,10 @@ struct MaterialValue {
   void list(const std::string& path, std::vector<DeckKey>& out) const;
 };
 
+/// `failure` in a material.
+MapValue<FailureDeck> failure_value();
+MapValue<ErosionDeck> erosion_value();
+
 MapValue<InitialDeck> initial_value();
 
 /// `conditions`: each entry holds nodes in one way.

@@ -193,6 +193,7 @@ const Keys<MaterialDeck>& common_keys() {
   static const Keys<MaterialDeck> keys = {
       need("density", &MaterialDeck::density, NumberValue{positive}),
       may("equation_of_state", &MaterialDeck::equation_of_state, StateValue{}),
+      may("failure", &MaterialDeck::failure, failure_value()),
   };
   return keys;
 }

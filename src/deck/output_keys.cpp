@@ -131,7 +131,7 @@ const std::vector<std::string>& field_names() {
       "displacement", "velocity",        "contact_force", "mass",
       "contact_rank",  // of nodes
       "stress",       "pressure",        "von_mises",     "equivalent_plastic_strain",
-      "temperature",  "internal_energy",  // of elements
+      "temperature",  "internal_energy", "alive",         "damage",  // of elements
       "body",         "chunk",           "fe_rank"};
   return names;
 }

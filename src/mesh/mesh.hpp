@@ -1,5 +1,6 @@
 #pragma once
-// The mesh of a scene on the host: nodes, eight-node hexahedra, parts and sets. Const after set-up.
+// The mesh of a scene on the host: nodes, eight-node hexahedra, parts and sets. Const after set-up, but for what
+// erosion leaves of it: `eroded` and `exterior`.
 //
 // Node and element indexes are 0-based positions in these arrays; elements lie chunk after chunk, and the user's ids
 // stay with them. Where several ranks hold the mesh together, these are the elements of one of them and the nodes that
@@ -33,6 +34,15 @@ struct MeshPart {
   int material = 0;  // index into Deck::materials
 };
 
+/// What erosion has left of a mesh, the same on all ranks that hold it together (src/step/erosion.hpp).
+struct ErodedMesh {
+  enum NodeState : std::uint8_t { held, particle, vanished };  // by a living element; by none, but there; gone
+
+  bool any = false;                // whether an element of any rank has died
+  std::vector<std::uint8_t> dead;  // [elements] of this share
+  std::vector<NodeState> nodes;    // [nodes]
+};
+
 struct Mesh {
   std::vector<Vec3> nodes;                            // position at time 0 [length]
   std::vector<std::int64_t> node_ids;                 // the user's ids, 1-based; unique within the mesh
@@ -46,10 +56,11 @@ struct Mesh {
 
   // Of the whole mesh, of which this may be the share of one rank:
   std::vector<std::int64_t> node_numbers;  // [nodes] place of each in the whole mesh, ascending
-  std::vector<std::uint8_t> exterior;      // [elements] bit f: face f belongs to no other element
+  std::vector<std::uint8_t> exterior;      // [elements] bit f: face f belongs to no other element that lives
   std::vector<int> bodies;                 // [elements] number of the connected body, from 0 by lowest element
-  Vec3 low{}, high{};                      // box of all nodes [length]
-  std::optional<Communicator> ranks;       // those that hold it together; none: this one holds it all
+  ErodedMesh eroded;
+  Vec3 low{}, high{};                 // box of all nodes [length]
+  std::optional<Communicator> ranks;  // those that hold it together; none: this one holds it all
 };
 
 /// load_mesh() (src/mesh/decompose.hpp) on this rank alone, without its chunks.
@@ -57,7 +68,8 @@ Mesh build_mesh(const Deck& deck);
 
 /// Nodes that the selector means, ascending; a side set means the nodes of its faces. `inside` counts nodes on the
 /// faces of the box in (within 1e-9 of the mesh's diagonal). A set's name without its part will do where only one part
-/// has it. Throws InputError (nearest name hinted) if the name is unknown or ambiguous or if nothing is selected.
+/// has it. Throws InputError (nearest name hinted) if the name is unknown or ambiguous or if nothing is selected, of a
+/// mesh that is eroded only the former.
 std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector& selector);
 
 /// Exterior faces that the selector means, ascending: those of a side set (its interior faces left out), of a part or

@@ -103,7 +103,7 @@ void require_some(const Mesh& mesh, const std::vector<T>& selected, const Deck& 
     wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, mesh.ranks->handle()); },
              "MPI_Allreduce");
   }
-  if (some != 0) return;
+  if (some != 0 || mesh.eroded.any) return;
   const std::string name = selector.name.empty() ? "the mesh" : fmt::format("'{}'", selector.name);
   throw InputError(fault(deck, selector,
                          selector.inside

@@ -87,6 +87,7 @@ void Progress::print(const ProgressState& state, std::chrono::steady_clock::time
       "  contacts {}",
       100 * share, state.time, state.step, state.dt, speed, closed ? "took" : "ETA",
       format_duration(closed ? elapsed : left), state.energy_error, state.contacts);
+  if (state.eroded > 0) line += fmt::format("  eroded {}", state.eroded);
   if (style_ == Style::plain) {
     print_quietly(stream_, "{}\n", line);
   } else {

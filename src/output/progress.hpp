@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -22,6 +23,7 @@ struct ProgressState {
   double time = 0, end_time = 0, dt = 0;
   double energy_error = 0;  // relative
   long contacts = 0;        // interactions in force
+  std::int64_t eroded = 0;  // dead elements
 };
 
 class Progress {

@@ -92,6 +92,11 @@ void visit_summary(S& s, Visitor&& v) {
     v.value("linear_error", s.momentum.linear_error);
     v.value("angular_error", s.momentum.angular_error);
   });
+  v.group("eroded", [&] {
+    v.value("elements", s.eroded.elements);
+    v.value("mass", s.eroded.mass);
+    v.value("energy", s.eroded.energy);
+  });
   v.group("balance", [&] {
     v.value("elements", s.balance.elements);
     v.value("contact", s.balance.contact);

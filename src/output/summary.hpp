@@ -19,6 +19,12 @@ struct EnergySummary {
          error = 0;
 };
 
+/// What dead elements took with them: their internal, hourglass and viscous energy and that of nodes that vanished.
+struct ErodedSummary {
+  std::int64_t elements = 0;
+  double mass = 0, energy = 0;
+};
+
 struct MomentumSummary {
   double linear[3] = {0, 0, 0}, angular[3] = {0, 0, 0};
   double linear_error = 0, angular_error = 0;  // relative: see docs/output.md
@@ -45,6 +51,7 @@ struct Summary {
   } skipped;
   EnergySummary energy;
   MomentumSummary momentum;
+  ErodedSummary eroded;
   struct {
     double elements = 1, contact = 1;
   } balance;

@@ -14,13 +14,18 @@ using S = AuditSum;
 
 double find_length(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
+void subtract(ExactSum& from, const ExactSum& sum) {
+  for (int i = 0; i < ExactSum::limb_count; ++i) from.limb[i] -= sum.limb[i];
+  from.normalize();
+}
+
 using NodeSums = ExactSums<AuditSum::count_of_nodes>;
 
 NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model, const State& state) {
   const auto x = state.x, v = state.v, slot_force = state.slot_force, start = model.start;
   const auto nodes_to_slots = model.nodes_to_slots;
-  const auto mass = model.mass;
-  const auto inverse_mass = model.inverse_mass;
+  const auto mass = state.mass;
+  const auto inverse_mass = state.inverse_mass;
   const auto gravity = model.gravity;
   const double dt = state.step == 0 ? 0.0 : state.dt;
   const double first_dt = state.step == 0 ? state.next_dt : 0.0;
@@ -62,6 +67,9 @@ void AuditResult::archive(CheckpointArchive& archive) {
   archive.numbers("audited/angular", momentum.angular);
   archive.number("audited/linear_error", momentum.linear_error);
   archive.number("audited/angular_error", momentum.angular_error);
+  archive.number("audited/eroded_elements", eroded.elements);
+  archive.number("audited/eroded_mass", eroded.mass);
+  archive.number("audited/eroded_energy", eroded.energy);
 }
 
 Audit::Audit(const Model& model) : model_(model) {}
@@ -77,6 +85,11 @@ Audit::Totals Audit::sum_all(const State& state) {
   sums[S::external] = state.books.external_work;
   std::copy_n(state.books.impulse, 3, sums.begin() + S::impulse);
   std::copy_n(state.books.moment_impulse, 3, sums.begin() + S::moment_impulse);
+  const Books& books = state.books;
+  const ExactSum eroded[] = {books.eroded_internal, books.eroded_hourglass, books.eroded_viscous, books.eroded_kinetic,
+                             books.eroded_mass};
+  std::copy_n(eroded, 5, sums.begin() + S::eroded_internal);
+  for (int k = 0; k < 3; ++k) subtract(sums[static_cast<std::size_t>(S::internal + k)], eroded[k]);
   sum_over_ranks(model_.ranks, sums);
   Totals totals{};
   for (std::size_t i = 0; i < S::count; ++i) totals[i] = sums[i].round();
@@ -103,7 +116,9 @@ EnergySummary Audit::balance_energy(const State& state, const Totals& totals) {
   e.contact = state.books.contact_work;
   e.friction = state.books.friction_work;
   e.external = totals[S::external] + totals[S::potential];
-  const double held = e.kinetic + e.internal + e.hourglass + e.viscous;
+  const double gone =
+      totals[S::eroded_internal] + totals[S::eroded_hourglass] + totals[S::eroded_viscous] + totals[S::eroded_kinetic];
+  const double held = e.kinetic + e.internal + e.hourglass + e.viscous + gone;
   const double balanced = held - totals[S::half_steps];
   note_start(state, totals, balanced);
   e.initial = initial_energy_;
@@ -146,6 +161,9 @@ AuditResult Audit::operator()(const State& state) {
   AuditResult result;
   result.energy = balance_energy(state, totals);
   result.momentum = balance_momentum(totals);
+  result.eroded = {
+      state.books.eroded_elements, totals[S::eroded_mass],
+      totals[S::eroded_internal] + totals[S::eroded_hourglass] + totals[S::eroded_viscous] + totals[S::eroded_kinetic]};
   return result;
 }
 

@@ -18,6 +18,7 @@ namespace percuss {
 struct AuditResult {
   EnergySummary energy;
   MomentumSummary momentum;
+  ErodedSummary eroded;
 
   void archive(CheckpointArchive& archive);
 };
@@ -39,7 +40,12 @@ struct AuditSum {
     external,
     impulse,
     moment_impulse = impulse + 3,
-    count = moment_impulse + 3
+    eroded_internal = moment_impulse + 3,
+    eroded_hourglass,
+    eroded_viscous,
+    eroded_kinetic,
+    eroded_mass,
+    count
   };
 };
 

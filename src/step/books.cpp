@@ -1,6 +1,8 @@
 #include "src/step/books.hpp"
 
 #include "comm/exact_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/step/whole_mesh.hpp"
 
 namespace percuss {
 
@@ -48,7 +50,7 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
   if (model.owned_held.extent(0) == 0) return;
   const auto held = model.held;
   const auto owned = model.owned_held;
-  const auto mass = model.mass;
+  const auto mass = state.mass;
   const auto gravity = model.gravity;
   const auto x = state.x, v = state.v, v_before = state.v_before, force = state.force, impulse = state.impulse;
   const Center center(model.mass_center);
@@ -104,7 +106,7 @@ std::array<ExactSum, 3> book_walls(const Model& model, OwnedNodeSums<6>& wall_su
 
 /// Impulses and the first half of the work of the pressure forces at n, which stand in the slots.
 void book_pressure(const Model& model, ExactSums<7>& pressure_sums, State& state, double dt, double dt_mean) {
-  const PressureFaces faces = model.pressure_faces;
+  const PressureFaces faces = state.pressure_faces;
   if (faces.count == 0) return;
   const auto x = state.x, v = state.v, slot_force = state.slot_force;
   const Center center(model.mass_center);
@@ -125,8 +127,8 @@ void book_pressure(const Model& model, ExactSums<7>& pressure_sums, State& state
 }
 
 /// The other half of that work, of the forces at n+1.
-void book_pressure_power(const Model& model, ExactSums<1>& power_sum, State& state, double dt) {
-  const PressureFaces faces = model.pressure_faces;
+void book_pressure_power(ExactSums<1>& power_sum, State& state, double dt) {
+  const PressureFaces faces = state.pressure_faces;
   if (faces.count == 0) return;
   const auto v = state.v, slot_force = state.slot_force;
   const auto work = power_sum(
@@ -144,17 +146,18 @@ void book_pressure_power(const Model& model, ExactSums<1>& power_sum, State& sta
 
 /// Gravity acts on the mass centre, which moves with the momentum of all ranks: no sum over nodes. Rank 0 books it.
 void book_gravity(const Model& model, const Vec3& start_momentum, double dt, double dt_mean, Vec3& center,
-                  Books& books) {
+                  State& state) {
   const double* g = model.gravity.g;
   if (g[0] == 0 && g[1] == 0 && g[2] == 0) return;
-  const double weight = dt_mean * model.total_mass;
+  const double weight = dt_mean * state.total_mass;
   const double r[3] = {center[0], center[1], center[2]};
   const double j[3] = {weight * g[0], weight * g[1], weight * g[2]};
   std::array<ExactSum, 6> sums{};
   if (model.ranks.rank() == 0) add_impulse(r, j, 0, [&](int k, double v) { sums[static_cast<std::size_t>(k)].add(v); });
-  add_to_books(sums, 0, books);
-  const Vec3 impulse = round_total(model.ranks, std::to_array(books.impulse));
-  for (std::size_t k = 0; k < 3; ++k) center[k] += dt * (start_momentum[k] + impulse[k]) / model.total_mass;
+  add_to_books(sums, 0, state.books);
+  const Vec3 impulse = round_total(model.ranks, std::to_array(state.books.impulse));
+  if (!(state.total_mass > 0)) return;
+  for (std::size_t k = 0; k < 3; ++k) center[k] += dt * (start_momentum[k] + impulse[k]) / state.total_mass;
 }
 
 }  // namespace
@@ -186,12 +189,47 @@ void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, bool has
     wall_dt_ = dt;
   }
   book_pressure(model_, pressure_sums_, state, dt, dt_mean);
-  book_gravity(model_, momentum_, dt, dt_mean, center_shift_, state.books);
+  book_gravity(model_, momentum_, dt, dt_mean, center_shift_, state);
 }
 
 void Bookkeeper::book_new_forces(State& state, double dt) {
   book_condition_forces(model_, held_force_sum_, state, dt);
-  book_pressure_power(model_, power_sum_, state, dt);
+  book_pressure_power(power_sum_, state, dt);
+}
+
+void Bookkeeper::book_vanished(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) {
+  const auto mass = to_host(state.mass);
+  const auto x = to_host(state.x), v = to_host(state.v), inverse_mass = to_host(state.inverse_mass);
+  const auto start = to_host(model_.start);
+  std::array<ExactSum, 6> impulse{};
+  std::array<ExactSum, 4> moved{};  // mass and its first moment
+  for (const int node : nodes) {
+    if (!owns_node(chunked, node)) continue;
+    const auto n = static_cast<std::size_t>(node);
+    double j[3], r[3], kinetic = 0, fallen = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double g = model_.gravity.g[k], gained = inverse_mass(n, k) > 0 ? state.dt * g : 0;
+      kinetic += 0.5 * mass(n) * v(n, k) * (v(n, k) + gained);
+      fallen += mass(n) * g * (x(n, k) - start(n, k));
+      j[k] = -mass(n) * v(n, k);
+      r[k] = x(n, k) - model_.mass_center[k];
+      moved[1 + k].add(mass(n) * r[k]);
+    }
+    moved[0].add(mass(n));
+    state.books.eroded_kinetic.add(kinetic);
+    state.books.external_work.add(fallen);  // what gravity did stays booked
+    add_impulse(r, j, 0, [&](int k, double value) { impulse[static_cast<std::size_t>(k)].add(value); });
+  }
+  add_to_books(impulse, 0, state.books);
+  state.books.eroded_kinetic.normalize();
+  state.books.external_work.normalize();
+  sum_over_ranks(model_.ranks, moved);
+  const double before = state.total_mass;
+  state.total_mass = before - moved[0].round();
+  if (!(state.total_mass > 0)) return;
+  for (std::size_t k = 0; k < 3; ++k) {
+    center_shift_[k] = (before * center_shift_[k] - moved[1 + k].round()) / state.total_mass;
+  }
 }
 
 Vec3 Bookkeeper::find_wall_force() const {

@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint_archive.hpp"
 #include "src/step/owned_sums.hpp"
 #include "src/step/state.hpp"
@@ -29,6 +30,10 @@ class Bookkeeper {
 
   /// Books the second half of that work. Call with v at n+1/2 and the slots' forces at n+1.
   void book_new_forces(State& state, double dt);
+
+  /// Nodes of this rank vanish with what they have: momentum, energy, work of gravity. Call with the state that still
+  /// has them; sets its total mass. Collective.
+  void book_vanished(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state);
 
   /// Force of all walls on the scene in the last step: their impulses over dt. Collective.
   Vec3 find_wall_force() const;

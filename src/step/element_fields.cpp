@@ -17,6 +17,32 @@ KOKKOS_INLINE_FUNCTION const double* find_record(const HexChunks& chunks, const 
          static_cast<std::size_t>(i / width) * static_cast<std::size_t>(chunks.record_size(c)) * width + i % width;
 }
 
+/// What the reading of an element needs besides its record.
+struct Lives {
+  FailingChunks failing;
+  ElementLives lives;
+
+  /// Of element i of chunk c among the lanes that can fail; -1: it cannot.
+  KOKKOS_INLINE_FUNCTION int find_lane(int c, int i) const {
+    const int pack = failing.find_pack(c);
+    return pack < 0 ? -1 : pack * width + i;
+  }
+  /// Share of its force that an element has at n.
+  KOKKOS_INLINE_FUNCTION double find_share(int c, int i) const {
+    const int lane = find_lane(c, i);
+    return lane < 0 ? 1 : find_life_shares(lives.steps_left(lane), failing.limits(failing.row(c)).fade_steps).now;
+  }
+  KOKKOS_INLINE_FUNCTION double find_damage(int c, int i) const {
+    const int lane = find_lane(c, i);
+    if (lane < 0) return 0;
+    if (lives.steps_left(lane) != ElementLives::whole) return 1;
+    const FailureLimits& limits = failing.limits(failing.row(c));
+    const double strain = lives.plastic_strain(lane) / limits.plastic_strain,
+                 time = lives.time_at_yield(lane) / limits.yield_time;
+    return larger(lives.damage(lane), larger(strain, time));
+  }
+};
+
 KOKKOS_INLINE_FUNCTION int find_chunk(const HexChunks& chunks, int e) {
   int low = 0, high = chunks.count;
   while (high - low > 1) {
@@ -29,6 +55,7 @@ KOKKOS_INLINE_FUNCTION int find_chunk(const HexChunks& chunks, int e) {
 /// The stress, turned into space axes; of an element with several points their mean.
 struct ReadStress {
   static constexpr int components = 6;
+  static constexpr bool fades = true;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, const double* record, double* row) const {
     const double* s = record + HexRecord::stress * width;
     const double* r = record + HexRecord::rotation * width;
@@ -57,6 +84,7 @@ struct ReadStress {
 /// A scalar of the history; of an element with several points their mean, 0 where the material has none.
 struct ReadScalar {
   static constexpr int components = 1;
+  static constexpr bool fades = false;
   HistoryScalar name;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, const double* record, double* row) const {
     const int place = chunks.find_scalar(c, name);
@@ -65,6 +93,17 @@ struct ReadScalar {
     for (int p = 0; p < points; ++p) row[0] += record[(place + p) * width] / points;
   }
 };
+
+/// What an element has lost of it.
+template <class Read>
+KOKKOS_INLINE_FUNCTION void scale(const Lives& lives, int c, int i, double* row) {
+  const double share = lives.find_share(c, i);
+  if (share == 1) return;
+  for (int k = 0; k < Read::components; ++k) {
+    if (Read::fades) row[k] *= share;
+    if (share == 0) row[k] = 0;  // also of a record that is not finite
+  }
+}
 
 std::vector<double> copy_out(const Array<double>& view) {
   const auto host = to_host(view);
@@ -76,10 +115,13 @@ std::vector<double> read_all(const Model& model, const State& state, const Read&
   const Array<double> out("percuss::element_field", Read::components * static_cast<std::size_t>(model.element_count));
   const HexChunks chunks = model.chunks;
   const auto elements = state.elements;
+  const Lives lives{model.failing, state.lives};
   Kokkos::parallel_for(
       "percuss::read_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int e = chunks.first_element(c); e < chunks.first_element(c + 1); ++e) {
-          read(chunks, c, find_record(chunks, elements, c, e), &out(Read::components * static_cast<std::size_t>(e)));
+          double* const row = &out(Read::components * static_cast<std::size_t>(e));
+          read(chunks, c, find_record(chunks, elements, c, e), row);
+          scale<Read>(lives, c, e - chunks.first_element(c), row);
         }
       });
   return copy_out(out);
@@ -92,17 +134,42 @@ std::vector<double> read_some(const Model& model, const State& state, const std:
   const Array<int> list = to_view("percuss::wanted_elements", wanted);
   const HexChunks chunks = model.chunks;
   const auto elements = state.elements;
+  const Lives lives{model.failing, state.lives};
   Kokkos::parallel_for(
       "percuss::read_some_elements", Range(ExecSpace(), 0, static_cast<int>(wanted.size())),
       KOKKOS_LAMBDA(const int i) {
         const int c = find_chunk(chunks, list(i));
-        read(chunks, c, find_record(chunks, elements, c, list(i)),
-             &out(Read::components * static_cast<std::size_t>(i)));
+        double* const row = &out(Read::components * static_cast<std::size_t>(i));
+        read(chunks, c, find_record(chunks, elements, c, list(i)), row);
+        scale<Read>(lives, c, list(i) - chunks.first_element(c), row);
+      });
+  return copy_out(out);
+}
+
+/// read(lives, chunk, i) of every element.
+template <class Read>
+std::vector<double> read_lives(const Model& model, const State& state, const Read& read) {
+  const Array<double> out("percuss::element_field", static_cast<std::size_t>(model.element_count));
+  const HexChunks chunks = model.chunks;
+  const Lives lives{model.failing, state.lives};
+  Kokkos::parallel_for(
+      "percuss::read_lives", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        const int first = chunks.first_element(c);
+        for (int e = first; e < chunks.first_element(c + 1); ++e) out(e) = read(lives, c, e - first);
       });
   return copy_out(out);
 }
 
 }  // namespace
+
+std::vector<double> find_alive(const Model& model, const State& state) {
+  return read_lives(model, state,
+                    [](const Lives& lives, int c, int i) { return lives.find_share(c, i) > 0 ? 1.0 : 0.0; });
+}
+
+std::vector<double> find_damage(const Model& model, const State& state) {
+  return read_lives(model, state, [](const Lives& lives, int c, int i) { return lives.find_damage(c, i); });
+}
 
 std::vector<double> find_stresses(const Model& model, const State& state) {
   return read_all(model, state, ReadStress{});

@@ -8,7 +8,8 @@
 
 namespace percuss {
 
-/// Cauchy stress in space axes, one row of xx, yy, zz, xy, yz, zx an element. Bulk viscosity is not part of it.
+/// Cauchy stress in space axes, one row of xx, yy, zz, xy, yz, zx an element. Bulk viscosity is not part of it. Of an
+/// element that fails it is the share that is left, of a dead one zero.
 std::vector<double> find_stresses(const Model& model, const State& state);
 
 /// Equivalent plastic strain an element; 0 where the material has none.
@@ -18,6 +19,12 @@ std::vector<double> find_plastic_strains(const Model& model, const State& state)
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name);
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name,
                                  const std::vector<int>& elements);
+/// 1 for elements that have any force, 0 for dead ones.
+std::vector<double> find_alive(const Model& model, const State& state);
+
+/// How far an element has come on the way to failure by plastic strain, time at yield or Johnson-Cook's damage, the
+/// largest of these; 1: failed, by whatever criterion.
+std::vector<double> find_damage(const Model& model, const State& state);
 
 /// The same of some elements alone, in their order.
 std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements);

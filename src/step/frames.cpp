@@ -89,7 +89,7 @@ void Frames::write(const State& state) {
       for (double& f : force) f = state.dt > 0 ? f / state.dt : 0;
       add(name, FieldPlace::node, 3, std::move(force));
     } else if (name == "mass") {
-      const auto mass = to_host(model_.mass);
+      const auto mass = to_host(state.mass);
       add(name, FieldPlace::node, 1, {mass.data(), mass.data() + mass.extent(0)});
     } else if (name == "stress") {
       add(name, FieldPlace::element, 6, stresses);
@@ -103,6 +103,10 @@ void Frames::write(const State& state) {
       add(name, FieldPlace::element, 1, find_history(model_, state, HistoryScalar::temperature));
     } else if (name == "internal_energy") {
       add(name, FieldPlace::element, 1, find_history(model_, state, HistoryScalar::internal_energy));
+    } else if (name == "alive") {
+      add(name, FieldPlace::element, 1, find_alive(model_, state));
+    } else if (name == "damage") {
+      add(name, FieldPlace::element, 1, find_damage(model_, state));
     } else if (name == "body") {
       add(name, FieldPlace::element, 1, body_);
     } else if (name == "chunk") {

@@ -133,6 +133,11 @@ std::vector<HistoryScalar> name_thermal_columns(const Deck& deck) {
   return names;
 }
 
+bool can_fail(const Deck& deck) {
+  return std::any_of(deck.materials.begin(), deck.materials.end(),
+                     [](const MaterialDeck& material) { return material.failure.has_value(); });
+}
+
 std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, const Deck& deck) {
   std::vector<std::string> columns{"time",       "step",       "dt",         "dt_element", "kinetic",   "internal",
                                    "hourglass",  "viscous",    "contact",    "friction",   "external",  "energy_error",
@@ -141,6 +146,7 @@ std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, 
   using Enforcement = ContactDeck::Enforcement;
   if (deck.contact.enforcement == Enforcement::lagrange) columns.emplace_back("complementarity");
   if (deck.contact.enforcement == Enforcement::penalty) columns.emplace_back("contact_stored");
+  if (can_fail(deck)) columns.insert(columns.end(), {"eroded_elements", "eroded_mass", "eroded_energy"});
   for (const std::string& pair : name_contact_pairs(deck))
     columns.insert(columns.end(), {"contact:" + pair, "friction:" + pair});
   if (!deck.walls.empty()) columns.insert(columns.end(), {"wall_force_x", "wall_force_y", "wall_force_z"});
@@ -261,6 +267,9 @@ void History::write(const Model& model, const State& state, const AuditResult& a
                           contact.residual};
   if (enforcement_ == ContactDeck::Enforcement::lagrange) row.push_back(contact.complementarity);
   if (enforcement_ == ContactDeck::Enforcement::penalty) row.push_back(contact.stored);
+  if (model.can_erode) {
+    row.insert(row.end(), {static_cast<double>(audit.eroded.elements), audit.eroded.mass, audit.eroded.energy});
+  }
   row.insert(row.end(), pair_work.begin(), pair_work.end());
   if (has_walls_) row.insert(row.end(), wall_force.begin(), wall_force.end());
   gather_points(model, state, row);

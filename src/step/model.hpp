@@ -51,6 +51,8 @@ struct Model {
   HexBlocks blocks;            // the other chunks
   std::size_t state_size = 0;  // scalars of all element records
   StartHistory start_history;
+  FailingChunks failing;   // those whose material can fail
+  bool can_erode = false;  // whether there are any on any rank
 
   NodeSlots nodes_to_slots;
   HaloPlan halo;

@@ -14,6 +14,7 @@
 #include "src/mesh/decompose.hpp"
 #include "src/step/audit.hpp"
 #include "src/step/checkpoint.hpp"
+#include "src/step/erosion.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/run_checks.hpp"
 #include "src/step/run_output.hpp"
@@ -52,6 +53,7 @@ class Run {
   bool is_finished() const;
   void loop();
   void advance();
+  void erode();
   void observe();
   void observe_last();
   void audit();
@@ -81,6 +83,7 @@ class Run {
   ContactStage contact_;
   State state_;
   Stepper stepper_;
+  Erosion erosion_;
   Audit audit_;
   AuditResult audited_;
   long audited_step_ = -1;
@@ -111,6 +114,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       contact_(chunked_, deck, ranks_),
       state_(make_initial_state(model_)),
       stepper_(deck, chunked_, model_, contact_),
+      erosion_(deck, chunked_, model_, contact_),
       audit_(model_),
       output_(deck, chunked_, model_, contact_, options.out_dir),
       checkpoints_due_(deck.output.checkpoint_every),
@@ -135,6 +139,7 @@ void Run::begin() {
     for (const std::string& note : contact_.start_notes()) print_quietly(stderr, "{}\n", note);
   compute_start_ = compute_seconds();
   stepper_.start(state_, {stop_requested != 0, false});
+  erode();
   first_dt_ = state_.next_dt;
   limiting_element_id_ = state_.bound.element_id;
   checkpoints_due_.advance(state_.time);  // none at time 0
@@ -212,9 +217,18 @@ void Run::advance() {
   summary_.dt.max = std::max(summary_.dt.max, state_.dt);
   note_contact();
   check_step_made();
+  erode();
   observe();
   if (stepper_.is_checkpoint_agreed() || checkpoints_due_.is_due(state_.time)) write_checkpoint();
   if (!is_finished() && !stepper_.is_stop_agreed()) progress_.report(find_progress());  // finish() has the last word
+}
+
+/// Where elements have died, everything else follows before the state is looked at.
+void Run::erode() {
+  if (!state_.bound.died) return;
+  const Phase phase("percuss::erosion", stepper_.clocks().reduce);
+  erosion_.redefine(state_, stepper_.bookkeeper());
+  if (!deck_.pressures.empty()) stepper_.renew_loads(state_);
 }
 
 StepWishes Run::find_wishes() const {
@@ -267,6 +281,7 @@ void Run::check_step_made() const {
 /// Everything that a run needs to go on as if it had never stopped.
 void Run::archive(CheckpointArchive& archive) {
   archive_state(archive, chunked_, model_, state_);
+  if (archive.is_loading() && model_.can_erode) erosion_.restore(state_);
   stepper_.archive(archive);
   audit_.archive(archive);
   output_.archive(archive, state_.time);
@@ -296,8 +311,13 @@ void Run::write_checkpoint() {
 }
 
 ProgressState Run::find_progress() const {
-  return {state_.step, state_.time,           deck_.time.end,
-          state_.dt,   audited_.energy.error, stepper_.contact_report().interactions};
+  return {state_.step,
+          state_.time,
+          deck_.time.end,
+          state_.dt,
+          audited_.energy.error,
+          stepper_.contact_report().interactions,
+          state_.books.eroded_elements};
 }
 
 /// Collective.

@@ -69,6 +69,7 @@ void fill_summary(const SummedRun& run, Summary& summary) {
   fill_messages(run, summary);
   summary.energy = run.audited.energy;
   summary.momentum = run.audited.momentum;
+  summary.eroded = run.audited.eroded;
   summary.state_hash = fmt::format("{:016x}", hash_state(run.model, run.state));
 }
 

@@ -82,6 +82,20 @@ KOKKOS_INLINE_FUNCTION std::uint64_t find_bits(double value) {
   return both.u;
 }
 
+/// Every element whole.
+ElementLives make_lives(const FailingChunks& failing) {
+  if (failing.pack_count == 0) return {};
+  const auto lanes = static_cast<std::size_t>(failing.pack_count) * width;
+  ElementLives lives{Array<double>("percuss::force_share", lanes),      Array<double>("percuss::work_share", lanes),
+                     Array<double>("percuss::element_work", 3 * lanes), Array<int>("percuss::steps_left", lanes),
+                     Array<double>("percuss::plastic_strain", lanes),   Array<double>("percuss::damage", lanes),
+                     Array<double>("percuss::time_at_yield", lanes)};
+  Kokkos::deep_copy(lives.force_share, 1.0);
+  Kokkos::deep_copy(lives.work_share, 1.0);
+  Kokkos::deep_copy(lives.steps_left, ElementLives::whole);
+  return lives;
+}
+
 }  // namespace
 
 State make_initial_state(const Model& model) {
@@ -102,6 +116,11 @@ State make_initial_state(const Model& model) {
   s.results = {Array<double>("percuss::stable_step", chunks), Array<int>("percuss::controlling_element", chunks),
                Array<int>("percuss::failed_element", chunks), Rows3<double>("percuss::work", chunks),
                Array<int>("percuss::is_settled", chunks),     Array<std::int64_t>("percuss::skipped", chunks)};
+  s.lives = make_lives(model.failing);
+  s.mass = model.mass;
+  s.inverse_mass = model.inverse_mass;
+  s.total_mass = model.total_mass;
+  s.pressure_faces = model.pressure_faces;
   return s;
 }
 
@@ -125,9 +144,20 @@ std::uint64_t hash_nodes(const Model& model, const State& state) {
   return hash;
 }
 
+/// What an element that can fail has come to; nothing of one that is as it was.
+KOKKOS_INLINE_FUNCTION std::uint64_t mix_life(const ElementLives& lives, int lane, std::uint64_t h) {
+  if (lives.steps_left(lane) != ElementLives::whole)
+    h = mix(h ^ static_cast<std::uint64_t>(lives.steps_left(lane) + 1));
+  if (lives.damage(lane) > 0) h = mix(h ^ find_bits(lives.damage(lane)));
+  if (lives.time_at_yield(lane) > 0) h = mix(h ^ find_bits(lives.time_at_yield(lane)));
+  return h;
+}
+
 std::uint64_t hash_elements(const Model& model, const State& state) {
   const HexChunks chunks = model.chunks;
   const auto elements = state.elements;
+  const FailingChunks failing = model.failing;
+  const ElementLives lives = state.lives;
   const auto first_numbers = model.first_elements;
   std::uint64_t hash = 0;
   Kokkos::parallel_reduce(
@@ -138,7 +168,10 @@ std::uint64_t hash_elements(const Model& model, const State& state) {
           const int size = chunks.record_size(c);
           const double* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
           std::uint64_t h = mix(~static_cast<std::uint64_t>(first_numbers(c) + i));
-          for (int s = 0; s < size; ++s) h = mix(h ^ find_bits(record[s * width]));
+          const int lane = failing.find_pack(c) < 0 ? -1 : failing.find_pack(c) * width + i;
+          if (lane >= 0) h = mix_life(lives, lane, h);
+          const bool is_dead = lane >= 0 && lives.steps_left(lane) == 0;
+          for (int s = 0; s < size && !is_dead; ++s) h = mix(h ^ find_bits(record[s * width]));
           sum += h;
         }
       },

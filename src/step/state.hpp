@@ -12,6 +12,10 @@ namespace percuss {
 /// Sums that the audit needs, from the start of the run. Those that are exact hold the share of this rank and are added
 /// up over ranks only when they are looked at.
 struct Books {
+  ExactSum eroded_internal, eroded_hourglass, eroded_viscous;  // work that dead elements took with them
+  ExactSum eroded_kinetic;                                     // energy of nodes that vanished
+  ExactSum eroded_mass;                                        // of dead elements
+  std::int64_t eroded_elements = 0;                            // of all ranks
   ExactSum external_work;      // pressure and driven conditions; gravity's follows from the positions
   ExactSum impulse[3];         // external: pressure, conditions, walls and gravity [force x time]
   ExactSum moment_impulse[3];  // about Model::mass_center
@@ -27,6 +31,7 @@ struct StepBound {
   std::int64_t element_id = 0;       // the user's id of that
   std::int64_t failed_element = -1;  // lowest element without positive volume or step, -1: none
   std::int64_t broken_chunk = -1;    // lowest chunk whose work is not finite, -1: none
+  bool died = false;                 // whether an element lost the last of its force in the step
 };
 
 struct State {
@@ -44,6 +49,14 @@ struct State {
   Array<double> elements;    // element records, at n
   Rows3<double> slot_force;  // internal force (negative) and pressure by slot, at n; also those of other ranks
   ChunkResults results;      // by chunk, at n; work since the start
+  ElementLives lives;        // of the chunks that can fail, at n
+
+  // The model's, unless nodes may vanish.
+  Array<double> mass;            // of the nodes, at n; 0: vanished
+  Rows3<double> inverse_mass;    // 0 in held directions and of vanished nodes
+  double total_mass = 0;         // of all ranks
+  PressureFaces pressure_faces;  // those of dead elements have no area
+
   Books books;
 };
 

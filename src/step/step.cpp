@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/failure.hpp"
 #include "src/step/phases.hpp"
 
 namespace percuss {
@@ -32,6 +33,7 @@ void StepNotice::merge(const StepNotice& other) {
   checkpoint = std::max(checkpoint, other.checkpoint);
   contact_rate = std::max(contact_rate, other.contact_rate);
   growth = std::max(growth, other.growth);
+  died = std::max(died, other.died);
 }
 
 Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
@@ -55,15 +57,20 @@ void Stepper::start(State& state, StepWishes wishes) {
   // Held directions begin at their prescribed velocity; a displacement curve begins at rest.
   hold_conditions(state, 0);
   compute_forces(state, 0);
+  judge_elements(state, 0);
   agree_on_step(state, wishes);
   choose_step(state);
   bookkeeper_.start(state);
 }
 
-void Stepper::resume(State& state) {
+void Stepper::renew_loads(State& state) {
   apply_loads(state, state.time);
   halo_.begin(space_, state.slot_force);
   halo_.end();
+}
+
+void Stepper::resume(State& state) {
+  renew_loads(state);
   choose_step(state);
 }
 
@@ -104,6 +111,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
     const Phase phase("percuss::book", clocks_.reduce);
     bookkeeper_.book_new_forces(state, dt);
   }
+  judge_elements(state, dt);
   state.time += dt;
   state.step += 1;
   state.dt = dt;
@@ -119,13 +127,13 @@ bool Stepper::is_free() const {
 
 void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {
   const Phase phase("percuss::integrate", clocks_.integrate);
-  advance_free_nodes(space_, {model_.nodes_to_slots, state.slot_force, model_.inverse_mass, model_.gravity}, dt_mean,
-                     dt, state.v, state.x);
+  advance_free_nodes(space_, {model_.nodes_to_slots, state.slot_force, state.inverse_mass, model_.gravity}, dt_mean, dt,
+                     state.v, state.x);
 }
 
 void Stepper::integrate_motion(State& state, double dt_mean) {
   const Phase phase("percuss::integrate", clocks_.integrate);
-  predict_velocities(space_, {model_.nodes_to_slots, state.slot_force, model_.inverse_mass, model_.gravity}, dt_mean,
+  predict_velocities(space_, {model_.nodes_to_slots, state.slot_force, state.inverse_mass, model_.gravity}, dt_mean,
                      state.force, state.v_before, state.v);
   if (state.step == 0) mirror_velocities(space_, state.v, state.v_before);
 }
@@ -145,7 +153,7 @@ void Stepper::hold_conditions(State& state, double dt) {
 
 void Stepper::resolve_contact(State& state, double dt) {
   if (!contact_.is_active()) return;
-  const ContactMotion motion{state.x, state.v_before, state.v, model_.inverse_mass, state.impulse, dt};
+  const ContactMotion motion{state.x, state.v_before, state.v, state.inverse_mass, state.impulse, dt};
   report_ = contact_.apply(motion);
   state.books.contact_work += report_.normal_work;
   state.books.friction_work += report_.friction_work;
@@ -171,9 +179,18 @@ void Stepper::compute_forces(State& state, double dt) {
 
 void Stepper::advance_blocks(State& state, const HexBlocks& blocks, double dt) {
   const StepWatch watch = global_ ? global_->watch() : StepWatch{};
-  advance_elements(space_, model_.chunks, blocks,
-                   {state.x, state.v, dt, deck_.elements.skip_resting, state.time + dt, watch}, state.elements,
-                   state.slot_force, state.results);
+  const ElementMotion motion{state.x, state.v,        dt,         deck_.elements.skip_resting, state.time + dt,
+                             watch,   model_.failing, state.lives};
+  advance_elements(space_, model_.chunks, blocks, motion, state.elements, state.slot_force, state.results);
+}
+
+/// Which elements fail, which die.
+void Stepper::judge_elements(State& state, double dt) {
+  if (model_.failing.pack_count == 0) return;
+  const Phase phase("percuss::failure", clocks_.internal_force);
+  const FailureCounts counts =
+      find_failures(space_, model_.chunks, model_.failing, dt, state.elements, state.lives, state.results);
+  some_died_ = counts.died > 0;
 }
 
 StepNotice Stepper::find_notice(const State& state) const {
@@ -206,6 +223,7 @@ void Stepper::agree_on_step(State& state, StepWishes wishes) {
     notice.stop = wishes.stop ? 1 : 0;
     notice.checkpoint = wishes.checkpoint ? 1 : 0;
     notice.contact_rate = report_.rate;
+    notice.died = some_died_ ? 1 : 0;
     reduction_(model_.ranks, notice);
   }
   agreed_ = {notice.stop != 0, notice.checkpoint != 0};
@@ -215,7 +233,12 @@ void Stepper::agree_on_step(State& state, StepWishes wishes) {
   // Without springs the bound of the elements keeps its bits.
   const double step =
       notice.contact_rate > 0 ? 1 / std::sqrt(1 / (mesh_step * mesh_step) + 0.25 * notice.contact_rate) : mesh_step;
-  state.bound = {step, notice.element, notice.element_id, or_none(notice.failed_element), or_none(notice.broken_chunk)};
+  state.bound = {step,
+                 notice.element,
+                 notice.element_id,
+                 or_none(notice.failed_element),
+                 or_none(notice.broken_chunk),
+                 notice.died != 0};
 }
 
 /// The bound of the elements, or what the whole mesh allows; an element that has failed ends the run anyhow.
@@ -230,7 +253,7 @@ void Stepper::apply_loads(State& state, double time) {
   const auto values = Kokkos::create_mirror_view(pressures_);
   for (std::size_t i = 0; i < model_.pressures.size(); ++i) values(i) = model_.pressures[i](time);
   Kokkos::deep_copy(pressures_, values);
-  apply_pressure(space_, model_.pressure_faces, pressures_, state.x, state.slot_force);
+  apply_pressure(space_, state.pressure_faces, pressures_, state.x, state.slot_force);
 }
 
 void Stepper::choose_step(State& state) const {

@@ -28,6 +28,7 @@ struct StepNotice {
   std::int64_t checkpoint = 0;         // 1: a checkpoint is to be written after this step
   double contact_rate = 0;             // ContactReport::rate
   double growth = 0;                   // largest of StepWatch::growth
+  std::int64_t died = 0;               // 1: an element has died
 
   void merge(const StepNotice& other);
 };
@@ -55,6 +56,11 @@ class Stepper {
   /// deck may have changed. archive() has been called.
   void resume(State& state);
 
+  /// After faces have lost their pressure: the forces at n without it. Collective.
+  void renew_loads(State& state);
+
+  Bookkeeper& bookkeeper() { return bookkeeper_; }
+
   /// From n to n+1. Afterwards state.bound tells whether an element failed; then the state must not be advanced.
   void advance(State& state, StepWishes wishes = {});
 
@@ -80,6 +86,7 @@ class Stepper {
   void hold_conditions(State& state, double dt);
   void resolve_contact(State& state, double dt);
   void compute_forces(State& state, double dt);
+  void judge_elements(State& state, double dt);
   void advance_blocks(State& state, const HexBlocks& blocks, double dt);
   void apply_loads(State& state, double time);
   StepNotice find_notice(const State& state) const;
@@ -100,6 +107,7 @@ class Stepper {
   PrescribedMotions motions_;
   Array<double> pressures_;
   ContactReport report_;
+  bool some_died_ = false;  // of this rank's elements, in the last step
   PhaseClocks clocks_;
 };
 

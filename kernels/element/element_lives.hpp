@@ -1,0 +1,82 @@
+#pragma once
+// Which elements live: what elements of materials that can fail carry besides their records.
+//
+// An element that meets a criterion fails: its force falls to zero in equal parts over the next evaluations, one or
+// more, and then it is dead. The work of a step counts by the mean of the shares at its ends, the trapezoid of the
+// audit: what is booked is what the element has taken. Only chunks whose material can fail have entries.
+
+#include <limits>
+
+#include "kernels/core/simd.hpp"
+#include "kernels/core/views.hpp"
+
+namespace percuss {
+
+/// Johnson-Cook failure strain (d1 + d2 exp(d3 s)) (1 + d4 ln(rate / reference)) (1 + d5 T), s: mean over von Mises
+/// stress; without d1 and d2: none.
+struct JohnsonCookDamage {
+  double d1 = 0, d2 = 0, d3 = 0, d4 = 0, d5 = 0;
+  double reference_rate = 1;
+
+  KOKKOS_INLINE_FUNCTION bool any() const { return d1 != 0 || d2 != 0; }
+};
+
+/// When an element of a material fails; a limit that is not set is infinite.
+struct FailureLimits {
+  static constexpr double none = std::numeric_limits<double>::infinity();
+  double plastic_strain = none;    // equivalent
+  double principal_stress = none;  // largest
+  double principal_strain = none;  // largest logarithmic
+  double tension = none;           // of the mean stress
+  double yield_time = none;        // at yield, in all
+  JohnsonCookDamage johnson_cook;
+  double room_temperature = 0, melt_temperature = 0;  // where T is 0 and 1; equal: T is 0
+  double least_step = 0;        // a smaller bound of its own takes an element out at once; 0: none
+  bool takes_inverted = false;  // so does no positive volume
+  int fade_steps = 1;           // evaluations until a failed element has no force
+};
+
+/// The chunks that can fail; const after set-up.
+struct FailingChunks {
+  Array<int> list;        // chunks, ascending
+  Array<int> first_pack;  // [chunks of the rank] place of its first pack among those that can fail, -1: cannot; empty:
+                          // no chunk can
+  Array<int> row;         // [chunks of the rank] of `limits`
+  Kokkos::View<FailureLimits*, MemSpace> limits;
+  int pack_count = 0;
+
+  KOKKOS_INLINE_FUNCTION int find_pack(int chunk) const {
+    return first_pack.extent(0) == 0 ? -1 : first_pack(static_cast<std::size_t>(chunk));
+  }
+};
+
+/// What the lanes of their packs carry; lanes past the end repeat the last element. State.
+struct ElementLives {
+  static constexpr int whole = -1;
+  static constexpr double dead = -1;
+
+  Array<double> force_share;     // [lanes] share of the force at the next evaluation; `dead`
+  Array<double> work_share;      // [lanes] share of the work of the step up to there
+  Array<double> work;            // [packs][3][W] internal, hourglass and viscous work put in since the start
+  Array<int> steps_left;         // [lanes] evaluations until the force is gone; `whole`; 0: dead
+  Array<double> plastic_strain;  // [lanes] at n
+  Array<double> damage;          // [lanes] Johnson-Cook's, at n; 1: failed
+  Array<double> time_at_yield;   // [lanes] at n
+};
+
+/// What counts of an element in the step to its next evaluation.
+struct LifeShares {
+  double now = 1;    // of its force at n
+  double force = 1;  // at the next evaluation
+  double work = 1;   // of the step up to there
+};
+
+/// The shares of an element with so many evaluations left.
+KOKKOS_INLINE_FUNCTION LifeShares find_life_shares(int left, int fade_steps) {
+  if (left == ElementLives::whole) return {};
+  if (left == 0) return {0, ElementLives::dead, 0};
+  const double now = static_cast<double>(left) / fade_steps, next = static_cast<double>(left - 1) / fade_steps;
+  return {now, next, 0.5 * (now + next)};
+}
+
+}  // namespace percuss

@@ -1,0 +1,169 @@
+#include "kernels/element/failure.hpp"
+
+#include "kernels/element/failure_criteria.hpp"
+
+namespace percuss {
+
+namespace {
+
+constexpr int width = pack_size<double>;
+
+/// The chunk's records, and where its lanes begin among those that can fail.
+struct FailingRecords {
+  double* records;
+  int record_size;
+  int first_lane;
+  int packs;
+
+  KOKKOS_INLINE_FUNCTION double* find(int i) const {
+    return records + static_cast<std::size_t>(i / width) * static_cast<std::size_t>(record_size) * width + i % width;
+  }
+};
+
+KOKKOS_INLINE_FUNCTION FailingRecords find_records(const HexChunks& chunks, const FailingChunks& failing,
+                                                   const Array<double>& elements, int c) {
+  return {&elements(chunks.first_state(c)), chunks.record_size(c), failing.first_pack(c) * width,
+          chunks.first_pack(c + 1) - chunks.first_pack(c)};
+}
+
+/// Six scalars of a record, their mean over points that follow each other.
+KOKKOS_INLINE_FUNCTION Symmetric3<double> read_tensor(const double* record, int first, int points) {
+  double mean[6];
+  for (int k = 0; k < 6; ++k) {
+    double sum = 0;
+    for (int p = 0; p < points; ++p) sum += record[(first + 6 * p + k) * width];
+    mean[k] = sum / points;
+  }
+  return {mean[0], mean[1], mean[2], mean[3], mean[4], mean[5]};
+}
+
+/// A scalar of the history, the mean over the points; 0 where there is none.
+KOKKOS_INLINE_FUNCTION double read_scalar(const double* record, int first, int points) {
+  double mean = 0;
+  for (int p = 0; first >= 0 && p < points; ++p) mean += record[(first + p) * width] / points;
+  return mean;
+}
+
+KOKKOS_INLINE_FUNCTION ElementLoad read_load(const HexChunks& chunks, int c, const FailureLimits& limits,
+                                             const double* record) {
+  const int points = chunks.points(c), strain = chunks.find_scalar(c, HistoryScalar::equivalent_plastic_strain);
+  ElementLoad load;
+  load.stress = read_tensor(record, HexRecord::stress, points);
+  load.stretch = read_tensor(record, HexRecord::stretch, 1);
+  load.plastic_strain = read_scalar(record, strain, points);
+  if (limits.melt_temperature > limits.room_temperature) {
+    const double temperature =
+        read_scalar(record, chunks.find_scalar(c, HistoryScalar::temperature), points) - limits.room_temperature;
+    load.homologous = larger(temperature / (limits.melt_temperature - limits.room_temperature), 0.0);
+  }
+  return load;
+}
+
+/// The element has `left` evaluations until its force is gone.
+KOKKOS_INLINE_FUNCTION void set_left(const ElementLives& lives, int lane, int left, const FailureLimits& limits) {
+  const LifeShares shares = find_life_shares(left, limits.fade_steps);
+  lives.steps_left(lane) = left;
+  lives.force_share(lane) = shares.force;
+  lives.work_share(lane) = shares.work;
+}
+
+/// One element: whole, failing, taken out by its evaluation, or dead. Returns whether anything has changed.
+KOKKOS_INLINE_FUNCTION bool judge(const ElementLives& lives, int lane, const FailureLimits& limits,
+                                  const ElementLoad& load, double dt, FailureCounts& counts) {
+  const int left = lives.steps_left(lane);
+  if (lives.force_share(lane) < 0 || left == 1) {
+    set_left(lives, lane, 0, limits);
+    ++counts.died;
+    return true;
+  }
+  if (left > 1) {
+    set_left(lives, lane, left - 1, limits);
+    return true;
+  }
+  FailureHistory history{lives.plastic_strain(lane), lives.damage(lane), lives.time_at_yield(lane)};
+  const bool failed = fails(limits, load, dt, history);
+  lives.plastic_strain(lane) = history.plastic_strain;
+  lives.damage(lane) = history.damage;
+  lives.time_at_yield(lane) = history.time_at_yield;
+  if (!failed) return false;
+  ++counts.failing;
+  set_left(lives, lane, limits.fade_steps, limits);
+  return true;
+}
+
+/// Dead lanes of each pack repeat the lowest that lives: record and, in the evaluation, corners.
+KOKKOS_INLINE_FUNCTION void repeat_living_lanes(const ElementLives& lives, const FailingRecords& of) {
+  for (int p = 0; p < of.packs; ++p) {
+    const int first = of.first_lane + p * width;
+    int living = 0;
+    while (living < width && lives.steps_left(first + living) == 0) ++living;
+    if (living == width) continue;
+    double* const record = of.find(p * width);
+    for (int lane = 0; lane < width; ++lane) {
+      if (lives.steps_left(first + lane) != 0) continue;
+      for (int s = 0; s < of.record_size; ++s) record[s * width + lane] = record[s * width + living];
+    }
+  }
+}
+
+/// Whether an element has begun to fail and is not dead yet.
+KOKKOS_INLINE_FUNCTION bool is_any_ending(const ElementLives& lives, int first_lane, int count) {
+  for (int lane = first_lane; lane < first_lane + count; ++lane) {
+    if (lives.steps_left(lane) > 0 || (lives.steps_left(lane) < 0 && lives.force_share(lane) < 0)) return true;
+  }
+  return false;
+}
+
+/// Lanes past the end are dead when the last element is, so that no pack lives by them.
+KOKKOS_INLINE_FUNCTION void end_lanes_past_end(const ElementLives& lives, const FailingRecords& of, int count) {
+  const int last = of.first_lane + count - 1;
+  for (int lane = last + 1; lane < of.first_lane + of.packs * width; ++lane) {
+    lives.steps_left(lane) = lives.steps_left(last);
+    lives.force_share(lane) = lives.force_share(last);
+    lives.work_share(lane) = lives.work_share(last);
+  }
+}
+
+}  // namespace
+
+FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing, double dt,
+                            const Array<double>& elements, const ElementLives& lives, const ChunkResults& results) {
+  FailureCounts counts;
+  Kokkos::parallel_reduce(
+      "percuss::find_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
+      KOKKOS_LAMBDA(const int i, int& sum_failing, int& sum_died) {
+        const int c = failing.list(i);
+        const FailureLimits limits = failing.limits(failing.row(c));
+        const FailingRecords of = find_records(chunks, failing, elements, c);
+        const int count = chunks.first_element(c + 1) - chunks.first_element(c);
+        if (results.is_settled(c) != 0 && !is_any_ending(lives, of.first_lane, count)) return;  // as it was judged last
+        FailureCounts here;
+        bool changed = false;
+        for (int e = 0; e < count; ++e) {
+          if (lives.steps_left(of.first_lane + e) == 0) continue;
+          if (judge(lives, of.first_lane + e, limits, read_load(chunks, c, limits, of.find(e)), dt, here))
+            changed = true;
+        }
+        if (changed) results.is_settled(c) = 0;
+        if (changed) end_lanes_past_end(lives, of, count);
+        if (here.died > 0) repeat_living_lanes(lives, of);
+        sum_failing += here.failing;
+        sum_died += here.died;
+      },
+      counts.failing, counts.died);
+  return counts;
+}
+
+void copy_into_dead_lanes(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing,
+                          const ElementLives& lives, const Array<double>& elements) {
+  Kokkos::parallel_for(
+      "percuss::copy_into_dead_lanes", Range(space, 0, static_cast<int>(failing.list.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const int c = failing.list(i);
+        const FailingRecords of = find_records(chunks, failing, elements, c);
+        end_lanes_past_end(lives, of, chunks.first_element(c + 1) - chunks.first_element(c));
+        repeat_living_lanes(lives, of);
+      });
+}
+
+}  // namespace percuss

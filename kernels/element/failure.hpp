@@ -1,0 +1,25 @@
+#pragma once
+// The pass over elements that can fail: after the elements of a step, before its reduction.
+
+#include "kernels/element/element_lives.hpp"
+#include "kernels/element/hex_chunks.hpp"
+
+namespace percuss {
+
+/// What became of this rank's elements in a step.
+struct FailureCounts {
+  int failing = 0;  // met a criterion
+  int died = 0;     // lost the last of their force
+};
+
+/// Judges the elements that are whole and brings those that fail one evaluation nearer to death. elements: records at
+/// n+1. lives: in and out. results: chunks in which anything changed are no longer settled. Dead lanes of a pack become
+/// copies of a lane that lives.
+FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing, double dt,
+                            const Array<double>& elements, const ElementLives& lives, const ChunkResults& results);
+
+/// The copies alone, for records from elsewhere.
+void copy_into_dead_lanes(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing,
+                          const ElementLives& lives, const Array<double>& elements);
+
+}  // namespace percuss

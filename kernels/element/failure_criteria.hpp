@@ -1,0 +1,83 @@
+#pragma once
+// When does an element fail? Pure functions of its stress, stretch and plastic strain.
+
+#include <cmath>
+
+#include "kernels/core/tensor.hpp"
+#include "kernels/element/element_lives.hpp"
+
+namespace percuss {
+
+/// What the criteria read of an element; of one with several points the means over them.
+struct ElementLoad {
+  Symmetric3<double> stress;   // Cauchy; the frame does not matter
+  Symmetric3<double> stretch;  // V
+  double plastic_strain = 0;   // equivalent, at n+1
+  double homologous = 0;       // (T - T room) / (T melt - T room)
+};
+
+/// What adds up over the steps.
+struct FailureHistory {
+  double plastic_strain = 0, damage = 0, time_at_yield = 0;
+};
+
+KOKKOS_INLINE_FUNCTION Symmetric3<double> find_deviator(const Symmetric3<double>& a) {
+  const double mean = trace(a) / 3;
+  return {a.xx - mean, a.yy - mean, a.zz - mean, a.xy, a.yz, a.zx};
+}
+
+/// The largest eigenvalue: mean + 2 p cos(acos(det(A / p) / 2) / 3) with A the deviator, p^2 = A : A / 6.
+/// Source: Smith, Eigenvalues of a symmetric 3 x 3 matrix, Comm. ACM 4 (1961).
+KOKKOS_INLINE_FUNCTION double find_largest_eigenvalue(const Symmetric3<double>& a) {
+  const Symmetric3<double> d = find_deviator(a);
+  const double mean = trace(a) / 3, p = sqrt(contract(d, d) / 6);
+  if (!(p > 0)) return mean;
+  const double det =
+      d.xx * (d.yy * d.zz - d.yz * d.yz) - d.xy * (d.xy * d.zz - d.yz * d.zx) + d.zx * (d.xy * d.yz - d.yy * d.zx);
+  const double half = det / (2 * p * p * p);
+  const double cosine = half > 1 ? 1 : (half < -1 ? -1 : half);
+  return mean + 2 * p * cos(acos(cosine) / 3);
+}
+
+/// Whether the largest eigenvalue reaches a limit. It is at most mean + sqrt(2/3) |A|, which mostly answers already.
+KOKKOS_INLINE_FUNCTION bool reaches(const Symmetric3<double>& a, double limit) {
+  const Symmetric3<double> d = find_deviator(a);
+  const double room = limit - trace(a) / 3;
+  if (room > 0 && 1.5 * room * room > contract(d, d)) return false;
+  return find_largest_eigenvalue(a) >= limit;
+}
+
+/// Plastic strain at which a material fails under this load.
+/// Source: Johnson and Cook, Eng. Fracture Mech. 21 (1985), eq. (4), for mean stresses up to 1.5 times von Mises'; the
+/// stress ratio counts as 1.5 beyond. Rates below the reference count as the reference.
+KOKKOS_INLINE_FUNCTION double find_failure_strain(const JohnsonCookDamage& d, const ElementLoad& load, double rate) {
+  constexpr double largest_ratio = 1.5;
+  const Symmetric3<double> deviator = find_deviator(load.stress);
+  const double von_mises = sqrt(1.5 * contract(deviator, deviator)), mean = trace(load.stress) / 3;
+  const double ratio = mean < largest_ratio * von_mises ? mean / von_mises : largest_ratio;
+  const double relative_rate = rate > d.reference_rate ? rate / d.reference_rate : 1;
+  return (d.d1 + d.d2 * exp(d.d3 * ratio)) * (1 + d.d4 * log(relative_rate)) * (1 + d.d5 * load.homologous);
+}
+
+/// Adds the step of length dt to the history; returns whether the element fails.
+KOKKOS_INLINE_FUNCTION bool fails(const FailureLimits& limits, const ElementLoad& load, double dt,
+                                  FailureHistory& history) {
+  const double growth = load.plastic_strain - history.plastic_strain;
+  history.plastic_strain = load.plastic_strain;
+  if (growth > 0) {
+    if (limits.yield_time < FailureLimits::none) history.time_at_yield += dt;
+    if (limits.johnson_cook.any()) {
+      const double strain = find_failure_strain(limits.johnson_cook, load, growth / dt);
+      history.damage = strain > growth ? history.damage + growth / strain : 1;
+    }
+  }
+  bool failed = load.plastic_strain >= limits.plastic_strain || history.time_at_yield >= limits.yield_time ||
+                history.damage >= 1 || trace(load.stress) / 3 >= limits.tension;
+  if (limits.principal_stress < FailureLimits::none) failed = failed || reaches(load.stress, limits.principal_stress);
+  if (limits.principal_strain < FailureLimits::none) {
+    failed = failed || reaches(load.stretch, exp(limits.principal_strain));
+  }
+  return failed;
+}
+
+}  // namespace percuss

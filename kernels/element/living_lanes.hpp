@@ -1,0 +1,83 @@
+#pragma once
+// Which lanes of a chunk's packs live, as the launcher of the element step sees it: dead ones gather what a living lane
+// gathers and leave nothing; a failed one leaves the share that it has left.
+
+#include <cstdint>
+
+#include "kernels/element/element_lives.hpp"
+#include "kernels/element/hex8.hpp"
+
+namespace percuss {
+
+class LivingLanes {
+ public:
+  using Lanes = Pack<double>;
+  static constexpr int width = pack_size<double>;
+
+  /// The lanes of a chunk, pack by pack from its first. Of a chunk that cannot fail all live, and nothing is read.
+  KOKKOS_FUNCTION LivingLanes(const FailingChunks& failing, const ElementLives& lives, int chunk)
+      : next_(failing.find_pack(chunk)) {
+    if (next_ < 0) return;
+    lives_ = &lives;
+    limits_ = &failing.limits(failing.row(chunk));
+  }
+
+  KOKKOS_FUNCTION bool can_fail() const { return next_ >= 0; }
+
+  /// Goes on to the next pack; returns whether any lane lives. corners: [8][W]; out: those to gather from.
+  KOKKOS_FUNCTION bool take_pack(const std::uint16_t*& corners) {
+    const int pack = next_++;
+    first_ = pack * width;
+    int living = -1, count = 0;
+    for (int lane = width - 1; lane >= 0; --lane) {
+      if (lives_->force_share(first_ + lane) < 0) continue;
+      living = lane;
+      ++count;
+    }
+    if (count == 0) return false;
+    if (count < width) corners = replace_dead(corners, living);
+    return true;
+  }
+
+  /// What the pack leaves: forces and work by their shares, nothing of dead lanes and of those that must not go on.
+  KOKKOS_FUNCTION void settle(HexResult<Lanes>& result, Lanes (&f)[3][8]) const {
+    const Lanes zero(0.0), dead(ElementLives::dead);
+    Lanes share = load_pack(&lives_->force_share(first_));
+    auto lost = result.stable_step < Lanes(limits_->least_step);
+    if (limits_->takes_inverted) lost = lost | !((result.volume > zero) & (result.stable_step > zero));  // also for NaN
+    share = select(lost, dead, share);
+    store_pack(&lives_->force_share(first_), share);
+    const auto lives = !(share < zero);
+    for (int k = 0; k < 3; ++k) {
+      for (int i = 0; i < 8; ++i) f[k][i] = select(lives, share * f[k][i], zero);
+    }
+    const Lanes work_share = load_pack(&lives_->work_share(first_));
+    Lanes* const works[3] = {&result.work.internal, &result.work.hourglass, &result.work.viscous};
+    for (int k = 0; k < 3; ++k) {
+      double* const total = &lives_->work(3 * static_cast<std::size_t>(first_) + static_cast<std::size_t>(k * width));
+      *works[k] = select(lives, work_share * *works[k], zero);
+      store_pack(total, load_pack(total) + *works[k]);
+    }
+    result.stable_step = select(lives, result.stable_step, Lanes(1e300));
+    result.volume = select(lives, result.volume, Lanes(1.0));
+  }
+
+ private:
+  KOKKOS_FUNCTION const std::uint16_t* replace_dead(const std::uint16_t* corners, int living) {
+    for (int i = 0; i < 8; ++i) {
+      for (int lane = 0; lane < width; ++lane) {
+        const bool is_dead = lives_->force_share(first_ + lane) < 0;
+        corners_[i * width + lane] = corners[i * width + (is_dead ? living : lane)];
+      }
+    }
+    return corners_;
+  }
+
+  const ElementLives* lives_ = nullptr;
+  const FailureLimits* limits_ = nullptr;
+  int next_;
+  int first_ = 0;  // lane of the pack, among those that can fail
+  std::uint16_t corners_[8 * width];
+};
+
+}  // namespace percuss

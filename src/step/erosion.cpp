@@ -1,0 +1,256 @@
+#include "src/step/erosion.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "comm/exact_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "kernels/element/failure.hpp"
+#include "src/contact/gather_items.hpp"
+#include "src/step/whole_mesh.hpp"
+
+namespace percuss {
+
+namespace {
+
+constexpr int width = pack_size<double>;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+using FaceKey = std::array<std::int64_t, 4>;
+
+FaceKey sort_numbers(const Mesh& mesh, int element, int face) {
+  FaceKey key{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    key[i] = mesh.node_numbers[at(mesh.elements[at(element)][at(hex_faces[face][i])])];
+  }
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
+/// Calls visit(element, lane among those that can fail) for the elements of chunks that can fail.
+template <class Visit>
+void visit_failing(const Model& model, const Visit& visit) {
+  const auto list = to_host(model.failing.list), first_pack = to_host(model.failing.first_pack),
+             first_element = to_host(model.chunks.first_element);
+  for (std::size_t i = 0; i < list.extent(0); ++i) {
+    const int c = list(i);
+    for (int e = first_element(c); e < first_element(c + 1); ++e) {
+      visit(e, first_pack(c) * width + e - first_element(c));
+    }
+  }
+}
+
+std::vector<int> list_loaded_elements(const Deck& deck, const Mesh& mesh) {
+  std::vector<int> elements;
+  for (const PressureDeck& pressure : deck.pressures) {
+    for (const ElementFace& face : select_faces(mesh, deck, pressure.where)) elements.push_back(face.element);
+  }
+  return elements;
+}
+
+}  // namespace
+
+Erosion::Erosion(const Deck& deck, ChunkedMesh& chunked, const Model& model, ContactStage& contact)
+    : deck_(deck), chunked_(chunked), model_(model), contact_(contact) {
+  if (!model.can_erode) return;
+  halo_.emplace(model.ranks, model.halo);
+  loaded_elements_ = list_loaded_elements(deck, chunked.mesh);
+}
+
+/// Notes who is dead; returns those that were not yet, ascending.
+std::vector<int> Erosion::list_newly_dead(const State& state) {
+  ErodedMesh& eroded = chunked_.mesh.eroded;
+  eroded.any = true;
+  eroded.dead.resize(chunked_.mesh.elements.size());
+  eroded.nodes.resize(chunked_.mesh.nodes.size());
+  const auto steps_left = to_host(state.lives.steps_left);
+  std::vector<int> fresh;
+  visit_failing(model_, [&](int e, int lane) {
+    if (steps_left(at(lane)) != 0 || eroded.dead[at(e)] != 0) return;
+    eroded.dead[at(e)] = 1;
+    fresh.push_back(e);
+  });
+  return fresh;
+}
+
+void Erosion::find_neighbours() {
+  const Mesh& mesh = chunked_.mesh;
+  first_around_.assign(mesh.nodes.size() + 1, 0);
+  for (const auto& corners : mesh.elements)
+    for (const int n : corners) ++first_around_[at(n) + 1];
+  std::partial_sum(first_around_.begin(), first_around_.end(), first_around_.begin());
+  around_.resize(8 * mesh.elements.size());
+  std::vector<int> next(first_around_.begin(), first_around_.end() - 1);
+  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e)
+    for (const int n : mesh.elements[at(e)]) around_[at(next[at(n)]++)] = e;
+}
+
+/// The face of this rank with these nodes, of an element other than `but`, as 6 * element + face; -1: none here.
+int Erosion::find_across(const FaceKey& face, int but) const {
+  const Mesh& mesh = chunked_.mesh;
+  const int node = find_local_node(chunked_, face[0]);
+  if (node < 0) return -1;
+  for (int i = first_around_[at(node)]; i < first_around_[at(node) + 1]; ++i) {
+    const int e = around_[at(i)];
+    for (int f = 0; e != but && f < 6; ++f)
+      if (sort_numbers(mesh, e, f) == face) return 6 * e + f;
+  }
+  return -1;
+}
+
+/// Faces between a dead element and a living one belong to the surface.
+void Erosion::open_faces(const std::vector<int>& newly_dead) {
+  Mesh& mesh = chunked_.mesh;
+  if (!newly_dead.empty() && first_around_.empty()) find_neighbours();
+  const auto open = [&](int face) {
+    std::uint8_t& mask = mesh.exterior[at(face / 6)];
+    if (mesh.eroded.dead[at(face / 6)] == 0) mask = static_cast<std::uint8_t>(mask | (1U << (face % 6)));
+  };
+  std::vector<FaceKey> elsewhere;  // faces whose other element some other rank has
+  for (const int e : newly_dead) {
+    for (int f = 0; f < 6; ++f) {
+      if ((mesh.exterior[at(e)] >> f & 1) != 0) continue;
+      const FaceKey key = sort_numbers(mesh, e, f);
+      const int other = find_across(key, e);
+      if (other < 0) elsewhere.push_back(key);
+      if (other >= 0) open(other);
+    }
+  }
+  for (const int e : newly_dead) mesh.exterior[at(e)] = 0;
+  if (model_.ranks.size() == 1) return;
+  const std::vector<FaceKey> asked = gather_items(model_.ranks, elsewhere);
+  if (!asked.empty() && first_around_.empty()) find_neighbours();
+  for (const FaceKey& key : asked) {
+    const int other = find_across(key, -1);
+    if (other >= 0) open(other);
+  }
+}
+
+/// How many living elements of all ranks hold each node: summed as forces are.
+void Erosion::count_holders(const State& state) {
+  if (slot_holders_.extent(0) == 0) {
+    slot_holders_ = Rows3<double>("percuss::slot_holders", at(model_.slot_count));
+    holders_ = Rows3<double>("percuss::holders", at(model_.node_count));
+  }
+  const Rows3<double> slots = slot_holders_;
+  const HexChunks chunks = model_.chunks;
+  const FailingChunks failing = model_.failing;
+  const Array<int> steps_left = state.lives.steps_left;
+  Kokkos::parallel_for(
+      "percuss::count_holders", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        for (int s = chunks.first_slot(c); s < chunks.first_slot(c + 1); ++s) slots(s, 0) = 0;
+        const int first_pack = failing.find_pack(c);
+        for (int i = 0; i < chunks.first_element(c + 1) - chunks.first_element(c); ++i) {
+          if (first_pack >= 0 && steps_left(first_pack * width + i) == 0) continue;
+          const std::size_t corners = (static_cast<std::size_t>(chunks.first_pack(c) + i / width) * 8) * width;
+          for (int corner = 0; corner < 8; ++corner) {
+            slots(chunks.first_slot(c) +
+                      chunks.corner_slots(corners + static_cast<std::size_t>(corner * width + i % width)),
+                  0) += 1;
+          }
+        }
+      });
+  halo_->begin(ExecSpace(), slots);
+  halo_->end();
+  assemble_forces(ExecSpace(), model_.nodes_to_slots, slots, holders_);
+}
+
+/// Nodes that no element holds any more go on as particles or vanish. books: null: after a restart, nothing is booked.
+void Erosion::sort_nodes(State& state, Bookkeeper* books) {
+  const bool removes = deck_.erosion.free_nodes == ErosionDeck::FreeNodes::remove;
+  if (removes && state.mass.data() == model_.mass.data()) {  // from now on the state's own
+    state.mass = Array<double>("percuss::mass_left", model_.mass.extent(0));
+    state.inverse_mass = Rows3<double>("percuss::inverse_mass_left", model_.inverse_mass.extent(0));
+    Kokkos::deep_copy(state.mass, model_.mass);
+    Kokkos::deep_copy(state.inverse_mass, model_.inverse_mass);
+  }
+  count_holders(state);
+  auto& nodes = chunked_.mesh.eroded.nodes;
+  const auto holders = to_host(holders_);
+  std::vector<int> vanished;
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (nodes[n] != ErodedMesh::held || holders(n, 0) > 0) continue;
+    nodes[n] = removes ? ErodedMesh::vanished : ErodedMesh::particle;
+    if (removes) vanished.push_back(static_cast<int>(n));
+  }
+  if (!removes) return;
+  if (books != nullptr) books->book_vanished(chunked_, vanished, state);
+  const auto mass = to_host(state.mass);
+  const auto inverse_mass = to_host(state.inverse_mass), v = to_host(state.v);
+  for (const int n : vanished) {
+    mass(at(n)) = 0;
+    for (std::size_t k = 0; k < 3; ++k) inverse_mass(at(n), k) = v(at(n), k) = 0;
+  }
+  Kokkos::deep_copy(state.mass, mass);
+  Kokkos::deep_copy(state.inverse_mass, inverse_mass);
+  Kokkos::deep_copy(state.v, v);
+}
+
+/// Pressure goes with the element that it acts on, and with it the half step's work of its force at n.
+void Erosion::unload_faces(State& state, bool is_booked) const {
+  PressureFaces& faces = state.pressure_faces;
+  if (faces.count == 0) return;
+  if (faces.share.extent(0) == 0) {
+    faces.share = Array<double>("percuss::pressure_share", at(faces.count));
+    Kokkos::deep_copy(faces.share, 1.0);
+  }
+  const auto share = to_host(faces.share);
+  const auto nodes = to_host(faces.nodes);
+  const auto v = to_host(state.v), slot_force = to_host(state.slot_force);
+  for (std::size_t f = 0; f < loaded_elements_.size(); ++f) {
+    if (dead()[at(loaded_elements_[f])] == 0 || share(f) == 0) continue;
+    share(f) = 0;
+    if (!is_booked) continue;
+    double power = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t s = at(faces.first_slot) + 4 * f + i;
+      for (std::size_t k = 0; k < 3; ++k) power += slot_force(s, k) * v(at(nodes(f, i)), k);
+    }
+    state.books.external_work.add(-0.5 * state.dt * power);
+  }
+  state.books.external_work.normalize();
+  Kokkos::deep_copy(faces.share, share);
+}
+
+/// The work that went into dead elements leaves with them.
+void Erosion::book_elements(State& state, const std::vector<int>& newly_dead) const {
+  const auto work = to_host(state.lives.work);
+  const auto mass = to_host(model_.element_mass);
+  Books& books = state.books;
+  ExactSum* const sums[3] = {&books.eroded_internal, &books.eroded_hourglass, &books.eroded_viscous};
+  std::vector<int> lanes(chunked_.mesh.elements.size(), -1);
+  visit_failing(model_, [&](int e, int lane) { lanes[at(e)] = lane; });
+  for (const int e : newly_dead) {
+    const int lane = lanes[at(e)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      sums[k]->add(work((at(lane / width) * 3 + k) * width + at(lane % width)));
+    }
+    books.eroded_mass.add(mass(at(e)));
+  }
+  for (ExactSum* const sum : {sums[0], sums[1], sums[2], &books.eroded_mass}) sum->normalize();
+  auto count = static_cast<std::int64_t>(newly_dead.size());
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_INT64_T, MPI_SUM, model_.ranks.handle()); },
+           "MPI_Allreduce");
+  books.eroded_elements += count;
+}
+
+void Erosion::redefine(State& state, Bookkeeper& books) {
+  const std::vector<int> newly_dead = list_newly_dead(state);
+  open_faces(newly_dead);
+  book_elements(state, newly_dead);
+  unload_faces(state, true);
+  sort_nodes(state, &books);
+  if (contact_.is_active()) contact_.redefine(state.x, state.v);
+}
+
+void Erosion::restore(State& state) {
+  if (state.books.eroded_elements == 0) return;
+  copy_into_dead_lanes(ExecSpace(), model_.chunks, model_.failing, state.lives, state.elements);
+  open_faces(list_newly_dead(state));
+  unload_faces(state, false);
+  sort_nodes(state, nullptr);
+  if (contact_.is_active()) contact_.restore_surface();
+}
+
+}  // namespace percuss

@@ -1,0 +1,55 @@
+#pragma once
+// What the death of elements does to everything else: faces that come to light, nodes that no element holds, loads,
+// ties, the contact surface and the books.
+//
+// A step ends with one reduction that tells all ranks whether an element of any has died (StepBound::died). Then,
+// before the next step, the scene is redefined. Everything follows from which elements are dead: it is the same on any
+// number of ranks, and after a restart.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "comm/halo_swap.hpp"
+#include "src/contact/contact_stage.hpp"
+#include "src/step/books.hpp"
+#include "src/step/state.hpp"
+
+namespace percuss {
+
+class Erosion {
+ public:
+  /// The mesh's `eroded` and `exterior` are kept up to date. All arguments outlive this. Collective, as are all calls;
+  /// a scene in which nothing can fail costs nothing.
+  Erosion(const Deck& deck, ChunkedMesh& chunked, const Model& model, ContactStage& contact);
+
+  /// Redefines the scene after elements have died, and books what leaves. Loads must be renewed then.
+  void redefine(State& state, Bookkeeper& books);
+
+  /// The same for a state from a checkpoint, in which some may be dead; nothing is booked.
+  void restore(State& state);
+
+  /// Elements of this rank that are dead.
+  const std::vector<std::uint8_t>& dead() const { return chunked_.mesh.eroded.dead; }
+
+ private:
+  std::vector<int> list_newly_dead(const State& state);
+  void open_faces(const std::vector<int>& newly_dead);
+  void count_holders(const State& state);
+  void sort_nodes(State& state, Bookkeeper* books);
+  void unload_faces(State& state, bool is_booked) const;
+  void book_elements(State& state, const std::vector<int>& newly_dead) const;
+  void find_neighbours();
+  int find_across(const std::array<std::int64_t, 4>& face, int but) const;
+
+  const Deck& deck_;
+  ChunkedMesh& chunked_;
+  const Model& model_;
+  ContactStage& contact_;
+  std::optional<HaloSwap> halo_;            // where anything can erode
+  std::vector<int> first_around_, around_;  // elements around each node; made when the first one dies
+  std::vector<int> loaded_elements_;        // [pressure faces] the element of each
+  Rows3<double> slot_holders_, holders_;    // living elements at each slot and node, in the first column
+};
+
+}  // namespace percuss
