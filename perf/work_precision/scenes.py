@@ -16,6 +16,7 @@ DEFAULT = "default"
 ELEMENTS = {DEFAULT: "", "stiffness": "hourglass: stiffness", "viscous": "hourglass: viscous", "full": "integration: full"}
 STEPS = {"step_scale 0.5": 0.5}
 SINGLE = "single precision"
+GLOBAL = "global step"
 
 
 class Point(NamedTuple):
@@ -83,9 +84,25 @@ class WithSingle:
         return self._place.run(template, ranks, percuss=self._place.options.single, **values)
 
 
+class WithGlobalStep:
+    """A place where decks take their steps from the whole mesh."""
+
+    def __init__(self, place):
+        self._place = place
+
+    def __getattr__(self, name):
+        return getattr(self._place, name)
+
+    def run(self, template, ranks=1, **values):
+        if "time: {" not in template:
+            raise RuntimeError(f"{self.name}: the deck has no 'time: {{'")
+        return self._place.run(template.replace("time: {", "time: {step_estimate: global, ", 1), ranks, **values)
+
+
 def list_variants(place, choices):
     """(name, what the choice says, place to run it at)."""
     variants = [(name, says, place) for name, says in choices.items()]
+    variants.append((GLOBAL, choices[DEFAULT], WithGlobalStep(place)))
     if place.options.single:
         variants.append((SINGLE, choices[DEFAULT], WithSingle(place)))
     return variants

@@ -84,12 +84,20 @@ struct Rotation {
   Vec3 center{};  // in the coordinates after `array`
 };
 
+/// Elements whose step bound is below `step` are given mass at the start until it is that.
+struct MassScalingDeck {
+  double step = 0;          // [time]
+  double max_added = 0.05;  // share of a part's mass; more is refused
+  Place place;
+};
+
 struct PartDeck {
   std::string name;
   Shape shape;
   std::optional<ArrayCopies> array;
   std::vector<Rotation> rotate;  // in order; `axis: x` in the deck turns local z onto x and comes first
   Vec3 at{};
+  std::optional<MassScalingDeck> mass_scaling;  // instead of TimeDeck::mass_scaling
   std::string material;
   Place place;
 };
@@ -228,9 +236,10 @@ struct TimeDeck {
   /// What is stable: the least bound of an element, or the largest eigenvalue of the mesh, estimated now and then.
   enum class StepEstimate { element, global };
   StepEstimate step_estimate = StepEstimate::element;
-  std::optional<double> max_step;  // upper bound of the step [s]
-  std::optional<long> max_steps;   // stop as "completed" after so many
-  double collapse_ratio = 1e-4;    // a step below this share of the first one is an error
+  std::optional<MassScalingDeck> mass_scaling;  // of every part
+  std::optional<double> max_step;               // upper bound of the step [s]
+  std::optional<long> max_steps;                // stop as "completed" after so many
+  double collapse_ratio = 1e-4;                 // a step below this share of the first one is an error
 };
 
 struct HistoryPoint {

@@ -5,6 +5,19 @@
 namespace percuss {
 namespace {
 
+const Keys<MassScalingDeck>& mass_scaling_keys() {
+  static const Keys<MassScalingDeck> keys = {
+      need("step", &MassScalingDeck::step, NumberValue{positive}),
+      may("max_added", &MassScalingDeck::max_added, NumberValue{positive}),
+  };
+  return keys;
+}
+
+bool note_place(const Reader&, const Node& node, MassScalingDeck& scaling) {
+  scaling.place = node.spot.place;
+  return true;
+}
+
 const Keys<TimeDeck>& time_keys() {
   using StepEstimate = TimeDeck::StepEstimate;
   static const Keys<TimeDeck> keys = {
@@ -12,6 +25,7 @@ const Keys<TimeDeck>& time_keys() {
       may("step_scale", &TimeDeck::step_scale, NumberValue{{"above 0, at most 1", 0, 1, true}}),
       may("step_estimate", &TimeDeck::step_estimate,
           ChoiceValue<StepEstimate>{{{"element", StepEstimate::element}, {"global", StepEstimate::global}}}),
+      may("mass_scaling", &TimeDeck::mass_scaling, mass_scaling_value()),
       may("max_step", &TimeDeck::max_step, NumberValue{positive}),
       may("max_steps", &TimeDeck::max_steps, IntegerValue{1, std::numeric_limits<long>::max()}),
       may("collapse_ratio", &TimeDeck::collapse_ratio, NumberValue{{"at least 0 and below 1", 0, 1, false, true}}),
@@ -103,6 +117,7 @@ const Keys<Deck>& load_keys() {
 }  // namespace
 
 MapValue<TimeDeck> time_value() { return {time_keys}; }
+MapValue<MassScalingDeck> mass_scaling_value() { return {mass_scaling_keys, note_place}; }
 MapValue<ElementDeck> element_value() { return {element_keys, check_elements}; }
 MapValue<AuditDeck> audit_value() { return {audit_keys}; }
 

@@ -42,6 +42,7 @@ struct ContactValue {
 };
 
 MapValue<TimeDeck> time_value();
+MapValue<MassScalingDeck> mass_scaling_value();
 MapValue<ElementDeck> element_value();
 MapValue<OutputDeck> output_value();
 MapValue<AuditDeck> audit_value();

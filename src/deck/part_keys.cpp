@@ -74,6 +74,7 @@ const Keys<PartDeck>& part_keys() {
     all.push_back(make_key<PartDeck>("axis", false, DirectionValue{}, read_axis));
     all.push_back(may("rotate", &PartDeck::rotate, ListValue<MapValue<Rotation>>{{rotation_keys}}));
     all.push_back(may("at", &PartDeck::at, vector3()));
+    all.push_back(may("mass_scaling", &PartDeck::mass_scaling, mass_scaling_value()));
     return all;
   }();
   return keys;

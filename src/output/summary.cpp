@@ -76,6 +76,10 @@ void visit_summary(S& s, Visitor&& v) {
     v.value("estimates", s.dt.estimates);
     v.value("gain", s.dt.gain);
   });
+  v.group("mass", [&] {
+    v.value("added", s.mass.added);
+    v.value("share", s.mass.share);
+  });
   v.value("setup_s", s.setup_s);
   v.value("loop_s", s.loop_s);
   v.value("grind_ns", s.grind_ns);

@@ -44,6 +44,9 @@ struct Summary {
     std::int64_t estimates = 0;  // of the largest eigenvalue of the mesh
     double gain = 1;             // mean over the steps of the bound taken over the least bound of an element
   } dt;
+  struct {
+    double added = 0, share = 0;  // by mass scaling; of the scene's mass before
+  } mass;
   double setup_s = 0, loop_s = 0, grind_ns = 0;
   PhaseSeconds phases_s;
   struct {

@@ -13,6 +13,7 @@
 #include "src/error.hpp"
 #include "src/step/block_builder.hpp"
 #include "src/step/build_conditions.hpp"
+#include "src/step/mass_scaling.hpp"
 #include "src/step/model.hpp"
 #include "src/step/whole_mesh.hpp"
 
@@ -290,6 +291,7 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
     const int material = mesh.parts[static_cast<std::size_t>(mesh.element_part[e])].material;
     element_mass[e] = deck.materials[static_cast<std::size_t>(material)].density * find_element_volume(mesh, e);
   }
+  scale_masses(deck, chunked, element_mass, model);
   std::vector<double> mass = assemble_masses(model, element_mass);
   std::vector<int> all(mass.size());
   std::iota(all.begin(), all.end(), 0);

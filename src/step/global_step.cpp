@@ -49,7 +49,8 @@ bool GlobalStep::is_due(const State& state, double element_bound, double bound) 
 
 void GlobalStep::renew(const State& state, double element_bound) {
   const double gain = reference_bound_ > 0 ? std::max(1.0, watch_.step / reference_bound_) : 1.0;
-  watch_.step = estimate(state, gain * element_bound);
+  const double found = estimate(state, gain * element_bound);
+  watch_.step = found > element_bound ? found : element_bound;  // also where it is no number
   Kokkos::deep_copy(watch_.reference, watch_.bound);
   Kokkos::deep_copy(watch_.growth, 0.0);
   reference_bound_ = element_bound;

@@ -41,6 +41,14 @@ struct StartHistory {
   Array<double> values;
 };
 
+/// What mass scaling gave to a part, over all ranks.
+struct AddedMass {
+  std::string part;
+  std::int64_t scaled = 0, elements = 0;  // elements that got mass; all of the part
+  double mass = 0, added = 0;             // of the part before; added to it
+  double least_bound = 0;                 // smallest step bound before
+};
+
 struct Model {
   Communicator ranks{MPI_COMM_SELF};  // those that hold the scene together
   int node_count = 0;                 // of this rank, copies included
@@ -62,13 +70,14 @@ struct Model {
   Array<std::int64_t> node_numbers;    // [nodes] place in the whole mesh
   Array<std::int64_t> first_elements;  // [chunks] number of the first element of each in the whole mesh
 
-  Rows3<double> start;           // position at time 0
-  Rows3<double> start_velocity;  // velocity at time 0
-  Array<double> element_mass;    // at time 0; it does not change
-  Array<double> mass;            // lumped: an eighth of each element's mass to its corners
-  Rows3<double> inverse_mass;    // 0 in held directions
-  double total_mass = 0;         // of all ranks
-  Vec3 mass_center{};            // of all ranks, at time 0; moments are taken about it
+  Rows3<double> start;                  // position at time 0
+  Rows3<double> start_velocity;         // velocity at time 0
+  Array<double> element_mass;           // at time 0; it does not change
+  Array<double> mass;                   // lumped: an eighth of each element's mass to its corners
+  Rows3<double> inverse_mass;           // 0 in held directions
+  double total_mass = 0;                // of all ranks
+  Vec3 mass_center{};                   // of all ranks, at time 0; moments are taken about it
+  std::vector<AddedMass> added_masses;  // of the parts that the deck asks to scale
 
   Gravity gravity;
   PressureFaces pressure_faces;

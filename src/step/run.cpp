@@ -15,6 +15,7 @@
 #include "src/step/audit.hpp"
 #include "src/step/checkpoint.hpp"
 #include "src/step/erosion.hpp"
+#include "src/step/mass_scaling.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/run_checks.hpp"
 #include "src/step/run_output.hpp"
@@ -121,6 +122,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       progress_(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet) {
   if (speaks()) {
     for (const std::string& warning : chunked_.mesh.warnings) print_quietly(stderr, "warning: {}\n", warning);
+    for (const std::string& note : describe_added_masses(model_)) print_quietly(stderr, "{}\n", note);
     warn_about_idle_ranks();
   }
   if (options.restart.empty()) {

@@ -58,6 +58,8 @@ void fill_summary(const SummedRun& run, Summary& summary) {
   summary.dt.estimate = run.stepper.estimates_steps() ? "global" : "element";
   summary.dt.estimates = estimates.count;
   summary.dt.gain = estimates.gain;
+  for (const AddedMass& part : run.model.added_masses) summary.mass.added += part.added;
+  summary.mass.share = summary.mass.added / (run.model.total_mass - summary.mass.added);
   summary.phases_s = run.stepper.clocks().wall();
   summary.peak_bytes = find_peak_bytes();
   take_largest(ranks, summary);

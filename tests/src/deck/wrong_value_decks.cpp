@@ -16,6 +16,8 @@ std::vector<WrongDeck> wrong_numbers() {
       {"QuotedNumber", change("7850", "\"7850\""), "5:36",
        "density is the text '7850' in material 'steel' (must be a number; remove"},
       {"DecimalComma", append("loads: {gravity: [0, 0, '-9,81']}"), "6:25", "loads.gravity.2 is the text '-9,81'"},
+      {"MassScalingWithoutStep", change("step_scale: 0.9", "mass_scaling: {max_added: 0.1}"), "1:18",
+       "time.mass_scaling.step is missing (required: a number, positive)"},
       {"UnknownEstimate", change("step_scale: 0.9", "step_estimate: mesh"), "1:33",
        "time.step_estimate is 'mesh' (must be element | global)"},
       {"DecimalCommaPlain", change("{end: 1.0, step_scale: 0.9}", "\n  end: 1,5"), "2:8", "decimals take a point: 1.5"},

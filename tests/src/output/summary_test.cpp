@@ -80,6 +80,8 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "dt.estimate",
                                           "dt.estimates",
                                           "dt.gain",
+                                          "mass.added",
+                                          "mass.share",
                                           "setup_s",
                                           "loop_s",
                                           "grind_ns",
