@@ -103,6 +103,12 @@ void Frames::write(const State& state) {
       add(name, FieldPlace::element, 1, find_history(model_, state, HistoryScalar::temperature));
     } else if (name == "internal_energy") {
       add(name, FieldPlace::element, 1, find_history(model_, state, HistoryScalar::internal_energy));
+    } else if (name == "stress_bottom") {
+      add(name, FieldPlace::element, 6, find_bottom_stresses(model_, state));
+    } else if (name == "stress_top") {
+      add(name, FieldPlace::element, 6, find_top_stresses(model_, state));
+    } else if (name == "thickness") {
+      add(name, FieldPlace::element, 1, find_thicknesses(model_, state));
     } else if (name == "body") {
       add(name, FieldPlace::element, 1, body_);
     } else if (name == "chunk") {

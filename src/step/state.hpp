@@ -43,7 +43,14 @@ struct State {
   Rows3<double> impulse;     // contact impulse of the last step
   Array<double> elements;    // element records, at n
   Rows3<double> slot_force;  // internal force (negative) and pressure by slot, at n; also those of other ranks
-  ChunkResults results;      // by chunk, at n; work since the start
+
+  // Of scenes with shells; empty otherwise.
+  Rows3<double> w;            // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)
+  Rows3<double> w_before;     // one step earlier; scratch of the step
+  Rows3<double> moment;       // assembled moment, at n
+  Rows3<double> slot_moment;  // internal moment (negative) by slot, at n; also those of other ranks
+
+  ChunkResults results;  // by chunk, at n; work since the start
   Books books;
 };
 
