@@ -28,6 +28,7 @@ struct HexChunks {
   Array<int> history;                 // [count] place of the material's history in the record, -1: it has none
   Array<int> points;                  // [count] points of an element with stress and history of their own
   Array<int> scalars;                 // [count][history_scalars] place of a named scalar of the first point, -1: none
+  Array<int> is_shell;                // [count] 1: of shells (kernels/shell); empty in a scene without any
 
   /// Where the record of an element of chunk c holds a scalar of its first point; point p has it at this + p. -1: the
   /// material has none.

@@ -14,7 +14,9 @@ class NotAFieldsFile(Exception):
 
 
 class FieldsFile:
-    """One fields.vtkhdf. Attributes: times [s], title, units, part_names, hexahedra [elements][8], part [elements]."""
+    """One fields.vtkhdf. Attributes: times [s], title, units, part_names, hexahedra [elements][8], part [elements].
+
+    The four corners of a shell stand twice, so that its faces 4 and 5 are its two surfaces."""
 
     def __init__(self, folder):
         self.path = os.path.join(folder, "fields.vtkhdf") if os.path.isdir(folder) else folder
@@ -35,7 +37,7 @@ class FieldsFile:
         self.times = root["Steps/Values"][:count]
         self.nodes = int(root["NumberOfPoints"][0])
         self.elements = int(root["NumberOfCells"][0])
-        self.hexahedra = root["Connectivity"][:].reshape(-1, 8)
+        self.hexahedra = _pad_shells(root["Connectivity"][:], root["Offsets"][:])
         self.part = root["CellData/part"][:]
         self.part_names = [name.decode("utf-8", "replace") for name in own["part_names"][:]]
         self.title = _text(own.attrs["title"])
@@ -71,6 +73,12 @@ def _text(value):
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
 
+def _pad_shells(connectivity, offsets):
+    sizes = np.diff(offsets)
+    columns = np.arange(8)[None, :] % sizes[:, None]
+    return connectivity[offsets[:-1, None] + columns]
+
+
 def to_scalar(values):
     """values: [n], [n][3] or [n][6] (xx, yy, zz, xy, yz, zx)."""
     values = np.asarray(values, dtype=float)
@@ -83,10 +91,12 @@ def to_scalar(values):
 
 
 def exterior_faces(hexahedra, kept):
-    """Faces that belong to one of the kept elements only: their corners [faces][4] and their elements [faces]."""
+    """Faces that belong to one of the kept elements only, and shells: their corners [faces][4], their elements [faces]."""
     elements = np.flatnonzero(kept)
+    shells = elements[hexahedra[elements, 0] == hexahedra[elements, 4]]
+    elements = elements[hexahedra[elements, 0] != hexahedra[elements, 4]]
     corners = hexahedra[elements][:, HEX_FACES].reshape(-1, 4)
     owners = np.repeat(elements, 6)
     _, first, count = np.unique(np.sort(corners, axis=1), axis=0, return_index=True, return_counts=True)
     single = np.sort(first[count == 1])
-    return corners[single], owners[single]
+    return np.concatenate([corners[single], hexahedra[shells][:, :4]]), np.concatenate([owners[single], shells])

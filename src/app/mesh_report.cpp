@@ -32,7 +32,7 @@ double sum_volume(const PartMesh& mesh) {
   for (const auto& element : mesh.elements) {
     HexCorners corners;
     for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[static_cast<std::size_t>(element[i])];
-    volume += find_hex_volume(corners);
+    if (!is_shell(element)) volume += find_hex_volume(corners);
   }
   return volume;
 }

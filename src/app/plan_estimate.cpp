@@ -20,8 +20,10 @@ void add(const Traffic& traffic, double times, Cost& cost) {
   cost.bytes += times * static_cast<double>(traffic.bytes);
 }
 
-Cost find_halo_cost(const RankPlan& rank) {
-  return {static_cast<double>(rank.neighbours), static_cast<double>(rank.bytes_sent())};
+/// Shells swap moments besides forces.
+Cost find_halo_cost(const RankPlan& rank, const StepPattern& pattern) {
+  const double swaps = pattern.has_shells ? 2 : 1;
+  return {swaps * static_cast<double>(rank.neighbours), swaps * static_cast<double>(rank.bytes_sent())};
 }
 
 bool has_contact(const StepPattern& pattern) { return pattern.has_pairs || pattern.has_walls; }
@@ -64,7 +66,9 @@ Spread find_spread(int ranks, const std::function<double(std::size_t)>& find) {
 }  // namespace
 
 StepPattern find_step_pattern(const Deck& deck, const ContactPlanner& contact) {
-  return {deck.gravity != Vec3{}, contact.points() > 0, !deck.walls.empty(), deck.contact.reuse_search};
+  const bool has_shells = std::any_of(deck.parts.begin(), deck.parts.end(),
+                                      [](const PartDeck& part) { return part.thickness.has_value(); });
+  return {deck.gravity != Vec3{}, contact.points() > 0, !deck.walls.empty(), deck.contact.reuse_search, has_shells};
 }
 
 double count_reductions(const StepPattern& pattern, const PlanFigures& figures) {
@@ -90,8 +94,8 @@ RankSpreads find_spreads(const RanksPlan& plan, const StepPattern& pattern, cons
   spreads.elements = spread([&](std::size_t r) { return number(mesh[r].elements); });
   spreads.shared_nodes = spread([&](std::size_t r) { return number(mesh[r].shared_nodes); });
   spreads.neighbours = spread([&](std::size_t r) { return number(mesh[r].neighbours); });
-  spreads.halo_messages = spread([&](std::size_t r) { return find_halo_cost(mesh[r]).messages; });
-  spreads.halo_bytes = spread([&](std::size_t r) { return find_halo_cost(mesh[r]).bytes; });
+  spreads.halo_messages = spread([&](std::size_t r) { return find_halo_cost(mesh[r], pattern).messages; });
+  spreads.halo_bytes = spread([&](std::size_t r) { return find_halo_cost(mesh[r], pattern).bytes; });
   spreads.contact_points = spread([&](std::size_t r) { return number(contact[r].points()); });
   spreads.contact_messages = spread([&](std::size_t r) { return contact_cost(r).messages; });
   spreads.contact_bytes = spread([&](std::size_t r) { return contact_cost(r).bytes; });
@@ -113,7 +117,8 @@ StepEstimate estimate_step(const RanksPlan& plan, const StepPattern& pattern, co
   StepEstimate step;
   step.computing = compute(spreads.elements.most, spreads.contact_points.most);
   if (plan.ranks == 1) return step;
-  step.halo = slowest([&](std::size_t r) { return find_seconds(find_halo_cost(plan.mesh.ranks[r]), figures); });
+  step.halo =
+      slowest([&](std::size_t r) { return find_seconds(find_halo_cost(plan.mesh.ranks[r], pattern), figures); });
   step.contact = slowest([&](std::size_t r) {
     return find_seconds(find_contact_cost(plan.mesh.ranks[r], plan.contact.ranks[r], pattern, figures), figures);
   });

@@ -106,7 +106,9 @@ std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chun
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     HexCorners corners;
     for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[index(mesh.elements[e][i])];
-    volumes[index(mesh.element_part[e])].add(find_hex_volume(corners));
+    const MeshPart& part = mesh.parts[index(mesh.element_part[e])];
+    volumes[index(mesh.element_part[e])].add(is_shell(mesh.elements[e]) ? part.thickness * find_shell_area_size(corners)
+                                                                        : find_hex_volume(corners));
     ++counts[index(mesh.element_part[e])];
   }
   for (std::size_t p = 0; p < count; ++p) {

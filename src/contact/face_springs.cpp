@@ -30,9 +30,10 @@ std::vector<double> find_face_springs(const Mesh& mesh, const Deck& deck, const 
     for (std::size_t i = 0; i < 8; ++i) x[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
     const auto corner = [&](int i) { return x[static_cast<std::size_t>(hex_faces[faces[f].face][i])]; };
     const double area = find_area(corner(0), corner(1), corner(2), corner(3));
-    const int material = mesh.parts[static_cast<std::size_t>(mesh.element_part[element])].material;
-    springs[f] =
-        find_bulk_modulus(deck.materials[static_cast<std::size_t>(material)]) * area * area / find_hex_volume(x);
+    const MeshPart& part = mesh.parts[static_cast<std::size_t>(mesh.element_part[element])];
+    // Of a shell, which a wall may touch, in proportion to its mass: as stiff as its membrane.
+    const double length = is_shell(mesh.elements[element]) ? part.thickness : area * area / find_hex_volume(x);
+    springs[f] = find_bulk_modulus(deck.materials[static_cast<std::size_t>(part.material)]) * length;
   }
   return springs;
 }

@@ -1,5 +1,6 @@
 // What must hold between the sections of a deck.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -75,6 +76,57 @@ void check_size(const Deck& deck, const Node& root, Reading& reading) {
                                  total.elements, total.nodes, largest_mesh));
 }
 
+/// Rotations are held of nodes of shells only.
+void check_rotations(const Deck& deck, Reading& reading) {
+  const auto may_have_shells = [](const PartDeck& part) {
+    return part.thickness || std::holds_alternative<ExodusMesh>(part.shape);
+  };
+  if (std::any_of(deck.parts.begin(), deck.parts.end(), may_have_shells)) return;
+  for (const NameUse& use : reading.rotations) {
+    reading.errors.add(use.spot, fmt::format("{} is of no use{} (no part has shells, whose nodes alone have rotations)",
+                                             use.name, use.in));
+  }
+}
+
+/// The eigenvalue of the mesh is that of hexahedra.
+void check_step_estimate(const Deck& deck, const Node& root, Reading& reading) {
+  if (deck.time.step_estimate != TimeDeck::StepEstimate::global) return;
+  const auto shells =
+      std::find_if(deck.parts.begin(), deck.parts.end(), [](const auto& part) { return part.thickness; });
+  if (shells == deck.parts.end()) return;
+  reading.errors.add(root.find("time")->find("step_estimate")->spot,
+                     fmt::format("time.step_estimate is global (part '{}' has shells, of which only the bound of the "
+                                 "element is known) leave it out",
+                                 shells->name));
+}
+
+/// The first part of shells that a selector of contact means; null: none.
+const PartDeck* find_shells(const Deck& deck, const std::string& name) {
+  const std::string part_name = name.substr(0, name.find('/'));
+  for (const PartDeck& part : deck.parts) {
+    if (part.thickness && (name.empty() || part.name == part_name)) return &part;
+  }
+  return nullptr;
+}
+
+/// Contact does not know shells.
+void check_contact(const Deck& deck, const Node& root, Reading& reading) {
+  const Node* section = root.find("contact");
+  if (section == nullptr) return;
+  std::vector<std::string> names;
+  if (deck.contact.surfaces == ContactDeck::Surfaces::all) names.emplace_back();
+  for (const SurfacePairDeck& pair : deck.contact.pairs) names.insert(names.end(), {pair.a.name, pair.b.name});
+  for (const TieDeck& tie : deck.contact.ties) names.insert(names.end(), {tie.a.name, tie.b.name});
+  for (const std::string& name : names) {
+    const PartDeck* shells = find_shells(deck, name);
+    if (shells == nullptr) continue;
+    reading.errors.add(section->key, fmt::format("contact takes in part '{}', which has shells (only the surfaces of "
+                                                 "solids can touch or be tied) name pairs of other surfaces",
+                                                 shells->name));
+    return;
+  }
+}
+
 void check_curves(const Deck& deck, Reading& reading) {
   constexpr int samples = 64;
   for (const CurveUse& use : reading.curves) {
@@ -123,6 +175,9 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_materials(deck, root, reading);
   check_selectors(deck, reading);
   check_size(deck, root, reading);
+  check_rotations(deck, reading);
+  check_step_estimate(deck, root, reading);
+  check_contact(deck, root, reading);
   check_curves(deck, reading);
   check_estimate(deck, root, reading);
   check_frames(deck, root, reading);

@@ -44,15 +44,16 @@ const Keys<PressureDeck>& pressure_keys() {
   return keys;
 }
 
-// The axes x, y, z that a key names: sets them in `active`.
-bool read_axis(const Reader& reader, const std::string& name, const Node& node, std::array<bool, 3>& active) {
-  const ChoiceValue<std::size_t> axis{{{"x", 0}, {"y", 1}, {"z", 2}}};
+// The directions that a key names: sets them in `active`.
+bool read_direction(const Reader& reader, const std::string& name, const Node& node, std::array<bool, 6>& active) {
+  const ChoiceValue<std::size_t> axis{{{"x", 0}, {"y", 1}, {"z", 2}, {"rx", 3}, {"ry", 4}, {"rz", 5}}};
   std::size_t i = 0;
   if (!axis.read(reader, name, node, i)) return false;
   if (active[i]) {
     reader.error(node.spot, fmt::format("{} is {} again (each axis once)", name, node.text));
     return false;
   }
+  if (i > 2) reader.reading().rotations.push_back({node.spot, node.text, reader.in()});
   active[i] = true;
   return true;
 }
@@ -60,29 +61,34 @@ bool read_axis(const Reader& reader, const std::string& name, const Node& node, 
 struct FixedValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {
     out.kind = ConditionDeck::Kind::fixed;
-    if (node.kind == Node::Kind::scalar) return read_axis(reader, name, node, out.active);
+    if (node.kind == Node::Kind::scalar) return read_direction(reader, name, node, out.active);
     if (node.kind != Node::Kind::list || node.items.empty()) {
       reader.refuse(node, name, takes());
       return false;
     }
     bool good = true;
     for (std::size_t i = 0; i < node.items.size(); ++i) {
-      good = read_axis(reader, fmt::format("{}.{}", name, i), node.items[i], out.active) && good;
+      good = read_direction(reader, fmt::format("{}.{}", name, i), node.items[i], out.active) && good;
     }
     return good;
   }
-  std::string takes() const { return "a list of axes: x, y, z"; }
+  std::string takes() const { return "a list of directions: x, y, z, rx, ry, rz"; }
 };
 
 struct SymmetryValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {
     out.kind = ConditionDeck::Kind::symmetry;
-    return read_axis(reader, name, node, out.active);
+    const ChoiceValue<std::size_t> normal{{{"x", 0}, {"y", 1}, {"z", 2}}};
+    std::size_t axis = 0;
+    if (!normal.read(reader, name, node, axis)) return false;
+    out.active[axis] = true;
+    for (std::size_t i = 0; i < 3; ++i) out.active[3 + i] = i != axis;  // the normals of shells stay in the plane
+    return true;
   }
   std::string takes() const { return "x | y | z, the normal of the plane"; }
 };
 
-/// {x: curve, y: curve, z: curve}, at least one of them.
+/// {x: curve, y: curve, z: curve}, at least one of them; of velocities also {rx: curve, ...}.
 struct MotionValue {
   ConditionDeck::Kind kind;
 
@@ -95,20 +101,29 @@ struct MotionValue {
     const Reader inner = reader.inside(name);
     bool good = true;
     for (const Entry& entry : node.entries) {
-      const auto i = std::string("xyz").find(entry.name);
-      if (entry.name.size() != 1 || i == std::string::npos) {
-        refuse_key(inner, entry, {"x", "y", "z"}, {});
+      const std::vector<std::string> names = list_directions();
+      const auto i = static_cast<std::size_t>(std::find(names.begin(), names.end(), entry.name) - names.begin());
+      if (i == names.size()) {
+        refuse_key(inner, entry, names, {});
         good = false;
       } else {
+        if (i > 2) reader.reading().rotations.push_back({entry.value.key, entry.name, reader.in()});
         out.active[i] = true;
         good = read_motion(inner, entry, out.value[i]) && good;
       }
     }
     return good;
   }
-  std::string takes() const { return "a map from axes x, y, z to curves"; }
+  std::string takes() const {
+    return fmt::format("a map from directions {} to curves", fmt::join(list_directions(), ", "));
+  }
 
  private:
+  std::vector<std::string> list_directions() const {
+    if (kind == ConditionDeck::Kind::velocity) return {"x", "y", "z", "rx", "ry", "rz"};
+    return {"x", "y", "z"};
+  }
+
   bool read_motion(const Reader& reader, const Entry& entry, Curve& curve) const {
     const std::string name = reader.name_of(entry.name);
     if (!CurveValue{}.read(reader, name, entry.value, curve)) return false;

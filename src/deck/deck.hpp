@@ -58,6 +58,39 @@ struct SphereShape {
   int across = 0;
 };
 
+// Surfaces of four-node shells. Each also has its two faces as sides; the second one is where normals point to.
+
+/// A flat rectangle in the plane of x and y, normals along +z. Local origin: the lowest corner. Sides: the edges x_min,
+/// x_max, y_min, y_max; bottom, top.
+struct ShellPlateShape {
+  std::array<double, 2> size{};
+  std::array<int, 2> cells{1, 1};
+};
+
+/// The surface of a cylinder, or of a cone, or a sector of one. Local origin: on the axis in the start, axis +z. Sides:
+/// the edges start, end; inner, outer; of a sector also the edges first (at +x) and last.
+struct ShellTubeShape {
+  double radius = 0;
+  std::optional<double> end_radius;  // a cone; default: radius
+  double length = 0;
+  std::array<int, 2> cells{8, 1};  // around, along
+  double arc = 360;                // as TubeShape::arc
+};
+
+/// The surface of a ball: the six faces of a cube, without a pole. Local origin: its middle. Sides: inner, outer.
+struct ShellSphereShape {
+  double radius = 0;
+  int cells = 1;  // along an edge of the cube
+};
+
+/// The four walls of a rectangular profile, its corners sharp. Local origin: the middle of the start, axis +z, walls
+/// along x and y. Sides: the edges start, end; inner, outer.
+struct ShellBoxTubeShape {
+  std::array<double, 2> size{};  // of the section, along x and y
+  double length = 0;
+  std::array<int, 3> cells{1, 1, 1};  // along x, y and z
+};
+
 /// An Exodus II file. All its element blocks, node sets and side sets, by name (or "block_7", "nodes_7", "sides_7").
 struct ExodusMesh {
   std::string file;                 // as found: relative paths are relative to the deck
@@ -65,7 +98,11 @@ struct ExodusMesh {
   double scale = 1;
 };
 
-using Shape = std::variant<BoxShape, CylinderShape, TubeShape, SphereShape, ExodusMesh>;
+using Shape = std::variant<BoxShape, CylinderShape, TubeShape, SphereShape, ShellPlateShape, ShellTubeShape,
+                           ShellSphereShape, ShellBoxTubeShape, ExodusMesh>;
+
+/// Whether a generated shape is a surface of shells.
+bool is_shell_shape(const Shape& shape);
 
 /// The sides that percuss names on a generated shape; empty for a mesh from a file.
 std::vector<std::string> side_names(const Shape& shape);
@@ -99,6 +136,8 @@ struct PartDeck {
   Vec3 at{};
   std::optional<MassScalingDeck> mass_scaling;  // instead of TimeDeck::mass_scaling
   std::string material;
+  std::optional<double> thickness;  // of its shells [length]; they need one
+  std::optional<int> points;        // across the thickness of its shells; default: by the material
   Place place;
 };
 
@@ -159,13 +198,14 @@ struct InitialDeck {
   std::optional<Vec3> center;  // default: the mass centre of the selected nodes
 };
 
-/// Exactly one of the kinds a list entry. Directions are the axes x, y, z.
+/// Exactly one of the kinds a list entry. Directions are the axes x, y, z and, of nodes of shells, rotations about
+/// them.
 struct ConditionDeck {
   enum class Kind { fixed, symmetry, velocity, displacement };
   Selector where;
   Kind kind = Kind::fixed;
-  std::array<bool, 3> active{};  // which directions are held
-  std::array<Curve, 3> value;    // velocity or displacement in each active direction
+  std::array<bool, 6> active{};  // which directions are held: x, y, z, then rotations about x, y, z
+  std::array<Curve, 6> value;    // velocity, displacement or angular velocity [rad / time] in each active direction
 };
 
 /// Pressure on faces, positive pushes against the outward normal, on the current area. With a direction (a unit

@@ -38,6 +38,26 @@ MeshSize count(const SphereShape& sphere) {
   return {core * core * core + shell * rings, (core + 1) * (core + 1) * (core + 1) + (shell + 2) * rings};
 }
 
+MeshSize count(const ShellPlateShape& plate) {
+  const double x = plate.cells[0], y = plate.cells[1];
+  return {x * y, (x + 1) * (y + 1)};
+}
+
+MeshSize count(const ShellTubeShape& tube) {
+  const double around = tube.cells[0], along = tube.cells[1];
+  return {around * along, (tube.arc < 360 ? around + 1 : around) * (along + 1)};
+}
+
+MeshSize count(const ShellSphereShape& sphere) {
+  const double faces = 6.0 * sphere.cells * sphere.cells;
+  return {faces, faces + 2};
+}
+
+MeshSize count(const ShellBoxTubeShape& tube) {
+  const double around = 2.0 * (double(tube.cells[0]) + tube.cells[1]), along = tube.cells[2];
+  return {around * along, around * (along + 1)};
+}
+
 MeshSize count(const ExodusMesh&) { return {}; }
 
 }  // namespace

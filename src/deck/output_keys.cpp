@@ -128,11 +128,12 @@ MapValue<OutputDeck> output_value() { return {output_keys}; }
 
 const std::vector<std::string>& field_names() {
   static const std::vector<std::string> names = {
-      "displacement", "velocity",        "contact_force", "mass",
+      "displacement",  "velocity",        "contact_force", "mass",
       "contact_rank",  // of nodes
-      "stress",       "pressure",        "von_mises",     "equivalent_plastic_strain",
-      "temperature",  "internal_energy", "alive",         "damage",  // of elements
-      "body",         "chunk",           "fe_rank"};
+      "stress",        "pressure",        "von_mises",     "equivalent_plastic_strain",
+      "temperature",   "internal_energy", "alive",         "damage",  // of elements
+      "stress_bottom", "stress_top",      "thickness",                // of shells
+      "body",          "chunk",           "fe_rank"};
   return names;
 }
 

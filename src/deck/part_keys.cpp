@@ -58,6 +58,17 @@ struct MaterialNameValue {
   std::string takes() const { return "a name from materials"; }
 };
 
+/// Points across the thickness of a shell.
+struct ThicknessPointsValue {
+  static constexpr int most = 16;  // most_thickness_points of the kernel
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, int& out) const {
+    if (!IntegerValue{1, most}.read(reader, name, node, out)) return false;
+    return true;
+  }
+  std::string takes() const { return fmt::format("an integer, from 1 to {}", most); }
+};
+
 bool read_axis(const DirectionValue& value, const Reader& reader, const std::string& name, const Node& node,
                PartDeck& part) {
   Vec3 direction{};
@@ -70,6 +81,8 @@ const Keys<PartDeck>& part_keys() {
   static const Keys<PartDeck> keys = [] {
     Keys<PartDeck> all = shape_keys();
     all.push_back(need("material", &PartDeck::material, MaterialNameValue{}));
+    all.push_back(may("thickness", &PartDeck::thickness, NumberValue{positive}));
+    all.push_back(may("points", &PartDeck::points, ThicknessPointsValue{}));
     all.push_back(may("array", &PartDeck::array, MapValue<ArrayCopies>{array_keys, check_array}));
     all.push_back(make_key<PartDeck>("axis", false, DirectionValue{}, read_axis));
     all.push_back(may("rotate", &PartDeck::rotate, ListValue<MapValue<Rotation>>{{rotation_keys}}));
@@ -94,6 +107,24 @@ bool check_one_shape(const Reader& reader, const Node& node) {
   return false;
 }
 
+/// Shells need a thickness; of solids it is of no use. What a file holds is seen when it is read.
+bool check_thickness(const Reader& reader, const Node& node, const PartDeck& part) {
+  if (std::holds_alternative<ExodusMesh>(part.shape)) return true;
+  const bool is_shell = is_shell_shape(part.shape);
+  if (is_shell && !part.thickness) {
+    if (node.find("thickness") != nullptr) return false;  // told already
+    reader.error(node.key, fmt::format("{} has no thickness (its shells need one)", reader.self()));
+    return false;
+  }
+  for (const char* key : {"thickness", "points"}) {
+    if (is_shell || node.find(key) == nullptr) continue;
+    reader.error(node.find(key)->key,
+                 fmt::format("{} is of no use{} (only shells have a thickness)", reader.name_of(key), reader.in()));
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool PartValue::read_inside(const Reader& reader, const Node& node, PartDeck& out) const {
@@ -102,7 +133,7 @@ bool PartValue::read_inside(const Reader& reader, const Node& node, PartDeck& ou
     reader.reading().shapeless.insert(out.name);
     return false;
   }
-  if (!good) return false;
+  if (!check_thickness(reader, node, out) || !good) return false;
   const MeshSize size = count_cells(out);
   if (size.elements <= largest_mesh && size.nodes <= largest_mesh) return true;
   reader.error(node.key,

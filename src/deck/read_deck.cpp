@@ -38,7 +38,7 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   std::vector<std::string> paths;
   for (const std::string& argument : overrides) paths.push_back(override_path(argument));
   Reading reading{
-      DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string(), {}, {}, {}, {}};
+      DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string(), {}, {}, {}, {}, {}};
   const Node root = parse_tree(text, overrides, reading.errors);
   Deck deck;
   deck.file = file;

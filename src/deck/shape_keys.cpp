@@ -92,6 +92,42 @@ const Keys<SphereShape>& sphere_keys() {
   return keys;
 }
 
+const Keys<ShellPlateShape>& shell_plate_keys() {
+  static const Keys<ShellPlateShape> keys = {
+      need("size", &ShellPlateShape::size, TupleValue<NumberValue, 2>{{positive}}),
+      need("cells", &ShellPlateShape::cells, CellsValue<2>{{{{"along x", 1}, {"along y", 1}}}}),
+  };
+  return keys;
+}
+
+const Keys<ShellTubeShape>& shell_tube_keys() {
+  static const Keys<ShellTubeShape> keys = {
+      need("radius", &ShellTubeShape::radius, NumberValue{positive}),
+      may("end_radius", &ShellTubeShape::end_radius, NumberValue{positive}),
+      need("length", &ShellTubeShape::length, NumberValue{positive}),
+      need("cells", &ShellTubeShape::cells, CellsValue<2>{{{{"around", 3}, {"along", 1}}}}),
+      may("arc", &ShellTubeShape::arc, NumberValue{turn}),
+  };
+  return keys;
+}
+
+const Keys<ShellSphereShape>& shell_sphere_keys() {
+  static const Keys<ShellSphereShape> keys = {
+      need("radius", &ShellSphereShape::radius, NumberValue{positive}),
+      need("cells", &ShellSphereShape::cells, IntegerValue{1}),
+  };
+  return keys;
+}
+
+const Keys<ShellBoxTubeShape>& shell_box_tube_keys() {
+  static const Keys<ShellBoxTubeShape> keys = {
+      need("size", &ShellBoxTubeShape::size, TupleValue<NumberValue, 2>{{positive}}),
+      need("length", &ShellBoxTubeShape::length, NumberValue{positive}),
+      need("cells", &ShellBoxTubeShape::cells, CellsValue<3>{{{{"along x", 1}, {"along y", 1}, {"along z", 1}}}}),
+  };
+  return keys;
+}
+
 /// A file that the deck names: relative paths are relative to the deck.
 struct FileValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const {
@@ -140,9 +176,18 @@ const Keys<PartDeck>& shape_keys() {
       shape_key<CylinderShape>("cylinder", cylinder_keys),
       shape_key<TubeShape>("tube", tube_keys, check_tube),
       shape_key<SphereShape>("sphere", sphere_keys),
+      shape_key<ShellPlateShape>("shell_plate", shell_plate_keys),
+      shape_key<ShellTubeShape>("shell_tube", shell_tube_keys),
+      shape_key<ShellSphereShape>("shell_sphere", shell_sphere_keys),
+      shape_key<ShellBoxTubeShape>("shell_box_tube", shell_box_tube_keys),
       shape_key<ExodusMesh>("exodus", exodus_keys),
   };
   return keys;
+}
+
+bool is_shell_shape(const Shape& shape) {
+  return std::holds_alternative<ShellPlateShape>(shape) || std::holds_alternative<ShellTubeShape>(shape) ||
+         std::holds_alternative<ShellSphereShape>(shape) || std::holds_alternative<ShellBoxTubeShape>(shape);
 }
 
 std::vector<std::string> side_names(const Shape& shape) {
@@ -156,6 +201,15 @@ std::vector<std::string> side_names(const Shape& shape) {
       return {"start", "end", "inner", "outer"};
     }
     std::vector<std::string> operator()(const SphereShape&) const { return {"surface"}; }
+    std::vector<std::string> operator()(const ShellPlateShape&) const {
+      return {"x_min", "x_max", "y_min", "y_max", "bottom", "top"};
+    }
+    std::vector<std::string> operator()(const ShellTubeShape& tube) const {
+      if (tube.arc < 360) return {"start", "end", "first", "last", "inner", "outer"};
+      return {"start", "end", "inner", "outer"};
+    }
+    std::vector<std::string> operator()(const ShellSphereShape&) const { return {"inner", "outer"}; }
+    std::vector<std::string> operator()(const ShellBoxTubeShape&) const { return {"start", "end", "inner", "outer"}; }
     std::vector<std::string> operator()(const ExodusMesh&) const { return {}; }
   };
   return std::visit(Names{}, shape);

@@ -47,15 +47,24 @@ std::array<int, 8> sort_corners(std::array<int, 8> corners) {
   return corners;
 }
 
+/// The first node that an element names more than once, -1: none. A shell's corners stand twice.
+int find_repeated_node(const std::array<int, 8>& element) {
+  const std::size_t count = is_shell(element) ? 4 : 8;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (element[i] == element[j]) return element[i];
+    }
+  }
+  return -1;
+}
+
 void check_repeated_nodes(const PartMesh& mesh, std::size_t element, Problems& problems) {
-  const std::array<int, 8> sorted = sort_corners(mesh.elements[element]);
-  const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
-  if (repeated == sorted.end()) return;
+  const int repeated = find_repeated_node(mesh.elements[element]);
+  if (repeated < 0) return;
   report(problems, [&] {
-    return fmt::format(
-        "{} names node {} more than once (a hexahedron needs eight different corners); mesh without degenerate "
-        "elements",
-        describe_element(mesh, element), id_of(mesh.node_ids, static_cast<std::size_t>(*repeated)));
+    return fmt::format("{} names node {} more than once (a {} different corners); mesh without degenerate elements",
+                       describe_element(mesh, element), id_of(mesh.node_ids, static_cast<std::size_t>(repeated)),
+                       is_shell(mesh.elements[element]) ? "shell needs four" : "hexahedron needs eight");
   });
 }
 
@@ -101,8 +110,9 @@ void check_duplicates(const PartMesh& mesh, Problems& problems) {
   std::sort(pairs.begin(), pairs.end());
   for (const auto& [later, earlier] : pairs) {
     report(problems, [&, e = static_cast<std::size_t>(later), first = static_cast<std::size_t>(earlier)] {
-      return fmt::format("{} repeats element {} (both have the same eight corners); delete one of them",
-                         describe_element(mesh, e), id_of(mesh.element_ids, first));
+      return fmt::format("{} repeats element {} (both have the same {} corners); delete one of them",
+                         describe_element(mesh, e), id_of(mesh.element_ids, first),
+                         is_shell(mesh.elements[e]) ? "four" : "eight");
     });
   }
 }
@@ -149,6 +159,24 @@ std::string describe_verdict(const std::string& element, const std::array<std::i
       element, verdict.corner + 1, node_ids[static_cast<std::size_t>(verdict.corner)], verdict.value);
 }
 
+/// What is wrong with the shape of a shell; empty if nothing.
+std::string judge_shell(const std::string& element, const HexCorners& x, const std::array<std::int64_t, 8>& node_ids) {
+  const Vec3 normal = find_shell_area(x);
+  const double area = std::sqrt(dot(normal, normal));
+  const double edges =
+      std::max(dot(subtract(x[2], x[0]), subtract(x[2], x[0])), dot(subtract(x[3], x[1]), subtract(x[3], x[1])));
+  if (!(area > zero_share * edges)) {
+    return fmt::format("{} has no area (it is {:.6g}); check the places of its corners", element, area);
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3 corner = cross(subtract(x[(i + 1) % 4], x[i]), subtract(x[(i + 3) % 4], x[i]));
+    if (dot(corner, normal) > zero_share * edges * area) continue;
+    return fmt::format("{} is not convex at its corner {}, node {} (the angle there must be below 180 degrees)",
+                       element, i + 1, node_ids[i]);
+  }
+  return "";
+}
+
 }  // namespace
 
 void Problems::append(const Problems& later) {
@@ -186,6 +214,11 @@ void GeometryFindings::check_node(std::int64_t id, const Vec3& x) {
 
 void GeometryFindings::check_element(std::int64_t id, const HexCorners& corners,
                                      const std::array<std::int64_t, 8>& node_ids) {
+  if (is_shell(node_ids)) {
+    const std::string problem = judge_shell(describe_element(id, corners), corners, node_ids);
+    if (!problem.empty()) report(elements, [&] { return problem; });
+    return;
+  }
   const ShapeVerdict verdict = judge_shape(corners);
   if (verdict.shape == Shape8::good) return;
   if (verdict.shape != Shape8::flat_corner) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <string_view>
 
 #include "src/deck/mesh_size.hpp"
 #include "src/deck/nearest_name.hpp"
@@ -21,11 +22,19 @@ constexpr int not_chosen = -1;
 /// Ids beyond this are hashes, not numbers that a person reads; they would overflow when parts are joined.
 constexpr std::int64_t highest_id = 1'000'000'000'000'000;
 
-bool is_hexahedral(const ExodusBlock& block) {
-  std::string kind = block.topology.substr(0, 3);
-  std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::toupper(c); });
-  return kind == "HEX" && block.nodes_per_element == 8;
+bool is_called_kind(const ExodusBlock& block, std::string_view kind) {
+  return block.topology.size() >= kind.size() &&
+         std::equal(kind.begin(), kind.end(), block.topology.begin(),
+                    [](char a, char b) { return a == std::toupper(static_cast<unsigned char>(b)); });
 }
+
+bool is_hexahedral(const ExodusBlock& block) { return is_called_kind(block, "HEX") && block.nodes_per_element == 8; }
+
+bool is_quadrilateral(const ExodusBlock& block) {
+  return (is_called_kind(block, "SHELL") || is_called_kind(block, "QUAD")) && block.nodes_per_element == 4;
+}
+
+bool can_run(const ExodusBlock& block) { return is_hexahedral(block) || is_quadrilateral(block); }
 
 bool is_called(const ExodusBlock& block, const std::string& name) {
   return block.name == name || fmt::format("block_{}", block.id) == name;
@@ -50,18 +59,19 @@ std::vector<ExodusBlock> choose_blocks(const ExodusFile& file, const std::vector
 }
 
 void check_kinds(const ExodusFile& file, const std::vector<ExodusBlock>& chosen) {
-  std::string problems, hexahedral;
+  std::string problems, others;
   for (const ExodusBlock& block : chosen) {
-    if (is_hexahedral(block)) continue;
+    if (can_run(block)) continue;
     problems += fmt::format(
-        "{}block '{}' has {} elements of kind {} with {} nodes (only eight-node hexahedra, HEX8, can be run)",
+        "{}block '{}' has {} elements of kind {} with {} nodes (only eight-node hexahedra, HEX8, and four-node shells, "
+        "SHELL4, can be run)",
         problems.empty() ? "" : "\n", block.name, block.elements, block.topology, block.nodes_per_element);
   }
   if (problems.empty()) return;
   for (const ExodusBlock& block : file.blocks()) {
-    if (is_hexahedral(block) && block.elements > 0) hexahedral += (hexahedral.empty() ? "" : ", ") + block.name;
+    if (can_run(block) && block.elements > 0) others += (others.empty() ? "" : ", ") + block.name;
   }
-  if (!hexahedral.empty()) problems += fmt::format("; choose with blocks: [{}]", hexahedral);
+  if (!others.empty()) problems += fmt::format("; choose with blocks: [{}]", others);
   throw InputError(problems);
 }
 
@@ -121,8 +131,9 @@ class ExodusReader {
   std::array<int, 8> read_corners(const std::vector<std::int64_t>& corners, std::size_t element,
                                   const ExodusBlock& block) {
     std::array<int, 8> nodes{};
-    for (std::size_t c = 0; c < 8; ++c) {
-      const std::int64_t node = corners[8 * element + c];
+    const auto count = is_quadrilateral(block) ? std::size_t{4} : std::size_t{8};
+    for (std::size_t c = 0; c < count; ++c) {
+      const std::int64_t node = corners[count * element + c];
       if (node >= 1 && node <= file_.node_count()) {
         nodes[c] = static_cast<int>(node - 1);
         continue;
@@ -131,6 +142,7 @@ class ExodusReader {
           fmt::format("element {} of block '{}' has node number {} as its corner {} (the file has the nodes 1 to {})",
                       mesh_.element_ids.back(), block.name, node, c + 1, file_.node_count()));
     }
+    if (is_quadrilateral(block)) nodes = make_shell({nodes[0], nodes[1], nodes[2], nodes[3]});
     return nodes;
   }
 
@@ -190,12 +202,17 @@ class ExodusReader {
         }
         const int in_part = file_to_part_element_[static_cast<std::size_t>(element - 1)];
         if (in_part == not_chosen) continue;
-        if (side < 1 || side > 6) {
-          problems_.add(fmt::format("side set '{}' names side {} of element {} (a hexahedron has the sides 1 to 6)",
-                                    set.name, side, mesh_.element_ids[static_cast<std::size_t>(in_part)]));
+        const bool shell = is_shell(mesh_.elements[static_cast<std::size_t>(in_part)]);
+        if (side < 1 || side > (shell ? 2 : 6)) {
+          problems_.add(fmt::format("side set '{}' names side {} of element {} ({})", set.name, side,
+                                    mesh_.element_ids[static_cast<std::size_t>(in_part)],
+                                    shell ? "of a shell the sides 1 and 2, its surfaces, can be named; nodes on its "
+                                            "edges belong into a node set"
+                                          : "a hexahedron has the sides 1 to 6"));
           continue;
         }
-        faces.push_back({in_part, static_cast<int>(side - 1)});
+        const int surface = side == 1 ? shell_top : shell_bottom;
+        faces.push_back({in_part, shell ? surface : static_cast<int>(side - 1)});
       }
       std::sort(faces.begin(), faces.end());
       faces.erase(std::unique(faces.begin(), faces.end()), faces.end());

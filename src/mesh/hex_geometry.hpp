@@ -1,5 +1,5 @@
 #pragma once
-// Volume and corner Jacobians of a trilinear hexahedron.
+// Volume and corner Jacobians of a trilinear hexahedron; area of a shell.
 
 #include <array>
 #include <cmath>
@@ -26,6 +26,18 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
 inline double triple_product(const Vec3& a, const Vec3& b, const Vec3& c) { return dot(a, cross(b, c)); }
 
 inline Vec3 add(const Vec3& a, const Vec3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+
+/// Area vector of a shell, along its normal: half the cross product of its diagonals.
+inline Vec3 find_shell_area(const HexCorners& x) {
+  const Vec3 twice = cross(subtract(x[2], x[0]), subtract(x[3], x[1]));
+  return {0.5 * twice[0], 0.5 * twice[1], 0.5 * twice[2]};
+}
+
+/// Its size [length^2].
+inline double find_shell_area_size(const HexCorners& x) {
+  const Vec3 area = find_shell_area(x);
+  return std::sqrt(dot(area, area));
+}
 
 /// Exact volume of the trilinear hexahedron [length^3]; it equals the mean-quadrature volume of Flanagan and Belytschko
 /// (1981, equation 14). By the divergence theorem: a bilinear face halves the tetrahedron of its four corners, so its

@@ -1,6 +1,6 @@
 #pragma once
-// The mesh of a scene on the host: nodes, eight-node hexahedra, parts and sets. Const after set-up, but for what
-// erosion leaves of it: `eroded` and `exterior`.
+// The mesh of a scene on the host: nodes, eight-node hexahedra and four-node shells, parts and sets. Const after
+// set-up, but for what erosion leaves of it: `eroded` and `exterior`.
 //
 // Node and element indexes are 0-based positions in these arrays; elements lie chunk after chunk, and the user's ids
 // stay with them. Where several ranks hold the mesh together, these are the elements of one of them and the nodes that
@@ -22,6 +22,20 @@ namespace percuss {
 inline constexpr int hex_faces[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},
                                         {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
 
+/// The faces of a shell, whose four corners stand twice in an element: the second is where its normal points to.
+inline constexpr int shell_bottom = 4, shell_top = 5;
+
+/// An element with the corners of a shell.
+inline std::array<int, 8> make_shell(const std::array<int, 4>& nodes) {
+  return {nodes[0], nodes[1], nodes[2], nodes[3], nodes[0], nodes[1], nodes[2], nodes[3]};
+}
+
+/// Whether an element is a shell: no hexahedron names a node twice. Corner: an index, a number or an id.
+template <class Corner>
+bool is_shell(const std::array<Corner, 8>& corners) {
+  return corners[0] == corners[4];
+}
+
 /// A face as a side set names it.
 struct ElementFace {
   int element = 0;
@@ -31,7 +45,9 @@ struct ElementFace {
 
 struct MeshPart {
   std::string name;
-  int material = 0;  // index into Deck::materials
+  int material = 0;      // index into Deck::materials
+  double thickness = 0;  // of its shells [length]; 0: it has none
+  int points = 0;        // across the thickness; 0: by the material
 };
 
 /// What erosion has left of a mesh, the same on all ranks that hold it together (src/step/erosion.hpp).
@@ -46,7 +62,7 @@ struct ErodedMesh {
 struct Mesh {
   std::vector<Vec3> nodes;                            // position at time 0 [length]
   std::vector<std::int64_t> node_ids;                 // the user's ids, 1-based; unique within the mesh
-  std::vector<std::array<int, 8>> elements;           // corners, Exodus II HEX8 order
+  std::vector<std::array<int, 8>> elements;           // corners, Exodus II HEX8 order; of a shell twice
   std::vector<std::int64_t> element_ids;              // the user's ids
   std::vector<int> element_part;                      // index into parts
   std::vector<MeshPart> parts;                        // the deck's parts; a part's Exodus blocks all share its material

@@ -219,7 +219,9 @@ ChunkedMesh migrate_chunks(const Communicator& ranks, const SceneParts& scene, N
                            const ChunkPieces& pieces, const std::vector<std::int64_t>& numbers) {
   ChunkedMesh share;
   share.numbering = std::move(numbering);
-  for (const ScenePart& part : scene.parts) share.mesh.parts.push_back({part.name, part.material});
+  for (const ScenePart& part : scene.parts) {
+    share.mesh.parts.push_back({part.name, part.material, part.thickness, part.points});
+  }
   ItemExchange exchange(ranks);
   const Packer packer(share.numbering, pieces, numbers);
   const auto send = [&](const auto& parcels) { return exchange.send(parcels.destinations, parcels.items); };

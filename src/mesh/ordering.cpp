@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace percuss {
 namespace {
@@ -89,12 +90,18 @@ std::vector<std::int64_t> list_element_numbers(const ChunkedMesh& chunked) {
 
 ElementOrder bisect_elements(const PartMesh& mesh) {
   ElementOrder order{std::vector<int>(mesh.elements.size()), {0}};
-  if (mesh.elements.empty()) return order;
   std::iota(order.elements.begin(), order.elements.end(), 0);
+  const auto first_shell = std::stable_partition(order.elements.begin(), order.elements.end(),
+                                                 [&](int e) { return !is_shell(mesh.elements[at(e)]); });
   const std::vector<Vec3> centers = find_element_centers(mesh);
-  const auto limit = static_cast<std::size_t>(find_chunk_limit(static_cast<std::int64_t>(mesh.elements.size())));
-  const std::size_t count = mesh.elements.size(), units = Bisection::divide_up(count, chunk_granularity);
-  Bisection(centers, order).cut(0, count, Bisection::divide_up(units, limit / chunk_granularity));
+  const std::size_t all = mesh.elements.size(), solids = static_cast<std::size_t>(first_shell - order.elements.begin());
+  Bisection bisection(centers, order);
+  for (const auto& [first, last] : {std::pair{std::size_t{0}, solids}, std::pair{solids, all}}) {
+    if (first == last) continue;
+    const auto limit = static_cast<std::size_t>(find_chunk_limit(static_cast<std::int64_t>(last - first)));
+    const std::size_t units = Bisection::divide_up(last - first, chunk_granularity);
+    bisection.cut(first, last, Bisection::divide_up(units, limit / chunk_granularity));
+  }
   return order;
 }
 

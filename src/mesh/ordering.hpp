@@ -28,7 +28,7 @@ inline int find_chunk_limit(std::int64_t part_elements) {
 /// empty (for any pack of up to 16 lanes).
 inline constexpr int chunk_granularity = 16;
 
-/// A contiguous run of elements of one part.
+/// A contiguous run of elements of one part and of one kind.
 struct Chunk {
   int first_element = 0;
   int element_count = 0;
@@ -53,10 +53,10 @@ struct ElementOrder {
   std::vector<int> first_of_chunk;  // [chunks + 1] into elements
 };
 
-/// Cuts a part by recursive bisection of its element centres, across the widest extent, into the fewest chunks of at
-/// most find_chunk_limit() elements, near-equal in size; within a chunk elements keep their order. Equal coordinates
-/// are told apart by the other two coordinates and then by element index: which elements share a chunk does not depend
-/// on the order of the input unless centres coincide. O(n log n).
+/// Cuts a part, its hexahedra first and then its shells, by recursive bisection of its element centres, across the
+/// widest extent, into the fewest chunks of at most find_chunk_limit() elements, near-equal in size; within a chunk
+/// elements keep their order. Equal coordinates are told apart by the other two coordinates and then by element index:
+/// which elements share a chunk does not depend on the order of the input unless centres coincide. O(n log n).
 ElementOrder bisect_elements(const PartMesh& mesh);
 
 }  // namespace percuss

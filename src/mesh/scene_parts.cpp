@@ -73,10 +73,21 @@ std::vector<std::string> list_names(const Sets& sets) {
   return names;
 }
 
+/// Shells need a thickness, and only they.
+void check_thickness(const PartDeck& deck, const PartMesh& mesh) {
+  const bool has_shells =
+      std::any_of(mesh.elements.begin(), mesh.elements.end(), [](const auto& e) { return is_shell(e); });
+  if (has_shells && !deck.thickness) throw InputError("it has no thickness (the shells of the file need one)");
+  if (!has_shells && (deck.thickness || deck.points)) {
+    throw InputError("it has a thickness or points (the file has no shells, which alone have them)");
+  }
+}
+
 void read_file_part(const PartDeck& deck, const Totals& so_far, ScenePart& part) {
   auto file = std::make_unique<FilePart>();
   PartMesh& mesh = file->mesh;
   mesh = read_exodus_mesh(std::get<ExodusMesh>(deck.shape));
+  check_thickness(deck, mesh);
   const double copies = count_copies(deck);
   check_size(so_far, copies * double(mesh.nodes.size()), copies * double(mesh.elements.size()));
   place_part(mesh, deck);
@@ -113,6 +124,8 @@ void describe_generated_part(const PartDeck& deck, ScenePart& part) {
 ScenePart describe_part(const Deck& deck, const PartDeck& from, const Totals& so_far, bool reads_files) {
   ScenePart part;
   part.name = from.name;
+  part.thickness = from.thickness.value_or(0);
+  part.points = from.points.value_or(0);
   try {
     part.material = find_material(deck, from.material);
     const MeshSize size = count_cells(from);

@@ -38,6 +38,8 @@ struct GeneratedPart {
 struct ScenePart {
   std::string name;
   int material = 0;
+  double thickness = 0;  // as MeshPart
+  int points = 0;
   std::optional<GeneratedPart> generated;
   std::unique_ptr<FilePart> file;                        // rank 0, of a part from a file
   std::int64_t nodes = 0, elements = 0;                  // with all copies

@@ -28,7 +28,7 @@ class ShapeSource {
   virtual int node_count() const = 0;
   virtual int element_count() const = 0;
 
-  /// Nodes of an element, Exodus II HEX8 order.
+  /// Nodes of an element, Exodus II HEX8 order; those of a shell twice.
   virtual std::array<int, 8> corners(int element) const = 0;
 
   /// Place of a node [length].
@@ -62,5 +62,12 @@ std::unique_ptr<ShapeSource> make_tube_source(const TubeShape& shape);
 /// Solid ball: a core of cube topology and shells around it. The nodes of the surface lie at the radius; symmetric to
 /// the last bit under the 48 symmetries of the cube.
 std::unique_ptr<ShapeSource> make_sphere_source(const SphereShape& shape);
+
+/// Surfaces of shells, their elements with corners as Mesh::elements has them. Nodes lie on the surface; elements count
+/// along the first direction of `cells` first.
+std::unique_ptr<ShapeSource> make_shell_source(const ShellPlateShape& shape);
+std::unique_ptr<ShapeSource> make_shell_source(const ShellTubeShape& shape);
+std::unique_ptr<ShapeSource> make_shell_source(const ShellSphereShape& shape);
+std::unique_ptr<ShapeSource> make_shell_source(const ShellBoxTubeShape& shape);
 
 }  // namespace percuss

@@ -37,14 +37,15 @@ FacesByLowestNode bin_faces(const Elements& elements, std::size_t node_count) {
   };
   const auto for_each_face = [&](auto&& visit) {
     for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
+      if (is_shell(elements[at(e)])) continue;
       for (int f = 0; f < 6; ++f) visit(ElementFace{e, f});
     }
   };
   FacesByLowestNode bins;
   bins.first.assign(node_count + 1, 0);
-  bins.faces.resize(6 * elements.size());
   for_each_face([&](const ElementFace& face) { ++bins.first[lowest(face) + 1]; });
   std::partial_sum(bins.first.begin(), bins.first.end(), bins.first.begin());
+  bins.faces.resize(static_cast<std::size_t>(bins.first.back()));
   std::vector<std::int64_t> next(bins.first.begin(), bins.first.end() - 1);
   for_each_face([&](const ElementFace& face) { bins.faces[static_cast<std::size_t>(next[lowest(face)]++)] = face; });
   return bins;
@@ -65,6 +66,9 @@ std::vector<std::uint8_t> mark_exterior_faces(const Elements& elements, std::siz
   using Key = std::pair<std::array<int, 4>, ElementFace>;
   std::vector<Key> keys;
   std::vector<std::uint8_t> exterior(elements.size(), 0);
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    if (is_shell(elements[e])) exterior[e] = 1U << shell_bottom | 1U << shell_top;
+  }
   for (std::size_t n = 0; n < node_count; ++n) {
     keys.clear();
     for (std::int64_t i = bins.first[n]; i < bins.first[n + 1]; ++i) {

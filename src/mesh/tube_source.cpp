@@ -1,35 +1,14 @@
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 
 #include "src/mesh/cell_grid.hpp"
 #include "src/mesh/shape_source.hpp"
+#include "src/mesh/turn_direction.hpp"
 
 namespace percuss {
 namespace {
 
 constexpr double full_turn = 360;
-
-/// Cosine and sine of index / count of a turn, reduced to the first eighth so that mirrored and quarter-turned points
-/// agree to the last bit. Whole numbers stay exact, as far as doubles hold them.
-std::array<double, 2> find_direction(double index, double count) {
-  if (2 * index > count) {
-    const auto [x, y] = find_direction(count - index, count);
-    return {x, -y};
-  }
-  if (4 * index > count) {
-    // Half a turn minus the angle, as a share of twice the count when the count is odd.
-    const auto [x, y] = find_direction(count - 2 * index, 2 * count);
-    return {-x, y};
-  }
-  if (8 * index > count) {
-    const auto [x, y] = find_direction(count - 4 * index, 4 * count);
-    return {y, x};
-  }
-  if (8 * index == count) return {std::sqrt(0.5), std::sqrt(0.5)};
-  const double angle = 2 * std::numbers::pi * (index / count);
-  return {std::cos(angle), std::sin(angle)};
-}
 
 // Sides as side_names() lists them.
 enum Side : int { start, end, inner, outer, first, last };
@@ -55,7 +34,7 @@ class TubeSource final : public ShapeSource {
 
   Vec3 place(int node) const override {
     const auto [i, j, k] = find_node(node);
-    const auto [x, y] = find_direction(shape_.arc * j, full_turn * grid_.cells[1]);
+    const auto [x, y] = find_turn_direction(shape_.arc * j, full_turn * grid_.cells[1]);
     const double share = double(i) / grid_.cells[0];
     const double r = (1 - share) * shape_.inner_radius + share * shape_.outer_radius;
     return {r * x, r * y, shape_.length * (double(k) / grid_.cells[2])};

@@ -18,7 +18,7 @@ namespace {
 
 const std::string displacement_name = "displacement";
 
-XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options) {
+XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options, const Communicator& ranks) {
   XdmfIndex index;
   index.file = "fields.vtkhdf";
   index.title = options.title;
@@ -26,6 +26,10 @@ XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options) {
   for (const auto& part : chunked.mesh.parts) index.parts.push_back(part.name);
   index.nodes = chunked.numbering.node_count();
   index.elements = chunked.numbering.element_count();
+  index.shells = std::count_if(chunked.mesh.elements.begin(), chunked.mesh.elements.end(),
+                               [](const auto& corners) { return is_shell(corners); });
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &index.shells, 1, MPI_INT64_T, MPI_SUM, ranks.handle()); },
+           "MPI_Allreduce");
   return index;
 }
 
@@ -44,7 +48,7 @@ struct FieldsFile::Impl {
         initial(chunked.mesh.nodes),
         elements(chunked.mesh.elements.size()),
         precision(options.precision),
-        index(make_index(chunked, options)),
+        index(make_index(chunked, options, all_ranks)),
         file(directory + "/fields.vtkhdf", chunked, options, all_ranks) {
     write_index();
   }
@@ -56,7 +60,7 @@ struct FieldsFile::Impl {
         initial(chunked.mesh.nodes),
         elements(chunked.mesh.elements.size()),
         precision(options.precision),
-        index(make_index(chunked, options)),
+        index(make_index(chunked, options, all_ranks)),
         file(directory + "/fields.vtkhdf", chunked, options, all_ranks, static_cast<std::int64_t>(times.size())) {
     index.times = std::move(times);
   }

@@ -16,7 +16,8 @@ namespace {
 
 using hdf5::check;
 
-constexpr std::uint8_t vtk_hexahedron = 12;  // VTK's number of the cell type
+constexpr std::uint8_t vtk_hexahedron = 12, vtk_quad = 9;   // VTK's numbers of the cell types
+constexpr std::int64_t xdmf_hexahedron = 9, xdmf_quad = 5;  // XDMF's
 
 // Most bytes of metadata (B-tree nodes on two levels, headers) that a table adds with a frame, and that a file starts
 // with; counted from the sizes in the HDF5 file format specification for the k above, and rounded up.
@@ -50,6 +51,45 @@ std::vector<std::int64_t> flatten_connectivity(const Mesh& mesh) {
     for (const int node : element) corners.push_back(mesh.node_numbers[static_cast<std::size_t>(node)]);
   }
   return corners;
+}
+
+// Cells of a block of elements, a shell with its four corners only.
+struct Cells {
+  std::vector<std::int64_t> corners, ends;  // ends: place behind the corners of each element, from the block's first
+  std::vector<std::uint8_t> types;
+};
+
+Cells list_cells(std::span<const std::int64_t> corners) {
+  Cells cells;
+  for (std::size_t first = 0; first < corners.size(); first += 8) {
+    const bool shell = corners[first] == corners[first + 4];
+    const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first);
+    cells.corners.insert(cells.corners.end(), begin, begin + (shell ? 4 : 8));
+    cells.ends.push_back(static_cast<std::int64_t>(cells.corners.size()));
+    cells.types.push_back(shell ? vtk_quad : vtk_hexahedron);
+  }
+  return cells;
+}
+
+// The same as XDMF wants cells of several kinds: each begins with its type.
+std::vector<std::int64_t> list_mixed_topology(const Cells& cells) {
+  std::vector<std::int64_t> topology;
+  std::int64_t first = 0;
+  for (std::size_t e = 0; e < cells.types.size(); ++e) {
+    topology.push_back(cells.types[e] == vtk_quad ? xdmf_quad : xdmf_hexahedron);
+    topology.insert(topology.end(), cells.corners.begin() + first, cells.corners.begin() + cells.ends[e]);
+    first = cells.ends[e];
+  }
+  return topology;
+}
+
+// What a rank writes of a dataset to which each rank brings some rows, rank after rank.
+hdf5::RowBlock join_blocks(const Communicator& ranks, std::size_t count, hid_t transfer) {
+  std::uint64_t all = count, first = count;
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_UINT64_T, MPI_SUM, ranks.handle()); },
+           "MPI_Allreduce");
+  wait_mpi([&] { return MPI_Scan(MPI_IN_PLACE, &first, 1, MPI_UINT64_T, MPI_SUM, ranks.handle()); }, "MPI_Scan");
+  return {all, first - count, count, transfer};
 }
 
 }  // namespace
@@ -156,18 +196,26 @@ void VtkhdfFile::write_items(const std::string& name, FieldPlace place, std::spa
 
 void VtkhdfFile::write_cells(const Mesh& mesh) {
   const auto corners = flatten_connectivity(mesh);
-  write_numbers(tables_.root, "Connectivity", make_block(FieldPlace::element, 8),
-                element_rows_.gather(std::span<const std::int64_t>(corners), 8));
-  // One more than there are cells: the end of the last one.
+  const Cells cells = list_cells(element_rows_.gather(std::span<const std::int64_t>(corners), 8));
+  const hid_t transfer = transfer_ ? transfer_.get() : H5P_DEFAULT;
+  const hdf5::RowBlock ids = join_blocks(ranks_, cells.corners.size(), transfer);
+  write_numbers(tables_.root, "NumberOfConnectivityIds", make_block_of_first_rank(1),
+                std::array{static_cast<std::int64_t>(ids.all)});
+  write_numbers(tables_.root, "Connectivity", ids, cells.corners);
   auto block = make_block(FieldPlace::element);
+  hdf5::write_dataset(tables_.root.get(), "Types", H5T_STD_U8LE, block, H5T_NATIVE_UINT8, cells.types.data());
+  // One more than there are cells: the end of the last one.
   const bool last = block.first + block.count == block.all;
-  std::vector<std::int64_t> offsets(block.count + (last ? 1 : 0));
-  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(8 * (block.first + i));
-  const std::vector<std::uint8_t> types(block.count, vtk_hexahedron);
-  hdf5::write_dataset(tables_.root.get(), "Types", H5T_STD_U8LE, block, H5T_NATIVE_UINT8, types.data());
+  std::vector<std::int64_t> offsets{0};
+  offsets.insert(offsets.end(), cells.ends.begin(), cells.ends.end());
+  offsets.resize(block.count + (last ? 1 : 0));
+  for (std::int64_t& offset : offsets) offset += static_cast<std::int64_t>(ids.first);
   block.all += 1;
   block.count = offsets.size();
   write_numbers(tables_.root, "Offsets", block, offsets);
+  if (ids.all == 4 * elements_ || ids.all == 8 * elements_) return;  // XDMF needs no more for one kind
+  const std::vector<std::int64_t> mixed = list_mixed_topology(cells);
+  write_numbers(tables_.own, "xdmf_topology", join_blocks(ranks_, mixed.size(), transfer), mixed);
 }
 
 void VtkhdfFile::write_mesh(const Mesh& mesh, const FieldsOptions& options) {
@@ -176,7 +224,6 @@ void VtkhdfFile::write_mesh(const Mesh& mesh, const FieldsOptions& options) {
   };
   write_count("NumberOfPoints", nodes_);
   write_count("NumberOfCells", elements_);
-  write_count("NumberOfConnectivityIds", 8 * elements_);
   write_cells(mesh);
   write_items("node_id", FieldPlace::node, mesh.node_ids);
   write_items("element_id", FieldPlace::element, mesh.element_ids);

@@ -39,15 +39,14 @@ std::string shape_text(std::int64_t rows, int components) {
 
 // A dataset of the HDF5 file, row by row.
 struct Dataset {
-  std::string path;  // below /VTKHDF
+  std::string path;  // within the file
   const char* number;
   int bytes, components;
   std::int64_t rows;  // all of them
 };
 
 void write_dataset(Out out, const XdmfIndex& index, const Dataset& data) {
-  fmt::format_to(out,
-                 R"(<DataItem Dimensions="{}" NumberType="{}" Precision="{}" Format="HDF">{}:/VTKHDF/{}</DataItem>)",
+  fmt::format_to(out, R"(<DataItem Dimensions="{}" NumberType="{}" Precision="{}" Format="HDF">{}:/{}</DataItem>)",
                  shape_text(data.rows, data.components), data.number, data.bytes, index.file, data.path);
 }
 
@@ -68,7 +67,8 @@ void write_slab(Out out, const XdmfIndex& index, const Dataset& data, std::int64
 void write_frame_rows(Out out, const XdmfIndex& index, const std::string& path, std::int64_t rows, int components,
                       int bytes, std::size_t frame) {
   const auto all = static_cast<std::int64_t>(index.times.size()) * rows;
-  write_slab(out, index, {path, "Float", bytes, components, all}, static_cast<std::int64_t>(frame) * rows, rows);
+  write_slab(out, index, {"VTKHDF/" + path, "Float", bytes, components, all}, static_cast<std::int64_t>(frame) * rows,
+             rows);
 }
 
 // Six components are a matrix, not a Tensor6, whose order in XDMF (xx, xy, xz, yy, yz, zz) is another one.
@@ -89,15 +89,18 @@ std::string path_of(const std::string& name, FieldPlace place) {
 void write_ids(Out out, const XdmfIndex& index, const std::string& name, FieldPlace place) {
   open_attribute(out, name, 1, place);
   const auto items = place == FieldPlace::node ? index.nodes : index.elements;
-  write_dataset(out, index, {path_of(name, place), "Int", 8, 1, items});
+  write_dataset(out, index, {"VTKHDF/" + path_of(name, place), "Int", 8, 1, items});
   fmt::format_to(out, "</Attribute>\n");
 }
 
 void write_mesh(Out out, const XdmfIndex& index, std::size_t frame) {
-  fmt::format_to(out, "   <Topology TopologyType=\"Hexahedron\" NumberOfElements=\"{}\">", index.elements);
+  const bool mixed = index.shells > 0 && index.shells < index.elements;
+  const char* kind = mixed ? "Mixed" : index.shells > 0 ? "Quadrilateral" : "Hexahedron";
+  fmt::format_to(out, "   <Topology TopologyType=\"{}\" NumberOfElements=\"{}\">", kind, index.elements);
   // As a slab, though it is the whole: VTK's reader would take text here for the name of a file whose mesh it may reuse
   // for the next frame, and complain that the points have no such name.
-  write_slab(out, index, {"Connectivity", "Int", 8, 1, 8 * index.elements}, 0, 8 * index.elements);
+  const std::int64_t ids = 8 * index.elements - 4 * index.shells + (mixed ? index.elements : 0);
+  write_slab(out, index, {mixed ? "percuss/xdmf_topology" : "VTKHDF/Connectivity", "Int", 8, 1, ids}, 0, ids);
   fmt::format_to(out, "</Topology>\n   <Geometry GeometryType=\"XYZ\">");
   write_frame_rows(out, index, "Points", index.nodes, 3, 8, frame);
   fmt::format_to(out, "</Geometry>\n");

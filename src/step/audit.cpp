@@ -54,6 +54,36 @@ NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const 
       });
 }
 
+/// Adds what the rotations of the nodes of shells hold to the same sums.
+void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model, const State& state,
+               NodeSums::Totals& totals) {
+  if (!model.has_shells) return;
+  const auto w = state.w, slot_moment = state.slot_moment;
+  const auto nodes_to_slots = model.nodes_to_slots;
+  const auto inertia = model.inertia;
+  const auto inverse_inertia = model.inverse_inertia;
+  const double dt = state.step == 0 ? 0.0 : state.dt;
+  const double first_dt = state.step == 0 ? state.next_dt : 0.0;
+  const auto of_spins = sums(
+      ExecSpace(), model.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, S::count_of_nodes>& sum) {
+        double size = 0;
+        for (int k = 0; k < 3; ++k) {
+          double moment = 0;
+          for (int i = nodes_to_slots.first(n); i < nodes_to_slots.first(n + 1); ++i) {
+            moment += slot_moment(nodes_to_slots.slots(i), k);
+          }
+          const double spin = inertia(n) * w(n, k);
+          const double change = inverse_inertia(n, k) > 0 ? dt * moment : 0;  // a held direction goes its own way
+          sum[S::kinetic] += 0.5 * w(n, k) * (spin + change);
+          sum[S::half_steps] += 0.125 * inverse_inertia(n, k) * (first_dt * moment) * (first_dt * moment);
+          sum[S::angular + k] += spin;
+          size += spin * spin;
+        }
+        sum[S::moment_size] += sqrt(size);
+      });
+  for (std::size_t i = 0; i < totals.size(); ++i) totals[i].merge(of_spins[i]);
+}
+
 }  // namespace
 
 void AuditResult::archive(CheckpointArchive& archive) {
@@ -76,7 +106,8 @@ Audit::Audit(const Model& model) : model_(model) {}
 
 Audit::Totals Audit::sum_all(const State& state) {
   std::array<ExactSum, S::count> sums{};
-  const auto of_nodes = sum_nodes(node_sums_, model_, state);
+  auto of_nodes = sum_nodes(node_sums_, model_, state);
+  add_spins(node_sums_, model_, state, of_nodes);
   std::copy(of_nodes.begin(), of_nodes.end(), sums.begin());
   const auto work = to_host(state.results.work);
   for (std::size_t c = 0; c < work.extent(0); ++c) {

@@ -12,6 +12,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/material/call_material.hpp"
 #include "src/deck/make_material.hpp"
+#include "src/step/build_shells.hpp"
 #include "src/step/model.hpp"
 
 namespace percuss {
@@ -78,6 +79,7 @@ struct BlockBuilder {
     std::map<int, int> row_of_material;
     const bool wanted = find_kind(deck.elements) == Kind;
     for (std::size_t c = 0; wanted && c < chunked.chunks.size(); ++c) {
+      if (is_shell_chunk(chunked, chunked.chunks[c])) continue;
       const int index = chunked.mesh.parts[static_cast<std::size_t>(chunked.chunks[c].part)].material;
       const MaterialDeck& deck_material = deck.materials[static_cast<std::size_t>(index)];
       visit_kernel_material(deck_material, [&](const auto& law, const auto& material) {

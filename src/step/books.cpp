@@ -90,6 +90,45 @@ void book_condition_forces(const Model& model, ExactSums<1>& held_force_sum, Sta
   add_work(work[0], state.books);
 }
 
+/// The same for held rotations: J = I (w+ - w-) - dt_mean m, a moment impulse without a lever.
+void book_spin_conditions(const Model& model, ExactSums<7>& held_sums, State& state, double dt, double dt_mean) {
+  if (model.owned_held_spins.extent(0) == 0) return;
+  const auto held = model.held_spins;
+  const auto owned = model.owned_held_spins;
+  const auto inertia = model.inertia;
+  const auto w = state.w, w_before = state.w_before, moment = state.moment;
+  const auto sums = held_sums(
+      ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+        const int n = held.node(owned(i));
+        const int k = held.direction(owned(i));
+        const double change = inertia(n) * (w(n, k) - w_before(n, k));
+        add(0, 0.5 * change * (w(n, k) + w_before(n, k)) - 0.5 * dt * w(n, k) * moment(n, k));
+        add(4 + k, change - dt_mean * moment(n, k));
+      });
+  add_work(sums[0], state.books);
+  add_to_books(sums, 1, state.books);
+}
+
+/// And the second half of the work of driven rotations.
+void book_spin_moments(const Model& model, ExactSums<1>& held_force_sum, State& state, double dt) {
+  if (!model.is_driven || model.owned_held_spins.extent(0) == 0) return;
+  const auto held = model.held_spins;
+  const auto owned = model.owned_held_spins;
+  const auto nodes_to_slots = model.nodes_to_slots;
+  const auto w = state.w, slot_moment = state.slot_moment;
+  const auto work = held_force_sum(
+      ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+        const int n = held.node(owned(i));
+        const int k = held.direction(owned(i));
+        double moment = 0;
+        for (int s = nodes_to_slots.first(n); s < nodes_to_slots.first(n + 1); ++s) {
+          moment += slot_moment(nodes_to_slots.slots(s), k);
+        }
+        add(0, -0.5 * dt * w(n, k) * moment);
+      });
+  add_work(work[0], state.books);
+}
+
 /// The impulses of contact between bodies cancel; what is left is the walls'. Returns this rank's share of it.
 std::array<ExactSum, 3> book_walls(const Model& model, OwnedNodeSums<6>& wall_sums, State& state) {
   const auto x = state.x, impulse = state.impulse;
@@ -183,6 +222,7 @@ void Bookkeeper::archive(CheckpointArchive& archive) {
 
 void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, bool has_contact) {
   book_conditions(model_, held_sums_, state, dt, dt_mean);
+  book_spin_conditions(model_, held_sums_, state, dt, dt_mean);
   wall_dt_ = 0;
   if (has_contact && !deck_.walls.empty()) {
     wall_impulse_ = book_walls(model_, wall_sums_, state);
@@ -194,6 +234,7 @@ void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, bool has
 
 void Bookkeeper::book_new_forces(State& state, double dt) {
   book_condition_forces(model_, held_force_sum_, state, dt);
+  book_spin_moments(model_, held_force_sum_, state, dt);
   book_pressure_power(power_sum_, state, dt);
 }
 

@@ -45,6 +45,14 @@ bool is_rest(const ConditionDeck& condition) {
   return condition.kind == ConditionDeck::Kind::fixed || condition.kind == ConditionDeck::Kind::symmetry;
 }
 
+/// Rotations come after translations: directions 3, 4, 5.
+constexpr int first_rotation = 3, direction_count = 6;
+
+const char* name_direction(int k) {
+  constexpr const char* names[direction_count] = {"x", "y", "z", "rx", "ry", "rz"};
+  return names[k];
+}
+
 /// The held directions of this rank's nodes; of contradictions it notes the first, with its message.
 class HeldDirectionFinder {
  public:
@@ -55,7 +63,7 @@ class HeldDirectionFinder {
     model_.motions.push_back({});  // row 0: at rest
     for (std::size_t c = 0; c < deck_.conditions.size(); ++c) {
       const std::vector<int> nodes = select_nodes(chunked_.mesh, deck_, deck_.conditions[c].where);
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k < (model_.has_shells ? direction_count : first_rotation); ++k) {
         if (deck_.conditions[c].active[static_cast<std::size_t>(k)]) hold(c, k, nodes);
       }
     }
@@ -86,7 +94,7 @@ class HeldDirectionFinder {
     message_ = fmt::format(
         "{}: error: node {} is held in direction {} by two conditions that move it (the other is at {}); leave it out "
         "of one of them",
-        deck_.where(deck_.conditions[c].where.place), chunked_.mesh.node_ids[n], "xyz"[k],
+        deck_.where(deck_.conditions[c].where.place), chunked_.mesh.node_ids[n], name_direction(k),
         deck_.where(other.where.place));
   }
 
@@ -168,28 +176,58 @@ LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Mo
   return slots;
 }
 
-void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
-                           Model& model) {
-  const HeldMap held = HeldDirectionFinder(deck, chunked, model)();
-  std::vector<std::array<double, 3>> inverse_mass(mass.size());
-  for (std::size_t n = 0; n < mass.size(); ++n) inverse_mass[n] = {1 / mass[n], 1 / mass[n], 1 / mass[n]};
+namespace {
+
+/// Held translations or rotations, with what of them this rank owns.
+struct HeldLists {
+  HeldDirections all;
+  Array<int> owned;
+  Rows3<double> inverse;  // [nodes] 1 / mass, 0 in held directions and where there is no mass
+};
+
+/// Those of three directions from the first on. mass: [node] mass, or rotary inertia.
+HeldLists list_held(const HeldMap& held, int first, const ChunkedMesh& chunked, const std::vector<double>& mass) {
+  std::vector<std::array<double, 3>> inverse(mass.size());
+  for (std::size_t n = 0; n < mass.size(); ++n) {
+    if (mass[n] > 0) inverse[n] = {1 / mass[n], 1 / mass[n], 1 / mass[n]};
+  }
   std::vector<int> node, direction, motion, owned;
   std::vector<double> start;
   for (const auto& [key, value] : held) {
+    if (key.second < first || key.second >= first + 3) continue;
     const auto n = static_cast<std::size_t>(key.first);
-    const auto k = static_cast<std::size_t>(key.second);
-    inverse_mass[n][k] = 0;
+    const auto k = static_cast<std::size_t>(key.second - first);
+    inverse[n][k] = 0;
+    if (mass[n] == 0) continue;  // the rotation of a node without shells
     if (owns_node(chunked, key.first)) owned.push_back(static_cast<int>(node.size()));
     node.push_back(key.first);
-    direction.push_back(key.second);
+    direction.push_back(static_cast<int>(k));
     motion.push_back(value.motion);
-    start.push_back(chunked.mesh.nodes[n][k]);
+    start.push_back(first == 0 ? chunked.mesh.nodes[n][k] : 0);
   }
-  model.inverse_mass = to_rows("percuss::inverse_mass", inverse_mass);
-  model.held = {to_view("percuss::held_node", node), to_view("percuss::held_direction", direction),
-                to_view("percuss::held_motion", motion), to_view("percuss::held_start", start),
-                static_cast<int>(node.size())};
-  model.owned_held = to_view("percuss::owned_held", owned);
+  return {
+      {to_view("percuss::held_node", node), to_view("percuss::held_direction", direction),
+       to_view("percuss::held_motion", motion), to_view("percuss::held_start", start), static_cast<int>(node.size())},
+      to_view("percuss::owned_held", owned),
+      to_rows("percuss::inverse_mass", inverse)};
+}
+
+}  // namespace
+
+void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
+                           Model& model) {
+  const HeldMap held = HeldDirectionFinder(deck, chunked, model)();
+  const HeldLists moves = list_held(held, 0, chunked, mass);
+  model.held = moves.all;
+  model.owned_held = moves.owned;
+  model.inverse_mass = moves.inverse;
+  if (!model.has_shells) return;
+  const auto inertia = to_host(model.inertia);
+  const HeldLists spins =
+      list_held(held, first_rotation, chunked, {inertia.data(), inertia.data() + inertia.extent(0)});
+  model.held_spins = spins.all;
+  model.owned_held_spins = spins.owned;
+  model.inverse_inertia = spins.inverse;
 }
 
 MassPoint find_mass_point(const ChunkedMesh& chunked, const std::vector<int>& nodes, const std::vector<double>& mass) {
@@ -209,6 +247,7 @@ void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, cons
                               Model& model) {
   const Mesh& mesh = chunked.mesh;
   std::vector<Vec3> velocity(mesh.nodes.size(), Vec3{});
+  std::vector<Vec3> spin(model.has_shells ? mesh.nodes.size() : 0, Vec3{});
   for (const InitialDeck& initial : deck.initial) {
     const std::vector<int> nodes = select_nodes(mesh, deck, initial.where);
     const Vec3 center = initial.center ? *initial.center : find_mass_point(chunked, nodes, mass).center;
@@ -216,9 +255,11 @@ void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, cons
       const Vec3& p = mesh.nodes[static_cast<std::size_t>(n)];
       const Vec3 turn = cross(initial.angular_velocity, {p[0] - center[0], p[1] - center[1], p[2] - center[2]});
       for (std::size_t k = 0; k < 3; ++k) velocity[static_cast<std::size_t>(n)][k] = initial.velocity[k] + turn[k];
+      if (model.has_shells) spin[static_cast<std::size_t>(n)] = initial.angular_velocity;
     }
   }
   model.start_velocity = to_rows("percuss::start_velocity", velocity);
+  model.start_spin = to_rows("percuss::start_spin", spin);
 }
 
 }  // namespace percuss

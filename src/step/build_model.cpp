@@ -11,8 +11,10 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
+#include "src/mesh/hex_geometry.hpp"
 #include "src/step/block_builder.hpp"
 #include "src/step/build_conditions.hpp"
+#include "src/step/build_shells.hpp"
 #include "src/step/mass_scaling.hpp"
 #include "src/step/model.hpp"
 #include "src/step/whole_mesh.hpp"
@@ -85,6 +87,7 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
                        empty,
                        {}};
   std::apply([&](auto&... block) { (builder.build(block), ...); }, model.blocks);
+  build_shell_blocks(deck, chunked, {builder.record_size, builder.history, builder.points, builder.parameters}, model);
 
   std::vector<std::size_t> first_state(count);
   for (std::size_t c = 0; c < count; ++c) {
@@ -200,8 +203,8 @@ void build_numbers(const ChunkedMesh& chunked, Model& model) {
 // --- halo
 
 /// Leaves to `blocks` the chunks that no other rank waits for and puts the others into `sending`.
-template <std::size_t... Is>
-void split_blocks(const std::vector<char>& sends, HexBlocks& blocks, HexBlocks& sending, std::index_sequence<Is...>) {
+template <class Blocks, std::size_t... Is>
+void split_blocks(const std::vector<char>& sends, Blocks& blocks, Blocks& sending, std::index_sequence<Is...>) {
   const auto split = [&](auto& block, auto& sending_block) {
     const auto all = to_host(block.chunks);
     std::vector<int> first, rest;
@@ -223,6 +226,8 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
   const std::vector<char> sends =
       mark_sending_chunks(halo.plan, {first_slot.data(), first_slot.data() + first_slot.extent(0)});
   split_blocks(sends, model.blocks, model.sending_blocks, std::make_index_sequence<std::tuple_size_v<HexBlocks>>());
+  split_blocks(sends, model.shell_blocks, model.sending_shell_blocks,
+               std::make_index_sequence<std::tuple_size_v<ShellBlocks>>());
   model.nodes_to_slots = {to_view("percuss::first_slot_of_node", halo.nodes_to_slots.first),
                           to_view("percuss::slots_of_node", halo.nodes_to_slots.slots)};
   model.slot_count = halo.plan.slot_count();
@@ -231,7 +236,14 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
 
 // --- masses
 
+double find_shell_volume(const Mesh& mesh, std::size_t element) {
+  HexCorners corners;
+  for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
+  return mesh.parts[static_cast<std::size_t>(mesh.element_part[element])].thickness * find_shell_area_size(corners);
+}
+
 double find_element_volume(const Mesh& mesh, std::size_t element) {
+  if (is_shell(mesh.elements[element])) return find_shell_volume(mesh, element);
   double x[8], y[8], z[8];
   for (std::size_t i = 0; i < 8; ++i) {
     const Vec3& p = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
@@ -247,7 +259,8 @@ double find_element_volume(const Mesh& mesh, std::size_t element) {
   return find_volume_gradient(a).volume;
 }
 
-/// The share of each chunk in the mass of its nodes, in the first column: elements in ascending order.
+/// The share of each chunk in the mass of its nodes, in the first column: elements in ascending order. Corners of a
+/// shell, which stand twice, take two eighths.
 Rows3<double> sum_mass_by_slot(const Model& model, const std::vector<double>& element_mass) {
   const Rows3<double> slot_mass("percuss::slot_mass", static_cast<std::size_t>(model.slot_count));
   const auto host = Kokkos::create_mirror_view(slot_mass);
@@ -284,6 +297,14 @@ std::vector<double> assemble_masses(const Model& model, const std::vector<double
   return mass;
 }
 
+/// Rotary inertia of the nodes, summed as their masses are.
+void build_inertia(const Mesh& mesh, std::vector<double> element_mass, Model& model) {
+  const std::vector<double> gyration_square = find_gyration_squares(mesh);
+  for (std::size_t e = 0; e < element_mass.size(); ++e) element_mass[e] *= gyration_square[e];
+  model.gyration_square = to_view("percuss::gyration_square", gyration_square);
+  model.inertia = to_view("percuss::inertia", assemble_masses(model, element_mass));
+}
+
 std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   const Mesh& mesh = chunked.mesh;
   std::vector<double> element_mass(mesh.elements.size());
@@ -300,6 +321,7 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
   model.mass_center = scene.center;
   model.mass = to_view("percuss::mass", mass);
   model.element_mass = to_view("percuss::element_mass", element_mass);
+  if (model.has_shells) build_inertia(mesh, element_mass, model);
   return mass;
 }
 

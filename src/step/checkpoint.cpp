@@ -137,14 +137,20 @@ void archive_eroded(CheckpointArchive& archive, State& state) {
 }
 
 /// The chunks' own slots; those of pressure follow from the positions, those of other ranks come from them.
-void archive_slot_forces(CheckpointArchive& archive, const Model& model, const State& state) {
+void archive_slots(CheckpointArchive& archive, const char* name, const Model& model, const Rows3<double>& slots) {
   const auto first_slot = to_host(model.chunks.first_slot);
   const auto count = static_cast<std::size_t>(model.chunks.count);
   ChunkRows rows;
   for (std::size_t c = 0; c < count; ++c) rows.counts.push_back(first_slot(c + 1) - first_slot(c));
   const auto own = static_cast<std::size_t>(first_slot(count));
-  archive.rows("elements/slot_force", rows, 3,
-               Kokkos::subview(state.slot_force, std::pair(std::size_t{0}, own), Kokkos::ALL));
+  archive.rows(name, rows, 3, Kokkos::subview(slots, std::pair(std::size_t{0}, own), Kokkos::ALL));
+}
+
+/// What shells add.
+void archive_spins(CheckpointArchive& archive, const ChunkRows& nodes, const Model& model, State& state) {
+  if (!model.has_shells) return;
+  archive.rows("nodes/w", nodes, 3, state.w);
+  archive_slots(archive, "elements/slot_moment", model, state.slot_moment);
 }
 
 void archive_bound(CheckpointArchive& archive, StepBound& bound) {
@@ -218,7 +224,8 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   archive.rows("nodes/v", nodes, 3, state.v);
   archive.rows("nodes/impulse", nodes, 3, state.impulse);
   archive_elements(archive, model, state);
-  archive_slot_forces(archive, model, state);
+  archive_slots(archive, "elements/slot_force", model, state.slot_force);
+  archive_spins(archive, nodes, model, state);
   const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
   archive.rows("chunks/work", chunks, 3, state.results.work);
   archive_books(archive, state.books);
@@ -235,7 +242,9 @@ void complete_state(const ChunkedMesh& chunked, const Model& model, const State&
     shared.owners[n] = chunked.numbering.find_node_owner(chunked.mesh.node_numbers[n]);
   }
   NodeCopies copies(model.ranks, shared);
-  for (const auto& values : {state.x, state.v, state.impulse}) {
+  std::vector<Rows3<double>> rows{state.x, state.v, state.impulse};
+  if (model.has_shells) rows.push_back(state.w);
+  for (const auto& values : rows) {
     copies.begin(ExecSpace(), values);
     copies.end(ExecSpace(), values);
   }

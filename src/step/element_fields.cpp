@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/step/shell_fields.hpp"
 
 namespace percuss {
 
@@ -52,11 +53,18 @@ KOKKOS_INLINE_FUNCTION int find_chunk(const HexChunks& chunks, int e) {
   return low;
 }
 
-/// The stress, turned into space axes; of an element with several points their mean.
+/// The stress, turned into space axes; of a hexahedron with several points their mean.
 struct ReadStress {
   static constexpr int components = 6;
   static constexpr bool fades = true;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, const double* record, double* row) const {
+  ShellTables shells;
+  ShellLayer layer = ShellLayer::mean;
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const double* record,
+                                         double* row) const {
+    if (is_shell(chunks, c)) {
+      read_shell_stress(shells, chunks, c, e, record, layer, row);
+      return;
+    }
     const double* s = record + HexRecord::stress * width;
     const double* r = record + HexRecord::rotation * width;
     const int points = chunks.points(c);
@@ -85,12 +93,30 @@ struct ReadStress {
 struct ReadScalar {
   static constexpr int components = 1;
   static constexpr bool fades = false;
+  ShellTables shells;
   HistoryScalar name;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, const double* record, double* row) const {
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const double* record,
+                                         double* row) const {
+    if (is_shell(chunks, c)) {
+      const bool has = name == HistoryScalar::equivalent_plastic_strain && chunks.history(c) >= 0;
+      const auto& rule = shells.rules(chunks.points(c));
+      row[0] = has ? read_layers(chunks, c, rule, record, ShellRecord::stress_count, ShellLayer::mean) : 0;
+      return;
+    }
     const int place = chunks.find_scalar(c, name);
     const int points = place < 0 ? 0 : chunks.points(c);
     row[0] = 0;
     for (int p = 0; p < points; ++p) row[0] += record[(place + p) * width] / points;
+  }
+};
+
+/// Of a shell; 0 of others.
+struct ReadThickness {
+  static constexpr int components = 1;
+  static constexpr bool fades = false;
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const double* record,
+                                         double* row) const {
+    row[0] = is_shell(chunks, c) ? record[ShellRecord::thickness * width] : 0;
   }
 };
 
@@ -120,7 +146,7 @@ std::vector<double> read_all(const Model& model, const State& state, const Read&
       "percuss::read_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int e = chunks.first_element(c); e < chunks.first_element(c + 1); ++e) {
           double* const row = &out(Read::components * static_cast<std::size_t>(e));
-          read(chunks, c, find_record(chunks, elements, c, e), row);
+          read(chunks, c, e, find_record(chunks, elements, c, e), row);
           scale<Read>(lives, c, e - chunks.first_element(c), row);
         }
       });
@@ -140,7 +166,7 @@ std::vector<double> read_some(const Model& model, const State& state, const std:
       KOKKOS_LAMBDA(const int i) {
         const int c = find_chunk(chunks, list(i));
         double* const row = &out(Read::components * static_cast<std::size_t>(i));
-        read(chunks, c, find_record(chunks, elements, c, list(i)), row);
+        read(chunks, c, list(i), find_record(chunks, elements, c, list(i)), row);
         scale<Read>(lives, c, list(i) - chunks.first_element(c), row);
       });
   return copy_out(out);
@@ -172,28 +198,40 @@ std::vector<double> find_damage(const Model& model, const State& state) {
 }
 
 std::vector<double> find_stresses(const Model& model, const State& state) {
-  return read_all(model, state, ReadStress{});
+  return read_all(model, state, ReadStress{{model, state}});
+}
+
+std::vector<double> find_bottom_stresses(const Model& model, const State& state) {
+  return read_all(model, state, ReadStress{{model, state}, ShellLayer::bottom});
+}
+
+std::vector<double> find_top_stresses(const Model& model, const State& state) {
+  return read_all(model, state, ReadStress{{model, state}, ShellLayer::top});
+}
+
+std::vector<double> find_thicknesses(const Model& model, const State& state) {
+  return read_all(model, state, ReadThickness{});
 }
 
 std::vector<double> find_plastic_strains(const Model& model, const State& state) {
-  return read_all(model, state, ReadScalar{HistoryScalar::equivalent_plastic_strain});
+  return read_all(model, state, ReadScalar{{model, state}, HistoryScalar::equivalent_plastic_strain});
 }
 
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name) {
-  return read_all(model, state, ReadScalar{name});
+  return read_all(model, state, ReadScalar{{model, state}, name});
 }
 
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name,
                                  const std::vector<int>& elements) {
-  return read_some(model, state, elements, ReadScalar{name});
+  return read_some(model, state, elements, ReadScalar{{model, state}, name});
 }
 
 std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements) {
-  return read_some(model, state, elements, ReadStress{});
+  return read_some(model, state, elements, ReadStress{{model, state}});
 }
 
 std::vector<double> find_plastic_strains(const Model& model, const State& state, const std::vector<int>& elements) {
-  return read_some(model, state, elements, ReadScalar{HistoryScalar::equivalent_plastic_strain});
+  return read_some(model, state, elements, ReadScalar{{model, state}, HistoryScalar::equivalent_plastic_strain});
 }
 
 std::vector<double> find_pressures(const std::vector<double>& stresses) {

@@ -10,9 +10,17 @@ namespace percuss {
 
 /// Cauchy stress in space axes, one row of xx, yy, zz, xy, yz, zx an element. Bulk viscosity is not part of it. Of an
 /// element that fails it is the share that is left, of a dead one zero.
+/// Of a shell the mean across its thickness.
 std::vector<double> find_stresses(const Model& model, const State& state);
 
-/// Equivalent plastic strain an element; 0 where the material has none.
+/// The same at the lowest and the highest point of shells; of hexahedra as find_stresses().
+std::vector<double> find_bottom_stresses(const Model& model, const State& state);
+std::vector<double> find_top_stresses(const Model& model, const State& state);
+
+/// Thickness of shells; 0 of hexahedra.
+std::vector<double> find_thicknesses(const Model& model, const State& state);
+
+/// Equivalent plastic strain an element, the mean of its points; 0 where the material has none.
 std::vector<double> find_plastic_strains(const Model& model, const State& state);
 
 /// A named scalar of the materials' history an element, at several points their mean; 0 where the material has none.

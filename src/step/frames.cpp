@@ -107,6 +107,12 @@ void Frames::write(const State& state) {
       add(name, FieldPlace::element, 1, find_alive(model_, state));
     } else if (name == "damage") {
       add(name, FieldPlace::element, 1, find_damage(model_, state));
+    } else if (name == "stress_bottom") {
+      add(name, FieldPlace::element, 6, find_bottom_stresses(model_, state));
+    } else if (name == "stress_top") {
+      add(name, FieldPlace::element, 6, find_top_stresses(model_, state));
+    } else if (name == "thickness") {
+      add(name, FieldPlace::element, 1, find_thicknesses(model_, state));
     } else if (name == "body") {
       add(name, FieldPlace::element, 1, body_);
     } else if (name == "chunk") {

@@ -15,6 +15,7 @@
 #include "kernels/node/conditions.hpp"
 #include "kernels/node/motion.hpp"
 #include "kernels/node/pressure.hpp"
+#include "kernels/shell/shell_force.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/ordering.hpp"
@@ -61,6 +62,18 @@ struct Model {
   StartHistory start_history;
   FailingChunks failing;   // those whose material can fail
   bool can_erode = false;  // whether there are any on any rank
+
+  bool has_shells = false;           // whether any rank has some; without them what follows is empty
+  ShellBlocks sending_shell_blocks;  // as sending_blocks
+  ShellBlocks shell_blocks;
+  Array<double> start_thickness;                             // [chunks] of shells [length]
+  Kokkos::View<ThicknessPoints*, MemSpace> thickness_rules;  // by number of points
+  Array<double> gyration_square;                             // [elements] rotary inertia over mass [length^2]
+  Array<double> inertia;                                     // [nodes] rotary, about any axis; 0 without a shell
+  Rows3<double> inverse_inertia;                             // 0 in held directions
+  Rows3<double> start_spin;                                  // [nodes] angular velocity at time 0
+  HeldDirections held_spins;                                 // directions 0, 1, 2: about x, y, z
+  Array<int> owned_held_spins;                               // as owned_held
 
   NodeSlots nodes_to_slots;
   HaloPlan halo;

@@ -8,12 +8,17 @@ namespace {
 
 constexpr int width = pack_size<double>;
 
+KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
+  return chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0;
+}
+
 /// Each element starts undeformed: R = V = I, no stress, its mass from its own volume and density.
 Array<double> make_element_records(const Model& model) {
   const Array<double> elements("percuss::elements", model.state_size);
   const HexChunks chunks = model.chunks;
   Kokkos::parallel_for(
       "percuss::start_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        if (is_shell(chunks, c)) return;
         const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
         const int size = chunks.record_size(c);
         for (int i = 0; i < packs * width; ++i) {
@@ -66,6 +71,24 @@ void set_start_history(const Model& model, const Array<double>& elements) {
       });
 }
 
+/// Thickness and rotary inertia of shells into the records.
+void start_shells(const Model& model, const Array<double>& elements) {
+  if (!model.has_shells) return;
+  const HexChunks chunks = model.chunks;
+  const Array<double> gyration_square = model.gyration_square, thickness = model.start_thickness;
+  Kokkos::parallel_for(
+      "percuss::start_shells", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        if (!is_shell(chunks, c)) return;
+        const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
+        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c), size = chunks.record_size(c);
+        for (int i = 0; i < packs * width; ++i) {
+          double* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          record[ShellRecord::gyration_square * width] = gyration_square(first + (i < count ? i : count - 1));
+          record[ShellRecord::thickness * width] = thickness(c);
+        }
+      });
+}
+
 KOKKOS_INLINE_FUNCTION std::uint64_t mix(std::uint64_t h) {  // the finaliser of SplitMix64 (Steele et al. 2014)
   h += 0x9e3779b97f4a7c15ull;
   h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
@@ -111,7 +134,15 @@ State make_initial_state(const Model& model) {
   s.elements = make_element_records(model);
   set_element_masses(model, s.elements);
   set_start_history(model, s.elements);
+  start_shells(model, s.elements);
   s.slot_force = Rows3<double>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
+  if (model.has_shells) {
+    s.w = Rows3<double>("percuss::w", nodes);
+    s.w_before = Rows3<double>("percuss::w_before", nodes);
+    s.moment = Rows3<double>("percuss::moment", nodes);
+    s.slot_moment = Rows3<double>("percuss::slot_moment", static_cast<std::size_t>(model.slot_count));
+    Kokkos::deep_copy(s.w, model.start_spin);
+  }
   const auto chunks = static_cast<std::size_t>(model.chunks.count);
   s.results = {Array<double>("percuss::stable_step", chunks), Array<int>("percuss::controlling_element", chunks),
                Array<int>("percuss::failed_element", chunks), Rows3<double>("percuss::work", chunks),
@@ -127,7 +158,8 @@ State make_initial_state(const Model& model) {
 namespace {
 
 std::uint64_t hash_nodes(const Model& model, const State& state) {
-  const auto x = state.x, v = state.v;
+  const auto x = state.x, v = state.v, w = state.w;
+  const bool has_shells = model.has_shells;
   const auto owned = model.owned_nodes;
   const auto numbers = model.node_numbers;
   std::uint64_t hash = 0;
@@ -137,6 +169,7 @@ std::uint64_t hash_nodes(const Model& model, const State& state) {
         for (int n = owned.first(c); n < owned.end(c); ++n) {
           std::uint64_t h = mix(static_cast<std::uint64_t>(numbers(n)));
           for (int k = 0; k < 3; ++k) h = mix(mix(h ^ find_bits(x(n, k))) ^ find_bits(v(n, k)));
+          for (int k = 0; has_shells && k < 3; ++k) h = mix(h ^ find_bits(w(n, k)));
           sum += h;  // integers: any order gives the same sum
         }
       },

@@ -57,6 +57,11 @@ struct State {
   double total_mass = 0;         // of all ranks
   PressureFaces pressure_faces;  // those of dead elements have no area
 
+  // Of scenes with shells; empty otherwise.
+  Rows3<double> w;            // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)
+  Rows3<double> w_before;     // one step earlier; scratch of the step
+  Rows3<double> moment;       // assembled moment, at n
+  Rows3<double> slot_moment;  // internal moment (negative) by slot, at n; also those of other ranks
   Books books;
 };
 

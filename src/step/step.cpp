@@ -44,6 +44,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
       halo_(model.ranks, model.halo),
       bookkeeper_(deck, model),
       pressures_("percuss::pressures", model.pressures.size()) {
+  if (model.has_shells) moment_halo_.emplace(model.ranks, model.halo);
   std::vector<int> is_displacement;
   for (const Motion& motion : model.motions) is_displacement.push_back(motion.is_displacement ? 1 : 0);
   motions_ = {Array<double>("percuss::motion_values", model.motions.size()),
@@ -56,6 +57,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
 void Stepper::start(State& state, StepWishes wishes) {
   // Held directions begin at their prescribed velocity; a displacement curve begins at rest.
   hold_conditions(state, 0);
+  hold_spins(state, 0);
   compute_forces(state, 0);
   judge_elements(state, 0);
   agree_on_step(state, wishes);
@@ -67,6 +69,10 @@ void Stepper::renew_loads(State& state) {
   apply_loads(state, state.time);
   halo_.begin(space_, state.slot_force);
   halo_.end();
+  if (moment_halo_) {
+    moment_halo_->begin(space_, state.slot_moment);
+    moment_halo_->end();
+  }
 }
 
 void Stepper::resume(State& state) {
@@ -98,6 +104,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
     hold_conditions(state, dt);
     resolve_contact(state, dt);
   }
+  if (model_.has_shells) integrate_spins(state, dt, dt_mean);
   {
     const Phase phase("percuss::book", clocks_.reduce);
     bookkeeper_.book_impulses(state, dt, dt_mean, report_.interactions > 0);
@@ -138,9 +145,33 @@ void Stepper::integrate_motion(State& state, double dt_mean) {
   if (state.step == 0) mirror_velocities(space_, state.v, state.v_before);
 }
 
+/// Rotations of the nodes of shells: nothing but the elements' moments and conditions acts on them.
+void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
+  {
+    const Phase phase("percuss::integrate_spins", clocks_.integrate);
+    predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, model_.inverse_inertia, {}}, dt_mean,
+                       state.moment, state.w_before, state.w);
+    if (state.step == 0) mirror_velocities(space_, state.w, state.w_before);
+  }
+  hold_spins(state, dt);
+}
+
+void Stepper::hold_spins(State& state, double dt) {
+  if (model_.held_spins.count == 0) return;
+  const Phase phase("percuss::conditions", clocks_.integrate);
+  evaluate_motions(state, dt);
+  hold_velocities(space_, model_.held_spins, motions_, state.x, dt > 0 ? dt : 1, state.w);
+}
+
 void Stepper::hold_conditions(State& state, double dt) {
   if (model_.held.count == 0) return;
   const Phase phase("percuss::conditions", clocks_.integrate);
+  evaluate_motions(state, dt);
+  hold_velocities(space_, model_.held, motions_, state.x, dt > 0 ? dt : 1, state.v);
+}
+
+/// Values of the prescribed motions for the step from n to n+1.
+void Stepper::evaluate_motions(const State& state, double dt) {
   const auto values = Kokkos::create_mirror_view(motions_.value);
   for (std::size_t m = 0; m < model_.motions.size(); ++m) {
     const Motion& motion = model_.motions[m];
@@ -148,7 +179,6 @@ void Stepper::hold_conditions(State& state, double dt) {
     if (motion.is_displacement && dt == 0) values(m) = 0;  // at the start: at rest where the mesh put it
   }
   Kokkos::deep_copy(motions_.value, values);
-  hold_velocities(space_, model_.held, motions_, state.x, dt > 0 ? dt : 1, state.v);
 }
 
 void Stepper::resolve_contact(State& state, double dt) {
@@ -168,20 +198,25 @@ void Stepper::resolve_contact(State& state, double dt) {
 void Stepper::compute_forces(State& state, double dt) {
   {
     const Phase phase("percuss::internal_force", clocks_.internal_force);
-    advance_blocks(state, model_.sending_blocks, dt);
+    advance_blocks(state, model_.sending_blocks, model_.sending_shell_blocks, dt);
     apply_loads(state, state.time + dt);
     halo_.begin(space_, state.slot_force);
-    advance_blocks(state, model_.blocks, dt);
+    if (moment_halo_) moment_halo_->begin(space_, state.slot_moment);
+    advance_blocks(state, model_.blocks, model_.shell_blocks, dt);
   }
   const Phase phase("percuss::halo", clocks_.halo);
   halo_.end();
+  if (moment_halo_) moment_halo_->end();
 }
 
-void Stepper::advance_blocks(State& state, const HexBlocks& blocks, double dt) {
+void Stepper::advance_blocks(State& state, const HexBlocks& blocks, const ShellBlocks& shells, double dt) {
   const StepWatch watch = global_ ? global_->watch() : StepWatch{};
   const ElementMotion motion{state.x, state.v,        dt,         deck_.elements.skip_resting, state.time + dt,
                              watch,   model_.failing, state.lives};
   advance_elements(space_, model_.chunks, blocks, motion, state.elements, state.slot_force, state.results);
+  if (!model_.has_shells) return;
+  advance_shells(space_, model_.chunks, shells, {state.x, state.v, state.w, dt, deck_.elements.skip_resting},
+                 state.elements, state.slot_force, state.slot_moment, state.results);
 }
 
 /// Which elements fail, which die.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "comm/halo_swap.hpp"
 #include "comm/merge_reduction.hpp"
@@ -83,11 +84,14 @@ class Stepper {
   bool is_free() const;
   void integrate_free_motion(State& state, double dt, double dt_mean);
   void integrate_motion(State& state, double dt_mean);
+  void integrate_spins(State& state, double dt, double dt_mean);
   void hold_conditions(State& state, double dt);
+  void hold_spins(State& state, double dt);
+  void evaluate_motions(const State& state, double dt);
   void resolve_contact(State& state, double dt);
   void compute_forces(State& state, double dt);
   void judge_elements(State& state, double dt);
-  void advance_blocks(State& state, const HexBlocks& blocks, double dt);
+  void advance_blocks(State& state, const HexBlocks& blocks, const ShellBlocks& shells, double dt);
   void apply_loads(State& state, double time);
   StepNotice find_notice(const State& state) const;
   void agree_on_step(State& state, StepWishes wishes);
@@ -100,6 +104,7 @@ class Stepper {
   ContactStage& contact_;
   ExecSpace space_;
   HaloSwap halo_;
+  std::optional<HaloSwap> moment_halo_;  // only with shells
   MergeReduction<StepNotice> reduction_;
   StepWishes agreed_;
   std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it

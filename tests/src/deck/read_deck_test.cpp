@@ -157,7 +157,7 @@ TEST(ReadDeck, ReadsLoadsConditionsAndWalls) {
   EXPECT_EQ((*deck.initial.at(1).where.inside)[1], (Vec3{1, 1, 0.5}));
   EXPECT_EQ(deck.initial.at(1).angular_velocity, (Vec3{0, 0, 7}));
   ASSERT_EQ(deck.conditions.size(), 4U);
-  EXPECT_EQ(deck.conditions[0].active, (std::array<bool, 3>{true, false, true}));
+  EXPECT_EQ(deck.conditions[0].active, (std::array<bool, 6>{true, false, true}));
   EXPECT_EQ(deck.conditions[1].kind, ConditionDeck::Kind::symmetry);
   EXPECT_EQ(deck.conditions[2].kind, ConditionDeck::Kind::velocity);
   EXPECT_EQ(deck.conditions[2].where.name, "a");

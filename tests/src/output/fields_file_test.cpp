@@ -57,6 +57,40 @@ TEST(FieldsFile, SaysThatItIsATemporalUnstructuredGridOfVersionTwo) {
   EXPECT_EQ(file.text_attribute("percuss", "units"), "m, kg, s");
 }
 
+TEST(FieldsFile, StoresShellsAsQuadrilaterals) {
+  Mesh mesh = sample::make_mesh();
+  const auto hexahedra = mesh.elements;
+  std::vector<int> types;
+  for (std::size_t e = 0; e < hexahedra.size(); ++e) {
+    const auto& h = hexahedra[e];
+    if (e % 3 == 1) mesh.elements[e] = make_shell({h[0], h[1], h[2], h[3]});
+    types.push_back(is_shell(mesh.elements[e]) ? 9 : 12);
+  }
+  const TemporaryFolder folder;
+  write_run(folder, mesh);
+  const Hdf5FileView file(folder.file("fields.vtkhdf"));
+  const auto connectivity = file.whole_numbers("VTKHDF/Connectivity");
+  const auto offsets = file.whole_numbers("VTKHDF/Offsets");
+  const auto mixed = file.whole_numbers("percuss/xdmf_topology");
+  EXPECT_THAT(file.whole_numbers("VTKHDF/Types"), testing::ElementsAreArray(types));
+  ASSERT_EQ(offsets.size(), mesh.elements.size() + 1);
+  EXPECT_EQ(offsets.front(), 0);
+  EXPECT_EQ(offsets.back(), static_cast<long>(connectivity.size()));
+  EXPECT_THAT(file.whole_numbers("VTKHDF/NumberOfConnectivityIds"), ElementsAre(connectivity.size()));
+  std::size_t at = 0;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const auto corners = static_cast<std::size_t>(types[e] == 9 ? 4 : 8), first = static_cast<std::size_t>(offsets[e]);
+    EXPECT_EQ(static_cast<std::size_t>(offsets[e + 1]) - first, corners);
+    EXPECT_EQ(mixed.at(at++), types[e] == 9 ? 5 : 9);  // XDMF's numbers
+    for (std::size_t i = 0; i < corners; ++i) {
+      EXPECT_EQ(connectivity.at(first + i), mesh.elements[e][i]);
+      EXPECT_EQ(mixed.at(at++), mesh.elements[e][i]);
+    }
+  }
+  EXPECT_EQ(at, mixed.size());
+  EXPECT_THAT(read_text(folder.file("fields.xdmf")), HasSubstr("TopologyType=\"Mixed\""));
+}
+
 TEST(FieldsFile, StoresTheCellsOnceAndSendsEveryStepBackToThem) {
   const TemporaryFolder folder;
   const Mesh mesh = sample::make_mesh();

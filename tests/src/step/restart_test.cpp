@@ -72,6 +72,30 @@ std::string stopped(int steps) {
 
 }  // namespace
 
+// Shells that yield, with held and driven rotations.
+const std::string shells = R"yaml(
+time: {end: 3e-4}
+parts: {roof: {shell_tube: {radius: 1, length: 2, cells: [9, 11], arc: 70}, thickness: 0.02, points: 4, material: steel}}
+materials: {steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, hardening_modulus: 1e9}}
+loads: {pressure: [{faces: roof/outer, value: 4e7}]}
+conditions: [{nodes: roof/start, fixed: [x, y, z, rx, ry, rz]}, {nodes: roof/end, velocity: {z: -5, rx: {expression: "20 * sin(1e4 * t)"}}}]
+output: {fields: {every: 1e-4, write: [stress_top, thickness]}, history: {every: 0}}
+)yaml";
+
+TEST(Restart, OfShellsEndsInTheSameBits) {
+  const TemporaryFolder whole, parts;
+  const Summary expected = run(shells, whole.path()).summary;
+  run(change(change(shells, "end: 3e-4", "end: 3e-4, max_steps: 9"), "history: {every: 0}",
+             "history: {every: 0}, checkpoint: {every: 1}"),
+      parts.path());
+  const Summary summary = run(shells, parts.path(), parts.path() + checkpoint_name).summary;
+  EXPECT_GT(expected.steps, 12);
+  EXPECT_EQ(summary.state_hash, expected.state_hash);
+  EXPECT_EQ(summary.steps, expected.steps);
+  EXPECT_EQ(summary.energy.error, expected.energy.error);
+  EXPECT_EQ(read_file(parts.path() + "/history.csv"), read_file(whole.path() + "/history.csv"));
+}
+
 TEST(Restart, EndsInTheBitsOfTheRunThatWasNeverStopped) {
   const TemporaryFolder whole, parts;
   const Summary expected = run(blocks, whole.path()).summary;

@@ -1,0 +1,132 @@
+#include "src/step/build_shells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <type_traits>
+#include <utility>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/deck/make_material.hpp"
+#include "src/error.hpp"
+#include "src/mesh/hex_geometry.hpp"
+
+namespace percuss {
+
+namespace {
+
+/// Points across the thickness unless the deck says: enough for the moment of a section that yields (0.94 of the fully
+/// plastic one), or for more than linear stress.
+constexpr int points_of_plastic_shells = 5, points_of_elastic_shells = 3;
+
+// --- materials: the one place that turns a deck's material into that of a layer
+
+PlaneElasticity find_layer_elasticity(const LameConstants& c) {
+  const double sum = c.lambda + c.mu;
+  return find_plane_elasticity(c.mu * (3 * c.lambda + 2 * c.mu) / sum, 0.5 * c.lambda / sum);
+}
+
+ElasticLayer make_layer(const Elastic& law) { return {find_layer_elasticity(law.moduli())}; }
+
+J2Layer make_layer(const J2Plasticity& law) {
+  return {find_layer_elasticity(law.moduli()), law.yield_stress, law.hardening_modulus};
+}
+
+/// Calls use(layer) with the layer of a material. Returns false if shells do not know it.
+template <class Use>
+bool visit_layer(const MaterialDeck& material, const Use& use) {
+  if (material.equation_of_state) return false;
+  bool known = false;
+  visit_law(material, [&](const auto& law) {
+    if constexpr (requires { make_layer(law); }) {
+      use(make_layer(law));
+      known = true;
+    }
+  });
+  return known;
+}
+
+/// On all ranks alike: every deck names every part.
+void check_materials(const Deck& deck, const Mesh& mesh) {
+  for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+    if (mesh.parts[p].thickness == 0) continue;
+    const MaterialDeck& material = deck.materials[static_cast<std::size_t>(mesh.parts[p].material)];
+    if (visit_layer(material, [](const auto&) {})) continue;
+    throw InputError(
+        fmt::format("{}: error: part '{}' has shells of material '{}' (shells know elastic and "
+                    "j2_plasticity only)",
+                    deck.where(deck.parts[p].place), mesh.parts[p].name, material.name));
+  }
+}
+
+template <class Layer>
+void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, ShellBlock<Layer>& block) {
+  std::vector<int> chunks;
+  std::vector<ShellParameters<Layer>> rows;
+  std::map<int, int> row_of_part;
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    if (!is_shell_chunk(chunked, chunked.chunks[c])) continue;
+    const int part_index = chunked.chunks[c].part;
+    const MeshPart& part = chunked.mesh.parts[static_cast<std::size_t>(part_index)];
+    visit_layer(deck.materials[static_cast<std::size_t>(part.material)], [&](const auto& layer) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(layer)>, Layer>) {
+        constexpr int usual = Layer::history_count > 0 ? points_of_plastic_shells : points_of_elastic_shells;
+        const int points = part.points > 0 ? part.points : usual;
+        const auto [row, is_new] = row_of_part.emplace(part_index, static_cast<int>(rows.size()));
+        if (is_new) rows.push_back({layer, find_thickness_points(points)});
+        chunks.push_back(static_cast<int>(c));
+        records.parameters[c] = row->second;
+        records.record_size[c] = find_shell_record_size<Layer>(points);
+        records.points[c] = points;
+        records.history[c] = Layer::history_count > 0 ? ShellRecord::layers + ShellRecord::stress_count : -1;
+      }
+    });
+  }
+  block.chunks = to_view("percuss::chunks_of_shell_block", chunks);
+  block.parameters = to_view("percuss::shell_parameters", rows);
+}
+
+/// The rules of all numbers of points, by number.
+std::vector<ThicknessPoints> list_thickness_rules() {
+  std::vector<ThicknessPoints> rules(1);
+  for (int count = 1; count <= most_thickness_points; ++count) rules.push_back(find_thickness_points(count));
+  return rules;
+}
+
+}  // namespace
+
+bool is_shell_chunk(const ChunkedMesh& chunked, const Chunk& chunk) {
+  return is_shell(chunked.mesh.elements[static_cast<std::size_t>(chunk.first_element)]);
+}
+
+void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, Model& model) {
+  const std::vector<MeshPart>& parts = chunked.mesh.parts;
+  model.has_shells = std::any_of(parts.begin(), parts.end(), [](const MeshPart& part) { return part.thickness > 0; });
+  if (!model.has_shells) return;
+  check_materials(deck, chunked.mesh);
+  std::apply([&](auto&... block) { (build_block(deck, chunked, records, block), ...); }, model.shell_blocks);
+  std::vector<int> kinds;
+  std::vector<double> thickness;
+  for (const Chunk& chunk : chunked.chunks) {
+    kinds.push_back(is_shell_chunk(chunked, chunk) ? 1 : 0);
+    thickness.push_back(parts[static_cast<std::size_t>(chunk.part)].thickness);
+  }
+  model.chunks.is_shell = to_view("percuss::is_shell", kinds);
+  model.start_thickness = to_view("percuss::start_thickness", thickness);
+  model.thickness_rules = to_view("percuss::thickness_rules", list_thickness_rules());
+}
+
+std::vector<double> find_gyration_squares(const Mesh& mesh) {
+  std::vector<double> squares(mesh.elements.size(), 0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (!is_shell(mesh.elements[e])) continue;
+    HexCorners corners;
+    for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[e][i])];
+    const double t = mesh.parts[static_cast<std::size_t>(mesh.element_part[e])].thickness;
+    squares[e] = t * t / 12 + find_shell_area_size(corners) / 8;
+  }
+  return squares;
+}
+
+}  // namespace percuss

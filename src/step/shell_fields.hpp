@@ -1,0 +1,76 @@
+#pragma once
+// Reads the records of shells for output. Internal to element_fields.cpp.
+
+#include "src/step/model.hpp"
+#include "src/step/state.hpp"
+
+namespace percuss {
+
+/// Which stress of a shell: the mean across its thickness, or that of the lowest or highest point.
+enum class ShellLayer { mean, bottom, top };
+
+/// What a reader of shells needs besides the records; empty in a scene without shells.
+struct ShellTables {
+  Rows3<const double> x;
+  Kokkos::View<ThicknessPoints*, MemSpace> rules;
+
+  ShellTables(const Model& model, const State& state) : x(state.x), rules(model.thickness_rules) {}
+};
+
+KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
+  return chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0;
+}
+
+/// Scalars of a point of the shells of a chunk.
+KOKKOS_INLINE_FUNCTION int find_layer_size(const HexChunks& chunks, int c) {
+  return (chunks.record_size(c) - ShellRecord::layers) / chunks.points(c);
+}
+
+/// Mean over the thickness of scalar `place` of the points, or its value at one end. record: its scalars lie a pack
+/// apart.
+KOKKOS_INLINE_FUNCTION double read_layers(const HexChunks& chunks, int c, const ThicknessPoints& rule,
+                                          const double* record, int place, ShellLayer layer) {
+  constexpr int width = pack_size<double>;
+  const int size = find_layer_size(chunks, c), count = rule.count;
+  const auto value = [&](int p) { return record[(ShellRecord::layers + size * p + place) * width]; };
+  if (layer == ShellLayer::bottom) return value(0);
+  if (layer == ShellLayer::top) return value(count - 1);
+  double mean = 0;
+  for (int p = 0; p < count; ++p) mean += rule.weight[p] * value(p);
+  return mean;
+}
+
+/// Axes of element e of chunk c as rows.
+KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const HexChunks& chunks, int c, int e,
+                                                        const Rows3<const double>& x) {
+  constexpr int width = pack_size<double>;
+  const int i = e - chunks.first_element(c);
+  const auto pack = static_cast<std::size_t>(chunks.first_pack(c) + i / width);
+  Vector3<double> corners[4];
+  for (int k = 0; k < 4; ++k) {
+    const int slot =
+        chunks.corner_slots((pack * 8 + static_cast<std::size_t>(k)) * width + static_cast<std::size_t>(i % width));
+    const int n = chunks.slots_to_nodes(chunks.first_slot(c) + slot);
+    corners[k] = {x(n, 0), x(n, 1), x(n, 2)};
+  }
+  return find_shell_geometry(find_differences(corners)).frame;
+}
+
+/// Stress in space axes: xx, yy, zz, xy, yz, zx. Transverse shear is that of all layers.
+KOKKOS_INLINE_FUNCTION void read_shell_stress(const ShellTables& tables, const HexChunks& chunks, int c, int e,
+                                              const double* record, ShellLayer layer, double* row) {
+  constexpr int width = pack_size<double>, shear = 3;  // ShellState::shear
+  const ThicknessPoints& rule = tables.rules(chunks.points(c));
+  const auto in_plane = [&](int k) { return read_layers(chunks, c, rule, record, k, layer); };
+  const Symmetric3<double> stress{in_plane(0),          in_plane(1), 0, in_plane(2), record[(shear + 1) * width],
+                                  record[shear * width]};
+  const Symmetric3<double> t = pull_back(find_shell_frame(chunks, c, e, tables.x), stress);
+  row[0] = t.xx;
+  row[1] = t.yy;
+  row[2] = t.zz;
+  row[3] = t.xy;
+  row[4] = t.yz;
+  row[5] = t.zx;
+}
+
+}  // namespace percuss

@@ -1,0 +1,19 @@
+#pragma once
+// Meshes of shells for whole runs: a lattice of quadrilaterals, each node put where a function says.
+
+#include <array>
+#include <functional>
+
+#include "tests/src/mesh/exodus_writer.hpp"
+
+namespace percuss::test {
+
+/// Cells in two directions on the unit square; `place` maps it to space. One block of id 1, "surface"; normals are
+/// along the cross product of the two directions. Node (i, j) has the id 1 + i + (cells[0] + 1) j.
+testing_mesh::WrittenMesh make_mapped_shell(const std::array<int, 2>& cells,
+                                            const std::function<Vec3(double, double)>& place);
+
+/// The sides of the square as node sets "u_min", "u_max", "v_min", "v_max".
+void add_edge_sets(const std::array<int, 2>& cells, testing_mesh::WrittenMesh& mesh);
+
+}  // namespace percuss::test
