@@ -52,10 +52,10 @@ void check_materials(const Deck& deck, const Mesh& mesh) {
   for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
     if (mesh.parts[p].thickness == 0) continue;
     const MaterialDeck& material = deck.materials[static_cast<std::size_t>(mesh.parts[p].material)];
-    if (visit_layer(material, [](const auto&) {})) continue;
+    if (!material.failure && visit_layer(material, [](const auto&) {})) continue;
     throw InputError(
         fmt::format("{}: error: part '{}' has shells of material '{}' (shells know elastic and "
-                    "j2_plasticity only)",
+                    "j2_plasticity, without failure and without an equation of state)",
                     deck.where(deck.parts[p].place), mesh.parts[p].name, material.name));
   }
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "src/deck/read_deck.hpp"
+#include "src/error.hpp"
 #include "tests/src/step/scene.hpp"
 #include "tests/verification/mapped_shell.hpp"
 #include "tests/verification/run_deck.hpp"
@@ -116,6 +117,16 @@ output: {history: {every: 1e-5}}
   EXPECT_LT(run.summary.momentum.angular_error, 1e-10);
   EXPECT_LT(run.summary.momentum.linear_error, 1e-10);
   EXPECT_GT(run.summary.energy.internal, 0);
+}
+
+TEST(ShellMotion, OfAMaterialThatFailsIsRefused) {
+  EXPECT_THROW(run_deck(R"yaml(
+time: {end: 1e-4}
+parts: {plate: {shell_plate: {size: [1, 1], cells: [2, 2]}, thickness: 0.01, material: steel}}
+materials:
+  steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, failure: {plastic_strain: 0.1}}
+)yaml"),
+               InputError);
 }
 
 TEST(ShellMotion, BallBouncesOffAWallAndTheBooksClose) {
