@@ -27,8 +27,13 @@ bool is_asked_for(const Deck& deck) {
                                                [](const PartDeck& part) { return part.mass_scaling.has_value(); });
 }
 
-/// Other laws take the change of volume from the density, which is not the material's own where mass is added.
+/// Shells have no such bound. Other laws take the change of volume from the density, which is not the material's own
+/// where mass is added.
 void refuse_other_laws(const Deck& deck, const Mesh& mesh, std::size_t part, const MassScalingDeck& request) {
+  if (mesh.parts[part].thickness > 0) {
+    throw InputError(fmt::format("{}: error: mass scaling of part '{}', which is of shells: only hexahedra are scaled",
+                                 deck.where(request.place), deck.parts[part].name));
+  }
   const MaterialDeck& material = deck.materials[static_cast<std::size_t>(mesh.parts[part].material)];
   const std::string& model = material.law.model;
   if ((model == "elastic" || model == "j2_plasticity") && !material.equation_of_state) return;

@@ -33,7 +33,12 @@ audit: {{max_energy_error: 1e-3, max_momentum_error: 1e-10}}
   fmt::print("angular momentum {:.1e}, energy {:.1e}\n", run.summary.momentum.angular_error, run.summary.energy.error);
   EXPECT_LT(run.summary.momentum.angular_error, 1e-11);
   EXPECT_LT(run.summary.momentum.linear_error, 1e-11);
-  EXPECT_NEAR(run.history.smallest("kinetic") / run.history.largest("kinetic"), 1, 1e-3);
+  // The plate, whose centre lines are not stretched at the start, breathes; that does not grow or fade.
+  const double turn = 2 * std::numbers::pi / w;
+  const double first = run.history.mean(0, 20 * turn, "kinetic"),
+               last = run.history.mean(80 * turn, 100 * turn, "kinetic");
+  EXPECT_NEAR(last / first, 1, 1e-3);
+  EXPECT_NEAR(run.history.smallest("kinetic") / run.history.largest("kinetic"), 1, 3e-3);
 }
 
 TEST(ShellMotion, SimplySupportedPlateSwingsAtTheFrequencyOfKirchhoff) {
@@ -119,16 +124,6 @@ output: {history: {every: 1e-5}}
   EXPECT_GT(run.summary.energy.internal, 0);
 }
 
-TEST(ShellMotion, OfAMaterialThatFailsIsRefused) {
-  EXPECT_THROW(run_deck(R"yaml(
-time: {end: 1e-4}
-parts: {plate: {shell_plate: {size: [1, 1], cells: [2, 2]}, thickness: 0.01, material: steel}}
-materials:
-  steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, failure: {plastic_strain: 0.1}}
-)yaml"),
-               InputError);
-}
-
 TEST(ShellMotion, BallBouncesOffAWallAndTheBooksClose) {
   for (const char* enforcement : {"kinematic", "penalty"}) {
     const Outcome run = run_deck(fmt::format(R"yaml(
@@ -149,6 +144,16 @@ output: {{history: {{every: 1e-5, nodes: [{{name: low, near: [0, 0, 0.001]}}]}}}
       EXPECT_GT(run.history.smallest("low_z"), -1e-6);
     }
   }
+}
+
+TEST(ShellMotion, OfAMaterialThatFailsIsRefused) {
+  EXPECT_THROW(run_deck(R"yaml(
+time: {end: 1e-4}
+parts: {plate: {shell_plate: {size: [1, 1], cells: [2, 2]}, thickness: 0.01, material: steel}}
+materials:
+  steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, failure: {plastic_strain: 0.1}}
+)yaml"),
+               InputError);
 }
 
 }  // namespace percuss::test

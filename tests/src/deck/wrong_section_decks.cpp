@@ -31,7 +31,7 @@ std::vector<WrongDeck> missing_keys() {
       {"ThicknessOfASolid", change("material: steel}", "material: steel, thickness: 0.1}"), "3:68",
        "thickness is of no use in part 'rod' (only shells have a thickness)"},
       {"RotationWithoutShells", append("conditions: [{nodes: rod, fixed: [x, ry]}]"), "6:38",
-       "ry is of no use in 'conditions.0' (no part has shells, whose nodes alone have rotations)"},
+       "ry is of no use (no part has shells, whose nodes alone have rotations)"},
       {"GlobalStepOfShells",
        "time: {end: 1.0, step_estimate: global}\n"
        "parts: {cap: {shell_sphere: {radius: 1, cells: 2}, thickness: 0.1, material: steel}}\n"
@@ -110,7 +110,7 @@ std::vector<WrongDeck> unknown_names() {
       {"UnknownAxis", change("material: steel", "axis: w, material: steel"), "3:57",
        "axis is 'w' in part 'rod' (must be x | y | z"},
       {"UnknownFixedAxis", append("conditions: [{nodes: rod, fixed: [x, q]}]"), "6:38",
-       "conditions.0.fixed.1 is 'q' (must be x | y | z)"},
+       "conditions.0.fixed.1 is 'q' (must be x | y | z | rx | ry | rz)"},
       {"AxisTwice", append("conditions: [{nodes: rod, fixed: [x, x]}]"), "6:38", "each axis once"},
   };
 }

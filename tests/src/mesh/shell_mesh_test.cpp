@@ -103,8 +103,8 @@ TEST_P(ShellSurface, IsOneBodyWithTwoFacesAndTheEdgesThatItShouldHave) {
   EXPECT_EQ(open, GetParam().open_edges);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, ShellSurface, testing::ValuesIn(list_surfaces()), [](const auto& info) {
-  std::string name = info.param.name;
+INSTANTIATE_TEST_SUITE_P(Shapes, ShellSurface, testing::ValuesIn(list_surfaces()), [](const auto& shape) {
+  std::string name = shape.param.name;
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 });
@@ -129,7 +129,7 @@ WrittenMesh make_cubes_with_fin() {
   const std::int64_t a = mesh.blocks[1].corners[5], b = mesh.blocks[1].corners[6];
   for (const std::int64_t n : {a, b}) {
     Vec3 x = mesh.nodes[static_cast<std::size_t>(n - 1)];
-    x[2] += 1;
+    x[0] += 1;
     mesh.nodes.push_back(x);
   }
   mesh.blocks.push_back({30, "fin", "SHELL4", 4, {a, b, last + 2, last + 1}});
@@ -143,7 +143,7 @@ PartDeck make_file_part(const std::string& path) { return make_part_deck("p", Ex
 TEST(ShellMesh, HexahedraAndShellsOfOneFileShareTheirNodes) {
   PartDeck part = make_file_part(write_exodus(make_cubes_with_fin(), "fin.exo"));
   part.thickness = 0.01;
-  const ChunkedMesh chunked = load_mesh(make_deck({part}), Communicator::self());
+  const ChunkedMesh chunked = load_mesh(make_deck({part}), Communicator(MPI_COMM_SELF));
   ASSERT_EQ(chunked.mesh.elements.size(), 3U);
   EXPECT_EQ(chunked.mesh.nodes.size(), 14U);
   ASSERT_EQ(chunked.chunks.size(), 2U);  // one of hexahedra, one of shells

@@ -117,10 +117,10 @@ TEST(MassScaling, MoreThanTheLimitIsRefusedWithItsPlace) {
 
 TEST(MassScaling, OfTheWholeSceneActsOnEveryPart) {
   const double bound = find_first_bound("");
-  const Deck deck =
-      parse_deck(fmt::format("time: {{end: 1e-3, mass_scaling: {{step: {:.17g}, max_added: 9}}}}\n", 5 * bound) +
-                     "parts: {a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: steel}}\n" + steel_text,
-                 "deck.yaml");
+  const Deck deck = parse_deck(
+      fmt::format("time: {{end: 1, max_steps: 3, mass_scaling: {{step: {:.17g}, max_added: 9}}}}\n", 5 * bound) +
+          "parts: {a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: steel}}\n" + steel_text,
+      "deck.yaml");
   const Summary summary = run_scene(deck, {}).summary;
   EXPECT_NEAR(summary.dt.max / (0.9 * 5 * bound), 1, 1e-9);
   EXPECT_GT(summary.mass.added, 0);
