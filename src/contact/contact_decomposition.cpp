@@ -69,7 +69,7 @@ void ContactDecomposition::take_over(const ContactDecomposition& before) {
 void ContactDecomposition::update(const SurfaceMotion& motion, double margin) {
   ++searches_;
   locate_points(motion);
-  if (owners_.empty() && report_.rebalances > 0) find_new_owners();  // of another surface's cuts
+  if (!knows_owners_ && report_.rebalances > 0) find_new_owners();  // of another surface's cuts
   just_rebalanced_ = is_due_;
   if (is_due_) {
     rebalance_points(send_contact_data_to_previous_owners());
@@ -142,6 +142,7 @@ void ContactDecomposition::find_new_owners() {
   ExecSpace().fence();
   const auto host = to_host(owners);
   owners_.assign(host.data(), host.data() + host.extent(0));
+  knows_owners_ = true;
   node_order_ = order_by_destination(node_owners());
   node_plan_ = exchange_.plan(node_order_.to);
   received_order_.clear();

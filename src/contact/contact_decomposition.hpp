@@ -80,6 +80,7 @@ class ContactDecomposition {
   SharePoints points_;
   std::vector<int> searched_nodes_;  // places in OwnedContactNodes
   std::vector<int> owners_;          // [points] in the contact decomposition; empty before the first rebalance
+  bool knows_owners_ = false;        // the same on all ranks, unlike whether a rank has points
   SendOrder node_order_;
   ExchangePlan node_plan_;
   std::vector<int> received_order_;  // places of received nodes, ascending in number
