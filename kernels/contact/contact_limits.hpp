@@ -41,6 +41,11 @@ inline constexpr double feature = 0.8660254037844386;
 inline constexpr double least_sine = 0.05;
 /// Share of an edge at each end that is left to nodes and faces.
 inline constexpr double end_band = 1e-3;
+/// A contact with history is kept past an end by this share of the edge ...
+inline constexpr double history_end_band = 1e-2;
+/// ... and by this share of the predicted depth. Where edges of one line of elements have bent into a valley, the place
+/// of a body that presses into it leaves both; the tangent of half the bend is what it leaves them by.
+inline constexpr double history_bend = 0.5;
 /// A plane parts two wedges if no face reaches through it by more than this sine ...
 inline constexpr double reach_through = 0.1;
 /// ... or, with history, by this one.

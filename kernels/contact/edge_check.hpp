@@ -98,10 +98,11 @@ KOKKOS_INLINE_FUNCTION bool orient(const Wedge& a, const Wedge& b, const Point3*
 }
 
 /// Whether two edges may touch by their lines alone, whichever way they push: cheap, and rejects nearly all pairs.
-KOKKOS_INLINE_FUNCTION bool may_touch(const MovingPair& pair, const Crossing& start, const Crossing& end) {
+/// known: they were in contact, and may be past an end.
+KOKKOS_INLINE_FUNCTION bool may_touch(const MovingPair& pair, const Crossing& start, const Crossing& end, bool known) {
   if (!start.crosses || !end.crosses) return false;
   const bool changes_side = start.gap * end.gap <= 0;
-  if (changes_side) return true;
+  if (known || changes_side) return true;
   if (!is_inside(end, 0) && !is_inside(start, 0)) return false;
   const Point3 u = pair.start.a[1] - pair.start.a[0], v = pair.start.b[1] - pair.start.b[0];
   const double a = dot(u, u), b = dot(v, v), shorter = a < b ? a : b;
@@ -139,6 +140,16 @@ KOKKOS_INLINE_FUNCTION bool sweep_edges(const MovingPair& pair, bool flips, Edge
   return false;
 }
 
+/// Whether edges that were in contact still cross, at most a little past their ends, and where: places beyond an end
+/// become the end.
+KOKKOS_INLINE_FUNCTION bool keep_on_edges(const EdgePair& e, const Crossing& c, double depth, EdgeTouch& touch) {
+  const double past_a = contact_limits::history_end_band + contact_limits::history_bend * depth / norm(e.a[1] - e.a[0]);
+  const double past_b = contact_limits::history_end_band + contact_limits::history_bend * depth / norm(e.b[1] - e.b[0]);
+  touch.s = c.s < 0 ? 0 : c.s > 1 ? 1 : c.s;
+  touch.t = c.t < 0 ? 0 : c.t > 1 ? 1 : c.t;
+  return is_inside(c, -past_a, -past_b);
+}
+
 /// Checks one pair; touch is meaningful if the answer is true. last_normal: of the contact that touch.record continues.
 KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
                                             const Point3* last_normal, EdgeTouch& touch) {
@@ -146,7 +157,7 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   const EdgePair end_places = pair.at(1);
   Crossing end = find_crossing(end_places, contact_limits::least_sine);
   const Crossing start = find_crossing(pair.start, contact_limits::least_sine);
-  if (!may_touch(pair, start, end)) return false;
+  if (!may_touch(pair, start, end, last_normal != nullptr)) return false;
   const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);
   const bool known = last_normal != nullptr;
   const Point3 along_cross = end.normal;
@@ -162,6 +173,12 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   if (touch.gap_end > contact_limits::row_gap * h) return false;
   if (touch.gap_start < -(known ? contact_limits::history_depth : contact_limits::new_depth) * h) return false;
   if (is_inside(end, known ? 0 : contact_limits::end_band) && end.gap >= -contact_limits::capture * h) return true;
+  if (known && keep_on_edges(end_places, end, end.gap < 0 ? -end.gap : 0, touch) &&
+      end.gap >= -contact_limits::capture * h) {
+    touch.gap_start = measure_edge_gap(pair.start, touch.s, touch.t, touch.normal);
+    touch.gap_end = measure_edge_gap(end_places, touch.s, touch.t, touch.normal);
+    return touch.gap_end <= contact_limits::row_gap * h;
+  }
   if (touch.gap_start <= contact_limits::new_band * h && is_inside(start, 0)) {
     if (end.gap > -contact_limits::capture * h) return false;
     touch.s = start.s;

@@ -2,7 +2,7 @@
 import numpy as np
 
 from runs import run_deck
-from scenes import LONG_BAR, LONG_PILE, LONG_SPIN, fill, write_elements
+from scenes import LAGRANGE, LONG_BAR, LONG_PILE, LONG_SPIN, PENALTY, fill, write_elements
 
 ROWS = 250
 
@@ -14,7 +14,7 @@ def run_long(percuss, work, deck, kind, steps, linear, quadratic):
     if first.code != 0:
         raise RuntimeError(first.error)
     every = first.summary["dt"]["last"] * steps / ROWS
-    return run_deck(percuss, fill(deck, steps=steps, every=every) + elements, work, 900)
+    return run_deck(percuss, fill(deck, steps=steps, every=every) + elements, work, 1800)
 
 
 def summarise(name, kind, steps, result):
@@ -43,11 +43,13 @@ def summarise(name, kind, steps, result):
 
 def measure_long_runs(percuss, work, kinds, steps, pile_steps, report):
     rows = []
+    piles = [(name, LONG_PILE.replace("contact: {", "contact: {" + keys), pile_steps, 0.06, 1.2)
+             for name, keys in (("pile of three", ""), ("pile, lagrange", LAGRANGE + ", "), ("pile, penalty", PENALTY + ", "))]
     for kind in kinds:
         for name, deck, count, linear, quadratic in (
                 ("bar, no viscosity", LONG_BAR, steps, 0.0, 0.0), ("spin, no viscosity", LONG_SPIN, steps, 0.0, 0.0),
-                ("spin", LONG_SPIN, steps, 0.06, 1.2), ("pile of three", LONG_PILE, pile_steps, 0.06, 1.2)):
-            if (name == "pile of three" or name == "spin") and kind != kinds[0]:
+                ("spin", LONG_SPIN, steps, 0.06, 1.2), *piles):
+            if not name.endswith("no viscosity") and kind != kinds[0]:
                 continue
             row = summarise(name, kind, count, run_long(percuss, work, deck, kind, count, linear, quadratic))
             rows.append(row)

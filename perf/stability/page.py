@@ -5,7 +5,7 @@ import re
 import numpy as np
 
 import plots
-from scenes import FREE_SCENES, KINDS, OFF
+from scenes import FREE_SCENES, KINDS, LAGRANGE, OFF, PENALTY
 
 DEFAULT = next(iter(KINDS))
 HERE = pathlib.Path(__file__).resolve().parent
@@ -102,7 +102,7 @@ def tell_margins(page, free, contact):
     rows = [*(free or {"results": []})["results"], *(contact or {"results": []})["results"]]
     kinds = unique(rows, "kind")
     body = []
-    names = {"": "as it comes", OFF: "none"}
+    names = {"": "kinematic", LAGRANGE: "lagrange", PENALTY: "penalty", OFF: "none"}
     for scene, keys in dict.fromkeys((r["scene"], r["contact"]) for r in rows):
         cells = []
         for kind in kinds:

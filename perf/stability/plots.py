@@ -75,7 +75,7 @@ def draw_margins(rows, path):
 def draw_drift(rows, path):
     """Energy error over a million steps."""
     figure, axes = plt.subplots(figsize=(8.5, 3.4))
-    styles = dict(zip(dict.fromkeys(row["run"] for row in rows), ("-", "--", "-.", ":")))
+    styles = dict(zip(dict.fromkeys(row["run"] for row in rows), ("-", "--", "-.", ":", (0, (1, 3)), (0, (5, 1, 1, 1, 1, 1)))))
     for row in rows:
         if "curve" not in row:
             continue

@@ -17,7 +17,8 @@ KINDS = {
 }
 
 OFF = "off"
-CONTACTS = ["", OFF]  # keys that choose the enforcement; the empty one is the default
+LAGRANGE, PENALTY = "enforcement: lagrange", "enforcement: penalty"
+CONTACTS = ["", LAGRANGE, PENALTY, OFF]  # keys that choose the enforcement; the empty one is the default
 
 
 def write_elements(kind, linear=0.06, quadratic=1.2):

@@ -59,7 +59,8 @@ class CylinderSource final : public ShapeSource {
 
   std::vector<CellBlock> blocks() const override {
     const int core = split_.core, rings = split_.rings, section = section_quads();
-    const double along = shape_.length / shape_.along, half_width = shape_.radius * choose_core_form(split_).half_width;
+    const double along = shape_.length / shape_.along,
+                 half_width = shape_.radius * choose_core_form<2>(split_).half_width;
     const double core_edge = 2 * half_width / core, ring_edge = (shape_.radius - half_width) / rings;
     const double middle = 0.5 * (shape_.radius + half_width);
     return {{0, {core, core, shape_.along}, {1, core, section}, {core_edge, core_edge, along}},

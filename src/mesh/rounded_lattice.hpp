@@ -29,12 +29,15 @@ struct CoreForm {
   double roundness = 0;   // 0: a square (cube), 1: a circle (ball) of radius half_width
 };
 
-/// Found by a search over half width and roundness for the largest stable step of the worst element on 3 to 64 cells
-/// across, at a worst scaled Jacobian above 0.7 in the disk and above 0.57 (cosine of the cube's diagonal, the best
-/// that a core of one cell can have) in the ball. docs/mesh.md has the table.
-inline CoreForm choose_core_form(RoundSplit split) {
+/// In the disk (N = 2) for a rim that stays round where the solid flows, in the ball (N = 3) for the largest stable
+/// step of the worst element, each on 3 to 64 cells across at a worst scaled Jacobian above 0.7 in the disk and above
+/// 0.57 (cosine of the cube's diagonal, the best that a core of one cell can have) in the ball. docs/mesh.md has the
+/// table.
+template <std::size_t N>
+CoreForm choose_core_form(RoundSplit split) {
+  static_assert(N == 2 || N == 3);
   const double core_share = double(split.core) / (split.core + 2 * split.rings);
-  return {0.1 + 0.8 * core_share, 0.55};
+  return N == 2 ? CoreForm{0.05 + 0.8 * core_share, 0.4} : CoreForm{0.1 + 0.8 * core_share, 0.55};
 }
 
 /// Maps lattice points to places in the disk (N = 2) or ball (N = 3) of the given radius. Points that a symmetry of the
@@ -46,7 +49,7 @@ class RoundedLattice {
   using Index = std::array<int, N>;  // 0..core in each direction
 
   RoundedLattice(double radius, RoundSplit split, CoreForm form) : radius_(radius), split_(split), form_(form) {}
-  RoundedLattice(double radius, RoundSplit split) : RoundedLattice(radius, split, choose_core_form(split)) {}
+  RoundedLattice(double radius, RoundSplit split) : RoundedLattice(radius, split, choose_core_form<N>(split)) {}
 
   /// Place of a point of the core (ring 0), or of the ring-th copy outwards of a point on the core's boundary.
   Point operator()(const Index& index, int ring) const {

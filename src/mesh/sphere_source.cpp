@@ -53,7 +53,7 @@ class SphereSource final : public ShapeSource {
 
   std::vector<CellBlock> blocks() const override {
     const int core = split_.core, rings = split_.rings;
-    const double half_width = shape_.radius * choose_core_form(split_).half_width;
+    const double half_width = shape_.radius * choose_core_form<3>(split_).half_width;
     const double core_edge = 2 * half_width / core, shell_edge = (shape_.radius - half_width) / rings;
     std::vector<CellBlock> blocks{{0, grid_.cells, {1, core, core * core}, {core_edge, core_edge, core_edge}}};
     const double middle_edge = core_edge * (0.5 * (shape_.radius + half_width)) / half_width;

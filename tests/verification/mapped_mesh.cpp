@@ -58,7 +58,7 @@ void add_node_set(WrittenMesh& mesh, int id, const char* name, const std::functi
 }
 
 WrittenMesh make_quarter_cylinder(double radius, double length, int n, int along) {
-  return make_quarter_cylinder(radius, length, n, along, choose_core_form(split_round(4 * n)));
+  return make_quarter_cylinder(radius, length, n, along, choose_core_form<2>(split_round(4 * n)));
 }
 
 WrittenMesh make_quarter_cylinder(double radius, double length, int n, int along, CoreForm form) {

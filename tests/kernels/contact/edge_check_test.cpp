@@ -116,6 +116,26 @@ TEST(EdgeCheck, EndsBelongToNodesAndFaces) {
   EXPECT_FALSE(Roofs(0.01, 0.02, 0.6).check());
 }
 
+TEST(EdgeCheck, ARememberedContactIsKeptAtAnEndThatItsDepthTakesItPast) {
+  const Point3 up{0, 0, 1};
+  const auto fall_past = [&](double past, double fall) {  // A begins `past` of its edge beyond B
+    Roofs r(0, fall, 0.5 + past);
+    EXPECT_FALSE(r.check());
+    const bool kept = r.check(&up);
+    if (kept) {
+      EXPECT_EQ(r.touch.s, 0);
+      EXPECT_NEAR(r.touch.t, 0.5, tight);
+      EXPECT_NEAR(r.touch.gap_start, 0, tight);
+      EXPECT_NEAR(r.touch.gap_end, -fall, tight);
+    }
+    return kept;
+  };
+  EXPECT_TRUE(fall_past(0.005, 0));
+  EXPECT_FALSE(fall_past(0.02, 0));
+  EXPECT_TRUE(fall_past(0.05, 0.1));   // into a valley, on its predicted way
+  EXPECT_FALSE(fall_past(0.07, 0.1));  // off the edge
+}
+
 TEST(EdgeCheck, DepthIsThatOfTheRidges) {
   Roofs r(-0.2, 0);
   r.motion.dt = 0;

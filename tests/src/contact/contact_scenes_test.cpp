@@ -130,6 +130,25 @@ TEST(ContactScenes, CubesMeetEdgeOnEdgeAndPart) {
   }
 }
 
+TEST(ContactScenes, CubesDentEachOtherEdgeOnEdge) {
+  // Near a node of either edge, at a fiftieth of the wave speed: the contact goes into the valley that it makes there.
+  const auto meet = [](const std::string& shift, const std::string& speed) {
+    return R"(
+time: {end: 1}
+parts:
+  low:  {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, rotate: [{axis: x, angle: 45, center: [0.05, 0.05, 0.05]}], at: [0, 0, -0.0708], material: steel}
+  high: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, rotate: [{axis: y, angle: 45, center: [0.05, 0.05, 0.05]}], at: [)" +
+           shift + ", 0.0708], material: steel}\ninitial: [{part: low, velocity: [0, 0, " + speed +
+           "]}, {part: high, velocity: [0, 0, -" + speed + "]}]\ncontact: {surfaces: all}";
+  };
+  for (const char* shift : {"0.003, 0.005", "0.008, 0.008", "0, 0"}) {
+    for (const char* speed : {"60", "100"}) {
+      SCOPED_TRACE(std::string(shift) + ", " + speed);
+      expect_sound(run_scene_text(meet(shift, speed), 60));
+    }
+  }
+}
+
 TEST(ContactScenes, WithoutEdgesTheSameCubesFeelNothing) {
   // They are more than 10 mm inside one another then, a third of an element, and no node has met a face.
   EXPECT_EQ(run_scene_text(crossed_cubes(0.005, 90, "{surfaces: all, edges: false}"), 84).pushes, 0);
