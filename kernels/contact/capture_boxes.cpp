@@ -66,14 +66,17 @@ ExactSum sum_shortest_edges(const Space& space, const Rows4<const int>& corners,
 }
 
 template <class Space>
-void bound_faces(const Space& space, const Rows4<const int>& corners, const SurfaceMotion& motion, double margin,
+void bound_faces(const Space& space, const BoundedFaces& faces, const SurfaceMotion& motion, double margin,
                  const Boxes& boxes) {
-  const Rows4<const int> list = corners;
+  const Rows4<const int> list = faces.corners;
+  const Array<const double> offset = faces.offset;
+  const bool has_offsets = offset.extent(0) > 0;
   const SurfaceMotion m = motion;
   const Boxes out = boxes;
   Kokkos::parallel_for(
       "contact::capture_boxes", RangeOf<Space>(space, 0, static_cast<int>(list.extent(0))), KOKKOS_LAMBDA(int face) {
-        const double reach = margin + contact_limits::capture * find_shortest_edge(load_face(list, m.x, face));
+        const double wider = has_offsets ? margin + offset(face) : margin;
+        const double reach = wider + contact_limits::capture * find_shortest_edge(load_face(list, m.x, face));
         bound_face(
             m, [&](int i) { return list(face, i); }, reach, out, face);
       });
@@ -85,7 +88,7 @@ void bound_faces(const Space& space, const Rows4<const int>& corners, const Surf
                                       const Rows3<const double>&);                                                     \
   template void store_places(const Space&, const Array<const int>&, const Rows3<const double>&, const Rows3<double>&); \
   template ExactSum sum_shortest_edges(const Space&, const Rows4<const int>&, const Rows3<const double>&);             \
-  template void bound_faces(const Space&, const Rows4<const int>&, const SurfaceMotion&, double, const Boxes&);
+  template void bound_faces(const Space&, const BoundedFaces&, const SurfaceMotion&, double, const Boxes&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -47,10 +47,15 @@ void store_places(const Space& space, const Array<const int>& nodes, const Rows3
 template <class Space>
 ExactSum sum_shortest_edges(const Space& space, const Rows4<const int>& corners, const Rows3<const double>& x);
 
-/// Box of each face, widened by `margin` and the reach of the check. corners: [faces][4] mesh nodes; boxes: out,
-/// [faces].
+/// Faces whose boxes are wanted.
+struct BoundedFaces {
+  Rows4<const int> corners;      // [faces][4] mesh nodes
+  Array<const double> offset{};  // [faces] how far from it nodes touch by thickness [length]; empty: no shells
+};
+
+/// Box of each face, widened by `margin` and the reach of the check. boxes: out, [faces].
 template <class Space>
-void bound_faces(const Space& space, const Rows4<const int>& corners, const SurfaceMotion& motion, double margin,
+void bound_faces(const Space& space, const BoundedFaces& faces, const SurfaceMotion& motion, double margin,
                  const Boxes& boxes);
 
 }  // namespace percuss

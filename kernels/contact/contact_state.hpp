@@ -22,6 +22,8 @@ struct FaceState {
   Rows3<double> normal;  // outward unit normal at the predicted place
   Array<double> size;    // h of contact_limits.hpp at n
   Boxes box;             // of the face over the step, widened by the reach of the check
+
+  Array<FaceSlab> slab = Array<FaceSlab>("contact::face_slab", 0);  // in scenes with shells
 };
 
 /// A node as the check of its candidate faces sees it, loaded once.
@@ -29,6 +31,7 @@ struct CheckedNode {
   int node = -1;  // contact node
   Point3 x{}, v{};
   Point3 low{}, high{};  // box of the node over the step
+  double offset = 0;     // half the thickness of its shells
 };
 
 /// What contacts of two edges remember, in the FE decomposition with the home of edge A, the one of the lower number:
@@ -95,6 +98,7 @@ KOKKOS_INLINE_FUNCTION CheckedNode load_checked_node(const ContactSurface& surfa
   n.node = node;
   n.x = load_row(motion.x, surface.nodes(node));
   n.v = load_row(motion.v, surface.nodes(node));
+  n.offset = find_node_offset(surface.offsets, node);
   const Point3 end = n.x + motion.dt * n.v;
   n.low = {end.x < n.x.x ? end.x : n.x.x, end.y < n.x.y ? end.y : n.x.y, end.z < n.x.z ? end.z : n.x.z};
   n.high = {end.x > n.x.x ? end.x : n.x.x, end.y > n.x.y ? end.y : n.x.y, end.z > n.x.z ? end.z : n.x.z};
@@ -124,6 +128,29 @@ KOKKOS_INLINE_FUNCTION double find_opposition(const ContactSurface& surface, con
     if (cosine < least) least = cosine;
   }
   return least;
+}
+
+/// Where a node of shells looks besides along their normals: away from them in their plane, at a free edge or a fold.
+/// Mean of the unit vectors from the middles of its faces to the node, at n: about 0 inside a flat shell.
+KOKKOS_INLINE_FUNCTION Point3 find_outlook(const ContactSurface& surface, const SurfaceMotion& motion, int node) {
+  const Point3 x = load_row(motion.x, surface.nodes(node));
+  const int first = surface.nodes_to_faces_offset(node), last = surface.nodes_to_faces_offset(node + 1);
+  Point3 sum{};
+  for (int j = first; j < last; ++j) {
+    Point3 corners{};
+    for (int i = 0; i < 4; ++i)
+      corners = corners + (load_row(motion.x, surface.nodes(surface.face_corners(surface.nodes_to_faces(j), i))) - x);
+    sum = sum - normalize(corners);
+  }
+  return (1.0 / (last - first)) * sum;
+}
+
+/// Whether a node looks against a face: some face of its own does, or the node of shells looks out on it.
+KOKKOS_INLINE_FUNCTION bool looks_against(const ContactSurface& surface, const SurfaceMotion& motion,
+                                          const FaceState& faces, int node, int face) {
+  if (find_opposition(surface, faces, node, face) <= contact_limits::opposing) return true;
+  return find_node_offset(surface.offsets, node) > 0 &&
+         dot(find_outlook(surface, motion, node), load_row(faces.normal, face)) <= contact_limits::opposing;
 }
 
 /// The push direction at a point of a face: vertex normals, averaged over the faces of one smooth surface, weighted.

@@ -6,6 +6,7 @@
 // rank owns there. A contact node is named by its place in `nodes`, a contact face by its place in `face_corners`, both
 // in the order of their global numbers, so that every choice by order is the same on any rank.
 
+#include "kernels/contact/surface_offsets.hpp"
 #include "kernels/core/views.hpp"
 
 namespace percuss {
@@ -17,17 +18,19 @@ struct ContactSurface {
   Array<const int> nodes_to_faces_offset;  // [contact nodes + 1]
   Array<const int> nodes_to_faces;         // faces that hold the node, ascending
   Rows4<const int> face_corners;           // [faces][4] contact nodes, outward by the right-hand rule
-  Rows4<const int> face_backs;             // [faces][4] mesh nodes of the element behind the face, opposite each
-                                           // corner; -1: no candidate of any node here, only its normal is read
-  Array<const int> node_body;              // [contact nodes] connected body
-  Array<const int> face_body;              // [faces] connected body
-  Array<const int> node_class;             // [contact nodes] which of the named surfaces it lies on, as a class
-  Array<const int> face_class;             // [faces] likewise
+  Rows4<const int>
+      face_backs;  // [faces][4] mesh nodes of the element behind the face, opposite each
+                   // corner, of a shell these themselves; -1: no candidate of any node here, only its normal is read
+  Array<const int> node_body;   // [contact nodes] connected body
+  Array<const int> face_body;   // [faces] connected body
+  Array<const int> node_class;  // [contact nodes] which of the named surfaces it lies on, as a class
+  Array<const int> face_class;  // [faces] likewise
   int num_classes = 1;
   Array<const int> searched_nodes;    // contact nodes that may touch some face, ascending
   Array<const int> searched_faces;    // faces that may touch some node, ascending
   Array<const double> pair_friction;  // [classes of nodes * classes of faces] friction; negative: may not touch
   Array<const int> pair_number;       // likewise: which of the deck's pairs
+  SurfaceOffsets offsets;             // the thickness of shells
 };
 
 /// Coulomb friction between a node and a face, negative if the pair may not touch.

@@ -16,10 +16,17 @@ KOKKOS_INLINE_FUNCTION void set_empty_box(const Boxes& boxes, int face) {
 
 /// Distance from the middle of a face to that of the opposite side of its element.
 KOKKOS_INLINE_FUNCTION double find_thickness(const ContactSurface& surface, const Rows3<const double>& x, int face) {
+  const double offset = find_face_offset(surface.offsets, face);
+  if (offset > 0) return 2 * offset;
   Point3 sum{};
   for (int i = 0; i < 4; ++i)
     sum = sum + (load_row(x, surface.nodes(surface.face_corners(face, i))) - load_row(x, surface.face_backs(face, i)));
   return 0.25 * norm(sum);
+}
+
+/// By how much more the box of a face reaches for the thickness of shells.
+KOKKOS_INLINE_FUNCTION double find_box_offset(const SurfaceOffsets& offsets, int face) {
+  return find_offset_reach(find_face_offset(offsets, face), offsets.largest);
 }
 
 /// Flattened: a pair is checked by some fifty small functions.
@@ -63,7 +70,9 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
         out.size(face) = edge < thickness ? edge : thickness;
         bound_face(
             m, [&](int corner) { return s.nodes(s.face_corners(face, corner)); },
-            contact_limits::capture * out.size(face), out.box, face);
+            contact_limits::capture * out.size(face) + find_box_offset(s.offsets, face), out.box, face);
+        if (s.offsets.largest > 0)
+          out.slab(face) = find_slab(m, s.nodes(s.face_corners(face, 0)), relative, load_row(out.normal, face));
       });
 }
 

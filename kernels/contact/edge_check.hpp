@@ -22,6 +22,7 @@ struct EdgeTouch {
   double gap_start = 0;  // distance along the normal at n, negative in penetration [length]
   double gap_end = 0;    // the same at the predicted place
   double size = 0;       // h: the lesser of the two edges' sizes
+  double offset = 0;     // distance that the lines keep by the thickness of shells
 };
 
 /// A pair over the step.
@@ -60,7 +61,8 @@ KOKKOS_INLINE_FUNCTION bool do_boxes_meet(const Boxes& box, int a, int b) {
   return true;
 }
 
-/// An edge with what its faces say: the wedge at the predicted place and the size h, shortest edge of its faces, at n.
+/// An edge with what its faces say: the wedge at the predicted place and the size h at n, the shortest edge of its
+/// faces or the thickness of its shells.
 struct EdgeFaces {
   Wedge wedge;
   double size = 0;
@@ -81,25 +83,32 @@ KOKKOS_INLINE_FUNCTION EdgeFaces load_edge_faces(const EdgeSurface& surface, con
     for (const Point3& side : sides) shortest = dot(side, side) < shortest ? dot(side, side) : shortest;
   }
   found.size = std::sqrt(shortest);
+  const double thickness = 2 * find_edge_offset(surface, edge);
+  if (thickness > 0 && thickness < found.size) found.size = thickness;
   return found;
 }
 
 /// Turns a crossing so that its normal points out of B's wedge and into A's; false if the plane that it is square to
-/// does not part the wedges.
-KOKKOS_INLINE_FUNCTION bool orient(const Wedge& a, const Wedge& b, const Point3* last_normal, Crossing& c) {
+/// does not part the wedges. side: the distance at the start along c.normal of edges with thickness between them, whose
+/// lines are apart when they touch: if either way parts the wedges it says which; 0 of edges of solids.
+KOKKOS_INLINE_FUNCTION bool orient(const Wedge& a, const Wedge& b, const Point3* last_normal, double side,
+                                   Crossing& c) {
   const double reach = find_reach_through(a, b, c.normal), back = find_reach_through(a, b, -c.normal);
-  const bool flips = last_normal != nullptr ? dot(*last_normal, c.normal) < 0 : back < reach;
+  const double limit = last_normal != nullptr ? contact_limits::history_reach_through : contact_limits::reach_through;
+  bool flips = back < reach;
+  if (side != 0 && reach <= limit && back <= limit) flips = side < 0;
+  if (last_normal != nullptr) flips = dot(*last_normal, c.normal) < 0;
   if (flips) {
     c.normal = -c.normal;
     c.gap = -c.gap;
   }
-  const double limit = last_normal != nullptr ? contact_limits::history_reach_through : contact_limits::reach_through;
   return (flips ? back : reach) <= limit;
 }
 
 /// Whether two edges may touch by their lines alone, whichever way they push: cheap, and rejects nearly all pairs.
-/// known: they were in contact, and may be past an end.
-KOKKOS_INLINE_FUNCTION bool may_touch(const MovingPair& pair, const Crossing& start, const Crossing& end, bool known) {
+/// known: they were in contact, and may be past an end; offset: the distance that the lines keep.
+KOKKOS_INLINE_FUNCTION bool may_touch(const MovingPair& pair, const Crossing& start, const Crossing& end, bool known,
+                                      double offset) {
   if (!start.crosses || !end.crosses) return false;
   const bool changes_side = start.gap * end.gap <= 0;
   if (known || changes_side) return true;
@@ -107,7 +116,10 @@ KOKKOS_INLINE_FUNCTION bool may_touch(const MovingPair& pair, const Crossing& st
   const Point3 u = pair.start.a[1] - pair.start.a[0], v = pair.start.b[1] - pair.start.b[0];
   const double a = dot(u, u), b = dot(v, v), shorter = a < b ? a : b;
   const double s = start.gap * start.gap, e = end.gap * end.gap, nearer = s < e ? s : e;
-  return nearer <= contact_limits::capture * contact_limits::capture * shorter;  // h is at most the shorter edge
+  if (offset == 0)
+    return nearer <= contact_limits::capture * contact_limits::capture * shorter;  // h is at most the shorter edge
+  const double farthest = contact_limits::capture * std::sqrt(shorter) + offset;
+  return nearer <= farthest * farthest;
 }
 
 /// (point s of A - point t of B) . normal.
@@ -157,51 +169,59 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   const EdgePair end_places = pair.at(1);
   Crossing end = find_crossing(end_places, contact_limits::least_sine);
   const Crossing start = find_crossing(pair.start, contact_limits::least_sine);
-  if (!may_touch(pair, start, end, last_normal != nullptr)) return false;
+  const double offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
+  if (!may_touch(pair, start, end, last_normal != nullptr, offset)) return false;
   const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);
   const bool known = last_normal != nullptr;
   const Point3 along_cross = end.normal;
   // Edges that turn over through being parallel are left to the next step.
-  if (dot(start.normal, along_cross) < 0 || !orient(of_a.wedge, of_b.wedge, last_normal, end)) return false;
+  if (dot(start.normal, along_cross) < 0) return false;
+  if (!orient(of_a.wedge, of_b.wedge, last_normal, offset > 0 ? start.gap : 0, end)) return false;
   const double h = of_a.size < of_b.size ? of_a.size : of_b.size;
   touch.normal = end.normal;
-  touch.gap_end = end.gap;
-  touch.gap_start = measure_line_gap(start, end.normal);
+  touch.gap_end = end.gap - offset;
+  touch.gap_start = measure_line_gap(start, end.normal) - offset;
   touch.size = h;
+  touch.offset = offset;
   touch.s = end.s;
   touch.t = end.t;
   if (touch.gap_end > contact_limits::row_gap * h) return false;
-  if (touch.gap_start < -(known ? contact_limits::history_depth : contact_limits::new_depth) * h) return false;
-  if (is_inside(end, known ? 0 : contact_limits::end_band) && end.gap >= -contact_limits::capture * h) return true;
-  if (known && keep_on_edges(end_places, end, end.gap < 0 ? -end.gap : 0, touch) &&
-      end.gap >= -contact_limits::capture * h) {
-    touch.gap_start = measure_edge_gap(pair.start, touch.s, touch.t, touch.normal);
-    touch.gap_end = measure_edge_gap(end_places, touch.s, touch.t, touch.normal);
+  const double deepest = known ? contact_limits::history_depth * h + offset : contact_limits::new_depth * h;
+  if (touch.gap_start < -deepest) return false;
+  const double reach = contact_limits::capture * h + offset;
+  if (is_inside(end, known ? 0 : contact_limits::end_band) && touch.gap_end >= -reach) return true;
+  if (known && keep_on_edges(end_places, end, touch.gap_end < 0 ? -touch.gap_end : 0, touch) &&
+      touch.gap_end >= -reach) {
+    touch.gap_start = measure_edge_gap(pair.start, touch.s, touch.t, touch.normal) - offset;
+    touch.gap_end = measure_edge_gap(end_places, touch.s, touch.t, touch.normal) - offset;
     return touch.gap_end <= contact_limits::row_gap * h;
   }
   if (touch.gap_start <= contact_limits::new_band * h && is_inside(start, 0)) {
-    if (end.gap > -contact_limits::capture * h) return false;
+    if (touch.gap_end > -reach) return false;
     touch.s = start.s;
     touch.t = start.t;
   } else if (!sweep_edges(pair, dot(along_cross, end.normal) < 0, touch)) {
     return false;
   }
-  touch.gap_end = measure_edge_gap(end_places, touch.s, touch.t, touch.normal);
+  touch.gap_end = measure_edge_gap(end_places, touch.s, touch.t, touch.normal) - offset;
   return touch.gap_end <= contact_limits::row_gap * h;
 }
 
 /// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not, or deeper than
-/// half of h, where an edge is no longer said to have come from that side.
+/// half of h (with thickness between them, deeper than their lines), where an edge is no longer said to have come from
+/// that side.
 KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
                                               EdgeTouch& touch) {
   constexpr double deepest = 0.5;
   Crossing c = find_crossing(load_moving_pair(surface, motion, a, b).start, contact_limits::least_sine);
   if (!c.crosses || !is_inside(c, contact_limits::end_band)) return 0;
   const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);
-  if (!orient(of_a.wedge, of_b.wedge, nullptr, c)) return 0;
+  touch.offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
+  if (!orient(of_a.wedge, of_b.wedge, nullptr, touch.offset > 0 ? c.gap : 0, c)) return 0;
   touch.normal = c.normal;
   touch.size = of_a.size < of_b.size ? of_a.size : of_b.size;
-  return c.gap < 0 && c.gap > -deepest * touch.size ? -c.gap : 0;
+  const double gap = c.gap - touch.offset, half = deepest * touch.size;
+  return gap < 0 && gap > -(touch.offset > half ? touch.offset : half) ? -gap : 0;
 }
 
 }  // namespace percuss

@@ -198,7 +198,7 @@ void update_edge_boxes(const Space& space, const EdgeSurface& surface, const Sur
       "contact::update_edge_boxes", RangeOf<Space>(space, 0, pairs.num_edges), KOKKOS_LAMBDA(int i) {
         const int e = list(i);
         // The size h of two edges is at most the mean of their lengths.
-        const double reach = 0.5 * find_edge_reach(s.ends, m.x, e);
+        const double reach = 0.5 * find_edge_reach(s.ends, m.x, e) + find_edge_offset(s, e);
         bound_edge(s.ends, m, e, {reach, reach, reach}, out);
       });
 }

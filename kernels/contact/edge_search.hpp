@@ -33,10 +33,10 @@ template <class Space>
 void place_edge_points(const Space& space, const EdgePoints& points, const Rows3<const double>& x,
                        const Rows3<double>& places);
 
-/// How far beyond an edge its capture box reaches besides the reach of the check: half a piece, and the margin of the
-/// faces' boxes by a third more, because the pieces may grow too while pairs are used again.
-KOKKOS_INLINE_FUNCTION Point3 find_edge_margin(const Point3& half_piece, double margin) {
-  const double wider = 4 * margin / 3;
+/// How far beyond an edge its capture box reaches besides the reach of the check: half a piece, the margin of the
+/// faces' boxes by a third more, because the pieces may grow too while pairs are used again, and the thickest shell.
+KOKKOS_INLINE_FUNCTION Point3 find_edge_margin(const Point3& half_piece, double margin, double thickness) {
+  const double wider = 4 * margin / 3 + thickness;
   return half_piece + Point3{wider, wider, wider};
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 // The feature edges of the contact surface as search and check of edge pairs see them.
 //
-// A feature edge is where two faces meet at a convex angle. Two of them can cross while no node reaches any face. An
-// edge is named by its place in these lists, which is in the order of edge numbers, so that every choice by order is
-// the same on any rank.
+// A feature edge is where two faces meet at a convex angle, where a shell ends or where two shells meet at an angle.
+// Two of them can cross while no node reaches any face. An edge is named by its place in these lists, which is in the
+// order of edge numbers, so that every choice by order is the same on any rank.
 
 #include "kernels/contact/capture_boxes.hpp"
 
@@ -24,6 +24,7 @@ struct EdgeSurface {
   int num_classes = 1;
   Array<const double> pair_friction;  // [classes * classes] friction; negative: may not touch
   Array<const int> pair_number;       // likewise: which of the deck's pairs
+  Array<const double> offset;         // [edges] half the thickness of its shells; empty: the scene has none
 };
 
 /// Pairs of edges, by (a, b), a before b.
@@ -34,6 +35,11 @@ struct EdgePairs {
   Array<int> b = Array<int>("contact::edge_pair_b", 0);     // [pairs]
   Array<int> edges = Array<int>("contact::pair_edges", 0);  // [num_edges] ascending
 };
+
+/// Half the thickness of the shells of an edge, 0 of solids.
+KOKKOS_INLINE_FUNCTION double find_edge_offset(const EdgeSurface& surface, int edge) {
+  return surface.offset.extent(0) > 0 ? surface.offset(edge) : 0;
+}
 
 /// Coulomb friction between two edges, negative if they may not touch.
 KOKKOS_INLINE_FUNCTION double find_edge_friction(const EdgeSurface& surface, int a, int b) {

@@ -39,8 +39,8 @@ KOKKOS_INLINE_FUNCTION double find_stored(const ContactRow& row, const RowNodes&
   const double before = -row.gap_start - row.reference, after = -gap - row.reference;
   double energy = before > 0 && after > 0 ? 0.5 * row.spring * before * after : 0;
   if (!(row.friction > 0)) return energy;
-  const Point3 predicted = dt * find_relative_velocity(row, TouchedVelocity{at.v, row});
-  const Point3 corrected = dt * find_relative_velocity(row, TouchedVelocity{dv, row});
+  const Point3 predicted = dt * find_slip_velocity(row, TouchedVelocity{at.v, row});
+  const Point3 corrected = dt * find_slip_velocity(row, TouchedVelocity{dv, row});
   for (int d = 0; d < 2; ++d)
     energy += 0.5 * row.spring * (row.slide[d] - dot(predicted, row.tangent[d])) *
               (row.slide[d] + dot(corrected, row.tangent[d]));
@@ -86,7 +86,7 @@ KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<
   const double* rub = row.impulse.rub;
   const double limit = sticking * row.friction * row.impulse.push;
   if (!(row.spring > 0) && !(rub[0] * rub[0] + rub[1] * rub[1] < limit * limit)) return {};
-  const Point3 moved = dt * find_relative_velocity(row, TouchedVelocity{dv, row});
+  const Point3 moved = dt * find_slip_velocity(row, TouchedVelocity{dv, row});
   return (row.slide[0] + dot(moved, row.tangent[0])) * row.tangent[0] +
          (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];
 }
@@ -96,7 +96,7 @@ KOKKOS_INLINE_FUNCTION void write_edge_record(const ContactRow& row, const Rows3
   const int r = row.record;
   history.a(r) = find_key_edge(row.key);
   history.b(r) = row.face;
-  history.holds(r) = row.impulse.push > 0 || row.reference > 0 ? 1 : 0;
+  history.holds(r) = row.impulse.push > 0 || row.reference > 0 || row.is_caught ? 1 : 0;
   store_row(history.normal, r, row.normal);
   store_row(history.impulse, r, row.force);
   store_row(history.slip, r, row.friction > 0 ? find_owed_slip(row, dv, dt) : Point3{});

@@ -5,7 +5,7 @@
 // place), goes through it within the step (swept, at any speed), or leaves it far behind (held). A node behind a face
 // that it did not go through is not in contact with it. Nothing here depends on what other pairs exist.
 
-#include "kernels/contact/contact_state.hpp"
+#include "kernels/contact/offset_faces.hpp"
 #include "kernels/contact/swept_root.hpp"
 
 namespace percuss {
@@ -25,7 +25,22 @@ struct Touch {
   double off = 0;         // distance beside the face
   double tau = 0;         // when contact begins, share of the step; 0: touching since the start
   double size = 0;        // h of the face
+  double offset = 0;      // distance that the node keeps from the face of the mesh by thickness
 };
+
+/// How far behind a face a node with a history is looked for: where thickness is between them, beyond the mid-surface
+/// too, because the history knows from which side it came.
+KOKKOS_INLINE_FUNCTION double find_known_depth(const Touch& touch, double depth) {
+  return depth * touch.size + (touch.record >= 0 ? touch.offset : 0);
+}
+
+/// Deepest start of a step, and farthest end, at which a node is in contact without going through the face.
+KOKKOS_INLINE_FUNCTION double find_deepest_start(const Touch& touch) {
+  return find_known_depth(touch, touch.record >= 0 ? contact_limits::history_depth : contact_limits::new_depth);
+}
+KOKKOS_INLINE_FUNCTION double find_reach(const Touch& touch) {
+  return find_known_depth(touch, contact_limits::capture);
+}
 
 /// Which history slot of the node a contact with this face would continue: that of the face itself, else that of a
 /// smooth neighbour, which must still be in reach of the node. history_face: [3 contact nodes] the faces that pushed in
@@ -103,7 +118,7 @@ KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const 
   const double h = touch.size;
   const bool known = touch.record >= 0;
   const FacePoint closest = find_closest_point(end);
-  if (closest.distance > contact_limits::capture * h) return false;
+  if (closest.distance > find_reach(touch)) return false;
   if (closest.off > (known ? contact_limits::history_band : contact_limits::new_band) * h) return false;
   for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
   touch.off = closest.off;
@@ -113,7 +128,7 @@ KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const 
   touch.gap_start = measure_gap(start, before.triangle, before.weight, touch);
   // Sliding in along the plane of the face is later than going through another one.
   touch.tau = before.off > contact_limits::new_band * h ? 1 : find_contact_time(touch);
-  if (touch.gap_start < -(known ? contact_limits::history_depth : contact_limits::new_depth) * h) return false;
+  if (touch.gap_start < -find_deepest_start(touch)) return false;
   touch.beside = !known && touch.gap_start < -contact_limits::new_band * h && before.off > contact_limits::overlap * h;
   return true;
 }
@@ -139,14 +154,32 @@ KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const Face
   const double h = touch.size;
   const bool known = touch.record >= 0;
   const FacePoint closest = find_closest_point(start);
-  if (closest.distance > contact_limits::capture * h) return false;
+  if (closest.distance > find_reach(touch)) return false;
   if (closest.off > (known ? contact_limits::history_band : contact_limits::new_band) * h) return false;
   for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
   touch.off = closest.off;
   measure_end(surface, faces, end, closest.triangle, touch);
   touch.gap_start = measure_gap(start, closest.triangle, closest.weight, touch);
-  if (touch.gap_start > contact_limits::new_band * h || touch.gap_end > -contact_limits::capture * h) return false;
-  return touch.gap_start >= -(known ? contact_limits::history_depth : contact_limits::new_depth) * h;
+  if (touch.gap_start > contact_limits::new_band * h || touch.gap_end > -find_reach(touch)) return false;
+  return touch.gap_start >= -find_deepest_start(touch);
+}
+
+KOKKOS_INLINE_FUNCTION Touch start_touch(int face, double size, double offset) {
+  Touch touch;
+  touch.face = face;
+  touch.size = size;
+  touch.offset = offset;
+  return touch;
+}
+
+/// Of a pair with thickness between them: whether it is out of reach for certain. Finds touch.record, of which the
+/// reach depends.
+KOKKOS_INLINE_FUNCTION bool is_beyond_thickness(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                const FaceState& faces, const Array<const int>& history_face,
+                                                const CheckedNode& node, Touch& touch) {
+  find_record(surface, faces, history_face, node, touch);
+  return is_off_slab(faces.slab(touch.face), load_row(faces.normal, touch.face), motion, node, touch.offset,
+                     contact_limits::row_gap * touch.size, find_reach(touch));
 }
 
 /// Checks one pair; touch is meaningful if the answer is true.
@@ -154,16 +187,21 @@ KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const Surf
                                        const FaceState& faces, const Array<const int>& history_face,
                                        const CheckedNode& node, int face, Touch& touch) {
   if (!is_in_box(node, faces.box, face)) return false;
-  const RelativeFace relative = load_relative_face(surface, motion, node.x, node.v, face);
+  const double h = faces.size(face), offset = find_offset(surface.offsets, node.node, face);
+  if (offset > 0) {
+    touch = start_touch(face, h, offset);
+    if (is_beyond_thickness(surface, motion, faces, history_face, node, touch)) return false;
+  }
+  const RelativeFace relative = load_touched_face(surface, motion, node.x, node.v, face, offset);
   const FacePoints end = find_end(relative);
-  const double h = faces.size(face);
+  const double reach = offset > 0 ? find_reach(touch) : contact_limits::capture * h;
   const PlaneRange range = find_plane_range(relative.start, end, load_row(faces.normal, face));
-  if (range.least > contact_limits::row_gap * h || range.most < -contact_limits::capture * h) return false;
-  touch = Touch{};
-  touch.face = face;
-  touch.size = h;
-  find_record(surface, faces, history_face, node, touch);
-  touch.opposed = find_opposition(surface, faces, node.node, face) <= contact_limits::opposing;
+  if (range.least > contact_limits::row_gap * h || range.most < -reach) return false;
+  if (offset == 0) {
+    touch = start_touch(face, h, offset);
+    find_record(surface, faces, history_face, node, touch);
+  }
+  touch.opposed = looks_against(surface, motion, faces, node.node, face);
   // Faces that only meet at an edge, as those of bricks in line do, are hit only by going through them for certain.
   const bool starts_in_front = range.most_start > contact_limits::overlap * h;
   // What is farther from the face's plane than the band at both ends of the step, and so at any time, goes through

@@ -1,5 +1,7 @@
 #include "kernels/contact/penetration.hpp"
 
+#include "kernels/contact/offset_faces.hpp"
+
 namespace percuss {
 namespace {
 
@@ -7,30 +9,43 @@ namespace {
 constexpr double beside = 1e-6;
 /// Share of h behind a face beyond which the node is not said to be behind it.
 constexpr double deepest = 0.5;
+/// Round-off of a node that lies on the mid-surface.
+constexpr double slack = 1 + 1e-9;
+/// Least cosine at which a shell lies flat on itself rather than bends: neighbours of a fold are no overlap.
+constexpr double flat_on_itself = 0.7;
 
 /// How deep a node is behind a face.
 struct FaceDepth {
   bool known = false;   // whether the node projects on the face from nearby
   double distance = 0;  // from the face; negative: not looked at
   double depth = 0;     // negative in front
+  double limit = 0;     // of what contact can hold
   double edge = 0;
 };
+
+/// Whether a node and a face of one body may overlap.
+KOKKOS_INLINE_FUNCTION bool may_overlap(const ContactSurface& surface, const FaceState& faces, int node, int face,
+                                        double offset) {
+  const double least = find_opposition(surface, faces, node, face);
+  return offset > 0 ? least <= -flat_on_itself : least <= contact_limits::opposing;
+}
 
 KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const ContactSurface& surface, const SurfaceMotion& motion,
                                                  const FaceState& faces, int node, int face) {
   FaceDepth result;
   result.distance = -1;
-  if (surface.node_body(node) == surface.face_body(face) &&
-      find_opposition(surface, faces, node, face) > contact_limits::opposing)
+  const double offset = find_offset(surface.offsets, node, face);
+  if (surface.node_body(node) == surface.face_body(face) && !may_overlap(surface, faces, node, face, offset))
     return result;
-  const RelativeFace relative = load_relative_face(surface, motion, node, face);
+  const RelativeFace relative = load_touched_face(surface, motion, node, face);
   const FacePoint closest = find_closest_point(relative.start);
   const double size = faces.size(face);
   result.distance = closest.distance;
-  if (closest.off > beside * size || closest.distance > deepest * size) return result;
+  if (closest.off > beside * size || closest.distance > larger(deepest * size, slack * offset)) return result;
   result.known = true;
   const Point3 normal = find_push_direction(surface, faces, face, closest.weight);
   result.depth = dot(normal, interpolate(relative.start, closest.weight));
+  result.limit = larger(contact_limits::history_depth * size, slack * offset);
   result.edge = find_shortest_edge(relative.start);
   return result;
 }
@@ -76,7 +91,8 @@ void find_penetrations(const Space& space, const ContactSurface& surface, const 
   reserve(table.depth, surface.num_nodes);
   reserve(table.ratio, surface.num_nodes);
   reserve(table.face, surface.num_nodes);
-  const Array<double> depth = table.depth, ratio = table.ratio;
+  reserve(table.limit, surface.num_nodes);
+  const Array<double> depth = table.depth, ratio = table.ratio, limit = table.limit;
   const Array<int> face = table.face;
   const ContactSurface s = surface;
   const SurfaceMotion m = motion;
@@ -86,6 +102,7 @@ void find_penetrations(const Space& space, const ContactSurface& surface, const 
       "contact::penetrations", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
         depth(node) = 0;
         ratio(node) = 0;
+        limit(node) = 0;
         face(node) = -1;
         for (int c = offset(node); c < offset(node + 1); ++c) {
           if (!is_first_of_body(s, list, offset(node), c)) continue;
@@ -93,6 +110,7 @@ void find_penetrations(const Space& space, const ContactSurface& surface, const 
           if (body.face < 0 || body.least.depth <= depth(node)) continue;
           depth(node) = body.least.depth;
           ratio(node) = body.least.depth / body.least.edge;
+          limit(node) = body.least.limit;
           face(node) = body.face;
         }
       });

@@ -59,7 +59,7 @@ KOKKOS_INLINE_FUNCTION void complete_row(const RowInputs& inputs, const RowNodes
                                          const LastContact& old, ContactRow& row) {
   if (row.friction > 0) {
     set_tangents(row);
-    const Point3 v = find_relative_velocity(row, TouchedVelocity{at.v, row});
+    const Point3 v = find_slip_velocity(row, TouchedVelocity{at.v, row});
     for (int d = 0; d < 2; ++d) row.slide[d] = inputs.motion.dt * dot(v, row.tangent[d]);
   }
   if (continues) continue_record(old, inputs, row);
@@ -107,6 +107,7 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   row.friction = touch.friction;
   row.pair = touch.pair;
   row.size = touch.size;
+  row.offset = touch.offset;
   row.gap_start = touch.gap_start;
   row.gap = touch.gap_end;
   set_arms(at.x, row);

@@ -40,14 +40,22 @@ struct RowTouch {
   Point3 normal{}, gap_gradient{};
   double gap_start = 0, gap_end = 0;  // at n and predicted
   double size = 0;                    // h
+  double offset = 0;                  // ContactRow::offset
   double friction = 0;
-  int pair = 0;  // ContactRow::pair
-  bool is_caught = false;
+  int pair = 0;                                                // ContactRow::pair
+  bool is_caught = false;                                      // ContactRow::is_caught
   int record = -1;                                             // history record that the row writes
   int old_record = -1;                                         // history record that it continues, -1: none
   int node[row_nodes] = {-1, -1, -1, -1, -1};                  // mesh node of this rank; -1 - k: foreign node k
   std::int64_t node_number[row_nodes] = {-1, -1, -1, -1, -1};  // of the nodes, where some are foreign
 };
+
+/// Whether two sides with thickness between them are, or would be, nearer than they should: the side from which they
+/// came must then be remembered, push or no push.
+template <class AnyTouch>
+KOKKOS_INLINE_FUNCTION bool is_within_thickness(const AnyTouch& touch) {
+  return touch.offset > 0 && (touch.gap_start < 0 || touch.gap_end < 0);
+}
 
 /// What the row of a node on a face takes over from the check.
 KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
@@ -58,7 +66,8 @@ KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
   row.gap_start = touch.gap_start;
   row.gap_end = touch.gap_end;
   row.size = touch.size;
-  row.is_caught = !touch.opposed;
+  row.offset = touch.offset;
+  row.is_caught = !touch.opposed || is_within_thickness(touch);
   return row;
 }
 
@@ -76,6 +85,8 @@ KOKKOS_INLINE_FUNCTION RowTouch make_edge_row_touch(const EdgeTouch& touch) {
   row.gap_start = touch.gap_start;
   row.gap_end = touch.gap_end;
   row.size = touch.size;
+  row.offset = touch.offset;
+  row.is_caught = is_within_thickness(touch);
   row.old_record = touch.record;
   return row;
 }

@@ -23,7 +23,7 @@ KOKKOS_INLINE_FUNCTION double find_spring(const ContactRow& row, const Array<con
 
 /// Predicted displacement of the row in the step along a tangent.
 KOKKOS_INLINE_FUNCTION double find_predicted_slide(const ContactRow& row, const RowNodes& at, int d, double dt) {
-  return dt * dot(find_relative_velocity(row, TouchedVelocity{at.v, row}), row.tangent[d]);
+  return dt * dot(find_slip_velocity(row, TouchedVelocity{at.v, row}), row.tangent[d]);
 }
 
 /// Impulses of all rows. scale: of the stiffness; dt_mean: time from the middle of the last step to that of this one.

@@ -1,14 +1,12 @@
 #include "src/contact/check_space.hpp"
 
+#include <algorithm>
+
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/surface_sides.hpp"
 
 namespace percuss {
 namespace {
-
-/// Faces around each node, ascending, as offsets and a list.
-struct NodeFaces {
-  std::vector<int> offset, faces;
-};
 
 NodeFaces list_node_faces(const std::vector<std::array<int, 4>>& corners, std::size_t num_nodes) {
   NodeFaces result;
@@ -24,6 +22,26 @@ NodeFaces list_node_faces(const std::vector<std::array<int, 4>>& corners, std::s
       if (node >= 0)
         result.faces[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] = static_cast<int>(f);
   return result;
+}
+
+/// Half the thickness of each node: that of the thickest shell around it.
+std::vector<double> find_node_offsets(const NodeFaces& node_faces, const std::vector<double>& face_offset) {
+  std::vector<double> offset(node_faces.offset.size() - 1, 0);
+  for (std::size_t n = 0; n < offset.size(); ++n)
+    for (int f = node_faces.offset[n]; f < node_faces.offset[n + 1]; ++f)
+      offset[n] =
+          std::max(offset[n], face_offset[static_cast<std::size_t>(node_faces.faces[static_cast<std::size_t>(f)])]);
+  return offset;
+}
+
+SurfaceOffsets make_offsets(const SurfaceLists& lists, const NodeFaces& node_faces, double largest) {
+  const SideRings rings = find_side_rings(lists.corners, lists.face_offset, node_faces);
+  return {largest,
+          to_view("contact::face_offset", lists.face_offset),
+          to_view("contact::node_offset", find_node_offsets(node_faces, lists.face_offset)),
+          to_view("contact::first_in_ring", rings.first),
+          to_view("contact::side_rings", rings.faces),
+          to_view("contact::open_corners", rings.is_open)};
 }
 
 /// The body of each node is that of its faces; -1 for nodes of no face here.
@@ -57,6 +75,8 @@ ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShar
   surface.searched_faces = to_view("contact::searched_faces", lists.searched_faces);
   surface.pair_friction = share.pair_friction;
   surface.pair_number = share.pair_number;
+  if (share.largest_offset > 0 && !lists.face_offset.empty())
+    surface.offsets = make_offsets(lists, node_faces, share.largest_offset);
   return surface;
 }
 
@@ -68,6 +88,7 @@ void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>&
     check.faces = {};
     check.faces = {Rows3<double>("contact::face_normal", faces), Array<double>("contact::face_size", faces),
                    Boxes("contact::face_box", faces)};
+    if (surface.offsets.largest > 0) check.faces.slab = Array<FaceSlab>("contact::face_slab", faces);
   }
   reserve(check.history_face, contact_limits::max_touches * surface.num_nodes);
 }

@@ -19,6 +19,7 @@ struct SurfaceLists {
   std::vector<std::array<int, 4>> corners, backs;  // [faces] places of nodes, rows of the motion; -1: not here
   std::vector<int> face_class, face_body;          // [faces]
   std::vector<int> searched_nodes, searched_faces;
+  std::vector<double> face_offset;  // [faces] FaceTopology::offset; empty: nothing is checked
 };
 
 ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShare& share);

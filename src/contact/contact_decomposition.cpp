@@ -181,7 +181,7 @@ void ContactDecomposition::send_nodes_to_owners() {
 
 // (5.4) For all my faces: which ranks does the capture box reach?
 void ContactDecomposition::list_reached_ranks(const SurfaceMotion& motion, double margin) {
-  bound_faces(ExecSpace(), share_.corner_list, motion, margin, boxes_);
+  bound_faces(ExecSpace(), share_.bounded_faces(), motion, margin, boxes_);
   reached_ = percuss::list_reached_ranks(exchange_.ranks(), rcb_.tree(), boxes_,
                                          static_cast<int>(share_.searched_faces.size()), margin, reach_count_);
 }

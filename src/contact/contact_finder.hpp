@@ -22,6 +22,7 @@ struct Penetration {
   double ratio = 0;        // depth / shortest edge of the face
   double size = 0;         // h of the face
   int part = 0;            // of the face
+  double limit = 0;        // depth up to which contact can hold it [length]
 };
 
 /// What the contact decomposition did so far; the same on every rank.

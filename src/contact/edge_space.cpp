@@ -14,6 +14,7 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
   std::vector<std::array<int, 4>> wings;
   std::vector<std::array<std::int64_t, 2>> elements;
   std::vector<int> classes;
+  std::vector<double> offsets;
   for (const EdgeTopology& edge : edges) {
     numbers.push_back(edge.number);
     ends.push_back({find_row(edge.ends[0]), find_row(edge.ends[1])});
@@ -21,6 +22,7 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
         {find_row(edge.wings[0]), find_row(edge.wings[1]), find_row(edge.wings[2]), find_row(edge.wings[3])});
     elements.push_back({edge.elements[0], edge.elements[1]});
     classes.push_back(edge.surface_class);
+    if (share.largest_offset > 0) offsets.push_back(edge.offset);
   }
   EdgeSurface surface;
   surface.num_edges = static_cast<int>(edges.size());
@@ -29,6 +31,7 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
   surface.wings = to_rows("contact::edge_wings", wings);
   surface.elements = to_rows("contact::edge_elements", elements);
   surface.edge_class = to_view("contact::edge_class", classes);
+  surface.offset = to_view("contact::edge_offset", offsets);
   surface.num_classes = share.num_classes;
   surface.pair_friction = share.pair_friction;
   surface.pair_number = share.pair_number;
@@ -120,7 +123,8 @@ std::vector<EdgePenetration> measure_edge_pairs(const SurfaceMotion& motion, Edg
   for (int k = 0; k < space.touches.count; ++k) {
     const int pair = list(k);
     const EdgeTouch& touch = touches(pair);
-    found.push_back({numbers(a(pair)), numbers(b(pair)), touch.normal, -touch.gap_start, touch.size});
+    found.push_back({numbers(a(pair)), numbers(b(pair)), touch.normal, -touch.gap_start, touch.size,
+                     std::max(contact_limits::history_depth * touch.size, touch.offset)});
   }
   return found;
 }

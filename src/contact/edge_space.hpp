@@ -17,6 +17,7 @@ struct EdgePenetration {
   Point3 normal{};              // push direction of a
   double depth = 0;             // [length]
   double size = 0;              // h
+  double limit = 0;             // depth up to which contact can hold it [length]
 };
 
 /// Edges with the points by which points-in-box knows them.

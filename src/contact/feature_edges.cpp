@@ -24,9 +24,11 @@ struct EdgeSide {
   std::int64_t face = 0;               // number
   int surface_class = 0;
   int rank = 0;
+  double offset = 0;
   Point3 normal{}, inward{};  // of the face, and from the edge into it
 
   std::int64_t element() const { return face / 6; }
+  bool is_shell() const { return offset > 0; }
 };
 
 bool is_same_edge(const EdgeSide& a, const EdgeSide& b) { return a.ends[0] == b.ends[0] && a.ends[1] == b.ends[1]; }
@@ -51,6 +53,7 @@ EdgeSide make_side(const FaceTopology& face, const FacePoints& places, int k, in
   side.face = face.number;
   side.surface_class = face.surface_class;
   side.rank = rank;
+  side.offset = face.offset;
   side.normal = find_face_normal(places);
   side.inward = find_inward(places.corner[p], places.corner[q], places.corner[wing_p], places.corner[wing_q]);
   return side;
@@ -85,6 +88,9 @@ bool is_feature(const EdgeSide& a, const EdgeSide& b) {
   return dot(a.normal, b.normal) < contact_limits::feature && dot(a.normal, b.inward) < 0;
 }
 
+/// Whether two shells meet at an angle of more than that of feature edges, whichever way their faces look.
+bool is_fold(const EdgeSide& a, const EdgeSide& b) { return dot(a.inward, b.inward) > -contact_limits::feature; }
+
 FoundEdge make_edge(const EdgeSide& first, const EdgeSide& second) {
   FoundEdge found;
   EdgeTopology& edge = found.edge;
@@ -96,17 +102,31 @@ FoundEdge make_edge(const EdgeSide& first, const EdgeSide& second) {
     for (int j = 0; j < 2; ++j) edge.wings[2 * i + j] = sides[i]->wings[j];
   }
   edge.home = first.rank;
+  edge.offset = std::max(first.offset, second.offset);
   return found;
 }
 
+/// The feature edge of shells, if they are all that meets there: their end, with the same wedge on both sides, or a
+/// fold. Each has two sides here, one after the other, of which either will do.
+void list_shell_edges(const EdgeSide* first, const EdgeSide* last, std::vector<FoundEdge>& edges) {
+  const auto count = last - first;
+  if (count == 2 || (count == 4 && is_fold(*first, *(first + 2))))
+    edges.push_back(make_edge(*first, *(first + count - 2)));
+}
+
 /// The feature edges of sides [first, last) of one edge of the mesh. Where more than two faces meet, those of one
-/// element belong together, and two that are left.
+/// element belong together, and two that are left; shells that meet solids have none.
 void list_edges(const EdgeSide* first, const EdgeSide* last, std::vector<FoundEdge>& edges) {
+  if (std::all_of(first, last, [](const EdgeSide& side) { return side.is_shell(); })) {
+    list_shell_edges(first, last, edges);
+    return;
+  }
   std::vector<const EdgeSide*> left;
   const auto add = [&](const EdgeSide& a, const EdgeSide& b) {
     if (is_feature(a, b)) edges.push_back(make_edge(a, b));
   };
   for (const EdgeSide* side = first; side != last; ++side) {
+    if (side->is_shell()) continue;
     if (side + 1 != last && side->element() == (side + 1)->element()) {
       add(*side, *(side + 1));
       ++side;

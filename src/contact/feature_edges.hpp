@@ -1,5 +1,6 @@
 #pragma once
-// The feature edges of the contact surface: where two faces of a body meet at a convex angle at the start of the run.
+// The feature edges of the contact surface: where two faces of a body meet at a convex angle at the start of the run,
+// where a shell ends, and where two shells meet at an angle.
 
 #include <array>
 #include <cstdint>
@@ -21,6 +22,7 @@ struct EdgeTopology {
   int surface_class = 0;       // which of the named surfaces it lies on, as a class
   int home = 0;                // rank that has the first face's element: it remembers the edge's contacts
   int pieces = 1;              // that search sees, each as a point
+  double offset = 0;           // half the thickness of its shells, 0 of solids [length]
 };
 
 /// An edge before its class is known.

@@ -36,6 +36,7 @@ ContactSurface make_whole_surface(const SurfaceShare& share) {
     lists.corners.push_back(corners);
     lists.face_class.push_back(share.faces[f].surface_class);
     lists.face_body.push_back(share.faces[f].body);
+    if (share.largest_offset > 0) lists.face_offset.push_back(share.faces[f].offset);
   }
   return make_contact_surface(lists, share);
 }
@@ -67,7 +68,7 @@ std::int64_t LocalFinder::search_edges(const SurfaceMotion& motion, double margi
     const EdgePoints& points = edge_points_.points;
     place_edge_points(space, points, motion.x, edge_places_);
     const Point3 half = find_half_piece(space, points, motion.x);
-    bound_edges(space, points.ends, motion, find_edge_margin(half, margin), edge_boxes_);
+    bound_edges(space, points.ends, motion, find_edge_margin(half, margin, 2 * share_.largest_offset), edge_boxes_);
     const EdgeQuery query{edge_points_.names, edge_places_, motion.x, edge_boxes_, find_edge_slack(half, margin)};
     hits = find_edge_pairs(space, edges_.surface, query, limit, edge_scratch_, edges_.pairs);
   });
@@ -81,7 +82,7 @@ std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margi
   std::int64_t pairs = 0;
   // A search is some eighty launches, most of them of the sorts.
   run_where_it_pays(static_cast<int>(share_.searched_faces.size()) / 2, [&](const auto& space) {
-    bound_faces(space, share_.corner_list, motion, margin, boxes_);
+    bound_faces(space, share_.bounded_faces(), motion, margin, boxes_);
     pairs = find_points_in_boxes(space, surface, motion.x, boxes_, limit, scratch_, check_.candidates);
     if (pairs <= limit) list_concerned(space, surface, scratch_, check_.candidates);
   });
@@ -124,13 +125,14 @@ int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& 
 
 std::vector<Penetration> LocalFinder::find_penetrations(const SurfaceMotion& motion) {
   const PenetrationTable table = measure_candidates(motion, check_);
-  const auto depth = to_host(table.depth), ratio = to_host(table.ratio), size = to_host(check_.faces.size);
+  const auto depth = to_host(table.depth), ratio = to_host(table.ratio), limit = to_host(table.limit);
+  const auto size = to_host(check_.faces.size);
   const auto face = to_host(table.face);
   std::vector<Penetration> found;
   for (int n = 0; n < check_.surface.num_nodes; ++n) {
     if (face(n) < 0) continue;
     const FaceTopology& of = share_.faces[static_cast<std::size_t>(face(n))];
-    found.push_back({n, of.number, depth(n), ratio(n), size(face(n)), of.part});
+    found.push_back({n, of.number, depth(n), ratio(n), size(face(n)), of.part, limit(n)});
   }
   return found;
 }

@@ -145,7 +145,7 @@ void ContactPlanner::find_boxes(bool reuse_search) {
   ReuseBound bound(exchange_.ranks(), share_, reuse_search);
   const double margin = bound.restart(at_rest);
   const Boxes boxes("contact::boxes", share_.searched_faces.size());
-  bound_faces(ExecSpace(), share_.corner_list, at_rest, margin, boxes);
+  bound_faces(ExecSpace(), share_.bounded_faces(), at_rest, margin, boxes);
   ExecSpace().fence();
   const auto host = to_host(boxes);
   boxes_.resize(share_.searched_faces.size());

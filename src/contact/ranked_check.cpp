@@ -144,7 +144,8 @@ std::vector<RowTouch> RankedFinder::make_row_touches(std::vector<TouchRecord> re
 std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& motion) {
   if (total_pairs_ == 0) return {};
   const PenetrationTable table = measure_candidates(motion_.receive(data_, motion), check_);
-  const auto depth = to_host(table.depth), ratio = to_host(table.ratio), size = to_host(check_.faces.size);
+  const auto depth = to_host(table.depth), ratio = to_host(table.ratio), limit = to_host(table.limit);
+  const auto size = to_host(check_.faces.size);
   const auto face = to_host(table.face);
   struct Record {
     std::int64_t node;
@@ -156,7 +157,7 @@ std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& mo
     counts.push_back(check_.candidates.num_pairs > 0 && face(n) >= 0 ? 1 : 0);
     if (counts.back() == 0) continue;
     const FaceTopology& of = check_faces_[at(face(n))];
-    records.push_back({check_nodes_[at(n)], {0, of.number, depth(n), ratio(n), size(face(n)), of.part}});
+    records.push_back({check_nodes_[at(n)], {0, of.number, depth(n), ratio(n), size(face(n)), of.part, limit(n)}});
   }
   std::vector<Penetration> found;
   for (Record& record : send_results_to_fe_owners(records, counts)) {

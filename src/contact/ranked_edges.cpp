@@ -163,7 +163,7 @@ std::int64_t RankedEdges::search(const SurfaceMotion& motion, double margin,
   if (share_.total_edges == 0) return 0;
   const Point3 half = find_half_piece_of_all(motion);
   send_points_to_owners(motion, decomposition);
-  send_edges_to_reached(motion, find_edge_margin(half, margin));
+  send_edges_to_reached(motion, find_edge_margin(half, margin, 2 * share_.largest_offset));
   const std::int64_t limit = find_edge_pair_limit(share_);
   const std::int64_t hits = find_pairs_here(find_edge_slack(half, margin), std::min(limit, most_indexed_pairs));
   std::int64_t sums[3] = {hits, space_.pairs.num_pairs, hits > most_indexed_pairs ? 1 : 0};

@@ -227,6 +227,7 @@ void RankedFinder::build_check_space(std::vector<FaceTopology> faces) {
     lists.backs.push_back(is_candidate[f] != 0 ? find_numbers(places, face.backs) : std::array<int, 4>{-1, -1, -1, -1});
     lists.face_class.push_back(face.surface_class);
     lists.face_body.push_back(face.body);
+    if (share_.largest_offset > 0) lists.face_offset.push_back(face.offset);
   }
   CandidateList& candidates = check_.candidates;
   std::vector<int> offset(check_nodes_.size() + 1, 0), pairs;

@@ -74,7 +74,7 @@ EdgeHistory seed_edges(const std::vector<EdgePenetration>& penetrations, bool ac
     if (p.depth <= contact_limits::overlap * p.size) continue;
     ++found.edge_pairs;
     found.deepest_edges = std::max(found.deepest_edges, p.depth);
-    if (p.depth > contact_limits::history_depth * p.size) continue;
+    if (p.depth > p.limit) continue;
     a.push_back(p.a);
     b.push_back(p.b);
     normals.push_back({p.normal.x, p.normal.y, p.normal.z});
@@ -137,7 +137,7 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
   StartOverlap found;
   for (const Penetration& p : look_everywhere(search, motion)) {
     if (p.depth <= contact_limits::overlap * p.size) continue;
-    const bool held = p.depth <= contact_limits::history_depth * p.size;
+    const bool held = p.depth <= p.limit;
     note(found, search.share.nodes, p.node, p.part, p.depth, held);
     if (!held) continue;
     history_face(contact_limits::max_touches * p.node) = p.face;
@@ -180,8 +180,7 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, Conta
         std::binary_search(faces.begin(), faces.end(), p.face) ||
         std::binary_search(nodes.begin(), nodes.end(), search.share.nodes.numbers[static_cast<std::size_t>(p.node)]);
     const int record = contact_limits::max_touches * p.node;
-    if (!is_new || p.depth <= contact_limits::overlap * p.size || p.depth > contact_limits::history_depth * p.size)
-      continue;
+    if (!is_new || p.depth <= contact_limits::overlap * p.size || p.depth > p.limit) continue;
     if (history_face(record) >= 0) continue;  // a contact that goes on
     history_face(record) = p.face;
     reference(record) = overlap == ContactDeck::Overlap::accept ? p.depth : 0;

@@ -36,6 +36,7 @@ void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& face
     face.number = 6 * numbers[at(f.element)] + f.face;
     face.body = mesh.bodies[at(f.element)];
     face.part = mesh.element_part[at(f.element)];
+    if (is_shell(mesh.elements[at(f.element)])) face.offset = 0.5 * mesh.parts[at(face.part)].thickness;
     std::array<int, 4> corners{}, backs{};
     for (std::size_t i = 0; i < 4; ++i) {
       const int corner = hex_faces[f.face][i];
@@ -232,6 +233,26 @@ void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const Surface
   for (const FaceTopology& face : share.faces) share.face_searched.push_back(face_searched[at(face.surface_class)]);
 }
 
+/// Thickness of the shells that may touch anything.
+void set_offsets(const Mesh& mesh, const Communicator& ranks, SurfaceShare& share) {
+  const auto has_shells = [](const MeshPart& part) { return part.thickness > 0; };
+  if (std::none_of(mesh.parts.begin(), mesh.parts.end(), has_shells)) return;
+  double largest = 0;
+  for (std::size_t f = 0; f < share.faces.size(); ++f)
+    if (share.face_searched[f] != 0) largest = std::max(largest, share.faces[f].offset);
+  const OwnedContactNodes& nodes = share.nodes;
+  for (std::size_t n = 0; n < nodes.searched.size(); ++n)
+    for (int f = nodes.first_face[n]; nodes.searched[n] != 0 && f < nodes.first_face[n + 1]; ++f)
+      largest = std::max(largest, nodes.faces[at(f)].offset);
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
+           "MPI_Allreduce");
+  share.largest_offset = largest;
+  if (largest == 0) return;
+  std::vector<double> reach;
+  for (const int f : share.searched_faces) reach.push_back(find_offset_reach(share.faces[at(f)].offset, largest));
+  share.reach_list = to_view("contact::face_reach", reach);
+}
+
 void set_lists(const Communicator& ranks, SurfaceShare& share) {
   std::vector<std::array<int, 4>> corners;
   for (std::size_t f = 0; f < share.faces.size(); ++f) {
@@ -284,6 +305,7 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   set_classes(deck, of_faces, classes, node_sets, share);
   if (has_edges) set_edges(mesh, exchange.ranks(), edges, edge_sets, classes, share);
   set_lists(exchange.ranks(), share);
+  set_offsets(mesh, exchange.ranks(), share);
   return share;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comm/unstructured_exchange.hpp"
+#include "kernels/contact/capture_boxes.hpp"
 #include "kernels/contact/row_system.hpp"
 #include "src/contact/feature_edges.hpp"
 #include "src/contact/ties.hpp"
@@ -22,6 +23,7 @@ struct FaceTopology {
   int body = 0;               // connected body
   int part = 0;               // index into Mesh::parts
   int surface_class = 0;      // which of the named surfaces it lies on, as a class
+  double offset = 0;          // half the thickness of a shell at time 0, 0 of a solid's face [length]
 };
 
 /// Contact nodes that this rank owns; a contact node is named by its place here, in the order of node numbers.
@@ -53,10 +55,15 @@ struct SurfaceShare {
   std::int64_t total_edges = 0;               // of all ranks
   std::int64_t total_nodes = 0, total_faces = 0, total_searched_faces = 0;  // of all ranks
 
+  double largest_offset = 0;  // of any face or node of any rank that may touch [length]; 0: no shells do
+
   // For kernels over the share.
-  Array<const int> node_list;       // [owned contact nodes] mesh nodes
-  Rows4<const int> corner_list;     // [searched faces] corners as mesh nodes
-  std::vector<int> searched_faces;  // places in `faces`
+  Array<const int> node_list;        // [owned contact nodes] mesh nodes
+  Rows4<const int> corner_list;      // [searched faces] corners as mesh nodes
+  std::vector<int> searched_faces;   // places in `faces`
+  Array<const double> reach_list{};  // [searched faces] BoundedFaces::offset
+
+  BoundedFaces bounded_faces() const { return {corner_list, reach_list}; }
 };
 
 /// Finds the contact surface of the mesh. Throws InputError for unknown surfaces. Collective.

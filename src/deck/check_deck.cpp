@@ -100,7 +100,7 @@ void check_step_estimate(const Deck& deck, const Node& root, Reading& reading) {
                                  shells->name));
 }
 
-/// The first part of shells that a selector of contact means; null: none.
+/// The first part of shells that a selector means; null: none.
 const PartDeck* find_shells(const Deck& deck, const std::string& name) {
   const std::string part_name = name.substr(0, name.find('/'));
   for (const PartDeck& part : deck.parts) {
@@ -109,19 +109,17 @@ const PartDeck* find_shells(const Deck& deck, const std::string& name) {
   return nullptr;
 }
 
-/// Contact does not know shells.
-void check_contact(const Deck& deck, const Node& root, Reading& reading) {
+/// Ties do not know shells.
+void check_ties(const Deck& deck, const Node& root, Reading& reading) {
   const Node* section = root.find("contact");
   if (section == nullptr) return;
   std::vector<std::string> names;
-  if (deck.contact.surfaces == ContactDeck::Surfaces::all) names.emplace_back();
-  for (const SurfacePairDeck& pair : deck.contact.pairs) names.insert(names.end(), {pair.a.name, pair.b.name});
   for (const TieDeck& tie : deck.contact.ties) names.insert(names.end(), {tie.a.name, tie.b.name});
   for (const std::string& name : names) {
     const PartDeck* shells = find_shells(deck, name);
     if (shells == nullptr) continue;
-    reading.errors.add(section->key, fmt::format("contact takes in part '{}', which has shells (only the surfaces of "
-                                                 "solids can touch or be tied) name pairs of other surfaces",
+    reading.errors.add(section->key, fmt::format("contact ties part '{}', which has shells (only the surfaces of "
+                                                 "solids can be tied) tie other surfaces",
                                                  shells->name));
     return;
   }
@@ -177,7 +175,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_size(deck, root, reading);
   check_rotations(deck, reading);
   check_step_estimate(deck, root, reading);
-  check_contact(deck, root, reading);
+  check_ties(deck, root, reading);
   check_curves(deck, reading);
   check_estimate(deck, root, reading);
   check_frames(deck, root, reading);

@@ -157,7 +157,7 @@ struct CheckedScene {
     history_face = Array<int>("test::history_face", static_cast<std::size_t>(3 * surface.num_nodes));
     Kokkos::deep_copy(history_face, -1);
     const SmallSpace space;
-    bound_faces(space, surface.face_corners, motion, margin, boxes);  // every node is a contact node
+    bound_faces(space, {surface.face_corners}, motion, margin, boxes);  // every node is a contact node
     find_points_in_boxes(space, surface, motion.x, boxes, 1'000'000, scratch, candidates);
     list_concerned(space, surface, scratch, candidates);
     check();

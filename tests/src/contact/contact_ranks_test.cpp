@@ -122,6 +122,18 @@ TEST(ContactOnRanks, NeitherRebalancingNorReuseOfTheSearchChangesABit) {
   }
 }
 
+TEST(ContactOnRanks, ShellsAmongSolidsGiveTheSameBits) {
+  compare(R"(
+parts:
+  wall: {box: {size: [1, 0.5, 0.4], cells: [4, 3, 2]}, array: {count: [2, 2, 2], pitch: [1, 0.5, 0.4]}, material: m}
+  sheet: {shell_plate: {size: [2, 1], cells: [9, 7]}, at: [0.03, 0.02, 0.83], thickness: 0.06, material: m}
+  other: {shell_plate: {size: [1.7, 0.9], cells: [8, 5]}, at: [0.1, 0.05, 0.89], thickness: 0.05, material: m}
+  upright: {shell_box_tube: {size: [0.5, 0.6], length: 0.7, cells: [4, 5, 4]}, at: [0.9, 0.5, 0.93], thickness: 0.03, material: m}
+contact: {surfaces: all, friction: 0.3}
+)",
+          6, 0.02, 50);
+}
+
 TEST(ContactOnRanks, NamedSurfacesAndWallsGiveTheSameBits) {
   compare(bricks + R"(
 contact: {surfaces: [{a: ball, b: wall, friction: 0.1}], friction: 0}

@@ -96,6 +96,32 @@ TEST(Restart, OfShellsEndsInTheSameBits) {
   EXPECT_EQ(read_file(parts.path() + "/history.csv"), read_file(whole.path() + "/history.csv"));
 }
 
+// Shells that touch each other, a solid and themselves, by nodes and by edges.
+const std::string touching_shells = R"yaml(
+time: {end: 8e-5}
+parts:
+  sheet: {shell_plate: {size: [0.1, 0.1], cells: [6, 6]}, thickness: 0.004, material: steel}
+  other: {shell_plate: {size: [0.08, 0.08], cells: [5, 5]}, at: [0.03, 0.013, 0.0032], thickness: 0.002, material: steel}
+  brick: {box: {size: [0.04, 0.04, 0.02], cells: [3, 3, 2]}, at: [0.01, 0.03, -0.0222], material: steel}
+materials: {steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, hardening_modulus: 1e9}}
+initial: [{part: other, velocity: [5, 0, -40]}, {part: brick, velocity: [0, 0, 30]}]
+contact: {surfaces: all, friction: 0.3}
+output: {fields: {every: 2e-5, write: [stress_top, contact_force]}, history: {every: 0}}
+)yaml";
+
+TEST(Restart, OfTouchingShellsEndsInTheSameBits) {
+  const TemporaryFolder whole, parts;
+  const Summary expected = run(touching_shells, whole.path()).summary;
+  run(change(change(touching_shells, "end: 8e-5", "end: 8e-5, max_steps: 25"), "history: {every: 0}",
+             "history: {every: 0}, checkpoint: {every: 1}"),
+      parts.path());
+  const Summary summary = run(touching_shells, parts.path(), parts.path() + checkpoint_name).summary;
+  EXPECT_GT(expected.steps, 40);
+  EXPECT_EQ(summary.state_hash, expected.state_hash);
+  EXPECT_EQ(summary.steps, expected.steps);
+  EXPECT_EQ(read_file(parts.path() + "/history.csv"), read_file(whole.path() + "/history.csv"));
+}
+
 TEST(Restart, EndsInTheBitsOfTheRunThatWasNeverStopped) {
   const TemporaryFolder whole, parts;
   const Summary expected = run(blocks, whole.path()).summary;

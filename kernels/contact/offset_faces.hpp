@@ -1,0 +1,104 @@
+#pragma once
+// Faces moved outward for the thickness of shells.
+//
+// At a corner the normals of the faces around it on the same side of the surface are added up: those of one smooth
+// surface, and those that fall away from the face, so that the moved faces meet at a convex edge too. Moved faces of a
+// concave edge go through one another, and a node there is held by both. Where a shell ends they go on beyond it by as
+// much as they are moved, so that edges that meet tip to tip do not slip past one another.
+
+#include "kernels/contact/contact_state.hpp"
+
+namespace percuss {
+
+/// Corners of a face, by place(contact node).
+template <class Place>
+KOKKOS_INLINE_FUNCTION FacePoints find_face_points(const ContactSurface& surface, const Place& place, int face) {
+  FacePoints points;
+  for (int i = 0; i < 4; ++i) points.corner[i] = place(surface.face_corners(face, i));
+  return points;
+}
+
+/// The direction in which a corner of a face is moved, by an offset of 1. points: of the face; own: its normal.
+template <class Place>
+KOKKOS_INLINE_FUNCTION Point3 find_corner_direction(const ContactSurface& surface, const Place& place,
+                                                    const FacePoints& points, const Point3& own, int face,
+                                                    int corner) {
+  const SurfaceOffsets& offsets = surface.offsets;
+  const Point3 point = points.corner[corner];
+  Point3 sum = own, outlook = normalize(point - find_middle(points));
+  for (int j = offsets.ring_first(4 * face + corner); j < offsets.ring_first(4 * face + corner + 1); ++j) {
+    const FacePoints other = find_face_points(surface, place, offsets.ring(j));
+    const Point3 normal = find_face_normal(other), from_middle = point - find_middle(other);
+    if (dot(from_middle, own) > 0 || dot(normal, own) > contact_limits::smooth) sum = sum + normal;
+    outlook = outlook + normalize(from_middle);
+  }
+  Point3 along_face = find_mitre(own, sum);
+  if (offsets.is_open(4 * face + corner) != 0)
+    along_face = along_face + normalize(outlook - dot(outlook, own) * own);
+  return find_outward(own, along_face);
+}
+
+/// The corners of a face moved outward by `offset`, at the places of `place`, relative to its origin.
+template <class Place>
+KOKKOS_INLINE_FUNCTION FacePoints find_moved_face(const ContactSurface& surface, const Place& place, int face,
+                                                  double offset) {
+  const FacePoints points = find_face_points(surface, place, face);
+  const Point3 own = find_face_normal(points);
+  FacePoints moved;
+  for (int i = 0; i < 4; ++i)
+    moved.corner[i] = points.corner[i] + offset * find_corner_direction(surface, place, points, own, face, i);
+  return moved;
+}
+
+/// The face that a node touches, relative to the node: that of the mesh, moved outward where thickness is between them.
+KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                      const Point3& x, const Point3& v, int face, double offset) {
+  RelativeFace relative = load_relative_face(surface, motion, x, v, face);
+  if (offset == 0) return relative;
+  const auto at_start = [&](int node) { return load_row(motion.x, surface.nodes(node)) - x; };
+  const auto at_end = [&](int node) {
+    return at_start(node) + motion.dt * (load_row(motion.v, surface.nodes(node)) - v);
+  };
+  const FacePoints end = find_moved_face(surface, at_end, face, offset);
+  relative.start = find_moved_face(surface, at_start, face, offset);
+  for (int i = 0; i < 4; ++i) relative.move.corner[i] = end.corner[i] - relative.start.corner[i];
+  return relative;
+}
+
+KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                      int node, int face) {
+  const int s = surface.nodes(node);
+  return load_touched_face(surface, motion, load_row(motion.x, s), load_row(motion.v, s), face,
+                           find_offset(surface.offsets, node, face));
+}
+
+/// The slab of a face. relative: to its first corner.
+KOKKOS_INLINE_FUNCTION FaceSlab find_slab(const SurfaceMotion& motion, int first_corner, const RelativeFace& relative,
+                                          const Point3& normal) {
+  FaceSlab slab;
+  slab.origin = load_row(motion.x, first_corner);
+  slab.move = motion.dt * load_row(motion.v, first_corner);
+  for (int i = 0; i < 4; ++i) {
+    const double start = dot(normal, relative.start.corner[i]);
+    const double end = start + dot(normal, relative.move.corner[i]);
+    slab.low_start = i == 0 || start < slab.low_start ? start : slab.low_start;
+    slab.high_start = i == 0 || start > slab.high_start ? start : slab.high_start;
+    slab.low_end = i == 0 || end < slab.low_end ? end : slab.low_end;
+    slab.high_end = i == 0 || end > slab.high_end ? end : slab.high_end;
+  }
+  return slab;
+}
+
+/// Whether a node stays, over the step, farther than `beyond` in front of the face moved outward by `offset`, or farther
+/// than `deepest` behind it. Leaves room for what a face turns in a step, at which its moved corners rise or fall.
+KOKKOS_INLINE_FUNCTION bool is_off_slab(const FaceSlab& slab, const Point3& normal, const SurfaceMotion& motion,
+                                        const CheckedNode& node, double offset, double beyond, double deepest) {
+  constexpr double turn = 0.25;  // radians in a step, where it moves at the speed of sound
+  const Point3 from = node.x - slab.origin;
+  const double start = dot(normal, from), end = start + dot(normal, motion.dt * node.v - slab.move);
+  const double high = start - slab.low_start > end - slab.low_end ? start - slab.low_start : end - slab.low_end;
+  const double low = start - slab.high_start < end - slab.high_end ? start - slab.high_start : end - slab.high_end;
+  return low - (1 + turn) * offset > beyond || high - (1 - turn) * offset < -deepest;
+}
+
+}  // namespace percuss
