@@ -31,7 +31,6 @@ struct CheckedNode {
   int node = -1;  // contact node
   Point3 x{}, v{};
   Point3 low{}, high{};  // box of the node over the step
-  double offset = 0;     // half the thickness of its shells
 };
 
 /// What contacts of two edges remember, in the FE decomposition with the home of edge A, the one of the lower number:
@@ -98,7 +97,6 @@ KOKKOS_INLINE_FUNCTION CheckedNode load_checked_node(const ContactSurface& surfa
   n.node = node;
   n.x = load_row(motion.x, surface.nodes(node));
   n.v = load_row(motion.v, surface.nodes(node));
-  n.offset = find_node_offset(surface.offsets, node);
   const Point3 end = n.x + motion.dt * n.v;
   n.low = {end.x < n.x.x ? end.x : n.x.x, end.y < n.x.y ? end.y : n.x.y, end.z < n.x.z ? end.z : n.x.z};
   n.high = {end.x > n.x.x ? end.x : n.x.x, end.y > n.x.y ? end.y : n.x.y, end.z > n.x.z ? end.z : n.x.z};

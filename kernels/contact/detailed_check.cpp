@@ -30,11 +30,12 @@ KOKKOS_INLINE_FUNCTION double find_box_offset(const SurfaceOffsets& offsets, int
 }
 
 /// Flattened: a pair is checked by some fifty small functions.
+template <Thickness thickness>
 PERCUSS_FLATTEN KOKKOS_FUNCTION NodeTouches check_node_flat(const ContactSurface& surface, const SurfaceMotion& motion,
                                                             const FaceState& faces,
                                                             const Array<const int>& history_face, int node,
                                                             const Array<const int>& candidates, int first, int last) {
-  return check_node(surface, motion, faces, history_face, node, candidates, first, last);
+  return check_node<thickness>(surface, motion, faces, history_face, node, candidates, first, last);
 }
 
 /// The first of the candidates first to last - 1 whose box the node meets in the step, or `last`: for most nodes, in
@@ -76,13 +77,12 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
       });
 }
 
-template <class Space>
-void find_touches(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
-                  const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
-                  TouchTable& table) {
-  reserve(table.by_node, candidates.num_nodes);
-  reserve(table.first, candidates.num_nodes);
-  const Array<NodeTouches> by_node = table.by_node;
+namespace {
+
+template <Thickness thickness, class Space>
+void check_nodes(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+                 const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
+                 const Array<NodeTouches>& by_node) {
   const ContactSurface s = surface;
   const SurfaceMotion m = motion;
   const FaceState f = faces;
@@ -95,8 +95,23 @@ void find_touches(const Space& space, const ContactSurface& surface, const Surfa
         if (first == last)
           by_node(i).count = 0;
         else
-          by_node(i) = check_node_flat(s, m, f, h, node, face, first, last);
+          by_node(i) = check_node_flat<thickness>(s, m, f, h, node, face, first, last);
       });
+}
+
+}  // namespace
+
+template <class Space>
+void find_touches(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+                  const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
+                  TouchTable& table) {
+  reserve(table.by_node, candidates.num_nodes);
+  reserve(table.first, candidates.num_nodes);
+  if (surface.offsets.largest > 0)
+    check_nodes<Thickness::of_shells>(space, surface, motion, candidates, faces, history_face, table.by_node);
+  else
+    check_nodes<Thickness::none>(space, surface, motion, candidates, faces, history_face, table.by_node);
+  const Array<NodeTouches> by_node = table.by_node;
   const Array<int> place_of_first = table.first;
   Kokkos::parallel_scan(
       "contact::first_touch", RangeOf<Space>(space, 0, candidates.num_nodes),

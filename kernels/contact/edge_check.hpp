@@ -17,12 +17,12 @@ namespace percuss {
 /// Edge A on edge B.
 struct EdgeTouch {
   int record = -1;       // history record that this contact continues; -1: new
+  float offset = 0;      // distance that the lines keep by the thickness of shells, for limits
   double s = 0, t = 0;   // places on A and on B
   Point3 normal{};       // push direction of A
   double gap_start = 0;  // distance along the normal at n, negative in penetration [length]
   double gap_end = 0;    // the same at the predicted place
   double size = 0;       // h: the lesser of the two edges' sizes
-  double offset = 0;     // distance that the lines keep by the thickness of shells
 };
 
 /// A pair over the step.
@@ -182,7 +182,7 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   touch.gap_end = end.gap - offset;
   touch.gap_start = measure_line_gap(start, end.normal) - offset;
   touch.size = h;
-  touch.offset = offset;
+  touch.offset = static_cast<float>(offset);
   touch.s = end.s;
   touch.t = end.t;
   if (touch.gap_end > contact_limits::row_gap * h) return false;
@@ -216,12 +216,13 @@ KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const 
   Crossing c = find_crossing(load_moving_pair(surface, motion, a, b).start, contact_limits::least_sine);
   if (!c.crosses || !is_inside(c, contact_limits::end_band)) return 0;
   const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);
-  touch.offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
-  if (!orient(of_a.wedge, of_b.wedge, nullptr, touch.offset > 0 ? c.gap : 0, c)) return 0;
+  const double offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
+  touch.offset = static_cast<float>(offset);
+  if (!orient(of_a.wedge, of_b.wedge, nullptr, offset > 0 ? c.gap : 0, c)) return 0;
   touch.normal = c.normal;
   touch.size = of_a.size < of_b.size ? of_a.size : of_b.size;
-  const double gap = c.gap - touch.offset, half = deepest * touch.size;
-  return gap < 0 && gap > -(touch.offset > half ? touch.offset : half) ? -gap : 0;
+  const double gap = c.gap - offset, half = deepest * touch.size;
+  return gap < 0 && gap > -(offset > half ? offset : half) ? -gap : 0;
 }
 
 }  // namespace percuss

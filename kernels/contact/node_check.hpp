@@ -132,7 +132,7 @@ KOKKOS_INLINE_FUNCTION void sort_by_face(NodeTouches& touches) {
 }
 
 /// Checks the candidate faces of a node, candidates(first) to candidates(last - 1).
-template <class Faces>
+template <Thickness thickness, class Faces>
 KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, const SurfaceMotion& motion,
                                               const FaceState& faces, const Array<const int>& history_face, int node,
                                               const Faces& candidates, int first, int last) {
@@ -140,7 +140,7 @@ KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, con
   TouchList found;
   for (int c = first; c < last; ++c) {
     Touch touch;
-    if (check_pair(surface, motion, faces, history_face, checked, candidates(c), touch)) found.insert(touch);
+    if (check_pair<thickness>(surface, motion, faces, history_face, checked, candidates(c), touch)) found.insert(touch);
   }
   bool decided[TouchList::capacity];
   for (int i = 0; i < found.count; ++i) decided[i] = is_ruled_out(surface, motion, faces, found, i);

@@ -21,8 +21,7 @@ KOKKOS_INLINE_FUNCTION FacePoints find_face_points(const ContactSurface& surface
 /// The direction in which a corner of a face is moved, by an offset of 1. points: of the face; own: its normal.
 template <class Place>
 KOKKOS_INLINE_FUNCTION Point3 find_corner_direction(const ContactSurface& surface, const Place& place,
-                                                    const FacePoints& points, const Point3& own, int face,
-                                                    int corner) {
+                                                    const FacePoints& points, const Point3& own, int face, int corner) {
   const SurfaceOffsets& offsets = surface.offsets;
   const Point3 point = points.corner[corner];
   Point3 sum = own, outlook = normalize(point - find_middle(points));
@@ -33,8 +32,7 @@ KOKKOS_INLINE_FUNCTION Point3 find_corner_direction(const ContactSurface& surfac
     outlook = outlook + normalize(from_middle);
   }
   Point3 along_face = find_mitre(own, sum);
-  if (offsets.is_open(4 * face + corner) != 0)
-    along_face = along_face + normalize(outlook - dot(outlook, own) * own);
+  if (offsets.is_open(4 * face + corner) != 0) along_face = along_face + normalize(outlook - dot(outlook, own) * own);
   return find_outward(own, along_face);
 }
 
@@ -89,8 +87,9 @@ KOKKOS_INLINE_FUNCTION FaceSlab find_slab(const SurfaceMotion& motion, int first
   return slab;
 }
 
-/// Whether a node stays, over the step, farther than `beyond` in front of the face moved outward by `offset`, or farther
-/// than `deepest` behind it. Leaves room for what a face turns in a step, at which its moved corners rise or fall.
+/// Whether a node stays, over the step, farther than `beyond` in front of the face moved outward by `offset`, or
+/// farther than `deepest` behind it. Leaves room for what a face turns in a step, at which its moved corners rise or
+/// fall.
 KOKKOS_INLINE_FUNCTION bool is_off_slab(const FaceSlab& slab, const Point3& normal, const SurfaceMotion& motion,
                                         const CheckedNode& node, double offset, double beyond, double deepest) {
   constexpr double turn = 0.25;  // radians in a step, where it moves at the speed of sound

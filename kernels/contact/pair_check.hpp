@@ -17,6 +17,7 @@ struct Touch {
   bool same_face = false;  // the record is of this very face
   bool opposed = true;     // whether some face of the node looks against this one
   bool beside = false;     // behind the face since the start, but beside it then: it came in through another face
+  float offset = 0;        // distance that the node keeps from the face of the mesh by thickness, for limits
   double weight[4] = {0, 0, 0, 0};
   Point3 normal{};        // push direction of the node
   Point3 gap_gradient{};  // how the gap changes with the place of the node; its part along the push direction is 1
@@ -25,7 +26,6 @@ struct Touch {
   double off = 0;         // distance beside the face
   double tau = 0;         // when contact begins, share of the step; 0: touching since the start
   double size = 0;        // h of the face
-  double offset = 0;      // distance that the node keeps from the face of the mesh by thickness
 };
 
 /// How far behind a face a node with a history is looked for: where thickness is between them, beyond the mid-surface
@@ -168,40 +168,40 @@ KOKKOS_INLINE_FUNCTION Touch start_touch(int face, double size, double offset) {
   Touch touch;
   touch.face = face;
   touch.size = size;
-  touch.offset = offset;
+  touch.offset = static_cast<float>(offset);
   return touch;
 }
 
-/// Of a pair with thickness between them: whether it is out of reach for certain. Finds touch.record, of which the
-/// reach depends.
-KOKKOS_INLINE_FUNCTION bool is_beyond_thickness(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                const FaceState& faces, const Array<const int>& history_face,
-                                                const CheckedNode& node, Touch& touch) {
-  find_record(surface, faces, history_face, node, touch);
-  return is_off_slab(faces.slab(touch.face), load_row(faces.normal, touch.face), motion, node, touch.offset,
-                     contact_limits::row_gap * touch.size, find_reach(touch));
-}
-
 /// Checks one pair; touch is meaningful if the answer is true.
+template <Thickness thickness>
 KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const SurfaceMotion& motion,
                                        const FaceState& faces, const Array<const int>& history_face,
                                        const CheckedNode& node, int face, Touch& touch) {
   if (!is_in_box(node, faces.box, face)) return false;
-  const double h = faces.size(face), offset = find_offset(surface.offsets, node.node, face);
-  if (offset > 0) {
+  const double h = faces.size(face);
+  double offset = 0, reach = contact_limits::capture * h;
+  if constexpr (thickness == Thickness::of_shells) {
+    offset = find_offset(surface.offsets, node.node, face);
     touch = start_touch(face, h, offset);
-    if (is_beyond_thickness(surface, motion, faces, history_face, node, touch)) return false;
+    if (offset > 0) {
+      find_record(surface, faces, history_face, node, touch);
+      reach = find_reach(touch);
+      if (is_off_slab(faces.slab(face), load_row(faces.normal, face), motion, node, offset, contact_limits::row_gap * h,
+                      reach))
+        return false;
+    }
   }
   const RelativeFace relative = load_touched_face(surface, motion, node.x, node.v, face, offset);
   const FacePoints end = find_end(relative);
-  const double reach = offset > 0 ? find_reach(touch) : contact_limits::capture * h;
   const PlaneRange range = find_plane_range(relative.start, end, load_row(faces.normal, face));
   if (range.least > contact_limits::row_gap * h || range.most < -reach) return false;
   if (offset == 0) {
-    touch = start_touch(face, h, offset);
+    touch = start_touch(face, h, 0);
     find_record(surface, faces, history_face, node, touch);
   }
-  touch.opposed = looks_against(surface, motion, faces, node.node, face);
+  touch.opposed = thickness == Thickness::of_shells
+                      ? looks_against(surface, motion, faces, node.node, face)
+                      : find_opposition(surface, faces, node.node, face) <= contact_limits::opposing;
   // Faces that only meet at an edge, as those of bricks in line do, are hit only by going through them for certain.
   const bool starts_in_front = range.most_start > contact_limits::overlap * h;
   // What is farther from the face's plane than the band at both ends of the step, and so at any time, goes through

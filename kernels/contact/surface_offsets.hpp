@@ -12,20 +12,23 @@
 
 namespace percuss {
 
+/// Whether a check looks at thickness: scenes without shells do not pay for it.
+enum class Thickness { none, of_shells };
+
 /// Thickness on a contact surface; a scene without shells has none.
 struct SurfaceOffsets {
-  double largest = 0;             // of any node of the scene [length]; 0: no shells, and nothing below
-  Array<const double> face;       // [faces] half the thickness of a shell, 0 of a solid's face [length]
-  Array<const double> node;       // [contact nodes] half the thickness of the thickest shell around it, 0: none
-  Array<const int> ring_first;    // [4 faces + 1] into `ring`, by face and corner
-  Array<const int> ring;         // the other faces around a corner that lie on the same side of the surface
-  Array<const int> is_open;      // [4 faces] 1: the shell ends at the corner
+  double largest = 0;           // of any node of the scene [length]; 0: no shells, and nothing below
+  Array<const double> face;     // [faces] half the thickness of a shell, 0 of a solid's face [length]
+  Array<const double> node;     // [contact nodes] half the thickness of the thickest shell around it, 0: none
+  Array<const int> ring_first;  // [4 faces + 1] into `ring`, by face and corner
+  Array<const int> ring;        // the other faces around a corner that lie on the same side of the surface
+  Array<const int> is_open;     // [4 faces] 1: the shell ends at the corner
 };
 
 /// Where a face lies along its normal at the predicted place, by its first corner: a look at these numbers rules out
 /// nearly all pairs of a shell with itself.
 struct FaceSlab {
-  Point3 origin{}, move{};             // place of the first corner at n and its displacement over the step
+  Point3 origin{}, move{};               // place of the first corner at n and its displacement over the step
   double low_start = 0, high_start = 0;  // least and greatest height of a corner at n
   double low_end = 0, high_end = 0;      // and at the predicted place
 };

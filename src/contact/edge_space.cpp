@@ -124,7 +124,7 @@ std::vector<EdgePenetration> measure_edge_pairs(const SurfaceMotion& motion, Edg
     const int pair = list(k);
     const EdgeTouch& touch = touches(pair);
     found.push_back({numbers(a(pair)), numbers(b(pair)), touch.normal, -touch.gap_start, touch.size,
-                     std::max(contact_limits::history_depth * touch.size, touch.offset)});
+                     std::max(contact_limits::history_depth * touch.size, static_cast<double>(touch.offset))});
   }
   return found;
 }

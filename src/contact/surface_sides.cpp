@@ -56,7 +56,8 @@ class Walk {
     for (int i = node_faces_.offset[at(node_)]; i < node_faces_.offset[at(node_) + 1]; ++i) {
       const int candidate = node_faces_.faces[at(i)];
       const Corners& corners = corners_[at(candidate)];
-      const bool has_edge = find_corner_after(corners, node_, 1) == other || find_corner_after(corners, node_, 3) == other;
+      const bool has_edge =
+          find_corner_after(corners, node_, 1) == other || find_corner_after(corners, node_, 3) == other;
       if (has_edge && !is_twin(face, candidate)) across.push_back(candidate);
     }
     return across;

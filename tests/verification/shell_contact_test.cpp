@@ -1,7 +1,7 @@
 // Plates of shells that meet flat on one another, against the exact impact of rigid bodies.
 //
-// A shell has one row of nodes across its thickness and no waves there. Contact by constraint is then the inelastic impact of
-// two masses, contact by springs the elastic one.
+// A shell has one row of nodes across its thickness and no waves there. Contact by constraint is then the inelastic
+// impact of two masses, contact by springs the elastic one.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

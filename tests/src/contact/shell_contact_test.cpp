@@ -110,8 +110,8 @@ parts:
   b: {shell_plate: {size: [0.1, 0.05], cells: [2, 1]}, rotate: [{axis: x, angle: 90}, {axis: z, angle: 90}], at: [0.03, -0.03, -0.0531], thickness: 0.002, material: steel}
 initial: [{part: b, velocity: [0, 0, 10]}]
 conditions: [{nodes: a, fixed: [x, y, z, rx, ry, rz]}, {nodes: b, fixed: [x, y, rx, ry, rz]}]
-contact: {surfaces: all, edges: )" + edges +
-                      "}\n");
+contact: {surfaces: all, edges: )" +
+                      edges + "}\n");
   };
   ShellScene crossing = scene("true");
   EXPECT_TRUE(crossing.advance_into_contact(1));
