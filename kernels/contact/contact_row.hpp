@@ -39,6 +39,7 @@ struct ContactRow {
   int record = -1;                              // history record that this row writes
   bool is_caught = false;                       // by a face that looks past the node, or within the thickness of a
                                                 // shell: kept while it is near
+  bool has_thickness = false;                   // of shells between the two sides
   double weight[row_nodes] = {1, 0, 0, 0, 0};   // w
   Point3 rho[row_nodes]{};
   Symmetric3<double> inverse_inertia{};  // J^-1
@@ -51,7 +52,6 @@ struct ContactRow {
   double torn = 0;               // tie: way to its place in directions in which nothing moves its nodes [length]
   double spring = 0;             // stiffness of a penalty row [force/length], 0: none
   double size = 0;               // h of the face or the edges
-  double offset = 0;             // distance that the two sides keep by the thickness of shells
   double gap_start = 0;          // gap at n
   double reference = 0;          // overlap accepted at the start, >= 0
   double slide[2] = {0, 0};      // predicted tangential displacement in the step plus what sticking still owes
@@ -105,7 +105,7 @@ KOKKOS_INLINE_FUNCTION Point3 find_relative_velocity(const ContactRow& row, cons
 /// the other side there, so that turning as one is no sliding and a rub never gives energy.
 template <class Velocity>
 KOKKOS_INLINE_FUNCTION Point3 find_slip_velocity(const ContactRow& row, const Velocity& velocity) {
-  return row.offset > 0 ? find_work_velocity(row, velocity) : find_relative_velocity(row, velocity);
+  return row.has_thickness ? find_work_velocity(row, velocity) : find_relative_velocity(row, velocity);
 }
 
 /// Two unit vectors that complete the normal, from the axis that is least along it.

@@ -107,7 +107,7 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   row.friction = touch.friction;
   row.pair = touch.pair;
   row.size = touch.size;
-  row.offset = touch.offset;
+  row.has_thickness = touch.has_thickness;
   row.gap_start = touch.gap_start;
   row.gap = touch.gap_end;
   set_arms(at.x, row);

@@ -40,10 +40,10 @@ struct RowTouch {
   Point3 normal{}, gap_gradient{};
   double gap_start = 0, gap_end = 0;  // at n and predicted
   double size = 0;                    // h
-  double offset = 0;                  // ContactRow::offset
   double friction = 0;
   int pair = 0;                                                // ContactRow::pair
   bool is_caught = false;                                      // ContactRow::is_caught
+  bool has_thickness = false;                                  // likewise
   int record = -1;                                             // history record that the row writes
   int old_record = -1;                                         // history record that it continues, -1: none
   int node[row_nodes] = {-1, -1, -1, -1, -1};                  // mesh node of this rank; -1 - k: foreign node k
@@ -66,7 +66,7 @@ KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
   row.gap_start = touch.gap_start;
   row.gap_end = touch.gap_end;
   row.size = touch.size;
-  row.offset = touch.offset;
+  row.has_thickness = touch.offset > 0;
   row.is_caught = !touch.opposed || is_within_thickness(touch);
   return row;
 }
@@ -85,7 +85,7 @@ KOKKOS_INLINE_FUNCTION RowTouch make_edge_row_touch(const EdgeTouch& touch) {
   row.gap_start = touch.gap_start;
   row.gap_end = touch.gap_end;
   row.size = touch.size;
-  row.offset = touch.offset;
+  row.has_thickness = touch.offset > 0;
   row.is_caught = is_within_thickness(touch);
   row.old_record = touch.record;
   return row;
