@@ -144,4 +144,13 @@ PERCUSS_FORCE_INLINE double smaller(double a, double b) { return b < a ? b : a; 
 PERCUSS_FORCE_INLINE float smaller(float a, float b) { return b < a ? b : a; }
 PERCUSS_FORCE_INLINE bool any(bool mask) { return mask; }
 
+/// 1 / a of three numbers by one division; their product must neither overflow nor underflow.
+template <class T>
+PERCUSS_FORCE_INLINE void find_reciprocals(const T (&a)[3], T (&reciprocals)[3]) {
+  const T pair = a[0] * a[1], all = T(1) / (pair * a[2]), of_pair = all * a[2];
+  reciprocals[0] = of_pair * a[1];
+  reciprocals[1] = of_pair * a[0];
+  reciprocals[2] = all * pair;
+}
+
 }  // namespace percuss

@@ -66,18 +66,23 @@ PERCUSS_FORCE_INLINE Vector3<T> operator*(const Symmetric3<T>& s, const Vector3<
   return {s.xx * a.x + s.xy * a.y + s.zx * a.z, s.xy * a.x + s.yy * a.y + s.yz * a.z,
           s.zx * a.x + s.yz * a.y + s.zz * a.z};
 }
+/// Adjugate and determinant: inverse(a) = adjugate / determinant.
+template <class T>
+struct Adjugate {
+  Symmetric3<T> matrix;
+  T determinant;
+};
+template <class T>
+PERCUSS_FORCE_INLINE Adjugate<T> find_adjugate(const Symmetric3<T>& a) {
+  const Symmetric3<T> c{a.yy * a.zz - a.yz * a.yz, a.xx * a.zz - a.zx * a.zx, a.xx * a.yy - a.xy * a.xy,
+                        a.yz * a.zx - a.xy * a.zz, a.xy * a.zx - a.xx * a.yz, a.xy * a.yz - a.yy * a.zx};
+  return {c, a.xx * c.xx + a.xy * c.xy + a.zx * c.zx};
+}
 /// inverse(a) b for a symmetric, well conditioned a.
 template <class T>
 PERCUSS_FORCE_INLINE Vector3<T> solve(const Symmetric3<T>& a, const Vector3<T>& b) {
-  const T cxx = a.yy * a.zz - a.yz * a.yz;
-  const T cxy = a.yz * a.zx - a.xy * a.zz;
-  const T czx = a.xy * a.yz - a.yy * a.zx;
-  const T cyy = a.xx * a.zz - a.zx * a.zx;
-  const T cyz = a.xy * a.zx - a.xx * a.yz;
-  const T czz = a.xx * a.yy - a.xy * a.xy;
-  const T scale = T(1) / (a.xx * cxx + a.xy * cxy + a.zx * czx);
-  return {scale * (cxx * b.x + cxy * b.y + czx * b.z), scale * (cxy * b.x + cyy * b.y + cyz * b.z),
-          scale * (czx * b.x + cyz * b.y + czz * b.z)};
+  const Adjugate<T> adjugate = find_adjugate(a);
+  return (T(1) / adjugate.determinant) * (adjugate.matrix * b);
 }
 
 /// A 3x3 matrix by rows.

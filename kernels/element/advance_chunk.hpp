@@ -12,9 +12,6 @@
 
 namespace percuss {
 
-using ChunkPolicy = Kokkos::TeamPolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
-using ChunkMember = ChunkPolicy::member_type;
-
 template <class Material, HexKind Kind>
 using LaneState = HexState<Lanes, Material, Kind>;
 
@@ -91,21 +88,13 @@ struct AdvanceChunk {
   Rows3<double> slot_force;
   ChunkResults results;
 
-  static std::size_t scratch_bytes(const HexChunks& chunks) {
-    return (static_cast<std::size_t>(chunks.largest_slot_count) * (node_record + force_record) + 8) * sizeof(double) +
-           128;
-  }
-
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     const int c = block.chunks(member.league_rank());
     const int first_slot = chunks.first_slot(c);
     const int slot_count = chunks.first_slot(c + 1) - first_slot;
-    const auto scratch = [&](int record) {
-      return static_cast<double*>(
-          member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(slot_count * record) * sizeof(double), 64));
-    };
-    double* nodes = scratch(node_record);
-    double* forces = scratch(force_record);
+    const HexScratch scratch(member, slot_count);
+    double* const nodes = scratch.nodes;
+    double* const forces = scratch.forces;
     const int* const slots_to_nodes = &chunks.slots_to_nodes(first_slot);
     const double* const x = motion.x.data();
     const double* const v = motion.v.data();
@@ -228,8 +217,7 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlo
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
   using Kernel = AdvanceChunk<Material, Kind>;
-  ChunkPolicy policy(space, count, 1);
-  policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(Kernel::scratch_bytes(chunks)))).set_chunk_size(1);
+  const ChunkPolicy policy = HexScratch::make_policy(space, count, chunks.largest_slot_count);
   Kokkos::parallel_for("percuss::advance_elements", policy, Kernel{chunks, block, motion, state, slot_force, results});
 }
 

@@ -40,24 +40,24 @@ PERCUSS_FORCE_INLINE constexpr Plate find_plate(int i) {
   return i == 0 ? Plate{0, 1, 1, 0} : i == 1 ? Plate{1, 2, 2, 1} : Plate{0, 2, 2, 0};
 }
 
-/// The element's axes in the unrotated frame and their metric.
+/// The element's axes at the mid-point and their metric.
 template <class T>
 struct ElementAxes {
   Vector3<T> g[3];
   T square[3];          // g_k . g_k
-  T product[3];         // g_first . g_second, by plate
   T inverse_square[3];  // 1 / (g_k . g_k)
+  T product[3];         // g_first . g_second, by plate
 };
 
-/// From the modes a of the mid-point and the half-way rotation.
+/// From the modes a of the mid-point.
 template <class T>
-PERCUSS_FORCE_INLINE ElementAxes<T> find_element_axes(const VectorModes<T>& a, const Matrix3<T>& turn) {
+PERCUSS_FORCE_INLINE ElementAxes<T> find_element_axes(const VectorModes<T>& a) {
   ElementAxes<T> axes;
   for (int k = 0; k < 3; ++k) {
-    axes.g[k] = transpose_times(turn, a[1 + k]);
+    axes.g[k] = a[1 + k];
     axes.square[k] = dot(axes.g[k], axes.g[k]);
-    axes.inverse_square[k] = T(1) / axes.square[k];
   }
+  find_reciprocals(axes.square, axes.inverse_square);
   for (int i = 0; i < 3; ++i) {
     const Plate plate = find_plate(i);
     axes.product[i] = dot(axes.g[plate.first], axes.g[plate.second]);
@@ -72,26 +72,26 @@ struct HourglassResponse {
   T stiffness;
 };
 
-/// Adds the forces of one plate. bound: in and out, by mode; sum over plates of what bounds their stiffness.
+/// Adds the forces of plate i, whose 1 / det M is `scale`. bound: in and out, by mode; sum over plates of what bounds
+/// their stiffness.
 template <class T>
-PERCUSS_FORCE_INLINE void add_plate(const Plate& plate, const PlateModuli& moduli, const ElementAxes<T>& axes,
-                                    const T& product, const T& third_volume, const HourglassModes<T>& u,
-                                    HourglassModes<T>& q, T (&bound)[3]) {
+PERCUSS_FORCE_INLINE void add_plate(int i, const PlateModuli& moduli, const ElementAxes<T>& axes, const T& scale,
+                                    const T& third_volume, const HourglassModes<T>& u, HourglassModes<T>& q,
+                                    T (&bound)[3]) {
+  const Plate plate = find_plate(i);
   const Vector3<T>&g1 = axes.g[plate.first], &g2 = axes.g[plate.second];
   const Vector3<T>&u1 = u.mode[plate.first_mode], &u2 = u.mode[plate.second_mode];
   const T m11 = axes.square[plate.first], m22 = axes.square[plate.second];
-  const T scale = T(1) / (m11 * m22 - product * product);
-  const T i11 = scale * m22, i22 = scale * m11, i12 = -(scale * product);
+  const T i11 = scale * m22, i22 = scale * m11, i12 = -(scale * axes.product[i]);
   const T e11 = dot(u1, g1), e22 = dot(u2, g2), e12 = T(0.5) * (dot(u1, g2) + dot(u2, g1));
   // columns of M^-1 E
   const T w11 = i11 * e11 + i12 * e12, w12 = i11 * e12 + i12 * e22;
   const T w21 = i12 * e11 + i22 * e12, w22 = i12 * e12 + i22 * e22;
-  const T spread = T(moduli.poisson) * (w11 + w22);
-  const T shear = T(1 - moduli.poisson);
-  const T size = T(moduli.plane) * third_volume;
-  const T s11 = size * (spread * i11 + shear * (w11 * i11 + w12 * i12));
-  const T s22 = size * (spread * i22 + shear * (w21 * i12 + w22 * i22));
-  const T s12 = size * (spread * i12 + shear * (w11 * i12 + w12 * i22));
+  const T spread = T(moduli.poisson / (1 - moduli.poisson)) * (w11 + w22);
+  const T size = T(moduli.plane * (1 - moduli.poisson)) * third_volume;
+  const T s11 = size * (spread * i11 + (w11 * i11 + w12 * i12));
+  const T s22 = size * (spread * i22 + (w21 * i12 + w22 * i22));
+  const T s12 = size * (spread * i12 + (w11 * i12 + w12 * i22));
   q.mode[plate.first_mode] = q.mode[plate.first_mode] + s11 * g1 + s12 * g2;
   q.mode[plate.second_mode] = q.mode[plate.second_mode] + s12 * g1 + s22 * g2;
   const T largest = larger(i11, i22) + larger(i12, -i12);
@@ -99,7 +99,7 @@ PERCUSS_FORCE_INLINE void add_plate(const Plate& plate, const PlateModuli& modul
   bound[plate.second_mode] = bound[plate.second_mode] + largest;
 }
 
-/// Rates of the hourglass forces for the rates u, all in the unrotated frame. The fourth mode, xi eta zeta, is given
+/// Rates of the hourglass forces for the rates u. The fourth mode, xi eta zeta, is given
 /// the stiffness of a rod along each axis: Q = (V/9) E sum_k (u . g_k) g_k / (g_k . g_k)^2.
 template <class T>
 PERCUSS_FORCE_INLINE HourglassResponse<T> find_assumed_strain_response(const PlateModuli& moduli,
@@ -109,9 +109,13 @@ PERCUSS_FORCE_INLINE HourglassResponse<T> find_assumed_strain_response(const Pla
   HourglassResponse<T> out{{{zero, zero, zero, zero}}, T(0)};
   T bound[3] = {T(0), T(0), T(0)};
   const T third_volume = T(1.0 / 3.0) * volume;
+  T determinant[3], scale[3];
   for (int i = 0; i < 3; ++i) {
-    add_plate(find_plate(i), moduli, axes, axes.product[i], third_volume, u, out.force, bound);
+    const Plate plate = find_plate(i);
+    determinant[i] = axes.square[plate.first] * axes.square[plate.second] - axes.product[i] * axes.product[i];
   }
+  find_reciprocals(determinant, scale);
+  for (int i = 0; i < 3; ++i) add_plate(i, moduli, axes, scale[i], third_volume, u, out.force, bound);
   const T rod = T(moduli.young / 9) * volume;
   for (int k = 0; k < 3; ++k) {
     const T inverse = axes.inverse_square[k];
@@ -125,13 +129,14 @@ PERCUSS_FORCE_INLINE HourglassResponse<T> find_assumed_strain_response(const Pla
 }
 
 /// Square of the equivalent stress that the hourglass forces stand for at the surface of the element, plate by plate.
+/// q and the modes a of the positions: at n+1. The metric is still that of the mid-point.
 template <class T>
-PERCUSS_FORCE_INLINE T find_surface_stress_square(const ElementAxes<T>& axes, const T& volume,
+PERCUSS_FORCE_INLINE T find_surface_stress_square(const ElementAxes<T>& axes, const VectorModes<T>& a, const T& volume,
                                                   const HourglassModes<T>& q) {
   T sum(0);
   for (int i = 0; i < 3; ++i) {
     const Plate plate = find_plate(i);
-    const Vector3<T>&g1 = axes.g[plate.first], &g2 = axes.g[plate.second];
+    const Vector3<T>&g1 = a[1 + plate.first], &g2 = a[1 + plate.second];
     const Vector3<T>&q1 = q.mode[plate.first_mode], &q2 = q.mode[plate.second_mode];
     const T t11 = dot(q1, g1), t22 = dot(q2, g2), t12 = dot(q1, g2), t21 = dot(q2, g1);
     const T m1 = axes.square[plate.first], m2 = axes.square[plate.second];

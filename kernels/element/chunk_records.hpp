@@ -56,6 +56,35 @@ PERCUSS_NO_INLINE inline void scatter_forces(const Lanes (&f)[3][8], const std::
   }
 }
 
+using ChunkPolicy = Kokkos::TeamPolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
+using ChunkMember = ChunkPolicy::member_type;
+
+/// Records of a chunk's slots in a team's scratch memory: NodeSize and ForceSize scalars a slot, each list on a cache
+/// line of its own.
+template <int NodeSize, int ForceSize>
+struct ChunkScratch {
+  double* nodes;
+  double* forces;
+
+  KOKKOS_FUNCTION ChunkScratch(const ChunkMember& member, int slot_count)
+      : nodes(take(member, slot_count * NodeSize)), forces(take(member, slot_count * ForceSize)) {}
+
+  static KOKKOS_FUNCTION double* take(const ChunkMember& member, int scalars) {
+    return static_cast<double*>(
+        member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(scalars) * sizeof(double), 64));
+  }
+
+  /// One team a chunk, `count` of them, the largest of which has so many slots.
+  static ChunkPolicy make_policy(const ExecSpace& space, int count, int largest_slot_count) {
+    const std::size_t bytes =
+        (static_cast<std::size_t>(largest_slot_count) * (NodeSize + ForceSize) + 8) * sizeof(double) + 128;
+    ChunkPolicy policy(space, count, 1);
+    policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(bytes))).set_chunk_size(1);
+    return policy;
+  }
+};
+using HexScratch = ChunkScratch<node_record, force_record>;
+
 /// Three numbers: a row of a view, or a record without its padding.
 PERCUSS_FORCE_INLINE void copy_row(const double* from, double* to) { std::memcpy(to, from, 3 * sizeof(double)); }
 

@@ -8,9 +8,6 @@ namespace {
 
 constexpr int width = pack_size<double>;
 
-using Policy = Kokkos::TeamPolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
-using Member = Policy::member_type;
-
 template <class Material, HexKind Kind>
 struct ProbeChunk {
   HexChunks chunks;
@@ -20,21 +17,13 @@ struct ProbeChunk {
   ChunkResults results;
   Rows3<double> slot_force;
 
-  static std::size_t scratch_bytes(const HexChunks& chunks) {
-    return (static_cast<std::size_t>(chunks.largest_slot_count) * (node_record + force_record) + 8) * sizeof(double) +
-           128;
-  }
-
-  KOKKOS_FUNCTION void operator()(const Member& member) const {
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     const int c = block.chunks(member.league_rank());
     const int first_slot = chunks.first_slot(c);
     const int slot_count = chunks.first_slot(c + 1) - first_slot;
-    const auto scratch = [&](int record) {
-      return static_cast<double*>(
-          member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(slot_count * record) * sizeof(double), 64));
-    };
-    double* nodes = scratch(node_record);
-    double* forces = scratch(force_record);
+    const HexScratch scratch(member, slot_count);
+    double* const nodes = scratch.nodes;
+    double* const forces = scratch.forces;
     for (int s = 0; s < slot_count; ++s) {
       const std::size_t n = 3 * static_cast<std::size_t>(chunks.slots_to_nodes(first_slot + s));
       copy_row(probe.x.data() + n, nodes + node_record * s);
@@ -97,8 +86,7 @@ void probe_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
   using Kernel = ProbeChunk<Material, Kind>;
-  Policy policy(space, count, 1);
-  policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(Kernel::scratch_bytes(chunks)))).set_chunk_size(1);
+  const ChunkPolicy policy = HexScratch::make_policy(space, count, chunks.largest_slot_count);
   Kokkos::parallel_for("percuss::apply_elastic_operator", policy,
                        Kernel{chunks, block, probe, state, results, slot_force});
 }

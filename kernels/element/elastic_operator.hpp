@@ -50,7 +50,7 @@ PERCUSS_FORCE_INLINE HourglassModes<T> probe_hourglass(const HexParameters<Mater
   const T elastic = T(0.25) * element.step * element.step;
   HourglassModes<T> q;
   if constexpr (Kind == HexKind::assumed_strain) {
-    const ElementAxes<T> axes = find_element_axes(a, identity_matrix<T>());
+    const ElementAxes<T> axes = find_element_axes(a);
     q = find_assumed_strain_response(find_plate_moduli({par.lambda, par.mu}), axes, b.volume, u).force;
     T guard(0);
     if constexpr (Material::can_yield) {

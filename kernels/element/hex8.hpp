@@ -12,7 +12,7 @@
 
 namespace percuss {
 
-/// What one element, or a pack of them, remembers between steps; all in the unrotated frame but the stretch. The
+/// What one element, or a pack of them, remembers between steps; stress and history are in the unrotated frame. The
 /// members lie like the scalars of a record (HexRecord), so that a record of packs is read and written in place.
 template <class T, class Material, HexKind Kind>
 struct HexState {
@@ -132,9 +132,8 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   const T old_viscous_pressure = state.viscous_pressure;
   state.viscous_pressure = viscous.pressure;
 
-  // hourglass forces, in the spatial frame for assembly
   const HourglassModes<T> rates = find_hourglass_rates(v, step.middle, step.l);
-  const HourglassMotion<T> motion{step.middle, rates, step.turn, state.polar.rotation, dt};
+  const HourglassMotion<T> motion{step.middle, a, rates, step.turn, dt};
   const HourglassElement<T> element{state.mass, size.trace, b.volume, step.b};
   const HourglassStep<T> hourglass =
       control_hourglass<Kind>(par.material, par.mu, par.hourglass, response, motion, element, state.hourglass);

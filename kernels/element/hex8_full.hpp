@@ -130,7 +130,7 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   const T half = T(0.5);
   const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
   const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
-  auto points = advance_points(par, a, v, step.middle, step.turn, told.point, state);
+  auto points = advance_points(par, a, v, step.middle, half * step.rotations, told.point, state);
 
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);

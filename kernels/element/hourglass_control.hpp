@@ -16,9 +16,9 @@ enum class HexKind { assumed_strain, stiffness, viscous, full };
 template <class T>
 struct HourglassMotion {
   const VectorModes<T>& middle;   // positions at n+1/2
-  const HourglassModes<T>& rate;  // u at n+1/2, spatial
-  const Matrix3<T>& turn;         // (R(n) + R(n+1)) / 2
-  const Matrix3<T>& rotation;     // R(n+1)
+  const VectorModes<T>& end;      // positions at n+1
+  const HourglassModes<T>& rate;  // u at n+1/2
+  const Matrix3<T>& turn;         // R(n+1) = turn R(n)
   T dt;
 };
 
@@ -33,7 +33,7 @@ struct HourglassElement {
 
 template <class T>
 struct HourglassStep {
-  HourglassModes<T> force;  // Q at n+1, spatial
+  HourglassModes<T> force;  // Q at n+1
   T work;
   T stiffness;  // bounds of the largest eigenvalue of dQ/du and of
   T viscosity;  // dQ/d(u rate), for the step
@@ -67,57 +67,59 @@ struct PlasticHourglass {
   }
 };
 
-/// The assumed-strain stabilisation. q: Q in the unrotated frame, in and out.
+/// Q turned with the material over the step, with half of what the step adds turned along: the mean of R(n) and R(n+1)
+/// takes an increment of the mid-point to the unrotated frame, R(n+1) takes it from there to the end.
+template <class T>
+PERCUSS_FORCE_INLINE Vector3<T> advance_hourglass(const Matrix3<T>& turn, const Vector3<T>& old,
+                                                  const Vector3<T>& half_increment) {
+  return turn * (old + half_increment) + half_increment;
+}
+
+/// The assumed-strain stabilisation. q: Q at n, out at n+1.
 template <class T, class Material, class Plastic>
 PERCUSS_FORCE_INLINE HourglassStep<T> control_by_assumed_strain(const Material& material,
                                                                 [[maybe_unused]] const Plastic& plastic,
                                                                 const HourglassMotion<T>& motion,
                                                                 const HourglassElement<T>& element,
                                                                 HourglassModes<T>& q) {
-  const ElementAxes<T> axes = find_element_axes(motion.middle, motion.turn);
-  HourglassModes<T> u;
-  for (int h = 0; h < 4; ++h) u.mode[h] = transpose_times(motion.turn, motion.rate.mode[h]);
+  const ElementAxes<T> axes = find_element_axes(motion.middle);
   const PlateModuli moduli = find_plate_moduli(material.moduli());
-  HourglassResponse<T> response = find_assumed_strain_response(moduli, axes, element.middle.volume, u);
+  HourglassResponse<T> response = find_assumed_strain_response(moduli, axes, element.middle.volume, motion.rate);
   const HourglassModes<T> old_q = q;
+  const T half_dt = T(0.5) * motion.dt;
   if constexpr (Material::can_yield) {
     const PlasticHourglass<T> rule{find_guard(motion.middle, element.middle)};
     const T guard = rule.guard * find_hourglass_stiffness(element.gradient_square, element.volume, material.moduli().mu,
                                                           rule.guard_coefficient);
     response.stiffness = response.stiffness + guard;
-    const T rate = motion.dt * rule.rate_share(plastic);
+    const T rate = half_dt * rule.rate_share(plastic);
     for (int h = 0; h < 4; ++h) {
-      const Vector3<T> increment = response.force.mode[h] + guard * u.mode[h];
-      q.mode[h] = plastic.share * (old_q.mode[h] + rate * increment);
+      const Vector3<T> increment = response.force.mode[h] + guard * motion.rate.mode[h];
+      q.mode[h] = plastic.share * advance_hourglass(motion.turn, old_q.mode[h], rate * increment);
     }
-    const T share = rule.force_share(plastic, find_surface_stress_square(axes, element.middle.volume, q));
+    const T share = rule.force_share(plastic, find_surface_stress_square(axes, motion.end, element.middle.volume, q));
     for (int h = 0; h < 4; ++h) q.mode[h] = share * q.mode[h];
   } else {
-    for (int h = 0; h < 4; ++h) q.mode[h] = old_q.mode[h] + motion.dt * response.force.mode[h];
+    for (int h = 0; h < 4; ++h)
+      q.mode[h] = advance_hourglass(motion.turn, old_q.mode[h], half_dt * response.force.mode[h]);
   }
-  HourglassStep<T> out{{}, find_hourglass_work(old_q, q, u, motion.dt), response.stiffness, T(0)};
-  for (int h = 0; h < 4; ++h) out.force.mode[h] = motion.rotation * q.mode[h];
-  return out;
+  return {q, find_hourglass_work(old_q, q, motion.rate, motion.dt), response.stiffness, T(0)};
 }
 
-/// The stiffness form of Flanagan and Belytschko, relaxed by plastic return. q: Q in the unrotated frame, in and out.
+/// The stiffness form of Flanagan and Belytschko, relaxed by plastic return. q: Q at n, out at n+1.
 template <class T, class Material, class Plastic>
 PERCUSS_FORCE_INLINE HourglassStep<T> control_by_stiffness(double mu, double coefficient,
                                                            [[maybe_unused]] const Plastic& plastic,
                                                            const HourglassMotion<T>& motion,
                                                            const HourglassElement<T>& element, HourglassModes<T>& q) {
   const T kappa = find_hourglass_stiffness(element.gradient_square, element.volume, mu, coefficient);
-  const T rate = motion.dt * kappa;
-  HourglassModes<T> u;
+  const T rate = T(0.5) * motion.dt * kappa;
   const HourglassModes<T> old_q = q;
   for (int h = 0; h < 4; ++h) {
-    u.mode[h] = transpose_times(motion.turn, motion.rate.mode[h]);
-    q.mode[h] = old_q.mode[h] + rate * u.mode[h];
+    q.mode[h] = advance_hourglass(motion.turn, old_q.mode[h], rate * motion.rate.mode[h]);
     if constexpr (Material::can_yield) q.mode[h] = plastic.share * q.mode[h];
   }
-  HourglassStep<T> out{{}, find_hourglass_work(old_q, q, u, motion.dt), kappa, T(0)};
-  for (int h = 0; h < 4; ++h) out.force.mode[h] = motion.rotation * q.mode[h];
-  return out;
+  return {q, find_hourglass_work(old_q, q, motion.rate, motion.dt), kappa, T(0)};
 }
 
 /// The control of Kind over one step; `mu` and `coefficient` size the forms of Flanagan and Belytschko.

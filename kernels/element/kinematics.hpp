@@ -1,10 +1,10 @@
 #pragma once
 // Rotation and stretch of a material point, step by step (Flanagan and Taylor 1987).
 //
-// F = V R with V symmetric. The rotation advances with the spin that keeps V symmetric, through the exact rotation of
-// the step (their equation 16: the Cayley transform), and the stretch through the exact incremental deformation of a
-// step with a constant velocity gradient at the mid-point. A rigid rotation of any size leaves V's eigenvalues as
-// they are.
+// F = V R with V symmetric. The stretch advances through the exact incremental deformation of a step with a constant
+// velocity gradient at the mid-point, and the rotation by the Cayley transform (their equation 16) that keeps V
+// symmetric at the end of the step, where they integrate the spin that keeps it so. A rigid rotation leaves V's
+// eigenvalues as they are.
 
 #include "kernels/element/modes.hpp"
 
@@ -15,19 +15,6 @@ struct Polar {
   Matrix3<T> rotation;    // R, orthogonal
   Symmetric3<T> stretch;  // V
 };
-
-/// Spin of the material axes: axial vector of Omega = R_dot transpose(R), from V_dot = L V - V Omega symmetric.
-template <class T>
-PERCUSS_FORCE_INLINE Vector3<T> find_material_spin(const Symmetric3<T>& d, const Vector3<T>& w,
-                                                   const Symmetric3<T>& s) {
-  // twice the axial vector of D V - V D
-  const Vector3<T> z{s.xy * d.zx - s.zx * d.xy + (s.yy - s.zz) * d.yz + s.yz * (d.zz - d.yy),
-                     s.yz * d.xy - s.xy * d.yz + (s.zz - s.xx) * d.zx + s.zx * (d.xx - d.zz),
-                     s.zx * d.yz - s.yz * d.zx + (s.xx - s.yy) * d.xy + s.xy * (d.yy - d.xx)};
-  const T tr = trace(s);
-  const Symmetric3<T> a{tr - s.xx, tr - s.yy, tr - s.zz, -s.xy, -s.yz, -s.zx};
-  return w + solve(a, z);
-}
 
 /// The rotation of the quaternion (d, n) of any length: exactly orthogonal.
 template <class T>
@@ -45,29 +32,45 @@ PERCUSS_FORCE_INLINE Matrix3<T> find_rotation_increment(const Vector3<T>& w, con
   return find_rotation(T(1), (T(0.5) * dt) * w);
 }
 
-/// Advances R and V from n to n+1 with the velocity gradient l of the mid-point.
+/// The rotation Q that is left when m = V Q is freed of a symmetric V, for a Q that turns by less than a right angle.
 ///
-/// The spin at n turns the axes to first order; what is left of the antisymmetric part of F(n+1) transpose(R) then
-/// gives the missing rotation (one Newton step of the polar decomposition), so that V R = F to fourth order in a step.
-/// Both are vectors h of a quaternion (1, h), and their product is one rotation.
+/// With Q = (I - H)^-1 (I + H) the antisymmetric part of m transpose(Q) vanishes if
+/// m - transpose(m) = H s + s H - H (m - transpose(m)) H, s = m + transpose(m); with axial vectors h of H and a of
+/// m - transpose(m) and P = tr(s) I - s, P h + c h = a with the scalar c = h . a. With g = inverse(P) a this is
+/// c = g . a (1 - |g|^2 + ...): (1 + |g|^2) / (1 + 2 |g|^2) has the first three terms if V is isotropic, two if not.
 template <class T>
-PERCUSS_FORCE_INLINE Polar<T> advance_polar(const Polar<T>& old, const Matrix3<T>& l, const T& dt) {
-  const Matrix3<T> half = (T(0.5) * dt) * l;
-  const Vector3<T> predicted = find_material_spin(symmetric_part(half), axial_vector(half), old.stretch);
+PERCUSS_FORCE_INLINE Matrix3<T> find_rotation_factor(const Matrix3<T>& m) {
+  const Vector3<T> a{m.row[2].y - m.row[1].z, m.row[0].z - m.row[2].x, m.row[1].x - m.row[0].y};
+  const T two = T(2);
+  Symmetric3<T> p{two * (m.row[1].y + m.row[2].z), two * (m.row[2].z + m.row[0].x), two * (m.row[0].x + m.row[1].y),
+                  -(m.row[0].y + m.row[1].x),      -(m.row[1].z + m.row[2].y),      -(m.row[2].x + m.row[0].z)};
+  const Adjugate<T> first = find_adjugate(p);
+  const Vector3<T> g = first.matrix * a;  // times the determinant
+  const T g_square = dot(g, g), square = first.determinant * first.determinant;
+  const T c = dot(g, a) * (square + g_square) / (first.determinant * (square + two * g_square));
+  p.xx = p.xx + c;
+  p.yy = p.yy + c;
+  p.zz = p.zz + c;
+  const Adjugate<T> second = find_adjugate(p);
+  return find_rotation(second.determinant, second.matrix * a);
+}
 
+/// R and V at n+1, and what R was turned by: R(n+1) = turn R(n).
+template <class T>
+struct PolarStep {
+  Polar<T> end;
+  Matrix3<T> turn;
+};
+
+/// Advances R and V from n to n+1 with the velocity gradient l of the mid-point.
+template <class T>
+PERCUSS_FORCE_INLINE PolarStep<T> advance_polar(const Polar<T>& old, const Matrix3<T>& l, const T& dt) {
   // x(n+1) - x(n) = dt L (x(n) + x(n+1)) / 2, hence F(n+1) = f F(n) with f = (I - dt/2 L)^-1 (I + dt/2 L).
   const Matrix3<T> one = identity_matrix<T>();
-  const Matrix3<T> f = inverse(one - half, T(2)) - one;
+  const Matrix3<T> f = inverse(one - (T(0.5) * dt) * l, T(2)) - one;
   const Matrix3<T> stretched = f * full(old.stretch);
-  const Matrix3<T> trial = stretched * transpose(find_rotation(T(1), predicted));
-
-  const Symmetric3<T> s = symmetric_part(trial);
-  const T tr = trace(s);
-  const Symmetric3<T> a{tr - s.xx, tr - s.yy, tr - s.zz, -s.xy, -s.yz, -s.zx};
-  const Vector3<T> missing = solve(a, axial_vector(trial));
-  const Matrix3<T> turn =
-      find_rotation(T(1) - dot(missing, predicted), missing + predicted + cross(missing, predicted));
-  return {turn * old.rotation, symmetric_product(stretched, turn)};
+  const Matrix3<T> turn = find_rotation_factor(stretched);
+  return {{turn * old.rotation, symmetric_product(stretched, turn)}, turn};
 }
 
 /// What the motion of an element over a step is to its materials.
@@ -77,8 +80,9 @@ struct StepMotion {
   VolumeGradient<T> b;    // at n+1/2
   Matrix3<T> l;           // velocity gradient
   T trace_d;
-  Matrix3<T> turn;   // (R(n) + R(n+1)) / 2: turns rates half way
-  Symmetric3<T> de;  // strain increment in the unrotated frame
+  Matrix3<T> turn;       // R(n+1) = turn R(n)
+  Matrix3<T> rotations;  // R(n) + R(n+1), of which half turns rates half way
+  Symmetric3<T> de;      // strain increment in the unrotated frame
 };
 
 /// Rates on the geometry of the mid-point, turned half way. a, v: modes of x(n+1) and v(n+1/2). polar: in at n, out at
@@ -93,11 +97,12 @@ PERCUSS_FORCE_INLINE StepMotion<T> follow_motion(const VectorModes<T>& a, const 
   out.l = find_velocity_gradient(v, out.b);
   const Symmetric3<T> d = symmetric_part(out.l);
   out.trace_d = trace(d);
-  const Polar<T> next = advance_polar(polar, out.l, dt);
-  out.turn = half * (polar.rotation + next.rotation);
-  out.de = dt * pull_back(out.turn, d);
-  for (int i = 0; i < 3; ++i) polar.rotation.row[i] = next.rotation.row[i];
-  polar.stretch = next.stretch;
+  const PolarStep<T> next = advance_polar(polar, out.l, dt);
+  out.turn = next.turn;
+  out.rotations = polar.rotation + next.end.rotation;
+  out.de = (T(0.25) * dt) * pull_back(out.rotations, d);
+  for (int i = 0; i < 3; ++i) polar.rotation.row[i] = next.end.rotation.row[i];
+  polar.stretch = next.end.stretch;
   return out;
 }
 

@@ -75,15 +75,28 @@ KOKKOS_INLINE_FUNCTION PrincipalAxes<T> find_principal_axes(const Symmetric3<T>&
   return out;
 }
 
+/// Spin of the material axes: axial vector of Omega = R_dot transpose(R), from V_dot = L V - V Omega symmetric.
+template <class T>
+PERCUSS_FORCE_INLINE Vector3<T> find_material_spin(const Symmetric3<T>& d, const Vector3<T>& w,
+                                                   const Symmetric3<T>& s) {
+  // twice the axial vector of D V - V D
+  const Vector3<T> z{s.xy * d.zx - s.zx * d.xy + (s.yy - s.zz) * d.yz + s.yz * (d.zz - d.yy),
+                     s.yz * d.xy - s.xy * d.yz + (s.zz - s.xx) * d.zx + s.zx * (d.xx - d.zz),
+                     s.zx * d.yz - s.yz * d.zx + (s.xx - s.yy) * d.xy + s.xy * (d.yy - d.xx)};
+  const T tr = trace(s);
+  const Symmetric3<T> a{tr - s.xx, tr - s.yy, tr - s.zz, -s.xy, -s.yz, -s.zx};
+  return w + solve(a, z);
+}
+
 /// Advances U by the increment de of the unrotated rate of deformation. In the unrotated frame the axes do not turn, so
-/// that the spin is the one that keeps U symmetric (kinematics.hpp). Its determinant is set to that of the element's
+/// that the spin is the one that keeps U symmetric. Its determinant is set to that of the element's
 /// volume.
 template <class T>
 KOKKOS_INLINE_FUNCTION Symmetric3<T> advance_stretch(const Symmetric3<T>& u, const PointMotion<T>& motion) {
   const Vector3<T> zero{T(0), T(0), T(0)};
   const Vector3<T> spin = T(-1) * find_material_spin(motion.de, zero, u);
   const Polar<T> old{identity_matrix<T>(), u};
-  const Symmetric3<T> next = advance_polar(old, full(motion.de) + antisymmetric(spin), T(1)).stretch;
+  const Symmetric3<T> next = advance_polar(old, full(motion.de) + antisymmetric(spin), T(1)).end.stretch;
   return power(motion.volume_ratio / find_determinant(next), 1.0 / 3.0) * next;
 }
 

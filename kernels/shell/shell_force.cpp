@@ -11,8 +11,7 @@ constexpr int corners_of_pack = 8 * width;  // of the shared table; shells use t
 constexpr int shell_node_record = 12;       // x, -, v, -, w, -: three numbers each
 constexpr int shell_force_record = 8;       // force, -, moment, -
 
-using Policy = Kokkos::TeamPolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
-using Member = Policy::member_type;
+using ShellScratch = ChunkScratch<shell_node_record, shell_force_record>;
 
 /// A vector of the pack's corners, from the chunk's node records.
 PERCUSS_FORCE_INLINE void gather_corners(const double* nodes, const std::uint16_t* corners, Vector3<Lanes> (&u)[4]) {
@@ -80,12 +79,7 @@ struct AdvanceShellChunk {
   Rows3<double> slot_force, slot_moment;
   ChunkResults results;
 
-  static std::size_t scratch_bytes(const HexChunks& chunks) {
-    const std::size_t scalars = shell_node_record + shell_force_record;
-    return (static_cast<std::size_t>(chunks.largest_slot_count) * scalars + 8) * sizeof(double) + 128;
-  }
-
-  KOKKOS_FUNCTION void operator()(const Member& member) const {
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
     const int c = block.chunks(member.league_rank());
     const int first_slot = chunks.first_slot(c);
     const int slot_count = chunks.first_slot(c + 1) - first_slot;
@@ -95,12 +89,9 @@ struct AdvanceShellChunk {
       ++results.skipped(c);
       return;
     }
-    const auto scratch = [&](int record) {
-      return static_cast<double*>(
-          member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(slot_count * record) * sizeof(double), 64));
-    };
-    double* const nodes = scratch(shell_node_record);
-    double* const forces = scratch(shell_force_record);
+    const ShellScratch scratch(member, slot_count);
+    double* const nodes = scratch.nodes;
+    double* const forces = scratch.forces;
     for (int s = 0; s < slot_count; ++s) {
       const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
       double* const node = nodes + shell_node_record * s;
@@ -177,8 +168,7 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const ShellB
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
   using Kernel = AdvanceShellChunk<Layer>;
-  Policy policy(space, count, 1);
-  policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(Kernel::scratch_bytes(chunks)))).set_chunk_size(1);
+  const ChunkPolicy policy = ShellScratch::make_policy(space, count, chunks.largest_slot_count);
   Kokkos::parallel_for("percuss::advance_shells", policy,
                        Kernel{chunks, block, motion, state, slot_force, slot_moment, results});
 }

@@ -70,26 +70,6 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
   add_to_books(sums, 1, state.books);
 }
 
-/// The rest of the conditions' work: half a step of what the forces at n+1 take, which stand in the slots.
-void book_condition_forces(const Model& model, ExactSums<1>& held_force_sum, State& state, double dt) {
-  if (!model.is_driven || model.owned_held.extent(0) == 0) return;
-  const auto held = model.held;
-  const auto owned = model.owned_held;
-  const auto nodes_to_slots = model.nodes_to_slots;
-  const auto v = state.v, slot_force = state.slot_force;
-  const auto work = held_force_sum(
-      ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
-        const int n = held.node(owned(i));
-        const int k = held.direction(owned(i));
-        double force = 0;
-        for (int s = nodes_to_slots.first(n); s < nodes_to_slots.first(n + 1); ++s) {
-          force += slot_force(nodes_to_slots.slots(s), k);
-        }
-        add(0, -0.5 * dt * v(n, k) * force);
-      });
-  add_work(work[0], state.books);
-}
-
 /// The same for held rotations: J = I (w+ - w-) - dt_mean m, a moment impulse without a lever.
 void book_spin_conditions(const Model& model, ExactSums<7>& held_sums, State& state, double dt, double dt_mean) {
   if (model.owned_held_spins.extent(0) == 0) return;
@@ -109,24 +89,24 @@ void book_spin_conditions(const Model& model, ExactSums<7>& held_sums, State& st
   add_to_books(sums, 1, state.books);
 }
 
-/// And the second half of the work of driven rotations.
-void book_spin_moments(const Model& model, ExactSums<1>& held_force_sum, State& state, double dt) {
-  if (!model.is_driven || model.owned_held_spins.extent(0) == 0) return;
-  const auto held = model.held_spins;
-  const auto owned = model.owned_held_spins;
+/// The rest of the work of held directions: half a step of what the forces, or moments, at n+1 take, which stand in
+/// the slots. velocity: at n+1/2.
+void book_rest_of_work(const Model& model, ExactSums<1>& held_force_sum, const HeldDirections& held,
+                       const Array<int>& owned, const Rows3<double>& velocity, const Rows3<double>& slots, double dt,
+                       Books& books) {
+  if (!model.is_driven || owned.extent(0) == 0) return;
   const auto nodes_to_slots = model.nodes_to_slots;
-  const auto w = state.w, slot_moment = state.slot_moment;
   const auto work = held_force_sum(
       ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
         const int n = held.node(owned(i));
         const int k = held.direction(owned(i));
-        double moment = 0;
+        double sum = 0;
         for (int s = nodes_to_slots.first(n); s < nodes_to_slots.first(n + 1); ++s) {
-          moment += slot_moment(nodes_to_slots.slots(s), k);
+          sum += slots(nodes_to_slots.slots(s), k);
         }
-        add(0, -0.5 * dt * w(n, k) * moment);
+        add(0, -0.5 * dt * velocity(n, k) * sum);
       });
-  add_work(work[0], state.books);
+  add_work(work[0], books);
 }
 
 /// The impulses of contact between bodies cancel; what is left is the walls'. Returns this rank's share of it.
@@ -233,8 +213,10 @@ void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, bool has
 }
 
 void Bookkeeper::book_new_forces(State& state, double dt) {
-  book_condition_forces(model_, held_force_sum_, state, dt);
-  book_spin_moments(model_, held_force_sum_, state, dt);
+  book_rest_of_work(model_, held_force_sum_, model_.held, model_.owned_held, state.v, state.slot_force, dt,
+                    state.books);
+  book_rest_of_work(model_, held_force_sum_, model_.held_spins, model_.owned_held_spins, state.w, state.slot_moment, dt,
+                    state.books);
   book_pressure_power(power_sum_, state, dt);
 }
 

@@ -1,6 +1,7 @@
 #include "src/step/state.hpp"
 
 #include "kernels/core/host_copy.hpp"
+#include "src/step/streamed_view.hpp"
 
 namespace percuss {
 
@@ -14,7 +15,7 @@ KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
 
 /// Each element starts undeformed: R = V = I, no stress, its mass from its own volume and density.
 Array<double> make_element_records(const Model& model) {
-  const Array<double> elements("percuss::elements", model.state_size);
+  const auto elements = make_streamed<Array<double>>("percuss::elements", model.state_size);
   const HexChunks chunks = model.chunks;
   Kokkos::parallel_for(
       "percuss::start_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
@@ -124,18 +125,18 @@ ElementLives make_lives(const FailingChunks& failing) {
 State make_initial_state(const Model& model) {
   State s;
   const auto nodes = static_cast<std::size_t>(model.node_count);
-  s.x = Rows3<double>("percuss::x", nodes);
-  s.v = Rows3<double>("percuss::v", nodes);
-  s.v_before = Rows3<double>("percuss::v_before", nodes);
-  s.force = Rows3<double>("percuss::force", nodes);
-  s.impulse = Rows3<double>("percuss::impulse", nodes);
+  s.x = make_streamed<Rows3<double>>("percuss::x", nodes);
+  s.v = make_streamed<Rows3<double>>("percuss::v", nodes);
+  s.v_before = make_streamed<Rows3<double>>("percuss::v_before", nodes);
+  s.force = make_streamed<Rows3<double>>("percuss::force", nodes);
+  s.impulse = make_streamed<Rows3<double>>("percuss::impulse", nodes);
   Kokkos::deep_copy(s.x, model.start);
   Kokkos::deep_copy(s.v, model.start_velocity);
   s.elements = make_element_records(model);
   set_element_masses(model, s.elements);
   set_start_history(model, s.elements);
   start_shells(model, s.elements);
-  s.slot_force = Rows3<double>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
+  s.slot_force = make_streamed<Rows3<double>>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
   if (model.has_shells) {
     s.w = Rows3<double>("percuss::w", nodes);
     s.w_before = Rows3<double>("percuss::w_before", nodes);

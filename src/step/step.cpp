@@ -17,7 +17,24 @@ constexpr double largest_step_growth = 1.1;
 /// with every vibration is changed in phase with it, and feeds it energy.
 constexpr double least_step_growth = 0.02;
 /// So many steps before the end begin to share what is left.
-constexpr double landing_steps = 64;
+constexpr double landing_steps = 128;
+/// Of so many steps or more one is put in, which makes all of them shorter than they had to be.
+constexpr double steps_with_room = 8;
+
+/// A step, dt at most, from which the end is hit exactly. left: time to the end; last: the step before, 0 at first.
+///
+/// What central differences conserve depends on the square of the step, so that a step cut in half would change the
+/// energy of the shortest waves: the last steps are equal, and short enough that the bound, which follows every
+/// vibration, does not ask for others.
+double land(double left, double dt, double last) {
+  const double count = std::ceil(left / dt * (1 - 1e-12));
+  if (!(left > 0) || count > landing_steps) return dt;
+  for (const double step : {last, dt}) {
+    const double whole = step > 0 && step <= dt ? std::round(left / step) : 0;
+    if (whole >= 1 && std::abs(left / step - whole) < 1e-7) return left / whole;
+  }
+  return left / (count < steps_with_room ? count : count + 1);
+}
 
 }  // namespace
 
@@ -297,12 +314,7 @@ void Stepper::choose_step(State& state) const {
     dt = dt > (1 + least_step_growth) * state.dt ? std::min(dt, largest_step_growth * state.dt) : state.dt;
   }
   if (deck_.time.max_step) dt = std::min(dt, *deck_.time.max_step);
-  // Land on the end exactly, by steps that shrink by a small share: what central differences conserve depends on the
-  // square of the step, so that a step cut in half would change the energy of the shortest waves.
-  const double left = deck_.time.end - state.time;
-  const double steps_left = std::ceil(left / dt * (1 - 1e-12));
-  if (left > 0 && steps_left <= landing_steps) dt = steps_left > 1 ? std::min(dt, left / steps_left) : left;
-  state.next_dt = dt;
+  state.next_dt = land(deck_.time.end - state.time, dt, state.dt);
 }
 
 }  // namespace percuss
