@@ -80,7 +80,7 @@ def draw_drift(rows, path):
         if "curve" not in row:
             continue
         error = np.abs(np.array(row["curve"]["energy_error"]))
-        axes.semilogy(row["curve"]["step"], np.maximum(error, 1e-16), styles[row["run"]], color=COLORS[row["kind"]], lw=1,
+        axes.semilogy(row["curve"]["step"], np.maximum(error, 1e-16), linestyle=styles[row["run"]], color=COLORS[row["kind"]], lw=1,
                       label=f"{row['run']}, {row['kind']}")
     axes.set_xlabel("step")
     axes.set_ylabel("energy error")
