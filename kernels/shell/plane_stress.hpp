@@ -1,11 +1,16 @@
 #pragma once
 // Materials of a layer without stress across it: stresses xx, yy, xy from strain increments xx, yy, 2 xy.
-//
-// Each returns the increment of the strain across the layer, which changes the thickness.
 
 #include "kernels/core/tensor.hpp"
 
 namespace percuss {
+
+/// What an update tells the element.
+template <class T>
+struct LayerResponse {
+  T across;  // increment of the strain across the layer, which changes the thickness
+  T share;   // what plastic flow has left of the shear stress that elasticity would give; 1: no flow
+};
 
 /// Isotropic elastic constants of a layer.
 struct PlaneElasticity {
@@ -30,12 +35,13 @@ inline PlaneElasticity find_plane_elasticity(double youngs_modulus, double poiss
 /// Linear elasticity in plane stress; no history.
 struct ElasticLayer {
   static constexpr int history_count = 0;
+  static constexpr bool can_yield = false;
   PlaneElasticity elasticity;
 
   template <class T>
-  PERCUSS_FORCE_INLINE T update(T (&stress)[3], T* /*history*/, const T (&de)[3]) const {
+  PERCUSS_FORCE_INLINE LayerResponse<T> update(T (&stress)[3], T* /*history*/, const T (&de)[3]) const {
     elasticity.add_stress(stress, de);
-    return T(-elasticity.poissons_ratio / (1 - elasticity.poissons_ratio)) * (de[0] + de[1]);
+    return {T(-elasticity.poissons_ratio / (1 - elasticity.poissons_ratio)) * (de[0] + de[1]), T(1)};
   }
 };
 
@@ -44,6 +50,7 @@ struct ElasticLayer {
 /// with the multiplier l, dp = l s_e, S = S_trial / (1 + E l / (2 (1 - nu))), D and the shear by 1 / (1 + 3 G l).
 struct J2Layer {
   static constexpr int history_count = 1;
+  static constexpr bool can_yield = true;
   /// Enough for round-off: Newton's steps double the digits, of which the first bracket gives one or more.
   static constexpr int most_iterations = 12;
   PlaneElasticity elasticity;
@@ -51,7 +58,7 @@ struct J2Layer {
   double hardening_modulus = 0;
 
   template <class T>
-  PERCUSS_FORCE_INLINE T update(T (&stress)[3], T* history, const T (&de)[3]) const {
+  PERCUSS_FORCE_INLINE LayerResponse<T> update(T (&stress)[3], T* history, const T (&de)[3]) const {
     const double nu = elasticity.poissons_ratio, young = elasticity.youngs_modulus;
     const T before = stress[0] + stress[1];
     elasticity.add_stress(stress, de);
@@ -70,7 +77,7 @@ struct J2Layer {
     const T equivalent =
         square_root(T(0.25) * sum * sum + T(0.75) * difference * difference + T(3) * stress[2] * stress[2]);
     history[0] = history[0] + multiplier * equivalent;
-    return T(-nu / young) * (sum - before) - T(0.5) * multiplier * sum;
+    return {T(-nu / young) * (sum - before) - T(0.5) * multiplier * sum, share};
   }
 
  private:

@@ -47,11 +47,25 @@ struct ShellResult {
 /// Smallest share of the membrane's hourglass stiffness on a warped element, where it would lock.
 inline constexpr double shell_least_membrane_hourglass = 0.05;
 
-/// Advances the hourglass forces by their rates: the stiffness of the element's own membrane, bending and shear beyond
-/// what its point sees (physical stabilisation, Belytschko and Leviatan 1994). Returns their work.
+/// What plastic flow leaves of stored forces: the mean of the layers' radial returns, in proportion to what each
+/// contributes to the membrane and to bending.
 template <class T>
+struct FlowShares {
+  T membrane, bending;
+
+  PERCUSS_FORCE_INLINE void add(const ThicknessPoints& points, int p, const T& share) {
+    membrane = membrane + T(points.weight[p]) * share;
+    bending = bending + T(points.bending[p]) * share;
+  }
+};
+
+/// Advances the hourglass forces by their rates: the stiffness of the element's own membrane, bending and shear beyond
+/// what its point sees (physical stabilisation, Belytschko and Leviatan 1994), with what the flow of its layers leaves
+/// of it. Returns their work.
+template <bool CanYield, class T>
 PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellGeometry<T>& g, const ShellRates<T>& rate,
-                                         const T& dt, ShellState<T>& state) {
+                                         [[maybe_unused]] const FlowShares<T>& flow, const T& dt,
+                                         ShellState<T>& state) {
   const HourglassIntegrals<T> h = integrate_hourglass(g);
   const T t = state.thickness, nu = T(e.poissons_ratio), half = T(0.5);
   const T warp = T(4) * g.z * (T(1) / t);
@@ -69,20 +83,30 @@ PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellGe
     work = work + (force + half * change) * along;
     force = force + change;
   };
-  advance(state.membrane_hourglass[0], membrane * (h.xx * m[0] - nu * h.xy * m[1]), m[0]);
-  advance(state.membrane_hourglass[1], membrane * (h.yy * m[1] - nu * h.xy * m[0]), m[1]);
-  advance(state.bending_hourglass[0], bending * ((h.xx + a * h.yy) * b[0] + mixed * b[1]), b[0]);
-  advance(state.bending_hourglass[1], bending * ((h.yy + a * h.xx) * b[1] + mixed * b[0]), b[1]);
+  const auto advance_flowing = [&](T& force, const T& change, const T& along, const T& share) {
+    if constexpr (CanYield) {
+      const T after = share * (force + change);
+      work = work + half * (force + after) * along;
+      force = after;
+    } else {
+      advance(force, change, along);
+    }
+  };
+  advance_flowing(state.membrane_hourglass[0], membrane * (h.xx * m[0] - nu * h.xy * m[1]), m[0], flow.membrane);
+  advance_flowing(state.membrane_hourglass[1], membrane * (h.yy * m[1] - nu * h.xy * m[0]), m[1], flow.membrane);
+  advance_flowing(state.bending_hourglass[0], bending * ((h.xx + a * h.yy) * b[0] + mixed * b[1]), b[0], flow.bending);
+  advance_flowing(state.bending_hourglass[1], bending * ((h.yy + a * h.xx) * b[1] + mixed * b[0]), b[1], flow.bending);
   advance(state.shear_hourglass[0], shear * (g.xi_x * g.xi_x + g.xi_y * g.xi_y) * s[0], s[0]);
   advance(state.shear_hourglass[1], shear * (g.eta_x * g.eta_x + g.eta_y * g.eta_y) * s[1], s[1]);
   return dt * work;
 }
 
 /// What the layers of a step give: stress over the thickness and its first moment, about the middle and in units of
-/// half the thickness; their work per volume; the mean strain across the thickness.
+/// half the thickness; their work per volume; the mean strain across the thickness; how they flow.
 template <class T>
 struct LayerSums {
   T force[3], moment[3], work, across;
+  FlowShares<T> flow;
 };
 
 /// Advances the layers' stresses. layer: where the records of the points begin; they lie `width` scalars apart where
@@ -90,7 +114,7 @@ struct LayerSums {
 template <class T, class Material>
 PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>& par, const ShellRates<T>& rate,
                                                  const T& dt, const T& half_thickness, T* layer) {
-  LayerSums<T> sums{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, T(0), T(0)};
+  LayerSums<T> sums{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, T(0), T(0), {T(0), T(0)}};
   const T half = T(0.5);
   for (int p = 0; p < par.points.count; ++p, layer += 3 + Material::history_count) {
     const T place = T(par.points.place[p]), weight = T(par.points.weight[p]);
@@ -99,7 +123,9 @@ PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>
       de[k] = dt * (rate.membrane[k] + half_thickness * place * rate.curvature[k]);
       stress[k] = layer[k];
     }
-    sums.across = sums.across + weight * par.material.update(stress, layer + 3, de);
+    const LayerResponse<T> response = par.material.update(stress, layer + 3, de);
+    sums.across = sums.across + weight * response.across;
+    if constexpr (Material::can_yield) sums.flow.add(par.points, p, response.share);
     for (int k = 0; k < 3; ++k) {
       sums.work = sums.work + weight * half * (layer[k] + stress[k]) * de[k];
       layer[k] = stress[k];
@@ -158,7 +184,7 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
     work = work + (state.shear[k] + half * change) * dt * rate.shear[k];
     state.shear[k] = state.shear[k] + change;
   }
-  const T hourglass_work = advance_hourglass(elastic, middle, rate, dt, state);
+  const T hourglass_work = advance_hourglass<Material::can_yield>(elastic, middle, rate, layers.flow, dt, state);
   const T old_thickness = state.thickness;
   const T half_across = half * layers.across;
   state.thickness = old_thickness * ((T(1) + half_across) * (T(1) / (T(1) - half_across)));

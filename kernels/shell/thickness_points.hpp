@@ -11,11 +11,13 @@ namespace percuss {
 /// Most points that a shell can have.
 inline constexpr int most_thickness_points = 16;
 
-/// Places from -1 (bottom) to 1 (top, along the normal) and weights, which add up to 1.
+/// Places from -1 (bottom) to 1 (top, along the normal); weights, which add up to 1, and shares of the points in the
+/// bending stiffness, which do so too.
 struct ThicknessPoints {
   int count = 0;
   double place[most_thickness_points] = {};
   double weight[most_thickness_points] = {};
+  double bending[most_thickness_points] = {};
 };
 
 /// The Gauss-Legendre rule of 1 to most_thickness_points points, exact for polynomials of degree 2 count - 1 (roots by
@@ -40,6 +42,11 @@ inline ThicknessPoints find_thickness_points(int count) {
     points.place[i] = -z;
     points.place[count - 1 - i] = z;
     points.weight[i] = points.weight[count - 1 - i] = 1 / ((1 - z * z) * slope * slope);
+  }
+  double sum = 0;
+  for (int i = 0; i < count; ++i) sum += points.weight[i] * points.place[i] * points.place[i];
+  for (int i = 0; i < count; ++i) {
+    points.bending[i] = sum > 0 ? points.weight[i] * points.place[i] * points.place[i] / sum : points.weight[i];
   }
   return points;
 }

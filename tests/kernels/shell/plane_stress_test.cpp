@@ -112,7 +112,7 @@ TEST(PlaneStress, UniaxialTensionIsExact) {
   const double plastic = total - stress_exact / young;
   double stress[3] = {0, 0, 0}, p = 0;
   const double de[3] = {total, -poisson * stress_exact / young - plastic / 2, 0};
-  const double across = material.update(stress, &p, de);
+  const double across = material.update(stress, &p, de).across;
   EXPECT_NEAR(stress[0] / stress_exact, 1, 1e-12);
   EXPECT_NEAR(stress[1] / stress_exact, 0, 1e-12);
   EXPECT_NEAR(p, plastic, 1e-12 * total);
