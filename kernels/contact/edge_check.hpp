@@ -153,7 +153,7 @@ KOKKOS_INLINE_FUNCTION bool sweep_edges(const MovingPair& pair, bool flips, Edge
 }
 
 /// Whether edges that were in contact still cross, at most a little past their ends, and where: places beyond an end
-/// become the end.
+/// become the end. depth: predicted.
 KOKKOS_INLINE_FUNCTION bool keep_on_edges(const EdgePair& e, const Crossing& c, double depth, EdgeTouch& touch) {
   const double past_a = contact_limits::history_end_band + contact_limits::history_bend * depth / norm(e.a[1] - e.a[0]);
   const double past_b = contact_limits::history_end_band + contact_limits::history_bend * depth / norm(e.b[1] - e.b[0]);
@@ -162,17 +162,48 @@ KOKKOS_INLINE_FUNCTION bool keep_on_edges(const EdgePair& e, const Crossing& c, 
   return is_inside(c, -past_a, -past_b);
 }
 
+/// A pair that may have a row, with its crossings at both ends of the step.
+struct PairInReach {
+  const MovingPair& pair;
+  const Crossing &start, &end;
+  double offset;  // what the shells of both edges take of the gap between the lines
+  bool known;     // a contact with history
+  bool flips;     // the normal is against a x b
+};
+
+/// Where a pair touches: on the edges at the end of the step, at their ends where it was before, or where it went
+/// through. In: touch with its gaps between the lines; false if it does not touch.
+KOKKOS_INLINE_FUNCTION bool find_place(const PairInReach& p, EdgeTouch& touch) {
+  namespace limits = contact_limits;
+  const double reach = limits::capture * touch.size + p.offset;
+  const bool is_deep = touch.gap_end < -reach;
+  if (!is_deep && is_inside(p.end, p.known ? 0 : limits::end_band)) return true;
+  const EdgePair end_places = p.pair.at(1);
+  const double depth = is_deep ? reach : touch.gap_end < 0 ? -touch.gap_end : 0;
+  if (p.known && !is_deep && keep_on_edges(end_places, p.end, depth, touch)) {
+    touch.gap_start = measure_edge_gap(p.pair.start, touch.s, touch.t, touch.normal) - p.offset;
+  } else {
+    touch.s = p.start.s;
+    touch.t = p.start.t;
+    const double band = (p.known ? limits::history_band : limits::new_band) * touch.size;
+    const bool on_edges = p.known ? keep_on_edges(p.pair.start, p.start, depth, touch) : is_inside(p.start, 0);
+    const bool at_start = touch.gap_start <= band && on_edges;
+    if (at_start ? !is_deep : !sweep_edges(p.pair, p.flips, touch)) return false;
+  }
+  touch.gap_end = measure_edge_gap(end_places, touch.s, touch.t, touch.normal) - p.offset;
+  return touch.gap_end <= limits::row_gap * touch.size;
+}
+
 /// Checks one pair; touch is meaningful if the answer is true. last_normal: of the contact that touch.record continues.
 KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
                                             const Point3* last_normal, EdgeTouch& touch) {
   const MovingPair pair = load_moving_pair(surface, motion, a, b);
-  const EdgePair end_places = pair.at(1);
-  Crossing end = find_crossing(end_places, contact_limits::least_sine);
+  Crossing end = find_crossing(pair.at(1), contact_limits::least_sine);
   const Crossing start = find_crossing(pair.start, contact_limits::least_sine);
   const double offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
-  if (!may_touch(pair, start, end, last_normal != nullptr, offset)) return false;
-  const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);
   const bool known = last_normal != nullptr;
+  if (!may_touch(pair, start, end, known, offset)) return false;
+  const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);
   const Point3 along_cross = end.normal;
   // Edges that turn over through being parallel are left to the next step.
   if (dot(start.normal, along_cross) < 0) return false;
@@ -188,23 +219,7 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   if (touch.gap_end > contact_limits::row_gap * h) return false;
   const double deepest = known ? contact_limits::history_depth * h + offset : contact_limits::new_depth * h;
   if (touch.gap_start < -deepest) return false;
-  const double reach = contact_limits::capture * h + offset;
-  if (is_inside(end, known ? 0 : contact_limits::end_band) && touch.gap_end >= -reach) return true;
-  if (known && keep_on_edges(end_places, end, touch.gap_end < 0 ? -touch.gap_end : 0, touch) &&
-      touch.gap_end >= -reach) {
-    touch.gap_start = measure_edge_gap(pair.start, touch.s, touch.t, touch.normal) - offset;
-    touch.gap_end = measure_edge_gap(end_places, touch.s, touch.t, touch.normal) - offset;
-    return touch.gap_end <= contact_limits::row_gap * h;
-  }
-  if (touch.gap_start <= contact_limits::new_band * h && is_inside(start, 0)) {
-    if (touch.gap_end > -reach) return false;
-    touch.s = start.s;
-    touch.t = start.t;
-  } else if (!sweep_edges(pair, dot(along_cross, end.normal) < 0, touch)) {
-    return false;
-  }
-  touch.gap_end = measure_edge_gap(end_places, touch.s, touch.t, touch.normal) - offset;
-  return touch.gap_end <= contact_limits::row_gap * h;
+  return find_place({pair, start, end, offset, known, dot(along_cross, end.normal) < 0}, touch);
 }
 
 /// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not, or deeper than

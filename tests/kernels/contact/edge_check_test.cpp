@@ -134,6 +134,7 @@ TEST(EdgeCheck, ARememberedContactIsKeptAtAnEndThatItsDepthTakesItPast) {
   EXPECT_FALSE(fall_past(0.02, 0));
   EXPECT_TRUE(fall_past(0.05, 0.1));   // into a valley, on its predicted way
   EXPECT_FALSE(fall_past(0.07, 0.1));  // off the edge
+  EXPECT_TRUE(fall_past(0.05, 0.4));   // deeper than any contact reaches: held where it was
 }
 
 TEST(EdgeCheck, DepthIsThatOfTheRidges) {
