@@ -99,9 +99,15 @@ def _round_outward(low, high):
     return math.floor(low / step + 1e-9) * step, math.ceil(high / step - 1e-9) * step
 
 
+TIMES = ("s", "ms", "us", "\u00b5s", "ns", "min")
+
+
 def parse_units(text):
-    """'m, kg, s' as [length, mass, time]; None if the deck's words are others."""
+    """'m, kg, s' as [length, mass, time], also where time stands elsewhere; None if the deck's words are others."""
     words = re.split(r"[,\s]+", text.strip()) if text else []
+    if len(words) == 3 and sum(word in TIMES for word in words) == 1:
+        time = next(word for word in words if word in TIMES)
+        return [word for word in words if word != time] + [time]
     return words if len(words) == 3 else None
 
 

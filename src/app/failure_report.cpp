@@ -28,7 +28,7 @@ FailureReport describe_failure() {
     case FailureKind::internal:
       break;
   }
-  return {ExitCode::system_failed, fmt::format("internal error ({}) please report it with the deck", failure.text)};
+  return {ExitCode::system_failed, fmt::format("internal error ({}): please report it with the deck", failure.text)};
 }
 
 ExitCode tell(const FailureReport& failure) {

@@ -199,8 +199,12 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
                                  found.nodes, found.nodes == 1 ? "" : "s", found.nodes == 1 ? "s" : "", found.deepest,
                                  stage.find_user_id(found.deepest_node), what);
   line += describe_parts(found.parts, stage.mesh);
-  if (found.too_deep > 0)
-    line += fmt::format("; {} of them lie deeper than a quarter of a face and are not in contact", found.too_deep);
+  if (found.too_deep > 0) {
+    line = "warning: " + line;
+    line +=
+        fmt::format("; {} of them lie deeper than a quarter of a face and are not in contact: do the parts overlap?",
+                    found.too_deep);
+  }
   if (found.edge_pairs > 0) line += fmt::format("; {} too, deepest {:.4g}", edges, found.deepest_edges);
   return line;
 }

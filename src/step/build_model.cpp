@@ -9,6 +9,7 @@
 
 #include "comm/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/material/johnson_cook.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -129,8 +130,10 @@ FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
     limits.johnson_cook = {d->d1, d->d2, d->d3, d->d4, d->d5, d->reference_rate};
   }
   if (has_scalar(material, HistoryScalar::temperature)) {
-    limits.room_temperature = material.law.numbers.at("room_temperature");
-    limits.melt_temperature = material.law.numbers.at("melt_temperature");
+    const auto& numbers = material.law.numbers;  // those that the deck gives
+    const auto room = numbers.find("room_temperature");
+    limits.room_temperature = room == numbers.end() ? JohnsonCook{}.room_temperature : room->second;
+    limits.melt_temperature = numbers.at("melt_temperature");
   }
   limits.least_step = deck.step.value_or(0) / step_scale;
   limits.takes_inverted = deck.inverted;

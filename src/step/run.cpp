@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -32,6 +33,9 @@ volatile std::sig_atomic_t stop_requested = 0;
 
 /// Energy and momentum are judged at least this often, also without output.
 constexpr long steps_between_audits = 500;
+
+/// Of the internal energy; more in hourglass modes is told at the end.
+constexpr double noted_hourglass_share = 0.1;
 
 constexpr const char* checkpoint_name = "/checkpoint.h5";
 
@@ -338,6 +342,16 @@ void Run::finish(const std::string& status, const std::string& error) {
         "warning: the contact enforcement did not converge in {} of {} steps, the first of them step {} (what was "
         "left over is in the column residual of history.csv)\n",
         unconverged_steps_, state_.step, first_unconverged_);
+  }
+  const EnergySummary& energy = summary_.energy;
+  const double moved = std::max({energy.initial, energy.kinetic, std::abs(energy.external)});
+  if (speaks() && energy.internal > 0 && energy.hourglass > noted_hourglass_share * energy.internal &&
+      energy.hourglass > 1e-3 * moved) {
+    print_quietly(
+        stderr,
+        "note: hourglass modes hold {:.0f} % of the internal energy: bending finer than the elements; compare "
+        "with a finer mesh\n",
+        100 * energy.hourglass / energy.internal);
   }
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || options_.out_dir.empty()) return;

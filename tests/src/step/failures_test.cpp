@@ -127,4 +127,18 @@ conditions: [{nodes: bar/x_max, velocity: {x: {table: [[0, 0], [2e-3, -200]]}}},
                     HasSubstr("collapse_ratio (now 0.9)")));
 }
 
+TEST(Failure, AMaterialThatHeatsFailsWithTheRoomTemperatureThatTheDeckLeavesOut) {
+  const std::string text = R"(
+time: {end: 1}
+parts: {a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: al}}
+materials:
+  al: {model: johnson_cook, density: 2700, youngs_modulus: 72e9, poissons_ratio: 0.33, a: 337e6, b: 343e6, n: 0.41, melt_temperature: 877, specific_heat: 890, failure: {plastic_strain: 0.5}}
+)";
+  Scene scene(text);
+  const auto limits = to_host(scene.model.failing.limits);
+  ASSERT_EQ(limits.extent(0), 1u);
+  EXPECT_EQ(limits(0).room_temperature, 293.15);
+  EXPECT_EQ(limits(0).melt_temperature, 877);
+}
+
 }  // namespace percuss::test
