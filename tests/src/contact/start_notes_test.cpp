@@ -32,7 +32,8 @@ TEST(StartNotes, TellTheSmallestGapsOfPartsWithinReach) {
   const std::vector<std::string> notes = find_notes("{surfaces: all}");
   ASSERT_EQ(notes.size(), 1U);
   // a and c are 0.01 apart, too: corner to edge
-  EXPECT_EQ(notes[0], "smallest gaps: 0 (they touch) between 'b' and 'c', 0.01 between 'a' and 'b', 0.01 between 'a' and 'c'");
+  EXPECT_EQ(notes[0],
+            "smallest gaps: 0 (they touch) between 'b' and 'c', 0.01 between 'a' and 'b', 0.01 between 'a' and 'c'");
 }
 
 TEST(StartNotes, TellOfPairsThatMayTouchOnly) {
