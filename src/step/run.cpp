@@ -16,9 +16,9 @@
 #include "src/step/audit.hpp"
 #include "src/step/checkpoint.hpp"
 #include "src/step/erosion.hpp"
-#include "src/step/mass_scaling.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/run_checks.hpp"
+#include "src/step/run_notes.hpp"
 #include "src/step/run_output.hpp"
 #include "src/step/run_summary.hpp"
 #include "src/step/run_totals.hpp"
@@ -34,9 +34,6 @@ volatile std::sig_atomic_t stop_requested = 0;
 /// Energy and momentum are judged at least this often, also without output.
 constexpr long steps_between_audits = 500;
 
-/// Of the internal energy; more in hourglass modes is told at the end.
-constexpr double noted_hourglass_share = 0.1;
-
 constexpr const char* checkpoint_name = "/checkpoint.h5";
 
 using Clock = std::chrono::steady_clock;
@@ -51,7 +48,7 @@ class Run {
 
  private:
   bool speaks() const { return ranks_.rank() == 0 && options_.progress != Progress::Style::quiet; }
-  void warn_about_idle_ranks() const;
+  void say(const std::vector<std::string>& lines) const;
   void begin();
   void restart();
   void open_files();
@@ -102,11 +99,9 @@ class Run {
   long start_step_ = 0;         // where this run began
   double first_dt_ = 0;
   std::int64_t limiting_element_id_ = 0;  // bounded the last step
-  long unconverged_steps_ = 0;            // of the contact enforcement
-  long first_unconverged_ = -1;           // the first such step
+  UnconvergedSteps unconverged_;
   Clock::time_point loop_start_;
   double compute_start_ = 0;  // compute_seconds() when the clocks of the phases began
-  std::string contact_notice_;
   Progress progress_;
   Summary summary_;
 };
@@ -124,11 +119,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       output_(deck, chunked_, model_, contact_, options.out_dir),
       checkpoints_due_(deck.output.checkpoint_every),
       progress_(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet) {
-  if (speaks()) {
-    for (const std::string& warning : chunked_.mesh.warnings) print_quietly(stderr, "warning: {}\n", warning);
-    for (const std::string& note : describe_added_masses(model_)) print_quietly(stderr, "{}\n", note);
-    warn_about_idle_ranks();
-  }
+  say(find_start_notes(chunked_, model_, ranks_.size()));
   if (options.restart.empty()) {
     begin();
   } else {
@@ -139,10 +130,10 @@ Run::Run(const Deck& deck, const RunOptions& options)
 }
 
 void Run::begin() {
-  if (contact_.is_active()) contact_notice_ = contact_.prepare(state_.x, state_.v);
-  if (!contact_notice_.empty() && speaks()) print_quietly(stderr, "{}\n", contact_notice_);
-  if (speaks())
-    for (const std::string& note : contact_.start_notes()) print_quietly(stderr, "{}\n", note);
+  if (contact_.is_active()) {
+    if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
+  }
+  say(contact_.start_notes());
   compute_start_ = compute_seconds();
   stepper_.start(state_, {stop_requested != 0, false});
   erode();
@@ -170,13 +161,9 @@ void Run::restart() {
   if (speaks()) print_quietly(stderr, "goes on from step {}, t = {:.6g}\n", state_.step, state_.time);
 }
 
-void Run::warn_about_idle_ranks() const {
-  const int idle = count_idle_ranks(chunked_.numbering, ranks_.size());
-  if (idle == 0) return;
-  print_quietly(stderr,
-                "warning: {} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never divided) start "
-                "it on fewer ranks\n",
-                idle, ranks_.size(), chunked_.numbering.chunk_count());
+void Run::say(const std::vector<std::string>& lines) const {
+  if (!speaks()) return;
+  for (const std::string& line : lines) print_quietly(stderr, "{}\n", line);
 }
 
 void Run::open_files() {
@@ -247,7 +234,7 @@ StepWishes Run::find_wishes() const {
 
 void Run::note_contact() {
   if (stepper_.contact_report().converged) return;
-  if (unconverged_steps_++ == 0) first_unconverged_ = state_.step;
+  if (unconverged_.count++ == 0) unconverged_.first = state_.step;
 }
 
 void Run::audit() {
@@ -295,8 +282,8 @@ void Run::archive(CheckpointArchive& archive) {
   archive.number("run/dt_min", summary_.dt.min);
   archive.number("run/dt_max", summary_.dt.max);
   archive.number("run/limiting_element_id", limiting_element_id_);
-  archive.integer("run/unconverged_steps", unconverged_steps_);
-  archive.integer("run/first_unconverged", first_unconverged_);
+  archive.integer("run/unconverged_steps", unconverged_.count);
+  archive.integer("run/first_unconverged", unconverged_.first);
   archive.integer("run/audited_step", audited_step_);
   audited_.archive(archive);
 }
@@ -336,23 +323,7 @@ void Run::finish(const std::string& status, const std::string& error) {
   const std::vector<RankRow> rows = gather_rows(ranks_, make_rank_row(summed()));
   fill_summary(summed(), summary_);
   progress_.finish(find_progress());
-  if (unconverged_steps_ > 0 && speaks()) {
-    print_quietly(
-        stderr,
-        "warning: the contact enforcement did not converge in {} of {} steps, the first of them step {} (what was "
-        "left over is in the column residual of history.csv)\n",
-        unconverged_steps_, state_.step, first_unconverged_);
-  }
-  const EnergySummary& energy = summary_.energy;
-  const double moved = std::max({energy.initial, energy.kinetic, std::abs(energy.external)});
-  if (speaks() && energy.internal > 0 && energy.hourglass > noted_hourglass_share * energy.internal &&
-      energy.hourglass > 1e-3 * moved) {
-    print_quietly(
-        stderr,
-        "note: hourglass modes hold {:.0f} % of the internal energy: bending finer than the elements; compare "
-        "with a finer mesh\n",
-        100 * energy.hourglass / energy.internal);
-  }
+  say(find_end_notes(summary_, unconverged_));
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || options_.out_dir.empty()) return;
     write_ranks(options_.out_dir + "/ranks.csv", rows);

@@ -1,0 +1,58 @@
+#include "src/step/run_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/step/mass_scaling.hpp"
+#include "src/step/run_totals.hpp"
+
+namespace percuss {
+
+namespace {
+
+/// Of the internal energy: more in hourglass modes is told ...
+constexpr double noted_hourglass_share = 0.1;
+/// ... unless both are so small beside the energy that moves that they mean nothing.
+constexpr double noted_energy_share = 1e-3;
+
+bool is_hourglassed(const EnergySummary& energy) {
+  const double moved = std::max({energy.initial, energy.kinetic, std::abs(energy.external)});
+  return energy.internal > 0 && energy.hourglass > noted_hourglass_share * energy.internal &&
+         energy.hourglass > noted_energy_share * moved;
+}
+
+}  // namespace
+
+std::vector<std::string> find_start_notes(const ChunkedMesh& chunked, const Model& model, int rank_count) {
+  std::vector<std::string> notes;
+  for (const std::string& warning : chunked.mesh.warnings) notes.push_back("warning: " + warning);
+  for (const std::string& note : describe_added_masses(model)) notes.push_back(note);
+  if (const int idle = count_idle_ranks(chunked.numbering, rank_count); idle > 0) {
+    notes.push_back(
+        fmt::format("warning: {} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never divided) "
+                    "start it on fewer ranks",
+                    idle, rank_count, chunked.numbering.chunk_count()));
+  }
+  return notes;
+}
+
+std::vector<std::string> find_end_notes(const Summary& summary, const UnconvergedSteps& unconverged) {
+  std::vector<std::string> notes;
+  if (unconverged.count > 0) {
+    notes.push_back(
+        fmt::format("warning: the contact enforcement did not converge in {} of {} steps, the first of them step {} "
+                    "(what was left over is in the column residual of history.csv)",
+                    unconverged.count, summary.steps, unconverged.first));
+  }
+  if (is_hourglassed(summary.energy)) {
+    notes.push_back(fmt::format(
+        "note: hourglass modes hold {:.0f} % of the internal energy: bending finer than the elements; compare "
+        "with a finer mesh",
+        100 * summary.energy.hourglass / summary.energy.internal));
+  }
+  return notes;
+}
+
+}  // namespace percuss

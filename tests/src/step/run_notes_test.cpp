@@ -1,0 +1,46 @@
+// What a run says at its end, by the numbers of its summary.
+
+#include "src/step/run_notes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace percuss::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Summary make_summary(double internal, double hourglass, double initial) {
+  Summary summary;
+  summary.steps = 40;
+  summary.energy.initial = initial;
+  summary.energy.internal = internal;
+  summary.energy.hourglass = hourglass;
+  return summary;
+}
+
+TEST(RunNotes, ARunWithoutDoubtsEndsInSilence) {
+  EXPECT_THAT(find_end_notes(make_summary(0, 0, 100), {}), IsEmpty());
+  EXPECT_THAT(find_end_notes(make_summary(10, 0.99, 100), {}), IsEmpty());
+}
+
+TEST(RunNotes, TellHourglassModesAboveATenthOfTheInternalEnergy) {
+  EXPECT_THAT(find_end_notes(make_summary(10, 2.5, 100), {}), ElementsAre(HasSubstr("hold 25 % of the internal")));
+}
+
+TEST(RunNotes, DoNotTellHourglassModesOfEnergiesThatNobodySees) {
+  EXPECT_THAT(find_end_notes(make_summary(1e-2, 5e-3, 100), {}), IsEmpty());
+  Summary loaded = make_summary(1e-2, 5e-3, 0);
+  loaded.energy.external = -100;  // taken out
+  EXPECT_THAT(find_end_notes(loaded, {}), IsEmpty());
+}
+
+TEST(RunNotes, CountTheStepsThatDidNotConverge) {
+  EXPECT_THAT(find_end_notes(make_summary(0, 0, 100), {3, 17}),
+              ElementsAre(HasSubstr("in 3 of 40 steps, the first of them step 17")));
+}
+
+}  // namespace
+}  // namespace percuss::test
