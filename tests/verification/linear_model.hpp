@@ -13,6 +13,13 @@
 
 namespace percuss::test {
 
+/// Component k of the vectors at the corners. (A choice between arrays that is indexed at once takes a wrong index
+/// where GCC 12 checks bounds.)
+inline double* get_component(Corners& corners, std::size_t k) {
+  double* const components[3] = {corners.x, corners.y, corners.z};
+  return components[k];
+}
+
 /// Symmetric positive definite matrix of bandwidth `band`, its lower half by rows.
 class BandedMatrix {
  public:
@@ -107,12 +114,12 @@ class LinearModel {
       mass[column] += share;
       if (held[column]) continue;
       Corners v{}, f{};
-      (j / 8 == 0 ? v.x : j / 8 == 1 ? v.y : v.z)[j % 8] = 1;
+      get_component(v, j / 8)[j % 8] = 1;
       auto state = make_state<Elastic, Kind>(1.0);
       advance_hex8(par, a, find_modes(v), dt, state, f.x, f.y, f.z);
       for (std::size_t i = 0; i < 24; ++i) {
         const std::size_t row = 3 * element[i % 8] + i / 8;
-        const double force = (i / 8 == 0 ? f.x : i / 8 == 1 ? f.y : f.z)[i % 8];
+        const double force = get_component(f, i / 8)[i % 8];
         if (row >= column && !held[row]) k.at(row, column) += force / dt;
       }
     }
