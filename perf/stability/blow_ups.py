@@ -1,6 +1,6 @@
 """The largest share of the step bound at which scenes stay bounded, by bisection."""
 from runs import search_scale
-from scenes import CONTACT_SCENES, FREE_SCENES, OFF, fill, write_elements
+from scenes import CONTACT_SCENES, FREE_SCENES, KINDS, MESH_STEP, OFF, fill, write_elements
 
 LOW, HIGH, TOLERANCE = 0.9, 2.5, 0.02
 
@@ -12,9 +12,17 @@ def choose_contact(deck, contact):
     return deck.replace("contact: {", f"contact: {{{contact}, ") if contact else deck
 
 
+def write_scene(name, kind, contact):
+    """The deck with the steps of its elements, of which the limits are shares, or with those of the mesh."""
+    deck, _ = {**FREE_SCENES, **CONTACT_SCENES}[name]
+    estimate, kind = ("global", next(iter(KINDS))) if kind == MESH_STEP else ("element", kind)
+    text = fill(deck).replace("time: {", f"time: {{step_estimate: {estimate}, ", 1)
+    return choose_contact(text + write_elements(kind), contact)
+
+
 def measure_scene(tool, work, name, kind, contact=""):
-    deck, noise = {**FREE_SCENES, **CONTACT_SCENES}[name]
-    text = choose_contact(fill(deck) + write_elements(kind), contact)
+    text = write_scene(name, kind, contact)
+    _, noise = {**FREE_SCENES, **CONTACT_SCENES}[name]
     trials = search_scale(tool, text, work, LOW, HIGH, TOLERANCE, noise)
     if not any(t["bounded"] for t in trials):  # not even the default: how far down is it stable?
         trials += search_scale(tool, text, work, 0.05, LOW, TOLERANCE, noise)

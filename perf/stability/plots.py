@@ -7,9 +7,9 @@ matplotlib.rcParams["svg.fonttype"] = "none"
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
-from scenes import OFF  # noqa: E402
+from scenes import MESH_STEP, OFF  # noqa: E402
 
-COLORS = {"assumed strain": "#0b6fb8", "stiffness": "#d1495b", "viscous": "#e09f3e", "full": "#3c8d53"}
+COLORS = {"assumed strain": "#0b6fb8", "stiffness": "#d1495b", "viscous": "#e09f3e", "full": "#3c8d53", MESH_STEP: "#444444"}
 VERDICTS = {"good": "#3c8d53", "coarse": "#e6c229", "named": "#5b8fd6", "hang": "#8b1e3f", "crash": "#000000"}
 
 

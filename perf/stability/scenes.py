@@ -16,6 +16,7 @@ KINDS = {
     "full": "integration: full",
 }
 
+MESH_STEP = "step of the mesh"  # the default element, by the steps that the mesh allows
 OFF = "off"
 LAGRANGE, PENALTY = "enforcement: lagrange", "enforcement: penalty"
 CONTACTS = ["", LAGRANGE, PENALTY, OFF]  # keys that choose the enforcement; the empty one is the default
