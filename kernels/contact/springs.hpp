@@ -1,8 +1,9 @@
 #pragma once
 // Penalty enforcement: the impulse of a row is that of a spring on the penetration at n (contact.enforcement: penalty).
 //
-// Node by node a stiffness s of the material in front of its faces, a quarter of K A^2 / V of each (K bulk modulus, A
-// face, V element; Hallquist, Goudreau and Benson, Comput. Methods Appl. Mech. Eng. 51, 1985). A row has the two sides
+// Node by node a stiffness s of the material in front of its faces, a quarter of M A^2 / V of each (M = lambda + 2 mu,
+// A face, V element; after Hallquist, Goudreau and Benson, Comput. Methods Appl. Mech. Eng. 51, 1985, who take the bulk
+// modulus, which is too soft by the shear that a pressed layer has). A row has the two sides
 // in series, each with its weights: 1 / k = 1 / s_a + 1 / s_b. Rubs are springs on the slip of the contact, shortened
 // to Coulomb's limit. The frequency that the springs add is at most max k D, D the row sum of |G M^-1 G^T|.
 

@@ -8,9 +8,10 @@
 namespace percuss {
 namespace {
 
-double find_bulk_modulus(const MaterialDeck& material) {
+/// M, or K of a shell.
+double find_modulus(const MaterialDeck& material, bool is_of_shell) {
   const LameConstants moduli = find_moduli(material);
-  return moduli.lambda + 2.0 / 3.0 * moduli.mu;
+  return moduli.lambda + (is_of_shell ? 2.0 / 3.0 : 2.0) * moduli.mu;
 }
 
 /// Area of a quadrilateral from its diagonals; of a warped one, of its projection along their normal.
@@ -31,9 +32,9 @@ std::vector<double> find_face_springs(const Mesh& mesh, const Deck& deck, const 
     const auto corner = [&](int i) { return x[static_cast<std::size_t>(hex_faces[faces[f].face][i])]; };
     const double area = find_area(corner(0), corner(1), corner(2), corner(3));
     const MeshPart& part = mesh.parts[static_cast<std::size_t>(mesh.element_part[element])];
-    // Of a shell, which a wall may touch, in proportion to its mass: as stiff as its membrane.
-    const double length = is_shell(mesh.elements[element]) ? part.thickness : area * area / find_hex_volume(x);
-    springs[f] = find_bulk_modulus(deck.materials[static_cast<std::size_t>(part.material)]) * length;
+    const bool of_shell = is_shell(mesh.elements[element]);
+    const double length = of_shell ? part.thickness : area * area / find_hex_volume(x);
+    springs[f] = find_modulus(deck.materials[static_cast<std::size_t>(part.material)], of_shell) * length;
   }
   return springs;
 }

@@ -7,8 +7,10 @@
 
 namespace percuss {
 
-/// K A^2 / V of each face [force/length]: K bulk modulus, A area of the face, V volume of its element, all at time 0.
-/// Zeros unless contact.enforcement is penalty. faces: of this rank's elements.
+/// M A^2 / V of each face [force/length]: M = lambda + 2 mu resists a push on one face of an element whose sides are
+/// held, as those of its neighbours hold it; A area of the face, V volume of its element, all at time 0. Of a shell K t
+/// (bulk modulus, thickness), in proportion to its mass: about as stiff as its membrane and no stiffer, so that a
+/// bounce takes some steps. Zeros unless contact.enforcement is penalty. faces: of this rank's elements.
 std::vector<double> find_face_springs(const Mesh& mesh, const Deck& deck, const std::vector<ElementFace>& faces);
 
 }  // namespace percuss
