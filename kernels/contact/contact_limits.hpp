@@ -51,6 +51,10 @@ inline constexpr double reach_through = 0.1;
 /// ... or, with history, by this one.
 inline constexpr double history_reach_through = 0.3;
 
+/// Held directions leave a row at least this share of its freedom (the square of the sine between the push and the
+/// directions that are held), or it is held as a whole.
+inline constexpr double least_freedom = 1e-6;
+
 /// Independent pushes a node may obey at once.
 inline constexpr int max_touches = 3;
 /// Friction of a tie's row, which holds its three directions both ways.

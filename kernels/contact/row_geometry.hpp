@@ -9,12 +9,14 @@ KOKKOS_INLINE_FUNCTION Point3 find_abs(const Point3& c) {
   return {c.x < 0 ? -c.x : c.x, c.y < 0 ? -c.y : c.y, c.z < 0 ? -c.z : c.z};
 }
 
-/// D of the directions. A row whose nodes are all held cannot be moved and asks for nothing.
-KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3]) {
+/// D of the directions; free: D of the push if no direction of its nodes were held. A row whose nodes are all held
+/// cannot be moved and asks for nothing. Nor does one whose nodes are free only across the push, but for round-off of
+/// its direction: to close a gap they would have to move beyond all bounds.
+KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3], double free) {
   const auto choose = [](double d) { return d > 0 ? d : 1; };
   row.stiffness = choose(stiffness[0]);
   row.rub_stiffness = choose(stiffness[1] > stiffness[2] ? stiffness[1] : stiffness[2]);
-  if (stiffness[0] > 0) return;
+  if (stiffness[0] > contact_limits::least_freedom * free) return;
   row.is_held = true;
   row.impulse = RowImpulse{};
   row.previous = RowImpulse{};
@@ -36,6 +38,29 @@ KOKKOS_INLINE_FUNCTION void set_target(ContactRow& row) {
   const double floor = -row.reference;
   const double recovered = row.gap_start + contact_limits::recovery * row.size;
   row.target = recovered < floor ? recovered : floor;
+}
+
+/// The most by which the gap of a touch can change in the step: no point of either side moves farther relative to the
+/// other than their nodes do. Thickness turns with the faces: at most by some of the same again.
+KOKKOS_INLINE_FUNCTION double find_longest_approach(const ContactRow& row, const RowNodes& at, double dt) {
+  constexpr double longest_turn = 3;
+  double fastest = 0;
+  const int first_bearing = row.kind == RowKind::edges ? 2 : 1;
+  for (int i = 0; i < first_bearing; ++i) {
+    for (int j = first_bearing; j < row.count; ++j) {
+      const double speed = norm(load_row(at.v, row.place[i]) - load_row(at.v, row.place[j]));
+      fastest = speed > fastest ? speed : fastest;
+    }
+  }
+  return (row.has_thickness ? longest_turn : 1) * norm(row.gap_gradient) * dt * fastest;
+}
+
+/// Where faces are crushed to slivers the measured gap jumps, as the closest point leaps from one triangle to another.
+/// What it jumps by is penetration that exists: closed in one step it would throw bodies apart, the faster the shorter
+/// the step.
+KOKKOS_INLINE_FUNCTION void limit_closing(const RowNodes& at, double dt, ContactRow& row) {
+  const double reachable = row.gap + find_longest_approach(row, at, dt) + contact_limits::recovery * row.size;
+  if (reachable < row.target) row.target = reachable;
 }
 
 /// Continues a history record: first guess of the impulses, owed slip, accepted overlap.
@@ -115,6 +140,7 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   LastContact last;
   if (old >= 0) last = touch.kind == RowKind::edges ? load_record(history.edges, old) : load_record(history, old);
   complete_row(inputs, at, old >= 0, last, row);
+  limit_closing(at, inputs.motion.dt, row);
 }
 
 /// Gap between the node and the wall of pair p, `share` of the step after n.

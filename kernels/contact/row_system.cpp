@@ -310,19 +310,20 @@ void sum_stiffness(const Space& space, const RowSystem& system) {
   Kokkos::parallel_for(
       "contact::sum_stiffness", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         ContactRow& row = rows(r);
-        double stiffness[3] = {0, 0, 0};
+        double stiffness[3] = {0, 0, 0}, free = 0;
         for (int d = 0; d < count_directions(row); ++d) {
           const Point3 direction = get_direction(row, d), couple = find_couple(row, direction);
           for (int slot = 0; slot < count_nodes(row); ++slot) {
             const Point3 c = find_abs(spread_impulse(row, slot, direction, couple));
             const Point3 s = load_row(sum, row.place[slot]), w = load_row(inverse_mass, row.place[slot]);
             stiffness[d] += (c.x * s.x * w.x + c.y * s.y * w.y) + c.z * s.z * w.z;
+            if (d == 0) free += max_component(w) * dot(c, s);
           }
         }
         if (is_tie(row))
           set_tie_stiffness(row, stiffness);
         else
-          set_stiffness(row, stiffness);
+          set_stiffness(row, stiffness, free);
       });
 }
 

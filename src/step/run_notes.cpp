@@ -17,10 +17,16 @@ constexpr double noted_hourglass_share = 0.1;
 /// ... unless both are so small beside the energy that moves that they mean nothing.
 constexpr double noted_energy_share = 1e-3;
 
+/// Of the largest energy: contact gives back what its springs hold and what it recovers of penetration, and no more.
+constexpr double noted_contact_share = 0.01;
+
+double find_largest(const EnergySummary& energy) {
+  return std::max({energy.initial, energy.kinetic, std::abs(energy.external)});
+}
+
 bool is_hourglassed(const EnergySummary& energy) {
-  const double moved = std::max({energy.initial, energy.kinetic, std::abs(energy.external)});
   return energy.internal > 0 && energy.hourglass > noted_hourglass_share * energy.internal &&
-         energy.hourglass > noted_energy_share * moved;
+         energy.hourglass > noted_energy_share * find_largest(energy);
 }
 
 }  // namespace
@@ -45,6 +51,13 @@ std::vector<std::string> find_end_notes(const Summary& summary, const Unconverge
         fmt::format("warning: the contact enforcement did not converge in {} of {} steps, the first of them step {} "
                     "(what was left over is in the column residual of history.csv)",
                     unconverged.count, summary.steps, unconverged.first));
+  }
+  if (summary.energy.contact > noted_contact_share * find_largest(summary.energy)) {
+    notes.push_back(
+        fmt::format("warning: contact has given {:.3g} of energy, {:.0f} % of the largest: look where the column "
+                    "contact of history.csv "
+                    "jumps, at elements crushed to slivers",
+                    summary.energy.contact, 100 * summary.energy.contact / find_largest(summary.energy)));
   }
   if (is_hourglassed(summary.energy)) {
     notes.push_back(fmt::format(

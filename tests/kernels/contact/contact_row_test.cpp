@@ -148,5 +148,27 @@ TEST(ContactRow, ATargetNeverDemandsMoreThanTheSlowRecovery) {
   EXPECT_EQ(row.target, -0.5);
 }
 
+TEST(ContactRow, ClosesNoMoreThanItsNodesCanHaveMoved) {
+  RowNodes at;
+  at.v = Rows3<double>("test::v", 5);
+  at.v(0, 2) = -3;
+  at.v(3, 1) = 4;
+  ContactRow row;
+  row.kind = RowKind::face;
+  row.count = 5;
+  for (int slot = 0; slot < 5; ++slot) row.place[slot] = slot;
+  row.normal = row.gap_gradient = {0, 0, 1};
+  row.size = 2;
+  const auto limit = [&](double gap, double target) {
+    row.gap = gap;
+    row.target = target;
+    limit_closing(at, 0.01, row);
+    return row.target;
+  };
+  EXPECT_EQ(limit(-0.03, 0), 0);  // the node and the corner that moves: 5 a time
+  EXPECT_EQ(limit(-0.4, -0.36), -0.36);
+  EXPECT_DOUBLE_EQ(limit(-0.4, 0), -0.4 + 0.05 + 2e-4);
+}
+
 }  // namespace
 }  // namespace percuss

@@ -65,6 +65,27 @@ TEST(Enforcement, FrictionStopsASlowBlockAndDragsAFastOneByMuTimesThePush) {
   EXPECT_NEAR(sliding.sums.friction_work.round(), -4 * 0.875, 1e-13);
 }
 
+// A floor that leans by `slope` rises under a block that may only move along x and y.
+BrickScene make_guided_block(double slope) {
+  BrickScene scene;
+  scene.add_brick({0, 0, 0}, {4, 4, 1}, {0, 0, 1});
+  for (int n = 0; n < 8; ++n) {
+    scene.inverse_mass[static_cast<std::size_t>(n)] = {0, 0, 0};
+    scene.x[static_cast<std::size_t>(n)].z += slope * (scene.x[static_cast<std::size_t>(n)].x - 1.25);
+  }
+  scene.add_brick({1.25, 1.5, 1}, {1, 1, 1});
+  for (int n = 8; n < 16; ++n) scene.inverse_mass[static_cast<std::size_t>(n)].z = 0;
+  return scene;
+}
+
+TEST(Enforcement, WhatIsHeldAlongThePushIsNotThrownAcrossIt) {
+  const Small sliding(make_guided_block(0.02), 0.01, 0);
+  EXPECT_NEAR(sliding.v(8).x, -1 / 0.02, 1e-6 / 0.02);  // down the slope as fast as it rises
+  const Small round_off(make_guided_block(1e-9), 0.01, 0);
+  for (int n = 8; n < 16; ++n) EXPECT_EQ(round_off.v(n).x, 0);
+  EXPECT_TRUE(round_off.solved.converged);
+}
+
 TEST(Enforcement, AWallPushesAndRubsLikeABodyWithoutMotion) {
   BrickScene bricks;
   bricks.add_brick({0, 0, 0.005}, {1, 1, 1}, {3, 0, -1});

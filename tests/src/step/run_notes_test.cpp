@@ -37,6 +37,14 @@ TEST(RunNotes, DoNotTellHourglassModesOfEnergiesThatNobodySees) {
   EXPECT_THAT(find_end_notes(loaded, {}), IsEmpty());
 }
 
+TEST(RunNotes, TellContactThatGivesEnergy) {
+  Summary summary = make_summary(0, 0, 100);
+  summary.energy.contact = 0.9;
+  EXPECT_THAT(find_end_notes(summary, {}), IsEmpty());
+  summary.energy.contact = 30;
+  EXPECT_THAT(find_end_notes(summary, {}), ElementsAre(HasSubstr("given 30 of energy, 30 %")));
+}
+
 TEST(RunNotes, CountTheStepsThatDidNotConverge) {
   EXPECT_THAT(find_end_notes(make_summary(0, 0, 100), {3, 17}),
               ElementsAre(HasSubstr("in 3 of 40 steps, the first of them step 17")));
