@@ -20,15 +20,17 @@ class FieldsFile:
 
     def __init__(self, folder):
         self.path = os.path.join(folder, "fields.vtkhdf") if os.path.isdir(folder) else folder
+        if not os.path.exists(self.path):
+            raise NotAFieldsFile(f"{self.path}: there is no such file (a run writes it where its deck has output.fields)")
         try:
             # A run that goes on may be looked at: percuss takes no lock, and none is needed here.
             os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
             self.file = h5py.File(self.path, "r")
             self._read_mesh()
         except (OSError, KeyError, ValueError) as error:
-            raise NotAFieldsFile(f"{self.path}: error: this is no fields file of percuss ({error})") from error
+            raise NotAFieldsFile(f"{self.path}: this is no fields file of percuss ({error})") from error
         if not len(self.times):
-            raise NotAFieldsFile(f"{self.path}: error: there is no frame in it (the run ended before its first output)")
+            raise NotAFieldsFile(f"{self.path}: there is no frame in it (the run ended before its first output)")
 
     def _read_mesh(self):
         root, own = self.file["VTKHDF"], self.file["percuss"]

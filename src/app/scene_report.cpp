@@ -82,6 +82,8 @@ std::string format_output(const Deck& deck) {
     text +=
         fmt::format(", {:.0f} frames of fields", std::floor(deck.time.end / *output.fields_every * (1 + 1e-12)) + 1);
   }
+  if (output.checkpoint_every) text += fmt::format(", checkpoint every {:g}", *output.checkpoint_every);
+  if (output.checkpoint_wall) text += fmt::format(", checkpoint every {:g} s by the clock", *output.checkpoint_wall);
   return line("output", text);
 }
 

@@ -102,7 +102,7 @@ class Render(unittest.TestCase):
     def test_refuses_a_folder_without_fields(self):
         done = subprocess.run([SCRIPT, self.out.name], capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("fields.vtkhdf: error: this is no fields file of percuss", done.stderr)
+        self.assertIn("fields.vtkhdf: this is no fields file of percuss", done.stderr)
 
 
 if __name__ == "__main__":
