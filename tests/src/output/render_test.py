@@ -102,6 +102,14 @@ class Render(unittest.TestCase):
     def test_refuses_a_folder_without_fields(self):
         done = subprocess.run([SCRIPT, self.out.name], capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, 2)
+        self.assertIn("fields.vtkhdf: there is no such file (a run writes it", done.stderr)
+
+    def test_refuses_a_file_that_is_no_fields_file(self):
+        other = os.path.join(self.out.name, "fields.vtkhdf")
+        with open(other, "w", encoding="utf-8") as file:
+            file.write("a letter\n")
+        done = subprocess.run([SCRIPT, other], capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 2)
         self.assertIn("fields.vtkhdf: this is no fields file of percuss", done.stderr)
 
 
