@@ -24,6 +24,9 @@ string(TOUPPER "${PERCUSS_BACKEND}" _backend)
 # Only MPI's C interface is used; its C++ one was removed from the standard and would need another library.
 target_compile_definitions(percuss_options INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
 target_compile_definitions(percuss_options INTERFACE PERCUSS_BACKEND_${_backend}=1 PERCUSS_VERSION="${PROJECT_VERSION}")
+if(PERCUSS_PRECISION STREQUAL "single")
+  target_compile_definitions(percuss_options INTERFACE PERCUSS_PRECISION_SINGLE=1)
+endif()
 
 # percuss_add_library(name SOURCES a.cpp ... LINK lib ...): a static library with the project's options.
 function(percuss_add_library name)

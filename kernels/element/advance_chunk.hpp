@@ -13,34 +13,35 @@
 namespace percuss {
 
 template <class Material, HexKind Kind>
-using LaneState = HexState<Lanes, Material, Kind>;
+using LaneState = HexState<HexLanes, Material, Kind>;
 
 /// Asks for a third of the next pack's record while this one is computed: the hardware does not see across the pack's
 /// long body. In thirds, because a core that asks for all at once has to wait until its requests are taken.
 template <int Size>
-PERCUSS_FORCE_INLINE void prefetch([[maybe_unused]] const double* record, [[maybe_unused]] int third) {
+PERCUSS_FORCE_INLINE void prefetch([[maybe_unused]] const Real* record, [[maybe_unused]] int third) {
 #ifdef PERCUSS_HAS_SIMD
-  constexpr int line = 8, lines = (Size + line - 1) / line;
+  constexpr int line = 64 / sizeof(Real), lines = (Size + line - 1) / line;
   for (int i = lines * third / 3; i < lines * (third + 1) / 3; ++i) __builtin_prefetch(record + line * i, 1, 3);
 #endif
 }
 
 /// Smallest step of a chunk, the element that has it (the lowest among equals), and the lowest element that failed.
 struct ChunkStep {
-  Lanes step;   // by lane
-  Lanes first;  // first element of the pack that has it
-  int failed;
+  HexLanes step;   // by lane
+  HexLanes first;  // first element of the pack that has it, counted from the chunk's first
+  int failed;      // counted likewise
 };
 
-PERCUSS_FORCE_INLINE void take_lanes(const HexResult<Lanes>& result, int first_element, int lanes, ChunkStep& chunk) {
+PERCUSS_FORCE_INLINE void take_lanes(const HexResult<HexLanes>& result, int first_element, int lanes,
+                                     ChunkStep& chunk) {
   const auto smaller_step = result.stable_step < chunk.step;
   chunk.step = select(smaller_step, result.stable_step, chunk.step);
-  chunk.first = select(smaller_step, Lanes(first_element), chunk.first);
-  const auto good = (result.volume > Lanes(0)) & (result.stable_step > Lanes(0));
+  chunk.first = select(smaller_step, HexLanes(static_cast<Real>(first_element)), chunk.first);
+  const auto good = (result.volume > HexLanes(0)) & (result.stable_step > HexLanes(0));
   if (any(!good) && chunk.failed < 0) {  // also for NaN
-    constexpr int width = pack_size<double>;
-    alignas(64) double step[width];
-    alignas(64) double volume[width];
+    constexpr int width = pack_size<Real>;
+    alignas(64) Real step[width];
+    alignas(64) Real volume[width];
     store_pack(step, result.stable_step);
     store_pack(volume, result.volume);
     for (int lane = lanes - 1; lane >= 0; --lane) {
@@ -51,27 +52,28 @@ PERCUSS_FORCE_INLINE void take_lanes(const HexResult<Lanes>& result, int first_e
 
 /// Follows the bounds of a pack: growth of the square of the element's frequency since the estimate, relative to it or
 /// to the square of the mesh's frequency, whichever is larger.
-PERCUSS_FORCE_INLINE void watch_step(const StepWatch& watch, std::size_t lane, const Lanes& bound, Lanes& growth) {
+PERCUSS_FORCE_INLINE void watch_step(const StepWatch& watch, std::size_t lane, const HexLanes& bound,
+                                     HexLanes& growth) {
   store_pack(&watch.bound(lane), bound);
   if (watch.step <= 0) return;
-  const Lanes reference = load_pack(&watch.reference(lane));
-  const Lanes ratio = reference / bound, share = Lanes(watch.step) / reference;
-  growth = larger(growth, (ratio * ratio - Lanes(1)) * smaller(Lanes(1), share * share));
+  const HexLanes reference = load_pack(&watch.reference(lane));
+  const HexLanes ratio = reference / bound, share = HexLanes(static_cast<Real>(watch.step)) / reference;
+  growth = larger(growth, (ratio * ratio - HexLanes(1)) * smaller(HexLanes(1), share * share));
 }
 
 /// Largest of the lanes.
-PERCUSS_FORCE_INLINE double find_largest_lane(const Lanes& value) {
-  constexpr int width = pack_size<double>;
-  alignas(64) double row[width];
+PERCUSS_FORCE_INLINE double find_largest_lane(const HexLanes& value) {
+  constexpr int width = pack_size<Real>;
+  alignas(64) Real row[width];
   store_pack(row, value);
-  double largest = row[0];
+  Real largest = row[0];
   for (int lane = 1; lane < width; ++lane) largest = larger(largest, row[lane]);
   return largest;
 }
 
 /// Sum over the first `lanes` lanes in their order.
-PERCUSS_FORCE_INLINE double sum_lanes(const Lanes& value, int lanes) {
-  alignas(64) double row[pack_size<double>];
+PERCUSS_FORCE_INLINE double sum_lanes(const HexLanes& value, int lanes) {
+  alignas(64) Real row[pack_size<Real>];
   store_pack(row, value);
   double sum = 0;
   for (int lane = 0; lane < lanes; ++lane) sum += row[lane];
@@ -80,11 +82,11 @@ PERCUSS_FORCE_INLINE double sum_lanes(const Lanes& value, int lanes) {
 
 template <class Material, HexKind Kind>
 struct AdvanceChunk {
-  static constexpr int width = pack_size<double>;
+  static constexpr int width = pack_size<Real>;
   HexChunks chunks;
   HexBlock<Material, Kind> block;
   ElementMotion motion;
-  Array<double> state;
+  Array<Real> state;
   Rows3<double> slot_force;
   ChunkResults results;
 
@@ -93,7 +95,7 @@ struct AdvanceChunk {
     const int first_slot = chunks.first_slot(c);
     const int slot_count = chunks.first_slot(c + 1) - first_slot;
     const HexScratch scratch(member, slot_count);
-    double* const nodes = scratch.nodes;
+    Real* const nodes = scratch.nodes;
     double* const forces = scratch.forces;
     const int* const slots_to_nodes = &chunks.slots_to_nodes(first_slot);
     const double* const x = motion.x.data();
@@ -104,10 +106,11 @@ struct AdvanceChunk {
       ++results.skipped(c);
       return;
     }
+    const std::size_t middle = 3 * static_cast<std::size_t>(slots_to_nodes[slot_count / 2]);
     for (int s = 0; s < slot_count; ++s) {
       const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
-      copy_row(x + n, nodes + node_record * s);
-      copy_row(v + n, nodes + node_record * s + 4);
+      fill_row(x + n, x + middle, nodes + node_record * s);
+      fill_row(v + n, v + middle, nodes + node_record * s + 4);
       for (int k = 0; k < force_record; ++k) forces[force_record * s + k] = 0;
     }
     const bool changed = advance_packs(c, nodes, forces, at_rest);
@@ -126,45 +129,46 @@ struct AdvanceChunk {
   }
 
   /// Returns whether a bit of the records has changed, if watched.
-  KOKKOS_FUNCTION bool advance_packs(int c, const double* nodes, double* forces, bool watched) const {
+  KOKKOS_FUNCTION bool advance_packs(int c, const Real* nodes, double* forces, bool watched) const {
     constexpr int largest_size = hex_record_size<Material, Kind> * width;
-    static_assert(sizeof(LaneState<Material, Kind>) == largest_size * sizeof(double));
+    static_assert(sizeof(LaneState<Material, Kind>) == largest_size * sizeof(Real));
     const auto record_size = find_record_size(c);
     HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
     parameters.time = motion.time;
     const int first = chunks.first_element(c);
     const int end = chunks.first_element(c + 1);
-    double* record = &state(chunks.first_state(c));
+    Real* record = &state(chunks.first_state(c));
     const std::uint16_t* next_corners =
         &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
     constexpr int prefetched = is_called<Material> ? HexRecord::history<Kind> * width : largest_size;
-    ChunkStep step{Lanes(1e300), Lanes(first), -1};
+    ChunkStep step{HexLanes(beyond_all<Real>), HexLanes(0), -1};
     double work[3] = {0, 0, 0};
-    double before[largest_size];
+    Real before[largest_size];
     bool changed = false;
     const bool watches_step = motion.watch.bound.extent(0) > 0;
-    Lanes growth(0);
+    HexLanes growth(0);
     LivingLanes living(motion.failing, motion.lives, c);
     for (int e = first; e < end; e += width, record += record_size, next_corners += 8 * width) {
       const int lanes = end - e < width ? end - e : width;
       const std::uint16_t* corners = next_corners;
       if (living.can_fail() && !living.take_pack(corners)) continue;
-      const double* const next = record + record_size;
-      VectorModes<Lanes> a, v;
+      const Real* const next = record + record_size;
+      VectorModes<HexLanes> a, v;
       prefetch<prefetched>(next, 0);
       gather_modes(nodes, corners, a);
       prefetch<prefetched>(next, 1);
       gather_modes(nodes + 4, corners, v);
       auto& s = *reinterpret_cast<LaneState<Material, Kind>*>(record);  // its scalars lie like the record's
-      if (watched) std::memcpy(before, record, static_cast<std::size_t>(record_size) * sizeof(double));
-      Lanes f[3][8];
-      HexResult<Lanes> result = advance_hex8(parameters, a, v, Lanes(motion.dt), s, f[0], f[1], f[2]);
+      if (watched) std::memcpy(before, record, static_cast<std::size_t>(record_size) * sizeof(Real));
+      HexLanes f[3][8];
+      HexResult<HexLanes> result =
+          advance_hex8(parameters, a, v, HexLanes(static_cast<Real>(motion.dt)), s, f[0], f[1], f[2]);
       prefetch<prefetched>(next, 2);
       if (living.can_fail()) living.settle(result, f);
       scatter_forces(f, corners, lanes, forces);
       if (watched)
-        changed = changed || std::memcmp(before, record, static_cast<std::size_t>(record_size) * sizeof(double)) != 0;
-      take_lanes(result, e, lanes, step);
+        changed = changed || std::memcmp(before, record, static_cast<std::size_t>(record_size) * sizeof(Real)) != 0;
+      take_lanes(result, e - first, lanes, step);
       if (watches_step) {
         const int pack = chunks.first_pack(c) + (e - first) / width;
         watch_step(motion.watch, static_cast<std::size_t>(pack) * width, result.stable_step, growth);
@@ -173,9 +177,9 @@ struct AdvanceChunk {
       work[1] += sum_lanes(result.work.hourglass, lanes);
       work[2] += sum_lanes(result.work.viscous, lanes);
     }
-    set_step(c, step, end);
+    set_step(c, step, first, end);
     if (watches_step) motion.watch.growth(c) = find_largest_lane(growth);
-    results.failed_element(c) = step.failed;
+    results.failed_element(c) = step.failed < 0 ? -1 : first + step.failed;
     for (int k = 0; k < 3; ++k) results.work(c, k) += work[k];
     return changed;
   }
@@ -190,15 +194,15 @@ struct AdvanceChunk {
   }
 
   /// Of the lanes' smallest steps the smallest, and the lowest element that has it.
-  KOKKOS_FUNCTION void set_step(int c, const ChunkStep& chunk, int end) const {
-    alignas(64) double step[width];
-    alignas(64) double first[width];
+  KOKKOS_FUNCTION void set_step(int c, const ChunkStep& chunk, int first_element, int end) const {
+    alignas(64) Real step[width];
+    alignas(64) Real first[width];
     store_pack(step, chunk.step);
     store_pack(first, chunk.first);
-    double smallest = 1e300;
+    Real smallest = beyond_all<Real>;
     int element = end;
     for (int lane = 0; lane < width; ++lane) {
-      int e = static_cast<int>(first[lane]) + lane;
+      int e = first_element + static_cast<int>(first[lane]) + lane;
       if (e >= end) e = end - 1;  // lanes past the end repeat the last element
       if (step[lane] < smallest || (step[lane] == smallest && e < element)) {
         smallest = step[lane];
@@ -212,7 +216,7 @@ struct AdvanceChunk {
 
 template <class Material, HexKind Kind>
 void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
-                   const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                   const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
                    const ChunkResults& results) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
@@ -224,6 +228,6 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlo
 /// Compiles advance_block for a material and a kind of element.
 #define PERCUSS_COMPILE_ADVANCE(MATERIAL, KIND)                                                    \
   template void advance_block(const ExecSpace&, const HexChunks&, const HexBlock<MATERIAL, KIND>&, \
-                              const ElementMotion&, const Array<double>&, const Rows3<double>&, const ChunkResults&);
+                              const ElementMotion&, const Array<Real>&, const Rows3<double>&, const ChunkResults&);
 
 }  // namespace percuss

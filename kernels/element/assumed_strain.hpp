@@ -83,12 +83,12 @@ PERCUSS_FORCE_INLINE void add_plate(int i, const PlateModuli& moduli, const Elem
   const Vector3<T>&u1 = u.mode[plate.first_mode], &u2 = u.mode[plate.second_mode];
   const T m11 = axes.square[plate.first], m22 = axes.square[plate.second];
   const T i11 = scale * m22, i22 = scale * m11, i12 = -(scale * axes.product[i]);
-  const T e11 = dot(u1, g1), e22 = dot(u2, g2), e12 = T(0.5) * (dot(u1, g2) + dot(u2, g1));
+  const T e11 = dot(u1, g1), e22 = dot(u2, g2), e12 = number<T>(0.5) * (dot(u1, g2) + dot(u2, g1));
   // columns of M^-1 E
   const T w11 = i11 * e11 + i12 * e12, w12 = i11 * e12 + i12 * e22;
   const T w21 = i12 * e11 + i22 * e12, w22 = i12 * e12 + i22 * e22;
-  const T spread = T(moduli.poisson / (1 - moduli.poisson)) * (w11 + w22);
-  const T size = T(moduli.plane * (1 - moduli.poisson)) * third_volume;
+  const T spread = number<T>(moduli.poisson / (1 - moduli.poisson)) * (w11 + w22);
+  const T size = number<T>(moduli.plane * (1 - moduli.poisson)) * third_volume;
   const T s11 = size * (spread * i11 + (w11 * i11 + w12 * i12));
   const T s22 = size * (spread * i22 + (w21 * i12 + w22 * i22));
   const T s12 = size * (spread * i12 + (w11 * i12 + w12 * i22));
@@ -108,7 +108,7 @@ PERCUSS_FORCE_INLINE HourglassResponse<T> find_assumed_strain_response(const Pla
   const Vector3<T> zero{T(0), T(0), T(0)};
   HourglassResponse<T> out{{{zero, zero, zero, zero}}, T(0)};
   T bound[3] = {T(0), T(0), T(0)};
-  const T third_volume = T(1.0 / 3.0) * volume;
+  const T third_volume = number<T>(1.0 / 3.0) * volume;
   T determinant[3], scale[3];
   for (int i = 0; i < 3; ++i) {
     const Plate plate = find_plate(i);
@@ -116,13 +116,13 @@ PERCUSS_FORCE_INLINE HourglassResponse<T> find_assumed_strain_response(const Pla
   }
   find_reciprocals(determinant, scale);
   for (int i = 0; i < 3; ++i) add_plate(i, moduli, axes, scale[i], third_volume, u, out.force, bound);
-  const T rod = T(moduli.young / 9) * volume;
+  const T rod = number<T>(moduli.young / 9) * volume;
   for (int k = 0; k < 3; ++k) {
     const T inverse = axes.inverse_square[k];
     out.force.mode[3] = out.force.mode[3] + (rod * dot(u.mode[3], axes.g[k]) * (inverse * inverse)) * axes.g[k];
   }
   // A plate's strain in orthonormal axes is at most |u|^2 times the largest eigenvalue of M^-1 (Gershgorin).
-  const T plates = T(moduli.largest) * third_volume * larger(larger(bound[0], bound[1]), bound[2]);
+  const T plates = number<T>(moduli.largest) * third_volume * larger(larger(bound[0], bound[1]), bound[2]);
   const T rods = rod * (axes.inverse_square[0] + axes.inverse_square[1] + axes.inverse_square[2]);
   out.stiffness = larger(plates, rods);
   return out;
@@ -141,7 +141,7 @@ PERCUSS_FORCE_INLINE T find_surface_stress_square(const ElementAxes<T>& axes, co
     const T t11 = dot(q1, g1), t22 = dot(q2, g2), t12 = dot(q1, g2), t21 = dot(q2, g1);
     const T m1 = axes.square[plate.first], m2 = axes.square[plate.second];
     sum = sum + t11 * t11 + t22 * t22 - t11 * t22 +
-          T(1.5) *
+          number<T>(1.5) *
               (t12 * t12 * m1 * axes.inverse_square[plate.second] + t21 * t21 * m2 * axes.inverse_square[plate.first]);
   }
   const T scale = T(192) * (T(1) / (T(64) * volume));

@@ -1,7 +1,7 @@
 #pragma once
 // Linear and quadratic bulk viscosity (von Neumann and Richtmyer 1950; Landshoff 1955), as a pressure.
 
-#include "kernels/core/simd.hpp"
+#include "kernels/core/short_scalar.hpp"
 
 namespace percuss {
 
@@ -23,8 +23,8 @@ template <class T>
 PERCUSS_FORCE_INLINE ViscousPressure<T> find_viscous_pressure(const BulkViscosity& b, const T& density, const T& length,
                                                               const T& speed, const T& trace_d) {
   const T compression = larger(-trace_d, T(0));
-  const T linear = T(b.linear) * speed;
-  const T quadratic = T(b.quadratic * b.quadratic) * length * compression;
+  const T linear = number<T>(b.linear) * speed;
+  const T quadratic = number<T>(b.quadratic * b.quadratic) * length * compression;
   const T scale = density * length;
   return {scale * (quadratic * compression - linear * trace_d), scale * (linear + T(2) * quadratic)};
 }

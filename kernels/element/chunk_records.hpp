@@ -8,29 +8,33 @@
 #include <cstring>
 #include <utility>
 
-#include "kernels/core/transpose.hpp"
+#include "kernels/core/precision.hpp"
+#include "kernels/core/short_transpose.hpp"
 #include "kernels/core/views.hpp"
+#include "kernels/core/widen.hpp"
 #include "kernels/element/modes.hpp"
 
 namespace percuss {
 
 using Lanes = Pack<double>;             // one element a lane
-inline constexpr int node_record = 8;   // x, y, z, -, vx, vy, vz, -: one cache line
-inline constexpr int force_record = 4;  // fx, fy, fz, -
+using HexLanes = Pack<Real>;            // the same in the precision of the hexahedra
+inline constexpr int node_record = 8;   // x, y, z, -, vx, vy, vz, -: one cache line of doubles
+inline constexpr int force_record = 4;  // fx, fy, fz, -, in double whatever the elements work in
 
 /// Modes of a vector field of the pack's elements, from the chunk's node records. A call, as its results go to memory
 /// anyhow: there are more of them than registers.
-PERCUSS_NO_INLINE inline void gather_modes(const double* nodes, const std::uint16_t* corners,
-                                           VectorModes<Lanes>& modes) {
-  constexpr int width = pack_size<double>;
-  Lanes u[3][8];
+template <class Scalar>
+PERCUSS_NO_INLINE void gather_modes(const Scalar* nodes, const std::uint16_t* corners,
+                                    VectorModes<Pack<Scalar>>& modes) {
+  constexpr int width = pack_size<Scalar>;
+  Pack<Scalar> u[3][8];
   // one after the other and not in a loop, so that u stays in registers
   const auto gather_corner = [&](auto i) {
-    const double* records[width];
+    const Scalar* records[width];
     for (int lane = 0; lane < width; ++lane) {
       records[lane] = nodes + node_record * static_cast<std::size_t>(corners[i * width + lane]);
     }
-    Lanes packs[3];
+    Pack<Scalar> packs[3];
     transpose_to_packs(records, packs);
     for (int k = 0; k < 3; ++k) u[k][i] = packs[k];
   };
@@ -56,37 +60,76 @@ PERCUSS_NO_INLINE inline void scatter_forces(const Lanes (&f)[3][8], const std::
   }
 }
 
+/// The same of forces by mode, as elements in float leave them: turned to corners and added in double, so that those of
+/// an element add up to nothing.
+PERCUSS_NO_INLINE inline void scatter_forces(const Pack<float> (&f)[3][8], const std::uint16_t* corners, int lanes,
+                                             double* forces) {
+  constexpr int width = pack_size<double>, all = pack_size<float>;
+  visit_parts<Pack<float>>([&](auto part) {
+    alignas(64) double records[8][width][4];
+    Lanes u[3][8];
+    for (int k = 0; k < 3; ++k) {
+      for (int m = 0; m < 8; ++m) u[k][m] = widen<part>(f[k][m]);
+      to_corners(u[k]);
+    }
+    for (int i = 0; i < 8; ++i) {
+      const Lanes packs[3] = {u[0][i], u[1][i], u[2][i]};
+      transpose_to_records(packs, records[i]);
+    }
+    constexpr int first = part * width;
+    for (int lane = 0; lane < width && first + lane < lanes; ++lane) {
+      for (int i = 0; i < 8; ++i) {
+        subtract_record(records[i][lane],
+                        forces + force_record * static_cast<std::size_t>(corners[i * all + first + lane]));
+      }
+    }
+  });
+}
+
 using ChunkPolicy = Kokkos::TeamPolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>;
 using ChunkMember = ChunkPolicy::member_type;
 
-/// Records of a chunk's slots in a team's scratch memory: NodeSize and ForceSize scalars a slot, each list on a cache
-/// line of its own.
-template <int NodeSize, int ForceSize>
+/// Records of a chunk's slots in a team's scratch memory: NodeSize Scalars and ForceSize doubles a slot, each list on a
+/// cache line of its own.
+template <int NodeSize, int ForceSize, class Scalar = double>
 struct ChunkScratch {
-  double* nodes;
+  Scalar* nodes;
   double* forces;
 
   KOKKOS_FUNCTION ChunkScratch(const ChunkMember& member, int slot_count)
-      : nodes(take(member, slot_count * NodeSize)), forces(take(member, slot_count * ForceSize)) {}
+      : nodes(take<Scalar>(member, slot_count * NodeSize)), forces(take<double>(member, slot_count * ForceSize)) {}
 
-  static KOKKOS_FUNCTION double* take(const ChunkMember& member, int scalars) {
-    return static_cast<double*>(
-        member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(scalars) * sizeof(double), 64));
+  template <class T>
+  static KOKKOS_FUNCTION T* take(const ChunkMember& member, int scalars) {
+    return static_cast<T*>(member.team_scratch(0).get_shmem_aligned(static_cast<std::size_t>(scalars) * sizeof(T), 64));
   }
 
   /// One team a chunk, `count` of them, the largest of which has so many slots.
   static ChunkPolicy make_policy(const ExecSpace& space, int count, int largest_slot_count) {
     const std::size_t bytes =
-        (static_cast<std::size_t>(largest_slot_count) * (NodeSize + ForceSize) + 8) * sizeof(double) + 128;
+        static_cast<std::size_t>(largest_slot_count) * (NodeSize * sizeof(Scalar) + ForceSize * sizeof(double)) +
+        8 * sizeof(double) + 128;
     ChunkPolicy policy(space, count, 1);
     policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(bytes))).set_chunk_size(1);
     return policy;
   }
 };
-using HexScratch = ChunkScratch<node_record, force_record>;
+using HexScratch = ChunkScratch<node_record, force_record, Real>;
 
 /// Three numbers: a row of a view, or a record without its padding.
 PERCUSS_FORCE_INLINE void copy_row(const double* from, double* to) { std::memcpy(to, from, 3 * sizeof(double)); }
+
+/// A row of positions or velocities into a chunk's record of it, where a float holds what is left of it about `origin`,
+/// a row of a node of the chunk: its digits go into shape and not into place.
+PERCUSS_FORCE_INLINE void fill_row(const double* from, const double* /*origin*/, double* to) { copy_row(from, to); }
+PERCUSS_FORCE_INLINE void fill_row(const double* from, const double* origin, float* to) {
+#ifdef __AVX512VL__  // three of four lanes, without a look beyond the row
+  const __m256d row = _mm256_maskz_loadu_pd(7, from), center = _mm256_maskz_loadu_pd(7, origin);
+  _mm_store_ps(to, _mm256_cvtpd_ps(_mm256_sub_pd(row, center)));
+#else
+  for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(from[k] - origin[k]);
+#endif
+}
 
 /// Whether the bits of three numbers are those of +0. (The sign of a zero could reach the bits of the state.)
 PERCUSS_FORCE_INLINE bool is_plain_zero(const double* row) {

@@ -6,14 +6,14 @@ namespace percuss {
 
 namespace {
 
-constexpr int width = pack_size<double>;
+constexpr int width = pack_size<Real>;
 
 template <class Material, HexKind Kind>
 struct ProbeChunk {
   HexChunks chunks;
   HexBlock<Material, Kind> block;
   ElasticProbe probe;
-  Array<double> state;
+  Array<Real> state;
   ChunkResults results;
   Rows3<double> slot_force;
 
@@ -22,58 +22,61 @@ struct ProbeChunk {
     const int first_slot = chunks.first_slot(c);
     const int slot_count = chunks.first_slot(c + 1) - first_slot;
     const HexScratch scratch(member, slot_count);
-    double* const nodes = scratch.nodes;
+    Real* const nodes = scratch.nodes;
     double* const forces = scratch.forces;
+    const std::size_t middle = 3 * static_cast<std::size_t>(chunks.slots_to_nodes(first_slot + slot_count / 2));
     for (int s = 0; s < slot_count; ++s) {
       const std::size_t n = 3 * static_cast<std::size_t>(chunks.slots_to_nodes(first_slot + s));
-      copy_row(probe.x.data() + n, nodes + node_record * s);
-      copy_row(probe.u.data() + n, nodes + node_record * s + 4);
+      fill_row(probe.x.data() + n, probe.x.data() + middle, nodes + node_record * s);
+      fill_row(probe.u.data() + n, probe.u.data() + middle, nodes + node_record * s + 4);
       for (int k = 0; k < force_record; ++k) forces[force_record * s + k] = 0;
     }
     // A called material tells its moduli with the bound alone.
     if constexpr (is_called<Material>) {
-      add_bound(c, nodes, forces);
+      add_bound(c, forces);
     } else if (results.stable_step(c) > probe.coarse) {
-      add_bound(c, nodes, forces);
+      add_bound(c, forces);
     } else {
       probe_packs(c, nodes, forces);
     }
     for (int s = 0; s < slot_count; ++s) copy_row(forces + force_record * s, &slot_force(first_slot + s, 0));
   }
 
-  KOKKOS_FUNCTION const double* find_record(int c, int pack) const {
+  KOKKOS_FUNCTION const Real* find_record(int c, int pack) const {
     return &state(chunks.first_state(c)) + static_cast<std::size_t>(pack * chunks.record_size(c) * width);
   }
   KOKKOS_FUNCTION const std::uint16_t* find_corners(int c, int pack) const {
     return &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c) + pack) * 8 * width);
   }
 
-  KOKKOS_FUNCTION void probe_packs(int c, const double* nodes, double* forces) const {
+  KOKKOS_FUNCTION void probe_packs(int c, const Real* nodes, double* forces) const {
     const HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
     const int count = chunks.first_element(c + 1) - chunks.first_element(c);
     for (int i = 0; i * width < count; ++i) {
       const std::uint16_t* corners = find_corners(c, i);
-      VectorModes<Lanes> a, u;
+      VectorModes<HexLanes> a, u;
       gather_modes(nodes, corners, a);
       gather_modes(nodes + 4, corners, u);
-      const double* record = find_record(c, i);
-      const ProbedElement<Lanes> element{load_pack(record + HexRecord::mass * width),
-                                         load_pack(record + HexRecord::viscous_pressure * width), Lanes(probe.step)};
-      Lanes f[3][8];
+      const Real* record = find_record(c, i);
+      const ProbedElement<HexLanes> element{load_pack(record + HexRecord::mass * width),
+                                            load_pack(record + HexRecord::viscous_pressure * width),
+                                            HexLanes(static_cast<Real>(probe.step))};
+      HexLanes f[3][8];
       probe_hex8<Kind>(parameters, a, u, element, f[0], f[1], f[2]);
       scatter_forces(f, corners, count - i * width < width ? count - i * width : width, forces);
     }
   }
 
   /// Each corner has an eighth of its element's mass.
-  KOKKOS_FUNCTION void add_bound(int c, const double* nodes, double* forces) const {
+  KOKKOS_FUNCTION void add_bound(int c, double* forces) const {
     const double ratio = probe.step / results.stable_step(c);
     const int count = chunks.first_element(c + 1) - chunks.first_element(c);
     for (int e = 0; e < count; ++e) {
       const double share = 0.125 * ratio * ratio * find_record(c, e / width)[HexRecord::mass * width + e % width];
       for (int i = 0; i < 8; ++i) {
         const int s = find_corners(c, e / width)[i * width + e % width];
-        for (int k = 0; k < 3; ++k) forces[force_record * s + k] -= share * nodes[node_record * s + 4 + k];
+        const std::size_t n = static_cast<std::size_t>(chunks.slots_to_nodes(chunks.first_slot(c) + s));
+        for (int k = 0; k < 3; ++k) forces[force_record * s + k] -= share * probe.u(n, k);
       }
     }
   }
@@ -81,7 +84,7 @@ struct ProbeChunk {
 
 template <class Material, HexKind Kind>
 void probe_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
-                 const ElasticProbe& probe, const Array<double>& state, const ChunkResults& results,
+                 const ElasticProbe& probe, const Array<Real>& state, const ChunkResults& results,
                  const Rows3<double>& slot_force) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
@@ -94,7 +97,7 @@ void probe_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock
 }  // namespace
 
 void apply_elastic_operator(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
-                            const ElasticProbe& probe, const Array<double>& state, const ChunkResults& results,
+                            const ElasticProbe& probe, const Array<Real>& state, const ChunkResults& results,
                             const Rows3<double>& slot_force) {
   std::apply([&](const auto&... block) { (probe_block(space, chunks, block, probe, state, results, slot_force), ...); },
              blocks);

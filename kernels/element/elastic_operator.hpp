@@ -21,7 +21,7 @@ struct ElasticProbe {
 /// slot_force: out, minus the chunks' share of A(h) u. state: element records at n. results: of the evaluation at n.
 /// Where `coarse` allows it a chunk counts as (h / bound)^2 m u, which is an upper bound of its A(h).
 void apply_elastic_operator(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
-                            const ElasticProbe& probe, const Array<double>& state, const ChunkResults& results,
+                            const ElasticProbe& probe, const Array<Real>& state, const ChunkResults& results,
                             const Rows3<double>& slot_force);
 
 /// What an element brings along besides its geometry.
@@ -37,8 +37,8 @@ struct ProbedElement {
 template <class T>
 PERCUSS_FORCE_INLINE T find_viscous_tangent(const BulkViscosity& b, const T& density, const T& length, const T& speed,
                                             const T& pressure) {
-  const T linear = T(b.linear) * speed;
-  const T quadratic = T(4 * b.quadratic * b.quadratic) * larger(pressure, T(0)) * (T(1) / density);
+  const T linear = number<T>(b.linear) * speed;
+  const T quadratic = number<T>(4 * b.quadratic * b.quadratic) * larger(pressure, T(0)) * (T(1) / density);
   return density * length * square_root(linear * linear + quadratic);
 }
 
@@ -47,7 +47,7 @@ template <HexKind Kind, class T, class Material>
 PERCUSS_FORCE_INLINE HourglassModes<T> probe_hourglass(const HexParameters<Material>& par, const VectorModes<T>& a,
                                                        const VolumeGradient<T>& b, const T& gradient_square,
                                                        const ProbedElement<T>& element, const HourglassModes<T>& u) {
-  const T elastic = T(0.25) * element.step * element.step;
+  const T elastic = number<T>(0.25) * element.step * element.step;
   HourglassModes<T> q;
   if constexpr (Kind == HexKind::assumed_strain) {
     const ElementAxes<T> axes = find_element_axes(a);
@@ -63,7 +63,7 @@ PERCUSS_FORCE_INLINE HourglassModes<T> probe_hourglass(const HexParameters<Mater
     if constexpr (Kind == HexKind::stiffness) {
       share = elastic * find_hourglass_stiffness(gradient_square, b.volume, par.mu, par.hourglass);
     } else {
-      share = T(0.5) * element.step *
+      share = number<T>(0.5) * element.step *
               find_hourglass_viscosity(gradient_square, b.volume, element.mass, par.mu, par.hourglass);
     }
     for (int h = 0; h < 4; ++h) q.mode[h] = share * u.mode[h];
@@ -75,7 +75,7 @@ PERCUSS_FORCE_INLINE HourglassModes<T> probe_hourglass(const HexParameters<Mater
 template <class T>
 PERCUSS_FORCE_INLINE VectorModes<T> probe_points(double mu, const VectorModes<T>& a, const VectorModes<T>& u,
                                                  const T& elastic) {
-  const T third = T(1.0 / 3.0), shear = T(2 * mu) * elastic;
+  const T third = number<T>(1.0 / 3.0), shear = number<T>(2 * mu) * elastic;
   VectorModes<T> force;
   for (int m = 1; m <= 7; ++m) force[m] = {T(0), T(0), T(0)};
   for (int p = 0; p < 8; ++p) {
@@ -96,20 +96,20 @@ PERCUSS_FORCE_INLINE void probe_hex8(const HexParameters<Material>& par, const V
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
   const T density = element.mass * (T(1) / b.volume);
-  const T speed = square_root(T(par.lambda + 2 * par.mu) * (T(1) / density));
-  const T elastic = T(0.25) * element.step * element.step;
+  const T speed = square_root(number<T>(par.lambda + 2 * par.mu) * (T(1) / density));
+  const T elastic = number<T>(0.25) * element.step * element.step;
   const Matrix3<T> l = find_velocity_gradient(u, b);
   const Symmetric3<T> d = symmetric_part(l);
   const T viscous =
-      T(0.5) * element.step *
+      number<T>(0.5) * element.step *
       find_viscous_tangent(par.viscosity, density, find_thickness(size, b.volume), speed, element.viscous_pressure);
   if constexpr (Kind == HexKind::full) {
-    const T bulk = T(par.lambda + 2 * par.mu / 3) * elastic + viscous;
+    const T bulk = number<T>(par.lambda + 2 * par.mu / 3) * elastic + viscous;
     find_full_forces(probe_points(par.mu, a, u, elastic), identity_matrix<T>(), bulk * trace(d), b, fx, fy, fz);
   } else {
-    const T pressure = (T(par.lambda) * elastic + viscous) * trace(d);
+    const T pressure = (number<T>(par.lambda) * elastic + viscous) * trace(d);
     const Symmetric3<T> t =
-        (T(2 * par.mu) * elastic) * d + Symmetric3<T>{pressure, pressure, pressure, T(0), T(0), T(0)};
+        (number<T>(2 * par.mu) * elastic) * d + Symmetric3<T>{pressure, pressure, pressure, T(0), T(0), T(0)};
     const HourglassModes<T> q = probe_hourglass<Kind>(par, a, b, size.trace, element, find_hourglass_rates(u, a, l));
     find_corner_forces(t, q, a, b, fx, fy, fz);
   }

@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "kernels/core/precision.hpp"
 #include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
 
@@ -55,8 +56,8 @@ struct ElementLives {
   static constexpr int whole = -1;
   static constexpr double dead = -1;
 
-  Array<double> force_share;     // [lanes] share of the force at the next evaluation; `dead`
-  Array<double> work_share;      // [lanes] share of the work of the step up to there
+  Array<Real> force_share;       // [lanes] share of the force at the next evaluation; `dead`
+  Array<Real> work_share;        // [lanes] share of the work of the step up to there
   Array<double> work;            // [packs][3][W] internal, hourglass and viscous work put in since the start
   Array<int> steps_left;         // [lanes] evaluations until the force is gone; `whole`; 0: dead
   Array<double> plastic_strain;  // [lanes] at n

@@ -6,28 +6,28 @@ namespace percuss {
 
 namespace {
 
-constexpr int width = pack_size<double>;
+constexpr int width = pack_size<Real>;
 
 /// The chunk's records, and where its lanes begin among those that can fail.
 struct FailingRecords {
-  double* records;
+  Real* records;
   int record_size;
   int first_lane;
   int packs;
 
-  KOKKOS_INLINE_FUNCTION double* find(int i) const {
+  KOKKOS_INLINE_FUNCTION Real* find(int i) const {
     return records + static_cast<std::size_t>(i / width) * static_cast<std::size_t>(record_size) * width + i % width;
   }
 };
 
 KOKKOS_INLINE_FUNCTION FailingRecords find_records(const HexChunks& chunks, const FailingChunks& failing,
-                                                   const Array<double>& elements, int c) {
+                                                   const Array<Real>& elements, int c) {
   return {&elements(chunks.first_state(c)), chunks.record_size(c), failing.first_pack(c) * width,
           chunks.first_pack(c + 1) - chunks.first_pack(c)};
 }
 
 /// Six scalars of a record, their mean over points that follow each other.
-KOKKOS_INLINE_FUNCTION Symmetric3<double> read_tensor(const double* record, int first, int points) {
+KOKKOS_INLINE_FUNCTION Symmetric3<double> read_tensor(const Real* record, int first, int points) {
   double mean[6];
   for (int k = 0; k < 6; ++k) {
     double sum = 0;
@@ -38,14 +38,14 @@ KOKKOS_INLINE_FUNCTION Symmetric3<double> read_tensor(const double* record, int 
 }
 
 /// A scalar of the history, the mean over the points; 0 where there is none.
-KOKKOS_INLINE_FUNCTION double read_scalar(const double* record, int first, int points) {
+KOKKOS_INLINE_FUNCTION double read_scalar(const Real* record, int first, int points) {
   double mean = 0;
-  for (int p = 0; first >= 0 && p < points; ++p) mean += record[(first + p) * width] / points;
+  for (int p = 0; first >= 0 && p < points; ++p) mean += double{record[(first + p) * width]} / points;
   return mean;
 }
 
 KOKKOS_INLINE_FUNCTION ElementLoad read_load(const HexChunks& chunks, int c, const FailureLimits& limits,
-                                             const double* record) {
+                                             const Real* record) {
   const int points = chunks.points(c), strain = chunks.find_scalar(c, HistoryScalar::equivalent_plastic_strain);
   ElementLoad load;
   load.stress = read_tensor(record, HexRecord::stress, points);
@@ -63,8 +63,8 @@ KOKKOS_INLINE_FUNCTION ElementLoad read_load(const HexChunks& chunks, int c, con
 KOKKOS_INLINE_FUNCTION void set_left(const ElementLives& lives, int lane, int left, const FailureLimits& limits) {
   const LifeShares shares = find_life_shares(left, limits.fade_steps);
   lives.steps_left(lane) = left;
-  lives.force_share(lane) = shares.force;
-  lives.work_share(lane) = shares.work;
+  lives.force_share(lane) = static_cast<Real>(shares.force);
+  lives.work_share(lane) = static_cast<Real>(shares.work);
 }
 
 /// One element: whole, failing, taken out by its evaluation, or dead. Returns whether anything has changed.
@@ -98,7 +98,7 @@ KOKKOS_INLINE_FUNCTION void repeat_living_lanes(const ElementLives& lives, const
     int living = 0;
     while (living < width && lives.steps_left(first + living) == 0) ++living;
     if (living == width) continue;
-    double* const record = of.find(p * width);
+    Real* const record = of.find(p * width);
     for (int lane = 0; lane < width; ++lane) {
       if (lives.steps_left(first + lane) != 0) continue;
       for (int s = 0; s < of.record_size; ++s) record[s * width + lane] = record[s * width + living];
@@ -127,7 +127,7 @@ KOKKOS_INLINE_FUNCTION void end_lanes_past_end(const ElementLives& lives, const 
 }  // namespace
 
 FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing, double dt,
-                            const Array<double>& elements, const ElementLives& lives, const ChunkResults& results) {
+                            const Array<Real>& elements, const ElementLives& lives, const ChunkResults& results) {
   FailureCounts counts;
   Kokkos::parallel_reduce(
       "percuss::find_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
@@ -155,7 +155,7 @@ FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, con
 }
 
 void copy_into_dead_lanes(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing,
-                          const ElementLives& lives, const Array<double>& elements) {
+                          const ElementLives& lives, const Array<Real>& elements) {
   Kokkos::parallel_for(
       "percuss::copy_into_dead_lanes", Range(space, 0, static_cast<int>(failing.list.extent(0))),
       KOKKOS_LAMBDA(const int i) {

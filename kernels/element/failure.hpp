@@ -16,10 +16,10 @@ struct FailureCounts {
 /// n+1. lives: in and out. results: chunks in which anything changed are no longer settled. Dead lanes of a pack become
 /// copies of a lane that lives.
 FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing, double dt,
-                            const Array<double>& elements, const ElementLives& lives, const ChunkResults& results);
+                            const Array<Real>& elements, const ElementLives& lives, const ChunkResults& results);
 
 /// The copies alone, for records from elsewhere.
 void copy_into_dead_lanes(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing,
-                          const ElementLives& lives, const Array<double>& elements);
+                          const ElementLives& lives, const Array<Real>& elements);
 
 }  // namespace percuss

@@ -22,7 +22,7 @@ PERCUSS_FORCE_INLINE GaussPoint find_gauss_point(int p) {
 /// 8 times the derivatives by xi, eta, zeta of the field with the modes a.
 template <class T>
 PERCUSS_FORCE_INLINE void find_derivatives(const VectorModes<T>& a, const GaussPoint& at, Vector3<T> (&d)[3]) {
-  const T xi(at.xi), eta(at.eta), zeta(at.zeta);
+  const T xi = number<T>(at.xi), eta = number<T>(at.eta), zeta = number<T>(at.zeta);
   d[0] = a[1] + eta * a[6] + zeta * (a[5] + eta * a[7]);
   d[1] = a[2] + xi * a[6] + zeta * (a[4] + xi * a[7]);
   d[2] = a[3] + eta * a[4] + xi * (a[5] + eta * a[7]);
@@ -48,7 +48,7 @@ PERCUSS_FORCE_INLINE PointGeometry<T> find_point_geometry(const VectorModes<T>& 
 template <class T>
 PERCUSS_FORCE_INLINE void add_point_force(const Symmetric3<T>& stress, const PointGeometry<T>& point,
                                           const GaussPoint& at, VectorModes<T>& f) {
-  const T xi(at.xi), eta(at.eta), zeta(at.zeta);
+  const T xi = number<T>(at.xi), eta = number<T>(at.eta), zeta = number<T>(at.zeta);
   const Vector3<T> t1 = stress * point.c[0], t2 = stress * point.c[1], t3 = stress * point.c[2];
   f[1] = f[1] + t1;
   f[2] = f[2] + t2;
@@ -79,7 +79,7 @@ struct PointMetrics {
 /// Upper bound of the largest eigenvalue of a symmetric 4x4 matrix, from its trace and the sum of its squares.
 template <class T>
 PERCUSS_FORCE_INLINE T bound_largest_of_four(const T& sum, const T& square) {
-  return T(0.25) * sum + square_root(T(0.75) * larger(square - T(0.25) * sum * sum, T(0)));
+  return number<T>(0.25) * sum + square_root(number<T>(0.75) * larger(square - number<T>(0.25) * sum * sum, T(0)));
 }
 
 /// Upper bound of the largest eigenvalue of H_IJ = sum_p det J grad N_I . grad N_J. m: 8 times the metrics;
@@ -97,7 +97,7 @@ PERCUSS_FORCE_INLINE T bound_largest_laplacian(PointMetrics<T>& m) {
   to_modes(m.xy);
   to_modes(m.yz);
   to_modes(m.zx);
-  const T third(1.0 / 3.0), r(0.57735026918962576451);
+  const T third = number<T>(1.0 / 3.0), r = number<T>(0.57735026918962576451);
   const T linear = bound_largest_eigenvalue(Symmetric3<T>{m.xx[0], m.yy[0], m.zz[0], m.xy[0], m.yz[0], m.zx[0]});
   // C by columns eta zeta, zeta xi, xi eta (each r), xi eta zeta (r^2)
   const Vector3<T> c4{m.xy[3] + m.zx[2], m.yy[3] + m.yz[2], m.yz[3] + m.zz[2]};
@@ -117,8 +117,8 @@ PERCUSS_FORCE_INLINE T bound_largest_laplacian(PointMetrics<T>& m) {
   const T square = d44 * d44 + d55 * d55 + d66 * d66 + d77 * d77 +
                    T(2) * (d45 * d45 + d46 * d46 + d56 * d56 + d47 * d47 + d57 * d57 + d67 * d67);
   const T bilinear = third * bound_largest_of_four(d44 + d55 + d66 + d77, square);
-  const T half = T(0.5), difference = half * (linear - bilinear);
-  return T(1.0 / 64.0) * (half * (linear + bilinear) + square_root(difference * difference + coupling));
+  const T half = number<T>(0.5), difference = half * (linear - bilinear);
+  return number<T>(1.0 / 64.0) * (half * (linear + bilinear) + square_root(difference * difference + coupling));
 }
 
 }  // namespace percuss

@@ -21,6 +21,7 @@ struct HexState {
   Polar<T> polar;                                            // R and V at n
   Symmetric3<T> stress;                                      // Cauchy, unrotated, at n
   [[no_unique_address]] StoredHourglass<T, Kind> hourglass;  // Q at n
+  [[no_unique_address]] StressRestsOf<T, 1> stress_rest;     // in float
   [[no_unique_address]] MaterialHistory<T, Material, 1> history;
 };
 
@@ -47,13 +48,24 @@ struct HexResult {
   T volume;       // at n+1; not positive: the element is inverted
 };
 
+/// Forces by corner from those by mode. In float they stay by mode: who adds them up turns them to corners in double,
+/// where those of an element add up to nothing to the last digit of a double.
+template <class T>
+PERCUSS_FORCE_INLINE void finish_forces(T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
+  if constexpr (!is_short<T>) {
+    to_corners(fx);
+    to_corners(fy);
+    to_corners(fz);
+  }
+}
+
 /// Corner forces from Cauchy stress t and hourglass forces q on the end geometry; x, y, z hold them by corner.
 /// Power balance: sum_I f_I . v_I = V t:D + sum_h Q_h . u_h, and sum_I x_I cross f_I = 0.
 template <class T>
 PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& t, const HourglassModes<T>& q,
                                              const VectorModes<T>& a, const VolumeGradient<T>& b, T (&fx)[8],
                                              T (&fy)[8], T (&fz)[8]) {
-  const T over_64 = T(1.0 / 64.0), over_64_volumes = over_64 * (T(1) / b.volume);
+  const T over_64 = number<T>(1.0 / 64.0), over_64_volumes = over_64 * (T(1) / b.volume);
   Matrix3<T> p{{q.mode[0].x * a[4], q.mode[0].y * a[4], q.mode[0].z * a[4]}};
   for (int h = 1; h < 4; ++h) {
     p.row[0] = p.row[0] + q.mode[h].x * a[4 + h];
@@ -74,9 +86,7 @@ PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& t, const Hourg
     fy[4 + h] = fy[4 + h] + q.mode[h].y;
     fz[4 + h] = fz[4 + h] + q.mode[h].z;
   }
-  to_corners(fx);
-  to_corners(fy);
-  to_corners(fz);
+  finish_forces(fx, fy, fz);
 }
 
 /// What a material is told of the step, and lambda + 2 mu at n.
@@ -92,33 +102,34 @@ template <class T, class Material, class State>
 PERCUSS_FORCE_INLINE ToldMotion<T> tell_motion(const HexParameters<Material>& par, const VectorModes<T>& a,
                                                [[maybe_unused]] const State& state, const StepMotion<T>& step,
                                                const T& dt) {
-  ToldMotion<T> told{{step.de, dt, T(1), T(1), T(0), par.time}, T(par.lambda + 2 * par.mu)};
+  ToldMotion<T> told{{step.de, dt, T(1), T(1), T(0), par.time}, number<T>(par.lambda + 2 * par.mu)};
   if constexpr (is_called<Material>) {
     const VolumeGradient<T> b = find_volume_gradient(a);
     told.modulus = find_longitudinal_modulus<T>(state.history);
     told.point.length = find_thickness(find_gradient_size(b), b.volume);
-    told.point.volume_ratio = T(par.material.density) * b.volume / state.mass;
+    told.point.volume_ratio = number<T>(par.material.density) * b.volume / state.mass;
     const T density = state.mass * (T(1) / b.volume),
             speed = square_root(told.modulus * b.volume * (T(1) / state.mass));
     const T pressure = find_viscous_pressure(par.viscosity, density, told.point.length, speed, step.trace_d).pressure;
-    told.point.viscosity = T(0.5) * (state.viscous_pressure + pressure);
+    told.point.viscosity = number<T>(0.5) * (state.viscous_pressure + pressure);
   }
   return told;
 }
 
 /// Advances the element from n to n+1. a, v: modes of x(n+1) and v(n+1/2). fx, fy, fz: out, the internal forces by
-/// corner (they resist the motion: the node feels their negative). With dt = 0 it evaluates forces and step only.
+/// corner, in float by mode (they resist the motion: the node feels their negative). With dt = 0 it evaluates forces
+/// and step only.
 template <class T, class Material, HexKind Kind>
 PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
                                                const VectorModes<T>& v, const T& dt, HexState<T, Material, Kind>& state,
                                                T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
-  const T half = T(0.5);
+  const T half = number<T>(0.5);
   const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
 
   // stress
   const Symmetric3<T> old_stress = state.stress;
   const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
-  const auto response = update_stress(par.material, state.stress, state.history, 0, told.point);
+  const auto response = update_stress(par.material, state.stress, state.stress_rest[0], state.history, 0, told.point);
   const auto moduli = find_moduli(par, response);
 
   // end geometry

@@ -11,10 +11,11 @@ namespace percuss {
 
 template <class T, class Material>
 struct HexState<T, Material, HexKind::full> {
-  T mass;                   // constant
-  T viscous_pressure;       // q at n, for the trapezoid of its work
-  Polar<T> polar;           // R and V of the mean gradient, at n
-  Symmetric3<T> stress[8];  // Cauchy, unrotated, at n, by point
+  T mass;                                                 // constant
+  T viscous_pressure;                                     // q at n, for the trapezoid of its work
+  Polar<T> polar;                                         // R and V of the mean gradient, at n
+  Symmetric3<T> stress[8];                                // Cauchy, unrotated, at n, by point
+  [[no_unique_address]] StressRestsOf<T, 8> stress_rest;  // in float
   [[no_unique_address]] MaterialHistory<T, Material, 8> history;
 };
 
@@ -47,18 +48,16 @@ PERCUSS_FORCE_INLINE Symmetric3<T> find_point_rate(const PointGeometry<T>& point
 template <class T>
 PERCUSS_FORCE_INLINE void find_full_forces(const VectorModes<T>& modes, const Matrix3<T>& rotation, const T& tension,
                                            const VolumeGradient<T>& b, T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
-  const T scale = T(1.0 / 64.0) * tension;
+  const T scale = number<T>(1.0 / 64.0) * tension;
   fx[0] = fy[0] = fz[0] = T(0);
   for (int m = 1; m <= 7; ++m) {
-    Vector3<T> f = T(1.0 / 512.0) * (rotation * modes[m]);
+    Vector3<T> f = number<T>(1.0 / 512.0) * (rotation * modes[m]);
     if (m <= 6) f = f + scale * b[m];
     fx[m] = f.x;
     fy[m] = f.y;
     fz[m] = f.z;
   }
-  to_corners(fx);
-  to_corners(fy);
-  to_corners(fz);
+  finish_forces(fx, fy, fz);
 }
 
 /// What the points give together. S: double, or T where moduli change.
@@ -83,14 +82,14 @@ template <class T, class Material>
 PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, const VectorModes<T>& a,
                                          const VectorModes<T>& v, const VectorModes<T>& middle, const Matrix3<T>& turn,
                                          const PointMotion<T>& mean, HexState<T, Material, HexKind::full>& state) {
-  const T third = T(1.0 / 3.0);
+  const T third = number<T>(1.0 / 3.0);
   const VectorModes<T> rates = pull_back(turn, v), end = pull_back(state.polar.rotation, a);
   const T trace_de = trace(mean.de);
   PointSums<T, std::conditional_t<is_called<Material>, T, double>> sums;
   sums.moduli = {{}, {}};
   for (int m = 1; m <= 7; ++m) sums.force[m] = {T(0), T(0), T(0)};
   sums.tension = sums.work = T(0);
-  sums.smallest_volume = T(1e300);
+  sums.smallest_volume = number<T>(beyond_all<T>);
   for (int p = 0; p < 8; ++p) {
     const GaussPoint at = find_gauss_point(p);
     const PointGeometry<T> mid_point = find_point_geometry(middle, at);
@@ -101,7 +100,7 @@ PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, con
     Symmetric3<T> stress = old_stress;
     PointMotion<T> motion = mean;
     motion.de = de;
-    const auto response = update_stress(par.material, stress, state.history, p, motion);
+    const auto response = update_stress(par.material, stress, state.stress_rest[p], state.history, p, motion);
     take_larger(sums.moduli, find_moduli(par, response));
     state.stress[p] = stress;
     sums.work = sums.work + mid_point.volume * contract(old_stress + stress, de);
@@ -115,8 +114,8 @@ PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, con
     sums.smallest_volume = smaller(sums.smallest_volume, point.volume);
     sums.metrics.set(p, point);
   }
-  sums.tension = T(1.0 / 512.0) * sums.tension;
-  sums.work = T(0.5 / 512.0) * sums.work;
+  sums.tension = number<T>(1.0 / 512.0) * sums.tension;
+  sums.work = number<T>(0.5 / 512.0) * sums.work;
   return sums;
 }
 
@@ -127,7 +126,7 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
                                                const VectorModes<T>& v, const T& dt,
                                                HexState<T, Material, HexKind::full>& state, T (&fx)[8], T (&fy)[8],
                                                T (&fz)[8]) {
-  const T half = T(0.5);
+  const T half = number<T>(0.5);
   const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
   const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
   auto points = advance_points(par, a, v, step.middle, half * step.rotations, told.point, state);
@@ -143,11 +142,11 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
 
   // 2 mu |dev D|^2 + K (tr D)^2 <= 2 mu |D|^2 + lambda (tr D)^2, as the mean dilatation has the smallest square
   const T frequency_square = T(8) / state.mass *
-                             (T(points.moduli.lambda) * size.trace / b.volume +
-                              T(2 * points.moduli.mu) * bound_largest_laplacian(points.metrics));
+                             (number<T>(points.moduli.lambda) * size.trace / b.volume +
+                              number<T>(2 * points.moduli.mu) * bound_largest_laplacian(points.metrics));
   return {{points.work, T(0), viscous_work},
           find_stable_step(frequency_square, find_damping_rate(size, b.volume, state.mass, viscous.tangent)),
-          T(1.0 / 64.0) * points.smallest_volume};
+          number<T>(1.0 / 64.0) * points.smallest_volume};
 }
 
 }  // namespace percuss

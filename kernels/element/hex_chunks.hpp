@@ -7,13 +7,14 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "kernels/core/precision.hpp"
 #include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
 #include "kernels/element/hex8_full.hpp"
 
 namespace percuss {
 
-/// Connectivity of the chunks; const after set-up. W is pack_size<double>.
+/// Connectivity of the chunks; const after set-up. W is pack_size<Real>.
 struct HexChunks {
   int count = 0;
   int largest_slot_count = 0;         // nodes of the chunk that has most
@@ -51,19 +52,27 @@ struct ChunkResults {
 template <HexKind Kind>
 inline constexpr int hex_points = Kind == HexKind::full ? 8 : 1;
 
-/// Where things lie in a record, in scalars of one lane: mass, q, R (9), V (6), stress (6) by point, then hourglass
-/// forces (12), then history: scalar i of point p at history + points i + p.
+/// Where things lie in a record, in scalars of one lane: mass, q, R (9), V (6), in float the rest of R (9), stress (6)
+/// by point, then hourglass forces (12), in float the rests of the stress, then history: scalar i of point p at history
+/// + points i + p, in float followed by its rests.
 struct HexRecord {
-  static constexpr int mass = 0, viscous_pressure = 1, rotation = 2, stretch = 11, stress = 17, hourglass = 23;
+  static constexpr int rest = is_single_precision ? 1 : 0;
+  static constexpr int mass = 0, viscous_pressure = 1, rotation = 2, stretch = 11, stress = 17 + 9 * rest;
   template <HexKind Kind>
   static constexpr bool keeps_hourglass = Kind == HexKind::assumed_strain || Kind == HexKind::stiffness;
   template <HexKind Kind>
-  static constexpr int history = stress + 6 * hex_points<Kind> + (keeps_hourglass<Kind> ? 12 : 0);
+  static constexpr int history = stress + 6 * hex_points<Kind>*(1 + rest) + (keeps_hourglass<Kind> ? 12 : 0);
+
+  /// Scalars that a record holds if its points have so many history variables.
+  template <HexKind Kind>
+  static constexpr int find_size(int count) {
+    return history<Kind> + hex_points<Kind> * (1 + rest) * count;
+  }
 };
 
 /// Scalars that one element's record holds, without and with one history variable: assumed strain and stiffness 35, 36;
-/// viscous 23, 24; 2x2x2 points 65, 73.
+/// viscous 23, 24; 2x2x2 points 65, 73. In float 50, 52; 38, 40; 122, 138.
 template <class Material, HexKind Kind>
-inline constexpr int hex_record_size = HexRecord::history<Kind> + hex_points<Kind>* Material::history_count;
+inline constexpr int hex_record_size = HexRecord::find_size<Kind>(Material::history_count);
 
 }  // namespace percuss

@@ -33,7 +33,7 @@ PERCUSS_FORCE_INLINE T find_power(const HourglassModes<T>& q, const HourglassMod
 template <class T>
 PERCUSS_FORCE_INLINE T find_hourglass_stiffness(const T& gradient_square, const T& volume, double mu,
                                                 double coefficient) {
-  return T(coefficient * mu / 4) * gradient_square * (T(1) / volume);
+  return number<T>(coefficient * mu / 4) * gradient_square * (T(1) / volume);
 }
 
 /// eta of the viscous form Q = eta u: the share k (`coefficient`) of the critical damping of an hourglass mode that has
@@ -41,7 +41,7 @@ PERCUSS_FORCE_INLINE T find_hourglass_stiffness(const T& gradient_square, const 
 template <class T>
 PERCUSS_FORCE_INLINE T find_hourglass_viscosity(const T& gradient_square, const T& volume, const T& mass, double mu,
                                                 double coefficient) {
-  return T(coefficient / 8) * square_root(T(mu) * mass * gradient_square / volume);
+  return number<T>(coefficient / 8) * square_root(number<T>(mu) * mass * gradient_square / volume);
 }
 
 /// Work of a step by the trapezoid: (Q(n) + Q(n+1)) . u dt / 2.
@@ -50,7 +50,7 @@ PERCUSS_FORCE_INLINE T find_hourglass_work(const HourglassModes<T>& old_q, const
                                            const HourglassModes<T>& u, const T& dt) {
   HourglassModes<T> sum;
   for (int h = 0; h < 4; ++h) sum.mode[h] = old_q.mode[h] + new_q.mode[h];
-  return T(0.5) * dt * find_power(sum, u);
+  return number<T>(0.5) * dt * find_power(sum, u);
 }
 
 }  // namespace percuss

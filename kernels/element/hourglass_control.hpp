@@ -5,6 +5,7 @@
 
 #include "kernels/element/assumed_strain.hpp"
 #include "kernels/element/hourglass.hpp"
+#include "kernels/element/kinematics.hpp"
 #include "kernels/element/material_point.hpp"
 
 namespace percuss {
@@ -18,7 +19,7 @@ struct HourglassMotion {
   const VectorModes<T>& middle;   // positions at n+1/2
   const VectorModes<T>& end;      // positions at n+1
   const HourglassModes<T>& rate;  // u at n+1/2
-  const Matrix3<T>& turn;         // R(n+1) = turn R(n)
+  const Matrix3<T>& turn;         // of PolarStep
   T dt;
 };
 
@@ -58,12 +59,12 @@ struct PlasticHourglass {
   T guard;
 
   PERCUSS_FORCE_INLINE T rate_share(const PlasticReturn<T>& plastic) const {
-    return larger(select(plastic.share < T(1), T(flowing), T(1)), guard);
+    return larger(select(plastic.share < T(1), number<T>(flowing), T(1)), guard);
   }
   PERCUSS_FORCE_INLINE T force_share(const PlasticReturn<T>& plastic, const T& surface_stress_square) const {
-    const T room = larger(larger(T(1) - plastic.loading, T(least_headroom)), guard);
-    const T most = T(headroom) * plastic.flow_stress * room;
-    return smaller(T(1), most / square_root(larger(surface_stress_square, T(1e-300))));
+    const T room = larger(larger(T(1) - plastic.loading, number<T>(least_headroom)), guard);
+    const T most = number<T>(headroom) * plastic.flow_stress * room;
+    return smaller(T(1), most / square_root(larger(surface_stress_square, number<T>(next_to_nothing<T>))));
   }
 };
 
@@ -72,7 +73,7 @@ struct PlasticHourglass {
 template <class T>
 PERCUSS_FORCE_INLINE Vector3<T> advance_hourglass(const Matrix3<T>& turn, const Vector3<T>& old,
                                                   const Vector3<T>& half_increment) {
-  return turn * (old + half_increment) + half_increment;
+  return turn_along(turn, old + half_increment) + half_increment;
 }
 
 /// The assumed-strain stabilisation. q: Q at n, out at n+1.
@@ -86,7 +87,7 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_by_assumed_strain(const Material& 
   const PlateModuli moduli = find_plate_moduli(material.moduli());
   HourglassResponse<T> response = find_assumed_strain_response(moduli, axes, element.middle.volume, motion.rate);
   const HourglassModes<T> old_q = q;
-  const T half_dt = T(0.5) * motion.dt;
+  const T half_dt = number<T>(0.5) * motion.dt;
   if constexpr (Material::can_yield) {
     const PlasticHourglass<T> rule{find_guard(motion.middle, element.middle)};
     const T guard = rule.guard * find_hourglass_stiffness(element.gradient_square, element.volume, material.moduli().mu,
@@ -113,7 +114,7 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_by_stiffness(double mu, double coe
                                                            const HourglassMotion<T>& motion,
                                                            const HourglassElement<T>& element, HourglassModes<T>& q) {
   const T kappa = find_hourglass_stiffness(element.gradient_square, element.volume, mu, coefficient);
-  const T rate = T(0.5) * motion.dt * kappa;
+  const T rate = number<T>(0.5) * motion.dt * kappa;
   const HourglassModes<T> old_q = q;
   for (int h = 0; h < 4; ++h) {
     q.mode[h] = advance_hourglass(motion.turn, old_q.mode[h], rate * motion.rate.mode[h]);

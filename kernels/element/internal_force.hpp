@@ -12,10 +12,10 @@ namespace percuss {
 
 /// Follows how the step bounds of the elements change, for a step that is longer than they are.
 struct StepWatch {
-  Array<double> bound;      // [packs x W] of each element at n; empty: nobody watches
-  Array<double> reference;  // [packs x W] the same when the step was estimated
-  Array<double> growth;     // [chunks] largest of (reference / bound)^2 - 1, in proportion to what the element counts
-  double step = 0;          // the bound that was estimated; 0: none has been yet
+  Array<Real> bound;      // [packs x W] of each element at n; empty: nobody watches
+  Array<Real> reference;  // [packs x W] the same when the step was estimated
+  Array<double> growth;   // [chunks] largest of (reference / bound)^2 - 1, in proportion to what the element counts
+  double step = 0;        // the bound that was estimated; 0: none has been yet
 };
 
 /// The motion that the elements see: positions at n+1, velocities at n+1/2, the step between n and n+1; and which of
@@ -55,13 +55,13 @@ using HexBlocks = AllHexBlocks<CompiledMaterials>::type;
 /// Advances every element from n to n+1. state: element records, in and out. slot_force: out, the chunk's share of the
 /// force on its nodes (minus the internal force), as it was where a chunk is skipped. results: out; work is added to.
 void advance_elements(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
-                      const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                      const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
                       const ChunkResults& results);
 
 /// The same for one variant; compiled in a file for each material.
 template <class Material, HexKind Kind>
 void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
-                   const ElementMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                   const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
                    const ChunkResults& results);
 
 }  // namespace percuss

@@ -6,14 +6,16 @@
 // symmetric at the end of the step, where they integrate the spin that keeps it so. A rigid rotation leaves V's
 // eigenvalues as they are.
 
+#include "kernels/core/long_sum.hpp"
 #include "kernels/element/modes.hpp"
 
 namespace percuss {
 
 template <class T>
 struct Polar {
-  Matrix3<T> rotation;    // R, orthogonal
-  Symmetric3<T> stretch;  // V
+  Matrix3<T> rotation;                                          // R, orthogonal
+  Symmetric3<T> stretch;                                        // V
+  [[no_unique_address]] RestOf<T, Matrix3<T>> rotation_rest{};  // of R, in float
 };
 
 /// The rotation of the quaternion (d, n) of any length: exactly orthogonal.
@@ -26,11 +28,28 @@ PERCUSS_FORCE_INLINE Matrix3<T> find_rotation(const T& d, const Vector3<T>& n) {
            {sn.x * n.z - t.y, sn.y * n.z + t.x, T(1) - (sn.x * n.x + sn.y * n.y)}}};
 }
 
+/// The same less the identity, to the last digit however small the angle.
+template <class T>
+PERCUSS_FORCE_INLINE Matrix3<T> find_turn(const T& d, const Vector3<T>& n) {
+  const T scale = T(2) / (d * d + dot(n, n));
+  const Vector3<T> sn = scale * n, t = d * sn;
+  return {{{-(sn.y * n.y + sn.z * n.z), sn.x * n.y - t.z, sn.x * n.z + t.y},
+           {sn.x * n.y + t.z, -(sn.x * n.x + sn.z * n.z), sn.y * n.z - t.x},
+           {sn.x * n.z - t.y, sn.y * n.z + t.x, -(sn.x * n.x + sn.y * n.y)}}};
+}
+
 /// Rotation by the constant spin w over dt: (I - dt/2 W)^-1 (I + dt/2 W), exactly orthogonal.
 template <class T>
 PERCUSS_FORCE_INLINE Matrix3<T> find_rotation_increment(const Vector3<T>& w, const T& dt) {
-  return find_rotation(T(1), (T(0.5) * dt) * w);
+  return find_rotation(T(1), (number<T>(0.5) * dt) * w);
 }
+
+/// A rotation by its axis and angle: that of the quaternion (d, n) of any length.
+template <class T>
+struct Quaternion {
+  T d;
+  Vector3<T> n;
+};
 
 /// The rotation Q that is left when m = V Q is freed of a symmetric V, for a Q that turns by less than a right angle.
 ///
@@ -39,8 +58,7 @@ PERCUSS_FORCE_INLINE Matrix3<T> find_rotation_increment(const Vector3<T>& w, con
 /// m - transpose(m) and P = tr(s) I - s, P h + c h = a with the scalar c = h . a. With g = inverse(P) a this is
 /// c = g . a (1 - |g|^2 + ...): (1 + |g|^2) / (1 + 2 |g|^2) has the first three terms if V is isotropic, two if not.
 template <class T>
-PERCUSS_FORCE_INLINE Matrix3<T> find_rotation_factor(const Matrix3<T>& m) {
-  const Vector3<T> a{m.row[2].y - m.row[1].z, m.row[0].z - m.row[2].x, m.row[1].x - m.row[0].y};
+PERCUSS_FORCE_INLINE Quaternion<T> find_rotation_factor(const Matrix3<T>& m, const Vector3<T>& a) {
   const T two = T(2);
   Symmetric3<T> p{two * (m.row[1].y + m.row[2].z), two * (m.row[2].z + m.row[0].x), two * (m.row[0].x + m.row[1].y),
                   -(m.row[0].y + m.row[1].x),      -(m.row[1].z + m.row[2].y),      -(m.row[2].x + m.row[0].z)};
@@ -52,25 +70,73 @@ PERCUSS_FORCE_INLINE Matrix3<T> find_rotation_factor(const Matrix3<T>& m) {
   p.yy = p.yy + c;
   p.zz = p.zz + c;
   const Adjugate<T> second = find_adjugate(p);
-  return find_rotation(second.determinant, second.matrix * a);
+  return {second.determinant, second.matrix * a};
 }
 
-/// R and V at n+1, and what R was turned by: R(n+1) = turn R(n).
+/// Axial vector of m - transpose(m).
+template <class T>
+PERCUSS_FORCE_INLINE Vector3<T> find_twist(const Matrix3<T>& m) {
+  return {m.row[2].y - m.row[1].z, m.row[0].z - m.row[2].x, m.row[1].x - m.row[0].y};
+}
+template <class T>
+PERCUSS_FORCE_INLINE Matrix3<T> find_rotation_factor(const Matrix3<T>& m) {
+  const Quaternion<T> q = find_rotation_factor(m, find_twist(m));
+  return find_rotation(q.d, q.n);
+}
+
+/// R and V at n+1, and what R was turned by: R(n+1) = turn R(n), or (I + turn) R(n) in float (turn_along()).
 template <class T>
 struct PolarStep {
   Polar<T> end;
   Matrix3<T> turn;
 };
 
+/// v turned by the turn of a step.
+template <class T>
+PERCUSS_FORCE_INLINE Vector3<T> turn_along(const Matrix3<T>& turn, const Vector3<T>& v) {
+  if constexpr (is_short<T>)
+    return v + turn * v;
+  else
+    return turn * v;
+}
+
+/// (I - a)^-1 (I + a) - I, to the last digit of a small a: with the cofactors c_i of I - a by columns, whose
+/// determinant is (I - a)_i . c_i for each i, it is 2 / det times the columns c_i with a_i . c_i on the diagonal.
+template <class T>
+PERCUSS_FORCE_INLINE Matrix3<T> find_deformation_increment(const Matrix3<T>& a) {
+  const Matrix3<T> r = identity_matrix<T>() - a;
+  const Vector3<T> c0 = cross(r.row[1], r.row[2]), c1 = cross(r.row[2], r.row[0]), c2 = cross(r.row[0], r.row[1]);
+  const T own = dot(a.row[0], c0);
+  const T scale = T(2) / (c0.x - own);
+  return scale * Matrix3<T>{{{own, c1.x, c2.x}, {c0.y, dot(a.row[1], c1), c2.y}, {c0.z, c1.z, dot(a.row[2], c2)}}};
+}
+
+/// As advance_polar() for floats, which lose what the steps add to 1: all that is small stays apart from what it is
+/// added to, and what R does not hold goes to its rest.
+template <class T>
+PERCUSS_FORCE_INLINE PolarStep<T> advance_short_polar(const Polar<T>& old, const Matrix3<T>& l, const T& dt) {
+  const Matrix3<T> grown = find_deformation_increment((number<T>(0.5) * dt) * l) * full(old.stretch);
+  const Matrix3<T> stretched = full(old.stretch) + grown;
+  const Quaternion<T> q = find_rotation_factor(stretched, find_twist(grown));
+  PolarStep<T> step{old, find_turn(q.d, q.n)};
+  add_to(step.end.rotation, step.end.rotation_rest, step.turn * old.rotation);
+  step.end.stretch = symmetric_product(stretched, identity_matrix<T>() + step.turn);
+  return step;
+}
+
 /// Advances R and V from n to n+1 with the velocity gradient l of the mid-point.
 template <class T>
 PERCUSS_FORCE_INLINE PolarStep<T> advance_polar(const Polar<T>& old, const Matrix3<T>& l, const T& dt) {
   // x(n+1) - x(n) = dt L (x(n) + x(n+1)) / 2, hence F(n+1) = f F(n) with f = (I - dt/2 L)^-1 (I + dt/2 L).
-  const Matrix3<T> one = identity_matrix<T>();
-  const Matrix3<T> f = inverse(one - (T(0.5) * dt) * l, T(2)) - one;
-  const Matrix3<T> stretched = f * full(old.stretch);
-  const Matrix3<T> turn = find_rotation_factor(stretched);
-  return {{turn * old.rotation, symmetric_product(stretched, turn)}, turn};
+  if constexpr (is_short<T>) {
+    return advance_short_polar(old, l, dt);
+  } else {
+    const Matrix3<T> one = identity_matrix<T>();
+    const Matrix3<T> f = inverse(one - (number<T>(0.5) * dt) * l, T(2)) - one;
+    const Matrix3<T> stretched = f * full(old.stretch);
+    const Matrix3<T> turn = find_rotation_factor(stretched);
+    return {{turn * old.rotation, symmetric_product(stretched, turn)}, turn};
+  }
 }
 
 /// What the motion of an element over a step is to its materials.
@@ -80,7 +146,7 @@ struct StepMotion {
   VolumeGradient<T> b;    // at n+1/2
   Matrix3<T> l;           // velocity gradient
   T trace_d;
-  Matrix3<T> turn;       // R(n+1) = turn R(n)
+  Matrix3<T> turn;       // of PolarStep
   Matrix3<T> rotations;  // R(n) + R(n+1), of which half turns rates half way
   Symmetric3<T> de;      // strain increment in the unrotated frame
 };
@@ -91,7 +157,7 @@ template <class T>
 PERCUSS_FORCE_INLINE StepMotion<T> follow_motion(const VectorModes<T>& a, const VectorModes<T>& v, const T& dt,
                                                  Polar<T>& polar) {
   StepMotion<T> out;
-  const T half = T(0.5), half_dt = half * dt;
+  const T half = number<T>(0.5), half_dt = half * dt;
   for (int m = 1; m <= 7; ++m) out.middle[m] = a[m] - half_dt * v[m];
   out.b = find_volume_gradient(out.middle);
   out.l = find_velocity_gradient(v, out.b);
@@ -100,9 +166,10 @@ PERCUSS_FORCE_INLINE StepMotion<T> follow_motion(const VectorModes<T>& a, const 
   const PolarStep<T> next = advance_polar(polar, out.l, dt);
   out.turn = next.turn;
   out.rotations = polar.rotation + next.end.rotation;
-  out.de = (T(0.25) * dt) * pull_back(out.rotations, d);
+  out.de = (number<T>(0.25) * dt) * pull_back(out.rotations, d);
   for (int i = 0; i < 3; ++i) polar.rotation.row[i] = next.end.rotation.row[i];
   polar.stretch = next.end.stretch;
+  polar.rotation_rest = next.end.rotation_rest;
   return out;
 }
 

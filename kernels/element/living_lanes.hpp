@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "kernels/core/precision.hpp"
+#include "kernels/core/widen.hpp"
 #include "kernels/element/element_lives.hpp"
 #include "kernels/element/hex8.hpp"
 
@@ -11,8 +13,8 @@ namespace percuss {
 
 class LivingLanes {
  public:
-  using Lanes = Pack<double>;
-  static constexpr int width = pack_size<double>;
+  using Lanes = Pack<Real>;
+  static constexpr int width = pack_size<Real>;
 
   /// The lanes of a chunk, pack by pack from its first. Of a chunk that cannot fail all live, and nothing is read.
   KOKKOS_FUNCTION LivingLanes(const FailingChunks& failing, const ElementLives& lives, int chunk)
@@ -41,9 +43,9 @@ class LivingLanes {
 
   /// What the pack leaves: forces and work by their shares, nothing of dead lanes and of those that must not go on.
   KOKKOS_FUNCTION void settle(HexResult<Lanes>& result, Lanes (&f)[3][8]) const {
-    const Lanes zero(0.0), dead(ElementLives::dead);
+    const Lanes zero(0), dead(static_cast<Real>(ElementLives::dead));
     Lanes share = load_pack(&lives_->force_share(first_));
-    auto lost = result.stable_step < Lanes(limits_->least_step);
+    auto lost = result.stable_step < Lanes(static_cast<Real>(limits_->least_step));
     if (limits_->takes_inverted) lost = lost | !((result.volume > zero) & (result.stable_step > zero));  // also for NaN
     share = select(lost, dead, share);
     store_pack(&lives_->force_share(first_), share);
@@ -56,10 +58,13 @@ class LivingLanes {
     for (int k = 0; k < 3; ++k) {
       double* const total = &lives_->work(3 * static_cast<std::size_t>(first_) + static_cast<std::size_t>(k * width));
       *works[k] = select(lives, work_share * *works[k], zero);
-      store_pack(total, load_pack(total) + *works[k]);
+      visit_parts<Lanes>([&](auto part) {
+        double* const sum = total + part * pack_size<double>;
+        store_pack(sum, load_pack(sum) + widen<part>(*works[k]));
+      });
     }
-    result.stable_step = select(lives, result.stable_step, Lanes(1e300));
-    result.volume = select(lives, result.volume, Lanes(1.0));
+    result.stable_step = select(lives, result.stable_step, Lanes(beyond_all<Real>));
+    result.volume = select(lives, result.volume, Lanes(1));
   }
 
  private:

@@ -6,7 +6,7 @@
 // Flanagan and Belytschko (1981) needs about half the operations of the corner form: the volume derivative has six
 // non-zero modes, and modes 4 to 7 are their hourglass base vectors.
 
-#include "kernels/core/tensor.hpp"
+#include "kernels/core/short_scalar.hpp"
 
 namespace percuss {
 
@@ -69,7 +69,7 @@ struct VolumeGradient {
 /// Exact volume and its exact derivative (Flanagan and Belytschko 1981, their equations 16 to 18 and 79, in modes).
 template <class T>
 PERCUSS_FORCE_INLINE VolumeGradient<T> find_volume_gradient(const VectorModes<T>& a) {
-  const T third = T(1.0 / 3.0);
+  const T third = number<T>(1.0 / 3.0);
   VolumeGradient<T> b;
   const Vector3<T> c4 = third * a[4], c5 = third * a[5], c6 = third * a[6];
   b[1] = cross(a[2], a[3]) + cross(c6, a[5]);
@@ -78,7 +78,7 @@ PERCUSS_FORCE_INLINE VolumeGradient<T> find_volume_gradient(const VectorModes<T>
   b[4] = cross(a[3], c5) + cross(c6, a[2]);
   b[5] = cross(a[1], c6) + cross(c4, a[3]);
   b[6] = cross(c5, a[1]) + cross(a[2], c4);
-  b.volume = T(1.0 / 64.0) * (dot(a[1], b[1]) + dot(a[4], b[4]));
+  b.volume = number<T>(1.0 / 64.0) * (dot(a[1], b[1]) + dot(a[4], b[4]));
   return b;
 }
 

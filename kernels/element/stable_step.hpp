@@ -20,9 +20,9 @@ struct GradientSize {
 /// Upper bound of the largest eigenvalue of a symmetric tensor: tr/3 + sqrt(2/3) |dev|, exact if the others are equal.
 template <class T>
 PERCUSS_FORCE_INLINE T bound_largest_eigenvalue(const Symmetric3<T>& g) {
-  const T mean = T(1.0 / 3.0) * trace(g);
+  const T mean = number<T>(1.0 / 3.0) * trace(g);
   const Symmetric3<T> deviator{g.xx - mean, g.yy - mean, g.zz - mean, g.xy, g.yz, g.zx};
-  return mean + square_root(T(2.0 / 3.0) * contract(deviator, deviator));
+  return mean + square_root(number<T>(2.0 / 3.0) * contract(deviator, deviator));
 }
 
 /// Adds the dyad v v.
@@ -35,7 +35,7 @@ template <class T>
 PERCUSS_FORCE_INLINE GradientSize<T> find_gradient_size(const VolumeGradient<T>& b) {
   Symmetric3<T> g{T(0), T(0), T(0), T(0), T(0), T(0)};
   for (int m = 1; m <= 6; ++m) add_square(g, b[m]);
-  g = T(1.0 / 512.0) * g;
+  g = number<T>(1.0 / 512.0) * g;
   return {g, trace(g), bound_largest_eigenvalue(g)};
 }
 
@@ -57,14 +57,14 @@ PERCUSS_FORCE_INLINE T find_obliqueness(const VectorModes<T>& a, const GradientS
   Symmetric3<T> y{T(0), T(0), T(0), T(0), T(0), T(0)};
   for (int m = 1; m <= 7; ++m) add_square(y, a[m]);
   const T inverse_volume = T(1) / volume;
-  return larger(T(0.125) * contract(y, g.square) * (inverse_volume * inverse_volume) - T(2), T(1));
+  return larger(number<T>(0.125) * contract(y, g.square) * (inverse_volume * inverse_volume) - T(2), T(1));
 }
 
 /// Bound of omega^2 of the elastic element without hourglass control. lambda, mu: for all lanes, or by lane.
 template <class T, class S>
 PERCUSS_FORCE_INLINE T find_frequency_square(const GradientSize<T>& g, const T& volume, const T& mass, const S& lambda,
                                              const S& mu) {
-  return (T(8 * lambda) * g.trace + T(16 * mu) * g.largest) * ((T(1) / mass) * (T(1) / volume));
+  return (number<T>(8 * lambda) * g.trace + number<T>(16 * mu) * g.largest) * ((T(1) / mass) * (T(1) / volume));
 }
 
 /// Adds hourglass control to omega^2: `stiffness` bounds the largest eigenvalue of Q over u. The sum of two forms that
@@ -73,7 +73,7 @@ PERCUSS_FORCE_INLINE T find_frequency_square(const GradientSize<T>& g, const T& 
 template <class T>
 PERCUSS_FORCE_INLINE T join_hourglass_frequency(const T& frequency_square, const T& stiffness, const T& mass,
                                                 const T& obliqueness) {
-  const T half = T(0.5);
+  const T half = number<T>(0.5);
   const T aligned = T(64) * stiffness * (T(1) / mass);
   const T hourglass = aligned * obliqueness;
   const T difference = half * (frequency_square - hourglass);
@@ -87,11 +87,16 @@ PERCUSS_FORCE_INLINE T find_damping_rate(const GradientSize<T>& g, const T& volu
   return T(8) * tangent * g.trace * ((T(1) / mass) * (T(1) / volume));
 }
 
+/// What the round-off of floats can raise a step bound by, with room: that of positions about a node of the chunk is
+/// some 1e-7 of the chunk's extent, which is some hundreds of the thinnest edge at most.
+inline constexpr double short_step_margin = 1e-4;
+
 /// Largest dt with omega^2 dt^2 / 4 + rate dt / 2 <= 1: central differences with velocities that lag half a step.
 template <class T>
 PERCUSS_FORCE_INLINE T find_stable_step(const T& frequency_square, const T& damping_rate) {
-  const T half = T(0.5) * damping_rate;
-  return T(2) / (half + square_root(frequency_square + half * half));
+  const T half = number<T>(0.5) * damping_rate;
+  const T most = number<T>(is_short<T> ? 2 * (1 - short_step_margin) : 2);
+  return most / (half + square_root(frequency_square + half * half));
 }
 
 }  // namespace percuss

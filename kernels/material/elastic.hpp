@@ -1,7 +1,7 @@
 #pragma once
 // Linear (hypo)elasticity in the unrotated configuration.
 
-#include "kernels/core/tensor.hpp"
+#include "kernels/core/long_sum.hpp"
 #include "kernels/material/material_key.hpp"
 
 namespace percuss {
@@ -16,6 +16,13 @@ struct LameConstants {
 PERCUSS_FORCE_INLINE LameConstants find_lame_constants(double youngs_modulus, double poissons_ratio) {
   return {youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio)),
           youngs_modulus / (2 * (1 + poissons_ratio))};
+}
+
+/// lambda tr(de) I + 2 mu de.
+template <class T>
+PERCUSS_FORCE_INLINE Symmetric3<T> find_elastic_increment(const LameConstants& c, const Symmetric3<T>& de) {
+  const T volumetric = number<T>(c.lambda) * trace(de);
+  return number<T>(2 * c.mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
 }
 
 /// Stress increment lambda tr(de) I + 2 mu de; no history, no yield.
@@ -42,8 +49,15 @@ struct Elastic {
   /// Advances the unrotated Cauchy stress by the strain increment d dt.
   template <class T>
   PERCUSS_FORCE_INLINE void update(Symmetric3<T>& stress, T* /*history*/, const Symmetric3<T>& de) const {
-    const T volumetric = T(lambda) * trace(de);
-    stress = stress + T(2 * mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
+    const T volumetric = number<T>(lambda) * trace(de);
+    stress = stress + number<T>(2 * mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
+  }
+
+  /// The same in float, with what the stress does not hold in its rest (long_sum.hpp).
+  template <class T>
+  PERCUSS_FORCE_INLINE void update(Symmetric3<T>& stress, Symmetric3<T>& rest, T* /*history*/,
+                                   const Symmetric3<T>& de) const {
+    add_to(stress, rest, find_elastic_increment(moduli(), de));
   }
 };
 

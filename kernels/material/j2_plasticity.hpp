@@ -41,24 +41,55 @@ struct J2Plasticity {
   /// Advances the unrotated Cauchy stress and p by the strain increment d dt.
   template <class T>
   PERCUSS_FORCE_INLINE PlasticReturn<T> update(Symmetric3<T>& stress, T* history, const Symmetric3<T>& de) const {
-    const T third = T(1.0 / 3.0);
-    // trial
-    const T volumetric = T(lambda) * trace(de);
+    const T volumetric = number<T>(lambda) * trace(de);
     const Symmetric3<T> trial =
-        stress + T(2 * mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
+        stress + number<T>(2 * mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
+    const Return<T> to = find_return(trial, history[0]);
+    const T share = T(1) - to.lost;
+    history[0] = history[0] + to.dp;
+    stress = share * to.deviator + Symmetric3<T>{to.mean, to.mean, to.mean, T(0), T(0), T(0)};
+    return describe_return(to, share);
+  }
+
+  /// The same in float, with what stress and p do not hold in their rests (long_sum.hpp); that of p is history[1]. An
+  /// elastic trial stays as it is, where taking it apart and together again would change its last digit.
+  template <class T>
+  PERCUSS_FORCE_INLINE PlasticReturn<T> update(Symmetric3<T>& stress, Symmetric3<T>& rest, T* history,
+                                               const Symmetric3<T>& de) const {
+    const Symmetric3<T> increment = find_elastic_increment(moduli(), de);
+    const Return<T> to = find_return(stress + (increment + rest), history[0]);
+    add_to(history[0], history[1], to.dp);
+    add_to(stress, rest, increment + (-to.lost) * to.deviator);
+    return describe_return(to, T(1) - to.lost);
+  }
+
+ private:
+  /// The radial return of a trial stress; `lost`: the share of its deviator that goes.
+  template <class T>
+  struct Return {
+    Symmetric3<T> deviator;
+    T mean, von_mises, yield, dp, lost;
+  };
+
+  template <class T>
+  PERCUSS_FORCE_INLINE Return<T> find_return(const Symmetric3<T>& trial, const T& p) const {
+    const T third = number<T>(1.0 / 3.0);
     const T mean = third * trace(trial);
     const Symmetric3<T> deviator{trial.xx - mean, trial.yy - mean, trial.zz - mean, trial.xy, trial.yz, trial.zx};
-    const T von_mises = square_root(T(1.5) * contract(deviator, deviator));
+    const T von_mises = square_root(number<T>(1.5) * contract(deviator, deviator));
     // admissible?
-    const T yield = T(yield_stress) + T(hardening_modulus) * history[0];
+    const T yield = number<T>(yield_stress) + number<T>(hardening_modulus) * p;
     const T excess = larger(von_mises - yield, T(0));
     // return: von_mises - 3 mu dp = yield + H dp
-    const T dp = excess * T(1.0 / (3 * mu + hardening_modulus));
-    const T share = T(1) - T(3 * mu) * dp / larger(von_mises, T(1e-300));
-    history[0] = history[0] + dp;
-    stress = share * deviator + Symmetric3<T>{mean, mean, mean, T(0), T(0), T(0)};
-    const T flow_stress = yield + T(hardening_modulus) * dp;
-    const T ratio = share * von_mises / flow_stress;
+    const T dp = excess * number<T>(1.0 / (3 * mu + hardening_modulus));
+    return {deviator, mean, von_mises,
+            yield,    dp,   number<T>(3 * mu) * dp / larger(von_mises, number<T>(next_to_nothing<T>))};
+  }
+
+  template <class T>
+  PERCUSS_FORCE_INLINE PlasticReturn<T> describe_return(const Return<T>& to, const T& share) const {
+    const T flow_stress = to.yield + number<T>(hardening_modulus) * to.dp;
+    const T ratio = share * to.von_mises / flow_stress;
     return {share, flow_stress, ratio * ratio};
   }
 };

@@ -75,7 +75,7 @@ struct AdvanceShellChunk {
   HexChunks chunks;
   ShellBlock<Layer> block;
   ShellMotion motion;
-  Array<double> state;
+  Array<Real> state;
   Rows3<double> slot_force, slot_moment;
   ChunkResults results;
 
@@ -123,7 +123,7 @@ struct AdvanceShellChunk {
     constexpr int largest_record = find_shell_record_size<Layer>(most_thickness_points) * width;
     const int record_size = chunks.record_size(c) * width;
     const int first = chunks.first_element(c), end = chunks.first_element(c + 1);
-    double* record = &state(chunks.first_state(c));
+    auto* record = reinterpret_cast<double*>(&state(chunks.first_state(c)));
     const std::uint16_t* corners =
         &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * corners_of_pack);
     ChunkSums sums;
@@ -163,7 +163,7 @@ struct AdvanceShellChunk {
 
 template <class Layer>
 void advance_block(const ExecSpace& space, const HexChunks& chunks, const ShellBlock<Layer>& block,
-                   const ShellMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                   const ShellMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
                    const Rows3<double>& slot_moment, const ChunkResults& results) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
@@ -176,7 +176,7 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const ShellB
 }  // namespace
 
 void advance_shells(const ExecSpace& space, const HexChunks& chunks, const ShellBlocks& blocks,
-                    const ShellMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                    const ShellMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
                     const Rows3<double>& slot_moment, const ChunkResults& results) {
   std::apply(
       [&](const auto&... block) {

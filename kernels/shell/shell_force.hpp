@@ -48,7 +48,7 @@ struct ShellMotion {
 /// share of the force and the moment on its nodes (minus the internal ones), as they were where a chunk is skipped.
 /// results: out; work is added to.
 void advance_shells(const ExecSpace& space, const HexChunks& chunks, const ShellBlocks& blocks,
-                    const ShellMotion& motion, const Array<double>& state, const Rows3<double>& slot_force,
+                    const ShellMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
                     const Rows3<double>& slot_moment, const ChunkResults& results);
 
 }  // namespace percuss

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "kernels/core/precision.hpp"
 #include "kernels/core/views.hpp"
 #include "src/deck/nearest_name.hpp"
 
@@ -91,8 +92,9 @@ Examples:
 )";
 
 std::string describe_version() {
-  return fmt::format("percuss {} (Kokkos {}.{}.{}, {} back end, double precision)\n", PERCUSS_VERSION,
-                     KOKKOS_VERSION / 10000, KOKKOS_VERSION / 100 % 100, KOKKOS_VERSION % 100, ExecSpace::name());
+  return fmt::format("percuss {} (Kokkos {}.{}.{}, {} back end, {} precision)\n", PERCUSS_VERSION,
+                     KOKKOS_VERSION / 10000, KOKKOS_VERSION / 100 % 100, KOKKOS_VERSION % 100, ExecSpace::name(),
+                     precision_name);
 }
 
 /// More ranks than any machine has; beyond, a plan only fills memory.

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "kernels/core/precision.hpp"
+
 namespace percuss {
 
 /// Seconds spent in each phase of the loop.
@@ -33,7 +35,7 @@ struct MomentumSummary {
 struct Summary {
   std::string status = "failed";  // completed, failed, interrupted
   std::string error;              // empty unless failed
-  std::string version, backend, precision = "double";
+  std::string version, backend, precision = precision_name;
   int ranks = 1, threads = 1;
   std::int64_t elements = 0, nodes = 0, contact_nodes = 0, contact_faces = 0, steps = 0;
   double time = 0;

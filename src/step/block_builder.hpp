@@ -101,7 +101,7 @@ struct BlockBuilder {
   void describe_records(std::size_t c, const Material& material, const std::array<int, history_scalars>& named) {
     int count = Material::history_count;
     if constexpr (is_called<Material>) count = material.count_history();
-    record_size[c] = HexRecord::history<Kind> + hex_points<Kind> * count;
+    record_size[c] = HexRecord::find_size<Kind>(count);
     points[c] = hex_points<Kind>;
     history[c] = count > 0 ? HexRecord::history<Kind> : -1;
     for (std::size_t k = 0; k < named.size(); ++k) {

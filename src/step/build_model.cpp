@@ -16,6 +16,7 @@
 #include "src/step/block_builder.hpp"
 #include "src/step/build_conditions.hpp"
 #include "src/step/build_shells.hpp"
+#include "src/step/check_precision.hpp"
 #include "src/step/mass_scaling.hpp"
 #include "src/step/model.hpp"
 #include "src/step/whole_mesh.hpp"
@@ -24,7 +25,7 @@ namespace percuss {
 
 namespace {
 
-constexpr int width = pack_size<double>;
+constexpr int width = pack_size<Real>;
 
 // --- chunks
 
@@ -315,6 +316,7 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
     const int material = mesh.parts[static_cast<std::size_t>(mesh.element_part[e])].material;
     element_mass[e] = deck.materials[static_cast<std::size_t>(material)].density * find_element_volume(mesh, e);
   }
+  if constexpr (is_single_precision) check_single_precision(deck, chunked, element_mass);
   scale_masses(deck, chunked, element_mass, model);
   std::vector<double> mass = assemble_masses(model, element_mass);
   std::vector<int> all(mass.size());

@@ -16,7 +16,7 @@
 namespace percuss {
 namespace {
 
-constexpr std::size_t lanes = pack_size<double>;
+constexpr std::size_t lanes = pack_size<Real>;
 
 std::uint64_t mix(std::uint64_t h) {  // the finaliser of SplitMix64 (Steele et al. 2014)
   h += 0x9e3779b97f4a7c15ull;
@@ -65,7 +65,7 @@ void archive_elements(CheckpointArchive& archive, const Model& model, const Stat
   if (!archive.is_loading()) return;
   visit_records(model.chunks, [&](std::size_t size, bool is_repeated, std::size_t first) {
     if (is_repeated) next -= size;  // the last element's again
-    for (std::size_t s = 0; s < size; ++s) packs(first + s * lanes) = records[next++];
+    for (std::size_t s = 0; s < size; ++s) packs(first + s * lanes) = static_cast<Real>(records[next++]);
   });
   Kokkos::deep_copy(state.elements, packs);
 }
@@ -79,8 +79,8 @@ void archive_lives(CheckpointArchive& archive, const Model& model, const State& 
   const ElementLives& lives = state.lives;
   const auto steps_left = to_host(lives.steps_left);
   const auto plastic_strain = to_host(lives.plastic_strain), damage = to_host(lives.damage),
-             time_at_yield = to_host(lives.time_at_yield), work = to_host(lives.work),
-             force_share = to_host(lives.force_share), work_share = to_host(lives.work_share);
+             time_at_yield = to_host(lives.time_at_yield), work = to_host(lives.work);
+  const auto force_share = to_host(lives.force_share), work_share = to_host(lives.work_share);
   ChunkRows rows;
   std::vector<std::size_t> places;  // lanes
   std::vector<int> fade_steps;
@@ -113,8 +113,8 @@ void archive_lives(CheckpointArchive& archive, const Model& model, const State& 
     time_at_yield(l) = v[3];
     for (std::size_t k = 0; k < 3; ++k) work(first_work + k * lanes) = v[4 + k];
     const LifeShares shares = find_life_shares(steps_left(l), fade_steps[i]);
-    force_share(l) = shares.force;
-    work_share(l) = shares.work;
+    force_share(l) = static_cast<Real>(shares.force);
+    work_share(l) = static_cast<Real>(shares.work);
   }
   Kokkos::deep_copy(lives.steps_left, steps_left);
   Kokkos::deep_copy(lives.plastic_strain, plastic_strain);
@@ -254,7 +254,7 @@ CheckpointHeader make_checkpoint_header(const Deck& deck, const ChunkedMesh& chu
                                         const State& state) {
   CheckpointHeader header;
   header.version = PERCUSS_VERSION;
-  header.precision = "double";
+  header.precision = precision_name;
   header.title = deck.title;
   header.deck = fmt::format("{}", fmt::join(deck.motion_values, "\n"));
   header.mesh = hash_mesh(chunked, model.ranks);

@@ -9,10 +9,10 @@ namespace percuss {
 
 namespace {
 
-constexpr int width = pack_size<double>;
+constexpr int width = pack_size<Real>;
 
 /// The record of an element: record[width * i] is its scalar i. c: its chunk.
-KOKKOS_INLINE_FUNCTION const double* find_record(const HexChunks& chunks, const Array<double>& elements, int c, int e) {
+KOKKOS_INLINE_FUNCTION const Real* find_record(const HexChunks& chunks, const Array<Real>& elements, int c, int e) {
   const int i = e - chunks.first_element(c);
   return &elements(chunks.first_state(c)) +
          static_cast<std::size_t>(i / width) * static_cast<std::size_t>(chunks.record_size(c)) * width + i % width;
@@ -59,14 +59,13 @@ struct ReadStress {
   static constexpr bool fades = true;
   ShellTables shells;
   ShellLayer layer = ShellLayer::mean;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const double* record,
-                                         double* row) const {
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const Real* record, double* row) const {
     if (is_shell(chunks, c)) {
       read_shell_stress(shells, chunks, c, e, record, layer, row);
       return;
     }
-    const double* s = record + HexRecord::stress * width;
-    const double* r = record + HexRecord::rotation * width;
+    const Real* s = record + HexRecord::stress * width;
+    const Real* r = record + HexRecord::rotation * width;
     const int points = chunks.points(c);
     double mean[6];
     for (int k = 0; k < 6; ++k) {
@@ -95,7 +94,7 @@ struct ReadScalar {
   static constexpr bool fades = false;
   ShellTables shells;
   HistoryScalar name;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const double* record,
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const Real* record,
                                          double* row) const {
     if (is_shell(chunks, c)) {
       const bool has = name == HistoryScalar::equivalent_plastic_strain && chunks.history(c) >= 0;
@@ -106,7 +105,7 @@ struct ReadScalar {
     const int place = chunks.find_scalar(c, name);
     const int points = place < 0 ? 0 : chunks.points(c);
     row[0] = 0;
-    for (int p = 0; p < points; ++p) row[0] += record[(place + p) * width] / points;
+    for (int p = 0; p < points; ++p) row[0] += double{record[(place + p) * width]} / points;
   }
 };
 
@@ -114,7 +113,7 @@ struct ReadScalar {
 struct ReadThickness {
   static constexpr int components = 1;
   static constexpr bool fades = false;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const double* record,
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const Real* record,
                                          double* row) const {
     row[0] = is_shell(chunks, c) ? record[ShellRecord::thickness * width] : 0;
   }

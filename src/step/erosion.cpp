@@ -13,7 +13,7 @@ namespace percuss {
 
 namespace {
 
-constexpr int width = pack_size<double>;
+constexpr int width = pack_size<Real>;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 

@@ -22,8 +22,8 @@ constexpr double longest_patience = 16;
 GlobalStep::GlobalStep(const ChunkedMesh& chunked, const Model& model, double end, double scale)
     : chunked_(chunked), model_(model), end_(end), scale_(scale), eigenvalue_(chunked, model) {
   const std::size_t lanes = model.chunks.corner_slots.extent(0) / 8;
-  watch_.bound = Array<double>("percuss::element_bounds", lanes);
-  watch_.reference = Array<double>("percuss::reference_bounds", lanes);
+  watch_.bound = Array<Real>("percuss::element_bounds", lanes);
+  watch_.reference = Array<Real>("percuss::reference_bounds", lanes);
   watch_.growth = Array<double>("percuss::growth", static_cast<std::size_t>(model.chunks.count));
 }
 
@@ -85,17 +85,17 @@ void GlobalStep::archive_reference(CheckpointArchive& archive) {
   const auto visit = [&](const auto& take) {
     for (std::size_t c = 0; c < static_cast<std::size_t>(model_.chunks.count); ++c) {
       const int first = first_element(c), end = first_element(c + 1);
-      const int lanes = (first_pack(c + 1) - first_pack(c)) * pack_size<double>;
+      const int lanes = (first_pack(c + 1) - first_pack(c)) * pack_size<Real>;
       for (int i = 0; i < lanes; ++i) {  // lanes past the end repeat the last element
         take(static_cast<std::size_t>(std::min(first + i, end - 1)),
-             static_cast<std::size_t>(first_pack(c) * pack_size<double> + i));
+             static_cast<std::size_t>(first_pack(c) * pack_size<Real> + i));
       }
     }
   };
   if (!archive.is_loading()) visit([&](std::size_t e, std::size_t lane) { values[e] = reference(lane); });
   archive.rows("global_step/reference", find_element_rows(chunked_), 1, values);
   if (!archive.is_loading()) return;
-  visit([&](std::size_t e, std::size_t lane) { reference(lane) = values[e]; });
+  visit([&](std::size_t e, std::size_t lane) { reference(lane) = static_cast<Real>(values[e]); });
   Kokkos::deep_copy(watch_.reference, reference);
 }
 

@@ -13,7 +13,7 @@
 namespace percuss {
 namespace {
 
-constexpr int width = pack_size<double>;
+constexpr int width = pack_size<Real>;
 
 /// What the deck asks of a part; none: its masses stay.
 const MassScalingDeck* find_request(const Deck& deck, std::size_t part) {
@@ -52,7 +52,7 @@ std::vector<double> find_element_bounds(const Model& model, const std::vector<do
   resting.start_velocity = Rows3<double>("percuss::rest", static_cast<std::size_t>(model.node_count));
   const State state = make_initial_state(resting);
   StepWatch watch;
-  watch.bound = Array<double>("percuss::element_bounds", model.chunks.corner_slots.extent(0) / 8);
+  watch.bound = Array<Real>("percuss::element_bounds", model.chunks.corner_slots.extent(0) / 8);
   watch.reference = watch.bound;
   watch.growth = Array<double>("percuss::growth", static_cast<std::size_t>(model.chunks.count));
   for (const HexBlocks& blocks : {model.sending_blocks, model.blocks}) {

@@ -29,10 +29,10 @@ KOKKOS_INLINE_FUNCTION int find_layer_size(const HexChunks& chunks, int c) {
 /// Mean over the thickness of scalar `place` of the points, or its value at one end. record: its scalars lie a pack
 /// apart.
 KOKKOS_INLINE_FUNCTION double read_layers(const HexChunks& chunks, int c, const ThicknessPoints& rule,
-                                          const double* record, int place, ShellLayer layer) {
-  constexpr int width = pack_size<double>;
+                                          const Real* record, int place, ShellLayer layer) {
+  constexpr int width = pack_size<Real>;
   const int size = find_layer_size(chunks, c), count = rule.count;
-  const auto value = [&](int p) { return record[(ShellRecord::layers + size * p + place) * width]; };
+  const auto value = [&](int p) -> double { return record[(ShellRecord::layers + size * p + place) * width]; };
   if (layer == ShellLayer::bottom) return value(0);
   if (layer == ShellLayer::top) return value(count - 1);
   double mean = 0;
@@ -43,7 +43,7 @@ KOKKOS_INLINE_FUNCTION double read_layers(const HexChunks& chunks, int c, const 
 /// Axes of element e of chunk c as rows.
 KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const HexChunks& chunks, int c, int e,
                                                         const Rows3<const double>& x) {
-  constexpr int width = pack_size<double>;
+  constexpr int width = pack_size<Real>;
   const int i = e - chunks.first_element(c);
   const auto pack = static_cast<std::size_t>(chunks.first_pack(c) + i / width);
   Vector3<double> corners[4];
@@ -58,8 +58,8 @@ KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const HexChunks& chunks,
 
 /// Stress in space axes: xx, yy, zz, xy, yz, zx. Transverse shear is that of all layers.
 KOKKOS_INLINE_FUNCTION void read_shell_stress(const ShellTables& tables, const HexChunks& chunks, int c, int e,
-                                              const double* record, ShellLayer layer, double* row) {
-  constexpr int width = pack_size<double>, shear = 3;  // ShellState::shear
+                                              const Real* record, ShellLayer layer, double* row) {
+  constexpr int width = pack_size<Real>, shear = 3;  // ShellState::shear
   const ThicknessPoints& rule = tables.rules(chunks.points(c));
   const auto in_plane = [&](int k) { return read_layers(chunks, c, rule, record, k, layer); };
   const Symmetric3<double> stress{in_plane(0),          in_plane(1), 0, in_plane(2), record[(shear + 1) * width],

@@ -7,15 +7,15 @@ namespace percuss {
 
 namespace {
 
-constexpr int width = pack_size<double>;
+constexpr int width = pack_size<Real>;
 
 KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
   return chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0;
 }
 
 /// Each element starts undeformed: R = V = I, no stress, its mass from its own volume and density.
-Array<double> make_element_records(const Model& model) {
-  const auto elements = make_streamed<Array<double>>("percuss::elements", model.state_size);
+Array<Real> make_element_records(const Model& model) {
+  const auto elements = make_streamed<Array<Real>>("percuss::elements", model.state_size);
   const HexChunks chunks = model.chunks;
   Kokkos::parallel_for(
       "percuss::start_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
@@ -23,7 +23,7 @@ Array<double> make_element_records(const Model& model) {
         const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
         const int size = chunks.record_size(c);
         for (int i = 0; i < packs * width; ++i) {
-          double* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
           for (int k = 0; k < 3; ++k) {
             record[(HexRecord::rotation + 4 * k) * width] = 1;
             record[(HexRecord::stretch + k) * width] = 1;
@@ -34,7 +34,7 @@ Array<double> make_element_records(const Model& model) {
 }
 
 /// Element masses into the records.
-void set_element_masses(const Model& model, const Array<double>& elements) {
+void set_element_masses(const Model& model, const Array<Real>& elements) {
   const HexChunks chunks = model.chunks;
   const Array<double> mass = model.element_mass;
   Kokkos::parallel_for(
@@ -46,13 +46,14 @@ void set_element_masses(const Model& model, const Array<double>& elements) {
           const int lane_element = i < count ? i : count - 1;
           elements(chunks.first_state(c) +
                    static_cast<std::size_t>(i / width) * static_cast<std::size_t>(chunks.record_size(c)) * width +
-                   static_cast<std::size_t>(HexRecord::mass * width + i % width)) = mass(first + lane_element);
+                   static_cast<std::size_t>(HexRecord::mass * width + i % width)) =
+              static_cast<Real>(mass(first + lane_element));
         }
       });
 }
 
 /// History that does not start at zero, at every point of an element the same.
-void set_start_history(const Model& model, const Array<double>& elements) {
+void set_start_history(const Model& model, const Array<Real>& elements) {
   if (model.start_history.values.extent(0) == 0) return;
   const HexChunks chunks = model.chunks;
   const StartHistory start = model.start_history;
@@ -62,18 +63,25 @@ void set_start_history(const Model& model, const Array<double>& elements) {
         const int elements_here = chunks.first_element(c + 1) - chunks.first_element(c);
         const int size = chunks.record_size(c), points = chunks.points(c);
         for (int i = 0; i < packs * width; ++i) {
-          double* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
           const int row = i < elements_here ? i : elements_here - 1;
           for (int k = 0; k < start.count(c); ++k) {
             const double value = start.values(start.first(c) + static_cast<std::size_t>(row * start.count(c) + k));
-            for (int p = 0; p < points; ++p) record[(chunks.history(c) + points * k + p) * width] = value;
+            const auto kept = static_cast<Real>(value);
+            for (int p = 0; p < points; ++p) {
+              Real* const scalar = record + (chunks.history(c) + points * k + p) * width;
+              *scalar = kept;
+              if constexpr (is_single_precision) {  // its rest
+                scalar[points * start.count(c) * width] = static_cast<Real>(value - static_cast<double>(kept));
+              }
+            }
           }
         }
       });
 }
 
 /// Thickness and rotary inertia of shells into the records.
-void start_shells(const Model& model, const Array<double>& elements) {
+void start_shells(const Model& model, const Array<Real>& elements) {
   if (!model.has_shells) return;
   const HexChunks chunks = model.chunks;
   const Array<double> gyration_square = model.gyration_square, thickness = model.start_thickness;
@@ -83,9 +91,10 @@ void start_shells(const Model& model, const Array<double>& elements) {
         const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
         const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c), size = chunks.record_size(c);
         for (int i = 0; i < packs * width; ++i) {
-          double* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
-          record[ShellRecord::gyration_square * width] = gyration_square(first + (i < count ? i : count - 1));
-          record[ShellRecord::thickness * width] = thickness(c);
+          Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          record[ShellRecord::gyration_square * width] =
+              static_cast<Real>(gyration_square(first + (i < count ? i : count - 1)));
+          record[ShellRecord::thickness * width] = static_cast<Real>(thickness(c));
         }
       });
 }
@@ -110,12 +119,12 @@ KOKKOS_INLINE_FUNCTION std::uint64_t find_bits(double value) {
 ElementLives make_lives(const FailingChunks& failing) {
   if (failing.pack_count == 0) return {};
   const auto lanes = static_cast<std::size_t>(failing.pack_count) * width;
-  ElementLives lives{Array<double>("percuss::force_share", lanes),      Array<double>("percuss::work_share", lanes),
+  ElementLives lives{Array<Real>("percuss::force_share", lanes),        Array<Real>("percuss::work_share", lanes),
                      Array<double>("percuss::element_work", 3 * lanes), Array<int>("percuss::steps_left", lanes),
                      Array<double>("percuss::plastic_strain", lanes),   Array<double>("percuss::damage", lanes),
                      Array<double>("percuss::time_at_yield", lanes)};
-  Kokkos::deep_copy(lives.force_share, 1.0);
-  Kokkos::deep_copy(lives.work_share, 1.0);
+  Kokkos::deep_copy(lives.force_share, Real(1));
+  Kokkos::deep_copy(lives.work_share, Real(1));
   Kokkos::deep_copy(lives.steps_left, ElementLives::whole);
   return lives;
 }
@@ -200,7 +209,7 @@ std::uint64_t hash_elements(const Model& model, const State& state) {
         const int first = chunks.first_element(c);
         for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
           const int size = chunks.record_size(c);
-          const double* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          const Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
           std::uint64_t h = mix(~static_cast<std::uint64_t>(first_numbers(c) + i));
           const int lane = failing.find_pack(c) < 0 ? -1 : failing.find_pack(c) * width + i;
           if (lane >= 0) h = mix_life(lives, lane, h);

@@ -46,7 +46,7 @@ struct State {
   Rows3<double> v_before;    // velocity one step earlier; scratch of the step
   Rows3<double> force;       // assembled force, at n
   Rows3<double> impulse;     // contact impulse of the last step
-  Array<double> elements;    // element records, at n
+  Array<Real> elements;      // element records, at n
   Rows3<double> slot_force;  // internal force (negative) and pressure by slot, at n; also those of other ranks
   ChunkResults results;      // by chunk, at n; work since the start
   ElementLives lives;        // of the chunks that can fail, at n

@@ -1,4 +1,4 @@
-#include "kernels/core/transpose.hpp"
+#include "kernels/core/short_transpose.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,21 +6,27 @@ namespace percuss::test {
 
 namespace {
 constexpr int width = pack_size<double>;
-}
 
-TEST(Transpose, RecordsBecomePacks) {
-  alignas(64) double memory[2 * width][4] = {};
-  const double* records[width];
-  for (int lane = 0; lane < width; ++lane) {
-    records[lane] = memory[2 * ((lane * 3) % width)];  // records lie anywhere, even twice
-    for (int k = 0; k < 4; ++k) memory[2 * lane][k] = 100 * lane + k;
+template <class Scalar>
+class TransposeOf : public testing::Test {};
+using Scalars = testing::Types<double, float>;
+TYPED_TEST_SUITE(TransposeOf, Scalars);
+}  // namespace
+
+TYPED_TEST(TransposeOf, RecordsBecomePacks) {
+  constexpr int lanes = pack_size<TypeParam>;
+  alignas(64) TypeParam memory[2 * lanes][4] = {};
+  const TypeParam* records[lanes];
+  for (int lane = 0; lane < lanes; ++lane) {
+    records[lane] = memory[2 * ((lane * 3) % lanes)];  // records lie anywhere, even twice
+    for (int k = 0; k < 4; ++k) memory[2 * lane][k] = static_cast<TypeParam>(100 * lane + k);
   }
-  Pack<double> packs[3];
+  Pack<TypeParam> packs[3];
   transpose_to_packs(records, packs);
   for (int k = 0; k < 3; ++k) {
-    alignas(64) double row[width];
+    alignas(64) TypeParam row[lanes];
     store_pack(row, packs[k]);
-    for (int lane = 0; lane < width; ++lane) EXPECT_EQ(row[lane], records[lane][k]);
+    for (int lane = 0; lane < lanes; ++lane) EXPECT_EQ(row[lane], records[lane][k]);
   }
 }
 

@@ -1,0 +1,45 @@
+#pragma once
+// Sums that grow by little, in float: value and rest together hold 48 bits, where a float alone would lose what is
+// below half of its last place in every step (Kahan, Comm. ACM 8, 1965). Doubles have no rest and no code for one.
+
+#include "kernels/core/short_scalar.hpp"
+
+namespace percuss {
+
+/// Takes the place of a rest that a double does not need.
+template <class Value>
+struct NoRest {};
+
+/// The rest of a Value on T: of the same kind for a float, nothing for a double.
+template <class T, class Value>
+using RestOf = std::conditional_t<is_short<T>, Value, NoRest<Value>>;
+
+/// value + rest += more. The rest is at most half of the value's last place unless `more` is larger than the value.
+template <class T>
+PERCUSS_FORCE_INLINE void add_to(T& value, T& rest, const T& more) {
+  const T wanted = more + rest;
+  const T sum = value + wanted;
+  rest = wanted - (sum - value);
+  value = sum;
+}
+template <class T>
+PERCUSS_FORCE_INLINE void add_to(Vector3<T>& value, Vector3<T>& rest, const Vector3<T>& more) {
+  add_to(value.x, rest.x, more.x);
+  add_to(value.y, rest.y, more.y);
+  add_to(value.z, rest.z, more.z);
+}
+template <class T>
+PERCUSS_FORCE_INLINE void add_to(Symmetric3<T>& value, Symmetric3<T>& rest, const Symmetric3<T>& more) {
+  add_to(value.xx, rest.xx, more.xx);
+  add_to(value.yy, rest.yy, more.yy);
+  add_to(value.zz, rest.zz, more.zz);
+  add_to(value.xy, rest.xy, more.xy);
+  add_to(value.yz, rest.yz, more.yz);
+  add_to(value.zx, rest.zx, more.zx);
+}
+template <class T>
+PERCUSS_FORCE_INLINE void add_to(Matrix3<T>& value, Matrix3<T>& rest, const Matrix3<T>& more) {
+  for (int i = 0; i < 3; ++i) add_to(value.row[i], rest.row[i], more.row[i]);
+}
+
+}  // namespace percuss
