@@ -50,9 +50,12 @@ deck's name, or the name of its folder if it is called deck.yaml. A folder that 
 --force is given, which overwrites an earlier run's files and nothing else.
 
 A first Ctrl-C, SIGTERM or SIGUSR1 ends the run after its step and writes what there is, with a checkpoint; a second one
-ends it at once. `output.checkpoint` of the deck writes checkpoints on the way. --restart goes on from one, on any number of
-ranks and threads, to the same bits as if the run had never stopped: in the checkpoint's folder, whose history and
-fields are continued, or in the empty folder of --out, where they begin anew. time.end may be later than before.
+ends it at once. mpirun kills its ranks one second after Ctrl-C; `--mca odls_base_sigkill_timeout 60` leaves them a minute,
+`kill -USR1 PID_OF_MPIRUN` all the time they need. `output.checkpoint` of the deck writes checkpoints on the way.
+
+--restart goes on from a checkpoint, on any number of ranks and threads, to the same bits as if the run had never stopped:
+in the checkpoint's folder, whose history and fields are continued, or in the empty folder of --out, where they begin
+anew. time.end may be later than before.
 
 Examples:
   percuss run inputs/taylor_bar/deck.yaml
@@ -147,7 +150,9 @@ struct Parser {
     add_deck(plan);
     add_plan_options();
     run->add_option("-o,--out", command.out_dir, "Folder for the results (default: out/SCENE)")->type_name("DIR");
-    run->add_option("-r,--restart", command.restart, "Go on from a checkpoint of this deck's run")->type_name("FILE");
+    run->add_option("-r,--restart", command.restart,
+                    "Go on from a checkpoint of this deck's run, or the one in a folder")
+        ->type_name("FILE|DIR");
     run->add_flag("-f,--force", command.force, "Overwrite the results of an earlier run in that folder");
     run->add_flag("-q,--quiet", command.quiet, "No progress, no report");
     info->add_option("FILE", command.file, "The file or folder")->required()->type_name("");

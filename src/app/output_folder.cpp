@@ -50,6 +50,12 @@ std::string default_output_folder(const std::string& deck_file) {
   return (fs::path("out") / scene).string();
 }
 
+std::string find_checkpoint(const std::string& file_or_folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(file_or_folder, ignored)) return file_or_folder;
+  return (fs::path(file_or_folder) / "checkpoint.h5").string();
+}
+
 std::string find_restart_folder(const std::string& checkpoint) {
   const std::string folder = fs::path(checkpoint).parent_path().string();
   return folder.empty() ? "." : folder;

@@ -9,6 +9,9 @@ namespace percuss {
 /// folder if the deck is called deck.yaml.
 std::string default_output_folder(const std::string& deck_file);
 
+/// The checkpoint that --restart names: a file, or a folder of results with the newest one in it.
+std::string find_checkpoint(const std::string& file_or_folder);
+
 /// The folder that a checkpoint lies in.
 std::string find_restart_folder(const std::string& checkpoint);
 

@@ -71,7 +71,9 @@ void prepare_folder(const Command& command, const std::string& out_dir, const Co
 
 }  // namespace
 
-ExitCode run_command(const Command& command, const Communicator& ranks) {
+ExitCode run_command(const Command& given, const Communicator& ranks) {
+  Command command = given;
+  command.restart = find_checkpoint(given.restart);
   const bool speaks = ranks.rank() == 0;
   const Deck deck = read_deck_together(command, ranks);
   if (speaks) {

@@ -175,11 +175,25 @@ std::string explain(const std::string& reason, const TreeBuilder& builder) {
   if (reason == "illegal flow end") return "this bracket closes nothing, or one opened before it is still open";
   if (reason == "illegal EOF in scalar") return "a quote is not closed";
   if (reason == "unknown token") return "a value cannot begin with this character; put it in quotes";
-  if (reason == "illegal map value")
-    return "a ':' does not belong here; check the line above it, its indentation and tabs";
+  if (reason == "illegal map value") return "a ':' does not belong here; check the line above it and its indentation";
   if (reason == "the referenced anchor is not defined")
     return "aliases are not supported; to begin a text with '*', put it in quotes";
   return reason;
+}
+
+/// The first line up to `last` [from 0] that a tab indents, which yaml-cpp takes for text.
+std::optional<Place> find_tab_indent(const std::string& text, int last) {
+  std::size_t start = 0;
+  for (int line = 0; line <= last && start < text.size(); ++line) {
+    const std::size_t first = text.find_first_not_of(" \t", start);
+    const std::size_t tab = text.find('\t', start);
+    if (tab < first && first != std::string::npos && text[first] != '\n' && text[first] != '#')
+      return Place{line + 1, static_cast<int>(tab - start) + 1};
+    const std::size_t end = text.find('\n', start);
+    if (end == std::string::npos) break;
+    start = end + 1;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -198,7 +212,11 @@ std::optional<Node> parse_yaml(const std::string& text, DeckErrors& errors, int 
   } catch (const YAML::DeepRecursion& error) {
     errors.add(builder.spot(error.mark), "maps and lists are nested too deep (no deck needs that)");
   } catch (const YAML::ParserException& error) {
-    errors.add(builder.spot(error.mark), "not valid YAML (" + explain(error.msg, builder) + ")");
+    const auto tab = override < 0 ? find_tab_indent(text, error.mark.line) : std::nullopt;
+    if (tab)
+      errors.add({*tab, override}, "not valid YAML (a tab indents this line) indent with spaces");
+    else
+      errors.add(builder.spot(error.mark), "not valid YAML (" + explain(error.msg, builder) + ")");
   }
   return std::nullopt;
 }

@@ -236,6 +236,9 @@ TEST(PercussRun, RefusesARestartFromWhatIsNoCheckpoint) {
   const ProcessResult none = run_percuss({"run", file, "--restart", folder.path() + "/none.h5"});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_THAT(none.err, HasSubstr("none.h5: error: no such file"));
+  const ProcessResult empty = run_percuss({"run", file, "--restart", folder.path()});
+  EXPECT_EQ(empty.exit_code, 2);
+  EXPECT_THAT(empty.err, HasSubstr("checkpoint.h5: error: no such file"));
   const ProcessResult text = run_percuss({"run", file, "--restart", file});
   EXPECT_EQ(text.exit_code, 2);
   EXPECT_THAT(text.err, HasSubstr("deck.yaml: error: not a checkpoint, or not a whole one"));
@@ -379,7 +382,7 @@ TEST(PercussRun, StoppedOnRanksGoesOnOnOthersToTheSameBits) {
   EXPECT_EQ(first.status, "interrupted") << stopped.err;
   const int end = static_cast<int>(first.steps) + 9;
   for (const auto& [launch, arguments] :
-       {std::pair(launch_on(3), std::vector<std::string>{"run", file, "--restart", out + "/checkpoint.h5"}),
+       {std::pair(launch_on(3), std::vector<std::string>{"run", file, "--restart", out}),
         std::pair(std::string(), std::vector<std::string>{"run", file, "-o", whole})}) {
     std::vector<std::string> all = arguments;
     all.insert(all.end(), {"--set", steps(end), "--set", "time.end=1e6"});
