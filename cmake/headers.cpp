@@ -1,0 +1,1 @@
+// Nothing: the target that compiles it has the headers of others that all targets share (PercussTargets.cmake).
