@@ -83,12 +83,18 @@ struct ShellSphereShape {
   int cells = 1;  // along an edge of the cube
 };
 
-/// The four walls of a rectangular profile, its corners sharp. Local origin: the middle of the start, axis +z, walls
-/// along x and y. Sides: the edges start, end; inner, outer.
+/// The four walls of a rectangular profile, its corners sharp, and plates that close its ends, joined to the walls:
+/// one makes a tray, two a box. Local origin: the middle of the start, axis +z, walls along x and y. Sides: the edges
+/// start, end (where closed all nodes there); inner, outer.
 struct ShellBoxTubeShape {
+  enum class Closed { none, start, end, both };
   std::array<double, 2> size{};  // of the section, along x and y
   double length = 0;
   std::array<int, 3> cells{1, 1, 1};  // along x, y and z
+  Closed closed = Closed::none;
+
+  bool has_start() const { return closed == Closed::start || closed == Closed::both; }
+  bool has_end() const { return closed == Closed::end || closed == Closed::both; }
 };
 
 /// An Exodus II file. All its element blocks, node sets and side sets, by name (or "block_7", "nodes_7", "sides_7").

@@ -55,7 +55,8 @@ MeshSize count(const ShellSphereShape& sphere) {
 
 MeshSize count(const ShellBoxTubeShape& tube) {
   const double around = 2.0 * (double(tube.cells[0]) + tube.cells[1]), along = tube.cells[2];
-  return {around * along, around * (along + 1)};
+  const double x = tube.cells[0], y = tube.cells[1], plates = int(tube.has_start()) + int(tube.has_end());
+  return {around * along + plates * x * y, around * (along + 1) + plates * (x - 1) * (y - 1)};
 }
 
 MeshSize count(const ExodusMesh&) { return {}; }

@@ -120,10 +120,14 @@ const Keys<ShellSphereShape>& shell_sphere_keys() {
 }
 
 const Keys<ShellBoxTubeShape>& shell_box_tube_keys() {
+  using Closed = ShellBoxTubeShape::Closed;
   static const Keys<ShellBoxTubeShape> keys = {
       need("size", &ShellBoxTubeShape::size, TupleValue<NumberValue, 2>{{positive}}),
       need("length", &ShellBoxTubeShape::length, NumberValue{positive}),
       need("cells", &ShellBoxTubeShape::cells, CellsValue<3>{{{{"along x", 1}, {"along y", 1}, {"along z", 1}}}}),
+      may("closed", &ShellBoxTubeShape::closed,
+          ChoiceValue<Closed>{
+              {{"none", Closed::none}, {"start", Closed::start}, {"end", Closed::end}, {"both", Closed::both}}}),
   };
   return keys;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/deck/deck.hpp"
+#include "src/mesh/mesh.hpp"
 
 namespace percuss {
 
@@ -45,6 +46,15 @@ class ShapeSource {
   virtual std::vector<CellBlock> blocks() const = 0;
 };
 
+/// Sides of the faces of a shell: two surfaces, and edges that no other surface can meet.
+inline std::array<int, 6> name_shell_sides(int bottom, int top) {
+  std::array<int, 6> sides;
+  sides.fill(ShapeSource::interior);
+  sides[shell_bottom] = bottom;
+  sides[shell_top] = top;
+  return sides;
+}
+
 /// The source of a generated shape; null for a mesh from a file.
 std::unique_ptr<ShapeSource> make_source(const Shape& shape);
 
@@ -64,7 +74,7 @@ std::unique_ptr<ShapeSource> make_tube_source(const TubeShape& shape);
 std::unique_ptr<ShapeSource> make_sphere_source(const SphereShape& shape);
 
 /// Surfaces of shells, their elements with corners as Mesh::elements has them. Nodes lie on the surface; elements count
-/// along the first direction of `cells` first.
+/// along the first direction of `cells` first, those of plates that close a profile after its walls.
 std::unique_ptr<ShapeSource> make_shell_source(const ShellPlateShape& shape);
 std::unique_ptr<ShapeSource> make_shell_source(const ShellTubeShape& shape);
 std::unique_ptr<ShapeSource> make_shell_source(const ShellSphereShape& shape);

@@ -1,4 +1,4 @@
-// Surfaces of shells.
+// Surfaces of shells: plates, cylinders and cones, balls.
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +14,6 @@ namespace percuss {
 namespace {
 
 constexpr double full_turn = 360;
-
-/// Faces of a shell: two surfaces, and edges that no other surface can meet.
-std::array<int, 6> name_surfaces(int bottom, int top) {
-  std::array<int, 6> sides;
-  sides.fill(ShapeSource::interior);
-  sides[shell_bottom] = bottom;
-  sides[shell_top] = top;
-  return sides;
-}
 
 /// A grid of cells along two directions, the first of which may close on itself. Side numbers are those of
 /// side_names(): both ends of the second direction, of the first if it is open, then the surfaces.
@@ -42,7 +33,7 @@ class GridSource : public ShapeSource {
 
   std::array<int, 6> face_sides(int /*element*/) const override {
     const int first = closed_ ? 2 : 4;
-    return name_surfaces(first, first + 1);
+    return name_shell_sides(first, first + 1);
   }
 
   unsigned node_sides(int node) const override {
@@ -114,31 +105,6 @@ class TubeSurface final : public GridSource<ShellTubeShape> {
   }
 };
 
-class BoxTubeSource final : public GridSource<ShellBoxTubeShape> {
- public:
-  explicit BoxTubeSource(const ShellBoxTubeShape& shape)
-      : GridSource(shape, {2 * (shape.cells[0] + shape.cells[1]), shape.cells[2]}, true) {}
-
-  /// Around from the corner of least x and y, counter-clockwise.
-  Vec3 place(int node) const override {
-    auto [i, j] = find_node(node);
-    const auto [across_x, across_y, along] = shape_.cells;
-    const double x = 0.5 * shape_.size[0], y = 0.5 * shape_.size[1], z = shape_.length * (double(j) / along);
-    const auto part = [](double half, int k, int cells) { return half * (2.0 * k - cells) / cells; };
-    if (i < across_x) return {part(x, i, across_x), -y, z};
-    i -= across_x;
-    if (i < across_y) return {x, part(y, i, across_y), z};
-    i -= across_y;
-    if (i < across_x) return {-part(x, i, across_x), y, z};
-    return {-x, -part(y, i - across_x, across_y), z};
-  }
-
- private:
-  std::array<double, 2> find_edges() const override {
-    return {2 * (shape_.size[0] + shape_.size[1]) / cells_[0], shape_.length / cells_[1]};
-  }
-};
-
 /// Elements count as CubeBoundary::find_face() does.
 class SphereSurface final : public ShapeSource {
  public:
@@ -156,7 +122,7 @@ class SphereSurface final : public ShapeSource {
   }
 
   Vec3 place(int node) const override { return lattice_(boundary_.find_point(node), 1); }
-  std::array<int, 6> face_sides(int /*element*/) const override { return name_surfaces(0, 1); }
+  std::array<int, 6> face_sides(int /*element*/) const override { return name_shell_sides(0, 1); }
   unsigned node_sides(int /*node*/) const override { return 0b11; }
 
   std::vector<CellBlock> blocks() const override {
@@ -185,9 +151,6 @@ std::unique_ptr<ShapeSource> make_shell_source(const ShellTubeShape& shape) {
 }
 std::unique_ptr<ShapeSource> make_shell_source(const ShellSphereShape& shape) {
   return std::make_unique<SphereSurface>(shape);
-}
-std::unique_ptr<ShapeSource> make_shell_source(const ShellBoxTubeShape& shape) {
-  return std::make_unique<BoxTubeSource>(shape);
 }
 
 }  // namespace percuss

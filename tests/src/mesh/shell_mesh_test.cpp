@@ -22,6 +22,8 @@ using namespace testing_mesh;
 using std::numbers::pi;
 using testing::HasSubstr;
 
+using Closed = ShellBoxTubeShape::Closed;
+
 struct Surface {
   std::string name;
   Shape shape;
@@ -42,6 +44,9 @@ std::vector<Surface> list_surfaces() {
            {0, 0, 0.5}},
           {"sector", ShellTubeShape{0.5, {}, 2, {8, 3}, 90}, 0.5 * 16 * std::sin(pi / 32) * 2, 22, {0, 0, 1}},
           {"box tube", ShellBoxTubeShape{{0.5, 0.3}, 2, {3, 2, 4}}, 3.2, 20, {0, 0, 1}},
+          {"tray", ShellBoxTubeShape{{0.5, 0.3}, 2, {3, 2, 4}, Closed::start}, 3.35, 10, {0, 0, 1}},
+          {"lid", ShellBoxTubeShape{{0.5, 0.3}, 2, {1, 3, 4}, Closed::end}, 3.35, 8, {0, 0, 1}},
+          {"box", ShellBoxTubeShape{{0.5, 0.3}, 2, {3, 2, 4}, Closed::both}, 3.5, 0, {0, 0, 1}},
           {"ball", ShellSphereShape{1, 12}, 0, 0, {}}};
 }
 
@@ -65,12 +70,11 @@ TEST_P(ShellSurface, HasSoundElementsWhoseNormalsPointOutward) {
     const HexCorners x = corners_of(mesh, e);
     const Vec3 from = subtract(add(x[0], x[2]), add(GetParam().center, GetParam().center));
     const Vec3 area = find_shell_area(x);
-    // Away from the axis of a tube, not from its centre.
-    const Vec3 away = std::holds_alternative<ShellSphereShape>(GetParam().shape) ||
-                              std::holds_alternative<ShellPlateShape>(GetParam().shape)
-                          ? from
-                          : Vec3{from[0], from[1], 0};
-    EXPECT_GT(dot(area, away), 0) << e;
+    // Away from the axis of a tube, not from its centre, but where a plate closes it.
+    const bool is_wall = !std::holds_alternative<ShellSphereShape>(GetParam().shape) &&
+                         !std::holds_alternative<ShellPlateShape>(GetParam().shape) &&
+                         std::hypot(area[0], area[1]) > 1e-9 * std::abs(area[2]);
+    EXPECT_GT(dot(area, is_wall ? Vec3{from[0], from[1], 0} : from), 0) << e;
   }
 }
 
@@ -120,6 +124,16 @@ TEST(ShellMesh, EdgesOfAGeneratedPlateAreNodeSets) {
   EXPECT_EQ(mesh.side_sets.at("p/top").front().face, shell_top);
   EXPECT_TRUE(mesh.side_sets.at("p/x_min").empty());
   for (const int n : mesh.node_sets.at("p/x_max")) EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(n)][0], 2);
+}
+
+TEST(ShellMesh, APlateThatClosesAProfileSharesTheNodesOfItsWallsAndOfItsEnd) {
+  PartDeck part = make_part_deck("p", ShellBoxTubeShape{{0.4, 0.2}, 0.3, {4, 2, 3}, Closed::end});
+  part.thickness = 0.01;
+  const Mesh mesh = build_mesh(make_deck({part}));
+  EXPECT_EQ(mesh.node_sets.at("p/start").size(), 12U);  // the rim
+  EXPECT_EQ(mesh.node_sets.at("p/end").size(), 15U);    // 5 x 3: rim and plate
+  EXPECT_EQ(mesh.side_sets.at("p/outer").size(), 44U);  // 12 x 3 of the walls, 4 x 2 of the plate
+  for (const int n : mesh.node_sets.at("p/end")) EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(n)][2], 0.3);
 }
 
 /// Two cubes, and a quadrilateral that stands on the edge of the second.
