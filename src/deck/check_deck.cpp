@@ -152,6 +152,22 @@ void check_estimate(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
+/// One point needs hourglass control, which but for `viscous` holds a fluid in its shape. Who names it, knows.
+void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
+  const Node* elements = root.find("elements");
+  if (elements != nullptr && (elements->find("hourglass") != nullptr || elements->find("integration") != nullptr)) {
+    return;
+  }
+  for (const MaterialDeck& material : deck.materials) {
+    if (material.law.model != "fluid") continue;
+    reading.errors.warn(root.find("materials")->find(material.name)->key,
+                        fmt::format("material '{}' is a fluid (the default elements.hourglass holds it in its shape as "
+                                    "if it had a hundredth of its bulk modulus in shear) for flows: "
+                                    "elements: {{hourglass: viscous}}",
+                                    material.name));
+  }
+}
+
 void check_frames(const Deck& deck, const Node& root, Reading& reading) {
   constexpr double most_frames = 1e6;
   if (!deck.output.fields_every || deck.time.end / *deck.output.fields_every <= most_frames) return;
@@ -178,6 +194,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_ties(deck, root, reading);
   check_curves(deck, reading);
   check_estimate(deck, root, reading);
+  check_fluids(deck, root, reading);
   check_frames(deck, root, reading);
 }
 

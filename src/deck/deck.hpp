@@ -17,7 +17,8 @@ namespace percuss {
 
 using Vec3 = std::array<double, 3>;
 
-/// A place in the deck, both counted from 1; 0 if there is none (a default, or --set).
+/// A place in the deck, both counted from 1; 0 if there is none (a default). A value of --set has line -1 for the first
+/// of them, -2 for the second.
 struct Place {
   int line = 0;
   int column = 0;
@@ -329,9 +330,10 @@ struct Deck {
   OutputDeck output;
   AuditDeck audit;
   std::vector<std::string> motion_values;  // "time.step_scale = 0.9": all that the motion depends on (deck_values.hpp)
+  std::vector<std::string> overrides;      // left sides of the --set arguments
   std::vector<std::string> warnings;       // "deck.yaml:LINE:COLUMN: warning: ...", for the user to see
 
-  /// "deck.yaml:LINE:COLUMN" for messages found after reading (meshing, selection).
+  /// "deck.yaml:LINE:COLUMN" or "--set KEY" for messages found after reading (meshing, selection).
   std::string where(Place place) const;
 };
 

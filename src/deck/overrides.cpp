@@ -87,7 +87,7 @@ Node* walk(Node& root, const std::vector<std::string>& keys, Spot spot, DeckErro
 std::string override_path(const std::string& argument) { return argument.substr(0, argument.find('=')); }
 
 void apply_override(const std::string& argument, int index, Node& root, DeckErrors& errors) {
-  const Spot spot{{}, index};
+  const Spot spot{{-index - 1, 0}, index};
   const auto equals = argument.find('=');
   if (equals == std::string::npos || equals == 0) {
     errors.add(spot, fmt::format("{} is no setting (must be path.to.key=value)", quote(argument)));

@@ -37,11 +37,12 @@ Node parse_tree(std::string text, const std::vector<std::string>& overrides, Dec
 Deck parse_deck(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {
   std::vector<std::string> paths;
   for (const std::string& argument : overrides) paths.push_back(override_path(argument));
+  Deck deck;
+  deck.file = file;
+  deck.overrides = paths;
   Reading reading{
       DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string(), {}, {}, {}, {}, {}};
   const Node root = parse_tree(text, overrides, reading.errors);
-  Deck deck;
-  deck.file = file;
   read_keys(Reader(reading), root, deck_keys(), deck);
   check_deck(deck, root, reading);
   reading.errors.throw_if_any();
@@ -55,6 +56,7 @@ Deck read_deck(const std::string& file, const std::vector<std::string>& override
 }
 
 std::string Deck::where(Place place) const {
+  if (place.line < 0) return "--set " + overrides.at(static_cast<std::size_t>(-place.line - 1));
   return place.line > 0 ? fmt::format("{}:{}:{}", file, place.line, place.column) : file;
 }
 

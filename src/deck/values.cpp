@@ -23,6 +23,14 @@ const std::string* plain_text(const Reader& reader, const std::string& name, con
 
 }  // namespace
 
+std::string comma_hint(const Node& list, std::size_t wanted) {
+  if (list.kind != Node::Kind::list || list.items.size() <= wanted || list.items.size() > 2 * wanted) return "";
+  const bool are_integers = std::all_of(list.items.begin(), list.items.end(), [](const Node& item) {
+    return item.kind == Node::Kind::scalar && std::holds_alternative<long long>(read_integer(item.text));
+  });
+  return are_integers ? "; decimals take a point, not a comma" : "";
+}
+
 bool NumberValue::read(const Reader& reader, const std::string& name, const Node& node, double& out) const {
   const std::string* text = plain_text(reader, name, node, "a number");
   if (text == nullptr) return false;

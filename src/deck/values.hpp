@@ -98,6 +98,9 @@ struct ChoiceValue {
   std::string takes() const { return fmt::format("{}", fmt::join(words(), " | ")); }
 };
 
+/// What to say of a list that is longer than it must be because decimal commas have cut its numbers; or nothing.
+std::string comma_hint(const Node& list, std::size_t wanted);
+
 /// Exactly N values of one kind, [x, y, z].
 template <class Item, std::size_t N>
 struct TupleValue {
@@ -106,7 +109,7 @@ struct TupleValue {
   template <class T>
   bool read(const Reader& reader, const std::string& name, const Node& node, std::array<T, N>& out) const {
     if (node.kind != Node::Kind::list || node.items.size() != N) {
-      reader.refuse(node, name, takes());
+      reader.refuse(node, name, takes() + comma_hint(node, N));
       return false;
     }
     std::array<T, N> values{};

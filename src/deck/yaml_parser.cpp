@@ -30,7 +30,7 @@ class TreeBuilder final : public YAML::EventHandler {
   Node take_root() { return std::move(root_); }
 
   Spot spot(const YAML::Mark& mark) {
-    return {override_ >= 0 ? Place{} : places_.place(mark.line, mark.column), override_};
+    return {override_ >= 0 ? Place{-override_ - 1, 0} : places_.place(mark.line, mark.column), override_};
   }
 
   /// The innermost list or map in brackets that is still open.

@@ -63,6 +63,7 @@ class HeldDirectionFinder {
     model_.motions.push_back({});  // row 0: at rest
     for (std::size_t c = 0; c < deck_.conditions.size(); ++c) {
       const std::vector<int> nodes = select_nodes(chunked_.mesh, deck_, deck_.conditions[c].where);
+      require_rotations(deck_.conditions[c], nodes);
       for (int k = 0; k < (model_.has_shells ? direction_count : first_rotation); ++k) {
         if (deck_.conditions[c].active[static_cast<std::size_t>(k)]) hold(c, k, nodes);
       }
@@ -86,6 +87,25 @@ class HeldDirectionFinder {
       const bool agrees = is_new || (entry->second.motion == 0 && row == 0);
       if (!agrees && first_.condition == Contradiction::none) note(c, k, node, *entry->second.condition);
     }
+  }
+
+  /// Throws, on all ranks, if rotations are held and no node of any rank has one. Symmetry holds those that there are.
+  void require_rotations(const ConditionDeck& condition, const std::vector<int>& nodes) const {
+    const auto first = condition.active.begin() + first_rotation;
+    const auto active = std::find(first, condition.active.end(), true);
+    if (condition.kind == ConditionDeck::Kind::symmetry || active == condition.active.end()) return;
+    int some = 0;
+    if (model_.has_shells) {
+      const auto inertia = to_host(model_.inertia);
+      some = std::any_of(nodes.begin(), nodes.end(), [&](int n) { return inertia(static_cast<std::size_t>(n)) > 0; });
+    }
+    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, model_.ranks.handle()); },
+             "MPI_Allreduce");
+    if (some != 0) return;
+    throw InputError(fmt::format(
+        "{}: error: {} is of no use here (none of these nodes is one of shells, which alone "
+        "have rotations)",
+        deck_.where(condition.where.place), name_direction(static_cast<int>(active - condition.active.begin()))));
   }
 
   void note(std::size_t c, int k, int node, const ConditionDeck& other) {

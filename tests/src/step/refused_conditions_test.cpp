@@ -1,0 +1,55 @@
+// Conditions and selections that are refused when the model is built, with the place of the deck, on every rank.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "src/error.hpp"
+#include "tests/src/step/scene.hpp"
+
+namespace percuss::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// A block of hexahedra and a plate of shells.
+const std::string text = R"yaml(
+time: {end: 1}
+parts:
+  block: {box: {size: [9, 3, 3], cells: [9, 3, 3]}, material: m}
+  plate: {shell_plate: {size: [2, 2], cells: [2, 2]}, thickness: 0.1, at: [0, 0, 9], material: m}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0.3}}
+)yaml";
+
+/// What building the scene says with one more condition, on every rank.
+std::string take_error(const std::string& condition) {
+  try {
+    const Scene scene(text + "conditions: [" + condition + "]\n");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(HeldRotations, AreRefusedWhereNoNodeHasOne) {
+  for (const char* motion : {"fixed: [x, ry]", "velocity: {ry: 3}"}) {
+    EXPECT_THAT(take_error(std::string("{nodes: block/x_min, ") + motion + "}"),
+                HasSubstr("deck.yaml:7:22: error: ry is of no use here (none of these nodes is one of shells"));
+    EXPECT_EQ(take_error(std::string("{nodes: plate/x_min, ") + motion + "}"), "");
+    EXPECT_EQ(take_error(std::string("{nodes: all, ") + motion + "}"), "");  // some have
+  }
+  EXPECT_EQ(take_error("{nodes: block/x_min, symmetry: x}"), "");
+}
+
+TEST(Selections, OfASettingAreRefusedByItsKey) {
+  const Deck deck = parse_deck(text + "conditions: [{nodes: block, fixed: x}]\n", "deck.yaml",
+                               {"time.end=2", "conditions.0.nodes={name: block, inside: [[50, 0, 0], [60, 1, 1]]}"});
+  try {
+    const Scene scene(deck);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("--set conditions.0.nodes: error: 'block' has no nodes inside the box"));
+  }
+}
+
+}  // namespace
+}  // namespace percuss::test
