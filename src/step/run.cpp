@@ -23,6 +23,7 @@
 #include "src/step/run_summary.hpp"
 #include "src/step/run_totals.hpp"
 #include "src/step/step.hpp"
+#include "src/step/turned_corners.hpp"
 #include "src/step/whole_mesh.hpp"
 
 namespace percuss {
@@ -58,6 +59,7 @@ class Run {
   void erode();
   void observe();
   void observe_last();
+  void look_at_corners();
   void audit();
   void note_contact();
   void check_step_made() const;
@@ -100,6 +102,7 @@ class Run {
   double first_dt_ = 0;
   std::int64_t limiting_element_id_ = 0;  // bounded the last step
   UnconvergedSteps unconverged_;
+  TurnedCorners turned_;
   Clock::time_point loop_start_;
   double compute_start_ = 0;  // compute_seconds() when the clocks of the phases began
   Progress progress_;
@@ -254,14 +257,18 @@ void Run::observe() {
   if (row_due) output_.write_row(state_, audited_, stepper_);
   check_balance(seen(), audited_);
   if (frame_due) output_.write_frame(state_);
+  if (frame_due) look_at_corners();
   output_.advance(state_.time);
 }
+
+void Run::look_at_corners() { turned_.note(state_.time, count_turned_corners(chunked_, model_, state_)); }
 
 /// The same of the last state, due or not.
 void Run::observe_last() {
   audit();
   const Phase phase("percuss::output", stepper_.clocks().output);
   output_.write_row(state_, audited_, stepper_);
+  look_at_corners();
   check_balance(seen(), audited_);
   output_.write_frame(state_);
 }
@@ -285,6 +292,7 @@ void Run::archive(CheckpointArchive& archive) {
   archive.integer("run/unconverged_steps", unconverged_.count);
   archive.integer("run/first_unconverged", unconverged_.first);
   archive.integer("run/audited_step", audited_step_);
+  archive.number("run/turned_time", turned_.first_time);
   audited_.archive(archive);
 }
 
@@ -324,6 +332,7 @@ void Run::finish(const std::string& status, const std::string& error) {
   fill_summary(summed(), summary_);
   progress_.finish(find_progress());
   say(find_end_notes(summary_, unconverged_));
+  if (const std::string warning = turned_.describe(chunked_.mesh.parts); !warning.empty()) say({warning});
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || options_.out_dir.empty()) return;
     write_ranks(options_.out_dir + "/ranks.csv", rows);
