@@ -12,7 +12,11 @@ namespace percuss::test {
 
 struct ErodingScene {
   explicit ErodingScene(const std::string& text, const Communicator& ranks = Communicator::world())
-      : scene(text, ranks), erosion(scene.deck, scene.chunked, scene.model, scene.contact), audit(scene.model) {
+      : ErodingScene(parse_deck(text, "deck.yaml"), ranks) {}
+  explicit ErodingScene(Deck from, const Communicator& ranks = Communicator::world())
+      : scene(std::move(from), ranks),
+        erosion(scene.deck, scene.chunked, scene.model, scene.contact),
+        audit(scene.model) {
     if (scene.contact.is_active()) scene.contact.prepare(scene.state.x, scene.state.v);
     scene.stepper.start(scene.state);
     audit(scene.state);
