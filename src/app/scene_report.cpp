@@ -67,6 +67,7 @@ std::string format_loads(const Deck& deck) {
   if (!deck.initial.empty()) add(count(deck.initial.size(), "initial velocity", "initial velocities"));
   if (!deck.conditions.empty()) add(count(deck.conditions.size(), "condition", "conditions"));
   if (!deck.pressures.empty()) add(count(deck.pressures.size(), "pressure", "pressures"));
+  if (!deck.nodal_loads.empty()) add(count(deck.nodal_loads.size(), "load on nodes", "loads on nodes"));
   if (deck.gravity != Vec3{}) add("gravity");
   return line("loads", text.empty() ? "none" : text);
 }

@@ -88,31 +88,40 @@ struct SymmetryValue {
   std::string takes() const { return "x | y | z, the normal of the plane"; }
 };
 
+/// Reads a map from directions, at least one of them: read_one(place in `names`, inner reader, entry).
+template <class ReadOne>
+bool read_directions(const Reader& reader, const std::string& name, const Node& node, const std::string& takes,
+                     const std::vector<std::string>& names, const ReadOne& read_one) {
+  if (node.kind != Node::Kind::map || node.entries.empty()) {
+    reader.refuse(node, name, takes);
+    return false;
+  }
+  const Reader inner = reader.inside(name);
+  bool good = true;
+  for (const Entry& entry : node.entries) {
+    const auto i = static_cast<std::size_t>(std::find(names.begin(), names.end(), entry.name) - names.begin());
+    if (i < names.size()) {
+      good = read_one(i, inner, entry) && good;
+    } else {
+      refuse_key(inner, entry, names, {});
+      good = false;
+    }
+  }
+  return good;
+}
+
 /// {x: curve, y: curve, z: curve}, at least one of them; of velocities also {rx: curve, ...}.
 struct MotionValue {
   ConditionDeck::Kind kind;
 
   bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {
     out.kind = kind;
-    if (node.kind != Node::Kind::map || node.entries.empty()) {
-      reader.refuse(node, name, takes());
-      return false;
-    }
-    const Reader inner = reader.inside(name);
-    bool good = true;
-    for (const Entry& entry : node.entries) {
-      const std::vector<std::string> names = list_directions();
-      const auto i = static_cast<std::size_t>(std::find(names.begin(), names.end(), entry.name) - names.begin());
-      if (i == names.size()) {
-        refuse_key(inner, entry, names, {});
-        good = false;
-      } else {
-        if (i > 2) reader.reading().rotations.push_back({entry.value.key, entry.name, reader.in()});
-        out.active[i] = true;
-        good = read_motion(inner, entry, out.value[i]) && good;
-      }
-    }
-    return good;
+    const auto read_one = [&](std::size_t i, const Reader& inner, const Entry& entry) {
+      if (i > 2) reader.reading().rotations.push_back({entry.value.key, entry.name, reader.in()});
+      out.active[i] = true;
+      return read_motion(inner, entry, out.value[i]);
+    };
+    return read_directions(reader, name, node, takes(), list_directions(), read_one);
   }
   std::string takes() const {
     return fmt::format("a map from directions {} to curves", fmt::join(list_directions(), ", "));
@@ -134,6 +143,36 @@ struct MotionValue {
     return false;
   }
 };
+
+/// The forces, or the moments, of a load on nodes: {x: curve, y: curve, z: curve}, at least one of them.
+struct NodalValue {
+  std::size_t first;  // 0: forces; 3: moments
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, NodalLoadDeck& out) const {
+    const auto read_one = [&](std::size_t i, const Reader& inner, const Entry& entry) {
+      if (first > 0) reader.reading().rotations.push_back({entry.value.key, "moment." + entry.name, reader.in()});
+      out.active[first + i] = true;
+      return CurveValue{}.read(inner, inner.name_of(entry.name), entry.value, out.value[first + i]);
+    };
+    return read_directions(reader, name, node, takes(), {"x", "y", "z"}, read_one);
+  }
+  std::string takes() const { return "a map from directions x, y, z to curves"; }
+};
+
+const Keys<NodalLoadDeck>& nodal_load_keys() {
+  static const Keys<NodalLoadDeck> keys = {
+      need("nodes", &NodalLoadDeck::where, SelectorValue{}),
+      group<NodalLoadDeck>("force", NodalValue{0}),
+      group<NodalLoadDeck>("moment", NodalValue{3}),
+  };
+  return keys;
+}
+
+bool check_nodal_load(const Reader& reader, const Node& node, NodalLoadDeck&) {
+  if (node.find("force") != nullptr || node.find("moment") != nullptr) return true;
+  reader.error(node.spot, fmt::format("{} does nothing (must have a force, a moment or both)", reader.self()));
+  return false;
+}
 
 const Keys<ConditionDeck>& condition_kind_keys() {
   static const Keys<ConditionDeck> keys = {
@@ -189,6 +228,7 @@ bool check_wall(const Reader&, const Node& node, WallDeck& wall) {
 
 MapValue<InitialDeck> initial_value() { return {initial_keys, check_initial}; }
 MapValue<PressureDeck> pressure_value() { return {pressure_keys}; }
+MapValue<NodalLoadDeck> nodal_load_value() { return {nodal_load_keys, check_nodal_load}; }
 MapValue<WallDeck> wall_value() { return {wall_keys, check_wall}; }
 
 bool ConditionValue::read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {

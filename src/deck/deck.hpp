@@ -223,6 +223,13 @@ struct PressureDeck {
   std::optional<Vec3> direction;
 };
 
+/// Forces and, of nodes of shells, moments, on each of the nodes.
+struct NodalLoadDeck {
+  Selector where;
+  std::array<bool, 6> active{};  // which are given: forces along x, y, z, then moments about x, y, z
+  std::array<Curve, 6> value;
+};
+
 struct WallDeck {
   Vec3 point{};
   Vec3 normal{};  // unit vector towards the side where bodies live
@@ -324,6 +331,7 @@ struct Deck {
   std::vector<InitialDeck> initial;
   Vec3 gravity{};
   std::vector<PressureDeck> pressures;
+  std::vector<NodalLoadDeck> nodal_loads;
   std::vector<ConditionDeck> conditions;
   std::vector<WallDeck> walls;
   ContactDeck contact;

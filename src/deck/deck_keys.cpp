@@ -110,6 +110,7 @@ const Keys<Deck>& load_keys() {
   static const Keys<Deck> keys = {
       may("gravity", &Deck::gravity, vector3()),
       may("pressure", &Deck::pressures, ListValue<MapValue<PressureDeck>>{pressure_value()}),
+      may("nodal", &Deck::nodal_loads, ListValue<MapValue<NodalLoadDeck>>{nodal_load_value()}),
   };
   return keys;
 }

@@ -32,6 +32,7 @@ struct ConditionValue {
 };
 
 MapValue<PressureDeck> pressure_value();
+MapValue<NodalLoadDeck> nodal_load_value();
 MapValue<WallDeck> wall_value();
 
 /// `contact`: a deck that has the section means all surfaces unless it says otherwise.

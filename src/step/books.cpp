@@ -163,6 +163,49 @@ void book_pressure_power(ExactSums<1>& power_sum, State& state, double dt) {
   add_work(work[0], state.books);
 }
 
+/// Work of the loads on node i of the list: that of its force and of its moment. w: only with shells.
+KOKKOS_INLINE_FUNCTION double find_nodal_power(const NodalLoads& loads, int i, const Rows3<double>& slot_force,
+                                               const Rows3<double>& slot_moment, const Rows3<double>& v,
+                                               const Rows3<double>& w) {
+  const int s = loads.first_slot + i, n = loads.node(i);
+  double power = 0;
+  for (int k = 0; k < 3; ++k) power += slot_force(s, k) * v(n, k);
+  for (int k = 0; slot_moment.extent(0) > 0 && k < 3; ++k) power += slot_moment(s, k) * w(n, k);
+  return power;
+}
+
+/// As book_pressure(), of the loads on nodes.
+void book_nodal_loads(const Model& model, ExactSums<7>& nodal_sums, State& state, double dt, double dt_mean) {
+  const NodalLoads loads = state.nodal_loads;
+  if (loads.count == 0) return;
+  const auto x = state.x, v = state.v, w = state.w, slot_force = state.slot_force, slot_moment = state.slot_moment;
+  const auto inertia = model.inertia;
+  const Center center(model.mass_center);
+  const auto sums = nodal_sums(
+      ExecSpace(), loads.count, KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+        const int s = loads.first_slot + i, n = loads.node(i);
+        add(0, 0.5 * dt * find_nodal_power(loads, i, slot_force, slot_moment, v, w));
+        const double j[3] = {dt_mean * slot_force(s, 0), dt_mean * slot_force(s, 1), dt_mean * slot_force(s, 2)};
+        const double r[3] = {x(n, 0) - center.at[0], x(n, 1) - center.at[1], x(n, 2) - center.at[2]};
+        add_impulse(r, j, 1, add);
+        const bool turns = slot_moment.extent(0) > 0 && inertia(n) > 0;  // others do not feel a moment
+        for (int k = 0; turns && k < 3; ++k) add(4 + k, dt_mean * slot_moment(s, k));
+      });
+  add_work(sums[0], state.books);
+  add_to_books(sums, 1, state.books);
+}
+
+void book_nodal_power(ExactSums<1>& power_sum, State& state, double dt) {
+  const NodalLoads loads = state.nodal_loads;
+  if (loads.count == 0) return;
+  const auto v = state.v, w = state.w, slot_force = state.slot_force, slot_moment = state.slot_moment;
+  const auto work = power_sum(
+      ExecSpace(), loads.count, KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+        add(0, 0.5 * dt * find_nodal_power(loads, i, slot_force, slot_moment, v, w));
+      });
+  add_work(work[0], state.books);
+}
+
 /// Gravity acts on the mass centre, which moves with the momentum of all ranks: no sum over nodes. Rank 0 books it.
 void book_gravity(const Model& model, const Vec3& start_momentum, double dt, double dt_mean, Vec3& center,
                   State& state) {
@@ -209,6 +252,7 @@ void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, bool has
     wall_dt_ = dt;
   }
   book_pressure(model_, pressure_sums_, state, dt, dt_mean);
+  book_nodal_loads(model_, nodal_sums_, state, dt, dt_mean);
   book_gravity(model_, momentum_, dt, dt_mean, center_shift_, state);
 }
 
@@ -218,6 +262,7 @@ void Bookkeeper::book_new_forces(State& state, double dt) {
   book_rest_of_work(model_, held_force_sum_, model_.held_spins, model_.owned_held_spins, state.w, state.slot_moment, dt,
                     state.books);
   book_pressure_power(power_sum_, state, dt);
+  book_nodal_power(power_sum_, state, dt);
 }
 
 void Bookkeeper::book_vanished(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) {

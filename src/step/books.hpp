@@ -45,6 +45,7 @@ class Bookkeeper {
   ExactSums<1> held_force_sum_{"percuss::held_force_sum"};
   OwnedNodeSums<6> wall_sums_{"percuss::wall_sums"};      // impulse, moment of impulse
   ExactSums<7> pressure_sums_{"percuss::pressure_sums"};  // work, impulse, moment of impulse
+  ExactSums<7> nodal_sums_{"percuss::nodal_sums"};        // likewise, of loads on nodes
   ExactSums<1> power_sum_{"percuss::power_sum"};
   std::array<ExactSum, 3> wall_impulse_{};  // of the last step; this rank's share
   double wall_dt_ = 0;                      // of that step; 0: the walls did nothing

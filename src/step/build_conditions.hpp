@@ -2,7 +2,7 @@
 // The parts of the model that the deck's loads, conditions and initial velocities decide. Internal to build_model.
 //
 // Each fills its own fields of the model and leaves the others alone; all are collective over the mesh's ranks. A slot
-// is where one chunk or one pressure face leaves its force for a node.
+// is where one chunk, one pressure face or one load leaves its force for a node.
 
 #include <vector>
 
@@ -17,6 +17,10 @@ namespace percuss {
 /// Returns the slots that this rank fills: chunk slots, then pressure slots. In the sum of a node those of pressure
 /// come after those of all chunks, by load and then by face of the whole mesh. Throws InputError: unknown sets.
 LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Model& model);
+
+/// Finds the nodes under load that this rank owns and gives them a slot each, after those of pressure, at the end of
+/// `slots` and, by load, of the sum of a node. Throws InputError: unknown sets.
+void build_nodal_loads(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slots, Model& model);
 
 /// Finds the held directions and their motions, and the inverse mass, which is 0 in them. mass: [node]. Throws
 /// InputError, the same on all ranks, where two conditions of the deck move the same node in the same direction.

@@ -341,7 +341,9 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_chunks(deck, chunked, model);
   build_failing_chunks(deck, chunked, model);
   build_numbers(chunked, model);
-  build_halo(chunked, build_pressure_faces(deck, chunked, model), model);
+  LocalSlots slots = build_pressure_faces(deck, chunked, model);
+  build_nodal_loads(deck, chunked, slots, model);
+  build_halo(chunked, slots, model);
   model.start = to_rows("percuss::start", mesh.nodes);
   const std::vector<double> mass = build_masses(deck, chunked, model);
   build_held_directions(deck, chunked, mass, model);

@@ -4,6 +4,7 @@
 // Each rank has the model of its share of the mesh. Nodes that others use too are there as copies, which go through the
 // same motions; the owner alone counts them in sums.
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "kernels/element/internal_force.hpp"
 #include "kernels/node/conditions.hpp"
 #include "kernels/node/motion.hpp"
+#include "kernels/node/nodal_load.hpp"
 #include "kernels/node/pressure.hpp"
 #include "kernels/shell/shell_force.hpp"
 #include "src/deck/deck.hpp"
@@ -77,7 +79,7 @@ struct Model {
 
   NodeSlots nodes_to_slots;
   HaloPlan halo;
-  int slot_count = 0;  // chunk slots, then four a pressure face, then those received from other ranks
+  int slot_count = 0;  // chunk slots, four a pressure face, one a loaded node, then those received from other ranks
 
   NodeRuns owned_nodes;
   Array<std::int64_t> node_numbers;    // [nodes] place in the whole mesh
@@ -95,6 +97,8 @@ struct Model {
   Gravity gravity;
   PressureFaces pressure_faces;
   std::vector<Curve> pressures;  // by load
+  NodalLoads nodal_loads;
+  std::vector<std::array<Curve, 6>> nodal_values;  // by load: forces, moments
   HeldDirections held;
   Array<int> owned_held;        // entries of `held` whose nodes this rank owns
   std::vector<Motion> motions;  // by HeldDirections::motion; row 0 is "at rest"

@@ -224,7 +224,7 @@ void Run::erode() {
   if (!state_.bound.died) return;
   const Phase phase("percuss::erosion", stepper_.clocks().reduce);
   erosion_.redefine(state_, stepper_.bookkeeper());
-  if (!deck_.pressures.empty()) stepper_.renew_loads(state_);
+  if (!deck_.pressures.empty() || !deck_.nodal_loads.empty()) stepper_.renew_loads(state_);
 }
 
 StepWishes Run::find_wishes() const {

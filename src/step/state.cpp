@@ -162,6 +162,7 @@ State make_initial_state(const Model& model) {
   s.inverse_mass = model.inverse_mass;
   s.total_mass = model.total_mass;
   s.pressure_faces = model.pressure_faces;
+  s.nodal_loads = model.nodal_loads;
   return s;
 }
 

@@ -56,6 +56,7 @@ struct State {
   Rows3<double> inverse_mass;    // 0 in held directions and of vanished nodes
   double total_mass = 0;         // of all ranks
   PressureFaces pressure_faces;  // those of dead elements have no area
+  NodalLoads nodal_loads;        // those of nodes that have vanished are gone
 
   // Of scenes with shells; empty otherwise.
   Rows3<double> w;            // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)

@@ -60,7 +60,8 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
       contact_(contact),
       halo_(model.ranks, model.halo),
       bookkeeper_(deck, model),
-      pressures_("percuss::pressures", model.pressures.size()) {
+      pressures_("percuss::pressures", model.pressures.size()),
+      nodal_values_("percuss::nodal_values", model.nodal_values.size()) {
   if (model.has_shells) moment_halo_.emplace(model.ranks, model.halo);
   std::vector<int> is_displacement;
   for (const Motion& motion : model.motions) is_displacement.push_back(motion.is_displacement ? 1 : 0);
@@ -146,7 +147,8 @@ void Stepper::advance(State& state, StepWishes wishes) {
 /// Whether only elements and gravity act on the nodes: then nothing comes between their velocities and their motion,
 /// and nothing asks for their forces.
 bool Stepper::is_free() const {
-  return !contact_.is_active() && model_.held.count == 0 && model_.pressure_faces.count == 0;
+  return !contact_.is_active() && model_.held.count == 0 && model_.pressure_faces.count == 0 &&
+         model_.nodal_loads.count == 0;
 }
 
 void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {
@@ -301,11 +303,21 @@ double Stepper::find_mesh_step(const State& state, const StepNotice& notice) {
 }
 
 void Stepper::apply_loads(State& state, double time) {
+  apply_forces(state, time);
   if (model_.pressure_faces.count == 0) return;
   const auto values = Kokkos::create_mirror_view(pressures_);
   for (std::size_t i = 0; i < model_.pressures.size(); ++i) values(i) = model_.pressures[i](time);
   Kokkos::deep_copy(pressures_, values);
   apply_pressure(space_, state.pressure_faces, pressures_, state.x, state.slot_force);
+}
+
+void Stepper::apply_forces(State& state, double time) {
+  if (model_.nodal_loads.count == 0) return;
+  const auto values = Kokkos::create_mirror_view(nodal_values_);
+  for (std::size_t i = 0; i < model_.nodal_values.size(); ++i)
+    for (std::size_t k = 0; k < 6; ++k) values(i, k) = model_.nodal_values[i][k](time);
+  Kokkos::deep_copy(nodal_values_, values);
+  apply_nodal_loads(space_, state.nodal_loads, nodal_values_, state.slot_force, state.slot_moment);
 }
 
 void Stepper::choose_step(State& state) const {

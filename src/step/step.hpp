@@ -93,6 +93,7 @@ class Stepper {
   void judge_elements(State& state, double dt);
   void advance_blocks(State& state, const HexBlocks& blocks, const ShellBlocks& shells, double dt);
   void apply_loads(State& state, double time);
+  void apply_forces(State& state, double time);
   StepNotice find_notice(const State& state) const;
   void agree_on_step(State& state, StepWishes wishes);
   double find_mesh_step(const State& state, const StepNotice& notice);
@@ -111,6 +112,7 @@ class Stepper {
   Bookkeeper bookkeeper_;
   PrescribedMotions motions_;
   Array<double> pressures_;
+  NodalLoadValues nodal_values_;
   ContactReport report_;
   bool some_died_ = false;  // of this rank's elements, in the last step
   PhaseClocks clocks_;
