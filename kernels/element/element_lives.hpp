@@ -5,6 +5,7 @@
 // more, and then it is dead. The work of a step counts by the mean of the shares at its ends, the trapezoid of the
 // audit: what is booked is what the element has taken. Only chunks whose material can fail have entries.
 
+#include <cstddef>
 #include <limits>
 
 #include "kernels/core/precision.hpp"
@@ -34,7 +35,8 @@ struct FailureLimits {
   double room_temperature = 0, melt_temperature = 0;  // where T is 0 and 1; equal: T is 0
   double least_step = 0;        // a smaller bound of its own takes an element out at once; 0: none
   bool takes_inverted = false;  // so does no positive volume
-  int fade_steps = 1;           // evaluations until a failed element has no force
+  int fade_steps = 1;           // evaluations until a failed element, or layer of a shell, has no force
+  double layers = 1;            // of a shell: share of the thickness that has to fail
 };
 
 /// The chunks that can fail; const after set-up.
@@ -45,6 +47,8 @@ struct FailingChunks {
   Array<int> row;         // [chunks of the rank] of `limits`
   Kokkos::View<FailureLimits*, MemSpace> limits;
   int pack_count = 0;
+  Array<std::size_t> first_layer;  // [chunks of the rank] place in ElementLives::layers of shells; empty: none can fail
+  std::size_t layer_scalars = 0;   // of ElementLives::layers
 
   KOKKOS_INLINE_FUNCTION int find_pack(int chunk) const {
     return first_pack.extent(0) == 0 ? -1 : first_pack(static_cast<std::size_t>(chunk));
@@ -63,6 +67,7 @@ struct ElementLives {
   Array<double> plastic_strain;  // [lanes] at n
   Array<double> damage;          // [lanes] Johnson-Cook's, at n; 1: failed
   Array<double> time_at_yield;   // [lanes] at n
+  Array<double> layers;          // of shells (kernels/shell/layer_lives.hpp); of them the three above are means
 };
 
 /// What counts of an element in the step to its next evaluation.

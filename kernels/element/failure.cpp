@@ -1,30 +1,13 @@
 #include "kernels/element/failure.hpp"
 
+#include "kernels/element/dying_lanes.hpp"
 #include "kernels/element/failure_criteria.hpp"
 
 namespace percuss {
 
 namespace {
 
-constexpr int width = pack_size<Real>;
-
-/// The chunk's records, and where its lanes begin among those that can fail.
-struct FailingRecords {
-  Real* records;
-  int record_size;
-  int first_lane;
-  int packs;
-
-  KOKKOS_INLINE_FUNCTION Real* find(int i) const {
-    return records + static_cast<std::size_t>(i / width) * static_cast<std::size_t>(record_size) * width + i % width;
-  }
-};
-
-KOKKOS_INLINE_FUNCTION FailingRecords find_records(const HexChunks& chunks, const FailingChunks& failing,
-                                                   const Array<Real>& elements, int c) {
-  return {&elements(chunks.first_state(c)), chunks.record_size(c), failing.first_pack(c) * width,
-          chunks.first_pack(c + 1) - chunks.first_pack(c)};
-}
+constexpr int width = FailingRecords::width;
 
 /// Six scalars of a record, their mean over points that follow each other.
 KOKKOS_INLINE_FUNCTION Symmetric3<double> read_tensor(const Real* record, int first, int points) {
@@ -59,27 +42,10 @@ KOKKOS_INLINE_FUNCTION ElementLoad read_load(const HexChunks& chunks, int c, con
   return load;
 }
 
-/// The element has `left` evaluations until its force is gone.
-KOKKOS_INLINE_FUNCTION void set_left(const ElementLives& lives, int lane, int left, const FailureLimits& limits) {
-  const LifeShares shares = find_life_shares(left, limits.fade_steps);
-  lives.steps_left(lane) = left;
-  lives.force_share(lane) = static_cast<Real>(shares.force);
-  lives.work_share(lane) = static_cast<Real>(shares.work);
-}
-
 /// One element: whole, failing, taken out by its evaluation, or dead. Returns whether anything has changed.
 KOKKOS_INLINE_FUNCTION bool judge(const ElementLives& lives, int lane, const FailureLimits& limits,
                                   const ElementLoad& load, double dt, FailureCounts& counts) {
-  const int left = lives.steps_left(lane);
-  if (lives.force_share(lane) < 0 || left == 1) {
-    set_left(lives, lane, 0, limits);
-    ++counts.died;
-    return true;
-  }
-  if (left > 1) {
-    set_left(lives, lane, left - 1, limits);
-    return true;
-  }
+  if (go_on_dying(lives, lane, limits, counts)) return true;
   FailureHistory history{lives.plastic_strain(lane), lives.damage(lane), lives.time_at_yield(lane)};
   const bool failed = fails(limits, load, dt, history);
   lives.plastic_strain(lane) = history.plastic_strain;
@@ -91,39 +57,6 @@ KOKKOS_INLINE_FUNCTION bool judge(const ElementLives& lives, int lane, const Fai
   return true;
 }
 
-/// Dead lanes of each pack repeat the lowest that lives: record and, in the evaluation, corners.
-KOKKOS_INLINE_FUNCTION void repeat_living_lanes(const ElementLives& lives, const FailingRecords& of) {
-  for (int p = 0; p < of.packs; ++p) {
-    const int first = of.first_lane + p * width;
-    int living = 0;
-    while (living < width && lives.steps_left(first + living) == 0) ++living;
-    if (living == width) continue;
-    Real* const record = of.find(p * width);
-    for (int lane = 0; lane < width; ++lane) {
-      if (lives.steps_left(first + lane) != 0) continue;
-      for (int s = 0; s < of.record_size; ++s) record[s * width + lane] = record[s * width + living];
-    }
-  }
-}
-
-/// Whether an element has begun to fail and is not dead yet.
-KOKKOS_INLINE_FUNCTION bool is_any_ending(const ElementLives& lives, int first_lane, int count) {
-  for (int lane = first_lane; lane < first_lane + count; ++lane) {
-    if (lives.steps_left(lane) > 0 || (lives.steps_left(lane) < 0 && lives.force_share(lane) < 0)) return true;
-  }
-  return false;
-}
-
-/// Lanes past the end are dead when the last element is, so that no pack lives by them.
-KOKKOS_INLINE_FUNCTION void end_lanes_past_end(const ElementLives& lives, const FailingRecords& of, int count) {
-  const int last = of.first_lane + count - 1;
-  for (int lane = last + 1; lane < of.first_lane + of.packs * width; ++lane) {
-    lives.steps_left(lane) = lives.steps_left(last);
-    lives.force_share(lane) = lives.force_share(last);
-    lives.work_share(lane) = lives.work_share(last);
-  }
-}
-
 }  // namespace
 
 FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing, double dt,
@@ -133,6 +66,7 @@ FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, con
       "percuss::find_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
       KOKKOS_LAMBDA(const int i, int& sum_failing, int& sum_died) {
         const int c = failing.list(i);
+        if (chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0) return;  // kernels/shell/shell_failure.hpp
         const FailureLimits limits = failing.limits(failing.row(c));
         const FailingRecords of = find_records(chunks, failing, elements, c);
         const int count = chunks.first_element(c + 1) - chunks.first_element(c);

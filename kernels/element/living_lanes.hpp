@@ -43,28 +43,41 @@ class LivingLanes {
 
   /// What the pack leaves: forces and work by their shares, nothing of dead lanes and of those that must not go on.
   KOKKOS_FUNCTION void settle(HexResult<Lanes>& result, Lanes (&f)[3][8]) const {
-    const Lanes zero(0), dead(static_cast<Real>(ElementLives::dead));
-    Lanes share = load_pack(&lives_->force_share(first_));
-    auto lost = result.stable_step < Lanes(static_cast<Real>(limits_->least_step));
-    if (limits_->takes_inverted) lost = lost | !((result.volume > zero) & (result.stable_step > zero));  // also for NaN
-    share = select(lost, dead, share);
-    store_pack(&lives_->force_share(first_), share);
+    const Lanes zero(0);
+    const Lanes share = take_force_share(result.stable_step, result.volume);
     const auto lives = !(share < zero);
     for (int k = 0; k < 3; ++k) {
       for (int i = 0; i < 8; ++i) f[k][i] = select(lives, share * f[k][i], zero);
     }
-    const Lanes work_share = load_pack(&lives_->work_share(first_));
-    Lanes* const works[3] = {&result.work.internal, &result.work.hourglass, &result.work.viscous};
-    for (int k = 0; k < 3; ++k) {
-      double* const total = &lives_->work(3 * static_cast<std::size_t>(first_) + static_cast<std::size_t>(k * width));
-      *works[k] = select(lives, work_share * *works[k], zero);
-      visit_parts<Lanes>([&](auto part) {
-        double* const sum = total + part * pack_size<double>;
-        store_pack(sum, load_pack(sum) + widen<part>(*works[k]));
-      });
-    }
+    take_work(share, 0, result.work.internal);
+    take_work(share, 1, result.work.hourglass);
+    take_work(share, 2, result.work.viscous);
     result.stable_step = select(lives, result.stable_step, Lanes(beyond_all<Real>));
     result.volume = select(lives, result.volume, Lanes(1));
+  }
+
+ protected:
+  /// Share of its force that each lane leaves; negative: it is dead or must not go on. size: not positive where the
+  /// element is inverted.
+  KOKKOS_FUNCTION Lanes take_force_share(const Lanes& step, const Lanes& size) const {
+    const Lanes zero(0), dead(static_cast<Real>(ElementLives::dead));
+    Lanes share = load_pack(&lives_->force_share(first_));
+    auto lost = step < Lanes(static_cast<Real>(limits_->least_step));
+    if (limits_->takes_inverted) lost = lost | !((size > zero) & (step > zero));  // also for NaN
+    share = select(lost, dead, share);
+    store_pack(&lives_->force_share(first_), share);
+    return share;
+  }
+
+  /// Makes work what counts of it, and adds it to the k-th work of the lanes.
+  KOKKOS_FUNCTION void take_work(const Lanes& force_share, int k, Lanes& work) const {
+    const Lanes work_share = load_pack(&lives_->work_share(first_));
+    double* const total = &lives_->work(3 * static_cast<std::size_t>(first_) + static_cast<std::size_t>(k * width));
+    work = select(!(force_share < Lanes(0)), work_share * work, Lanes(0));
+    visit_parts<Lanes>([&](auto part) {
+      double* const sum = total + part * pack_size<double>;
+      store_pack(sum, load_pack(sum) + widen<part>(work));
+    });
   }
 
  private:

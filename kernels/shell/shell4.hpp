@@ -6,6 +6,7 @@
 // element in free spin gains energy. Stresses are components in the frame of the element, which turns with it. Formulas
 // and their reasons: docs/theory_shells.md.
 
+#include "kernels/shell/layer_lives.hpp"
 #include "kernels/shell/plane_stress.hpp"
 #include "kernels/shell/shell_forces.hpp"
 #include "kernels/shell/shell_step.hpp"
@@ -29,6 +30,7 @@ template <class Material>
 struct ShellParameters {
   Material material;
   ThicknessPoints points;
+  double offset = 0;  // of the middle of the section from the corners along the normal [length]
 };
 
 /// Energy that one step put into the element [energy].
@@ -42,6 +44,7 @@ struct ShellResult {
   ShellWork<T> work;
   T stable_step;  // bound for the next step, without the deck's scale
   T size;         // of the smallest corner triangle at n+1, twice its area; not positive: the element has folded
+  T steepest;     // ShellGeometry::steepest at n+1
 };
 
 /// Smallest share of the membrane's hourglass stiffness on a warped element, where it would lock.
@@ -62,9 +65,10 @@ struct FlowShares {
 /// Advances the hourglass forces by their rates: the stiffness of the element's own membrane, bending and shear beyond
 /// what its point sees (physical stabilisation, Belytschko and Leviatan 1994), with what the flow of its layers leaves
 /// of it. Returns their work.
-template <bool CanYield, class T>
+template <bool CanYield, bool CanFail, class T>
 PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellGeometry<T>& g, const ShellRates<T>& rate,
-                                         [[maybe_unused]] const FlowShares<T>& flow, const T& dt,
+                                         [[maybe_unused]] const FlowShares<T>& flow,
+                                         [[maybe_unused]] const SectionLeft<T>& left, const T& dt,
                                          ShellState<T>& state) {
   const HourglassIntegrals<T> h = integrate_hourglass(g);
   const T t = state.thickness, nu = T(e.poissons_ratio), half = T(0.5);
@@ -79,25 +83,37 @@ PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellGe
   const T(&b)[2] = rate.bending_hourglass;
   const T(&s)[2] = rate.shear_hourglass;
   T work = T(0);
-  const auto advance = [&](T& force, const T& change, const T& along) {
-    work = work + (force + half * change) * along;
-    force = force + change;
-  };
-  const auto advance_flowing = [&](T& force, const T& change, const T& along, const T& share) {
-    if constexpr (CanYield) {
-      const T after = share * (force + change);
-      work = work + half * (force + after) * along;
-      force = after;
+  const auto add_work = [&](const T& added, [[maybe_unused]] const T& share) {
+    if constexpr (CanFail) {
+      work = work + share * added;
     } else {
-      advance(force, change, along);
+      work = work + added;
     }
   };
-  advance_flowing(state.membrane_hourglass[0], membrane * (h.xx * m[0] - nu * h.xy * m[1]), m[0], flow.membrane);
-  advance_flowing(state.membrane_hourglass[1], membrane * (h.yy * m[1] - nu * h.xy * m[0]), m[1], flow.membrane);
-  advance_flowing(state.bending_hourglass[0], bending * ((h.xx + a * h.yy) * b[0] + mixed * b[1]), b[0], flow.bending);
-  advance_flowing(state.bending_hourglass[1], bending * ((h.yy + a * h.xx) * b[1] + mixed * b[0]), b[1], flow.bending);
-  advance(state.shear_hourglass[0], shear * (g.xi_x * g.xi_x + g.xi_y * g.xi_y) * s[0], s[0]);
-  advance(state.shear_hourglass[1], shear * (g.eta_x * g.eta_x + g.eta_y * g.eta_y) * s[1], s[1]);
+  const auto advance = [&](T& force, const T& change, const T& along, const T& counted) {
+    add_work((force + half * change) * along, counted);
+    force = force + change;
+  };
+  const auto advance_flowing = [&](T& force, const T& change, const T& along, const T& share, const T& counted) {
+    if constexpr (CanYield) {
+      const T after = share * (force + change);
+      add_work(half * (force + after) * along, counted);
+      force = after;
+    } else {
+      advance(force, change, along, counted);
+    }
+  };
+  const T &in_plane = left.mean_membrane, &in_bending = left.mean_bending;
+  advance_flowing(state.membrane_hourglass[0], membrane * (h.xx * m[0] - nu * h.xy * m[1]), m[0], flow.membrane,
+                  in_plane);
+  advance_flowing(state.membrane_hourglass[1], membrane * (h.yy * m[1] - nu * h.xy * m[0]), m[1], flow.membrane,
+                  in_plane);
+  advance_flowing(state.bending_hourglass[0], bending * ((h.xx + a * h.yy) * b[0] + mixed * b[1]), b[0], flow.bending,
+                  in_bending);
+  advance_flowing(state.bending_hourglass[1], bending * ((h.yy + a * h.xx) * b[1] + mixed * b[0]), b[1], flow.bending,
+                  in_bending);
+  advance(state.shear_hourglass[0], shear * (g.xi_x * g.xi_x + g.xi_y * g.xi_y) * s[0], s[0], in_plane);
+  advance(state.shear_hourglass[1], shear * (g.eta_x * g.eta_x + g.eta_y * g.eta_y) * s[1], s[1], in_plane);
   return dt * work;
 }
 
@@ -107,14 +123,16 @@ template <class T>
 struct LayerSums {
   T force[3], moment[3], work, across;
   FlowShares<T> flow;
+  SectionLeft<T> left;
 };
 
 /// Advances the layers' stresses. layer: where the records of the points begin; they lie `width` scalars apart where
 /// the record is one of packs, which T stands for.
-template <class T, class Material>
+template <class T, class Material, class Lives>
 PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>& par, const ShellRates<T>& rate,
-                                                 const T& dt, const T& half_thickness, T* layer) {
-  LayerSums<T> sums{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, T(0), T(0), {T(0), T(0)}};
+                                                 const T& dt, const T& half_thickness, T* layer,
+                                                 [[maybe_unused]] const Lives& lives) {
+  LayerSums<T> sums{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, T(0), T(0), {T(0), T(0)}, {T(1), T(1), T(1), T(1)}};
   const T half = T(0.5);
   for (int p = 0; p < par.points.count; ++p, layer += 3 + Material::history_count) {
     const T place = T(par.points.place[p]), weight = T(par.points.weight[p]);
@@ -126,14 +144,39 @@ PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>
     const LayerResponse<T> response = par.material.update(stress, layer + 3, de);
     sums.across = sums.across + weight * response.across;
     if constexpr (Material::can_yield) sums.flow.add(par.points, p, response.share);
+    T acting = weight, working = weight;
+    if constexpr (Lives::can_fail) {
+      acting = weight * lives.force_share(p);
+      working = weight * lives.work_share(p);
+      sums.left.take(par.points, p, lives.force_share(p), lives.work_share(p));
+    }
     for (int k = 0; k < 3; ++k) {
-      sums.work = sums.work + weight * half * (layer[k] + stress[k]) * de[k];
+      sums.work = sums.work + working * half * (layer[k] + stress[k]) * de[k];
       layer[k] = stress[k];
-      sums.force[k] = sums.force[k] + weight * stress[k];
-      sums.moment[k] = sums.moment[k] + weight * place * stress[k];
+      sums.force[k] = sums.force[k] + acting * stress[k];
+      sums.moment[k] = sums.moment[k] + acting * place * stress[k];
     }
   }
+  if constexpr (Lives::can_fail) lives.add_strain(rate, dt, half_thickness);
   return sums;
+}
+
+/// Rates at the middle of a section that lies off the corners, a fibre of the same director.
+template <class T>
+PERCUSS_FORCE_INLINE void move_to_middle(const T& offset, ShellRates<T>& rate) {
+  for (int k = 0; k < 3; ++k) rate.membrane[k] = rate.membrane[k] + offset * rate.curvature[k];
+  for (int k = 0; k < 2; ++k) {
+    rate.membrane_hourglass[k] = rate.membrane_hourglass[k] + offset * rate.bending_hourglass[k];
+  }
+}
+
+/// The transpose for forces: what acts at the middle bends the section about the corners.
+template <class T>
+PERCUSS_FORCE_INLINE void move_to_corners(const T& offset, ShellRates<T>& on) {
+  for (int k = 0; k < 3; ++k) on.curvature[k] = on.curvature[k] + offset * on.membrane[k];
+  for (int k = 0; k < 2; ++k) {
+    on.bending_hourglass[k] = on.bending_hourglass[k] + offset * on.membrane_hourglass[k];
+  }
 }
 
 /// Positions half a step before n+1.
@@ -144,7 +187,7 @@ PERCUSS_FORCE_INLINE ShellDifferences<T> step_back(const ShellDifferences<T>& x,
 }
 
 /// Forces on the rates of the element at n+1.
-template <class T>
+template <bool CanFail, class T>
 PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, const LayerSums<T>& layers,
                                                  const T& area) {
   const T volume = area * state.thickness, lever = T(0.5) * state.thickness * volume;
@@ -158,6 +201,12 @@ PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, con
     on.membrane_hourglass[k] = state.membrane_hourglass[k];
     on.bending_hourglass[k] = state.bending_hourglass[k];
     on.shear_hourglass[k] = state.shear_hourglass[k];
+    if constexpr (CanFail) {
+      on.shear[k] = layers.left.membrane * on.shear[k];
+      on.membrane_hourglass[k] = layers.left.membrane * on.membrane_hourglass[k];
+      on.bending_hourglass[k] = layers.left.bending * on.bending_hourglass[k];
+      on.shear_hourglass[k] = layers.left.membrane * on.shear_hourglass[k];
+    }
   }
   return on;
 }
@@ -165,36 +214,47 @@ PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, con
 /// Advances the element from n to n+1. x, v: differences of the corner positions at n+1 and of the velocities at n+1/2;
 /// w: angular velocities of the corners at n+1/2; all in space axes. layer: the records of its points, in and out.
 /// force, moment: out, what resists the motion at the corners (the node feels the negative). With dt = 0 it evaluates
-/// forces and step only.
-template <class T, class Material>
+/// forces and step only. lives: of layers that can fail, in and out.
+template <class T, class Material, class Lives = WholeLayers>
 PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Material>& par, const ShellDifferences<T>& x,
                                                    const ShellDifferences<T>& v, const Vector3<T> (&w)[4], const T& dt,
                                                    ShellState<T>& state, T* layer, Vector3<T> (&force)[4],
-                                                   Vector3<T> (&moment)[4]) {
+                                                   Vector3<T> (&moment)[4], const Lives& lives = {}) {
   const PlaneElasticity& elastic = par.material.elasticity;
   const T half = T(0.5);
   const ShellGeometry<T> middle = find_shell_geometry(step_back(x, v, half * dt));
   const Vector3<T> turned[4] = {middle.frame * w[0], middle.frame * w[1], middle.frame * w[2], middle.frame * w[3]};
-  const ShellRates<T> rate = find_shell_rates(middle, turn(middle.frame, v), turned);
+  ShellRates<T> rate = find_shell_rates(middle, turn(middle.frame, v), turned);
+  if (par.offset != 0) move_to_middle(T(par.offset), rate);
 
-  const LayerSums<T> layers = advance_layers(par, rate, dt, half * state.thickness, layer);
+  const LayerSums<T> layers = advance_layers(par, rate, dt, half * state.thickness, layer, lives);
   T work = layers.work;
   for (int k = 0; k < 2; ++k) {
     const T change = T(shell_shear_correction * elastic.shear_modulus) * dt * rate.shear[k];
-    work = work + (state.shear[k] + half * change) * dt * rate.shear[k];
+    T added = (state.shear[k] + half * change) * dt * rate.shear[k];
+    if constexpr (Lives::can_fail) added = layers.left.mean_membrane * added;
+    work = work + added;
     state.shear[k] = state.shear[k] + change;
   }
-  const T hourglass_work = advance_hourglass<Material::can_yield>(elastic, middle, rate, layers.flow, dt, state);
+  const T hourglass_work = advance_hourglass<Material::can_yield, Lives::can_fail>(elastic, middle, rate, layers.flow,
+                                                                                   layers.left, dt, state);
   const T old_thickness = state.thickness;
   const T half_across = half * layers.across;
   state.thickness = old_thickness * ((T(1) + half_across) * (T(1) / (T(1) - half_across)));
 
   const ShellGeometry<T> end = find_shell_geometry(x);
-  find_shell_forces(end, join_stresses(state, layers, end.area), force, moment);
+  ShellRates<T> on = join_stresses<Lives::can_fail>(state, layers, end.area);
+  T step = find_shell_step(end, state.thickness, state.mass, state.gyration_square, elastic.youngs_modulus,
+                           elastic.poissons_ratio);
+  if (par.offset != 0) {
+    move_to_corners(T(par.offset), on);
+    step = step * find_offset_share(end, state.thickness, state.gyration_square, par.offset);
+  }
+  find_shell_forces(end, on, force, moment);
   return {{half * (old_thickness + state.thickness) * middle.area * work, hourglass_work},
-          find_shell_step(end, state.thickness, state.mass, state.gyration_square, elastic.youngs_modulus,
-                          elastic.poissons_ratio),
-          end.least_corner};
+          step,
+          end.least_corner,
+          end.steepest};
 }
 
 }  // namespace percuss

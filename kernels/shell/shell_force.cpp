@@ -1,6 +1,7 @@
 #include "kernels/shell/shell_force.hpp"
 
 #include "kernels/element/chunk_records.hpp"
+#include "kernels/shell/living_shells.hpp"
 
 namespace percuss {
 
@@ -70,7 +71,8 @@ struct ChunkSums {
   }
 };
 
-template <class Layer>
+/// CanFail: some chunks can; without them nobody asks.
+template <class Layer, bool CanFail>
 struct AdvanceShellChunk {
   HexChunks chunks;
   ShellBlock<Layer> block;
@@ -129,11 +131,16 @@ struct AdvanceShellChunk {
     ChunkSums sums;
     double before[largest_record];
     bool changed = false;
+    [[maybe_unused]] LivingShells<Lanes> living(motion.failing, motion.lives, c, parameters.points.count);
     for (int e = first; e < end; e += width, record += record_size, corners += corners_of_pack) {
       const int lanes = end - e < width ? end - e : width;
       const auto bytes = static_cast<std::size_t>(record_size) * sizeof(double);
+      const std::uint16_t* gathered = corners;
+      if constexpr (CanFail) {
+        if (living.can_fail() && !living.take_pack(gathered)) continue;
+      }
       if (watched) std::memcpy(before, record, bytes);
-      sums.take(advance_pack(parameters, nodes, corners, lanes, record, forces), e, lanes);
+      sums.take(advance_pack(parameters, nodes, gathered, lanes, record, forces, living), e, lanes);
       if (watched) changed = changed || std::memcmp(before, record, bytes) != 0;
     }
     results.stable_step(c) = sums.step;
@@ -145,7 +152,8 @@ struct AdvanceShellChunk {
 
   KOKKOS_FUNCTION ShellResult<Lanes> advance_pack(const ShellParameters<Layer>& parameters, const double* nodes,
                                                   const std::uint16_t* corners, int lanes, double* record,
-                                                  double* forces) const {
+                                                  double* forces,
+                                                  [[maybe_unused]] const LivingShells<Lanes>& living) const {
     Vector3<Lanes> x[4], v[4], w[4], f[4], m[4];
     gather_corners(nodes, corners, x);
     gather_corners(nodes + 4, corners, v);
@@ -153,8 +161,21 @@ struct AdvanceShellChunk {
     auto& head = *reinterpret_cast<ShellState<Lanes>*>(record);  // its scalars lie like the record's
     static_assert(sizeof(ShellState<Lanes>) == ShellRecord::layers * sizeof(Lanes));
     auto* const layers = reinterpret_cast<Lanes*>(record + ShellRecord::layers * width);
-    const auto result =
-        advance_shell4(parameters, find_differences(x), find_differences(v), w, Lanes(motion.dt), head, layers, f, m);
+    const auto advance = [&](const auto& lives) {
+      return advance_shell4(parameters, find_differences(x), find_differences(v), w, Lanes(motion.dt), head, layers, f,
+                            m, lives);
+    };
+    ShellResult<Lanes> result;
+    if constexpr (CanFail) {
+      if (living.can_fail()) {
+        result = advance(living.layers());
+        living.settle(result, f, m);
+      } else {
+        result = advance(WholeLayers{});
+      }
+    } else {
+      result = advance(WholeLayers{});
+    }
     scatter_corners(f, corners, lanes, forces);
     scatter_corners(m, corners, lanes, forces + 4);
     return result;
@@ -167,10 +188,17 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const ShellB
                    const Rows3<double>& slot_moment, const ChunkResults& results) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
-  using Kernel = AdvanceShellChunk<Layer>;
   const ChunkPolicy policy = ShellScratch::make_policy(space, count, chunks.largest_slot_count);
-  Kokkos::parallel_for("percuss::advance_shells", policy,
-                       Kernel{chunks, block, motion, state, slot_force, slot_moment, results});
+  const auto advance = [&]<bool CanFail>(std::bool_constant<CanFail>) {
+    using Kernel = AdvanceShellChunk<Layer, CanFail>;
+    Kokkos::parallel_for("percuss::advance_shells", policy,
+                         Kernel{chunks, block, motion, state, slot_force, slot_moment, results});
+  };
+  const bool can_fail = motion.failing.first_layer.extent(0) > 0;
+  if constexpr (!is_single_precision) {
+    if (can_fail) return advance(std::true_type{});
+  }
+  advance(std::false_type{});
 }
 
 }  // namespace

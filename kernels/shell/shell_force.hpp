@@ -42,6 +42,8 @@ struct ShellMotion {
   Rows3<const double> w;
   double dt = 0;
   bool skips_rest = false;  // as ElementMotion::skips_rest
+  FailingChunks failing{};  // as ElementMotion's
+  ElementLives lives{};
 };
 
 /// Advances every shell from n to n+1. state: element records, in and out. slot_force, slot_moment: out, the chunk's

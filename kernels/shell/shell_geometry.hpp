@@ -48,6 +48,7 @@ struct ShellGeometry {
   T hx, hy;                    // hourglass parts of x and y
   T b1[2], b2[2];              // gradient operator: d/dx and d/dy of a field from its differences along r and s
   T px[4], py[4];              // corner normals, scaled to (px, py, 1)
+  T steepest;                  // largest square of a corner normal's slope, px^2 + py^2
   T least_corner;              // smallest of the corner triangles, twice its area; not positive: the element has folded
   T xi_x, xi_y, eta_x, eta_y;  // inverse of the Jacobian at the centre
 };
@@ -66,6 +67,8 @@ PERCUSS_FORCE_INLINE void find_corner_normals(const ShellDifferences<T>& d, Shel
     const T over_nz = T(1) / nz;
     g.px[i] = over_nz * nx[i];
     g.py[i] = over_nz * ny[i];
+    const T slope = g.px[i] * g.px[i] + g.py[i] * g.py[i];
+    g.steepest = i == 0 ? slope : larger(g.steepest, slope);
   }
 }
 

@@ -17,6 +17,8 @@ inline constexpr double shell_shear_correction = 5.0 / 6.0;
 /// for the membrane l is the largest eigenvalue of the products of gradients in plane stress; for transverse shear, of
 /// deflections and rotations together, kappa (1 - nu) / 2 (g + 2 / a), g the largest eigenvalue of those products and
 /// a twice the smallest corner triangle (the area of a parallelogram).
+/// Rotations move a director by its length, and shear is taken along it: with the corners' normals turned from that of
+/// the element by angles of up to a, squares of frequencies grow by 1 / cos^2 a.
 /// gyration_square: rotary inertia over mass [length^2]; where it is less than that of the current shape, as in an
 /// element that was stretched, frequencies grow by at most the square root of the ratio.
 template <class T>
@@ -37,7 +39,22 @@ PERCUSS_FORCE_INLINE T find_shell_step(const ShellGeometry<T>& g, const T& thick
   const T speed_square = T(youngs_modulus / stiffness) * thickness * g.area * (T(1) / mass);
   const T ideal = T(1.0 / 12.0) * thickness * thickness + T(0.125) * g.area;
   const T deficit = smaller(gyration_square * (T(1) / ideal), T(1));
-  return square_root(deficit * (T(1) / (speed_square * larger(membrane, shear))));
+  return square_root(deficit * (T(1) / (speed_square * (T(1) + g.steepest) * larger(membrane, shear))));
+}
+
+/// What an offset d of the middle of the section leaves of that step. The masses at the corners, m and m g^2, bound
+/// those of the motion of the middle, v + d b: m (v + d b)^2 + m j b^2 is at most 1 + d / g times m v^2 + m g^2 b^2 if
+/// g^2 is j + d^2, j that of the shape without the offset; of less, in proportion.
+template <class T>
+PERCUSS_FORCE_INLINE T find_offset_share(const ShellGeometry<T>& g, const T& thickness, const T& gyration_square,
+                                         double offset) {
+  const T plain = T(1.0 / 12.0) * thickness * thickness + T(0.125) * g.area;
+  const T whole = plain + T(offset * offset);
+  const T coupling = T(1) + T(offset < 0 ? -offset : offset) * (T(1) / square_root(whole));
+  // find_shell_step() has counted what the inertia lacks of j alone.
+  const T counted = smaller(gyration_square * (T(1) / plain), T(1)),
+          real = smaller(gyration_square * (T(1) / whole), T(1));
+  return square_root(real * (T(1) / (counted * coupling)));
 }
 
 }  // namespace percuss

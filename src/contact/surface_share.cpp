@@ -80,13 +80,14 @@ std::vector<CornerNotice> list_particles(const Mesh& mesh, const Deck& deck, con
   for (std::size_t e = 0; e < mesh.eroded.dead.size(); ++e) {
     if (mesh.eroded.dead[e] == 0) continue;
     const auto place = [&](int corner) { return mesh.nodes[at(mesh.elements[e][at(corner)])]; };
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < (is_shell(mesh.elements[e]) ? 4 : 8); ++i) {
       const int node = mesh.elements[e][at(i)];
       if (mesh.eroded.nodes[at(node)] != ErodedMesh::particle) continue;
       CornerNotice notice;
       notice.node = mesh.node_numbers[at(node)];
       notice.size = std::numeric_limits<double>::infinity();
       for (const int other : hex_neighbours[i]) {
+        if (mesh.elements[e][at(other)] == node) continue;  // across a shell
         const Vec3 p = place(i), q = place(other);
         notice.size = std::min(notice.size, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
       }

@@ -145,6 +145,7 @@ struct PartDeck {
   std::string material;
   std::optional<double> thickness;  // of its shells [length]; they need one
   std::optional<int> points;        // across the thickness of its shells; default: by the material
+  double offset = 0;                // of the middle of its shells from the mesh, along their normal [length]
   Place place;
 };
 
@@ -173,6 +174,7 @@ struct FailureDeck {
   std::optional<double> step;        // the step that the element allows falls below this
   bool inverted = false;             // no positive volume: the element fails, and the run goes on
   int fade_steps = 1;                // steps in which its force falls to zero
+  double layers = 1;                 // of shells: share of the thickness that has to fail
 };
 /// What becomes of nodes whose elements are all dead.
 struct ErosionDeck {

@@ -36,6 +36,7 @@ const Keys<FailureDeck>& failure_keys() {
       may("step", &FailureDeck::step, NumberValue{positive}),
       may("inverted", &FailureDeck::inverted, BooleanValue{}),
       may("fade_steps", &FailureDeck::fade_steps, IntegerValue{1, 1000000}),
+      may("layers", &FailureDeck::layers, NumberValue{{"above 0, at most 1", 0, 1, true}}),
   };
   return keys;
 }

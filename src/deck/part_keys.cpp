@@ -69,6 +69,35 @@ struct ThicknessPointsValue {
   std::string takes() const { return fmt::format("an integer, from 1 to {}", most); }
 };
 
+/// Which surface of the shells the mesh is. What it is of the thickness is known when that is read.
+struct ReferenceValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, double& out) const {
+    if (node.kind == Node::Kind::scalar && !node.quoted && is_surface(node.text)) {
+      out = 0;
+      return true;
+    }
+    const bool may_be_number = node.kind == Node::Kind::scalar && node.text.find_first_of("0123456789") < 3;
+    if (!may_be_number) {
+      reader.refuse(node, name, takes());
+      return false;
+    }
+    double height = 0;
+    if (!NumberValue{}.read(reader, name, node, height)) return false;
+    out = -height;
+    return true;
+  }
+  std::string takes() const { return "middle | bottom | top or a number"; }
+
+  static bool is_surface(const std::string& text) { return text == "middle" || text == "bottom" || text == "top"; }
+};
+
+void set_offset(const Node& node, PartDeck& part) {
+  const Node* reference = node.find("reference");
+  if (reference == nullptr || !part.thickness) return;
+  if (reference->text == "bottom") part.offset = 0.5 * *part.thickness;
+  if (reference->text == "top") part.offset = -0.5 * *part.thickness;
+}
+
 bool read_axis(const DirectionValue& value, const Reader& reader, const std::string& name, const Node& node,
                PartDeck& part) {
   Vec3 direction{};
@@ -83,6 +112,7 @@ const Keys<PartDeck>& part_keys() {
     all.push_back(need("material", &PartDeck::material, MaterialNameValue{}));
     all.push_back(may("thickness", &PartDeck::thickness, NumberValue{positive}));
     all.push_back(may("points", &PartDeck::points, ThicknessPointsValue{}));
+    all.push_back(may("reference", &PartDeck::offset, ReferenceValue{}));
     all.push_back(may("array", &PartDeck::array, MapValue<ArrayCopies>{array_keys, check_array}));
     all.push_back(make_key<PartDeck>("axis", false, DirectionValue{}, read_axis));
     all.push_back(may("rotate", &PartDeck::rotate, ListValue<MapValue<Rotation>>{{rotation_keys}}));
@@ -116,7 +146,7 @@ bool check_thickness(const Reader& reader, const Node& node, const PartDeck& par
     reader.error(node.key, fmt::format("{} has no thickness (its shells need one)", reader.self()));
     return false;
   }
-  for (const char* key : {"thickness", "points"}) {
+  for (const char* key : {"thickness", "points", "reference"}) {
     if (is_shell || node.find(key) == nullptr) continue;
     reader.error(node.find(key)->key,
                  fmt::format("{} is of no use{} (only shells have a thickness)", reader.name_of(key), reader.in()));
@@ -134,6 +164,7 @@ bool PartValue::read_inside(const Reader& reader, const Node& node, PartDeck& ou
     return false;
   }
   if (!check_thickness(reader, node, out) || !good) return false;
+  set_offset(node, out);
   const MeshSize size = count_cells(out);
   if (size.elements <= largest_mesh && size.nodes <= largest_mesh) return true;
   reader.error(node.key,

@@ -60,8 +60,8 @@ void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model
   if (!model.has_shells) return;
   const auto w = state.w, slot_moment = state.slot_moment;
   const auto nodes_to_slots = model.nodes_to_slots;
-  const auto inertia = model.inertia;
-  const auto inverse_inertia = model.inverse_inertia;
+  const auto inertia = state.inertia;
+  const auto inverse_inertia = state.inverse_inertia;
   const double dt = state.step == 0 ? 0.0 : state.dt;
   const double first_dt = state.step == 0 ? state.next_dt : 0.0;
   const auto of_spins = sums(

@@ -75,7 +75,7 @@ void book_spin_conditions(const Model& model, ExactSums<7>& held_sums, State& st
   if (model.owned_held_spins.extent(0) == 0) return;
   const auto held = model.held_spins;
   const auto owned = model.owned_held_spins;
-  const auto inertia = model.inertia;
+  const auto inertia = state.inertia;
   const auto w = state.w, w_before = state.w_before, moment = state.moment;
   const auto sums = held_sums(
       ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
@@ -265,6 +265,23 @@ void Bookkeeper::book_new_forces(State& state, double dt) {
   book_nodal_power(power_sum_, state, dt);
 }
 
+/// The rotation of a node that vanishes: its energy, and its angular momentum as a moment impulse without a lever.
+void Bookkeeper::book_vanished_spins(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) const {
+  if (!model_.has_shells) return;
+  const auto inertia = to_host(state.inertia);
+  const auto w = to_host(state.w);
+  for (const int node : nodes) {
+    if (!owns_node(chunked, node)) continue;
+    const auto n = static_cast<std::size_t>(node);
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      square += w(n, k) * w(n, k);
+      state.books.moment_impulse[k].add(-inertia(n) * w(n, k));
+    }
+    state.books.eroded_kinetic.add(0.5 * inertia(n) * square);
+  }
+}
+
 void Bookkeeper::book_vanished(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) {
   const auto mass = to_host(state.mass);
   const auto x = to_host(state.x), v = to_host(state.v), inverse_mass = to_host(state.inverse_mass);
@@ -288,6 +305,7 @@ void Bookkeeper::book_vanished(const ChunkedMesh& chunked, const std::vector<int
     state.books.external_work.add(fallen);  // what gravity did stays booked
     add_impulse(r, j, 0, [&](int k, double value) { impulse[static_cast<std::size_t>(k)].add(value); });
   }
+  book_vanished_spins(chunked, nodes, state);
   add_to_books(impulse, 0, state.books);
   state.books.eroded_kinetic.normalize();
   state.books.external_work.normalize();

@@ -39,6 +39,8 @@ class Bookkeeper {
   Vec3 find_wall_force() const;
 
  private:
+  void book_vanished_spins(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) const;
+
   const Deck& deck_;
   const Model& model_;
   ExactSums<7> held_sums_{"percuss::held_sums"};  // work, impulse, moment of impulse

@@ -9,12 +9,12 @@
 
 #include "comm/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "kernels/material/johnson_cook.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/block_builder.hpp"
 #include "src/step/build_conditions.hpp"
+#include "src/step/build_failing.hpp"
 #include "src/step/build_shells.hpp"
 #include "src/step/check_precision.hpp"
 #include "src/step/mass_scaling.hpp"
@@ -114,72 +114,6 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
                          to_view("percuss::start_count", builder.start_count),
                          to_view("percuss::start_history", builder.start_values)};
   chunks.scalars = to_view("percuss::history_scalars", builder.scalars);
-}
-
-// --- failure
-
-FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
-  const FailureDeck& deck = *material.failure;
-  FailureLimits limits;
-  constexpr double none = FailureLimits::none;
-  limits.plastic_strain = deck.plastic_strain.value_or(none);
-  limits.principal_stress = deck.principal_stress.value_or(none);
-  limits.principal_strain = deck.principal_strain.value_or(none);
-  limits.tension = deck.pressure.value_or(none);
-  limits.yield_time = deck.yield_time.value_or(none);
-  if (const auto& d = deck.johnson_cook) {
-    limits.johnson_cook = {d->d1, d->d2, d->d3, d->d4, d->d5, d->reference_rate};
-  }
-  if (has_scalar(material, HistoryScalar::temperature)) {
-    const auto& numbers = material.law.numbers;  // those that the deck gives
-    const auto room = numbers.find("room_temperature");
-    limits.room_temperature = room == numbers.end() ? JohnsonCook{}.room_temperature : room->second;
-    limits.melt_temperature = numbers.at("melt_temperature");
-  }
-  limits.least_step = deck.step.value_or(0) / step_scale;
-  limits.takes_inverted = deck.inverted;
-  limits.fade_steps = deck.fade_steps;
-  return limits;
-}
-
-/// Criteria of plastic strain are for materials that have one.
-void check_failure(const Deck& deck, const MaterialDeck& material) {
-  const FailureDeck& failure = *material.failure;
-  const bool can_yield = has_scalar(material, HistoryScalar::equivalent_plastic_strain);
-  if (can_yield || !(failure.plastic_strain || failure.johnson_cook || failure.yield_time)) return;
-  throw InputError(
-      fmt::format("{}: error: material '{}' is to fail by {} (its model never yields) choose a model that yields, or "
-                  "another criterion",
-                  deck.where(material.place), material.name,
-                  failure.plastic_strain ? "plastic_strain" : (failure.johnson_cook ? "johnson_cook" : "yield_time")));
-}
-
-void build_failing_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
-  std::vector<FailureLimits> limits;
-  std::vector<int> row_of_material(deck.materials.size(), -1);
-  for (std::size_t m = 0; m < deck.materials.size(); ++m) {
-    if (!deck.materials[m].failure) continue;
-    check_failure(deck, deck.materials[m]);
-    row_of_material[m] = static_cast<int>(limits.size());
-    limits.push_back(make_limits(deck.materials[m], deck.time.step_scale));
-  }
-  if (limits.empty()) return;
-  model.can_erode = true;
-  const auto first_pack = to_host(model.chunks.first_pack);
-  std::vector<int> list, first, row;
-  FailingChunks& failing = model.failing;
-  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-    const int material = chunked.mesh.parts[static_cast<std::size_t>(chunked.chunks[c].part)].material;
-    row.push_back(row_of_material[static_cast<std::size_t>(material)]);
-    first.push_back(row.back() < 0 ? -1 : failing.pack_count);
-    if (row.back() < 0) continue;
-    list.push_back(static_cast<int>(c));
-    failing.pack_count += first_pack(c + 1) - first_pack(c);
-  }
-  failing.list = to_view("percuss::failing_chunks", list);
-  failing.first_pack = to_view("percuss::first_failing_pack", first);
-  failing.row = to_view("percuss::row_of_limits", row);
-  failing.limits = to_view("percuss::failure_limits", limits);
 }
 
 // --- places in the whole mesh
@@ -302,8 +236,8 @@ std::vector<double> assemble_masses(const Model& model, const std::vector<double
 }
 
 /// Rotary inertia of the nodes, summed as their masses are.
-void build_inertia(const Mesh& mesh, std::vector<double> element_mass, Model& model) {
-  const std::vector<double> gyration_square = find_gyration_squares(mesh);
+void build_inertia(const Deck& deck, const Mesh& mesh, std::vector<double> element_mass, Model& model) {
+  const std::vector<double> gyration_square = find_gyration_squares(deck, mesh);
   for (std::size_t e = 0; e < element_mass.size(); ++e) element_mass[e] *= gyration_square[e];
   model.gyration_square = to_view("percuss::gyration_square", gyration_square);
   model.inertia = to_view("percuss::inertia", assemble_masses(model, element_mass));
@@ -326,7 +260,7 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
   model.mass_center = scene.center;
   model.mass = to_view("percuss::mass", mass);
   model.element_mass = to_view("percuss::element_mass", element_mass);
-  if (model.has_shells) build_inertia(mesh, element_mass, model);
+  if (model.has_shells) build_inertia(deck, mesh, element_mass, model);
   return mass;
 }
 

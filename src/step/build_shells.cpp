@@ -52,10 +52,10 @@ void check_materials(const Deck& deck, const Mesh& mesh) {
   for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
     if (mesh.parts[p].thickness == 0) continue;
     const MaterialDeck& material = deck.materials[static_cast<std::size_t>(mesh.parts[p].material)];
-    if (!material.failure && visit_layer(material, [](const auto&) {})) continue;
+    if (visit_layer(material, [](const auto&) {})) continue;
     throw InputError(
         fmt::format("{}: error: part '{}' has shells of material '{}' (shells know elastic and "
-                    "j2_plasticity, without failure and without an equation of state)",
+                    "j2_plasticity, without an equation of state)",
                     deck.where(deck.parts[p].place), mesh.parts[p].name, material.name));
   }
 }
@@ -74,7 +74,8 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecord
         constexpr int usual = Layer::history_count > 0 ? points_of_plastic_shells : points_of_elastic_shells;
         const int points = part.points > 0 ? part.points : usual;
         const auto [row, is_new] = row_of_part.emplace(part_index, static_cast<int>(rows.size()));
-        if (is_new) rows.push_back({layer, find_thickness_points(points)});
+        const double offset = deck.parts[static_cast<std::size_t>(part_index)].offset;
+        if (is_new) rows.push_back({layer, find_thickness_points(points), offset});
         chunks.push_back(static_cast<int>(c));
         records.parameters[c] = row->second;
         records.record_size[c] = find_shell_record_size<Layer>(points);
@@ -117,14 +118,15 @@ void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const Chun
   model.thickness_rules = to_view("percuss::thickness_rules", list_thickness_rules());
 }
 
-std::vector<double> find_gyration_squares(const Mesh& mesh) {
+std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh) {
   std::vector<double> squares(mesh.elements.size(), 0);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     if (!is_shell(mesh.elements[e])) continue;
     HexCorners corners;
     for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[e][i])];
-    const double t = mesh.parts[static_cast<std::size_t>(mesh.element_part[e])].thickness;
-    squares[e] = t * t / 12 + find_shell_area_size(corners) / 8;
+    const auto part = static_cast<std::size_t>(mesh.element_part[e]);
+    const double t = mesh.parts[part].thickness, offset = deck.parts[part].offset;
+    squares[e] = t * t / 12 + find_shell_area_size(corners) / 8 + offset * offset;
   }
   return squares;
 }

@@ -21,8 +21,8 @@ struct ChunkRecords {
 /// ranks, where a part of shells has a material that they do not know.
 void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, Model& model);
 
-/// Rotary inertia over mass of each element [length^2]: t^2 / 12 + A / 8, more than a shell has, so that rotations
-/// never hold the step down (docs/theory_shells.md); 0 of a hexahedron.
-std::vector<double> find_gyration_squares(const Mesh& mesh);
+/// Rotary inertia over mass of each element [length^2]: t^2 / 12 + A / 8 and the square of the offset, more than a
+/// shell has, so that rotations never hold the step down (docs/theory_shells.md); 0 of a hexahedron.
+std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh);
 
 }  // namespace percuss

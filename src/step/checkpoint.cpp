@@ -11,6 +11,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/deck_values.hpp"
 #include "src/error.hpp"
+#include "src/step/archive_lives.hpp"
 #include "src/step/whole_mesh.hpp"
 
 namespace percuss {
@@ -68,61 +69,6 @@ void archive_elements(CheckpointArchive& archive, const Model& model, const Stat
     for (std::size_t s = 0; s < size; ++s) packs(first + s * lanes) = static_cast<Real>(records[next++]);
   });
   Kokkos::deep_copy(state.elements, packs);
-}
-
-/// What the elements carry that can fail, element after element.
-void archive_lives(CheckpointArchive& archive, const Model& model, const State& state) {
-  constexpr std::size_t columns = 7;  // steps left, plastic strain, damage, time at yield, three works
-  const auto first_element = to_host(model.chunks.first_element), first_pack = to_host(model.failing.first_pack),
-             row = to_host(model.failing.row);
-  const auto limits = to_host(model.failing.limits);
-  const ElementLives& lives = state.lives;
-  const auto steps_left = to_host(lives.steps_left);
-  const auto plastic_strain = to_host(lives.plastic_strain), damage = to_host(lives.damage),
-             time_at_yield = to_host(lives.time_at_yield), work = to_host(lives.work);
-  const auto force_share = to_host(lives.force_share), work_share = to_host(lives.work_share);
-  ChunkRows rows;
-  std::vector<std::size_t> places;  // lanes
-  std::vector<int> fade_steps;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(model.chunks.count); ++c) {
-    const bool can_fail = model.failing.pack_count > 0 && first_pack(c) >= 0;
-    rows.counts.push_back(can_fail ? first_element(c + 1) - first_element(c) : 0);
-    for (std::int64_t i = 0; i < rows.counts.back(); ++i) {
-      places.push_back(static_cast<std::size_t>(first_pack(c)) * lanes + static_cast<std::size_t>(i));
-      fade_steps.push_back(limits(static_cast<std::size_t>(row(c))).fade_steps);
-    }
-  }
-  std::vector<double> values(columns * places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::size_t l = places[i], first_work = l / lanes * 3 * lanes + l % lanes;
-    double* const v = &values[columns * i];
-    v[0] = steps_left(l);
-    v[1] = plastic_strain(l);
-    v[2] = damage(l);
-    v[3] = time_at_yield(l);
-    for (std::size_t k = 0; k < 3; ++k) v[4 + k] = work(first_work + k * lanes);
-  }
-  archive.rows("elements/lives", rows, static_cast<int>(columns), std::span<double>(values));
-  if (!archive.is_loading()) return;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::size_t l = places[i], first_work = l / lanes * 3 * lanes + l % lanes;
-    const double* const v = &values[columns * i];
-    steps_left(l) = static_cast<int>(v[0]);
-    plastic_strain(l) = v[1];
-    damage(l) = v[2];
-    time_at_yield(l) = v[3];
-    for (std::size_t k = 0; k < 3; ++k) work(first_work + k * lanes) = v[4 + k];
-    const LifeShares shares = find_life_shares(steps_left(l), fade_steps[i]);
-    force_share(l) = static_cast<Real>(shares.force);
-    work_share(l) = static_cast<Real>(shares.work);
-  }
-  Kokkos::deep_copy(lives.steps_left, steps_left);
-  Kokkos::deep_copy(lives.plastic_strain, plastic_strain);
-  Kokkos::deep_copy(lives.damage, damage);
-  Kokkos::deep_copy(lives.time_at_yield, time_at_yield);
-  Kokkos::deep_copy(lives.work, work);
-  Kokkos::deep_copy(lives.force_share, force_share);
-  Kokkos::deep_copy(lives.work_share, work_share);
 }
 
 void archive_eroded(CheckpointArchive& archive, State& state) {

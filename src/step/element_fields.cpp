@@ -99,7 +99,8 @@ struct ReadScalar {
     if (is_shell(chunks, c)) {
       const bool has = name == HistoryScalar::equivalent_plastic_strain && chunks.history(c) >= 0;
       const auto& rule = shells.rules(chunks.points(c));
-      row[0] = has ? read_layers(chunks, c, rule, record, ShellRecord::stress_count, ShellLayer::mean) : 0;
+      const auto whole = [](int) { return 1.0; };
+      row[0] = has ? read_layers(chunks, c, rule, record, ShellRecord::stress_count, ShellLayer::mean, whole) : 0;
       return;
     }
     const int place = chunks.find_scalar(c, name);

@@ -41,6 +41,20 @@ void visit_failing(const Model& model, const Visit& visit) {
   }
 }
 
+/// Nodes that have vanished have no mass, or rotary inertia, and no velocity.
+void empty_nodes(const std::vector<int>& nodes, const Array<double>& mass, const Rows3<double>& inverse,
+                 const Rows3<double>& velocity) {
+  const auto m = to_host(mass);
+  const auto inverse_m = to_host(inverse), v = to_host(velocity);
+  for (const int n : nodes) {
+    m(at(n)) = 0;
+    for (std::size_t k = 0; k < 3; ++k) inverse_m(at(n), k) = v(at(n), k) = 0;
+  }
+  Kokkos::deep_copy(mass, m);
+  Kokkos::deep_copy(inverse, inverse_m);
+  Kokkos::deep_copy(velocity, v);
+}
+
 std::vector<int> list_loaded_elements(const Deck& deck, const Mesh& mesh) {
   std::vector<int> elements;
   for (const PressureDeck& pressure : deck.pressures) {
@@ -93,6 +107,7 @@ int Erosion::find_across(const FaceKey& face, int but) const {
   if (node < 0) return -1;
   for (int i = first_around_[at(node)]; i < first_around_[at(node) + 1]; ++i) {
     const int e = around_[at(i)];
+    if (is_shell(mesh.elements[at(e)])) continue;  // both of its faces are exterior as long as it lives
     for (int f = 0; e != but && f < 6; ++f)
       if (sort_numbers(mesh, e, f) == face) return 6 * e + f;
   }
@@ -109,7 +124,7 @@ void Erosion::open_faces(const std::vector<int>& newly_dead) {
   };
   std::vector<FaceKey> elsewhere;  // faces whose other element some other rank has
   for (const int e : newly_dead) {
-    for (int f = 0; f < 6; ++f) {
+    for (int f = 0; f < 6 && !is_shell(mesh.elements[at(e)]); ++f) {
       if ((mesh.exterior[at(e)] >> f & 1) != 0) continue;
       const FaceKey key = sort_numbers(mesh, e, f);
       const int other = find_across(key, e);
@@ -156,15 +171,24 @@ void Erosion::count_holders(const State& state) {
   assemble_forces(ExecSpace(), model_.nodes_to_slots, slots, holders_);
 }
 
+/// Where nodes may vanish, masses are from now on the state's own.
+void Erosion::own_masses(State& state) const {
+  if (state.mass.data() != model_.mass.data()) return;
+  state.mass = Array<double>("percuss::mass_left", model_.mass.extent(0));
+  state.inverse_mass = Rows3<double>("percuss::inverse_mass_left", model_.inverse_mass.extent(0));
+  Kokkos::deep_copy(state.mass, model_.mass);
+  Kokkos::deep_copy(state.inverse_mass, model_.inverse_mass);
+  if (!model_.has_shells) return;
+  state.inertia = Array<double>("percuss::inertia_left", model_.inertia.extent(0));
+  state.inverse_inertia = Rows3<double>("percuss::inverse_inertia_left", model_.inverse_inertia.extent(0));
+  Kokkos::deep_copy(state.inertia, model_.inertia);
+  Kokkos::deep_copy(state.inverse_inertia, model_.inverse_inertia);
+}
+
 /// Nodes that no element holds any more go on as particles or vanish. books: null: after a restart, nothing is booked.
 void Erosion::sort_nodes(State& state, Bookkeeper* books) {
   const bool removes = deck_.erosion.free_nodes == ErosionDeck::FreeNodes::remove;
-  if (removes && state.mass.data() == model_.mass.data()) {  // from now on the state's own
-    state.mass = Array<double>("percuss::mass_left", model_.mass.extent(0));
-    state.inverse_mass = Rows3<double>("percuss::inverse_mass_left", model_.inverse_mass.extent(0));
-    Kokkos::deep_copy(state.mass, model_.mass);
-    Kokkos::deep_copy(state.inverse_mass, model_.inverse_mass);
-  }
+  if (removes) own_masses(state);
   count_holders(state);
   auto& nodes = chunked_.mesh.eroded.nodes;
   const auto holders = to_host(holders_);
@@ -175,16 +199,38 @@ void Erosion::sort_nodes(State& state, Bookkeeper* books) {
     if (removes) vanished.push_back(static_cast<int>(n));
   }
   if (!removes) return;
+  unload_nodes(vanished, state, books != nullptr);
   if (books != nullptr) books->book_vanished(chunked_, vanished, state);
-  const auto mass = to_host(state.mass);
-  const auto inverse_mass = to_host(state.inverse_mass), v = to_host(state.v);
-  for (const int n : vanished) {
-    mass(at(n)) = 0;
-    for (std::size_t k = 0; k < 3; ++k) inverse_mass(at(n), k) = v(at(n), k) = 0;
+  empty_nodes(vanished, state.mass, state.inverse_mass, state.v);
+  if (model_.has_shells) empty_nodes(vanished, state.inertia, state.inverse_inertia, state.w);
+}
+
+/// Loads on nodes go with them, and so does the half step's work of their force at n.
+void Erosion::unload_nodes(const std::vector<int>& vanished, State& state, bool is_booked) const {
+  NodalLoads& loads = state.nodal_loads;
+  if (loads.count == 0) return;
+  if (loads.share.extent(0) == 0) {
+    loads.share = Array<double>("percuss::nodal_share", at(loads.count));
+    Kokkos::deep_copy(loads.share, 1.0);
   }
-  Kokkos::deep_copy(state.mass, mass);
-  Kokkos::deep_copy(state.inverse_mass, inverse_mass);
-  Kokkos::deep_copy(state.v, v);
+  const auto share = to_host(loads.share);
+  const auto node = to_host(loads.node);
+  const auto v = to_host(state.v), w = to_host(state.w), slot_force = to_host(state.slot_force),
+             slot_moment = to_host(state.slot_moment);
+  for (std::size_t i = 0; i < share.extent(0); ++i) {
+    if (share(i) == 0 || !std::binary_search(vanished.begin(), vanished.end(), node(i))) continue;
+    share(i) = 0;
+    if (!is_booked) continue;
+    const std::size_t s = at(loads.first_slot) + i, n = at(node(i));
+    double power = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      power += slot_force(s, k) * v(n, k);
+      if (slot_moment.extent(0) > 0) power += slot_moment(s, k) * w(n, k);
+    }
+    state.books.external_work.add(-0.5 * state.dt * power);
+  }
+  state.books.external_work.normalize();
+  Kokkos::deep_copy(loads.share, share);
 }
 
 /// Pressure goes with the element that it acts on, and with it the half step's work of its force at n.

@@ -1,6 +1,7 @@
 #pragma once
 // Reads the records of shells for output. Internal to element_fields.cpp.
 
+#include "kernels/shell/shell_failure.hpp"
 #include "src/step/model.hpp"
 #include "src/step/state.hpp"
 
@@ -13,8 +14,20 @@ enum class ShellLayer { mean, bottom, top };
 struct ShellTables {
   Rows3<const double> x;
   Kokkos::View<ThicknessPoints*, MemSpace> rules;
+  FailingChunks failing;
+  ElementLives lives;
 
-  ShellTables(const Model& model, const State& state) : x(state.x), rules(model.thickness_rules) {}
+  ShellTables(const Model& model, const State& state)
+      : x(state.x), rules(model.thickness_rules), failing(model.failing), lives(state.lives) {}
+
+  /// What layer p of element i of chunk c has of its stress at n.
+  KOKKOS_INLINE_FUNCTION double find_share(int c, int i, int points, int p) const {
+    constexpr int width = pack_size<double>;
+    if (failing.first_layer.extent(0) == 0 || failing.find_pack(c) < 0) return 1;
+    const double* const life = find_layer_life(find_layer_lives(lives, failing, c, points, i), p);
+    return find_life_shares(static_cast<int>(life[LayerLives::left * width]), failing.limits(failing.row(c)).fade_steps)
+        .now;
+  }
 };
 
 KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
@@ -27,12 +40,13 @@ KOKKOS_INLINE_FUNCTION int find_layer_size(const HexChunks& chunks, int c) {
 }
 
 /// Mean over the thickness of scalar `place` of the points, or its value at one end. record: its scalars lie a pack
-/// apart.
+/// apart; share(p): what counts of layer p.
+template <class Share>
 KOKKOS_INLINE_FUNCTION double read_layers(const HexChunks& chunks, int c, const ThicknessPoints& rule,
-                                          const Real* record, int place, ShellLayer layer) {
+                                          const Real* record, int place, ShellLayer layer, const Share& share) {
   constexpr int width = pack_size<Real>;
   const int size = find_layer_size(chunks, c), count = rule.count;
-  const auto value = [&](int p) -> double { return record[(ShellRecord::layers + size * p + place) * width]; };
+  const auto value = [&](int p) { return share(p) * record[(ShellRecord::layers + size * p + place) * width]; };
   if (layer == ShellLayer::bottom) return value(0);
   if (layer == ShellLayer::top) return value(count - 1);
   double mean = 0;
@@ -61,9 +75,12 @@ KOKKOS_INLINE_FUNCTION void read_shell_stress(const ShellTables& tables, const H
                                               const Real* record, ShellLayer layer, double* row) {
   constexpr int width = pack_size<Real>, shear = 3;  // ShellState::shear
   const ThicknessPoints& rule = tables.rules(chunks.points(c));
-  const auto in_plane = [&](int k) { return read_layers(chunks, c, rule, record, k, layer); };
-  const Symmetric3<double> stress{in_plane(0),          in_plane(1), 0, in_plane(2), record[(shear + 1) * width],
-                                  record[shear * width]};
+  const auto share = [&](int p) { return tables.find_share(c, e - chunks.first_element(c), rule.count, p); };
+  const auto in_plane = [&](int k) { return read_layers(chunks, c, rule, record, k, layer, share); };
+  double left = 1;  // of the whole section
+  for (int p = 0; p < rule.count; ++p) left -= rule.weight[p] * (1 - share(p));
+  const Symmetric3<double> stress{
+      in_plane(0), in_plane(1), 0, in_plane(2), left * record[(shear + 1) * width], left * record[shear * width]};
   const Symmetric3<double> t = pull_back(find_shell_frame(chunks, c, e, tables.x), stress);
   row[0] = t.xx;
   row[1] = t.yy;

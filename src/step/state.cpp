@@ -1,6 +1,7 @@
 #include "src/step/state.hpp"
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/shell/shell_failure.hpp"
 #include "src/step/streamed_view.hpp"
 
 namespace percuss {
@@ -119,14 +120,32 @@ KOKKOS_INLINE_FUNCTION std::uint64_t find_bits(double value) {
 ElementLives make_lives(const FailingChunks& failing) {
   if (failing.pack_count == 0) return {};
   const auto lanes = static_cast<std::size_t>(failing.pack_count) * width;
-  ElementLives lives{Array<Real>("percuss::force_share", lanes),        Array<Real>("percuss::work_share", lanes),
-                     Array<double>("percuss::element_work", 3 * lanes), Array<int>("percuss::steps_left", lanes),
-                     Array<double>("percuss::plastic_strain", lanes),   Array<double>("percuss::damage", lanes),
-                     Array<double>("percuss::time_at_yield", lanes)};
+  ElementLives lives{
+      Array<Real>("percuss::force_share", lanes),        Array<Real>("percuss::work_share", lanes),
+      Array<double>("percuss::element_work", 3 * lanes), Array<int>("percuss::steps_left", lanes),
+      Array<double>("percuss::plastic_strain", lanes),   Array<double>("percuss::damage", lanes),
+      Array<double>("percuss::time_at_yield", lanes),    Array<double>("percuss::layer_lives", failing.layer_scalars)};
   Kokkos::deep_copy(lives.force_share, Real(1));
   Kokkos::deep_copy(lives.work_share, Real(1));
   Kokkos::deep_copy(lives.steps_left, ElementLives::whole);
   return lives;
+}
+
+/// Every layer of shells that can fail whole.
+void start_layers(const Model& model, const ElementLives& lives) {
+  const FailingChunks failing = model.failing;
+  if (failing.layer_scalars == 0) return;
+  const HexChunks chunks = model.chunks;
+  Kokkos::parallel_for(
+      "percuss::start_layers", Range(ExecSpace(), 0, static_cast<int>(failing.list.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const int c = failing.list(i);
+        if (!is_shell(chunks, c)) return;
+        for (int e = 0; e < (chunks.first_pack(c + 1) - chunks.first_pack(c)) * width; ++e) {
+          double* const rows = find_layer_lives(lives, failing, c, chunks.points(c), e);
+          for (int p = 0; p < chunks.points(c); ++p) set_layer_left(find_layer_life(rows, p), ElementLives::whole, 1);
+        }
+      });
 }
 
 }  // namespace
@@ -152,12 +171,15 @@ State make_initial_state(const Model& model) {
     s.moment = Rows3<double>("percuss::moment", nodes);
     s.slot_moment = Rows3<double>("percuss::slot_moment", static_cast<std::size_t>(model.slot_count));
     Kokkos::deep_copy(s.w, model.start_spin);
+    s.inertia = model.inertia;
+    s.inverse_inertia = model.inverse_inertia;
   }
   const auto chunks = static_cast<std::size_t>(model.chunks.count);
   s.results = {Array<double>("percuss::stable_step", chunks), Array<int>("percuss::controlling_element", chunks),
                Array<int>("percuss::failed_element", chunks), Rows3<double>("percuss::work", chunks),
                Array<int>("percuss::is_settled", chunks),     Array<std::int64_t>("percuss::skipped", chunks)};
   s.lives = make_lives(model.failing);
+  start_layers(model, s.lives);
   s.mass = model.mass;
   s.inverse_mass = model.inverse_mass;
   s.total_mass = model.total_mass;
@@ -197,6 +219,15 @@ KOKKOS_INLINE_FUNCTION std::uint64_t mix_life(const ElementLives& lives, int lan
   return h;
 }
 
+/// Which layers of a shell that can fail have failed.
+KOKKOS_INLINE_FUNCTION std::uint64_t mix_layers(double* rows, int points, std::uint64_t h) {
+  for (int p = 0; p < points; ++p) {
+    const auto left = static_cast<int>(find_layer_life(rows, p)[LayerLives::left * pack_size<double>]);
+    if (left != ElementLives::whole) h = mix(h ^ static_cast<std::uint64_t>(points * (left + 1) + p));
+  }
+  return h;
+}
+
 std::uint64_t hash_elements(const Model& model, const State& state) {
   const HexChunks chunks = model.chunks;
   const auto elements = state.elements;
@@ -214,6 +245,8 @@ std::uint64_t hash_elements(const Model& model, const State& state) {
           std::uint64_t h = mix(~static_cast<std::uint64_t>(first_numbers(c) + i));
           const int lane = failing.find_pack(c) < 0 ? -1 : failing.find_pack(c) * width + i;
           if (lane >= 0) h = mix_life(lives, lane, h);
+          if (lane >= 0 && is_shell(chunks, c))
+            h = mix_layers(find_layer_lives(lives, failing, c, chunks.points(c), i), chunks.points(c), h);
           const bool is_dead = lane >= 0 && lives.steps_left(lane) == 0;
           for (int s = 0; s < size && !is_dead; ++s) h = mix(h ^ find_bits(record[s * width]));
           sum += h;

@@ -59,10 +59,12 @@ struct State {
   NodalLoads nodal_loads;        // those of nodes that have vanished are gone
 
   // Of scenes with shells; empty otherwise.
-  Rows3<double> w;            // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)
-  Rows3<double> w_before;     // one step earlier; scratch of the step
-  Rows3<double> moment;       // assembled moment, at n
-  Rows3<double> slot_moment;  // internal moment (negative) by slot, at n; also those of other ranks
+  Rows3<double> w;                // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)
+  Rows3<double> w_before;         // one step earlier; scratch of the step
+  Array<double> inertia;          // rotary, of the nodes: the model's, unless nodes may vanish
+  Rows3<double> inverse_inertia;  // 0 in held directions and of vanished nodes
+  Rows3<double> moment;           // assembled moment, at n
+  Rows3<double> slot_moment;      // internal moment (negative) by slot, at n; also those of other ranks
   Books books;
 };
 

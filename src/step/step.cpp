@@ -5,6 +5,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/failure.hpp"
+#include "kernels/shell/shell_failure.hpp"
 #include "src/step/phases.hpp"
 
 namespace percuss {
@@ -168,7 +169,7 @@ void Stepper::integrate_motion(State& state, double dt_mean) {
 void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
   {
     const Phase phase("percuss::integrate_spins", clocks_.integrate);
-    predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, model_.inverse_inertia, {}}, dt_mean,
+    predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}}, dt_mean,
                        state.moment, state.w_before, state.w);
     if (state.step == 0) mirror_velocities(space_, state.w, state.w_before);
   }
@@ -234,7 +235,8 @@ void Stepper::advance_blocks(State& state, const HexBlocks& blocks, const ShellB
                              watch,   model_.failing, state.lives};
   advance_elements(space_, model_.chunks, blocks, motion, state.elements, state.slot_force, state.results);
   if (!model_.has_shells) return;
-  advance_shells(space_, model_.chunks, shells, {state.x, state.v, state.w, dt, deck_.elements.skip_resting},
+  advance_shells(space_, model_.chunks, shells,
+                 {state.x, state.v, state.w, dt, deck_.elements.skip_resting, model_.failing, state.lives},
                  state.elements, state.slot_force, state.slot_moment, state.results);
 }
 
@@ -244,7 +246,9 @@ void Stepper::judge_elements(State& state, double dt) {
   const Phase phase("percuss::failure", clocks_.internal_force);
   const FailureCounts counts =
       find_failures(space_, model_.chunks, model_.failing, dt, state.elements, state.lives, state.results);
-  some_died_ = counts.died > 0;
+  const FailureCounts of_shells = find_shell_failures(space_, model_.chunks, model_.failing, model_.thickness_rules, dt,
+                                                      state.elements, state.lives, state.results);
+  some_died_ = counts.died + of_shells.died > 0;
 }
 
 StepNotice Stepper::find_notice(const State& state) const {

@@ -5,12 +5,12 @@
 
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <iterator>
 
 #include "src/deck/read_deck.hpp"
 #include "src/error.hpp"
 #include "src/step/run.hpp"
+#include "tests/verification/deaths.hpp"
 #include "tests/verification/run_deck.hpp"
 
 namespace percuss::test {
@@ -68,27 +68,6 @@ Summary run(const std::string& deck, const std::string& folder, int steps, const
   options.restart = restart;
   options.goes_on_in_place = !restart.empty();
   return run_scene(parse_deck(deck, "deck.yaml", {"time.max_steps=" + std::to_string(steps)}), options).summary;
-}
-
-/// First row that `is_met` holds for; as many as there are rows: none.
-std::size_t find_row(const HistoryTable& history, const std::function<bool(std::size_t)>& is_met) {
-  std::size_t row = 0;
-  while (row < history.rows() && !is_met(row)) ++row;
-  return row;
-}
-
-std::size_t find_death(const HistoryTable& history) {
-  return find_row(history, [&](std::size_t row) { return history["eroded_elements"][row] > 0; });
-}
-
-/// Expects the cube to be dead `steps` after the first row in which the criterion is met, which is none of the first.
-void expect_death(const HistoryTable& history, const std::function<bool(std::size_t)>& is_met, std::size_t steps = 1) {
-  const std::size_t met = find_row(history, is_met);
-  EXPECT_GT(met, 3U);
-  ASSERT_LT(met + steps, history.rows());
-  EXPECT_EQ(find_death(history), met + steps);
-  EXPECT_EQ(history.last("eroded_elements"), 1);
-  EXPECT_EQ(history.last("e_stress_xx"), 0);
 }
 
 }  // namespace

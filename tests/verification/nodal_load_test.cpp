@@ -132,4 +132,20 @@ output: {{history: {{every: 0.01, nodes: [{{name: end, near: [{1}, 0, 0]}}]}}}}
   EXPECT_NEAR(run.history.last("external") / work, 1, 2e-3);
 }
 
+TEST(ShellOffset, AnEccentricPullBendsTheSectionByForceTimesDistance) {
+  // The mesh is the bottom: a pull N in it acts t / 2 below the middle, M = N t / 2, and the strip bends by M / E I
+  // towards its top's side; the mesh stretches by N / E A + M / E I t / 2 = 4 N / E A.
+  constexpr int cells = 10;
+  const double pull = 1e-3;  // straightens the strip by 5 N L^2 / 12 E I of its deflection, 4e-4
+  for (const auto& [reference, side] : {std::pair{"bottom", 1.0}, std::pair{"top", -1.0}}) {
+    const Vec3 u =
+        bend(cells, fmt::format("force: {{x: {}}}", grow(0.5 * pull)), fmt::format(", reference: {}", reference));
+    const double moment = pull * thickness / 2, deflection = moment * length * length / (2 * rigidity);
+    fmt::print("mesh at the {}: deflection {:.6f}, stretch {:.6f} of the exact\n", reference,
+               u[2] / (side * deflection), u[0] / (4 * pull * length / (young * width * thickness)));
+    EXPECT_NEAR(u[2] / (side * deflection), 1, 2e-3);
+    EXPECT_NEAR(u[0] / (4 * pull * length / (young * width * thickness)), 1, 5e-3);
+  }
+}
+
 }  // namespace percuss::test

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "src/deck/read_deck.hpp"
-#include "src/error.hpp"
 #include "tests/src/step/scene.hpp"
 #include "tests/verification/mapped_shell.hpp"
 #include "tests/verification/run_deck.hpp"
@@ -144,16 +142,6 @@ output: {{history: {{every: 1e-5, nodes: [{{name: low, near: [0, 0, 0.001]}}]}}}
       EXPECT_GT(run.history.smallest("low_z"), -1e-6);
     }
   }
-}
-
-TEST(ShellMotion, OfAMaterialThatFailsIsRefused) {
-  EXPECT_THROW(run_deck(R"yaml(
-time: {end: 1e-4}
-parts: {plate: {shell_plate: {size: [1, 1], cells: [2, 2]}, thickness: 0.01, material: steel}}
-materials:
-  steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, failure: {plastic_strain: 0.1}}
-)yaml"),
-               InputError);
 }
 
 }  // namespace percuss::test

@@ -53,14 +53,22 @@ struct StepShare {
   double largest = 0, least = 1e300;  // bound over the exact step
 };
 
-StepShare compare_steps(Random& random, int trials, double stretch) {
+/// distortion, warp: of the elements at most, as a share of their edges.
+struct Shapes {
+  double distortion = 0.2, warp = 0.2;
+};
+
+/// offset: of the middle of the section from the mesh, in units of half the thickness.
+StepShare compare_steps(Random& random, int trials, double stretch, double offset = 0, const Shapes& shapes = {}) {
   StepShare share;
   for (int trial = 0; trial < trials; ++trial) {
     const double aspect = 3 + 2 * random(), poisson = -0.2 + 0.69 * random();
     const double thickness = std::pow(10.0, -1.75 + 1.25 * random());  // 1e-3 to 0.3 of an edge
-    const double warp = trial % 2 == 0 ? 0 : 0.2;
-    const ShellCorners start = make_quad(random, aspect, 1, 0.2, warp);
+    const double warp = trial % 2 == 0 ? 0 : shapes.warp;
+    const ShellCorners start = make_quad(random, aspect, 1, shapes.distortion, warp);
     TestShell<ElasticLayer> shell({find_plane_elasticity(1, poisson)}, 2, start, thickness, 1);
+    shell.par.offset = offset * thickness / 2;
+    shell.state.gyration_square += shell.par.offset * shell.par.offset;
     ShellCorners x = start;
     for (Vec& corner : x) corner = stretch * corner;
     shell.state.thickness /= stretch * stretch;
@@ -84,6 +92,22 @@ TEST(ShellStep, BoundIsBelowTheExactStepOfRandomElements) {
 TEST(ShellStep, BoundHoldsForElementsThatWereStretched) {
   Random random(22);
   for (const double stretch : {0.5, 2.0, 4.0}) EXPECT_LE(compare_steps(random, 300, stretch).largest, 1) << stretch;
+}
+
+TEST(ShellStep, BoundHoldsForStronglyWarpedElements) {
+  Random random(24);
+  // Corners out of the plane by up to as much as half the shorter edge, which turns their normals by up to 70 degrees.
+  EXPECT_LE(compare_steps(random, 2000, 1, 0, {0.2, 0.5}).largest, 1);
+}
+
+TEST(ShellStep, BoundHoldsForSectionsOffTheMesh) {
+  Random random(23);
+  for (const double offset : {1.0, -1.0, 4.0, 30.0}) {
+    const StepShare share = compare_steps(random, 500, 1, offset);
+    EXPECT_LE(share.largest, 1) << offset;
+    EXPECT_GT(share.least, 0.4) << offset;
+  }
+  EXPECT_LE(compare_steps(random, 300, 2, 1).largest, 1);
 }
 
 }  // namespace percuss::test

@@ -74,6 +74,8 @@ std::vector<WrongDeck> wrong_ranges() {
        "failure.plastic_strain is -1 in material 'steel' (must be positive)"},
       {"NoFadeSteps", change("0.3}", "0.3, failure: {pressure: 1, fade_steps: 0}}"), "5:121",
        "failure.fade_steps is 0 in material 'steel' (must be at least 1)"},
+      {"NoLayers", change("0.3}", "0.3, failure: {pressure: 1, layers: 0}}"), "5:117",
+       "failure.layers is 0 in material 'steel' (must be above 0, at most 1)"},
       {"UnknownCriterion", change("0.3}", "0.3, failure: {plastic_strian: 1}}"), "5:96",
        "did you mean 'plastic_strain'?"},
       {"DamageOfNothing", change("0.3}", "0.3, failure: {johnson_cook: {d1: 0, d3: 1}}}"), "5:115",

@@ -21,6 +21,13 @@ std::string block_with(const std::string& parts, const std::string& rest) {
 const std::string pin = "  pin: {box: {size: [0.4, 0.4, 0.4], cells: [1, 1, 1]}, at: [2.3, 2.3, 3.05], material: m}\n";
 const std::string falls = "initial: [{part: pin, velocity: [0, 0, -0.5]}]\ncontact: {friction: 0}\n";
 
+/// A plate of 5 x 5 shells of edge 1 and thickness 0.1 at height 0; more bodies by the caller.
+std::string plate_with(const std::string& parts, const std::string& rest) {
+  return "time: {end: 1000}\nparts:\n  plate: {shell_plate: {size: [5, 5], cells: [5, 5]}, thickness: 0.1, material: "
+         "m}\n" +
+         parts + soft + rest;
+}
+
 std::int64_t sum(const Communicator& ranks, std::int64_t value) {
   MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT64_T, MPI_SUM, ranks.handle());
   return value;
@@ -138,6 +145,76 @@ TEST(Erosion, TiesGoWithTheElementsOfTheirFaces) {
   eroding.kill({layer.begin() + 5, layer.end()});
   eroding.run(3);
   EXPECT_EQ(eroding.scene.stepper.contact_report().interactions, 0);
+}
+
+TEST(Erosion, ADeadShellTakesItsTwoFaces) {
+  ErodingScene eroding(plate_with("", "contact: {friction: 0}\n"));
+  EXPECT_EQ(eroding.scene.contact.contact_faces(), 50);
+  eroding.kill({{2.5, 2.5, 0}});
+  eroding.advance();
+  EXPECT_EQ(eroding.scene.contact.contact_faces(), 48);
+  EXPECT_EQ(count_exterior(eroding), 48);
+  EXPECT_EQ(eroding.scene.contact.contact_nodes(), 36);
+  eroding.kill({{0.5, 0.5, 0}});  // its corner becomes a particle
+  eroding.advance();
+  EXPECT_EQ(eroding.scene.contact.contact_faces(), 46);
+  EXPECT_EQ(eroding.scene.contact.contact_nodes(), 36);
+  EXPECT_EQ(eroding.scene.state.books.eroded_elements, 2);
+}
+
+TEST(Erosion, APinGoesThroughAHoleInAPlateAndIsHeldByItsRim) {
+  // Over the middle of the element, over its edge to a neighbour, and across the hole.
+  for (const auto& [x, width] : {std::pair{2.3, 0.4}, std::pair{2.8, 0.4}, std::pair{1.9, 1.2}}) {
+    for (const bool has_hole : {false, true}) {
+      const std::string block = "  pin: {box: {size: [" + std::to_string(width) +
+                                ", 0.4, 0.4], cells: [1, 1, 1]}, at: [" + std::to_string(x) +
+                                ", 2.3, 0.1], material: m}\n";
+      ErodingScene eroding(plate_with(block,
+                                      "initial: [{part: pin, velocity: [0, 0, -0.2]}]\nconditions: [{nodes: "
+                                      "plate, fixed: [x, y, z, rx, ry, rz]}]\ncontact: {friction: 0}\n"));
+      if (has_hole) eroding.kill({{2.5, 2.5, 0}});
+      const bool goes_through = has_hole && x > 2 && x < 2.5;
+      double lowest = 10;
+      for (int i = 0; i < 150; ++i) {
+        eroding.advance();
+        lowest = std::min(lowest, eroding.find_least(eroding.scene.state.x, "pin", 2));
+      }
+      EXPECT_GT(eroding.scene.state.time, 3);  // long enough to go through
+      if (goes_through) {
+        EXPECT_LT(lowest, -0.3);
+      } else {
+        EXPECT_GT(lowest, 0.05 - 1e-3) << x << " " << has_hole;  // the top of the plate
+      }
+    }
+  }
+}
+
+TEST(Erosion, OfShellsIsTheSameOnAnyNumberOfRanks) {
+  for (const char* more : {"", "erosion: {free_nodes: remove}\n"}) {
+    const std::string deck =
+        plate_with("  pin: {box: {size: [0.4, 0.4, 0.4], cells: [1, 1, 1]}, at: [2.8, 2.3, 0.1], material: m}\n",
+                   std::string("initial: [{part: pin, velocity: [0, 0, -0.5]}, {part: plate, angular_velocity: [0.1, "
+                               "0.2, 0.3]}]\ncontact: {friction: 0.1}\nloads: {gravity: [0, 0.1, -0.2], pressure: "
+                               "[{faces: plate/top, value: 0.01}]}\n") +
+                       more);
+    ErodingScene together(deck), alone(deck, Communicator(MPI_COMM_SELF));
+    for (ErodingScene* eroding : {&together, &alone}) {
+      eroding->kill({{2.5, 2.5, 0}});
+      eroding->run(20);
+      eroding->kill({{0.5, 0.5, 0}, {1.5, 0.5, 0}, {0.5, 1.5, 0}, {1.5, 1.5, 0}, {4.5, 4.5, 0}});
+      eroding->run(60);
+    }
+    EXPECT_EQ(hash_state(together.scene.model, together.scene.state), hash_state(alone.scene.model, alone.scene.state));
+    EXPECT_EQ(together.scene.contact.contact_nodes(), alone.scene.contact.contact_nodes());
+    EXPECT_EQ(together.scene.contact.contact_faces(), alone.scene.contact.contact_faces());
+    const AuditResult a = together.audit(together.scene.state), b = alone.audit(alone.scene.state);
+    EXPECT_EQ(a.energy.error, b.energy.error);
+    EXPECT_EQ(a.eroded.energy, b.eroded.energy);
+    EXPECT_EQ(a.momentum.angular_error, b.momentum.angular_error);
+    EXPECT_LT(a.momentum.linear_error, 1e-12);
+    EXPECT_LT(a.momentum.angular_error, 1e-12);
+    EXPECT_LT(std::abs(a.energy.error), 1e-2);
+  }
 }
 
 TEST(Erosion, IsTheSameOnAnyNumberOfRanks) {

@@ -1,0 +1,56 @@
+#pragma once
+// Which lanes of a chunk of shells live, as its launcher sees it (kernels/element/living_lanes.hpp).
+
+#include "kernels/element/living_lanes.hpp"
+#include "kernels/shell/shell4.hpp"
+
+namespace percuss {
+
+/// Slope of a corner's normal against that of its element at which the element counts as folded. It gets there ever
+/// more slowly, as the step that it allows falls with the slope.
+inline constexpr double shell_folded_slope = 10;
+
+/// T: packs of doubles; where solids are in single precision no shell gets here.
+template <class T>
+class LivingShells : public LivingLanes {
+ public:
+  KOKKOS_FUNCTION LivingShells(const FailingChunks& failing, const ElementLives& lives, int chunk, int points)
+      : LivingLanes(failing, lives, chunk), row_count_(LayerLives::count_rows(points)) {
+    if (can_fail()) rows_ = &lives.layers(failing.first_layer(chunk)) - row_count_ * width_of_doubles;
+  }
+
+  KOKKOS_FUNCTION bool take_pack(const std::uint16_t*& corners) {
+    rows_ += row_count_ * width_of_doubles;
+    return LivingLanes::take_pack(corners);
+  }
+
+  /// Of the pack's layers.
+  KOKKOS_FUNCTION FailingLayers<T> layers() const { return {reinterpret_cast<T*>(rows_)}; }
+
+  /// What the pack leaves: forces, moments and work by their shares, nothing of dead lanes and of those that must not
+  /// go on.
+  KOKKOS_FUNCTION void settle(ShellResult<T>& result, Vector3<T> (&force)[4], Vector3<T> (&moment)[4]) const {
+    const T zero(0.0);
+    const auto is_open = result.steepest < T(shell_folded_slope * shell_folded_slope);
+    const T share = this->take_force_share(result.stable_step, select(is_open, result.size, zero));
+    const auto lives = !(share < zero);
+    const auto keep = [&](Vector3<T>& u) {
+      u = {select(lives, share * u.x, zero), select(lives, share * u.y, zero), select(lives, share * u.z, zero)};
+    };
+    for (int i = 0; i < 4; ++i) {
+      keep(force[i]);
+      keep(moment[i]);
+    }
+    this->take_work(share, 0, result.work.internal);
+    this->take_work(share, 1, result.work.hourglass);
+    result.stable_step = select(lives, result.stable_step, T(1e300));
+    result.size = select(lives, result.size, T(1.0));
+  }
+
+ private:
+  static constexpr int width_of_doubles = pack_size<double>;
+  int row_count_;
+  double* rows_ = nullptr;
+};
+
+}  // namespace percuss

@@ -1,0 +1,184 @@
+#include "kernels/shell/shell_failure.hpp"
+
+#include "kernels/element/dying_lanes.hpp"
+#include "kernels/element/failure_criteria.hpp"
+
+namespace percuss {
+
+namespace {
+
+constexpr int width = pack_size<double>;
+
+/// One shell: its record and what its layers carry; scalars lie a pack of each apart.
+struct FailingShell {
+  const Real* record;
+  double* lives;
+  int layer_size;  // scalars of a layer in the record
+  bool can_yield;
+
+  KOKKOS_INLINE_FUNCTION double* life(int p) const { return find_layer_life(lives, p); }
+  KOKKOS_INLINE_FUNCTION double read(int p, int scalar) const {
+    return record[(ShellRecord::layers + layer_size * p + scalar) * FailingRecords::width];
+  }
+  KOKKOS_INLINE_FUNCTION int left(int p) const { return static_cast<int>(life(p)[LayerLives::left * width]); }
+};
+
+/// Stress and plastic strain of a layer.
+KOKKOS_INLINE_FUNCTION ElementLoad read_layer(const FailingShell& shell, int p) {
+  ElementLoad load;
+  load.stress = {shell.read(p, 0), shell.read(p, 1), 0, shell.read(p, 2), 0, 0};
+  load.stretch = {1, 1, 1, 0, 0, 0};
+  if (shell.can_yield) load.plastic_strain = shell.read(p, ShellRecord::stress_count);
+  return load;
+}
+
+/// Strain of a layer in the plane, at the place from -1 (bottom) to 1.
+KOKKOS_INLINE_FUNCTION Symmetric3<double> read_strain(const FailingShell& shell, double place) {
+  const auto strain = [&](int k) {
+    return shell.lives[(LayerLives::membrane + k) * width] + place * shell.lives[(LayerLives::bending + k) * width];
+  };
+  return {strain(0), strain(1), 0, 0.5 * strain(2), 0, 0};
+}
+
+/// Adds the step to what the layer remembers; returns whether it fails.
+KOKKOS_INLINE_FUNCTION bool judge_layer(const FailingShell& shell, int p, double place, const FailureLimits& limits,
+                                        double dt) {
+  double* const life = shell.life(p);
+  FailureHistory history{life[LayerLives::plastic_strain * width], life[LayerLives::damage * width],
+                         life[LayerLives::time_at_yield * width]};
+  FailureLimits of_stress = limits;
+  of_stress.principal_strain = FailureLimits::none;
+  const bool failed = fails(of_stress, read_layer(shell, p), dt, history);
+  life[LayerLives::plastic_strain * width] = history.plastic_strain;
+  life[LayerLives::damage * width] = history.damage;
+  life[LayerLives::time_at_yield * width] = history.time_at_yield;
+  return failed ||
+         (limits.principal_strain < FailureLimits::none && reaches(read_strain(shell, place), limits.principal_strain));
+}
+
+/// Layers that have failed lose their stress. Returns whether any has changed.
+KOKKOS_INLINE_FUNCTION bool fade_layers(const FailingShell& shell, int points, int fade_steps) {
+  bool changed = false;
+  for (int p = 0; p < points; ++p) {
+    if (shell.left(p) <= 0) continue;
+    set_layer_left(shell.life(p), shell.left(p) - 1, fade_steps);
+    changed = true;
+  }
+  return changed;
+}
+
+/// Judges the layers of a whole element; returns whether the element fails. Those that fail in the step in which it
+/// does fade with it.
+KOKKOS_INLINE_FUNCTION bool judge_layers(const FailingShell& shell, const ThicknessPoints& rule,
+                                         const FailureLimits& limits, double dt, bool& changed) {
+  constexpr double round_off = 1e-12;
+  bool fresh[most_thickness_points];
+  double failed = 0;
+  int count = 0;
+  for (int p = 0; p < rule.count; ++p) {
+    const bool is_whole = shell.left(p) == ElementLives::whole;
+    fresh[p] = is_whole && judge_layer(shell, p, rule.place[p], limits, dt);
+    if (is_whole && !fresh[p]) continue;
+    failed += rule.weight[p];
+    ++count;
+  }
+  if (count == rule.count || failed >= limits.layers * (1 - round_off)) return true;
+  for (int p = 0; p < rule.count; ++p) {
+    if (!fresh[p]) continue;
+    set_layer_left(shell.life(p), limits.fade_steps, limits.fade_steps);
+    changed = true;
+  }
+  return false;
+}
+
+/// The means over the layers, of one that has failed as if it were at the limit.
+KOKKOS_INLINE_FUNCTION void take_means(const FailingShell& shell, const ThicknessPoints& rule,
+                                       const FailureLimits& limits, const ElementLives& lives, int lane) {
+  double strain = 0, damage = 0, time = 0;
+  for (int p = 0; p < rule.count; ++p) {
+    const double* const life = shell.life(p);
+    const bool is_whole = shell.left(p) == ElementLives::whole;
+    strain += rule.weight[p] * smaller(life[LayerLives::plastic_strain * width], limits.plastic_strain);
+    time += rule.weight[p] * smaller(life[LayerLives::time_at_yield * width], limits.yield_time);
+    damage += rule.weight[p] * (is_whole ? life[LayerLives::damage * width] : 1);
+  }
+  lives.plastic_strain(lane) = strain;
+  lives.damage(lane) = damage;
+  lives.time_at_yield(lane) = time;
+}
+
+KOKKOS_INLINE_FUNCTION bool judge(const FailingShell& shell, const ThicknessPoints& rule, const FailureLimits& limits,
+                                  double dt, const ElementLives& lives, int lane, FailureCounts& counts) {
+  bool changed = fade_layers(shell, rule.count, limits.fade_steps);
+  if (go_on_dying(lives, lane, limits, counts)) return true;
+  if (judge_layers(shell, rule, limits, dt, changed)) {
+    ++counts.failing;
+    set_left(lives, lane, limits.fade_steps, limits);
+    changed = true;
+  }
+  take_means(shell, rule, limits, lives, lane);
+  return changed;
+}
+
+/// The shells of one chunk.
+struct JudgeShells {
+  HexChunks chunks;
+  FailingChunks failing;
+  ThicknessRules rules;
+  double dt;
+  Array<Real> elements;
+  ElementLives lives;
+  ChunkResults results;
+
+  KOKKOS_INLINE_FUNCTION FailingShell find(const FailingRecords& of, int c, int i) const {
+    const int points = chunks.points(c);
+    return {of.find(i), find_layer_lives(lives, failing, c, points, i),
+            (chunks.record_size(c) - ShellRecord::layers) / points, chunks.history(c) >= 0};
+  }
+
+  /// Whether an element or a layer has begun to fail and is not dead yet.
+  KOKKOS_INLINE_FUNCTION bool is_ending(const FailingRecords& of, int c, int count) const {
+    if (is_any_ending(lives, of.first_lane, count)) return true;
+    for (int i = 0; i < count; ++i) {
+      const FailingShell shell = find(of, c, i);
+      for (int p = 0; p < chunks.points(c); ++p)
+        if (shell.left(p) > 0) return true;
+    }
+    return false;
+  }
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int place, int& sum_failing, int& sum_died) const {
+    const int c = failing.list(place);
+    if (chunks.is_shell(c) == 0) return;
+    const FailureLimits limits = failing.limits(failing.row(c));
+    const FailingRecords of = find_records(chunks, failing, elements, c);
+    const int count = chunks.first_element(c + 1) - chunks.first_element(c);
+    if (results.is_settled(c) != 0 && !is_ending(of, c, count)) return;  // as it was judged last
+    FailureCounts here;
+    bool changed = false;
+    for (int i = 0; i < count; ++i) {
+      if (lives.steps_left(of.first_lane + i) == 0) continue;
+      if (judge(find(of, c, i), rules(chunks.points(c)), limits, dt, lives, of.first_lane + i, here)) changed = true;
+    }
+    if (changed) results.is_settled(c) = 0;
+    if (changed) end_lanes_past_end(lives, of, count);
+    if (here.died > 0) repeat_living_lanes(lives, of);
+    sum_failing += here.failing;
+    sum_died += here.died;
+  }
+};
+
+}  // namespace
+
+FailureCounts find_shell_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing,
+                                  const ThicknessRules& rules, double dt, const Array<Real>& elements,
+                                  const ElementLives& lives, const ChunkResults& results) {
+  FailureCounts counts;
+  if (failing.first_layer.extent(0) == 0) return counts;
+  Kokkos::parallel_reduce("percuss::find_shell_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
+                          JudgeShells{chunks, failing, rules, dt, elements, lives, results}, counts.failing,
+                          counts.died);
+  return counts;
+}
+
+}  // namespace percuss

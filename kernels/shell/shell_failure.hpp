@@ -1,0 +1,41 @@
+#pragma once
+// The pass over shells that can fail: after the elements of a step, before its reduction.
+//
+// Each layer is judged by itself, as a point of a solid is; the element fails when its layers have failed over a share
+// of the thickness that the deck gives, all of it by default (docs/theory_failure.md).
+
+#include "kernels/element/failure.hpp"
+#include "kernels/shell/shell_force.hpp"
+
+namespace percuss {
+
+/// The rules across the thickness, by number of points.
+using ThicknessRules = Kokkos::View<ThicknessPoints*, MemSpace>;
+
+/// As find_failures(), for the chunks of shells.
+FailureCounts find_shell_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing,
+                                  const ThicknessRules& rules, double dt, const Array<Real>& elements,
+                                  const ElementLives& lives, const ChunkResults& results);
+
+/// Sets the shares of a layer with so many evaluations left. layer: its first scalar in ElementLives::layers.
+KOKKOS_INLINE_FUNCTION void set_layer_left(double* layer, int left, int fade_steps) {
+  constexpr int width = pack_size<double>;
+  const LifeShares shares = find_life_shares(left, fade_steps);
+  layer[LayerLives::left * width] = left;
+  layer[LayerLives::force_share * width] = shares.force > 0 ? shares.force : 0;
+  layer[LayerLives::work_share * width] = shares.work;
+}
+
+/// First scalar of a lane's layer p. lives: of the lane's element.
+KOKKOS_INLINE_FUNCTION double* find_layer_life(double* lives, int p) {
+  return lives + (LayerLives::layers + p * LayerLives::layer_size) * pack_size<double>;
+}
+
+/// Where element i of chunk c has its rows; point after point they lie a pack apart.
+KOKKOS_INLINE_FUNCTION double* find_layer_lives(const ElementLives& lives, const FailingChunks& failing, int c,
+                                                int points, int i) {
+  constexpr int width = pack_size<double>;
+  return &lives.layers(failing.first_layer(c)) + i / width * LayerLives::count_rows(points) * width + i % width;
+}
+
+}  // namespace percuss
