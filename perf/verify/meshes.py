@@ -58,13 +58,13 @@ def volume(points, corners):
 
 
 def write_exodus(path, points, corners):
-    """One block of hexahedra as an Exodus II file in classic netCDF."""
+    """One block of hexahedra, or of shells, as an Exodus II file in classic netCDF."""
     with netcdf_file(path, "w", version=2) as file:
         file.api_version, file.version = np.float32(5.1), np.float32(5.1)
         file.floating_point_word_size, file.file_size, file.title = np.int32(8), np.int32(1), "generated"
         for name, length in (("len_string", 33), ("len_line", 81), ("four", 4), ("num_dim", 3), ("num_nodes", len(points)),
                              ("num_elem", len(corners)), ("num_el_blk", 1), ("num_el_in_blk1", len(corners)),
-                             ("num_nod_per_el1", 8)):
+                             ("num_nod_per_el1", corners.shape[1])):
             file.createDimension(name, length)
         # first, because the Exodus II library takes coordinates in the first variable of a file as missing
         file.createVariable("node_num_map", "i4", ("num_nodes",))[:] = np.arange(1, len(points) + 1)
@@ -74,9 +74,20 @@ def write_exodus(path, points, corners):
         file.createVariable("eb_prop1", "i4", ("num_el_blk",))[:] = 1
         file.variables["eb_prop1"].name = "ID"
         connect = file.createVariable("connect1", "i4", ("num_el_in_blk1", "num_nod_per_el1"))
-        connect.elem_type = "HEX8"
+        connect.elem_type = "HEX8" if corners.shape[1] == 8 else "SHELL4"
         connect[:] = corners + 1
     return path
+
+
+def make_surface(cells, place, share=0.0, seed=1):
+    """Shells on the unit square, each node where place(u, v) puts it; nodes inside are moved by up to a share of a cell both ways. Nodes run along u first."""
+    u, v = np.meshgrid(np.linspace(0, 1, cells[0] + 1), np.linspace(0, 1, cells[1] + 1))
+    inside = (u > 0) & (u < 1) & (v > 0) & (v < 1)
+    moves = share * np.random.default_rng(seed).uniform(-1, 1, (2, *u.shape)) * inside
+    points = np.stack(place(u + moves[0] / cells[0], v + moves[1] / cells[1]), axis=-1).reshape(-1, 3)
+    j, i = np.meshgrid(np.arange(cells[1]), np.arange(cells[0]), indexing="ij")
+    first = (i + (cells[0] + 1) * j).ravel()
+    return points, first[:, None] + np.array([0, 1, cells[0] + 2, cells[0] + 1])
 
 
 def each_node(points, entry):

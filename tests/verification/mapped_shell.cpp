@@ -1,5 +1,11 @@
 #include "tests/verification/mapped_shell.hpp"
 
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "tests/random.hpp"
+
 namespace percuss::test {
 
 using testing_mesh::WrittenBlock;
@@ -20,6 +26,72 @@ WrittenMesh make_mapped_shell(const std::array<int, 2>& cells, const std::functi
     }
   }
   mesh.blocks.push_back(block);
+  return mesh;
+}
+
+std::function<Vec3(double, double)> distort(const std::array<int, 2>& cells, double share,
+                                            const std::function<Vec3(double, double)>& place) {
+  return [=, random = Random()](double u, double v) mutable {
+    const auto move = [&](double at, int count) {
+      const double by = 2 * static_cast<double>(random.below(1000001)) / 1e6 - 1;
+      return at + share * by / count;
+    };
+    const bool is_inside = u > 0 && u < 1 && v > 0 && v < 1;
+    if (!is_inside) return place(u, v);
+    const double moved_u = move(u, cells[0]), moved_v = move(v, cells[1]);
+    return place(moved_u, moved_v);
+  };
+}
+
+WrittenMesh make_quarter_disc(int n, const std::function<Vec3(double, double)>& place) {
+  constexpr double core = 0.5, bulge = 0.85;  // half the core's edge; its corner as a share of that of a square
+  WrittenMesh mesh;
+  std::map<std::array<int, 3>, std::int64_t> ids;  // by ring (0: core), place
+  std::vector<std::array<double, 2>> flat;
+  const auto add = [&](const std::array<int, 3>& key, double x, double y) {
+    flat.push_back({x, y});
+    mesh.nodes.push_back(place(x, y));
+    ids[key] = static_cast<std::int64_t>(mesh.nodes.size());
+  };
+  const auto core_place = [&](double a, double b) {  // of the unit square
+    const double shrink = 1 - (1 - bulge) * a * b;
+    return std::array{core * a * shrink, core * b * shrink};
+  };
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) {
+      const auto [x, y] = core_place(double(i) / n, double(j) / n);
+      add({0, i, j}, x, y);
+    }
+  const auto border = [n](int k) { return k <= n ? std::array{0, n, k} : std::array{0, 2 * n - k, n}; };
+  for (int ring = 1; ring <= n; ++ring)
+    for (int k = 0; k <= 2 * n; ++k) {
+      const auto start = flat[static_cast<std::size_t>(ids.at(border(k)) - 1)];
+      const double angle = 0.5 * std::numbers::pi * k / (2 * n), s = double(ring) / n;
+      add({ring, k, 0}, (1 - s) * start[0] + s * std::cos(angle), (1 - s) * start[1] + s * std::sin(angle));
+    }
+  const auto ring_node = [&](int ring, int k) { return ids.at(ring == 0 ? border(k) : std::array{ring, k, 0}); };
+  WrittenBlock block{1, "surface", "SHELL4", 4, {}};
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      block.corners.insert(block.corners.end(), {ids.at({0, i, j}), ids.at({0, i + 1, j}), ids.at({0, i + 1, j + 1}),
+                                                 ids.at({0, i, j + 1})});
+  for (int ring = 0; ring < n; ++ring)
+    for (int k = 0; k < 2 * n; ++k)
+      block.corners.insert(block.corners.end(), {ring_node(ring, k), ring_node(ring + 1, k), ring_node(ring + 1, k + 1),
+                                                 ring_node(ring, k + 1)});
+  mesh.blocks.push_back(block);
+  const auto add_set = [&](std::int64_t id, const char* name, const auto& belongs) {
+    WrittenSet set;
+    set.id = id;
+    set.name = name;
+    for (std::size_t i = 0; i < flat.size(); ++i)
+      if (belongs(flat[i])) set.entries.push_back(static_cast<std::int64_t>(i) + 1);
+    mesh.node_sets.push_back(set);
+  };
+  constexpr double round_off = 1e-12;
+  add_set(1, "x_min", [](const auto& p) { return p[0] < round_off; });
+  add_set(2, "y_min", [](const auto& p) { return p[1] < round_off; });
+  add_set(3, "rim", [](const auto& p) { return std::hypot(p[0], p[1]) > 1 - round_off; });
   return mesh;
 }
 

@@ -13,6 +13,15 @@ namespace percuss::test {
 testing_mesh::WrittenMesh make_mapped_shell(const std::array<int, 2>& cells,
                                             const std::function<Vec3(double, double)>& place);
 
+/// The same map with the nodes inside the square moved at random, by up to a share of a cell either way in both
+/// directions; for one mesh, whose nodes are placed one after the other.
+std::function<Vec3(double, double)> distort(const std::array<int, 2>& cells, double share,
+                                            const std::function<Vec3(double, double)>& place);
+
+/// A quarter (x, y >= 0) of the unit disc: a core of n x n cells and n rings around it. `place` maps it to space. Node
+/// sets "x_min" and "y_min" on the axes, "rim"; the node in the middle has the id 1.
+testing_mesh::WrittenMesh make_quarter_disc(int n, const std::function<Vec3(double, double)>& place);
+
 /// The sides of the square as node sets "u_min", "u_max", "v_min", "v_max".
 void add_edge_sets(const std::array<int, 2>& cells, testing_mesh::WrittenMesh& mesh);
 
