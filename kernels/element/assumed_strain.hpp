@@ -114,7 +114,11 @@ PERCUSS_FORCE_INLINE HourglassResponse<T> find_assumed_strain_response(const Pla
     const Plate plate = find_plate(i);
     determinant[i] = axes.square[plate.first] * axes.square[plate.second] - axes.product[i] * axes.product[i];
   }
-  find_reciprocals(determinant, scale);
+  if constexpr (is_short<T>) {  // their product would leave the range of floats
+    for (int i = 0; i < 3; ++i) scale[i] = T(1) / determinant[i];
+  } else {
+    find_reciprocals(determinant, scale);
+  }
   for (int i = 0; i < 3; ++i) add_plate(i, moduli, axes, scale[i], third_volume, u, out.force, bound);
   const T rod = number<T>(moduli.young / 9) * volume;
   for (int k = 0; k < 3; ++k) {

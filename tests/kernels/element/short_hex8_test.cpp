@@ -257,6 +257,19 @@ TYPED_TEST(ShortHex8, StepBoundsStayBelowThoseOfDouble) {
   }
 }
 
+/// Volumes of 3e-14 and 3e13, in units of which a scene may be: nothing that the element multiplies leaves floats.
+TYPED_TEST(ShortHex8, SmallAndLargeElementsHaveTheStepOfDouble) {
+  Random random(36);
+  for (const double edge : {3e-5, 1e-3, 1e2, 3e4}) {
+    Twins<TypeParam::value> twins(make_element(random, edge, edge, edge, 0.1));
+    twins.advance(make_velocity(random, 10), 1e-6 * edge);
+    EXPECT_LE(twins.short_result.stable_step, twins.long_result.stable_step);
+    EXPECT_GT(twins.short_result.stable_step, (1 - 4 * short_step_margin) * twins.long_result.stable_step);
+    const double work = twins.long_result.work.internal;
+    EXPECT_NEAR(twins.short_result.work.internal, work, 1e-3 * std::abs(work));
+  }
+}
+
 /// Forces by mode, turned to corners in double, add up to nothing: momentum is kept as in double.
 TYPED_TEST(ShortHex8, ForcesOfAnElementAddUpToNothing) {
   Random random(34);
