@@ -62,7 +62,7 @@ PILE = """
 title: A pile of bricks that rests
 time: {end: 1e3, max_steps: $steps}
 parts:
-  bricks: {box: {size: [0.2, 0.1, 0.06], cells: [2, 2, 1]}, array: {count: [1, 2, 3], pitch: [0.2, 0.1, 0.06], stagger: 0.5}, material: brick}
+  bricks: {box: {size: [0.2, 0.1, 0.06], cells: [2, 2, 1]}, array: {count: [1, 2, 3], pitch: [0.2, 0.1, 0.06], stagger: 0.25}, material: brick}
 loads: {gravity: [0, 0, -9.81]}
 walls: [{normal: z, friction: 0.5}]
 contact: {surfaces: all, friction: 0.5$enforcement}
@@ -73,22 +73,21 @@ output: {history: {every: $every, nodes: [{name: n, near: [0.1, 0.1, 0.18]}, {na
 
 @case("resting_pile", "hard", "A pile of bricks that rests for a million steps")
 def resting_pile(bench):
-    """Six soft bricks in three staggered layers lie on a floor under gravity, friction 0.5, at rest and without gaps at the start. Weight comes all at once. The
-    bricks are elastic, and nothing damps what bends and shears them: when contact and friction have taken their share a hum is left, which may neither grow nor
-    carry anything away. Measured from a tenth of the run on: the places of two nodes of the upper layer over a brick's height, kinetic energy over m g H of the pile, and
-    its largest value in the last third over that in the middle third. Springs that stick and slip keep up more of the hum. Lagrange runs 40 000 steps only: it
-    takes six times as long a step, two hours for a million, and still rings out at their end."""
+    """Six soft bricks in three layers, every second a quarter of a brick farther, lie on a floor under gravity, friction 0.5, at rest and without gaps at the start. Weight
+    comes all at once. The bricks are elastic, and nothing damps what bends and shears them: a hum is left, which may neither grow nor carry anything away. Measured from a tenth
+    of the run on: the places of two nodes of the upper layer over a brick's height, kinetic energy over m g H of the pile, and its largest value in the last third over
+    that in the middle third. The balance is relative to what the weight presses into the pile, 1e-4 of m g H; springs miss some of it when it comes, and none later.
+    Lagrange runs 40 000 steps only: it takes six times as long a step, two hours for a million, and still rings out at their end."""
     for name, text in choices.list_enforcements(bench).items():
         steps = (3_000 if name == "lagrange" else 20_000) if bench.quick else 40_000 if name == "lagrange" else 1_000_000
         run = bench.run(PILE, steps=steps, every=0.01 * steps * 1e-6, enforcement=text)
         h = run.history
-        springs = name == "penalty"
         share = h["time"] / h["time"][-1]
         late, middle, last = share > 0.1, (share > 1 / 3) & (share < 2 / 3), share > 2 / 3
         scale = 6 * 2000 * 0.2 * 0.1 * 0.06 * 9.81 * 0.09
         drift = max(abs(h[f"{n}_{x}"][-1] - h[f"{n}_{x}"][late][0]) for n in "nm" for x in "xyz")
         bench.equal(f"{name}: steps", run.summary["steps"], steps)
-        bench.below(f"{name}: drift over a brick's height", drift / 0.06, 1e-4 if springs else 1e-5)
-        bench.below(f"{name}: largest kinetic energy after a tenth of the run over m g H", h["kinetic"][late].max() / scale, 2e-5 if springs else 5e-6)
+        bench.below(f"{name}: drift over a brick's height", drift / 0.06, 1e-5)
+        bench.below(f"{name}: largest kinetic energy after a tenth of the run over m g H", h["kinetic"][late].max() / scale, 1e-6)
         bench.below(f"{name}: the same of the last third over the middle third", h["kinetic"][last].max() / h["kinetic"][middle].max(), 1.1)
-        bench.below(f"{name}: energy balance, largest error", h.largest("energy_error"), 5e-3 if springs else 1e-3)
+        bench.below(f"{name}: energy balance, largest error", h.largest("energy_error"), 1e-2 if name == "penalty" else 1e-3)
