@@ -257,7 +257,8 @@ TYPED_TEST(ShortHex8, StepBoundsStayBelowThoseOfDouble) {
   }
 }
 
-/// Volumes of 3e-14 to 3e4 of steel, near the limits of check_precision.cpp: nothing that the element multiplies leaves floats.
+/// Volumes of 3e-14 to 3e4 of steel, near the limits of check_precision.cpp: nothing that the element multiplies leaves
+/// floats.
 TYPED_TEST(ShortHex8, SmallAndLargeElementsHaveTheStepOfDouble) {
   Random random(36);
   for (const double edge : {3e-5, 1e-3, 1.0, 30.0}) {
