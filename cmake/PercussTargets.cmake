@@ -51,7 +51,9 @@ function(percuss_add_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC percuss_options ${arg_LINK})
-  percuss_reuse_headers(${name} percuss_headers)
+  if(arg_LINK) # what links nothing knows nothing of Kokkos, and is compiled without its options
+    percuss_reuse_headers(${name} percuss_headers)
+  endif()
 endfunction()
 
 # percuss_add_test(name LABEL unit SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable and its ctest entry.
