@@ -19,8 +19,8 @@ struct Counted {
   static inline OperationCounts counts;
   double value = 0;
 
-  Counted() = default;
-  explicit Counted(double v) : value(v) {}
+  constexpr Counted() = default;
+  constexpr explicit Counted(double v) : value(v) {}
 };
 
 inline Counted operator+(Counted a, Counted b) { return ++Counted::counts.add, Counted(a.value + b.value); }
