@@ -111,12 +111,11 @@ struct AdvanceChunk {
       const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
       fill_row(x + n, x + middle, nodes + node_record * s);
       fill_row(v + n, v + middle, nodes + node_record * s + 4);
-      for (int k = 0; k < force_record; ++k) forces[force_record * s + k] = 0;
+      clear_record(forces + force_record * s);
     }
     const bool changed = advance_packs(c, nodes, forces, at_rest);
     results.is_settled(c) = at_rest && !changed ? 1 : 0;
-    double* const share = &slot_force(first_slot, 0);
-    for (int s = 0; s < slot_count; ++s) copy_row(forces + force_record * s, share + 3 * s);
+    copy_force_rows(forces, slot_count, &slot_force(first_slot, 0));
   }
 
   /// The positions of nodes without velocity are those of the step before.

@@ -72,17 +72,17 @@ struct HourglassResponse {
   T stiffness;
 };
 
-/// Adds the forces of plate i, whose 1 / det M is `scale`. bound: in and out, by mode; sum over plates of what bounds
-/// their stiffness.
-template <class T>
-PERCUSS_FORCE_INLINE void add_plate(int i, const PlateModuli& moduli, const ElementAxes<T>& axes, const T& scale,
+/// Adds the forces of plate I, whose 1 / det M is `scale`. bound: in and out, by mode; sum over plates of what bounds
+/// their stiffness. A template, as in a loop over plates GCC would look up in memory what lies in which.
+template <int I, class T>
+PERCUSS_FORCE_INLINE void add_plate(const PlateModuli& moduli, const ElementAxes<T>& axes, const T& scale,
                                     const T& third_volume, const HourglassModes<T>& u, HourglassModes<T>& q,
                                     T (&bound)[3]) {
-  const Plate plate = find_plate(i);
+  constexpr Plate plate = find_plate(I);
   const Vector3<T>&g1 = axes.g[plate.first], &g2 = axes.g[plate.second];
   const Vector3<T>&u1 = u.mode[plate.first_mode], &u2 = u.mode[plate.second_mode];
   const T m11 = axes.square[plate.first], m22 = axes.square[plate.second];
-  const T i11 = scale * m22, i22 = scale * m11, i12 = -(scale * axes.product[i]);
+  const T i11 = scale * m22, i22 = scale * m11, i12 = -(scale * axes.product[I]);
   const T e11 = dot(u1, g1), e22 = dot(u2, g2), e12 = number<T>(0.5) * (dot(u1, g2) + dot(u2, g1));
   // columns of M^-1 E
   const T w11 = i11 * e11 + i12 * e12, w12 = i11 * e12 + i12 * e22;
@@ -119,7 +119,9 @@ PERCUSS_FORCE_INLINE HourglassResponse<T> find_assumed_strain_response(const Pla
   } else {
     find_reciprocals(determinant, scale);
   }
-  for (int i = 0; i < 3; ++i) add_plate(i, moduli, axes, scale[i], third_volume, u, out.force, bound);
+  add_plate<0>(moduli, axes, scale[0], third_volume, u, out.force, bound);
+  add_plate<1>(moduli, axes, scale[1], third_volume, u, out.force, bound);
+  add_plate<2>(moduli, axes, scale[2], third_volume, u, out.force, bound);
   const T rod = number<T>(moduli.young / 9) * volume;
   for (int k = 0; k < 3; ++k) {
     const T inverse = axes.inverse_square[k];

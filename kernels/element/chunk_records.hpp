@@ -119,11 +119,34 @@ using HexScratch = ChunkScratch<node_record, force_record, Real>;
 /// Three numbers: a row of a view, or a record without its padding.
 PERCUSS_FORCE_INLINE void copy_row(const double* from, double* to) { std::memcpy(to, from, 3 * sizeof(double)); }
 
+/// Makes the four numbers of a record 0.
+PERCUSS_FORCE_INLINE void clear_record(double* record) {
+#ifdef PERCUSS_HAS_SIMD
+  *reinterpret_cast<detail::RawPack<4>::type*>(record) = detail::RawPack<4>::type{};
+#else
+  for (int k = 0; k < 4; ++k) record[k] = 0;
+#endif
+}
+
+/// The rows of `count` force records: to[3 s + k] = records[force_record s + k]. Each row but the last is stored with
+/// the number behind it, which the next row overwrites.
+PERCUSS_FORCE_INLINE void copy_force_rows(const double* records, int count, double* to) {
+  static_assert(force_record == 4);
+  for (int s = 0; s < count - 1; ++s) std::memcpy(to + 3 * s, records + force_record * s, 4 * sizeof(double));
+  if (count > 0) copy_row(records + force_record * (count - 1), to + 3 * (count - 1));
+}
+
 /// A row of positions or velocities into a chunk's record of it, where a float holds what is left of it about `origin`,
 /// a row of a node of the chunk: its digits go into shape and not into place.
-PERCUSS_FORCE_INLINE void fill_row(const double* from, const double* /*origin*/, double* to) { copy_row(from, to); }
+PERCUSS_FORCE_INLINE void fill_row(const double* from, const double* /*origin*/, double* to) {
+#ifdef __AVX__  // three of four lanes, without a look beyond the row
+  _mm256_store_pd(to, _mm256_maskload_pd(from, _mm256_setr_epi64x(-1, -1, -1, 0)));
+#else
+  copy_row(from, to);
+#endif
+}
 PERCUSS_FORCE_INLINE void fill_row(const double* from, const double* origin, float* to) {
-#ifdef __AVX512VL__  // three of four lanes, without a look beyond the row
+#ifdef __AVX512VL__  // as above
   const __m256d row = _mm256_maskz_loadu_pd(7, from), center = _mm256_maskz_loadu_pd(7, origin);
   _mm_store_ps(to, _mm256_cvtpd_ps(_mm256_sub_pd(row, center)));
 #else

@@ -29,7 +29,7 @@ struct ProbeChunk {
       const std::size_t n = 3 * static_cast<std::size_t>(chunks.slots_to_nodes(first_slot + s));
       fill_row(probe.x.data() + n, probe.x.data() + middle, nodes + node_record * s);
       fill_row(probe.u.data() + n, probe.u.data() + middle, nodes + node_record * s + 4);
-      for (int k = 0; k < force_record; ++k) forces[force_record * s + k] = 0;
+      clear_record(forces + force_record * s);
     }
     // A called material tells its moduli with the bound alone.
     if constexpr (is_called<Material>) {
@@ -39,7 +39,7 @@ struct ProbeChunk {
     } else {
       probe_packs(c, nodes, forces);
     }
-    for (int s = 0; s < slot_count; ++s) copy_row(forces + force_record * s, &slot_force(first_slot + s, 0));
+    copy_force_rows(forces, slot_count, &slot_force(first_slot, 0));
   }
 
   KOKKOS_FUNCTION const Real* find_record(int c, int pack) const {

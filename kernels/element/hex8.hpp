@@ -146,14 +146,16 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   const HourglassModes<T> rates = find_hourglass_rates(v, step.middle, step.l);
   const HourglassMotion<T> motion{step.middle, a, rates, step.turn, dt};
   const HourglassElement<T> element{state.mass, size.trace, b.volume, step.b};
+  HourglassModes<T> own_force;
+  HourglassModes<T>& force = find_hourglass_place(state.hourglass, own_force);
   const HourglassStep<T> hourglass =
-      control_hourglass<Kind>(par.material, par.mu, par.hourglass, response, motion, element, state.hourglass);
+      control_hourglass<Kind>(par.material, par.mu, par.hourglass, response, motion, element, force);
 
   Symmetric3<T> t = push_forward(state.polar.rotation, state.stress);
   t.xx = t.xx - viscous.pressure;
   t.yy = t.yy - viscous.pressure;
   t.zz = t.zz - viscous.pressure;
-  find_corner_forces(t, hourglass.force, a, b, fx, fy, fz);
+  find_corner_forces(t, force, a, b, fx, fy, fz);
 
   const T oblique = find_obliqueness(a, size, b.volume);
   const T frequency_square =

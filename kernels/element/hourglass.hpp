@@ -44,12 +44,9 @@ PERCUSS_FORCE_INLINE T find_hourglass_viscosity(const T& gradient_square, const 
   return number<T>(coefficient / 8) * square_root(number<T>(mu) * mass * gradient_square / volume);
 }
 
-/// Work of a step by the trapezoid: (Q(n) + Q(n+1)) . u dt / 2.
+/// Work of a step by the trapezoid: (Q(n) + Q(n+1)) . u dt / 2, from the sum of both.
 template <class T>
-PERCUSS_FORCE_INLINE T find_hourglass_work(const HourglassModes<T>& old_q, const HourglassModes<T>& new_q,
-                                           const HourglassModes<T>& u, const T& dt) {
-  HourglassModes<T> sum;
-  for (int h = 0; h < 4; ++h) sum.mode[h] = old_q.mode[h] + new_q.mode[h];
+PERCUSS_FORCE_INLINE T find_hourglass_work(const HourglassModes<T>& sum, const HourglassModes<T>& u, const T& dt) {
   return number<T>(0.5) * dt * find_power(sum, u);
 }
 

@@ -19,7 +19,7 @@ struct HourglassMotion {
   const VectorModes<T>& middle;   // positions at n+1/2
   const VectorModes<T>& end;      // positions at n+1
   const HourglassModes<T>& rate;  // u at n+1/2
-  const Matrix3<T>& turn;         // of PolarStep
+  const Matrix3<T>& turn;         // of advance_polar()
   T dt;
 };
 
@@ -34,7 +34,6 @@ struct HourglassElement {
 
 template <class T>
 struct HourglassStep {
-  HourglassModes<T> force;  // Q at n+1
   T work;
   T stiffness;  // bounds of the largest eigenvalue of dQ/du and of
   T viscosity;  // dQ/d(u rate), for the step
@@ -45,6 +44,16 @@ struct NoHourglass {};
 /// Q between steps, for the forms that keep it.
 template <class T, HexKind Kind>
 using StoredHourglass = std::conditional_t<Kind == HexKind::viscous, NoHourglass, HourglassModes<T>>;
+
+/// Where Q of the step lies: where it is kept, or else in a place of the step's own.
+template <class T>
+PERCUSS_FORCE_INLINE HourglassModes<T>& find_hourglass_place(HourglassModes<T>& stored, HourglassModes<T>& /*own*/) {
+  return stored;
+}
+template <class T>
+PERCUSS_FORCE_INLINE HourglassModes<T>& find_hourglass_place(NoHourglass& /*stored*/, HourglassModes<T>& own) {
+  return own;
+}
 
 /// How stored forces follow a step of plastic flow, and the guard of near-inverted elements.
 ///
@@ -86,8 +95,8 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_by_assumed_strain(const Material& 
   const ElementAxes<T> axes = find_element_axes(motion.middle);
   const PlateModuli moduli = find_plate_moduli(material.moduli());
   HourglassResponse<T> response = find_assumed_strain_response(moduli, axes, element.middle.volume, motion.rate);
-  const HourglassModes<T> old_q = q;
   const T half_dt = number<T>(0.5) * motion.dt;
+  HourglassModes<T> sum;  // Q(n) + Q(n+1)
   if constexpr (Material::can_yield) {
     const PlasticHourglass<T> rule{find_guard(motion.middle, element.middle)};
     const T guard = rule.guard * find_hourglass_stiffness(element.gradient_square, element.volume, material.moduli().mu,
@@ -96,15 +105,22 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_by_assumed_strain(const Material& 
     const T rate = half_dt * rule.rate_share(plastic);
     for (int h = 0; h < 4; ++h) {
       const Vector3<T> increment = response.force.mode[h] + guard * motion.rate.mode[h];
-      q.mode[h] = plastic.share * advance_hourglass(motion.turn, old_q.mode[h], rate * increment);
+      sum.mode[h] = q.mode[h];
+      q.mode[h] = plastic.share * advance_hourglass(motion.turn, q.mode[h], rate * increment);
     }
     const T share = rule.force_share(plastic, find_surface_stress_square(axes, motion.end, element.middle.volume, q));
-    for (int h = 0; h < 4; ++h) q.mode[h] = share * q.mode[h];
+    for (int h = 0; h < 4; ++h) {
+      q.mode[h] = share * q.mode[h];
+      sum.mode[h] = sum.mode[h] + q.mode[h];
+    }
   } else {
-    for (int h = 0; h < 4; ++h)
-      q.mode[h] = advance_hourglass(motion.turn, old_q.mode[h], half_dt * response.force.mode[h]);
+    for (int h = 0; h < 4; ++h) {
+      const Vector3<T> old = q.mode[h];
+      q.mode[h] = advance_hourglass(motion.turn, old, half_dt * response.force.mode[h]);
+      sum.mode[h] = old + q.mode[h];
+    }
   }
-  return {q, find_hourglass_work(old_q, q, motion.rate, motion.dt), response.stiffness, T(0)};
+  return {find_hourglass_work(sum, motion.rate, motion.dt), response.stiffness, T(0)};
 }
 
 /// The stiffness form of Flanagan and Belytschko, relaxed by plastic return. q: Q at n, out at n+1.
@@ -115,30 +131,30 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_by_stiffness(double mu, double coe
                                                            const HourglassElement<T>& element, HourglassModes<T>& q) {
   const T kappa = find_hourglass_stiffness(element.gradient_square, element.volume, mu, coefficient);
   const T rate = number<T>(0.5) * motion.dt * kappa;
-  const HourglassModes<T> old_q = q;
+  HourglassModes<T> sum;  // Q(n) + Q(n+1)
   for (int h = 0; h < 4; ++h) {
-    q.mode[h] = advance_hourglass(motion.turn, old_q.mode[h], rate * motion.rate.mode[h]);
+    const Vector3<T> old = q.mode[h];
+    q.mode[h] = advance_hourglass(motion.turn, old, rate * motion.rate.mode[h]);
     if constexpr (Material::can_yield) q.mode[h] = plastic.share * q.mode[h];
+    sum.mode[h] = old + q.mode[h];
   }
-  return {q, find_hourglass_work(old_q, q, motion.rate, motion.dt), kappa, T(0)};
+  return {find_hourglass_work(sum, motion.rate, motion.dt), kappa, T(0)};
 }
 
-/// The control of Kind over one step; `mu` and `coefficient` size the forms of Flanagan and Belytschko.
+/// The control of Kind over one step; `mu` and `coefficient` size the forms of Flanagan and Belytschko. q: Q at n where
+/// it is kept, out at n+1.
 template <HexKind Kind, class T, class Material, class Plastic>
 PERCUSS_FORCE_INLINE HourglassStep<T> control_hourglass(const Material& material, double mu, double coefficient,
                                                         const Plastic& plastic, const HourglassMotion<T>& motion,
-                                                        const HourglassElement<T>& element,
-                                                        [[maybe_unused]] StoredHourglass<T, Kind>& q) {
+                                                        const HourglassElement<T>& element, HourglassModes<T>& q) {
   if constexpr (Kind == HexKind::assumed_strain) {
     return control_by_assumed_strain(material, plastic, motion, element, q);
   } else if constexpr (Kind == HexKind::stiffness) {
     return control_by_stiffness<T, Material>(mu, coefficient, plastic, motion, element, q);
   } else {
     const T eta = find_hourglass_viscosity(element.gradient_square, element.volume, element.mass, mu, coefficient);
-    HourglassStep<T> out{{}, T(0), T(0), eta};
-    for (int h = 0; h < 4; ++h) out.force.mode[h] = eta * motion.rate.mode[h];
-    out.work = motion.dt * find_power(out.force, motion.rate);
-    return out;
+    for (int h = 0; h < 4; ++h) q.mode[h] = eta * motion.rate.mode[h];
+    return {motion.dt * find_power(q, motion.rate), T(0), eta};
   }
 }
 

@@ -84,13 +84,6 @@ PERCUSS_FORCE_INLINE Matrix3<T> find_rotation_factor(const Matrix3<T>& m) {
   return find_rotation(q.d, q.n);
 }
 
-/// R and V at n+1, and what R was turned by: R(n+1) = turn R(n), or (I + turn) R(n) in float (turn_along()).
-template <class T>
-struct PolarStep {
-  Polar<T> end;
-  Matrix3<T> turn;
-};
-
 /// v turned by the turn of a step.
 template <class T>
 PERCUSS_FORCE_INLINE Vector3<T> turn_along(const Matrix3<T>& turn, const Vector3<T>& v) {
@@ -114,28 +107,29 @@ PERCUSS_FORCE_INLINE Matrix3<T> find_deformation_increment(const Matrix3<T>& a) 
 /// As advance_polar() for floats, which lose what the steps add to 1: all that is small stays apart from what it is
 /// added to, and what R does not hold goes to its rest.
 template <class T>
-PERCUSS_FORCE_INLINE PolarStep<T> advance_short_polar(const Polar<T>& old, const Matrix3<T>& l, const T& dt) {
-  const Matrix3<T> grown = find_deformation_increment((number<T>(0.5) * dt) * l) * full(old.stretch);
-  const Matrix3<T> stretched = full(old.stretch) + grown;
+PERCUSS_FORCE_INLINE void advance_short_polar(const Matrix3<T>& l, const T& dt, Polar<T>& polar, Matrix3<T>& turn) {
+  const Matrix3<T> grown = find_deformation_increment((number<T>(0.5) * dt) * l) * full(polar.stretch);
+  const Matrix3<T> stretched = full(polar.stretch) + grown;
   const Quaternion<T> q = find_rotation_factor(stretched, find_twist(grown));
-  PolarStep<T> step{old, find_turn(q.d, q.n)};
-  add_to(step.end.rotation, step.end.rotation_rest, step.turn * old.rotation);
-  step.end.stretch = symmetric_product(stretched, identity_matrix<T>() + step.turn);
-  return step;
+  turn = find_turn(q.d, q.n);
+  add_to(polar.rotation, polar.rotation_rest, turn * polar.rotation);
+  polar.stretch = symmetric_product(stretched, identity_matrix<T>() + turn);
 }
 
-/// Advances R and V from n to n+1 with the velocity gradient l of the mid-point.
+/// Advances R and V from n to n+1, in place, with the velocity gradient l of the mid-point. turn: out, what R was
+/// turned by: R(n+1) = turn R(n), or (I + turn) R(n) in float (turn_along()).
 template <class T>
-PERCUSS_FORCE_INLINE PolarStep<T> advance_polar(const Polar<T>& old, const Matrix3<T>& l, const T& dt) {
+PERCUSS_FORCE_INLINE void advance_polar(const Matrix3<T>& l, const T& dt, Polar<T>& polar, Matrix3<T>& turn) {
   // x(n+1) - x(n) = dt L (x(n) + x(n+1)) / 2, hence F(n+1) = f F(n) with f = (I - dt/2 L)^-1 (I + dt/2 L).
   if constexpr (is_short<T>) {
-    return advance_short_polar(old, l, dt);
+    advance_short_polar(l, dt, polar, turn);
   } else {
     const Matrix3<T> one = identity_matrix<T>();
     const Matrix3<T> f = inverse(one - (number<T>(0.5) * dt) * l, T(2)) - one;
-    const Matrix3<T> stretched = f * full(old.stretch);
-    const Matrix3<T> turn = find_rotation_factor(stretched);
-    return {{turn * old.rotation, symmetric_product(stretched, turn)}, turn};
+    const Matrix3<T> stretched = f * full(polar.stretch);
+    turn = find_rotation_factor(stretched);
+    polar.rotation = turn * polar.rotation;
+    polar.stretch = symmetric_product(stretched, turn);
   }
 }
 
@@ -146,7 +140,7 @@ struct StepMotion {
   VolumeGradient<T> b;    // at n+1/2
   Matrix3<T> l;           // velocity gradient
   T trace_d;
-  Matrix3<T> turn;       // of PolarStep
+  Matrix3<T> turn;       // of advance_polar()
   Matrix3<T> rotations;  // R(n) + R(n+1), of which half turns rates half way
   Symmetric3<T> de;      // strain increment in the unrotated frame
 };
@@ -163,13 +157,10 @@ PERCUSS_FORCE_INLINE StepMotion<T> follow_motion(const VectorModes<T>& a, const 
   out.l = find_velocity_gradient(v, out.b);
   const Symmetric3<T> d = symmetric_part(out.l);
   out.trace_d = trace(d);
-  const PolarStep<T> next = advance_polar(polar, out.l, dt);
-  out.turn = next.turn;
-  out.rotations = polar.rotation + next.end.rotation;
+  const Matrix3<T> before = polar.rotation;
+  advance_polar(out.l, dt, polar, out.turn);
+  out.rotations = before + polar.rotation;
   out.de = (number<T>(0.25) * dt) * pull_back(out.rotations, d);
-  for (int i = 0; i < 3; ++i) polar.rotation.row[i] = next.end.rotation.row[i];
-  polar.stretch = next.end.stretch;
-  polar.rotation_rest = next.end.rotation_rest;
   return out;
 }
 

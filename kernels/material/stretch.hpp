@@ -95,9 +95,10 @@ template <class T>
 KOKKOS_INLINE_FUNCTION Symmetric3<T> advance_stretch(const Symmetric3<T>& u, const PointMotion<T>& motion) {
   const Vector3<T> zero{T(0), T(0), T(0)};
   const Vector3<T> spin = T(-1) * find_material_spin(motion.de, zero, u);
-  const Polar<T> old{identity_matrix<T>(), u};
-  const Symmetric3<T> next = advance_polar(old, full(motion.de) + antisymmetric(spin), T(1)).end.stretch;
-  return power(motion.volume_ratio / find_determinant(next), 1.0 / 3.0) * next;
+  Polar<T> polar{identity_matrix<T>(), u};
+  Matrix3<T> turn;
+  advance_polar(full(motion.de) + antisymmetric(spin), T(1), polar, turn);
+  return power(motion.volume_ratio / find_determinant(polar.stretch), 1.0 / 3.0) * polar.stretch;
 }
 
 }  // namespace percuss

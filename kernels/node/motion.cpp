@@ -6,12 +6,25 @@ namespace percuss {
 
 namespace {
 
+/// How many entries ahead of a sum its slots are asked for: a node's slots lie in several chunks, which the hardware
+/// does not foresee. 48 to 96 are equally good, 24 and 200 less so.
+constexpr int slots_ahead = 64;
+
+/// Asks for a row of slots that is needed soon.
+KOKKOS_INLINE_FUNCTION void prefetch([[maybe_unused]] const double* row) {
+#ifdef PERCUSS_HAS_SIMD
+  __builtin_prefetch(row, 0, 3);
+#endif
+}
+
 /// The node's slots, summed in ascending order.
 KOKKOS_INLINE_FUNCTION Vector3<double> sum_slots(const NodeSlots& nodes_to_slots, const Rows3<const double>& slot_force,
                                                  int n) {
   Vector3<double> f{0, 0, 0};
-  const int end = nodes_to_slots.first(n + 1);
+  const int end = nodes_to_slots.first(n + 1), last = static_cast<int>(nodes_to_slots.slots.extent(0)) - 1;
   for (int i = nodes_to_slots.first(n); i < end; ++i) {
+    const int ahead = i + slots_ahead;
+    prefetch(&slot_force(nodes_to_slots.slots(ahead < last ? ahead : last), 0));
     const double* share = &slot_force(nodes_to_slots.slots(i), 0);
     f = f + Vector3<double>{share[0], share[1], share[2]};
   }

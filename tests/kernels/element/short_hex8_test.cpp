@@ -199,7 +199,8 @@ TEST(ShortPolar, TurnsThatAreBelowTheLastPlaceAddUp) {
   const int steps = 100000;
   const double angle = 1e-8;
   const Vector3<float> spin{0, static_cast<float>(0.6 * angle), static_cast<float>(0.8 * angle)};
-  for (int n = 0; n < steps; ++n) polar = advance_polar(polar, antisymmetric(spin), 1.0F).end;
+  Matrix3<float> turn;
+  for (int n = 0; n < steps; ++n) advance_polar(antisymmetric(spin), 1.0F, polar, turn);
   const double half = std::tan(0.5 * steps * angle) * 2;
   const Matrix3<double> expected = find_rotation_increment(half * Vector3<double>{0, 0.6, 0.8}, 1.0) * start;
   for (int i = 0; i < 3; ++i) {
