@@ -156,7 +156,7 @@ KOKKOS_INLINE_FUNCTION bool looks_against(const ContactSurface& surface, const S
 KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const ContactSurface& surface, const FaceState& faces, int face,
                                                   const double weight[4]) {
   const Point3 own = load_row(faces.normal, face);
-  Point3 sum{};
+  double vertices[3][4] = {};
   for (int i = 0; i < 4; ++i) {
     if (weight[i] == 0) continue;
     const int corner = surface.face_corners(face, i);
@@ -165,8 +165,12 @@ KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const ContactSurface& surface,
       const Point3 other = load_row(faces.normal, surface.nodes_to_faces(j));
       if (dot(other, own) > contact_limits::smooth) vertex = vertex + other;
     }
-    sum = sum + weight[i] * normalize(vertex);
+    vertices[0][i] = vertex.x, vertices[1][i] = vertex.y, vertices[2][i] = vertex.z;
   }
+  normalize_four(vertices);
+  Point3 sum{};
+  for (int i = 0; i < 4; ++i)
+    if (weight[i] != 0) sum = sum + weight[i] * Point3{vertices[0][i], vertices[1][i], vertices[2][i]};
   return normalize(sum);
 }
 

@@ -4,7 +4,7 @@
 // The fan is the same from whichever node it is looked at, its outer edges are the straight edges of the element, so
 // neighbours leave no crack. All points are relative to an origin near the face, chosen by the caller.
 
-#include "kernels/contact/point3.hpp"
+#include "kernels/contact/closest_on_fan.hpp"
 
 namespace percuss {
 
@@ -88,22 +88,19 @@ KOKKOS_INLINE_FUNCTION double find_distance_in_plane(const Point3& a, const Poin
 /// The point of the face closest to the origin of the coordinates; on ties the first triangle of the fan.
 KOKKOS_INLINE_FUNCTION FacePoint find_closest_point(const FacePoints& face) {
   const Point3 middle = find_middle(face);
+  FanClosest closest;
+  find_closest_on_fan(middle, face.corner, closest);
+  int k = 0;
+  for (int i = 1; i < 4; ++i)
+    if (!(closest.square[k] >= 0 && closest.square[i] >= closest.square[k])) k = i;
+  const Point3 bary{closest.bary[0][k], closest.bary[1][k], closest.bary[2][k]};
+  const Point3 to_origin{closest.to_origin[0][k], closest.to_origin[1][k], closest.to_origin[2][k]};
   FacePoint best;
-  double best_square = -1;
-  for (int k = 0; k < 4; ++k) {
-    const Point3& b = face.corner[k];
-    const Point3& c = face.corner[(k + 1) % 4];
-    const Point3 bary = find_closest_on_triangle(middle, b, c);
-    const Point3 to_origin = -(bary.x * middle + (bary.y * b + bary.z * c));
-    const double square = dot(to_origin, to_origin);
-    if (best_square >= 0 && square >= best_square) continue;
-    best_square = square;
-    best.triangle = k;
-    set_fan_weights(k, bary, best.weight);
-    // Only the outer edge of the fan ends the face.
-    best.off = bary.x > 0 ? 0 : find_distance_in_plane(middle, b, c, to_origin);
-  }
-  best.distance = std::sqrt(best_square);
+  best.triangle = k;
+  set_fan_weights(k, bary, best.weight);
+  // Only the outer edge of the fan ends the face.
+  best.off = bary.x > 0 ? 0 : find_distance_in_plane(middle, face.corner[k], face.corner[(k + 1) % 4], to_origin);
+  best.distance = std::sqrt(closest.square[k]);
   return best;
 }
 

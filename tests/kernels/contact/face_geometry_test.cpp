@@ -76,6 +76,41 @@ TEST(FaceGeometry, NormalOfTheFanIsThatOfItsArea) {
   EXPECT_NEAR(norm(normal - expected), 0, tight);
 }
 
+TEST(FaceGeometry, FourTrianglesAtOnceAreFourOneByOneToTheBit) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(-2, 3), warp(-0.3, 0.3);
+  for (int i = 0; i < 2000; ++i) {
+    FacePoints face = unit_square;
+    for (Point3& corner : face.corner) corner = corner + Point3{warp(random), warp(random), warp(random)};
+    // Every fourth point lies on a corner, an edge or the plane of the first triangle, where regions meet.
+    Point3 point{uniform(random), uniform(random), uniform(random)};
+    if (i % 4 == 1) point = face.corner[0];
+    if (i % 4 == 2) point = 0.5 * (face.corner[1] + face.corner[2]);
+    if (i % 4 == 3) point = find_middle(face);
+    const FacePoints local = shift(face, point);
+    FanClosest closest;
+    find_closest_on_fan(find_middle(local), local.corner, closest);
+    for (int k = 0; k < 4; ++k) {
+      const Point3 one = find_closest_on_triangle(find_middle(local), local.corner[k], local.corner[(k + 1) % 4]);
+      EXPECT_EQ(closest.bary[0][k], one.x);
+      EXPECT_EQ(closest.bary[1][k], one.y);
+      EXPECT_EQ(closest.bary[2][k], one.z);
+    }
+  }
+}
+
+TEST(FaceGeometry, FourUnitVectorsAtOnceAreFourOneByOneToTheBit) {
+  double four[3][4] = {{3, 0, -1e-200, 1}, {4, 0, 2, 1e3}, {-12, 0, 0.1, 7}};
+  Point3 one[4];
+  for (int k = 0; k < 4; ++k) one[k] = normalize(Point3{four[0][k], four[1][k], four[2][k]});
+  normalize_four(four);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(four[0][k], one[k].x);
+    EXPECT_EQ(four[1][k], one[k].y);
+    EXPECT_EQ(four[2][k], one[k].z);
+  }
+}
+
 TEST(FaceGeometry, ADegenerateFaceGivesNumbers) {
   const FacePoints line{{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 0, 0}}};
   const FacePoint p = find_closest_point(shift(line, {0.25, 1, 0}));
