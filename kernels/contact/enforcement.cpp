@@ -6,12 +6,15 @@ template <class Space>
 PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, RowSumMemory& memory) {
   const Array<const ContactRow> rows = system.rows;
   return sum_rows<PredictedGaps>(space, system.num_rows, memory.gaps, [rows] KOKKOS_FUNCTION(int r, PredictedGaps& s) {
-    if (is_tie(rows(r))) {
-      s.merge({0, max_component({rows(r).gap, rows(r).slide[0], rows(r).slide[1]}), rows(r).size, 1});
+    const ContactRow& row = rows(r);
+    if (is_tie(row)) {
+      const double way = max_component({row.gap, row.slide[0], row.slide[1]});
+      s.merge({0, way, row.size, way * way / row.stiffness, 1});
       return;
     }
-    const double missing = rows(r).target - rows(r).gap;
-    s.merge({missing > 0 ? missing : 0, 0, rows(r).size, 1});
+    const double missing = row.target - row.gap;
+    const bool wants_something = missing > 0 || row.impulse.push > 0;
+    s.merge({missing > 0 ? missing : 0, 0, row.size, wants_something ? missing * missing / row.stiffness : 0, 1});
   });
 }
 

@@ -8,6 +8,7 @@
 //
 // Here is what comes before and after; row_packs.hpp has the passes, row_solution.hpp is the iteration.
 
+#include "kernels/contact/energy_unit.hpp"
 #include "kernels/contact/row_system.hpp"
 
 namespace percuss {
@@ -17,11 +18,13 @@ struct PredictedGaps {
   double deepest = 0;        // largest penetration to be closed [length]
   double farthest_tied = 0;  // largest distance of a tied node from its place, by component [length]
   double smallest_size = 0;  // smallest h of a row, 0: no rows
+  double peak = 0;           // largest (gap - target)^2 / D of a row that wants something [energy time^2]
   std::int64_t rows = 0;
 
   KOKKOS_INLINE_FUNCTION void merge(const PredictedGaps& other) {
     deepest = other.deepest > deepest ? other.deepest : deepest;
     farthest_tied = other.farthest_tied > farthest_tied ? other.farthest_tied : farthest_tied;
+    peak = other.peak > peak ? other.peak : peak;
     if (other.rows > 0 && (rows == 0 || other.smallest_size < smallest_size)) smallest_size = other.smallest_size;
     rows += other.rows;
   }
@@ -29,16 +32,16 @@ struct PredictedGaps {
 
 /// What one pass over the rows says about convergence.
 struct PassSums {
-  PredictedGaps gaps;     // before the first pass only
-  double change = 0;      // largest change of an impulse as a displacement: |p' - y| dt D [length]
-  double tie_change = 0;  // the same of ties
-  ExactSum backwards;     // sum of D (y - p') (p' - p): positive when the extrapolation points back
+  PredictedGaps gaps;          // before the first pass only
+  double change = 0;           // largest change of an impulse as a displacement: |p' - y| dt D [length]
+  double tie_change = 0;       // the same of ties
+  std::int64_t backwards = 0;  // sum of D dt^2 (y - p') (p' - p): positive when the extrapolation points back [units]
 
   KOKKOS_INLINE_FUNCTION void merge(const PassSums& other) {
     gaps.merge(other.gaps);
     change = other.change > change ? other.change : change;
     tie_change = other.tie_change > tie_change ? other.tie_change : tie_change;
-    backwards.merge(other.backwards);
+    backwards += other.backwards;
   }
 };
 

@@ -116,9 +116,10 @@ struct PackedChange {
 
   KOKKOS_FORCEINLINE_FUNCTION void add(const Packed& y, const Packed& fresh, const Packed& old, const Packed& stiffness,
                                        double dt) {
-    const Packed moved = Packed(dt) * stiffness * select(fresh > y, fresh - y, y - fresh);
+    const Packed back = y - fresh, momentum = stiffness * back;
+    const Packed moved = Packed(dt) * select(back < Packed(0), -momentum, momentum);
     size = select(moved > size, moved, size);
-    backwards = backwards + stiffness * (y - fresh) * (fresh - old);
+    backwards = backwards + momentum * (fresh - old);
   }
 };
 

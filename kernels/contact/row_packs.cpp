@@ -87,20 +87,26 @@ KOKKOS_INLINE_FUNCTION Point3 extrapolate(const Point3& dv, const Point3& before
   return beta > 0 ? dv + beta * (dv - before) : dv;
 }
 
-/// Corrects the rows of an active pack and adds up how they changed. Flattened: a call in here would spill all
-/// registers.
-PERCUSS_FLATTEN KOKKOS_FUNCTION void advance_pack(RowPack& pack, const Rows4<double>& dv, const Rows4<double>& shares,
-                                                  double beta, double dt, PassSums& sums) {
-  const PackedChange change = correct_pack(pack, dv, beta, dt);
-  share_pack(pack, shares);
+/// Adds up how the rows of a pack changed. Ties are judged by themselves.
+KOKKOS_FORCEINLINE_FUNCTION void add_change(const RowPack& pack, const PackedChange& change, const PassQuery& query,
+                                            PassSums& sums) {
   alignas(64) double size[RowPack::lanes], backwards[RowPack::lanes];
   store_pack(size, change.size);
-  store_pack(backwards, change.backwards);
+  store_pack(backwards, Packed(query.dt * query.dt) * change.backwards);
   for (int lane = 0; lane < RowPack::lanes; ++lane) {
     double& most = pack.tied[lane] > 0 ? sums.tie_change : sums.change;
     most = size[lane] > most ? size[lane] : most;
-    if (backwards[lane] != 0) sums.backwards.add(backwards[lane]);
+    sums.backwards += query.unit.count(backwards[lane]);
   }
+}
+
+/// Corrects the rows of an active pack and adds up how they changed. Flattened: a call in here would spill all
+/// registers.
+PERCUSS_FLATTEN KOKKOS_FUNCTION void advance_pack(RowPack& pack, const Rows4<double>& dv, const Rows4<double>& shares,
+                                                  const PassQuery& query, PassSums& sums) {
+  const PackedChange change = correct_pack(pack, dv, query.beta, query.dt);
+  share_pack(pack, shares);
+  add_change(pack, change, query, sums);
 }
 
 /// Rows that want something first, both kinds ascending.
@@ -148,9 +154,10 @@ void pack_rows(const Space& space, RowSystem& system) {
         pack.rubs = pack.ties = 0;
         p.active(i) = 0;
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
-          clear_lane(pack, lane, nowhere);
-          if (i * RowPack::lanes + lane >= num_rows) continue;
-          const int r = p.order(i * RowPack::lanes + lane);
+          const int place = i * RowPack::lanes + lane;
+          const int r = place < num_rows ? p.order(place) : -1;
+          if (r < 0 || rows(r).count < row_nodes) clear_lane(pack, lane, nowhere);
+          if (r < 0) continue;
           set_row(pack, lane, rows(r), r, share_of_slot);
           if (rows(r).friction > 0) pack.rubs = 1;
           if (is_tie(rows(r))) pack.ties = 1;
@@ -197,17 +204,17 @@ void move_foreign_nodes(const Space& space, double beta, const RowSystem& system
 }
 
 template <class Space>
-PassSums correct_rows(const Space& space, double beta, double dt, const RowSystem& system, RowSumMemory& memory) {
+PassSums correct_rows(const Space& space, const PassQuery& query, const RowSystem& system, RowSumMemory& memory) {
   const RowPacks p = system.packs;
   const Rows4<double> shares = system.shares;
-  return sum_rows<PassSums>(space, p.count, memory.pass, [p, shares, beta, dt] KOKKOS_FUNCTION(int i, PassSums& s) {
+  return sum_rows<PassSums>(space, p.count, memory.pass, [p, shares, query] KOKKOS_FUNCTION(int i, PassSums& s) {
     RowPack& pack = p.pack(i);
     if (p.active(i) == 0) {
       if (!is_moved(pack, p.moved)) return;
       p.active(i) = 1;
       stir(pack, p.stirred);
     }
-    advance_pack(pack, p.dv, shares, beta, dt, s);
+    advance_pack(pack, p.dv, shares, query, s);
   });
 }
 
@@ -246,12 +253,12 @@ void unpack_rows(const Space& space, const RowSystem& system) {
       });
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                               \
-  template void pack_rows(const Space&, RowSystem&);                                             \
-  template void move_nodes(const Space&, double, const RowSystem&);                              \
-  template void move_foreign_nodes(const Space&, double, const RowSystem&);                      \
-  template PassSums correct_rows(const Space&, double, double, const RowSystem&, RowSumMemory&); \
-  template void straighten_gaps(const Space&, const RowSystem&);                                 \
+#define PERCUSS_INSTANTIATE(Space)                                                                 \
+  template void pack_rows(const Space&, RowSystem&);                                               \
+  template void move_nodes(const Space&, double, const RowSystem&);                                \
+  template void move_foreign_nodes(const Space&, double, const RowSystem&);                        \
+  template PassSums correct_rows(const Space&, const PassQuery&, const RowSystem&, RowSumMemory&); \
+  template void straighten_gaps(const Space&, const RowSystem&);                                   \
   template void unpack_rows(const Space&, const RowSystem&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

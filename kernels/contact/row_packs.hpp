@@ -18,10 +18,16 @@ void move_nodes(const Space& space, double beta, const RowSystem& system);
 template <class Space>
 void move_foreign_nodes(const Space& space, double beta, const RowSystem& system);
 
+/// What a pass corrects by and is asked besides.
+struct PassQuery {
+  double beta = 0, dt = 0;
+  EnergyUnit unit{};  // of PassSums::backwards
+};
+
 /// Corrects the impulses of all rows from their extrapolated iterate; new shares. Packs of rows that have no push, need
 /// none as things lie, and none of whose nodes was ever moved stay as they are.
 template <class Space>
-PassSums correct_rows(const Space& space, double beta, double dt, const RowSystem& system, RowSumMemory& memory);
+PassSums correct_rows(const Space& space, const PassQuery& query, const RowSystem& system, RowSumMemory& memory);
 
 /// Lets the gap of every row change along its push direction only. Where direction and triangle differ, what rows do to
 /// each other is not symmetric, and between elements crushed to slivers the iteration may diverge; with this it is

@@ -56,56 +56,82 @@ struct SolveReport {
   double complementarity = 0;  // deviation from complementarity / largest closing velocity
 };
 
+/// When the iteration has come far enough: no impulse changes by more than would close the share `tolerance` of the
+/// largest predicted penetration.
+struct Convergence {
+  // Share of the smallest h that is enough in any case. What is left over acts on resting bodies like a small noise, so
+  // that it must be far below the penetration that gravity causes in a step.
+  static constexpr double absolute_tolerance = 1e-14;
+  // Share of the largest way that a tied node would take from its place in the step. Ties are always at work: what they
+  // leave is a noise that bodies see in every step.
+  static constexpr double tie_tolerance = 1e-6;
+
+  double enough = 0, enough_tied = 0;
+
+  Convergence(double tolerance, const PredictedGaps& gaps) {
+    const double least = absolute_tolerance * gaps.smallest_size;
+    enough = std::max(tolerance * gaps.deepest, least);
+    enough_tied = std::max(tie_tolerance * gaps.farthest_tied, least);
+  }
+
+  bool is_reached(const PassSums& sums) const { return sums.change <= enough && sums.tie_change <= enough_tied; }
+};
+
+/// Nesterov's extrapolation, with the restart of O'Donoghue and Candes.
+struct Extrapolation {
+  double beta = 0, t = 1;
+
+  void advance(bool restart) {
+    const double next_t = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
+    beta = restart ? 0 : (t - 1) / next_t;
+    t = restart ? 1 : next_t;
+  }
+};
+
+/// An iteration whose changes are larger than so many iterations before diverges: straighten_gaps() says why.
+struct DivergenceWatch {
+  static constexpr int window = 50;
+  double change_before = std::numeric_limits<double>::infinity();
+
+  bool finds_growth(int iterations, double change) {
+    if (iterations % window != 0) return false;
+    const bool grows = change > change_before;
+    change_before = change;
+    return grows;
+  }
+};
+
 /// Iterates the impulses of the rows; RowSystem::correction is their dv on return. dt: step. The iteration ends when no
 /// impulse changes by more than would close the share `tolerance` of the largest predicted penetration.
 template <class Space, class Others>
 SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSystem& system, RowSumMemory& memory,
                        Others& others) {
-  // Share of the smallest h that is enough in any case. What is left over acts on resting bodies like a small noise, so
-  // that it must be far below the penetration that gravity causes in a step.
-  constexpr double absolute_tolerance = 1e-14;
-  // Share of the largest way that a tied node would take from its place in the step. Ties are always at work: what they
-  // leave is a noise that bodies see in every step.
-  constexpr double tie_tolerance = 1e-6;
   constexpr int max_iterations = 1000;
-  // An iteration whose changes are larger than so many iterations before diverges: straighten_gaps() says why.
-  constexpr int divergence_window = 50;
   SolveReport report{0, 0, false};
-  double beta = 0, t = 1, enough = 0, enough_tied = 0, change_before = std::numeric_limits<double>::infinity();
   PassSums sums;
   sums.gaps = find_predicted_gaps(space, system, memory);
   pack_rows(space, system);
+  others.send_impulses(space, system, sums);
+  report.rows = sums.gaps.rows;
+  if (report.rows == 0) return report;
+  const Convergence convergence(tolerance, sums.gaps);
+  const EnergyUnit unit = EnergyUnit::of_largest(sums.gaps.peak);
+  Extrapolation extrapolation;
+  DivergenceWatch watch;
   for (;;) {
     // The motion that the impulses cause, on both sides of every contact.
-    others.send_impulses(space, system, sums);
-    if (report.iterations == 0) {
-      report.rows = sums.gaps.rows;
-      if (report.rows == 0) return report;
-      const double least = absolute_tolerance * sums.gaps.smallest_size;
-      enough = std::max(tolerance * sums.gaps.deepest, least);
-      enough_tied = std::max(tie_tolerance * sums.gaps.farthest_tied, least);
-    }
-    if (report.iterations > 0) {
-      report.converged = sums.change <= enough && sums.tie_change <= enough_tied;
-      const double next_t = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
-      bool restart = sums.backwards.round() > 0 || report.converged;
-      if (report.iterations % divergence_window == 0) {
-        if (sums.change > change_before) {
-          straighten_gaps(space, system);
-          restart = true;
-        }
-        change_before = sums.change;
-      }
-      beta = restart ? 0 : (t - 1) / next_t;
-      t = restart ? 1 : next_t;
-    }
-    move_nodes(space, beta, system);
+    move_nodes(space, extrapolation.beta, system);
     space.fence();
     others.receive_corrections(system);
     if (report.converged || report.iterations == max_iterations) break;
-    move_foreign_nodes(space, beta, system);
-    sums = correct_rows(space, beta, dt, system, memory);
+    move_foreign_nodes(space, extrapolation.beta, system);
+    sums = correct_rows(space, {extrapolation.beta, dt, unit}, system, memory);
+    others.send_impulses(space, system, sums);
     ++report.iterations;
+    report.converged = convergence.is_reached(sums);
+    const bool grows = watch.finds_growth(report.iterations, sums.change);
+    if (grows) straighten_gaps(space, system);
+    extrapolation.advance(report.converged || grows || sums.backwards > 0 || !unit.is_known());
   }
   unpack_rows(space, system);
   return report;

@@ -231,7 +231,8 @@ void make_rows(const Space& space, const RowInputs& inputs, const Array<const Ro
   const int num_nodes = system.num_nodes, num_face_records = static_cast<int>(history.face.extent(0));
   Kokkos::parallel_for(
       "contact::make_rows", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
-        ContactRow row;
+        ContactRow& row = rows(r);
+        row = ContactRow{};
         if (r >= num_touches) {
           const int p = near_walls(r - num_touches);
           row.place[0] = place(w.node(p));
@@ -248,7 +249,6 @@ void make_rows(const Space& space, const RowInputs& inputs, const Array<const Ro
           else
             fill_touch_row(h, in, at, list(r), row);
         }
-        rows(r) = row;
       });
   group_entries(space, system);
 }

@@ -37,7 +37,6 @@ class RowExchange {
     get_foreign_shares(space, system, foreign_values_);
     space.fence();
     begin_sending();
-    sums.backwards.normalize();
     reduce_pass_(ranks_.ranks, sums);  // while the impulses are under way
     end_sending(system);
   }

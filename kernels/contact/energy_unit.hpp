@@ -1,0 +1,34 @@
+#pragma once
+// Energies of rows as whole numbers of a unit, so that their sum does not depend on the order of the rows, whatever
+// threads and ranks they lie on, and costs an addition each. Exact sums of doubles (exact_sum.hpp) cost many times that
+// and are not needed where only magnitudes are compared.
+
+#include <cmath>
+#include <cstdint>
+
+#include "kernels/core/views.hpp"
+
+namespace percuss {
+
+struct EnergyUnit {
+  static constexpr double most = 68719476736.0;  // 2^36 units a row: sums of 2^26 rows stay below 2^63
+
+  double per_unit = 0;  // units per energy; 0: nothing is known of the magnitude, and everything counts as nothing
+
+  /// largest: an energy that rows are expected not to exceed by much, >= 0; one that does counts as `most`.
+  KOKKOS_INLINE_FUNCTION static EnergyUnit of_largest(double largest) {
+    const double per_unit = most / largest;
+    return {largest > 0 && std::isfinite(per_unit) ? per_unit : 0};
+  }
+
+  KOKKOS_INLINE_FUNCTION bool is_known() const { return per_unit > 0; }
+
+  /// Whole units of an energy, or of a difference of energies, rounded towards zero. What is no number counts as most.
+  KOKKOS_INLINE_FUNCTION std::int64_t count(double energy) const {
+    const double units = energy * per_unit;
+    const double bounded = units < most ? units : most;
+    return static_cast<std::int64_t>(bounded > -most ? bounded : -most);
+  }
+};
+
+}  // namespace percuss
