@@ -21,11 +21,12 @@ KOKKOS_INLINE_FUNCTION Point3 find_face_normal(const FacePoints& face) {
   return normalize(cross(face.corner[2] - face.corner[0], face.corner[3] - face.corner[1]));
 }
 
+/// Of a triangle, a corner of which stands twice, without the edge between these.
 KOKKOS_INLINE_FUNCTION double find_shortest_edge(const FacePoints& face) {
   double shortest = norm(face.corner[1] - face.corner[0]);
   for (int i = 1; i < 4; ++i) {
     const double edge = norm(face.corner[(i + 1) % 4] - face.corner[i]);
-    if (edge < shortest) shortest = edge;
+    if (edge > 0 && edge < shortest) shortest = edge;
   }
   return shortest;
 }

@@ -4,6 +4,21 @@
 
 namespace percuss {
 
+namespace {
+
+/// What a corner takes of the load of a face, over a quarter: 1; of a triangle, a corner of which stands twice, a third
+/// of it for each node.
+KOKKOS_INLINE_FUNCTION double find_corner_part(const Rows4<const int>& nodes, int face, int corner) {
+  bool triangle = false;
+  for (int i = 0; i < 4; ++i) triangle = triangle || nodes(face, i) == nodes(face, (i + 1) % 4);
+  if (!triangle) return 1;
+  const int n = nodes(face, corner);
+  const bool twice = n == nodes(face, (corner + 1) % 4) || n == nodes(face, (corner + 3) % 4);
+  return twice ? 2.0 / 3 : 4.0 / 3;
+}
+
+}  // namespace
+
 void apply_pressure(const ExecSpace& space, const PressureFaces& faces, const Array<const double>& pressure,
                     const Rows3<const double>& x, const Rows3<double>& slot_force) {
   if (faces.count == 0) return;
@@ -21,9 +36,10 @@ void apply_pressure(const ExecSpace& space, const PressureFaces& faces, const Ar
         const Vector3<double> share = follows ? (-0.125 * p) * twice_area : p * dead;
         for (int i = 0; i < 4; ++i) {
           const int s = faces.first_slot + 4 * f + i;
-          slot_force(s, 0) = share.x;
-          slot_force(s, 1) = share.y;
-          slot_force(s, 2) = share.z;
+          const double part = find_corner_part(faces.nodes, f, i);
+          slot_force(s, 0) = part * share.x;
+          slot_force(s, 1) = part * share.y;
+          slot_force(s, 2) = part * share.z;
         }
       });
 }

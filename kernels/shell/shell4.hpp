@@ -62,13 +62,27 @@ struct FlowShares {
   }
 };
 
+/// Integral of the square of the first hourglass mode of shear, over a third of the area; of a triangle that of what
+/// turns around it, by the second moments of its area, with the share of the stiffness that it keeps.
+template <class T, class Shapes>
+PERCUSS_FORCE_INLINE T find_shear_hourglass(const ShellGeometry<T>& g, [[maybe_unused]] const T& thickness,
+                                            [[maybe_unused]] const Shapes& shapes) {
+  const T along_xi = g.xi_x * g.xi_x + g.xi_y * g.xi_y;
+  if constexpr (Shapes::has_triangles) {
+    const GradientProducts<T> b = find_gradient_products(g, shapes);
+    return select(shapes.is_triangle, T(4.0 / 9.0) * find_shear_share(g, thickness, shapes) * (b.xx + b.yy), along_xi);
+  } else {
+    return along_xi;
+  }
+}
+
 /// Advances the hourglass forces by their rates: the stiffness of the element's own membrane, bending and shear beyond
 /// what its point sees (physical stabilisation, Belytschko and Leviatan 1994), with what the flow of its layers leaves
 /// of it. Returns their work.
-template <bool CanYield, bool CanFail, class T>
+template <bool CanYield, bool CanFail, class T, class Shapes>
 PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellGeometry<T>& g, const ShellRates<T>& rate,
                                          [[maybe_unused]] const FlowShares<T>& flow,
-                                         [[maybe_unused]] const SectionLeft<T>& left, const T& dt,
+                                         [[maybe_unused]] const SectionLeft<T>& left, const T& dt, const Shapes& shapes,
                                          ShellState<T>& state) {
   const HourglassIntegrals<T> h = integrate_hourglass(g);
   const T t = state.thickness, nu = T(e.poissons_ratio), half = T(0.5);
@@ -112,7 +126,7 @@ PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellGe
                   in_bending);
   advance_flowing(state.bending_hourglass[1], bending * ((h.yy + a * h.xx) * b[1] + mixed * b[0]), b[1], flow.bending,
                   in_bending);
-  advance(state.shear_hourglass[0], shear * (g.xi_x * g.xi_x + g.xi_y * g.xi_y) * s[0], s[0], in_plane);
+  advance(state.shear_hourglass[0], shear * find_shear_hourglass(g, t, shapes) * s[0], s[0], in_plane);
   advance(state.shear_hourglass[1], shear * (g.eta_x * g.eta_x + g.eta_y * g.eta_y) * s[1], s[1], in_plane);
   return dt * work;
 }
@@ -214,43 +228,45 @@ PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, con
 /// Advances the element from n to n+1. x, v: differences of the corner positions at n+1 and of the velocities at n+1/2;
 /// w: angular velocities of the corners at n+1/2; all in space axes. layer: the records of its points, in and out.
 /// force, moment: out, what resists the motion at the corners (the node feels the negative). With dt = 0 it evaluates
-/// forces and step only. lives: of layers that can fail, in and out.
-template <class T, class Material, class Lives = WholeLayers>
+/// forces and step only. lives: of layers that can fail, in and out. shapes: what of the pack is a triangle.
+template <class T, class Material, class Lives = WholeLayers, class Shapes = Quadrilaterals>
 PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Material>& par, const ShellDifferences<T>& x,
                                                    const ShellDifferences<T>& v, const Vector3<T> (&w)[4], const T& dt,
                                                    ShellState<T>& state, T* layer, Vector3<T> (&force)[4],
-                                                   Vector3<T> (&moment)[4], const Lives& lives = {}) {
+                                                   Vector3<T> (&moment)[4], const Lives& lives = {},
+                                                   const Shapes& shapes = {}) {
   const PlaneElasticity& elastic = par.material.elasticity;
   const T half = T(0.5);
-  const ShellGeometry<T> middle = find_shell_geometry(step_back(x, v, half * dt));
+  const ShellGeometry<T> middle = find_shell_geometry(step_back(x, v, half * dt), shapes);
   const Vector3<T> turned[4] = {middle.frame * w[0], middle.frame * w[1], middle.frame * w[2], middle.frame * w[3]};
-  ShellRates<T> rate = find_shell_rates(middle, turn(middle.frame, v), turned);
+  ShellRates<T> rate = find_shell_rates(middle, turn(middle.frame, v), turned, shapes);
   if (par.offset != 0) move_to_middle(T(par.offset), rate);
 
   const LayerSums<T> layers = advance_layers(par, rate, dt, half * state.thickness, layer, lives);
-  T work = layers.work;
+  T work = layers.work, modulus = T(shell_shear_correction * elastic.shear_modulus);
+  if constexpr (Shapes::has_triangles) modulus = find_shear_share(middle, state.thickness, shapes) * modulus;
   for (int k = 0; k < 2; ++k) {
-    const T change = T(shell_shear_correction * elastic.shear_modulus) * dt * rate.shear[k];
+    const T change = modulus * dt * rate.shear[k];
     T added = (state.shear[k] + half * change) * dt * rate.shear[k];
     if constexpr (Lives::can_fail) added = layers.left.mean_membrane * added;
     work = work + added;
     state.shear[k] = state.shear[k] + change;
   }
   const T hourglass_work = advance_hourglass<Material::can_yield, Lives::can_fail>(elastic, middle, rate, layers.flow,
-                                                                                   layers.left, dt, state);
+                                                                                   layers.left, dt, shapes, state);
   const T old_thickness = state.thickness;
   const T half_across = half * layers.across;
   state.thickness = old_thickness * ((T(1) + half_across) * (T(1) / (T(1) - half_across)));
 
-  const ShellGeometry<T> end = find_shell_geometry(x);
+  const ShellGeometry<T> end = find_shell_geometry(x, shapes);
   ShellRates<T> on = join_stresses<Lives::can_fail>(state, layers, end.area);
   T step = find_shell_step(end, state.thickness, state.mass, state.gyration_square, elastic.youngs_modulus,
-                           elastic.poissons_ratio);
+                           elastic.poissons_ratio, shapes);
   if (par.offset != 0) {
     move_to_corners(T(par.offset), on);
     step = step * find_offset_share(end, state.thickness, state.gyration_square, par.offset);
   }
-  find_shell_forces(end, on, force, moment);
+  find_shell_forces(end, on, force, moment, shapes);
   return {{half * (old_thickness + state.thickness) * middle.area * work, hourglass_work},
           step,
           end.least_corner,

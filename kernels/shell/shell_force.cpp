@@ -43,6 +43,16 @@ PERCUSS_FORCE_INLINE void scatter_corners(const Vector3<Lanes> (&u)[4], const st
   }
 }
 
+/// Which lanes of a pack are triangles: their last corner is the third again.
+PERCUSS_FORCE_INLINE auto find_shapes(const std::uint16_t* corners) {
+  alignas(64) double repeated[width];
+  for (int lane = 0; lane < width; ++lane) {
+    repeated[lane] = corners[2 * width + lane] == corners[3 * width + lane] ? 1 : 0;
+  }
+  const auto is_triangle = load_pack(repeated) > Lanes(0.5);
+  return MixedShapes<std::remove_const_t<decltype(is_triangle)>>{is_triangle};
+}
+
 /// What the elements of a chunk add up to, taken lane by lane in their order.
 struct ChunkSums {
   double step = 1e300;
@@ -71,8 +81,8 @@ struct ChunkSums {
   }
 };
 
-/// CanFail: some chunks can; without them nobody asks.
-template <class Layer, bool CanFail>
+/// CanFail: some chunks can; HasTriangles: some elements are; without them nobody asks.
+template <class Layer, bool CanFail, bool HasTriangles>
 struct AdvanceShellChunk {
   HexChunks chunks;
   ShellBlock<Layer> block;
@@ -162,8 +172,15 @@ struct AdvanceShellChunk {
     static_assert(sizeof(ShellState<Lanes>) == ShellRecord::layers * sizeof(Lanes));
     auto* const layers = reinterpret_cast<Lanes*>(record + ShellRecord::layers * width);
     const auto advance = [&](const auto& lives) {
-      return advance_shell4(parameters, find_differences(x), find_differences(v), w, Lanes(motion.dt), head, layers, f,
-                            m, lives);
+      const auto advance_shapes = [&](const auto& shapes) {
+        return advance_shell4(parameters, find_differences(x), find_differences(v), w, Lanes(motion.dt), head, layers,
+                              f, m, lives, shapes);
+      };
+      if constexpr (HasTriangles) {
+        return advance_shapes(find_shapes(corners));
+      } else {
+        return advance_shapes(Quadrilaterals{});
+      }
     };
     ShellResult<Lanes> result;
     if constexpr (CanFail) {
@@ -189,16 +206,20 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const ShellB
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
   const ChunkPolicy policy = ShellScratch::make_policy(space, count, chunks.largest_slot_count);
-  const auto advance = [&]<bool CanFail>(std::bool_constant<CanFail>) {
-    using Kernel = AdvanceShellChunk<Layer, CanFail>;
+  const auto advance = [&]<bool CanFail, bool HasTriangles>(std::bool_constant<CanFail>,
+                                                            std::bool_constant<HasTriangles>) {
+    using Kernel = AdvanceShellChunk<Layer, CanFail, HasTriangles>;
     Kokkos::parallel_for("percuss::advance_shells", policy,
                          Kernel{chunks, block, motion, state, slot_force, slot_moment, results});
   };
-  const bool can_fail = motion.failing.first_layer.extent(0) > 0;
+  const auto advance_shapes = [&](const auto can_fail) {
+    if (block.has_triangles) return advance(can_fail, std::true_type{});
+    advance(can_fail, std::false_type{});
+  };
   if constexpr (!is_single_precision) {
-    if (can_fail) return advance(std::true_type{});
+    if (motion.failing.first_layer.extent(0) > 0) return advance_shapes(std::true_type{});
   }
-  advance(std::false_type{});
+  advance_shapes(std::false_type{});
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ template <class Layer>
 struct ShellBlock {
   Array<int> chunks;                                           // ascending chunk ids
   Kokkos::View<ShellParameters<Layer>*, MemSpace> parameters;  // by HexChunks::parameters
+  bool has_triangles = false;                                  // among their elements
 };
 
 /// Every compiled variant; those that a scene does not use have no chunks and cost nothing.

@@ -69,9 +69,9 @@ PERCUSS_FORCE_INLINE void balance_moments(const ShellGeometry<T>& g, ShellCorner
 
 /// Forces and moments on the corners in space axes, from what does work on the rates: sum_I f_I . v_I + m_I . w_I is
 /// the sum of products of `on` with find_shell_rates() of any motion; forces and moments add up to zero.
-template <class T>
+template <class T, class Shapes = Quadrilaterals>
 PERCUSS_FORCE_INLINE void find_shell_forces(const ShellGeometry<T>& g, const ShellRates<T>& on, Vector3<T> (&force)[4],
-                                            Vector3<T> (&moment)[4]) {
+                                            Vector3<T> (&moment)[4], const Shapes& shapes = {}) {
   ShellCornerField<T> f, c;
   set_gradient_forces(g, on.membrane[0], on.membrane[2], on.membrane_hourglass[0], f.x);
   set_gradient_forces(g, on.membrane[2], on.membrane[1], on.membrane_hourglass[1], f.y);
@@ -80,9 +80,8 @@ PERCUSS_FORCE_INLINE void find_shell_forces(const ShellGeometry<T>& g, const She
   for (int i = 0; i < 4; ++i) f.z[i] = c.z[i] = T(0);
   const T on_xi = g.xi_x * on.shear[0] + g.xi_y * on.shear[1];
   const T on_eta = g.eta_x * on.shear[0] + g.eta_y * on.shear[1];
-  const T half = T(0.5);
-  const T on_edge[4] = {half * (on_xi - on.shear_hourglass[0]), half * (on_xi + on.shear_hourglass[0]),
-                        half * (on_eta - on.shear_hourglass[1]), half * (on_eta + on.shear_hourglass[1])};
+  T on_edge[4];
+  spread_to_edges({{on_xi, on_eta}, {on.shear_hourglass[0], on.shear_hourglass[1]}}, shapes, on_edge);
   add_edge_forces(g, on_edge, f, c);
   ShellCornerField<T> m;
   for (int i = 0; i < 4; ++i) {

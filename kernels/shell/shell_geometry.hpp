@@ -37,6 +37,19 @@ PERCUSS_FORCE_INLINE void find_corner_values(const T& r, const T& s, const T& h,
   u[3] = -quarter * h + half * s;
 }
 
+/// What a pack holds. A triangle is a quadrilateral whose third corner stands twice: the gradient operator of one point
+/// is then the triangle's own, and what hourglass modes see is nothing. Packs of quadrilaterals do not ask.
+struct Quadrilaterals {
+  static constexpr bool has_triangles = false;
+};
+
+/// Mask: of a scalar or of a pack.
+template <class Mask>
+struct MixedShapes {
+  static constexpr bool has_triangles = true;
+  Mask is_triangle;
+};
+
 /// Signs of the hourglass mode, which are also those of the corners' heights.
 inline constexpr int shell_warp_sign[4] = {1, -1, 1, -1};
 
@@ -54,15 +67,17 @@ struct ShellGeometry {
 };
 
 /// Corner normals, from the two edges of each corner. Neighbours of a corner are as high as each other, so that the
-/// in-plane part of the normal is the other diagonal, turned by a right angle.
-template <class T>
-PERCUSS_FORCE_INLINE void find_corner_normals(const ShellDifferences<T>& d, ShellGeometry<T>& g) {
+/// in-plane part of the normal is the other diagonal, turned by a right angle. All corners of a triangle have its own.
+template <class T, class Shapes>
+PERCUSS_FORCE_INLINE void find_corner_normals(const ShellDifferences<T>& d, [[maybe_unused]] const Shapes& shapes,
+                                              ShellGeometry<T>& g) {
   const T twice = g.z + g.z;
   const T nx[4] = {twice * d.s.y, twice * d.r.y, -twice * d.s.y, -twice * d.r.y};
   const T ny[4] = {-twice * d.s.x, -twice * d.r.x, twice * d.s.x, twice * d.r.x};
   for (int i = 0; i < 4; ++i) {
     const int next = (i + 1) % 4, previous = (i + 3) % 4;
-    const T nz = (g.x[next] - g.x[i]) * (g.y[previous] - g.y[i]) - (g.y[next] - g.y[i]) * (g.x[previous] - g.x[i]);
+    T nz = (g.x[next] - g.x[i]) * (g.y[previous] - g.y[i]) - (g.y[next] - g.y[i]) * (g.x[previous] - g.x[i]);
+    if constexpr (Shapes::has_triangles) nz = select(shapes.is_triangle, g.area + g.area, nz);
     g.least_corner = i == 0 ? nz : smaller(g.least_corner, nz);
     const T over_nz = T(1) / nz;
     g.px[i] = over_nz * nx[i];
@@ -73,8 +88,9 @@ PERCUSS_FORCE_INLINE void find_corner_normals(const ShellDifferences<T>& d, Shel
 }
 
 /// Geometry of a quadrilateral from the differences of its corner positions in space axes.
-template <class T>
-PERCUSS_FORCE_INLINE ShellGeometry<T> find_shell_geometry(const ShellDifferences<T>& position) {
+template <class T, class Shapes = Quadrilaterals>
+PERCUSS_FORCE_INLINE ShellGeometry<T> find_shell_geometry(const ShellDifferences<T>& position,
+                                                          const Shapes& shapes = {}) {
   const T half = T(0.5), quarter = T(0.25);
   ShellGeometry<T> g;
   const Vector3<T> normal = cross(position.r, position.s);
@@ -89,6 +105,7 @@ PERCUSS_FORCE_INLINE ShellGeometry<T> find_shell_geometry(const ShellDifferences
   g.hx = d.h.x;
   g.hy = d.h.y;
   g.z = quarter * d.h.z;
+  if constexpr (Shapes::has_triangles) g.z = select(shapes.is_triangle, T(0), g.z);  // round-off
   find_corner_values(d.r.x, d.s.x, d.h.x, g.x);
   find_corner_values(d.r.y, d.s.y, d.h.y, g.y);
   const T over_twice_area = T(1) / twice_area;
@@ -100,8 +117,42 @@ PERCUSS_FORCE_INLINE ShellGeometry<T> find_shell_geometry(const ShellDifferences
   g.xi_y = -over_twice_area * T(2) * (d.r.x + d.s.x);
   g.eta_x = -over_twice_area * T(2) * (d.r.y - d.s.y);
   g.eta_y = over_twice_area * T(2) * (d.r.x - d.s.x);
-  find_corner_normals(d, g);
+  find_corner_normals(d, shapes, g);
   return g;
+}
+
+/// Sums of the products of the corners' gradients, which say how fast an element swings: xx, yy, xy.
+template <class T>
+struct GradientProducts {
+  T xx, yy, xy;
+};
+
+/// Of four corners; of a triangle of its three, times three quarters, because they have more mass each.
+template <class T, class Shapes>
+PERCUSS_FORCE_INLINE GradientProducts<T> find_gradient_products(const ShellGeometry<T>& g,
+                                                                [[maybe_unused]] const Shapes& shapes) {
+  const auto sum = [&](const T(&a)[2], const T(&b)[2]) {
+    const T quadrilateral = T(2) * (a[0] * b[0] + a[1] * b[1]);
+    if constexpr (Shapes::has_triangles) {
+      const T both = (a[0] + a[1]) * (b[0] + b[1]);
+      return select(shapes.is_triangle, T(0.75) * (a[0] * b[0] + a[1] * b[1] + both), quadrilateral);
+    } else {
+      return quadrilateral;
+    }
+  };
+  return {sum(g.b1, g.b1), sum(g.b2, g.b2), sum(g.b1, g.b2)};
+}
+
+/// What a triangle keeps of its stiffness in transverse shear, so that it does not lock where it is thin: t^2 / (t^2 +
+/// alpha h^2), h^2 the mean square of its edges (Lyly, Stenberg and Vihinen 1993; Bischoff and Bletzinger 2001).
+inline constexpr double triangle_shear_stabilisation = 0.1;
+
+template <class T, class Mask>
+PERCUSS_FORCE_INLINE T find_shear_share(const ShellGeometry<T>& g, const T& thickness,
+                                        const MixedShapes<Mask>& shapes) {
+  const GradientProducts<T> b = find_gradient_products(g, shapes);
+  const T edge_square = T(16.0 / 9.0) * g.area * g.area * (b.xx + b.yy), square = thickness * thickness;
+  return select(shapes.is_triangle, square * (T(1) / (square + T(triangle_shear_stabilisation) * edge_square)), T(1));
 }
 
 /// Integrals over the element of the products of the gradient of xi eta: xx, yy, xy, for a constant Jacobian.

@@ -19,7 +19,7 @@ struct ShellRates {
   T shear[2];               // 2 xz, 2 yz
   T membrane_hourglass[2];  // of vx, vy
   T bending_hourglass[2];   // of the director's rates
-  T shear_hourglass[2];     // part of the covariant shear that changes along eta, along xi
+  T shear_hourglass[2];     // part of the covariant shear that changes along eta, along xi (EdgeShear::change)
 };
 
 /// The four edges whose shear is sampled, each along xi or eta: 1-2, 4-3, 1-4, 2-3.
@@ -65,10 +65,51 @@ PERCUSS_FORCE_INLINE T find_edge_shear(const ShellGeometry<T>& g, const ShellCor
                     (g.y[j] - g.y[i]) * (beta.y[i] + beta.y[j]) + rise * (beta.z[i] + beta.z[j]));
 }
 
-/// Rates from the differences of the velocity and the angular velocities of the corners, both in the element's frame.
+/// Shear of the edges as the element takes it: its means along xi and eta, and how each changes across; of a triangle,
+/// whose edges are 1-2, 1-4 and 2-3, that of its middle, with each edge's share in what turns around it taken out, and
+/// what turns around it, halved.
 template <class T>
+struct EdgeShear {
+  T along[2], change[2];
+};
+
+template <class T, class Shapes>
+PERCUSS_FORCE_INLINE EdgeShear<T> join_edges(const T (&edge)[4], [[maybe_unused]] const Shapes& shapes) {
+  const T half = T(0.5);
+  EdgeShear<T> shear{{half * (edge[0] + edge[1]), half * (edge[2] + edge[3])},
+                     {half * (edge[1] - edge[0]), half * (edge[3] - edge[2])}};
+  if constexpr (Shapes::has_triangles) {
+    const T around = edge[0] + edge[3] - edge[2];
+    shear.along[0] = select(shapes.is_triangle, half * edge[0] - T(1.0 / 6.0) * around, shear.along[0]);
+    shear.change[0] = select(shapes.is_triangle, around, shear.change[0]);
+    shear.change[1] = select(shapes.is_triangle, T(0), shear.change[1]);
+  }
+  return shear;
+}
+
+/// Its transpose: forces on the edges.
+template <class T, class Shapes>
+PERCUSS_FORCE_INLINE void spread_to_edges(const EdgeShear<T>& on, [[maybe_unused]] const Shapes& shapes,
+                                          T (&on_edge)[4]) {
+  const T half = T(0.5);
+  for (int k = 0; k < 2; ++k) {
+    on_edge[2 * k] = half * (on.along[k] - on.change[k]);
+    on_edge[2 * k + 1] = half * (on.along[k] + on.change[k]);
+  }
+  if constexpr (Shapes::has_triangles) {
+    const auto& is_triangle = shapes.is_triangle;
+    const T around = on.change[0] - T(1.0 / 6.0) * on.along[0];
+    on_edge[0] = select(is_triangle, half * on.along[0] + around, on_edge[0]);
+    on_edge[1] = select(is_triangle, T(0), on_edge[1]);
+    on_edge[2] = select(is_triangle, half * on.along[1] - around, on_edge[2]);
+    on_edge[3] = select(is_triangle, half * on.along[1] + around, on_edge[3]);
+  }
+}
+
+/// Rates from the differences of the velocity and the angular velocities of the corners, both in the element's frame.
+template <class T, class Shapes = Quadrilaterals>
 PERCUSS_FORCE_INLINE ShellRates<T> find_shell_rates(const ShellGeometry<T>& g, const ShellDifferences<T>& velocity,
-                                                    const Vector3<T> (&rotation)[4]) {
+                                                    const Vector3<T> (&rotation)[4], const Shapes& shapes = {}) {
   ShellCornerField<T> v, beta;
   remove_rigid_motion(g, velocity, rotation, v, beta);
   const auto along_x = [&](const T(&u)[4]) { return g.b1[0] * (u[2] - u[0]) + g.b1[1] * (u[3] - u[1]); };
@@ -82,14 +123,14 @@ PERCUSS_FORCE_INLINE ShellRates<T> find_shell_rates(const ShellGeometry<T>& g, c
   for (int k = 0; k < 4; ++k) {
     edge[k] = find_edge_shear(g, v, beta, shell_shear_edges[k][0], shell_shear_edges[k][1]);
   }
-  const T half = T(0.5);
-  const T along_xi = half * (edge[0] + edge[1]), along_eta = half * (edge[2] + edge[3]);
+  const EdgeShear<T> shear = join_edges(edge, shapes);
+  const T &along_xi = shear.along[0], &along_eta = shear.along[1];
   return {{vx_x, vy_y, vx_y + vy_x},
           {bx_x, by_y, bx_y + by_x},
           {g.xi_x * along_xi + g.eta_x * along_eta, g.xi_y * along_xi + g.eta_y * along_eta},
           {hourglass(v.x, vx_x, vx_y), hourglass(v.y, vy_x, vy_y)},
           {hourglass(beta.x, bx_x, bx_y), hourglass(beta.y, by_x, by_y)},
-          {half * (edge[1] - edge[0]), half * (edge[3] - edge[2])}};
+          {shear.change[0], shear.change[1]}};
 }
 
 }  // namespace percuss

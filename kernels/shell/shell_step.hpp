@@ -21,23 +21,35 @@ inline constexpr double shell_shear_correction = 5.0 / 6.0;
 /// the element by angles of up to a, squares of frequencies grow by 1 / cos^2 a.
 /// gyration_square: rotary inertia over mass [length^2]; where it is less than that of the current shape, as in an
 /// element that was stretched, frequencies grow by at most the square root of the ratio.
-template <class T>
+/// Triangles: the membrane's largest eigenvalue is exact, they have no other modes in their plane. In shear, with the
+/// share of find_shear_share(), rotations count with those of a uniform field and with what turns around the element,
+/// over the square of the gyration; bending, which moves the same rotations, adds to it.
+template <class T, class Shapes = Quadrilaterals>
 PERCUSS_FORCE_INLINE T find_shell_step(const ShellGeometry<T>& g, const T& thickness, const T& mass,
-                                       const T& gyration_square, double youngs_modulus, double poissons_ratio) {
-  const T xx = T(2) * (g.b1[0] * g.b1[0] + g.b1[1] * g.b1[1]);
-  const T yy = T(2) * (g.b2[0] * g.b2[0] + g.b2[1] * g.b2[1]);
-  const T xy = T(2) * (g.b1[0] * g.b2[0] + g.b1[1] * g.b2[1]);
+                                       const T& gyration_square, double youngs_modulus, double poissons_ratio,
+                                       const Shapes& shapes = {}) {
+  const auto [xx, yy, xy] = find_gradient_products(g, shapes);
   const double stiffness = 1 - poissons_ratio * poissons_ratio;
   const T half_trace = T(0.5) * (xx + yy), determinant = xx * yy - xy * xy;
   const auto find_eigenvalue = [&](double share) {
     return half_trace + square_root(larger(half_trace * half_trace - T(share) * determinant, T(0)));
   };
   const double shear_share = shell_shear_correction * (1 - poissons_ratio) / 2;
-  const T membrane = T(1 / (shell_step_share * shell_step_share)) * find_eigenvalue(stiffness);
-  const T shear =
-      T(shear_share / (shell_shear_step_share * shell_shear_step_share)) * (find_eigenvalue(1) + T(2) / g.least_corner);
-  const T speed_square = T(youngs_modulus / stiffness) * thickness * g.area * (T(1) / mass);
+  const T of_membrane = find_eigenvalue(stiffness);
+  T membrane = T(1 / (shell_step_share * shell_step_share)) * of_membrane;
   const T ideal = T(1.0 / 12.0) * thickness * thickness + T(0.125) * g.area;
+  T rotations = T(2) / g.least_corner;
+  if constexpr (Shapes::has_triangles) {
+    membrane = select(shapes.is_triangle, of_membrane, membrane);
+    const T around = g.area * (xx + yy);
+    rotations = select(shapes.is_triangle, (T(0.25) + T(1.0 / 16.0) * around * around) * (T(1) / ideal), rotations);
+  }
+  T shear = T(shear_share / (shell_shear_step_share * shell_shear_step_share)) * (find_eigenvalue(1) + rotations);
+  if constexpr (Shapes::has_triangles) {
+    const T bending = T(1.0 / 12.0) * thickness * thickness * (T(1) / ideal) * membrane;
+    shear = select(shapes.is_triangle, find_shear_share(g, thickness, shapes) * shear + bending, shear);
+  }
+  const T speed_square = T(youngs_modulus / stiffness) * thickness * g.area * (T(1) / mass);
   const T deficit = smaller(gyration_square * (T(1) / ideal), T(1));
   return square_root(deficit * (T(1) / (speed_square * (T(1) + g.steepest) * larger(membrane, shear))));
 }

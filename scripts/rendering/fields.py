@@ -77,7 +77,8 @@ def _text(value):
 
 def _pad_shells(connectivity, offsets):
     sizes = np.diff(offsets)
-    columns = np.arange(8)[None, :] % sizes[:, None]
+    columns = np.arange(8)[None, :] % np.maximum(sizes, 4)[:, None]
+    columns = np.minimum(columns, sizes[:, None] - 1)  # the last corner of a triangle stands for a fourth
     return connectivity[offsets[:-1, None] + columns]
 
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/face_corners.hpp"
 #include "src/contact/surface_sides.hpp"
 
 namespace percuss {
@@ -11,16 +12,19 @@ namespace {
 NodeFaces list_node_faces(const std::vector<std::array<int, 4>>& corners, std::size_t num_nodes) {
   NodeFaces result;
   result.offset.assign(num_nodes + 1, 0);
+  const auto is_listed = [](const std::array<int, 4>& face, std::size_t i) {
+    return face[i] >= 0 && !is_repeated(face, i);
+  };
   for (const auto& face : corners)
-    for (const int node : face)
-      if (node >= 0) ++result.offset[static_cast<std::size_t>(node) + 1];
+    for (std::size_t i = 0; i < 4; ++i)
+      if (is_listed(face, i)) ++result.offset[static_cast<std::size_t>(face[i]) + 1];
   for (std::size_t n = 0; n < num_nodes; ++n) result.offset[n + 1] += result.offset[n];
   std::vector<int> next(result.offset.begin(), result.offset.end() - 1);
   result.faces.resize(static_cast<std::size_t>(result.offset.back()));
   for (std::size_t f = 0; f < corners.size(); ++f)
-    for (const int node : corners[f])
-      if (node >= 0)
-        result.faces[static_cast<std::size_t>(next[static_cast<std::size_t>(node)]++)] = static_cast<int>(f);
+    for (std::size_t i = 0; i < 4; ++i)
+      if (is_listed(corners[f], i))
+        result.faces[static_cast<std::size_t>(next[static_cast<std::size_t>(corners[f][i])]++)] = static_cast<int>(f);
   return result;
 }
 

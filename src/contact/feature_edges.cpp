@@ -8,6 +8,7 @@
 #include "kernels/contact/edge_geometry.hpp"
 #include "kernels/contact/face_geometry.hpp"
 #include "kernels/core/exact_sum.hpp"
+#include "src/contact/face_corners.hpp"
 #include "src/contact/surface_share.hpp"
 #include "src/fail_together.hpp"
 
@@ -39,8 +40,9 @@ bool comes_before(const EdgeSide& a, const EdgeSide& b) {
 }
 
 /// The side of the edge from corner k of a face to the next. places: corners relative to the first.
-EdgeSide make_side(const FaceTopology& face, const FacePoints& places, int k, int rank) {
-  int p = k, q = (k + 1) % 4, wing_p = (k + 3) % 4, wing_q = (k + 2) % 4;
+EdgeSide make_side(const FaceTopology& face, const FacePoints& places, std::size_t k, int rank) {
+  std::size_t p = k, q = (k + 1) % 4;
+  std::size_t wing_p = find_previous_corner(face.corners, p), wing_q = find_next_corner(face.corners, q);
   if (face.corners[q] < face.corners[p]) {
     std::swap(p, q);
     std::swap(wing_p, wing_q);
@@ -74,7 +76,8 @@ std::vector<EdgeSide> exchange_sides(const ChunkedMesh& chunked, const std::vect
       const Vec3& x = chunked.mesh.nodes[at(face_corners[f][i])];
       places.corner[i] = {x[0] - origin[0], x[1] - origin[1], x[2] - origin[2]};
     }
-    for (int k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (is_repeated(faces[f].corners, (k + 1) % 4)) continue;
       sides.push_back(make_side(faces[f], places, k, ranks.rank()));
       owners.push_back(chunked.numbering.find_node_owner(sides.back().ends[0]));
     }

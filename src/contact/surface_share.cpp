@@ -7,6 +7,7 @@
 
 #include "comm/item_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/face_corners.hpp"
 #include "src/contact/face_springs.hpp"
 #include "src/contact/surface_classes.hpp"
 
@@ -68,8 +69,9 @@ CornerNotice make_notice(const Mesh& mesh, const SurfaceShare& share, std::size_
   const std::array<int, 4>& nodes = share.face_corners[face];
   const int node = nodes[corner];
   return {share.faces[face].corners[corner],
-          std::min(measure(node, nodes[(corner + 1) % 4]), measure(node, nodes[(corner + 3) % 4])), 0.25 * spring,
-          share.faces[face]};
+          std::min(measure(node, nodes[find_next_corner(nodes, corner)]),
+                   measure(node, nodes[find_previous_corner(nodes, corner)])),
+          spring / static_cast<double>(count_corners(nodes)), share.faces[face]};
 }
 
 /// Of nodes that no element holds any more: what their dead elements say of them, without a face. part_classes: the
@@ -82,7 +84,7 @@ std::vector<CornerNotice> list_particles(const Mesh& mesh, const Deck& deck, con
     const auto place = [&](int corner) { return mesh.nodes[at(mesh.elements[e][at(corner)])]; };
     for (int i = 0; i < (is_shell(mesh.elements[e]) ? 4 : 8); ++i) {
       const int node = mesh.elements[e][at(i)];
-      if (mesh.eroded.nodes[at(node)] != ErodedMesh::particle) continue;
+      if (mesh.eroded.nodes[at(node)] != ErodedMesh::particle || (i == 3 && is_triangle(mesh.elements[e]))) continue;
       CornerNotice notice;
       notice.node = mesh.node_numbers[at(node)];
       notice.size = std::numeric_limits<double>::infinity();
@@ -98,7 +100,8 @@ std::vector<CornerNotice> list_particles(const Mesh& mesh, const Deck& deck, con
     }
   }
   const std::vector<double> springs = find_face_springs(mesh, deck, faces);
-  for (std::size_t n = 0; n < notices.size(); ++n) notices[n].spring = 0.25 * springs[n];
+  for (std::size_t n = 0; n < notices.size(); ++n)
+    notices[n].spring = springs[n] / (is_triangle(mesh.elements[at(faces[n].element)]) ? 3 : 4);
   return notices;
 }
 
@@ -113,6 +116,7 @@ std::vector<CornerNotice> exchange_notices(const ChunkedMesh& chunked, const Sur
   for (const CornerNotice& notice : notices) owners.push_back(chunked.numbering.find_node_owner(notice.node));
   for (std::size_t f = 0; f < share.faces.size(); ++f) {
     for (std::size_t i = 0; i < 4; ++i) {
+      if (is_repeated(share.face_corners[f], i)) continue;
       notices.push_back(make_notice(chunked.mesh, share, f, i, springs[f]));
       owners.push_back(chunked.numbering.find_node_owner(notices.back().node));
     }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "src/contact/face_corners.hpp"
+
 namespace percuss {
 namespace {
 
@@ -12,10 +14,10 @@ using Corners = std::array<int, 4>;
 
 bool has_corner(const Corners& face, int node) { return std::find(face.begin(), face.end(), node) != face.end(); }
 
-/// The corner that comes `steps` after `node` in a face.
+/// The corner one or three (that is, minus one) steps after `node` in a face.
 int find_corner_after(const Corners& face, int node, std::size_t steps) {
   const auto place = static_cast<std::size_t>(std::find(face.begin(), face.end(), node) - face.begin());
-  return face[(place + steps) % 4];
+  return face[steps == 1 ? find_next_corner(face, place) : find_previous_corner(face, place)];
 }
 
 /// The walk around one node.

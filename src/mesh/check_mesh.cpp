@@ -47,9 +47,10 @@ std::array<int, 8> sort_corners(std::array<int, 8> corners) {
   return corners;
 }
 
-/// The first node that an element names more than once, -1: none. A shell's corners stand twice.
+/// The first node that an element names more than once, -1: none. A shell's corners stand twice, the last of a triangle
+/// once more.
 int find_repeated_node(const std::array<int, 8>& element) {
-  const std::size_t count = is_shell(element) ? 4 : 8;
+  const std::size_t count = is_triangle(element) ? 3 : is_shell(element) ? 4 : 8;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (element[i] == element[j]) return element[i];
@@ -64,7 +65,7 @@ void check_repeated_nodes(const PartMesh& mesh, std::size_t element, Problems& p
   report(problems, [&] {
     return fmt::format("{} names node {} more than once (a {} different corners); mesh without degenerate elements",
                        describe_element(mesh, element), id_of(mesh.node_ids, static_cast<std::size_t>(repeated)),
-                       is_shell(mesh.elements[element]) ? "shell needs four" : "hexahedron needs eight");
+                       is_shell(mesh.elements[element]) ? "shell needs three or four" : "hexahedron needs eight");
   });
 }
 
@@ -112,7 +113,9 @@ void check_duplicates(const PartMesh& mesh, Problems& problems) {
     report(problems, [&, e = static_cast<std::size_t>(later), first = static_cast<std::size_t>(earlier)] {
       return fmt::format("{} repeats element {} (both have the same {} corners); delete one of them",
                          describe_element(mesh, e), id_of(mesh.element_ids, first),
-                         is_shell(mesh.elements[e]) ? "four" : "eight");
+                         is_triangle(mesh.elements[e]) ? "three"
+                         : is_shell(mesh.elements[e])  ? "four"
+                                                       : "eight");
     });
   }
 }
@@ -168,7 +171,7 @@ std::string judge_shell(const std::string& element, const HexCorners& x, const s
   if (!(area > zero_share * edges)) {
     return fmt::format("{} has no area (it is {:.6g}); check the places of its corners", element, area);
   }
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 4 && !is_triangle(node_ids); ++i) {
     const Vec3 corner = cross(subtract(x[(i + 1) % 4], x[i]), subtract(x[(i + 3) % 4], x[i]));
     if (dot(corner, normal) > zero_share * edges * area) continue;
     return fmt::format("{} is not convex at its corner {}, node {} (the angle there must be below 180 degrees)",

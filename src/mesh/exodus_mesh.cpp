@@ -34,7 +34,20 @@ bool is_quadrilateral(const ExodusBlock& block) {
   return (is_called_kind(block, "SHELL") || is_called_kind(block, "QUAD")) && block.nodes_per_element == 4;
 }
 
-bool can_run(const ExodusBlock& block) { return is_hexahedral(block) || is_quadrilateral(block); }
+bool is_triangular(const ExodusBlock& block) {
+  return (is_called_kind(block, "SHELL") || is_called_kind(block, "TRI")) && block.nodes_per_element == 3;
+}
+
+bool can_run(const ExodusBlock& block) {
+  return is_hexahedral(block) || is_quadrilateral(block) || is_triangular(block);
+}
+
+/// A shell of four corners; where two in a row are one node, a triangle, these come last. The normal stays as it is.
+std::array<int, 8> place_triangle(std::array<int, 4> nodes) {
+  for (std::size_t turn = 0; turn < 4 && nodes[2] != nodes[3]; ++turn)
+    std::rotate(nodes.begin(), nodes.begin() + 1, nodes.end());
+  return make_shell(nodes);
+}
 
 bool is_called(const ExodusBlock& block, const std::string& name) {
   return block.name == name || fmt::format("block_{}", block.id) == name;
@@ -63,8 +76,9 @@ void check_kinds(const ExodusFile& file, const std::vector<ExodusBlock>& chosen)
   for (const ExodusBlock& block : chosen) {
     if (can_run(block)) continue;
     problems += fmt::format(
-        "{}block '{}' has {} elements of kind {} with {} nodes (only eight-node hexahedra, HEX8, and four-node shells, "
-        "SHELL4, can be run)",
+        "{}block '{}' has {} elements of kind {} with {} nodes (only eight-node hexahedra, HEX8, and shells of three "
+        "or "
+        "four nodes, SHELL3 and SHELL4, can be run)",
         problems.empty() ? "" : "\n", block.name, block.elements, block.topology, block.nodes_per_element);
   }
   if (problems.empty()) return;
@@ -131,7 +145,7 @@ class ExodusReader {
   std::array<int, 8> read_corners(const std::vector<std::int64_t>& corners, std::size_t element,
                                   const ExodusBlock& block) {
     std::array<int, 8> nodes{};
-    const auto count = is_quadrilateral(block) ? std::size_t{4} : std::size_t{8};
+    const auto count = static_cast<std::size_t>(block.nodes_per_element);
     for (std::size_t c = 0; c < count; ++c) {
       const std::int64_t node = corners[count * element + c];
       if (node >= 1 && node <= file_.node_count()) {
@@ -142,7 +156,8 @@ class ExodusReader {
           fmt::format("element {} of block '{}' has node number {} as its corner {} (the file has the nodes 1 to {})",
                       mesh_.element_ids.back(), block.name, node, c + 1, file_.node_count()));
     }
-    if (is_quadrilateral(block)) nodes = make_shell({nodes[0], nodes[1], nodes[2], nodes[3]});
+    if (is_triangular(block)) return make_shell({nodes[0], nodes[1], nodes[2], nodes[2]});
+    if (is_quadrilateral(block)) return place_triangle({nodes[0], nodes[1], nodes[2], nodes[3]});
     return nodes;
   }
 

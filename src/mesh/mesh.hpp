@@ -36,6 +36,12 @@ bool is_shell(const std::array<Corner, 8>& corners) {
   return corners[0] == corners[4];
 }
 
+/// Whether a shell is a triangle: its last corner is the third again.
+template <class Corner>
+bool is_triangle(const std::array<Corner, 8>& corners) {
+  return is_shell(corners) && corners[2] == corners[3];
+}
+
 /// A face as a side set names it.
 struct ElementFace {
   int element = 0;

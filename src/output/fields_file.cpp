@@ -26,10 +26,15 @@ XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options, c
   for (const auto& part : chunked.mesh.parts) index.parts.push_back(part.name);
   index.nodes = chunked.numbering.node_count();
   index.elements = chunked.numbering.element_count();
-  index.shells = std::count_if(chunked.mesh.elements.begin(), chunked.mesh.elements.end(),
-                               [](const auto& corners) { return is_shell(corners); });
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &index.shells, 1, MPI_INT64_T, MPI_SUM, ranks.handle()); },
+  std::int64_t counts[2] = {0, 0};
+  for (const auto& corners : chunked.mesh.elements) {
+    counts[0] += is_shell(corners) ? 1 : 0;
+    counts[1] += is_triangle(corners) ? 1 : 0;
+  }
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, ranks.handle()); },
            "MPI_Allreduce");
+  index.shells = counts[0];
+  index.triangles = counts[1];
   return index;
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 using hdf5::check;
 
-constexpr std::uint8_t vtk_hexahedron = 12, vtk_quad = 9;   // VTK's numbers of the cell types
-constexpr std::int64_t xdmf_hexahedron = 9, xdmf_quad = 5;  // XDMF's
+constexpr std::uint8_t vtk_hexahedron = 12, vtk_quad = 9, vtk_triangle = 5;    // VTK's numbers of the cell types
+constexpr std::int64_t xdmf_hexahedron = 9, xdmf_quad = 5, xdmf_triangle = 4;  // XDMF's
 
 // Most bytes of metadata (B-tree nodes on two levels, headers) that a table adds with a frame, and that a file starts
 // with; counted from the sizes in the HDF5 file format specification for the k above, and rounded up.
@@ -53,7 +53,7 @@ std::vector<std::int64_t> flatten_connectivity(const Mesh& mesh) {
   return corners;
 }
 
-// Cells of a block of elements, a shell with its four corners only.
+// Cells of a block of elements, a shell with its three or four corners only.
 struct Cells {
   std::vector<std::int64_t> corners, ends;  // ends: place behind the corners of each element, from the block's first
   std::vector<std::uint8_t> types;
@@ -63,10 +63,11 @@ Cells list_cells(std::span<const std::int64_t> corners) {
   Cells cells;
   for (std::size_t first = 0; first < corners.size(); first += 8) {
     const bool shell = corners[first] == corners[first + 4];
+    const bool triangle = shell && corners[first + 2] == corners[first + 3];
     const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first);
-    cells.corners.insert(cells.corners.end(), begin, begin + (shell ? 4 : 8));
+    cells.corners.insert(cells.corners.end(), begin, begin + (triangle ? 3 : shell ? 4 : 8));
     cells.ends.push_back(static_cast<std::int64_t>(cells.corners.size()));
-    cells.types.push_back(shell ? vtk_quad : vtk_hexahedron);
+    cells.types.push_back(triangle ? vtk_triangle : shell ? vtk_quad : vtk_hexahedron);
   }
   return cells;
 }
@@ -76,7 +77,9 @@ std::vector<std::int64_t> list_mixed_topology(const Cells& cells) {
   std::vector<std::int64_t> topology;
   std::int64_t first = 0;
   for (std::size_t e = 0; e < cells.types.size(); ++e) {
-    topology.push_back(cells.types[e] == vtk_quad ? xdmf_quad : xdmf_hexahedron);
+    topology.push_back(cells.types[e] == vtk_triangle ? xdmf_triangle
+                       : cells.types[e] == vtk_quad   ? xdmf_quad
+                                                      : xdmf_hexahedron);
     topology.insert(topology.end(), cells.corners.begin() + first, cells.corners.begin() + cells.ends[e]);
     first = cells.ends[e];
   }

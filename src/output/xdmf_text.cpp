@@ -94,12 +94,16 @@ void write_ids(Out out, const XdmfIndex& index, const std::string& name, FieldPl
 }
 
 void write_mesh(Out out, const XdmfIndex& index, std::size_t frame) {
-  const bool mixed = index.shells > 0 && index.shells < index.elements;
-  const char* kind = mixed ? "Mixed" : index.shells > 0 ? "Quadrilateral" : "Hexahedron";
+  const bool mixed =
+      (index.shells > 0 && index.shells < index.elements) || (index.triangles > 0 && index.triangles < index.elements);
+  const char* kind = mixed                 ? "Mixed"
+                     : index.triangles > 0 ? "Triangle"
+                     : index.shells > 0    ? "Quadrilateral"
+                                           : "Hexahedron";
   fmt::format_to(out, "   <Topology TopologyType=\"{}\" NumberOfElements=\"{}\">", kind, index.elements);
   // As a slab, though it is the whole: VTK's reader would take text here for the name of a file whose mesh it may reuse
   // for the next frame, and complain that the points have no such name.
-  const std::int64_t ids = 8 * index.elements - 4 * index.shells + (mixed ? index.elements : 0);
+  const std::int64_t ids = 8 * index.elements - 4 * index.shells - index.triangles + (mixed ? index.elements : 0);
   write_slab(out, index, {mixed ? "percuss/xdmf_topology" : "VTKHDF/Connectivity", "Int", 8, 1, ids}, 0, ids);
   fmt::format_to(out, "</Topology>\n   <Geometry GeometryType=\"XYZ\">");
   write_frame_rows(out, index, "Points", index.nodes, 3, 8, frame);

@@ -22,7 +22,7 @@ struct XdmfIndex {
   std::string title, units;
   std::vector<std::string> parts;
   std::int64_t nodes = 0, elements = 0;
-  std::int64_t shells = 0;  // of the elements
+  std::int64_t shells = 0, triangles = 0;  // of the elements; triangles are shells too
   std::vector<XdmfField> fields;
   std::vector<double> times;  // one a frame
 };

@@ -149,7 +149,8 @@ void split_blocks(const std::vector<char>& sends, Blocks& blocks, Blocks& sendin
     for (std::size_t i = 0; i < all.extent(0); ++i) {
       (sends[static_cast<std::size_t>(all(i))] != 0 ? first : rest).push_back(all(i));
     }
-    sending_block = {to_view("percuss::sending_chunks_of_block", first), block.parameters};
+    sending_block = block;
+    sending_block.chunks = to_view("percuss::sending_chunks_of_block", first);
     block.chunks = to_view("percuss::chunks_of_block", rest);
   };
   (split(std::get<Is>(blocks), std::get<Is>(sending)), ...);
@@ -209,11 +210,15 @@ Rows3<double> sum_mass_by_slot(const Model& model, const std::vector<double>& el
     for (int e = first_element(c); e < first_element(c + 1); ++e) {
       const int i = e - first_element(c);
       const double share = element_mass[static_cast<std::size_t>(e)] / 8;
-      for (int corner = 0; corner < 8; ++corner) {
-        const auto place =
+      const auto slot = [&](int corner) {
+        return corner_slots(
             (static_cast<std::size_t>(first_pack(c) + i / width) * 8 + static_cast<std::size_t>(corner)) * width +
-            static_cast<std::size_t>(i % width);
-        host(static_cast<std::size_t>(first_slot(c) + corner_slots(place)), 0) += share;
+            static_cast<std::size_t>(i % width));
+      };
+      const bool triangle = slot(0) == slot(4) && slot(2) == slot(3);
+      for (int corner = 0; corner < 8; ++corner) {
+        const double eighths = triangle ? (corner % 4 < 2 ? 4.0 / 3 : 2.0 / 3) : 1;
+        host(static_cast<std::size_t>(first_slot(c) + slot(corner)), 0) += eighths * share;
       }
     }
   }

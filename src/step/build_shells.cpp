@@ -60,6 +60,11 @@ void check_materials(const Deck& deck, const Mesh& mesh) {
   }
 }
 
+bool holds_triangle(const ChunkedMesh& chunked, const Chunk& chunk) {
+  const auto first = chunked.mesh.elements.begin() + chunk.first_element;
+  return std::any_of(first, first + chunk.element_count, [](const auto& corners) { return is_triangle(corners); });
+}
+
 template <class Layer>
 void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, ShellBlock<Layer>& block) {
   std::vector<int> chunks;
@@ -76,6 +81,7 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecord
         const auto [row, is_new] = row_of_part.emplace(part_index, static_cast<int>(rows.size()));
         const double offset = deck.parts[static_cast<std::size_t>(part_index)].offset;
         if (is_new) rows.push_back({layer, find_thickness_points(points), offset});
+        block.has_triangles = block.has_triangles || holds_triangle(chunked, chunked.chunks[c]);
         chunks.push_back(static_cast<int>(c));
         records.parameters[c] = row->second;
         records.record_size[c] = find_shell_record_size<Layer>(points);

@@ -95,6 +95,33 @@ WrittenMesh make_quarter_disc(int n, const std::function<Vec3(double, double)>& 
   return mesh;
 }
 
+void halve(int row, Halving halving, WrittenMesh& mesh) {
+  WrittenBlock& block = mesh.blocks.front();
+  const std::vector<std::int64_t> quads = block.corners;
+  block.corners.clear();
+  const bool mixed = halving == Halving::every_other;
+  for (std::size_t e = 0; e < quads.size() / 4; ++e) {
+    const auto i = static_cast<int>(e) % row, j = static_cast<int>(e) / row;
+    const std::int64_t* q = &quads[4 * e];
+    if (mixed && (i + j) % 2 == 0) {
+      block.corners.insert(block.corners.end(), q, q + 4);
+      continue;
+    }
+    const bool turned = mixed ? i % 2 == 0 : halving == Halving::alternating && (i + j) % 2 == 0;
+    const std::array<std::array<int, 3>, 2> halves = turned ? std::array{std::array{0, 1, 3}, std::array{1, 2, 3}}
+                                                            : std::array{std::array{0, 1, 2}, std::array{0, 2, 3}};
+    for (std::size_t h = 0; h < 2; ++h) {
+      for (int c = 0; c < 3; ++c) {
+        block.corners.push_back(q[halves[h][static_cast<std::size_t>(c)]]);
+        if (mixed && c == (i + static_cast<int>(h)) % 3) block.corners.push_back(block.corners.back());
+      }
+    }
+  }
+  if (mixed) return;
+  block.topology = "TRI3";
+  block.nodes_per_element = 3;
+}
+
 void add_edge_sets(const std::array<int, 2>& cells, WrittenMesh& mesh) {
   const int row = cells[0] + 1;
   const auto add = [&](std::int64_t id, const char* name, int count, int first, int stride) {

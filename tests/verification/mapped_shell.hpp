@@ -22,6 +22,13 @@ std::function<Vec3(double, double)> distort(const std::array<int, 2>& cells, dou
 /// sets "x_min" and "y_min" on the axes, "rim"; the node in the middle has the id 1.
 testing_mesh::WrittenMesh make_quarter_disc(int n, const std::function<Vec3(double, double)>& place);
 
+/// How the quadrilaterals of a lattice become triangles: all of them, cut the same way or by turns, as a block of kind
+/// TRI3; or every other one, as a block of kind SHELL4 in which the halves name a corner twice, at any place.
+enum class Halving { one_way, alternating, every_other };
+
+/// Halves elements of the block of make_mapped_shell(); `row`: cells in the first direction.
+void halve(int row, Halving halving, testing_mesh::WrittenMesh& mesh);
+
 /// The sides of the square as node sets "u_min", "u_max", "v_min", "v_max".
 void add_edge_sets(const std::array<int, 2>& cells, testing_mesh::WrittenMesh& mesh);
 

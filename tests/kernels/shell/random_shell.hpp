@@ -35,6 +35,13 @@ inline ShellDifferences<double> find_differences(const ShellCorners& u) {
   return percuss::find_differences(corners);
 }
 
+/// A triangle is given with its last corner once more.
+inline MixedShapes<bool> find_shapes(const ShellCorners& x) {
+  return {x[2].x == x[3].x && x[2].y == x[3].y && x[2].z == x[3].z};
+}
+
+inline ShellCorners make_triangle(const Vec& a, const Vec& b, const Vec& c) { return {a, b, c, c}; }
+
 /// Rotation by an angle about a unit axis (Rodrigues).
 inline Vec rotate(const Vec& axis, double angle, const Vec& a) {
   return std::cos(angle) * a + std::sin(angle) * cross(axis, a) + ((1 - std::cos(angle)) * dot(axis, a)) * axis;
@@ -51,7 +58,7 @@ struct TestShell {
   TestShell(const Material& material, int points, const ShellCorners& x, double thickness, double density)
       : par{material, find_thickness_points(points)},
         layers(static_cast<std::size_t>(points * (3 + Material::history_count))) {
-    const double area = find_shell_geometry(find_differences(x)).area;
+    const double area = find_shell_geometry(find_differences(x), find_shapes(x)).area;
     state.mass = density * area * thickness;
     state.gyration_square = thickness * thickness / 12 + area / 8;
     state.thickness = thickness;
@@ -61,8 +68,8 @@ struct TestShell {
   ShellResult<double> advance(const ShellCorners& x, const ShellCorners& v, const ShellCorners& w, double dt) {
     Vec f[4], m[4];
     const Vec spins[4] = {w[0], w[1], w[2], w[3]};
-    const auto result =
-        advance_shell4(par, find_differences(x), find_differences(v), spins, dt, state, layers.data(), f, m);
+    const auto result = advance_shell4(par, find_differences(x), find_differences(v), spins, dt, state, layers.data(),
+                                       f, m, WholeLayers{}, find_shapes(x));
     for (std::size_t i = 0; i < 4; ++i) {
       force[i] = f[i];
       moment[i] = m[i];

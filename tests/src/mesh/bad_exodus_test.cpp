@@ -92,11 +92,11 @@ std::vector<BadMesh> list_bad_meshes() {
          m.blocks[0] = {10, "q", "HEX20", 20, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1, 2, 3, 4, 5, 6, 7, 8}};
        },
        {"HEX20", "only eight-node hexahedra"}},
-      {"triangles",
+      {"quadratic_triangles",
        [](auto& m) {
-         m.blocks[0] = {10, "t", "TRI3", 3, {1, 2, 3}};
+         m.blocks[0] = {10, "t", "TRI6", 6, {1, 2, 3, 4, 5, 6}};
        },
-       {"block 't'", "TRI3"}},
+       {"block 't'", "TRI6"}},
       {"no_elements",
        [](auto& m) {
          m.blocks.clear();

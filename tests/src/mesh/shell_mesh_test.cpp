@@ -11,6 +11,7 @@
 #include "src/error.hpp"
 #include "src/mesh/check_mesh.hpp"
 #include "src/mesh/decompose.hpp"
+#include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/topology.hpp"
 #include "tests/src/mesh/exodus_writer.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
@@ -183,6 +184,43 @@ TEST(ShellMesh, ShellsOfAFileNeedAThicknessAndNothingElseHasOne) {
   EXPECT_THAT(take_error(solid), HasSubstr("the file has no shells"));
 }
 
+TEST(ShellMesh, TrianglesOfAFileHaveTheirThirdCornerTwiceHoweverTheyAreWritten) {
+  // A roof of two: a triangle block, and a quadrilateral that names a corner twice in a row, at each place in turn.
+  for (std::size_t place = 0; place < 4; ++place) {
+    WrittenMesh mesh;
+    mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0.5}};
+    WrittenBlock quad{2, "degenerate", "SHELL4", 4, {1, 3, 4}};
+    quad.corners.insert(quad.corners.begin() + static_cast<std::ptrdiff_t>(place % 3), quad.corners[place % 3]);
+    if (place == 3) quad.corners = {1, 3, 4, 1};  // the last and the first
+    mesh.blocks = {{1, "plain", "TRI3", 3, {1, 2, 3}}, quad};
+    mesh.side_sets = {{1, "tops", {1, 2}, {1, 1}}};
+    PartDeck part = make_file_part(write_exodus(mesh, "roof.exo"));
+    part.thickness = 0.01;
+    const Mesh built = build_mesh(make_deck({part}));
+    ASSERT_EQ(built.elements.size(), 2U);
+    EXPECT_EQ(built.nodes.size(), 4U);
+    EXPECT_EQ(built.bodies, (std::vector<int>{0, 0}));
+    for (const auto& element : built.elements) {
+      EXPECT_TRUE(is_triangle(element));
+      HexCorners x;
+      for (std::size_t i = 0; i < 8; ++i) x[i] = built.nodes[static_cast<std::size_t>(element[i])];
+      EXPECT_GT(find_shell_area(x)[2], 0);  // the normal is that of the file
+    }
+    const auto& tops = built.side_sets.at("p/tops");
+    ASSERT_EQ(tops.size(), 2U);
+    for (const ElementFace& face : tops) EXPECT_EQ(face.face, shell_top);
+  }
+}
+
+TEST(ShellMesh, RefusesATriangleWithoutArea) {
+  WrittenMesh mesh;
+  mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}};
+  mesh.blocks = {{1, "line", "TRI3", 3, {1, 2, 3}}, {2, "rest", "TRI3", 3, {1, 2, 4}}};
+  PartDeck part = make_file_part(write_exodus(mesh, "line.exo"));
+  part.thickness = 0.01;
+  EXPECT_THAT(take_error(part), HasSubstr("has no area"));
+}
+
 TEST(ShellMesh, RefusesShellsWithoutAreaAndThoseThatAreNotConvex) {
   WrittenMesh mesh;
   mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0.2, 0.2, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0}};
@@ -192,10 +230,11 @@ TEST(ShellMesh, RefusesShellsWithoutAreaAndThoseThatAreNotConvex) {
   const std::string error = take_error(part);
   EXPECT_THAT(error, HasSubstr("element 1 at (0.3, 0.3, 0) is not convex at its corner 3, node 3"));
   EXPECT_THAT(error, HasSubstr("element 2 at (1.5, 0, 0) has no area"));
-  mesh.blocks[0].corners = {1, 2, 2, 4};
+  mesh.blocks[0].corners = {1, 2, 1, 4};
   part = make_file_part(write_exodus(mesh, "bent.exo"));
   part.thickness = 0.1;
-  EXPECT_THAT(take_error(part), HasSubstr("names node 2 more than once (a shell needs four different corners)"));
+  EXPECT_THAT(take_error(part),
+              HasSubstr("names node 1 more than once (a shell needs three or four different corners)"));
 }
 
 TEST(ShellMesh, SidesOneAndTwoOfAQuadrilateralAreItsTopAndItsBottom) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <map>
@@ -19,6 +20,7 @@
 #include "src/step/run.hpp"
 #include "src/step/whole_mesh.hpp"
 #include "tests/src/step/scene.hpp"
+#include "tests/verification/mapped_shell.hpp"
 #include "tests/verification/run_deck.hpp"
 
 namespace percuss::test {
@@ -206,6 +208,43 @@ TEST(StepOnRanks, HashSeesTheLastBitOfOneNodeOfOneRank) {
     Kokkos::deep_copy(scene.state.x, x);
   }
   EXPECT_NE(hash_state(scene.model, scene.state), before);
+}
+
+TEST(StepOnRanks, OfTrianglesAndQuadrilateralsThatTouchHasTheBitsOfOneRank) {
+  auto mesh = make_mapped_shell({18, 14}, [](double u, double v) { return Vec3{0.09 * u, 0.07 * v, 0}; });
+  halve(18, Halving::every_other, mesh);
+  const Communicator world = Communicator::world();
+  std::string path;
+  if (world.rank() == 0) path = testing_mesh::write_exodus(mesh, "triangles_on_ranks.exo");
+  path = broadcast_text(world, path, 0);
+  TwoScenes scenes(fmt::format(R"yaml(
+time: {{end: 1}}
+parts:
+  low: {{exodus: {{file: {0}}}, thickness: 0.002, material: steel}}
+  high: {{exodus: {{file: {0}}}, thickness: 0.001, at: [0.011, 0.007, 0.00155], material: copper}}
+materials:
+  copper: {{model: j2_plasticity, density: 8930, youngs_modulus: 117e9, poissons_ratio: 0.35, yield_stress: 100e6, hardening_modulus: 1e9}}
+  steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+loads: {{pressure: [{{faces: low, value: 1e6}}]}}
+initial: [{{part: high, velocity: [3, 0, -50]}}]
+contact: {{surfaces: all, friction: 0.2}}
+)yaml",
+                               path));
+  world.barrier();
+  if (world.rank() == 0) std::remove(path.c_str());
+  scenes.run(0);
+  std::int64_t touches = 0;
+  for (int i = 0; i < 40; ++i) {
+    scenes.together.stepper.advance(scenes.together.state);
+    scenes.alone.stepper.advance(scenes.alone.state);
+    touches += scenes.alone.stepper.contact_report().interactions;
+  }
+  EXPECT_GT(touches, 100);
+  expect_same_rows(scenes, scenes.together.state.x, scenes.alone.state.x, "position");
+  expect_same_rows(scenes, scenes.together.state.v, scenes.alone.state.v, "velocity");
+  expect_same_rows(scenes, scenes.together.state.w, scenes.alone.state.w, "angular velocity");
+  EXPECT_EQ(hash_state(scenes.together.model, scenes.together.state),
+            hash_state(scenes.alone.model, scenes.alone.state));
 }
 
 TEST(StepOnRanks, StopsWhereAnyRankWantsTo) {
