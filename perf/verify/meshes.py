@@ -57,8 +57,8 @@ def volume(points, corners):
     return total
 
 
-def write_exodus(path, points, corners):
-    """One block of hexahedra, or of shells, as an Exodus II file in classic netCDF."""
+def write_exodus(path, points, corners, outer=False):
+    """One block of hexahedra, or of shells, as an Exodus II file in classic netCDF; outer: with a side set of that name, the sides of shells that normals come out of."""
     with netcdf_file(path, "w", version=2) as file:
         file.api_version, file.version = np.float32(5.1), np.float32(5.1)
         file.floating_point_word_size, file.file_size, file.title = np.int32(8), np.int32(1), "generated"
@@ -76,6 +76,15 @@ def write_exodus(path, points, corners):
         connect = file.createVariable("connect1", "i4", ("num_el_in_blk1", "num_nod_per_el1"))
         connect.elem_type = "HEX8" if corners.shape[1] == 8 else "SHELL4"
         connect[:] = corners + 1
+        if outer:
+            file.createDimension("num_side_sets", 1)
+            file.createDimension("num_side_ss1", len(corners))
+            file.createVariable("ss_status", "i4", ("num_side_sets",))[:] = 1
+            file.createVariable("ss_prop1", "i4", ("num_side_sets",))[:] = 1
+            file.variables["ss_prop1"].name = "ID"
+            file.createVariable("elem_ss1", "i4", ("num_side_ss1",))[:] = np.arange(1, len(corners) + 1)
+            file.createVariable("side_ss1", "i4", ("num_side_ss1",))[:] = 1
+            file.createVariable("ss_names", "S1", ("num_side_sets", "len_string"))[:] = np.array([list("outer".ljust(33, "\0"))], dtype="S1")
     return path
 
 
