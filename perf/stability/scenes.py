@@ -93,7 +93,7 @@ contact: {surfaces: [[left/x_max, right/x_min]]}
 """
 PILE = """
 time: {end: 4.0e-3}
-parts: {bricks: {box: {size: [0.2, 0.1, 0.06], cells: [4, 2, 2]}, array: {count: [1, 2, 3], pitch: [0.2, 0.1, 0.06], stagger: 0.5}, material: brick}}
+parts: {bricks: {box: {size: [0.2, 0.1, 0.06], cells: [4, 2, 2]}, array: {count: [1, 2, 3], pitch: [0.2, 0.1, 0.06], stagger: 0.25}, material: brick}}
 materials: {brick: {model: elastic, density: 2000, youngs_modulus: 15e9, poissons_ratio: 0.2}}
 loads: {gravity: [0, 0, -9.81]}
 walls: [{normal: z, friction: 0.6}]
