@@ -21,6 +21,13 @@ struct EnergyUnit {
     return {largest > 0 && std::isfinite(per_unit) ? per_unit : 0};
   }
 
+  /// For the pass after one whose largest term was this: terms shrink as the iteration converges, and the unit with
+  /// them, so that none is lost that matters; terms that grow 256 times in a pass still count in full.
+  KOKKOS_INLINE_FUNCTION static EnergyUnit after(double largest) {
+    constexpr double growth = 256;
+    return of_largest(growth * largest);
+  }
+
   KOKKOS_INLINE_FUNCTION bool is_known() const { return per_unit > 0; }
 
   /// Whole units of an energy, or of a difference of energies, rounded towards zero. What is no number counts as most.

@@ -9,12 +9,11 @@ PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, R
     const ContactRow& row = rows(r);
     if (is_tie(row)) {
       const double way = max_component({row.gap, row.slide[0], row.slide[1]});
-      s.merge({0, way, row.size, way * way / row.stiffness, 1});
+      s.merge({0, way, row.size, 1});
       return;
     }
     const double missing = row.target - row.gap;
-    const bool wants_something = missing > 0 || row.impulse.push > 0;
-    s.merge({missing > 0 ? missing : 0, 0, row.size, wants_something ? missing * missing / row.stiffness : 0, 1});
+    s.merge({missing > 0 ? missing : 0, 0, row.size, 1});
   });
 }
 

@@ -18,13 +18,11 @@ struct PredictedGaps {
   double deepest = 0;        // largest penetration to be closed [length]
   double farthest_tied = 0;  // largest distance of a tied node from its place, by component [length]
   double smallest_size = 0;  // smallest h of a row, 0: no rows
-  double peak = 0;           // largest (gap - target)^2 / D of a row that wants something [energy time^2]
   std::int64_t rows = 0;
 
   KOKKOS_INLINE_FUNCTION void merge(const PredictedGaps& other) {
     deepest = other.deepest > deepest ? other.deepest : deepest;
     farthest_tied = other.farthest_tied > farthest_tied ? other.farthest_tied : farthest_tied;
-    peak = other.peak > peak ? other.peak : peak;
     if (other.rows > 0 && (rows == 0 || other.smallest_size < smallest_size)) smallest_size = other.smallest_size;
     rows += other.rows;
   }
@@ -36,12 +34,14 @@ struct PassSums {
   double change = 0;           // largest change of an impulse as a displacement: |p' - y| dt D [length]
   double tie_change = 0;       // the same of ties
   std::int64_t backwards = 0;  // sum of D dt^2 (y - p') (p' - p): positive when the extrapolation points back [units]
+  double largest_term = 0;     // of that sum, without its sign [energy time^2]
 
   KOKKOS_INLINE_FUNCTION void merge(const PassSums& other) {
     gaps.merge(other.gaps);
     change = other.change > change ? other.change : change;
     tie_change = other.tie_change > tie_change ? other.tie_change : tie_change;
     backwards += other.backwards;
+    largest_term = other.largest_term > largest_term ? other.largest_term : largest_term;
   }
 };
 

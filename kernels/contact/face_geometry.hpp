@@ -21,12 +21,16 @@ KOKKOS_INLINE_FUNCTION Point3 find_face_normal(const FacePoints& face) {
   return normalize(cross(face.corner[2] - face.corner[0], face.corner[3] - face.corner[1]));
 }
 
+KOKKOS_INLINE_FUNCTION bool is_same_point(const Point3& a, const Point3& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
 /// Of a triangle, a corner of which stands twice, without the edge between these.
 KOKKOS_INLINE_FUNCTION double find_shortest_edge(const FacePoints& face) {
-  double shortest = norm(face.corner[1] - face.corner[0]);
-  for (int i = 1; i < 4; ++i) {
+  double shortest = 0;
+  for (int i = 0; i < 4; ++i) {
     const double edge = norm(face.corner[(i + 1) % 4] - face.corner[i]);
-    if (edge > 0 && edge < shortest) shortest = edge;
+    if (edge > 0 && (shortest == 0 || edge < shortest)) shortest = edge;
   }
   return shortest;
 }
@@ -86,14 +90,18 @@ KOKKOS_INLINE_FUNCTION double find_distance_in_plane(const Point3& a, const Poin
   return norm(to_origin - dot(to_origin, normal) * normal);
 }
 
-/// The point of the face closest to the origin of the coordinates; on ties the first triangle of the fan.
+/// The point of the face closest to the origin of the coordinates; on ties the first triangle of the fan. Where a
+/// corner stands twice the fan has a triangle without area, which is none.
 KOKKOS_INLINE_FUNCTION FacePoint find_closest_point(const FacePoints& face) {
   const Point3 middle = find_middle(face);
   FanClosest closest;
   find_closest_on_fan(middle, face.corner, closest);
-  int k = 0;
-  for (int i = 1; i < 4; ++i)
-    if (!(closest.square[k] >= 0 && closest.square[i] >= closest.square[k])) k = i;
+  int k = -1;
+  for (int i = 0; i < 4; ++i) {
+    if (is_same_point(face.corner[i], face.corner[(i + 1) % 4])) continue;
+    if (k < 0 || !(closest.square[k] >= 0 && closest.square[i] >= closest.square[k])) k = i;
+  }
+  if (k < 0) k = 0;
   const Point3 bary{closest.bary[0][k], closest.bary[1][k], closest.bary[2][k]};
   const Point3 to_origin{closest.to_origin[0][k], closest.to_origin[1][k], closest.to_origin[2][k]};
   FacePoint best;

@@ -97,6 +97,8 @@ KOKKOS_FORCEINLINE_FUNCTION void add_change(const RowPack& pack, const PackedCha
     double& most = pack.tied[lane] > 0 ? sums.tie_change : sums.change;
     most = size[lane] > most ? size[lane] : most;
     sums.backwards += query.unit.count(backwards[lane]);
+    const double term = backwards[lane] < 0 ? -backwards[lane] : backwards[lane];
+    sums.largest_term = term > sums.largest_term ? term : sums.largest_term;
   }
 }
 

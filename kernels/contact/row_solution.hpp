@@ -115,7 +115,7 @@ SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSyste
   report.rows = sums.gaps.rows;
   if (report.rows == 0) return report;
   const Convergence convergence(tolerance, sums.gaps);
-  const EnergyUnit unit = EnergyUnit::of_largest(sums.gaps.peak);
+  EnergyUnit unit{};  // none before the first pass, which extrapolates nothing that could point back
   Extrapolation extrapolation;
   DivergenceWatch watch;
   for (;;) {
@@ -131,7 +131,9 @@ SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSyste
     report.converged = convergence.is_reached(sums);
     const bool grows = watch.finds_growth(report.iterations, sums.change);
     if (grows) straighten_gaps(space, system);
-    extrapolation.advance(report.converged || grows || sums.backwards > 0 || !unit.is_known());
+    const bool is_blind = report.iterations > 1 && !unit.is_known();
+    extrapolation.advance(report.converged || grows || sums.backwards > 0 || is_blind);
+    unit = EnergyUnit::after(sums.largest_term);
   }
   unpack_rows(space, system);
   return report;

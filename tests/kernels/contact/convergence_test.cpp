@@ -52,6 +52,17 @@ TEST(EnergyUnit, WhatIsTooLargeOrNoNumberCountsAsMostAndNothingCountsWithoutMagn
   }
 }
 
+TEST(EnergyUnit, OfThePassBeforeSeesTermsOfAnyMagnitudeAndTheirGrowth) {
+  for (const double largest : {1e-290, 1e-60, 1e-12, 1.0, 1e40}) {
+    const EnergyUnit unit = EnergyUnit::after(largest);
+    ASSERT_TRUE(unit.is_known()) << largest;
+    EXPECT_GT(unit.count(1e-8 * largest), 0) << largest;
+    EXPECT_LT(unit.count(-1e-8 * largest), 0) << largest;
+    EXPECT_GT(unit.count(255 * largest), unit.count(254 * largest)) << largest;
+  }
+  EXPECT_FALSE(EnergyUnit::after(0).is_known());
+}
+
 TEST(Convergence, IsReachedWhenNoChangeExceedsTheTolerance) {
   const Convergence convergence(1e-3, make_gaps());
   PassSums sums;
