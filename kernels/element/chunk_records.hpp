@@ -139,14 +139,14 @@ PERCUSS_FORCE_INLINE void copy_force_rows(const double* records, int count, doub
 /// A row of positions or velocities into a chunk's record of it, where a float holds what is left of it about `origin`,
 /// a row of a node of the chunk: its digits go into shape and not into place.
 PERCUSS_FORCE_INLINE void fill_row(const double* from, const double* /*origin*/, double* to) {
-#ifdef __AVX__  // three of four lanes, without a look beyond the row
+#if defined(PERCUSS_HAS_SIMD) && defined(__AVX__)  // three of four lanes, without a look beyond the row
   _mm256_store_pd(to, _mm256_maskload_pd(from, _mm256_setr_epi64x(-1, -1, -1, 0)));
 #else
   copy_row(from, to);
 #endif
 }
 PERCUSS_FORCE_INLINE void fill_row(const double* from, const double* origin, float* to) {
-#ifdef __AVX512VL__  // as above
+#if defined(PERCUSS_HAS_SIMD) && defined(__AVX512VL__)  // as above
   const __m256d row = _mm256_maskz_loadu_pd(7, from), center = _mm256_maskz_loadu_pd(7, origin);
   _mm_store_ps(to, _mm256_cvtpd_ps(_mm256_sub_pd(row, center)));
 #else
