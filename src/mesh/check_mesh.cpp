@@ -42,7 +42,10 @@ std::string describe_element(const PartMesh& mesh, std::size_t element) {
   return describe_element(id_of(mesh.element_ids, element), gather_corners(mesh, element));
 }
 
+/// The same for elements with the same corners, whichever of a triangle's stands twice.
 std::array<int, 8> sort_corners(std::array<int, 8> corners) {
+  if (is_triangle(corners))
+    for (std::size_t i = 3; i < 8; ++i) corners[i] = std::max({corners[0], corners[1], corners[2]});
   std::sort(corners.begin(), corners.end());
   return corners;
 }
@@ -63,9 +66,11 @@ void check_repeated_nodes(const PartMesh& mesh, std::size_t element, Problems& p
   const int repeated = find_repeated_node(mesh.elements[element]);
   if (repeated < 0) return;
   report(problems, [&] {
-    return fmt::format("{} names node {} more than once (a {} different corners); mesh without degenerate elements",
+    return fmt::format("{} names node {} more than once ({}); mesh without degenerate elements",
                        describe_element(mesh, element), id_of(mesh.node_ids, static_cast<std::size_t>(repeated)),
-                       is_shell(mesh.elements[element]) ? "shell needs three or four" : "hexahedron needs eight");
+                       is_shell(mesh.elements[element])
+                           ? "a shell needs four different corners, or three of which one stands twice in a row"
+                           : "a hexahedron needs eight different corners");
   });
 }
 

@@ -77,7 +77,7 @@ std::vector<std::string> list_names(const Sets& sets) {
 void check_thickness(const PartDeck& deck, const PartMesh& mesh) {
   const bool has_shells =
       std::any_of(mesh.elements.begin(), mesh.elements.end(), [](const auto& e) { return is_shell(e); });
-  if (has_shells && !deck.thickness) throw InputError("it has no thickness (the shells of the file need one)");
+  if (has_shells && !deck.thickness) throw InputError("thickness is missing (the shells of the file need one)");
   if (!has_shells && (deck.thickness || deck.points)) {
     throw InputError("it has a thickness or points (the file has no shells, which alone have them)");
   }

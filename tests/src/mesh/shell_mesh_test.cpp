@@ -178,7 +178,7 @@ std::string take_error(const PartDeck& part) {
 
 TEST(ShellMesh, ShellsOfAFileNeedAThicknessAndNothingElseHasOne) {
   EXPECT_THAT(take_error(make_file_part(write_exodus(make_cubes_with_fin(), "fin.exo"))),
-              HasSubstr("it has no thickness (the shells of the file need one)"));
+              HasSubstr("thickness is missing (the shells of the file need one)"));
   PartDeck solid = make_file_part(write_exodus(make_two_cubes(), "cubes.exo"));
   solid.thickness = 0.1;
   EXPECT_THAT(take_error(solid), HasSubstr("the file has no shells"));
@@ -221,6 +221,20 @@ TEST(ShellMesh, RefusesATriangleWithoutArea) {
   EXPECT_THAT(take_error(part), HasSubstr("has no area"));
 }
 
+TEST(ShellMesh, RefusesATriangleThatRepeatsAnotherWhicheverCornerIsFirstOrTwice) {
+  const std::vector<std::int64_t> same[] = {{1, 2, 3},    {2, 3, 1},    {1, 3, 2},   {1, 1, 2, 3},
+                                            {1, 2, 2, 3}, {1, 2, 3, 3}, {1, 2, 3, 1}};
+  for (const auto& corners : same) {
+    WrittenMesh mesh;
+    mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const int count = static_cast<int>(corners.size());
+    mesh.blocks = {{1, "one", "TRI3", 3, {1, 2, 3}}, {2, "again", count == 3 ? "TRI3" : "SHELL4", count, corners}};
+    PartDeck part = make_file_part(write_exodus(mesh, "twice.exo"));
+    part.thickness = 0.01;
+    EXPECT_THAT(take_error(part), HasSubstr("repeats element 1 (both have the same three corners)"));
+  }
+}
+
 TEST(ShellMesh, RefusesShellsWithoutAreaAndThoseThatAreNotConvex) {
   WrittenMesh mesh;
   mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0.2, 0.2, 0}, {0, 1, 0}, {2, 0, 0}, {3, 0, 0}};
@@ -233,8 +247,8 @@ TEST(ShellMesh, RefusesShellsWithoutAreaAndThoseThatAreNotConvex) {
   mesh.blocks[0].corners = {1, 2, 1, 4};
   part = make_file_part(write_exodus(mesh, "bent.exo"));
   part.thickness = 0.1;
-  EXPECT_THAT(take_error(part),
-              HasSubstr("names node 1 more than once (a shell needs three or four different corners)"));
+  EXPECT_THAT(take_error(part), HasSubstr("names node 1 more than once (a shell needs four different corners, or three "
+                                          "of which one stands twice in a row)"));
 }
 
 TEST(ShellMesh, SidesOneAndTwoOfAQuadrilateralAreItsTopAndItsBottom) {
