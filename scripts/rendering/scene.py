@@ -43,9 +43,11 @@ class Surface:
         """Other faces of the same mesh; they have neither places nor colours until they are given some."""
         self.nodes, corners = np.unique(faces, return_inverse=True)
         cells = vtkCellArray()
-        offsets = np.arange(0, 4 * len(faces) + 1, 4, dtype=np.int64)
+        stands = np.ones((len(faces), 4), dtype=bool)
+        stands[:, 3] = faces[:, 3] != faces[:, 2]  # a triangle's last corner stands for a fourth
+        offsets = np.concatenate(([0], np.cumsum(stands.sum(axis=1)))).astype(np.int64)
         cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=1),
-                      numpy_to_vtkIdTypeArray(corners.reshape(-1).astype(np.int64), deep=1))
+                      numpy_to_vtkIdTypeArray(corners.reshape(-1, 4)[stands].astype(np.int64), deep=1))
         self.mesh.SetPolys(cells)
 
     def move(self, positions):
