@@ -15,8 +15,9 @@ struct PressureFaces {
   int count = 0;
 };
 
-/// Force -p A n on each face, a quarter to each corner; A n is the exact area vector of the bilinear face, half the
-/// cross product of its diagonals. Dead loads: p times their share on each corner. pressure: by load [stress].
+/// Force -p A n on each face, a quarter to each corner, of a triangle (a corner stands twice) a third to each node; A n
+/// is the exact area vector of the bilinear face, half the cross product of its diagonals. Dead loads: p times their
+/// share on each corner. pressure: by load [stress].
 void apply_pressure(const ExecSpace& space, const PressureFaces& faces, const Array<const double>& pressure,
                     const Rows3<const double>& x, const Rows3<double>& slot_force);
 

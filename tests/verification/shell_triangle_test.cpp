@@ -146,7 +146,8 @@ audit: {{max_energy_error: 1e-3, max_momentum_error: 1e-10}}
 namespace {
 
 /// Plates of triangles, quadrilaterals and both, one above the other; the middle one yields.
-std::string make_contact_deck(const std::string& triangles, const std::string& mixed, const std::string& time) {
+std::string make_contact_deck(const std::string& triangles, const std::string& mixed, const std::string& time,
+                              const std::string& enforcement = "kinematic") {
   return fmt::format(R"yaml(
 time: {{end: {}}}
 parts:
@@ -158,10 +159,10 @@ materials:
   soft: {{model: j2_plasticity, density: 2700, youngs_modulus: 70e9, poissons_ratio: 0.33, yield_stress: 100e6, hardening_modulus: 100e6}}
 initial: [{{part: high, velocity: [3, 0, -60], angular_velocity: [100, 0, 0]}}]
 loads: {{pressure: [{{faces: low, value: 1e6}}, {{faces: high, value: 2e5}}]}}
-contact: {{surfaces: all, friction: 0.2}}
+contact: {{surfaces: all, friction: 0.2, enforcement: {}}}
 output: {{history: {{every: 0}}}}
 )yaml",
-                     time, triangles, mixed);
+                     time, triangles, mixed, enforcement);
 }
 
 testing_mesh::WrittenMesh make_plate(Halving halving) {
@@ -172,15 +173,20 @@ testing_mesh::WrittenMesh make_plate(Halving halving) {
 
 }  // namespace
 
-TEST(ShellTrianglesInContact, PlatesKeepTheirThicknessAndTheBooksClose) {
+TEST(ShellTrianglesInContact, TheBooksCloseWithEveryEnforcement) {
   const TemporaryFile triangles(testing_mesh::write_exodus(make_plate(Halving::alternating), "touching_tri.exo")),
       mixed(testing_mesh::write_exodus(make_plate(Halving::every_other), "touching_mixed.exo"));
-  const Outcome run = run_deck(make_contact_deck(triangles.path(), mixed.path(), "2e-4"));
-  fmt::print("energy {:.1e}, linear momentum {:.1e}, angular momentum {:.1e}\n", run.summary.energy.error,
-             run.summary.momentum.linear_error, run.summary.momentum.angular_error);
-  EXPECT_LT(std::abs(run.summary.energy.error), 2e-3);
-  EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
-  EXPECT_LT(run.summary.momentum.angular_error, 1e-12);
+  for (const std::string enforcement : {"kinematic", "lagrange", "penalty"}) {
+    SCOPED_TRACE(enforcement);
+    const Outcome run = run_deck(make_contact_deck(triangles.path(), mixed.path(), "2e-4", enforcement));
+    fmt::print("{}: energy {:.1e}, contact {:.3g}, friction {:.3g}, linear momentum {:.1e}, angular momentum {:.1e}\n",
+               enforcement, run.summary.energy.error, run.summary.energy.contact, run.summary.energy.friction,
+               run.summary.momentum.linear_error, run.summary.momentum.angular_error);
+    EXPECT_LT(std::abs(run.summary.energy.error), 2e-3);
+    EXPECT_LT(run.summary.energy.friction, 0);  // they touched
+    EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
+    EXPECT_LT(run.summary.momentum.angular_error, 1e-12);
+  }
 }
 
 TEST(ShellTrianglesInContact, PlatesStopAtHalfTheThicknessOfBoth) {
