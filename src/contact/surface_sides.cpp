@@ -14,10 +14,14 @@ using Corners = std::array<int, 4>;
 
 bool has_corner(const Corners& face, int node) { return std::find(face.begin(), face.end(), node) != face.end(); }
 
-/// The corner one or three (that is, minus one) steps after `node` in a face.
-int find_corner_after(const Corners& face, int node, std::size_t steps) {
+enum class Way { onward, back };  // along the corners of a face
+
+Way reverse(Way way) { return way == Way::onward ? Way::back : Way::onward; }
+
+/// The corner that follows `node` in a face.
+int find_neighbor(const Corners& face, int node, Way way) {
   const auto place = static_cast<std::size_t>(std::find(face.begin(), face.end(), node) - face.begin());
-  return face[steps == 1 ? find_next_corner(face, place) : find_previous_corner(face, place)];
+  return face[way == Way::onward ? find_next_corner(face, place) : find_previous_corner(face, place)];
 }
 
 /// The walk around one node.
@@ -29,22 +33,21 @@ class Walk {
   /// Appends the faces on the side of `face`, onward from its edge to the next corner, then back from the other.
   /// Returns whether the shell ends on the way.
   bool list_ring(int face, std::vector<int>& ring) const {
-    constexpr std::size_t next = 1, previous = 3;
-    const End onward = go(face, next, ring);
+    const End onward = go(face, Way::onward, ring);
     if (onward == End::closed) return false;
-    return (go(face, previous, ring) == End::open) | (onward == End::open);
+    return (go(face, Way::back, ring) == End::open) | (onward == End::open);
   }
 
  private:
   enum class End { closed, junction, open };
 
-  /// Walks over the edges `steps` after the node; how the walk ends.
-  End go(int start, std::size_t steps, std::vector<int>& ring) const {
+  /// Walks over the edges to the corners that follow the node; how the walk ends.
+  End go(int start, Way way, std::vector<int>& ring) const {
     for (int face = start;;) {
-      const int other = find_corner_after(corners_[at(face)], node_, steps);
+      const int other = find_neighbor(corners_[at(face)], node_, way);
       const std::vector<int> across = list_across(face, other);
       if (across.empty()) return End::open;
-      const int next = find_same_side(across, other, 4 - steps);
+      const int next = find_same_side(across, other, reverse(way));
       if (next < 0 || std::find(ring.begin(), ring.end(), next) != ring.end()) return End::junction;
       if (next == start) return End::closed;
       ring.push_back(next);
@@ -59,18 +62,18 @@ class Walk {
       const int candidate = node_faces_.faces[at(i)];
       const Corners& corners = corners_[at(candidate)];
       const bool has_edge =
-          find_corner_after(corners, node_, 1) == other || find_corner_after(corners, node_, 3) == other;
+          find_neighbor(corners, node_, Way::onward) == other || find_neighbor(corners, node_, Way::back) == other;
       if (has_edge && !is_twin(face, candidate)) across.push_back(candidate);
     }
     return across;
   }
 
-  /// The one shell among them in which `other` comes `steps` after the node; -1: none, or several, or solids too.
-  int find_same_side(const std::vector<int>& across, int other, std::size_t steps) const {
+  /// The one shell among them in which `other` follows the node; -1: none, or several, or solids too.
+  int find_same_side(const std::vector<int>& across, int other, Way way) const {
     int found = -1;
     for (const int face : across) {
       if (offset_[at(face)] == 0) return -1;
-      if (find_corner_after(corners_[at(face)], node_, steps) != other) continue;
+      if (find_neighbor(corners_[at(face)], node_, way) != other) continue;
       if (found >= 0) return -1;
       found = face;
     }

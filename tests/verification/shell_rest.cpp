@@ -1,5 +1,7 @@
 #include "tests/verification/shell_rest.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace percuss::test {
@@ -35,6 +37,17 @@ void push(Scene& scene, const std::vector<NodeLoad>& loads, double share) {
 }
 
 }  // namespace
+
+std::string make_static_deck(const std::string& file, double young, double poisson, double thickness,
+                             const std::string& conditions) {
+  return fmt::format(R"yaml(
+time: {{end: 1e9}}
+parts: {{shell: {{exodus: {{file: {}}}, thickness: {}, points: 2, material: elastic}}}}
+materials: {{elastic: {{model: elastic, density: 1, youngs_modulus: {}, poissons_ratio: {}}}}}
+conditions: {}
+)yaml",
+                     file, thickness, young, poisson, conditions);
+}
 
 Vec3 bring_to_rest(Scene& scene, const std::vector<NodeLoad>& loads, std::int64_t watched, const RestOptions& options) {
   const std::size_t node = find_node(scene, watched);

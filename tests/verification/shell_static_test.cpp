@@ -16,18 +16,6 @@ namespace {
 
 constexpr double degrees = std::numbers::pi / 180;
 
-/// A scene of one mesh of shells. `conditions`: the list of the deck.
-std::string make_deck(const std::string& file, double young, double poisson, double thickness,
-                      const std::string& conditions) {
-  return fmt::format(R"yaml(
-time: {{end: 1e9}}
-parts: {{shell: {{exodus: {{file: {}}}, thickness: {}, points: 2, material: elastic}}}}
-materials: {{elastic: {{model: elastic, density: 1, youngs_modulus: {}, poissons_ratio: {}}}}}
-conditions: {}
-)yaml",
-                     file, thickness, young, poisson, conditions);
-}
-
 /// An octant of a cylinder between diaphragms, pinched in the middle: displacement under the load over 1.82488e-5.
 /// distortion: of the mesh, as a share of a cell.
 double pinch_cylinder(int cells, double distortion = 0) {
@@ -38,7 +26,7 @@ double pinch_cylinder(int cells, double distortion = 0) {
                                 }));
   add_edge_sets({cells, cells}, mesh);
   const TemporaryFile file(testing_mesh::write_exodus(mesh, "pinched_cylinder.exo"));
-  Scene scene(make_deck(
+  Scene scene(make_static_deck(
       file.path(), young, 0.3, thickness,
       "[{nodes: shell/u_min, symmetry: y}, {nodes: shell/u_max, symmetry: z}, {nodes: shell/v_min, symmetry: x}, "
       "{nodes: shell/v_max, fixed: [y, z]}]"));
@@ -55,7 +43,8 @@ double load_twisted_beam(const std::array<int, 2>& cells, double thickness, cons
   });
   add_edge_sets(cells, mesh);
   const TemporaryFile file(testing_mesh::write_exodus(mesh, "twisted_beam.exo"));
-  Scene scene(make_deck(file.path(), 29e6, 0.22, thickness, "[{nodes: shell/u_min, fixed: [x, y, z, rx, ry, rz]}]"));
+  Scene scene(
+      make_static_deck(file.path(), 29e6, 0.22, thickness, "[{nodes: shell/u_min, fixed: [x, y, z, rx, ry, rz]}]"));
   std::vector<NodeLoad> loads;
   for (int j = 0; j <= cells[1]; ++j) {
     const double share = (j == 0 || j == cells[1] ? 0.5 : 1.0) / cells[1];
@@ -79,9 +68,9 @@ std::array<double, 2> pinch_hemisphere(int cells, double force, double distortio
   add_edge_sets({cells, cells}, mesh);
   const TemporaryFile file(testing_mesh::write_exodus(mesh, "hemisphere.exo"));
   // The height of the hemisphere is held at the pushed corner.
-  Scene scene(make_deck(file.path(), 6.825e7, 0.3, thickness,
-                        "[{nodes: shell/u_min, symmetry: y}, {nodes: shell/u_max, symmetry: x}, "
-                        "{nodes: {name: shell, inside: [[9.9, -0.1, -0.1], [10.1, 0.1, 0.1]]}, fixed: [z]}]"));
+  Scene scene(make_static_deck(file.path(), 6.825e7, 0.3, thickness,
+                               "[{nodes: shell/u_min, symmetry: y}, {nodes: shell/u_max, symmetry: x}, "
+                               "{nodes: {name: shell, inside: [[9.9, -0.1, -0.1], [10.1, 0.1, 0.1]]}, fixed: [z]}]"));
   const std::int64_t pulled = 1, pushed = 1 + cells;
   const std::vector<NodeLoad> loads{{pulled, {0.5 * force, 0, 0}}, {pushed, {0, -0.5 * force, 0}}};
   RestOptions options;

@@ -17,17 +17,6 @@ namespace {
 
 constexpr double degrees = std::numbers::pi / 180;
 
-std::string make_deck(const std::string& file, double young, double poisson, double thickness,
-                      const std::string& conditions) {
-  return fmt::format(R"yaml(
-time: {{end: 1e9}}
-parts: {{shell: {{exodus: {{file: {}}}, thickness: {}, points: 2, material: elastic}}}}
-materials: {{elastic: {{model: elastic, density: 1, youngs_modulus: {}, poissons_ratio: {}}}}}
-conditions: {}
-)yaml",
-                     file, thickness, young, poisson, conditions);
-}
-
 /// The octant of shell_static_test.cpp: displacement under the load over 1.82488e-5.
 double pinch_cylinder(int cells, Halving halving) {
   constexpr double radius = 300, length = 600, thickness = 3, young = 3e6, exact = 1.82488e-5;
@@ -38,7 +27,7 @@ double pinch_cylinder(int cells, Halving halving) {
   add_edge_sets({cells, cells}, mesh);
   halve(cells, halving, mesh);
   const TemporaryFile file(testing_mesh::write_exodus(mesh, "pinched_cylinder_of_triangles.exo"));
-  Scene scene(make_deck(
+  Scene scene(make_static_deck(
       file.path(), young, 0.3, thickness,
       "[{nodes: shell/u_min, symmetry: y}, {nodes: shell/u_max, symmetry: z}, {nodes: shell/v_min, symmetry: x}, "
       "{nodes: shell/v_max, fixed: [y, z]}]"));
@@ -54,10 +43,10 @@ double load_clamped_plate(int cells, double thickness, Halving halving) {
   add_edge_sets({cells, cells}, mesh);
   halve(cells, halving, mesh);
   const TemporaryFile file(testing_mesh::write_exodus(mesh, "clamped_plate_of_triangles.exo"));
-  Scene scene(make_deck(file.path(), young, poisson, thickness,
-                        "[{nodes: shell/u_min, symmetry: x}, {nodes: shell/v_min, symmetry: y}, "
-                        "{nodes: shell/u_max, fixed: [x, y, z, rx, ry, rz]}, "
-                        "{nodes: shell/v_max, fixed: [x, y, z, rx, ry, rz]}]"));
+  Scene scene(make_static_deck(file.path(), young, poisson, thickness,
+                               "[{nodes: shell/u_min, symmetry: x}, {nodes: shell/v_min, symmetry: y}, "
+                               "{nodes: shell/u_max, fixed: [x, y, z, rx, ry, rz]}, "
+                               "{nodes: shell/v_max, fixed: [x, y, z, rx, ry, rz]}]"));
   const double rigidity = young * std::pow(thickness, 3) / (12 * (1 - poisson * poisson));
   const double load = 1e-3 * thickness * rigidity / (0.00560 * edge * edge);  // a thousandth of the thickness
   RestOptions options;
@@ -76,7 +65,8 @@ double load_cantilever(int cells, Halving halving) {
   halve(10 * cells, halving, mesh);
   const TemporaryFile file(testing_mesh::write_exodus(mesh, "cantilever_of_triangles.exo"));
   // Without Poisson's ratio a beam and a strip are the same.
-  Scene scene(make_deck(file.path(), young, 0, thickness, "[{nodes: shell/u_min, fixed: [x, y, z, rx, ry, rz]}]"));
+  Scene scene(
+      make_static_deck(file.path(), young, 0, thickness, "[{nodes: shell/u_min, fixed: [x, y, z, rx, ry, rz]}]"));
   std::vector<NodeLoad> loads;
   for (int j = 0; j <= cells; ++j) {
     const double share = (j == 0 || j == cells ? 0.5 : 1.0) / cells;

@@ -131,10 +131,13 @@ StepShare compare_triangle_steps(Random& random, int trials, double stretch, dou
 
 TEST(ShellStep, BoundIsBelowTheExactStepOfRandomTriangles) {
   Random random(25);
-  for (const double stretch : {1.0, 0.5, 2.0, 4.0}) {
+  // A stretched triangle is thinner and pays for rotary inertia that its section no longer has: the bound falls with
+  // it.
+  const double least[][2] = {{1, 0.6}, {0.5, 0.6}, {2, 0.45}, {4, 0.22}};
+  for (const auto& [stretch, enough] : least) {
     const StepShare share = compare_triangle_steps(random, 4000, stretch);
     EXPECT_LE(share.largest, 1 + round_off) << stretch;
-    EXPECT_GT(share.least, stretch == 1 ? 0.6 : 0);
+    EXPECT_GT(share.least, enough) << stretch;
   }
 }
 
