@@ -75,8 +75,12 @@ PERCUSS_NO_INLINE void CalledMaterial::update(PointStep<T>& step) const {
   step.history = own + law_place;
   visit_any_of(law, Materials(), [&](const auto& one) { advance_point(one, step); });
   const double least_bulk = least_share * (reference.lambda + reference.mu);
-  visit_any_of(state, EquationsOfState(),
-               [&](const auto& one) { advance_state(one, old, own + law_place + law_history, least_bulk, step); });
+  visit_any_of(state, EquationsOfState(), [&](const auto& one) {
+    const StateChange<T> change = advance_state(one, old, own + law_place + law_history, least_bulk, step);
+    visit_any_of(law, Materials(), [&](const auto& heated) {
+      if constexpr (requires { heated.compress(change, step); }) heated.compress(change, step);
+    });
+  });
   step.lambda = larger(step.lambda, T(0));
   own[0] = step.lambda + T(2) * step.mu;
 }

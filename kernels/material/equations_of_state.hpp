@@ -34,8 +34,8 @@ void start_state(const State& state, double* history, const double (&x)[3]) {
 /// Replaces the mean stress that the law has found by the pressure at n+1, and books its energy. old: stress at n;
 /// history: e, J, lighting time; least_bulk: modulus below which none is told.
 template <class T, class State>
-PERCUSS_NO_INLINE void advance_state(const State& state, const Symmetric3<T>& old, T* history, double least_bulk,
-                                     PointStep<T>& step) {
+PERCUSS_NO_INLINE StateChange<T> advance_state(const State& state, const Symmetric3<T>& old, T* history,
+                                               double least_bulk, PointStep<T>& step) {
   constexpr int most_steps = 20;
   constexpr double tolerance = 1e-12;  // of the pressures and moduli that meet
   const T half(0.5), j = step.motion.volume_ratio, change = j - history[1];
@@ -67,6 +67,7 @@ PERCUSS_NO_INLINE void advance_state(const State& state, const Symmetric3<T>& ol
   // adiabatic: -J dp/dJ with de = -p dJ
   const T bulk = larger(j * (pressure * now.by_energy - now.by_volume), T(least_bulk));
   step.lambda = bulk - T(2.0 / 3.0) * step.mu;
+  return {change, now.by_energy};
 }
 
 }  // namespace percuss

@@ -7,8 +7,9 @@ namespace percuss {
 
 /// Flow stress (A + B p^n) (1 + C ln r) (1 - t^m), r = max(rate of p / reference_rate, 1), t = (T - T_room) / (T_melt -
 /// T_room) between 0 and 1; at t = 1 nothing of it is left. No heat is conducted: rho cp dT = beta sigma dp. The flow
-/// stress of a step takes the temperature of its beginning, its heat the mean flow stress.
-/// History: p, T.
+/// stress of a step takes the temperature of its beginning, its heat the mean flow stress. With an equation of state
+/// p(J, e) compression heats it too: dT = -T_abs dp/de dJ without heat (Maxwell's relation for a constant heat
+/// capacity), and rho cp dT = -q dJ by the viscous pressure, which stands for the shock. History: p, T.
 struct JohnsonCook {
   static constexpr const char* name = "johnson_cook";
   using Constants = JohnsonCook;
@@ -17,6 +18,7 @@ struct JohnsonCook {
   double reference_rate = 1;
   double start_temperature = 293.15, room_temperature = 293.15, melt_temperature = 0;
   double specific_heat = 0, heating_share = 0.9;
+  double absolute_zero = 0;
 
   static constexpr auto keys() {
     using M = JohnsonCook;
@@ -34,7 +36,11 @@ struct JohnsonCook {
         may("start_temperature", &M::start_temperature, KeyRange::any, "temperature", "Temperature at the start."),
         need("specific_heat", &M::specific_heat, KeyRange::positive, "energy / mass / temperature",
              "Heat that a unit of mass takes for a degree."),
-        may("heating_share", &M::heating_share, KeyRange::share, "-", "Share of the plastic work that heats."));
+        may("heating_share", &M::heating_share, KeyRange::share, "-", "Share of the plastic work that heats."),
+        may("absolute_zero", &M::absolute_zero, KeyRange::any, "temperature",
+            "Absolute zero, -273.15 where temperatures are in degrees Celsius; an equation of state heats by "
+            "compression "
+            "from there."));
   }
 
   /// What is wrong between constants; empty: nothing.
@@ -82,6 +88,14 @@ struct JohnsonCook {
     const T mean_stress = T(0.5) * (before + flow_stress);
     step.history[1] = step.history[1] + T(heating_share / (step.density * specific_heat)) * mean_stress * dp;
     return_stress(trial, resistance, dp, flow_stress, step);
+  }
+
+  /// Heats by the change of volume under an equation of state, which is that of its dp/de.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION void compress(const StateChange<T>& change, PointStep<T>& step) const {
+    const T zero(absolute_zero), at_rest = exponential(-change.by_energy * change.volume);
+    step.history[1] = zero + (step.history[1] - zero) * at_rest -
+                      T(1 / (step.density * specific_heat)) * step.motion.viscosity * change.volume;
   }
 
  private:

@@ -32,4 +32,11 @@ struct PointStep {
   T lambda{}, mu{};            // out; elastic moduli now, preset to those at the start
 };
 
+/// What an equation of state tells laws that have a temperature.
+template <class T>
+struct StateChange {
+  T volume;     // J(n+1) - J(n)
+  T by_energy;  // dp/de at n+1
+};
+
 }  // namespace percuss

@@ -127,6 +127,54 @@ TEST(LowDensityFoam, UniaxialCrushFollowsItsCurveWithoutLateralStress) {
   EXPECT_NEAR(point.stress.xx, 0.5e6, tolerance);
 }
 
+/// Work on a point of unit volume and constant cross-section that is led to a stretch of its length.
+double crush(Point<LowDensityFoam>& point, double stretch, int steps) {
+  double work = 0;
+  const double step = (std::log(stretch) - point.log_volume) / steps;
+  for (int i = 0; i < steps; ++i) {
+    const double before = point.stress.xx, from = std::exp(point.log_volume);
+    point.advance({step, 0, 0, 0, 0, 0}, 1e-3);
+    work += 0.5 * (before + point.stress.xx) * (std::exp(point.log_volume) - from);
+  }
+  return work;
+}
+
+TEST(LowDensityFoam, GivesBackTheShareOfItsWorkThatItsHysteresisLeaves) {
+  for (const double shape : {0.5, 1.0, 4.0}) {
+    LowDensityFoam law = make_foam();
+    law.hysteretic_unloading = 0.2, law.unloading_shape = shape;
+    Point<LowDensityFoam> point(law, 60);
+    // below the curve up to 0.7: 5000 + 137500 + 0.1 (0.3e6 + 0.3e6 + 8.5e5) / 2, exact
+    const double stored = 5000 + 0.55 * 0.25e6 + 0.1 * 0.5 * (0.3e6 + 0.3e6 + 0.85e6);
+    EXPECT_NEAR(crush(point, 0.3, 2000), stored, 1e-4 * stored);
+    EXPECT_NEAR(point.history[7], stored, 1e-4 * stored);
+    // at half of the way back, g times the curve
+    double back = crush(point, 0.65, 2000);
+    const double energy = 5000 + 0.3 * (0.2e6 + 0.3 / 0.55 * 0.05e6);
+    const double share = 1 - 0.8 * (1 - std::pow(energy / stored, shape));
+    EXPECT_NEAR(point.stress.xx, -share * law.compression(0.35).y, 100) << shape;
+    back += crush(point, 1, 4000);
+    EXPECT_NEAR(-back, (0.2 + 0.8 / (shape + 1)) * stored, 1e-3 * stored) << shape;
+    EXPECT_NEAR(point.stress.xx, 0, 0.1);
+    // again the same way, and on along the curve
+    EXPECT_NEAR(crush(point, 0.3, 4000), -back, 1e-3 * stored) << shape;
+    crush(point, 0.2, 1000);
+    EXPECT_NEAR(point.stress.xx, -2e6, 100);
+  }
+}
+
+TEST(LowDensityFoam, TellsTheModulusOfItsRelease) {
+  LowDensityFoam law = make_foam();
+  law.hysteretic_unloading = 0.1, law.unloading_shape = 3;
+  Point<LowDensityFoam> point(law, 60);
+  crush(point, 0.4, 500);
+  for (int i = 0; i < 200; ++i) {  // from the plateau to rest
+    const double before = point.stress.xx, modulus = point.modulus;
+    point.follow({{2e-3, 0, 0, 0, 0, 0}, 1e-3, 1});
+    EXPECT_LE((point.stress.xx - before) / 2e-3, 1.02 * modulus) << i;
+  }
+}
+
 TEST(LowDensityFoam, PullsAndPushesInDirectionsThatAreNotItsAxes) {
   const LowDensityFoam law = make_foam();
   // the same in axes that are turned by 30 degrees

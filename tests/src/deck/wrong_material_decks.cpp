@@ -88,6 +88,10 @@ std::vector<WrongDeck> wrong_material_decks() {
        "5:3", "material 'steel' has a compaction whose pressure falls"},
       {"FoamOfOneRow", material("model: low_density_foam, density: 1, youngs_modulus: 1, compression: [[0, 0]]"), "5:3",
        "material 'steel' has a compression that does not begin with [0, 0] and a second row"},
+      {"FoamThatGivesBackMoreThanItTook",
+       material("model: low_density_foam, density: 1, youngs_modulus: 1, compression: [[0, 0], [1, 1]], "
+                "hysteretic_unloading: 1.2"),
+       "5:120", "hysteretic_unloading is 1.2 in material 'steel' (must be from 0 to 1)"},
       {"TooManyRelaxations",
        material("model: viscoelastic, density: 1, bulk_modulus: 1, long_term_shear_modulus: 1, relaxation: [[1, 1], "
                 "[2, 1], [3, 1], [4, 1], [5, 1]]"),
