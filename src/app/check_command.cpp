@@ -7,6 +7,7 @@
 #include "src/app/scene_report.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/mesh/decompose.hpp"
+#include "src/mesh/surface_nodes.hpp"
 #include "src/step/history.hpp"
 #include "src/step/model.hpp"
 #include "src/step/state.hpp"
@@ -51,7 +52,7 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
     faces(pair.b);
   }
   for (const TieDeck& tie : deck.contact.ties) {
-    faces(tie.a);
+    findings.gather([&] { select_surface_nodes(mesh, deck, tie.a); });
     faces(tie.b);
   }
   findings.gather([&] { find_history_points(deck, chunked); });

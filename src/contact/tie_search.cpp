@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/contact/tie_thickness.hpp"
+
 namespace percuss {
 namespace {
 
@@ -38,14 +40,17 @@ struct Face {
   std::int64_t number = 0;
   std::array<int, 4> corners{};  // mesh nodes
   int element = 0;
-  double reach = 0;  // within which nodes are tied to it
-  double size = 0;   // shortest edge
+  double reach = 0;      // how far from its surface nodes are tied to it
+  double thickness = 0;  // half that of a shell
+  double box_reach = 0;  // how far from its mesh any node is
+  double size = 0;       // shortest edge
 };
 
 /// Where is the closest face? Asked of every rank whose faces may be in reach.
 struct Query {
   std::int64_t node = -1;
   Vec3 x{};
+  double thickness = 0;  // half that of shells
   int asker = 0;
 };
 
@@ -58,6 +63,7 @@ FacePoints load_face(const Mesh& mesh, const Face& face, const Vec3& origin) {
 std::vector<Face> list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& selected,
                              const std::optional<double>& distance) {
   const Mesh& mesh = chunked.mesh;
+  const double thickest = find_largest_half_thickness(mesh);
   const std::vector<std::int64_t> numbers = list_element_numbers(chunked);
   std::vector<Face> faces;
   for (const ElementFace& f : selected) {
@@ -67,6 +73,8 @@ std::vector<Face> list_faces(const ChunkedMesh& chunked, const std::vector<Eleme
     for (std::size_t i = 0; i < 4; ++i) face.corners[i] = mesh.elements[at(f.element)][at(hex_faces[f.face][i])];
     face.size = find_shortest_edge(load_face(mesh, face, mesh.nodes[at(face.corners[0])]));
     face.reach = distance.value_or(default_tie_distance * face.size);
+    face.thickness = find_half_thickness(mesh, f);
+    face.box_reach = face.reach + (face.thickness + thickest);
     faces.push_back(face);
   }
   return faces;
@@ -75,7 +83,7 @@ std::vector<Face> list_faces(const ChunkedMesh& chunked, const std::vector<Eleme
 Box find_reach(const Mesh& mesh, const Face& face) {
   Box box;
   for (const int corner : face.corners) box.add(mesh.nodes[at(corner)]);
-  box.widen(face.reach);
+  box.widen(face.box_reach);
   return box;
 }
 
@@ -87,9 +95,11 @@ void judge(const Mesh& mesh, const Face& face, const Query& query, ClosestFace& 
     if (mesh.node_numbers[at(node)] == query.node) return;
   const FacePoints points = load_face(mesh, face, query.x);
   const FacePoint closest = find_closest_point(points);
-  if (!(closest.distance <= face.reach)) return;
+  const double gap = closest.distance - (face.thickness + query.thickness);
+  if (!(gap <= face.reach)) return;
   ClosestFace answer;
   answer.distance = closest.distance;
+  answer.gap = gap;
   answer.found.node = query.node;
   answer.found.face = face.number;
   if (!answer.is_better_than(best)) return;
@@ -139,11 +149,11 @@ std::vector<Box> gather_boxes(const Communicator& ranks, const Box& own) {
 
 }  // namespace
 
-std::vector<ClosestFace> find_closest_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& selected,
-                                            const std::optional<double>& distance, const std::vector<int>& nodes,
+std::vector<ClosestFace> find_closest_faces(const ChunkedMesh& chunked, const TieSearch& search,
                                             ItemExchange& exchange) {
   const Mesh& mesh = chunked.mesh;
-  const std::vector<Face> faces = list_faces(chunked, selected, distance);
+  const std::vector<int>& nodes = search.nodes;
+  const std::vector<Face> faces = list_faces(chunked, search.faces, search.distance);
   Box own;
   for (const Face& face : faces) {
     const Box reach = find_reach(mesh, face);
@@ -153,11 +163,13 @@ std::vector<ClosestFace> find_closest_faces(const ChunkedMesh& chunked, const st
   const std::vector<Box> boxes = gather_boxes(exchange.ranks(), own);
   std::vector<int> destinations;
   std::vector<Query> queries;
-  for (const int n : nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int n = nodes[i];
+    const double thickness = search.thickness.empty() ? 0 : search.thickness[i];
     for (std::size_t r = 0; r < boxes.size(); ++r) {
       if (!boxes[r].holds(mesh.nodes[at(n)])) continue;
       destinations.push_back(static_cast<int>(r));
-      queries.push_back({mesh.node_numbers[at(n)], mesh.nodes[at(n)], exchange.ranks().rank()});
+      queries.push_back({mesh.node_numbers[at(n)], mesh.nodes[at(n)], thickness, exchange.ranks().rank()});
     }
   }
   const std::vector<Query> asked = exchange.send(destinations, queries);

@@ -9,22 +9,13 @@
 #include "src/contact/number_map.hpp"
 #include "src/contact/surface_share.hpp"
 #include "src/contact/tie_search.hpp"
+#include "src/contact/tie_thickness.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-/// Nodes of faces, ascending.
-std::vector<int> list_nodes(const Mesh& mesh, const std::vector<ElementFace>& faces) {
-  std::vector<int> nodes;
-  for (const ElementFace& f : faces)
-    for (const int corner : hex_faces[f.face]) nodes.push_back(mesh.elements[at(f.element)][at(corner)]);
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
 
 bool is_tied(const ClosestFace& answer) { return answer.joined == 0 && answer.found.face >= 0; }
 
@@ -35,8 +26,9 @@ std::vector<ElementFace> keep_tied_faces(const Mesh& mesh, const std::vector<Ele
   for (const ElementFace& f : faces) {
     const bool some = std::any_of(hex_faces[f.face], hex_faces[f.face] + 4, [&](int corner) {
       const int node = mesh.elements[at(f.element)][at(corner)];
-      return is_tied(
-          answers[static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin())]);
+      const auto place = std::lower_bound(nodes.begin(), nodes.end(), node);
+      return place != nodes.end() && *place == node &&
+             is_tied(answers[static_cast<std::size_t>(place - nodes.begin())]);
     });
     if (some) kept.push_back(f);
   }
@@ -61,6 +53,7 @@ void keep_owned(const std::vector<ClosestFace>& answers, int tie, std::vector<Ti
     } else {
       ++counts.tied;
       counts.farthest = std::max(counts.farthest, answer.distance);
+      counts.widest = std::max(counts.widest, answer.gap);
       fresh.push_back(answer.found);
       fresh.back().tie = tie;
     }
@@ -72,8 +65,11 @@ void keep_owned(const std::vector<ClosestFace>& answers, int tie, std::vector<Ti
 void reduce(const Communicator& ranks, TieCounts& counts) {
   std::int64_t sums[4] = {counts.tied, counts.apart, counts.joined, counts.earlier};
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPI_INT64_T, MPI_SUM, ranks.handle()); }, "MPI_Allreduce");
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &counts.farthest, 1, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
+  double largest[2] = {counts.farthest, counts.widest};
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
            "MPI_Allreduce");
+  counts.farthest = largest[0];
+  counts.widest = largest[1];
   counts.tied = sums[0];
   counts.apart = sums[1];
   counts.joined = sums[2];
@@ -82,11 +78,14 @@ void reduce(const Communicator& ranks, TieCounts& counts) {
 
 std::string name_side(const Selector& side) { return side.name.empty() ? "all" : side.name; }
 
-void refuse_self(const Communicator& ranks, const Deck& deck, const TieDeck& tie, const std::vector<ElementFace>& a,
-                 const std::vector<ElementFace>& b) {
-  std::vector<ElementFace> both;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-  int some = both.empty() ? 0 : 1;
+/// Refuses a tie of faces that are on both sides. A set of nodes lies on faces of other surfaces too: these are left
+/// out.
+void part_sides(const Communicator& ranks, const Deck& deck, const TieDeck& tie, SurfaceNodes& a,
+                const std::vector<ElementFace>& b) {
+  std::vector<ElementFace> others;
+  std::set_difference(a.faces.begin(), a.faces.end(), b.begin(), b.end(), std::back_inserter(others));
+  int some = !a.is_node_set && others.size() < a.faces.size() ? 1 : 0;
+  a.faces = std::move(others);
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, ranks.handle()); }, "MPI_Allreduce");
   if (some != 0)
     throw InputError(
@@ -114,11 +113,13 @@ TiedSurfaces find_ties(const ChunkedMesh& chunked, const Deck& deck, const Commu
   if (deck.contact.ties.empty()) return ties;
   ItemExchange exchange(ranks);
   for (const TieDeck& tie : deck.contact.ties) {
-    const std::vector<ElementFace> a = select_faces(mesh, deck, tie.a), b = select_faces(mesh, deck, tie.b);
-    refuse_self(ranks, deck, tie, a, b);
-    const std::vector<int> nodes = list_nodes(mesh, a);
-    std::vector<ClosestFace> answers = find_closest_faces(chunked, b, tie.distance, nodes, exchange);
-    ties.faces.push_back({keep_tied_faces(mesh, a, nodes, answers), b});
+    SurfaceNodes a = select_surface_nodes(mesh, deck, tie.a);
+    const std::vector<ElementFace> b = select_faces(mesh, deck, tie.b), sides_of_b = add_other_sides(mesh, b);
+    const std::vector<int>& nodes = a.nodes;
+    part_sides(ranks, deck, tie, a, sides_of_b);
+    const std::vector<double> thickness = find_node_thickness(chunked, a, exchange);
+    std::vector<ClosestFace> answers = find_closest_faces(chunked, {nodes, thickness, b, tie.distance}, exchange);
+    ties.faces.push_back({add_other_sides(mesh, keep_tied_faces(mesh, a.faces, nodes, answers)), sides_of_b});
     std::vector<int> owners;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       answers[n].found.node = mesh.node_numbers[at(nodes[n])];
@@ -163,8 +164,11 @@ std::vector<std::string> describe_ties(const Deck& deck, const TiedSurfaces& tie
   for (std::size_t t = 0; t < ties.counts.size(); ++t) {
     const TieDeck& tie = deck.contact.ties[t];
     const TieCounts& c = ties.counts[t];
-    std::string line = fmt::format("{} node{} of '{}' tied to '{}' (up to {:.4g} away), {} not in reach", c.tied,
-                                   c.tied == 1 ? "" : "s", name_side(tie.a), name_side(tie.b), c.farthest, c.apart);
+    const bool has_thickness = c.widest < c.farthest;
+    std::string line =
+        fmt::format("{} node{} of '{}' tied to '{}' (up to {:.4g} away{}), {} not in reach", c.tied,
+                    c.tied == 1 ? "" : "s", name_side(tie.a), name_side(tie.b), c.farthest,
+                    has_thickness ? fmt::format(", {:.4g} beyond the thickness of shells", c.widest) : "", c.apart);
     if (c.joined > 0) line += fmt::format(", {} joined by the mesh", c.joined);
     if (c.earlier > 0) line += fmt::format(", {} tied by an earlier tie", c.earlier);
     lines.push_back(line);

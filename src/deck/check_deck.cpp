@@ -100,31 +100,6 @@ void check_step_estimate(const Deck& deck, const Node& root, Reading& reading) {
                                  shells->name));
 }
 
-/// The first part of shells that a selector means; null: none.
-const PartDeck* find_shells(const Deck& deck, const std::string& name) {
-  const std::string part_name = name.substr(0, name.find('/'));
-  for (const PartDeck& part : deck.parts) {
-    if (part.thickness && (name.empty() || part.name == part_name)) return &part;
-  }
-  return nullptr;
-}
-
-/// Ties do not know shells.
-void check_ties(const Deck& deck, const Node& root, Reading& reading) {
-  const Node* section = root.find("contact");
-  if (section == nullptr) return;
-  std::vector<std::string> names;
-  for (const TieDeck& tie : deck.contact.ties) names.insert(names.end(), {tie.a.name, tie.b.name});
-  for (const std::string& name : names) {
-    const PartDeck* shells = find_shells(deck, name);
-    if (shells == nullptr) continue;
-    reading.errors.add(section->key, fmt::format("contact ties part '{}', which has shells (only the surfaces of "
-                                                 "solids can be tied) tie other surfaces",
-                                                 shells->name));
-    return;
-  }
-}
-
 void check_curves(const Deck& deck, Reading& reading) {
   constexpr int samples = 64;
   for (const CurveUse& use : reading.curves) {
@@ -191,7 +166,6 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_size(deck, root, reading);
   check_rotations(deck, reading);
   check_step_estimate(deck, root, reading);
-  check_ties(deck, root, reading);
   check_curves(deck, reading);
   check_estimate(deck, root, reading);
   check_fluids(deck, root, reading);

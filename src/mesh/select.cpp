@@ -9,7 +9,7 @@
 
 #include "src/deck/nearest_name.hpp"
 #include "src/error.hpp"
-#include "src/mesh/mesh.hpp"
+#include "src/mesh/surface_nodes.hpp"
 
 namespace percuss {
 namespace {
@@ -94,16 +94,22 @@ std::vector<std::string> list_names(const Sets& sets) {
                          fmt::format("no {} is called '{}'{}", what, selector.name, name_hint(selector.name, known))));
 }
 
-/// Throws, on all ranks, if none of them has anything selected.
+/// Whether any rank has some. Collective.
 template <class T>
-void require_some(const Mesh& mesh, const std::vector<T>& selected, const Deck& deck, const Selector& selector,
-                  const char* what) {
+bool has_any(const Mesh& mesh, const std::vector<T>& selected) {
   int some = selected.empty() ? 0 : 1;
   if (mesh.ranks) {
     wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, mesh.ranks->handle()); },
              "MPI_Allreduce");
   }
-  if (some != 0 || mesh.eroded.any) return;
+  return some != 0;
+}
+
+/// Throws, on all ranks, if none of them has anything selected.
+template <class T>
+void require_some(const Mesh& mesh, const std::vector<T>& selected, const Deck& deck, const Selector& selector,
+                  const char* what) {
+  if (has_any(mesh, selected) || mesh.eroded.any) return;
   const std::string name = selector.name.empty() ? "the mesh" : fmt::format("'{}'", selector.name);
   throw InputError(fault(deck, selector,
                          selector.inside
@@ -135,6 +141,15 @@ std::vector<ElementFace> list_candidate_faces(const Mesh& mesh, const Deck& deck
   refuse_unknown(deck, selector, what, std::move(known));
 }
 
+/// Whether a selector names a set of nodes that is neither a part nor a side with faces: the edge of a shell is a side
+/// without. Collective.
+bool names_nodes_alone(const Mesh& mesh, const Deck& deck, const Selector& selector) {
+  const auto is_part = [&](const MeshPart& part) { return part.name == selector.name; };
+  if (selector.name.empty() || std::any_of(mesh.parts.begin(), mesh.parts.end(), is_part)) return false;
+  const auto* faces = find_set(mesh.side_sets, deck, selector);
+  return (faces == nullptr || !has_any(mesh, *faces)) && find_set(mesh.node_sets, deck, selector) != nullptr;
+}
+
 }  // namespace
 
 std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector& selector) {
@@ -161,6 +176,34 @@ std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const 
   }
   require_some(mesh, faces, deck, selector, "exterior faces");
   return faces;
+}
+
+SurfaceNodes select_surface_nodes(const Mesh& mesh, const Deck& deck, const Selector& selector) {
+  SurfaceNodes selected;
+  const auto corners_of = [&](const ElementFace& face) {
+    std::array<int, 4> corners{};
+    const auto& element = mesh.elements[static_cast<std::size_t>(face.element)];
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = element[static_cast<std::size_t>(hex_faces[face.face][i])];
+    return corners;
+  };
+  selected.is_node_set = names_nodes_alone(mesh, deck, selector);
+  if (selected.is_node_set) {
+    selected.nodes = select_nodes(mesh, deck, selector);
+    const auto is_selected = [&](int n) { return std::binary_search(selected.nodes.begin(), selected.nodes.end(), n); };
+    for (const ElementFace& face : find_exterior_faces(mesh)) {
+      const std::array<int, 4> corners = corners_of(face);
+      if (std::any_of(corners.begin(), corners.end(), is_selected)) selected.faces.push_back(face);
+    }
+    return selected;
+  }
+  selected.faces = select_faces(mesh, deck, selector);
+  for (const ElementFace& face : selected.faces) {
+    const std::array<int, 4> corners = corners_of(face);
+    selected.nodes.insert(selected.nodes.end(), corners.begin(), corners.end());
+  }
+  std::sort(selected.nodes.begin(), selected.nodes.end());
+  selected.nodes.erase(std::unique(selected.nodes.begin(), selected.nodes.end()), selected.nodes.end());
+  return selected;
 }
 
 }  // namespace percuss

@@ -107,5 +107,41 @@ TEST(TieGeometry, WorkVelocityIsTheRateOfTheConstraint) {
   EXPECT_LT(norm(rate - u), 1e-9);
 }
 
+// A triangle of shells is a face whose corner stands twice: the tie of a node above it is the same whichever that is.
+TEST(TieGeometry, OfATriangleDoesNotDependOnTheCornerThatStandsTwice) {
+  const Point3 start[3] = {{0, 0, 0.1}, {1.1, 0.05, 0}, {0.2, 0.9, 0.05}};
+  const Point3 now[3] = {{0.1, 0.2, 0.1}, {0.9, 0.4, 0.3}, {0, 1.1, 0.5}};
+  const Point3 impulse{0.7, -1.1, 0.4};
+  Point3 first_place{}, first_force[3]{};
+  for (int twice = 0; twice < 3; ++twice) {
+    const int order[4] = {(twice + 1) % 3, (twice + 2) % 3, twice, twice};
+    FacePoints face, moved;
+    for (int i = 0; i < 4; ++i) {
+      face.corner[i] = start[order[i]];
+      moved.corner[i] = now[order[i]];
+    }
+    const Point3 node = 0.5 * start[0] + (0.3 * start[1] + 0.2 * start[2]) + 0.25 * find_face_normal(face);
+    FacePoints seen;
+    for (int i = 0; i < 4; ++i) seen.corner[i] = face.corner[i] - node;
+    const FacePoint closest = find_closest_point(seen);
+    EXPECT_NEAR(closest.distance, 0.25, 1e-15);
+    TieGeometry tie;
+    for (int i = 0; i < 4; ++i) tie.weight[i] = closest.weight[i];
+    tie.offset = -interpolate(seen, closest.weight);
+    tie.face = center_face(face);
+    const Point3 place = find_place(tie, moved);
+    const ContactRow row = make_row(tie, moved);
+    Point3 force[3]{};
+    for (int slot = 1; slot < row_nodes; ++slot)
+      force[order[slot - 1]] = force[order[slot - 1]] + spread_impulse(row, slot, impulse, find_couple(row, impulse));
+    if (twice == 0) first_place = place;
+    EXPECT_LT(norm(place - first_place), 1e-15) << twice;
+    for (int i = 0; i < 3; ++i) {
+      if (twice == 0) first_force[i] = force[i];
+      EXPECT_LT(norm(force[i] - first_force[i]), 1e-14) << twice << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace percuss

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "src/deck/read_deck.hpp"
 #include "src/error.hpp"
 #include "src/mesh/decompose.hpp"
@@ -22,8 +24,8 @@ materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0
 )";
 
 struct Tied {
-  explicit Tied(const std::string& contact)
-      : deck(parse_deck(blocks + "contact: " + contact + "\n", "deck.yaml")),
+  explicit Tied(const std::string& contact, const std::string& parts = blocks)
+      : deck(parse_deck(parts + "contact: " + contact + "\n", "deck.yaml")),
         chunked(load_mesh(deck, Communicator::world())),
         ties(find_ties(chunked, deck, Communicator::world())) {}
   Deck deck;
@@ -31,9 +33,9 @@ struct Tied {
   TiedSurfaces ties;
 };
 
-void expect_error(const std::string& contact, const std::string& message) {
+void expect_error(const std::string& contact, const std::string& message, const std::string& parts = blocks) {
   try {
-    Tied tied(contact);
+    Tied tied(contact, parts);
     ADD_FAILURE() << "no error: " << message;
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
@@ -87,6 +89,67 @@ TEST(Ties, LeaveOutWhatTheMeshJoins) { expect_error("{ties: [{a: b/x_min, b: b/z
 TEST(Ties, OfASurfaceWithItselfAreRefused) {
   expect_error("{ties: [{a: b, b: b/z_max}]}",
                "deck.yaml:8:18: error: tie of 'b' and 'b/z_max' ties a surface to itself");
+}
+
+// A block below z = 0; a sheet of thickness 0.2, 0.01 above it beyond its half thickness; one of 0.1 flat on the sheet,
+// unlike mesh; one edge on edge with the sheet.
+const std::string sheets = R"(
+time: {end: 1}
+parts:
+  block: {box: {size: [4, 4, 1], cells: [4, 4, 1]}, at: [0, 0, -1], material: m}
+  sheet: {shell_plate: {size: [4, 4], cells: [4, 4]}, at: [0, 0, 0.11], thickness: 0.2, material: m}
+  cover: {shell_plate: {size: [2, 2], cells: [3, 3]}, at: [1, 1, 0.26], thickness: 0.1, material: m}
+  strip: {shell_plate: {size: [4, 2], cells: [8, 2]}, at: [4, 1, 0.11], thickness: 0.2, material: m}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}
+)";
+
+TEST(TiesOfShells, CountTheGapBeyondTheThickness) {
+  const Tied t("{ties: [{a: sheet, b: block/z_max, distance: 0.0101}]}", sheets);
+  EXPECT_EQ(t.ties.counts[0].tied, 25);
+  EXPECT_NEAR(t.ties.counts[0].farthest, 0.11, 1e-15);
+  EXPECT_NEAR(t.ties.counts[0].widest, 0.01, 1e-15);
+  EXPECT_EQ(
+      describe_ties(t.deck, t.ties).at(0),
+      "25 nodes of 'sheet' tied to 'block/z_max' (up to 0.11 away, 0.01 beyond the thickness of shells), 0 not in "
+      "reach");
+  for (const TiedNode& tied : t.ties.nodes) EXPECT_NEAR(tied.geometry.offset.z, 0.11, 1e-15);
+  expect_error("{ties: [{a: sheet, b: block/z_max, distance: 0.0099}]}", "25 nodes of 'sheet' are farther", sheets);
+  // nodes of a solid on shells likewise, and shells on shells by both halves
+  EXPECT_EQ(Tied("{ties: [{a: block/z_max, b: sheet, distance: 0.0101}]}", sheets).ties.counts[0].tied, 25);
+  expect_error("{ties: [{a: block/z_max, b: sheet, distance: 0.0099}]}", "ties nothing", sheets);
+  const Tied lapped("{ties: [{a: cover, b: sheet, distance: 1e-6}]}", sheets);
+  EXPECT_EQ(lapped.ties.counts[0].tied, 16);
+  EXPECT_NEAR(lapped.ties.counts[0].farthest, 0.15, 1e-15);
+  EXPECT_LT(lapped.ties.counts[0].widest, 1e-15);
+}
+
+TEST(TiesOfShells, AreToTheFirstSideOfAPartOrToTheSideNamed) {
+  for (const auto& [b, side] :
+       {std::pair{"sheet", shell_bottom}, {"sheet/bottom", shell_bottom}, {"sheet/top", shell_top}}) {
+    const Tied t("{ties: [{a: cover, b: " + std::string(b) + "}]}", sheets);
+    EXPECT_EQ(t.ties.counts[0].tied, 16) << b;
+    for (const TiedNode& tied : t.ties.nodes) EXPECT_EQ(tied.face % 6, side) << b;
+  }
+}
+
+TEST(TiesOfShells, KeepContactFromBothSidesOfWhatIsTied) {
+  const Tied t("{ties: [{a: cover/bottom, b: sheet/top}]}", sheets);
+  EXPECT_EQ(t.ties.faces[0][0].size(), 18U);
+  EXPECT_EQ(t.ties.faces[0][1].size(), 32U);
+}
+
+TEST(TiesOfShells, TakeTheNodesOfAnEdge) {
+  const Tied t("{ties: [{a: strip/x_min, b: sheet}]}", sheets);
+  EXPECT_EQ(t.ties.counts[0].tied, 3);
+  EXPECT_EQ(t.ties.counts[0].apart, 0);
+  EXPECT_EQ(t.ties.faces[0][0].size(), 4U);  // two elements
+  // of a part all that is in reach beyond its thickness: no second row, 0.5 away
+  EXPECT_EQ(Tied("{ties: [{a: strip, b: sheet}]}", sheets).ties.counts[0].tied, 3);
+  expect_error("{ties: [{a: sheet, b: strip/x_min}]}", "'strip/x_min' has no exterior faces", sheets);
+}
+
+TEST(TiesOfShells, OfOneSideWithTheOtherAreRefused) {
+  expect_error("{ties: [{a: sheet/bottom, b: sheet/top}]}", "ties a surface to itself", sheets);
 }
 
 }  // namespace

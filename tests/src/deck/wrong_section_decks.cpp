@@ -43,11 +43,6 @@ std::vector<WrongDeck> missing_keys() {
        "parts: {cap: {shell_sphere: {radius: 1, cells: 2}, thickness: 0.1, material: steel}}\n"
        "materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n",
        "1:33", "time.step_estimate is global (part 'cap' has shells"},
-      {"TieOfShells",
-       change("materials:",
-              "  cap: {shell_sphere: {radius: 1, cells: 2}, thickness: 0.1, material: steel}\n"
-              "contact: {surfaces: none, ties: [{a: rod, b: cap}]}\nmaterials:"),
-       "5:1", "contact ties part 'cap', which has shells"},
       {"PartIsAWord", change("{box: {size: [1, 1, 1], cells: [2, 2, 2]}, material: steel}", "steel"), "3:8",
        "part 'rod' is 'steel' (must be a map)"},
       {"BoxWithoutCells", change(", cells: [2, 2, 2]", ""), "3:9", "box.cells is missing in part 'rod'"},

@@ -147,6 +147,25 @@ TEST(Erosion, TiesGoWithTheElementsOfTheirFaces) {
   EXPECT_EQ(eroding.scene.stepper.contact_report().interactions, 0);
 }
 
+TEST(Erosion, TiesGoWithTheShellsOfTheirFacesAndNodes) {
+  const std::string top = "  top: {box: {size: [5, 5, 1], cells: [5, 5, 1]}, at: [0, 0, 0.05], material: m}\n";
+  const auto count = [](const ErodingScene& eroding) { return eroding.scene.stepper.contact_report().interactions; };
+  const std::vector<Vec3> row = {{0.5, 0.5, 0}, {1.5, 0.5, 0}, {2.5, 0.5, 0}, {3.5, 0.5, 0}, {4.5, 0.5, 0}};
+  ErodingScene faces(plate_with(top, "contact: {ties: [{a: top/z_min, b: plate}]}\n"));
+  faces.run(2);
+  EXPECT_EQ(count(faces), 36);
+  faces.kill(row);
+  faces.run(2);
+  EXPECT_LE(count(faces), 30);
+  EXPECT_GE(count(faces), 24);
+  ErodingScene nodes(plate_with(top, "contact: {ties: [{a: plate/top, b: top/z_min}]}\n"));
+  nodes.run(2);
+  EXPECT_EQ(count(nodes), 36);
+  nodes.kill(row);
+  nodes.run(2);
+  EXPECT_EQ(count(nodes), 30);
+}
+
 TEST(Erosion, ADeadShellTakesItsTwoFaces) {
   ErodingScene eroding(plate_with("", "contact: {friction: 0}\n"));
   EXPECT_EQ(eroding.scene.contact.contact_faces(), 50);

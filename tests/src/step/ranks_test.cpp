@@ -247,6 +247,50 @@ contact: {{surfaces: all, friction: 0.2}}
             hash_state(scenes.alone.model, scenes.alone.state));
 }
 
+TEST(StepOnRanks, OfTiedShellsHasTheBitsOfOneRank) {
+  auto mesh = make_mapped_shell({18, 14}, [](double u, double v) { return Vec3{0.09 * u, 0.07 * v, 0}; });
+  halve(18, Halving::every_other, mesh);
+  const Communicator world = Communicator::world();
+  std::string path;
+  if (world.rank() == 0) path = testing_mesh::write_exodus(mesh, "tied_shells_on_ranks.exo");
+  path = broadcast_text(world, path, 0);
+  // On triangles and quadrilaterals a sheet; below them a block, whose nodes they hold; an upright sheet; a weight on
+  // top.
+  TwoScenes scenes(fmt::format(R"yaml(
+time: {{end: 1}}
+parts:
+  low: {{exodus: {{file: {0}}}, thickness: 0.002, material: steel}}
+  high: {{shell_plate: {{size: [0.08, 0.05], cells: [16, 9]}}, thickness: 0.001, at: [0.004, 0.007, 0.0015], material: copper}}
+  block: {{box: {{size: [0.07, 0.06, 0.02], cells: [8, 7, 3]}}, at: [0.011, 0.003, -0.0211], material: steel}}
+  upright: {{shell_plate: {{size: [0.05, 0.04], cells: [9, 8]}}, rotate: [{{axis: x, angle: 90}}], thickness: 0.001, at: [0.02, 0.03, 0.002], material: steel}}
+  weight: {{box: {{size: [0.01, 0.01, 0.01], cells: [3, 3, 3]}}, at: [0.01, 0.04, 0.00205], material: steel}}
+materials:
+  copper: {{model: j2_plasticity, density: 8930, youngs_modulus: 117e9, poissons_ratio: 0.35, yield_stress: 100e6, hardening_modulus: 1e9}}
+  steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+loads: {{pressure: [{{faces: low, value: 1e6}}]}}
+initial: [{{part: weight, velocity: [3, 0, -50]}}, {{part: block, velocity: [0, 2, 1]}}]
+contact:
+  friction: 0.2
+  ties: [{{a: high, b: low}}, {{a: block/z_max, b: low, distance: 2e-4}}, {{a: upright/y_min, b: high}}]
+)yaml",
+                               path));
+  world.barrier();
+  if (world.rank() == 0) std::remove(path.c_str());
+  scenes.run(0);
+  std::int64_t touches = 0;
+  for (int i = 0; i < 30; ++i) {
+    scenes.together.stepper.advance(scenes.together.state);
+    scenes.alone.stepper.advance(scenes.alone.state);
+    touches = scenes.alone.stepper.contact_report().interactions;
+  }
+  EXPECT_GT(touches, 17 * 10 + 9 * 8 + 10);  // all tied nodes, and contact
+  expect_same_rows(scenes, scenes.together.state.x, scenes.alone.state.x, "position");
+  expect_same_rows(scenes, scenes.together.state.v, scenes.alone.state.v, "velocity");
+  expect_same_rows(scenes, scenes.together.state.w, scenes.alone.state.w, "angular velocity");
+  EXPECT_EQ(hash_state(scenes.together.model, scenes.together.state),
+            hash_state(scenes.alone.model, scenes.alone.state));
+}
+
 TEST(StepOnRanks, StopsWhereAnyRankWantsTo) {
   Scene scene(text);
   scene.run(1);
