@@ -95,8 +95,8 @@ conditions: [{nodes: all, fixed: [y, z]}, {nodes: low/x_min, fixed: [x]}]
   EXPECT_NEAR(u[0], exact, 5e-5 * exact);
 }
 
-/// Two strips glued on each other, one element wide, on supports at both ends, loaded in the middle: deflection over that
-/// of the two loose, P L^3 / 48 E I.
+/// Two strips glued on each other, one element wide, on supports at both ends, loaded in the middle: deflection over
+/// that of the two loose, P L^3 / 48 E I.
 double bend_glued(const std::string& tie, int cells) {
   constexpr double length = 10, thickness = 0.1, load = 1e-3;
   const Vec3 u = rest(fmt::format(R"(
@@ -115,9 +115,9 @@ conditions: [{{nodes: all, fixed: [y]}}, {{nodes: low/x_min, fixed: [x, z]}}, {{
 TEST(TiedShells, GluedFlatBendAsOne) {
   const double coarse = bend_glued("a: high, b: low", 20), fine = bend_glued("a: high, b: low", 40);
   const double other = bend_glued("a: low, b: high", 20);
-  fmt::print("glued strips: {:.4f}, {:.4f} and {:.4f} of the deflection of two loose ones (exact: 0.25)\n", coarse, fine,
-             other);
-  // the strips' own shear, and the half element at an end over which the lever is that of its neighbour
+  fmt::print("glued strips: {:.4f}, {:.4f} and {:.4f} of the deflection of two loose ones (exact: 0.25)\n", coarse,
+             fine, other);
+  // shear of the strips adds a thousandth or two
   EXPECT_NEAR(coarse, 0.25, 1e-3);
   EXPECT_NEAR(fine, 0.25, 1e-3);
   EXPECT_NEAR(other, 0.25, 1e-3);
@@ -152,7 +152,7 @@ TEST(TiedShells, UprightInOneRowTurnAboutTheirFoot) {
 initial: [{part: wall, angular_velocity: [0, 10, 0], center: [0, 0, 0]}]
 output: {history: {nodes: [{name: tip, near: [0, 0, 10]}]}}
 )")
-                                  .history;
+                                   .history;
   // a radian; the strip is stretched at once by rho rate^2 L^2 / 2 E = 5e-4, and vibrates by as much
   EXPECT_NEAR(history.last("tip_vx"), rate * length * std::cos(1.0), 2e-2 * rate * length);
   EXPECT_NEAR(history.last("tip_vz"), -rate * length * std::sin(1.0), 2e-2 * rate * length);
