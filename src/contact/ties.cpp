@@ -15,6 +15,9 @@
 namespace percuss {
 namespace {
 
+/// Share of a distance that is none.
+constexpr double rounding = 1e-9;
+
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool is_tied(const ClosestFace& answer) { return answer.joined == 0 && answer.found.face >= 0; }
@@ -165,10 +168,11 @@ std::vector<std::string> describe_ties(const Deck& deck, const TiedSurfaces& tie
     const TieDeck& tie = deck.contact.ties[t];
     const TieCounts& c = ties.counts[t];
     const bool has_thickness = c.widest < c.farthest;
+    const double widest = c.widest > rounding * c.farthest ? c.widest : 0;
     std::string line =
         fmt::format("{} node{} of '{}' tied to '{}' (up to {:.4g} away{}), {} not in reach", c.tied,
                     c.tied == 1 ? "" : "s", name_side(tie.a), name_side(tie.b), c.farthest,
-                    has_thickness ? fmt::format(", {:.4g} beyond the thickness of shells", c.widest) : "", c.apart);
+                    has_thickness ? fmt::format(", {:.4g} beyond the thickness of shells", widest) : "", c.apart);
     if (c.joined > 0) line += fmt::format(", {} joined by the mesh", c.joined);
     if (c.earlier > 0) line += fmt::format(", {} tied by an earlier tie", c.earlier);
     lines.push_back(line);
