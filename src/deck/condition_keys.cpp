@@ -5,6 +5,16 @@
 namespace percuss {
 namespace {
 
+// No default of the centre: the centre of mass of a quarter is not the centre of the whole.
+const Keys<RadialVelocityDeck>& radial_velocity_keys() {
+  static const Keys<RadialVelocityDeck> keys = {
+      need("speed", &RadialVelocityDeck::speed, NumberValue{}),
+      need("center", &RadialVelocityDeck::center, vector3()),
+      may("axis", &RadialVelocityDeck::axis, DirectionValue{}),
+  };
+  return keys;
+}
+
 const Keys<InitialDeck>& initial_keys() {
   static const Keys<InitialDeck> keys = {
       may("part", &InitialDeck::where, SelectorValue{}),
@@ -12,6 +22,7 @@ const Keys<InitialDeck>& initial_keys() {
       may("velocity", &InitialDeck::velocity, vector3()),
       may("angular_velocity", &InitialDeck::angular_velocity, vector3()),
       may("center", &InitialDeck::center, vector3()),
+      may("radial_velocity", &InitialDeck::radial_velocity, MapValue<RadialVelocityDeck>{radial_velocity_keys}),
   };
   return keys;
 }
@@ -23,8 +34,9 @@ bool check_initial(const Reader& reader, const Node& node, InitialDeck& initial)
     return false;
   }
   const bool spins = node.find("angular_velocity") != nullptr;
-  if (!spins && node.find("velocity") == nullptr) {
-    reader.error(node.spot, fmt::format("{} has no velocity (required: velocity or angular_velocity)", reader.self()));
+  if (!spins && !initial.radial_velocity && node.find("velocity") == nullptr) {
+    reader.error(node.spot, fmt::format("{} has no velocity (required: velocity, angular_velocity or radial_velocity)",
+                                        reader.self()));
     return false;
   }
   if (initial.center && !spins) {

@@ -200,11 +200,19 @@ struct Selector {
   Place place;
 };
 
+/// The same speed at every node, along the line to it from a point or from an axis.
+struct RadialVelocityDeck {
+  double speed = 0;  // outward
+  Vec3 center{};
+  std::optional<Vec3> axis;  // a unit vector; none: from the point
+};
+
 struct InitialDeck {
   Selector where;
   Vec3 velocity{};
   Vec3 angular_velocity{};     // rad/s
   std::optional<Vec3> center;  // default: the mass centre of the selected nodes
+  std::optional<RadialVelocityDeck> radial_velocity;
 };
 
 /// Exactly one of the kinds a list entry. Directions are the axes x, y, z and, of nodes of shells, rotations about

@@ -133,71 +133,6 @@ class HeldDirectionFinder {
   std::string message_;
 };
 
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// What unit pressure along a direction puts on each corner of a face: a quarter of the area.
-Vec3 find_dead_share(const Mesh& mesh, const std::array<int, 4>& nodes, const Vec3& direction) {
-  const auto subtract = [&](std::size_t i, std::size_t j) {
-    const Vec3 &a = mesh.nodes[static_cast<std::size_t>(nodes[i])], &b = mesh.nodes[static_cast<std::size_t>(nodes[j])];
-    return Vec3{a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-  };
-  const Vec3 twice = cross(subtract(2, 0), subtract(3, 1));
-  const double quarter = 0.125 * std::sqrt(twice[0] * twice[0] + twice[1] * twice[1] + twice[2] * twice[2]);
-  return {quarter * direction[0], quarter * direction[1], quarter * direction[2]};
-}
-
-/// The slots of the chunks, which come first in the sum of a node.
-LocalSlots list_chunk_slots(const ChunkedMesh& chunked, const Model& model) {
-  const auto nodes = to_host(model.chunks.slots_to_nodes);
-  const auto first_slot = to_host(model.chunks.first_slot);
-  LocalSlots slots{{nodes.data(), nodes.data() + nodes.extent(0)}, std::vector<std::int64_t>(nodes.extent(0))};
-  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-    std::fill(slots.orders.begin() + first_slot(c), slots.orders.begin() + first_slot(c + 1), chunked.chunks[c].number);
-  }
-  return slots;
-}
-
-}  // namespace
-
-LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
-  const Mesh& mesh = chunked.mesh;
-  const Numbering& numbering = chunked.numbering;
-  LocalSlots slots = list_chunk_slots(chunked, model);
-  PressureFaces& faces = model.pressure_faces;
-  faces.first_slot = static_cast<int>(slots.nodes.size());
-  std::vector<std::array<int, 4>> corners;
-  std::vector<int> loads;
-  std::vector<Vec3> dead_shares;
-  for (const PressureDeck& pressure : deck.pressures) {
-    const auto load = static_cast<int>(model.pressures.size());
-    for (const ElementFace& face : select_faces(mesh, deck, pressure.where)) {
-      const std::int64_t order = numbering.chunk_count() +
-                                 6 * (load * numbering.element_count() + find_element_number(chunked, face.element)) +
-                                 face.face;
-      std::array<int, 4> nodes{};
-      for (std::size_t i = 0; i < 4; ++i) {
-        const int corner = hex_faces[face.face][i];
-        nodes[i] = mesh.elements[static_cast<std::size_t>(face.element)][static_cast<std::size_t>(corner)];
-        slots.nodes.push_back(nodes[i]);
-        slots.orders.push_back(order);
-      }
-      corners.push_back(nodes);
-      loads.push_back(load);
-      dead_shares.push_back(pressure.direction ? find_dead_share(mesh, nodes, *pressure.direction) : Vec3{});
-    }
-    model.pressures.push_back(pressure.value);
-  }
-  faces.count = static_cast<int>(corners.size());
-  faces.load = to_view("percuss::pressure_load", loads);
-  faces.nodes = to_rows("percuss::pressure_nodes", corners);
-  faces.dead_share = to_rows("percuss::pressure_dead_share", dead_shares);
-  return slots;
-}
-
-namespace {
-
 /// Held translations or rotations, with what of them this rank owns.
 struct HeldLists {
   HeldDirections all;
@@ -261,25 +196,6 @@ MassPoint find_mass_point(const ChunkedMesh& chunked, const std::vector<int>& no
   sum_over_ranks(find_ranks(chunked.mesh), sums);
   const double total = sums[3].round();
   return {total, {sums[0].round() / total, sums[1].round() / total, sums[2].round() / total}};
-}
-
-void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
-                              Model& model) {
-  const Mesh& mesh = chunked.mesh;
-  std::vector<Vec3> velocity(mesh.nodes.size(), Vec3{});
-  std::vector<Vec3> spin(model.has_shells ? mesh.nodes.size() : 0, Vec3{});
-  for (const InitialDeck& initial : deck.initial) {
-    const std::vector<int> nodes = select_nodes(mesh, deck, initial.where);
-    const Vec3 center = initial.center ? *initial.center : find_mass_point(chunked, nodes, mass).center;
-    for (const int n : nodes) {
-      const Vec3& p = mesh.nodes[static_cast<std::size_t>(n)];
-      const Vec3 turn = cross(initial.angular_velocity, {p[0] - center[0], p[1] - center[1], p[2] - center[2]});
-      for (std::size_t k = 0; k < 3; ++k) velocity[static_cast<std::size_t>(n)][k] = initial.velocity[k] + turn[k];
-      if (model.has_shells) spin[static_cast<std::size_t>(n)] = initial.angular_velocity;
-    }
-  }
-  model.start_velocity = to_rows("percuss::start_velocity", velocity);
-  model.start_spin = to_rows("percuss::start_spin", spin);
 }
 
 }  // namespace percuss

@@ -15,7 +15,8 @@ namespace percuss {
 
 /// Finds the faces under pressure and gives them four slots each, after those of the chunks, which must be there.
 /// Returns the slots that this rank fills: chunk slots, then pressure slots. In the sum of a node those of pressure
-/// come after those of all chunks, by load and then by face of the whole mesh. Throws InputError: unknown sets.
+/// come after those of all chunks, by load and then by face of the whole mesh. Throws InputError: unknown sets, both
+/// sides of shells.
 LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Model& model);
 
 /// Finds the nodes under load that this rank owns and gives them a slot each, after those of pressure, at the end of
@@ -36,7 +37,8 @@ struct MassPoint {
 /// [node].
 MassPoint find_mass_point(const ChunkedMesh& chunked, const std::vector<int>& nodes, const std::vector<double>& mass);
 
-/// Sets the velocity at time 0; of several that name a node the last one in the deck holds. Where the deck gives no
+/// Sets the velocity at time 0; of several that name a node the last one in the deck holds. A radial velocity leaves
+/// a node at its centre (within 1e-9 of the mesh's diagonal) at rest. Where the deck gives no
 /// center of rotation it is the center of mass of the selected nodes. mass: [node].
 void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
                               Model& model);

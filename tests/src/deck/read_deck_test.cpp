@@ -141,7 +141,7 @@ TEST(ReadDeck, ReadsLoadsConditionsAndWalls) {
   const Deck deck = parse(
       block("loads: {gravity: [0, 0, -9.81], pressure: [{faces: a/x_min, value: {table: [[0, 0], [1, 5]]}}]}\n"
             "initial: [{velocity: [1, 2, 3]}, {nodes: {inside: [[0, 0, 0], [1, 1, 0.5]]}, angular_velocity: [0, 0, 7], "
-            "center: [0, 0, 0]}]\n"
+            "center: [0, 0, 0]}, {radial_velocity: {speed: -3, center: [4, 5, 6], axis: [0, 3, 4]}}]\n"
             "conditions:\n"
             "  - {nodes: a/z_min, fixed: [x, z]}\n"
             "  - {nodes: a/x_min, symmetry: x}\n"
@@ -156,6 +156,10 @@ TEST(ReadDeck, ReadsLoadsConditionsAndWalls) {
   ASSERT_TRUE(deck.initial.at(1).where.inside);
   EXPECT_EQ((*deck.initial.at(1).where.inside)[1], (Vec3{1, 1, 0.5}));
   EXPECT_EQ(deck.initial.at(1).angular_velocity, (Vec3{0, 0, 7}));
+  ASSERT_TRUE(deck.initial.at(2).radial_velocity);
+  EXPECT_EQ(deck.initial.at(2).radial_velocity->speed, -3);
+  EXPECT_EQ(deck.initial.at(2).radial_velocity->center, (Vec3{4, 5, 6}));
+  EXPECT_EQ(deck.initial.at(2).radial_velocity->axis, (Vec3{0, 0.6, 0.8}));
   ASSERT_EQ(deck.conditions.size(), 4U);
   EXPECT_EQ(deck.conditions[0].active, (std::array<bool, 6>{true, false, true}));
   EXPECT_EQ(deck.conditions[1].kind, ConditionDeck::Kind::symmetry);

@@ -103,6 +103,44 @@ parts:
               {0, 0, 0});
 }
 
+// Points at distances 0, 3, 4, 5 and 13 from the centre and from the axis, where directions are ratios of integers.
+TEST(Model, ARadialVelocityPointsAwayFromItsCenterOrAxisAtOneSpeed) {
+  const std::string parts = R"(
+time: {end: 1}
+parts: {a: {box: {size: [3, 4, 12], cells: [1, 1, 1]}, at: [1, 2, 3], material: steel}}
+)" + steel_text;
+  const auto expect_radial = [&](const std::string& radial, const Vec3& counts, double speed, const Vec3& plus) {
+    const Scene scene(parts + "initial: [{part: a, " + radial + "}]\n");
+    const auto v = to_host(scene.model.start_velocity);
+    ASSERT_EQ(v.extent(0), 8U);
+    for (std::size_t n = 0; n < 8; ++n) {
+      const Vec3& x = scene.chunked.mesh.nodes[n];
+      const Vec3 r{counts[0] * (x[0] - 1), counts[1] * (x[1] - 2), counts[2] * (x[2] - 3)};
+      const double radius = std::sqrt(r[0] * r[0] + r[1] * r[1] + r[2] * r[2]);
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(v(n, k), plus[k] + (radius > 0 ? speed * r[k] / radius : 0), 1e-14) << n << " " << k;
+    }
+  };
+  expect_radial("radial_velocity: {speed: 6, center: [1, 2, 3]}", {1, 1, 1}, 6, {});
+  expect_radial("radial_velocity: {speed: -6, center: [1, 2, 3], axis: z}", {1, 1, 0}, -6, {});
+  expect_radial("velocity: [1, 2, 3], radial_velocity: {speed: 6, center: [1, 2, 7], axis: [0, 0, -2]}", {1, 1, 0}, 6,
+                {1, 2, 3});
+  expect_radial("radial_velocity: {speed: 6, center: [1.000000001, 2, 3], axis: x}", {0, 1, 1}, 6, {});
+}
+
+TEST(Model, ANodeWithinRoundOffOfTheRadialCenterStays) {
+  const Scene scene(R"(
+time: {end: 1}
+parts: {a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: steel}}
+initial: [{radial_velocity: {speed: 6, center: [1.0e-10, 0, 0]}}]
+)" + steel_text);
+  const auto v = to_host(scene.model.start_velocity);
+  for (std::size_t n = 0; n < 8; ++n) {
+    const bool is_center = scene.chunked.mesh.nodes[n] == Vec3{0, 0, 0};
+    EXPECT_NEAR(std::hypot(v(n, 0), v(n, 1), v(n, 2)), is_center ? 0 : 6, is_center ? 0 : 1e-14);
+  }
+}
+
 TEST(Model, LaterInitialVelocitiesReplaceEarlierOnes) {
   const Scene scene(R"(
 time: {end: 1}

@@ -40,6 +40,27 @@ TEST(HeldRotations, AreRefusedWhereNoNodeHasOne) {
   EXPECT_EQ(take_error("{nodes: block/x_min, symmetry: x}"), "");
 }
 
+/// What building the scene says with a pressure, on every rank.
+std::string take_pressure_error(const std::string& pressure) {
+  try {
+    const Scene scene(text + "loads: {pressure: [" + pressure + "]}\n");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Pressures, OnBothSidesOfShellsAreRefusedWithTheNamesOfTheSides) {
+  EXPECT_EQ(take_pressure_error("{faces: plate, value: 1}"),
+            "deck.yaml:7:28: error: the pressure takes both sides of the shells of part 'plate' (on which it cancels: "
+            "they would bear nothing), name one side: plate/bottom, plate/top");
+  EXPECT_THAT(take_pressure_error("{faces: {inside: [[0, 0, 8], [1, 1, 10]]}, value: 1}"),
+              HasSubstr("both sides of the shells of part 'plate'"));
+  EXPECT_THAT(take_pressure_error("{faces: all, value: 1, direction: z}"), HasSubstr("count them twice"));
+  for (const char* side : {"plate/top", "plate/bottom", "block", "block/x_min"})
+    EXPECT_EQ(take_pressure_error(std::string("{faces: ") + side + ", value: 1}"), "");
+}
+
 TEST(Selections, OfASettingAreRefusedByItsKey) {
   const Deck deck = parse_deck(text + "conditions: [{nodes: block, fixed: x}]\n", "deck.yaml",
                                {"time.end=2", "conditions.0.nodes={name: block, inside: [[50, 0, 0], [60, 1, 1]]}"});
