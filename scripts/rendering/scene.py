@@ -183,6 +183,7 @@ class Scene:
         grab = vtkWindowToImageFilter()
         grab.SetInput(self.window)
         grab.ReadFrontBufferOff()
+        grab.ShouldRerenderOff()  # it would draw everything a second time
         grab.Update()
         image = grab.GetOutput()
         width, height, _ = image.GetDimensions()

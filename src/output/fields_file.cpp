@@ -120,7 +120,8 @@ void FieldsFile::Impl::check_fields(std::span<const FieldData> fields) const {
 void FieldsFile::Impl::remember_fields(std::span<const FieldData> fields) {
   const int bytes = precision == FieldPrecision::float32 ? 4 : 8;
   index.fields.clear();
-  for (const auto& field : fields) index.fields.push_back({field.name, field.place, field.components, bytes});
+  for (const auto& field : fields)
+    index.fields.push_back({field.name, field.place, field.components, field.number == FieldNumber::byte ? 1 : bytes});
 }
 
 FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,

@@ -17,6 +17,9 @@ namespace percuss {
 
 enum class FieldPlace { node, element };
 
+/// How the numbers of a field are stored: as FieldsOptions says, or, of whole numbers from 0 to 255, in a byte each.
+enum class FieldNumber { real, byte };
+
 /// One field of one frame; values has components * (local nodes or elements) numbers, item by item. Of a node that
 /// several ranks hold, the values of its owner are written.
 struct FieldData {
@@ -24,9 +27,10 @@ struct FieldData {
   FieldPlace place = FieldPlace::node;
   int components = 1;  // 1, 3 (vector) or 6 (xx, yy, zz, xy, yz, zx)
   std::span<const double> values;
+  FieldNumber number = FieldNumber::real;
 };
 
-/// How fields are stored; positions and times are always float64.
+/// How real fields are stored; positions and times are always float64.
 enum class FieldPrecision { float64, float32 };
 
 struct FieldsOptions {

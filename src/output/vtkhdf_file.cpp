@@ -279,9 +279,14 @@ void VtkhdfFile::append_one(hdf5::Table& table, T value) {
   table.append(std::span<const T>(&value, 1), make_block_of_first_rank(1));
 }
 
-void VtkhdfFile::append_items(hdf5::Table& table, FieldPlace place, std::span<const double> values, int components) {
+void VtkhdfFile::append_items(hdf5::Table& table, FieldPlace place, std::span<const double> values, int components,
+                              FieldNumber number) {
   auto& rows = place == FieldPlace::node ? node_rows_ : element_rows_;
-  table.append(rows.gather(values, components), make_block(place));
+  const std::span<const double> block = rows.gather(values, components);
+  if (number == FieldNumber::real) return table.append(block, make_block(place));
+  std::vector<std::uint8_t> bytes;  // HDF5 would convert them as well, but then not write them collectively
+  for (const double value : block) bytes.push_back(static_cast<std::uint8_t>(value));
+  table.append(std::span<const std::uint8_t>(bytes), make_block(place));
 }
 
 void VtkhdfFile::append_rows(double time, std::int64_t step, std::span<const double> positions,
@@ -290,7 +295,8 @@ void VtkhdfFile::append_rows(double time, std::int64_t step, std::span<const dou
   append_items(*tables_.points, FieldPlace::node, positions, 3);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     append_one(tables_.fields[i].offsets, static_cast<std::int64_t>(tables_.fields[i].values.rows()));
-    append_items(tables_.fields[i].values, fields[i].place, fields[i].values, fields[i].components);
+    const FieldData& field = fields[i];
+    append_items(tables_.fields[i].values, field.place, field.values, field.components, field.number);
   }
   for (auto& constant : tables_.constants) append_one(constant.table, constant.value);
   append_one(*tables_.step_numbers, step);

@@ -61,7 +61,8 @@ class VtkhdfFile {
   void write_numbers(const hdf5::Handle& group, const std::string& name, const hdf5::RowBlock& block,
                      std::span<const std::int64_t> values);
   void write_items(const std::string& name, FieldPlace place, std::span<const std::int64_t> values);
-  void append_items(hdf5::Table& table, FieldPlace place, std::span<const double> values, int components);
+  void append_items(hdf5::Table& table, FieldPlace place, std::span<const double> values, int components,
+                    FieldNumber number = FieldNumber::real);
   template <class T>
   void append_one(hdf5::Table& table, T value);
   void append_rows(double time, std::int64_t step, std::span<const double> positions,

@@ -85,8 +85,9 @@ void VtkhdfTables::open_fields(std::span<const FieldData> described) {
 
 void VtkhdfTables::create_fields(std::span<const FieldData> described, FieldPrecision precision, hsize_t nodes,
                                  hsize_t elements) {
-  const hid_t type = precision == FieldPrecision::float32 ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
+  const hid_t real = precision == FieldPrecision::float32 ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
   for (const auto& field : described) {
+    const hid_t type = field.number == FieldNumber::byte ? H5T_STD_U8LE : real;
     const bool on_nodes = field.place == FieldPlace::node;
     const auto& group = on_nodes ? point_data : cell_data;
     const auto& offsets = on_nodes ? point_data_offsets : cell_data_offsets;

@@ -67,8 +67,8 @@ void write_slab(Out out, const XdmfIndex& index, const Dataset& data, std::int64
 void write_frame_rows(Out out, const XdmfIndex& index, const std::string& path, std::int64_t rows, int components,
                       int bytes, std::size_t frame) {
   const auto all = static_cast<std::int64_t>(index.times.size()) * rows;
-  write_slab(out, index, {"VTKHDF/" + path, "Float", bytes, components, all}, static_cast<std::int64_t>(frame) * rows,
-             rows);
+  write_slab(out, index, {"VTKHDF/" + path, bytes == 1 ? "UChar" : "Float", bytes, components, all},
+             static_cast<std::int64_t>(frame) * rows, rows);
 }
 
 // Six components are a matrix, not a Tensor6, whose order in XDMF (xx, xy, xz, yy, yz, zz) is another one.

@@ -14,7 +14,7 @@ struct XdmfField {
   std::string name;
   FieldPlace place = FieldPlace::node;
   int components = 1;
-  int bytes = 8;  // of one number in the file
+  int bytes = 8;  // of one number in the file: a float of 8 or 4, or a whole number of 1
 };
 
 struct XdmfIndex {

@@ -20,10 +20,12 @@ bool has(const std::vector<std::string>& names, const char* name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The fields of every frame; the file always has the displacement.
-std::vector<std::string> list_fields(const Deck& deck) {
+/// The fields of every frame. The file always has the displacement and, where elements can die, who lives: without it
+/// what is dead would look like the rest.
+std::vector<std::string> list_fields(const Deck& deck, const Model& model) {
   std::vector<std::string> fields = deck.output.fields;
   if (!has(fields, "displacement")) fields.push_back("displacement");
+  if (model.can_erode && !has(fields, "alive")) fields.push_back("alive");
   return fields;
 }
 
@@ -31,35 +33,33 @@ std::vector<std::string> list_fields(const Deck& deck) {
 
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                const ContactStage& contact)
-    : deck_(deck),
-      model_(model),
+    : model_(model),
       contact_(contact),
+      names_(list_fields(deck, model)),
       file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, model.ranks) {
   note_constant_fields(chunked);
 }
 
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                const ContactStage& contact, std::int64_t frames)
-    : deck_(deck),
-      model_(model),
+    : model_(model),
       contact_(contact),
-      file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, model.ranks, frames,
-            list_fields(deck)),
+      names_(list_fields(deck, model)),
+      file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, model.ranks, frames, names_),
       count_(frames) {
   note_constant_fields(chunked);
 }
 
 void Frames::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                    std::int64_t frames) {
-  FieldsFile::check(directory, chunked, model.ranks, frames, list_fields(deck));
+  FieldsFile::check(directory, chunked, model.ranks, frames, list_fields(deck, model));
 }
 
 void Frames::note_constant_fields(const ChunkedMesh& chunked) {
-  const Deck& deck = deck_;
-  if (has(deck.output.fields, "body")) {
+  if (has(names_, "body")) {
     body_.assign(chunked.mesh.bodies.begin(), chunked.mesh.bodies.end());
   }
-  if (has(deck.output.fields, "chunk")) {
+  if (has(names_, "chunk")) {
     chunk_.resize(chunked.mesh.elements.size());
     for (const Chunk& chunk : chunked.chunks) {
       const auto first = chunk_.begin() + chunk.first_element;
@@ -70,9 +70,8 @@ void Frames::note_constant_fields(const ChunkedMesh& chunked) {
 
 void Frames::write(const State& state) {
   std::map<std::string, std::vector<double>> values;  // keeps what the frame's spans point to
-  const auto& names = deck_.output.fields;
   std::vector<double> stresses;
-  if (has(names, "stress") || has(names, "pressure") || has(names, "von_mises")) {
+  if (has(names_, "stress") || has(names_, "pressure") || has(names_, "von_mises")) {
     stresses = find_stresses(model_, state);
   }
   std::vector<FieldData> frame;
@@ -80,7 +79,7 @@ void Frames::write(const State& state) {
     const auto entry = values.emplace(name, std::move(data)).first;
     frame.push_back({name, place, components, entry->second});
   };
-  for (const std::string& name : names) {
+  for (const std::string& name : names_) {
     if (name == "displacement") continue;  // the file always has it
     if (name == "velocity") {
       add(name, FieldPlace::node, 3, copy_rows(state.v));
@@ -105,6 +104,7 @@ void Frames::write(const State& state) {
       add(name, FieldPlace::element, 1, find_history(model_, state, HistoryScalar::internal_energy));
     } else if (name == "alive") {
       add(name, FieldPlace::element, 1, find_alive(model_, state));
+      frame.back().number = FieldNumber::byte;
     } else if (name == "damage") {
       add(name, FieldPlace::element, 1, find_damage(model_, state));
     } else if (name == "stress_bottom") {

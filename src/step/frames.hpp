@@ -36,9 +36,9 @@ class Frames {
  private:
   void note_constant_fields(const ChunkedMesh& chunked);
 
-  const Deck& deck_;
   const Model& model_;
   const ContactStage& contact_;
+  std::vector<std::string> names_;    // of the fields
   std::vector<double> body_, chunk_;  // constant fields, only if asked for
   FieldsFile file_;
   std::int64_t count_ = 0;

@@ -127,6 +127,7 @@ TEST(FieldsFile, KeepsTheBitsOfEveryPositionAndField) {
     EXPECT_EQ(rows_of_frame(file, "PointData", "velocity", frame, nodes, 3), expected.velocity);
     EXPECT_EQ(rows_of_frame(file, "CellData", "stress", frame, elements, 6), expected.stress);
     EXPECT_EQ(rows_of_frame(file, "CellData", "von_mises", frame, elements, 1), expected.von_mises);
+    EXPECT_EQ(rows_of_frame(file, "CellData", "flag", frame, elements, 1), expected.flag);
   }
 }
 
@@ -174,6 +175,15 @@ TEST(FieldsFile, StoresFieldsAsFloatsButPositionsAsDoublesWhenAskedTo) {
   for (std::size_t i = 0; i < stored.size(); ++i)
     EXPECT_EQ(stored[i], static_cast<double>(static_cast<float>(expected.von_mises[i])));
   EXPECT_THAT(read_text(folder.file("fields.xdmf")), HasSubstr("Precision=\"4\""));
+}
+
+TEST(FieldsFile, StoresFlagsInAByteEachWhateverThePrecision) {
+  for (const FieldPrecision precision : {FieldPrecision::float64, FieldPrecision::float32}) {
+    const TemporaryFolder folder;
+    write_run(folder, sample::make_mesh(), {"", "", precision});
+    EXPECT_EQ(Hdf5FileView(folder.file("fields.vtkhdf")).bytes_of_number("VTKHDF/CellData/flag"), 1u);
+    EXPECT_THAT(read_text(folder.file("fields.xdmf")), HasSubstr("NumberType=\"UChar\" Precision=\"1\""));
+  }
 }
 
 TEST(FieldsFile, IsReadableAfterEveryFrameWithoutBeingClosed) {

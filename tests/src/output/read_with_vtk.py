@@ -45,6 +45,7 @@ def expected(frame):
         "velocity": np.column_stack([x[:, 1] + frame, np.full(len(x), 1 / 3), np.full(len(x), -2 * t)]),
         "stress": 100 * frame + elements[:, None] + 0.1 * np.arange(6)[None, :],
         "von_mises": 1e6 * frame + elements / 7,
+        "flag": (500 + 3 * elements + frame) % 2,
         "node_id": 1000 - np.arange(len(x)),
         "element_id": 500 + 3 * elements,
         "part": elements // CELLS**3,
@@ -98,7 +99,7 @@ class EveryStepThroughXdmf(unittest.TestCase):
             values = data[path][...]
         self.assertEqual(values.shape, shape_of(item))
         self.assertEqual(values.dtype.itemsize, int(item.get("Precision")))
-        self.assertEqual(values.dtype.kind, {"Float": "f", "Int": "i"}[item.get("NumberType")])
+        self.assertEqual(values.dtype.kind, {"Float": "f", "Int": "i", "UChar": "u"}[item.get("NumberType")])
         return values
 
     def test_lists_every_time(self):

@@ -93,7 +93,7 @@ inline long step_of(int frame) { return 10L * frame; }
 /// What one frame holds. The numbers differ in every item, component and frame; those of an element follow from its id,
 /// so that a rank can tell them from its share.
 struct Frame {
-  std::vector<double> positions, velocity, stress, von_mises;
+  std::vector<double> positions, velocity, stress, von_mises, flag;
 
   Frame(const Mesh& mesh, int frame) {
     const double t = time_of(frame);
@@ -105,13 +105,15 @@ struct Frame {
       const auto e = static_cast<double>((id - 500) / 3);
       for (int c = 0; c < 6; ++c) stress.push_back(100 * frame + e + 0.1 * c);
       von_mises.push_back(1e6 * frame + e / 7);
+      flag.push_back(static_cast<double>((id + frame) % 2));
     }
   }
 
   std::vector<FieldData> fields() const {
     return {{"velocity", FieldPlace::node, 3, velocity},
             {"stress", FieldPlace::element, 6, stress},
-            {"von_mises", FieldPlace::element, 1, von_mises}};
+            {"von_mises", FieldPlace::element, 1, von_mises},
+            {"flag", FieldPlace::element, 1, flag, FieldNumber::byte}};
   }
 };
 

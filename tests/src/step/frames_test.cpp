@@ -84,5 +84,26 @@ TEST(FramesOnRanks, ShowTheDivisionFromTheFirstFrameOn) {
   EXPECT_EQ(count(frames.front().contact_ranks, -1), inner_nodes);
 }
 
+// A bar that is pulled apart at its end; its deck does not name the field.
+TEST(FramesOnRanks, TellWhoLivesWhereverElementsCanDie) {
+  const Communicator ranks = Communicator::world();
+  std::optional<TemporaryFolder> folder;
+  if (ranks.rank() == 0) folder.emplace();
+  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  run_scene(parse_deck(R"yaml(
+time: {end: 0.02, max_step: 1.0e-3}
+parts: {bar: {box: {size: [3, 1, 1], cells: [3, 1, 1]}, material: weak}}
+materials: {weak: {model: elastic, density: 2, youngs_modulus: 100, poissons_ratio: 0, failure: {principal_stress: 1}}}
+conditions: [{nodes: bar/x_min, fixed: x}, {nodes: bar/x_max, velocity: {x: 1}}]
+output: {fields: {every: 1, write: [velocity]}}
+)yaml",
+                       "deck.yaml"),
+            {path, Progress::Style::quiet});
+  if (ranks.rank() > 0) return;
+  const Hdf5FileView file(path + "/fields.vtkhdf");
+  EXPECT_EQ(file.numbers("VTKHDF/CellData/alive"), (std::vector<double>{1, 1, 1, 1, 1, 0}));
+  EXPECT_EQ(file.bytes_of_number("VTKHDF/CellData/alive"), 1u);
+}
+
 }  // namespace
 }  // namespace percuss::test
