@@ -32,7 +32,9 @@ Exit codes:
   2    the deck, a mesh or the command is wrong
   3    the run failed: an element inverted, the energy balance broke, a value is not finite
   4    the system failed: files, memory, MPI
-  130  interrupted (Ctrl-C or SIGTERM); what was computed is written, and a checkpoint to go on from
+  130  interrupted (Ctrl-C, SIGTERM or SIGUSR1); what was computed is written, and a checkpoint to go on from
+mpirun passes these on, but after a signal to mpirun itself its own code counts: 1 of Open MPI after Ctrl-C or SIGTERM.
+Whether the run was interrupted is then told by `status` in summary.json.
 
 Environment:
   OMP_NUM_THREADS   threads of each rank; without it, every core that the rank may use: ranks of a machine that are not

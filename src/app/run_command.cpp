@@ -10,6 +10,7 @@
 #include "src/app/output_folder.hpp"
 #include "src/app/placement.hpp"
 #include "src/app/read_together.hpp"
+#include "src/app/summary_report.hpp"
 #include "src/fail_together.hpp"
 #include "src/output/progress.hpp"
 #include "src/step/run.hpp"
@@ -35,6 +36,7 @@ void report(const RunResult& result, const std::string& out_dir, const std::stri
   const Summary& s = result.summary;
   print_quietly(stderr, "{}: t = {:.6g} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.2g} %\n",
                 s.status, s.time, s.steps, s.setup_s + s.loop_s, s.grind_ns, 100 * s.energy.error);
+  if (s.eroded.elements > 0) print_quietly(stderr, "eroded: {}\n", format_eroded(s));
   print_quietly(stderr, "results: {}\n", out_dir);
   if (result.exit_code != ExitCode::interrupted) return;
   print_quietly(stderr, "checkpoint: {}; to go on: percuss run {} --restart {}\n", result.checkpoint, deck,

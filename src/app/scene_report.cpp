@@ -162,11 +162,10 @@ std::string format_scene(const SceneReport& scene) {
   if (!deck.units.empty()) text += line("units", deck.units);
   text += format_parts(scene) + format_size(scene.low, scene.high) + format_contact(scene) + format_loads(deck) +
           format_output(deck) + format_step(scene);
-  std::size_t warnings = 0;
-  for (const auto& list : {deck.warnings, scene.mesh_warnings}) {
-    for (const std::string& warning : list) text += warning + "\n";
-    warnings += list.size();
-  }
+  for (const std::string& warning : deck.warnings) text += warning + "\n";
+  for (const std::string& warning : scene.mesh_warnings) text += "warning: " + warning + "\n";
+  const std::size_t warnings =
+      deck.warnings.size() + scene.mesh_warnings.size() + (scene.overlap.starts_with("warning: ") ? 1 : 0);
   return text + (warnings == 0 ? "The deck and its meshes are right.\n"
                                : fmt::format("The deck and its meshes can be run; {}.\n",
                                              count(warnings, "warning", "warnings")));

@@ -32,6 +32,12 @@ std::string format_phases(const Summary& summary) {
 
 }  // namespace
 
+std::string format_eroded(const Summary& s) {
+  if (s.eroded.elements == 0) return "";
+  return fmt::format("{} of {} elements failed and left, mass {:.4g}, energy {:.4g}", s.eroded.elements, s.elements,
+                     s.eroded.mass, s.eroded.energy);
+}
+
 std::string format_summary(const Summary& s) {
   std::string text = line("status", s.status + (s.error.empty() ? "" : ": " + s.error));
   text +=
@@ -57,6 +63,7 @@ std::string format_summary(const Summary& s) {
   text += line("momentum", fmt::format("linear ({:.6g}, {:.6g}, {:.6g}), error {:.2g}; angular error {:.2g}",
                                        s.momentum.linear[0], s.momentum.linear[1], s.momentum.linear[2],
                                        s.momentum.linear_error, s.momentum.angular_error));
+  if (s.eroded.elements > 0) text += line("eroded", format_eroded(s));
   return text + line("state", "hash " + s.state_hash);
 }
 

@@ -10,4 +10,7 @@ namespace percuss {
 /// Several lines: how the run ended, its size, time and steps, where the time went, energies, the hash of the state.
 std::string format_summary(const Summary& summary);
 
+/// "12 of 2448 elements failed and left, mass ..., energy ..."; empty where none has.
+std::string format_eroded(const Summary& summary);
+
 }  // namespace percuss

@@ -156,25 +156,6 @@ std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, co
   return std::make_unique<RankedFinder>(ranks, share, rebalance, find_method(search));
 }
 
-namespace {
-
-/// "; 4 of 'b' in 'a' (up to 0.05)", those with most nodes first, a few of them.
-std::string describe_parts(std::vector<PartOverlap> parts, const Mesh& mesh) {
-  constexpr std::size_t most = 4;
-  std::stable_sort(parts.begin(), parts.end(),
-                   [](const PartOverlap& a, const PartOverlap& b) { return a.nodes > b.nodes; });
-  std::string line;
-  const auto name = [&](int part) { return "'" + mesh.parts[static_cast<std::size_t>(part)].name + "'"; };
-  for (std::size_t i = 0; i < parts.size() && i < most; ++i)
-    line += fmt::format("{} {} of {} in {} (up to {:.4g})", i == 0 ? ";" : ",", parts[i].nodes, name(parts[i].part),
-                        parts[i].other < 0 ? fmt::format("walls.{}", -1 - parts[i].other) : name(parts[i].other),
-                        parts[i].deepest);
-  if (parts.size() > most) line += fmt::format(" and {} more pairs of parts", parts.size() - most);
-  return line;
-}
-
-}  // namespace
-
 ContactStage::ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks)
     : impl_(std::make_unique<Impl>(chunked, deck, ranks)) {}
 ContactStage::~ContactStage() = default;
@@ -190,23 +171,8 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
   const ContactDeck::Overlap overlap = stage.contact.overlap;
   const StartOverlap found = seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, overlap, stage.history);
   if (const std::string gaps = describe_gaps(found.gaps, stage.mesh); !gaps.empty()) stage.start_notes.push_back(gaps);
-  const char* const what = overlap == ContactDeck::Overlap::accept ? "accepted as the reference" : "pushed out slowly";
-  if (found.nodes == 0 && found.edge_pairs == 0) return "";
-  const std::string edges = fmt::format("{} pair{} of edges overlap{}", found.edge_pairs,
-                                        found.edge_pairs == 1 ? "" : "s", found.edge_pairs == 1 ? "s" : "");
-  if (found.nodes == 0) return fmt::format("{} at the start, deepest {:.4g}: {}", edges, found.deepest_edges, what);
-  std::string line = fmt::format("{} contact node{} overlap{} another body at the start, deepest {:.4g} at node {}: {}",
-                                 found.nodes, found.nodes == 1 ? "" : "s", found.nodes == 1 ? "s" : "", found.deepest,
-                                 stage.find_user_id(found.deepest_node), what);
-  line += describe_parts(found.parts, stage.mesh);
-  if (found.too_deep > 0) {
-    line = "warning: " + line;
-    line +=
-        fmt::format("; {} of them lie deeper than a quarter of a face and are not in contact: do the parts overlap?",
-                    found.too_deep);
-  }
-  if (found.edge_pairs > 0) line += fmt::format("; {} too, deepest {:.4g}", edges, found.deepest_edges);
-  return line;
+  const std::int64_t deepest = found.deepest_node < 0 ? -1 : stage.find_user_id(found.deepest_node);
+  return describe_overlap(found, overlap, stage.mesh, deepest);
 }
 
 void ContactStage::restore_surface() {

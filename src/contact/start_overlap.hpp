@@ -22,6 +22,7 @@ struct PartOverlap {
 struct StartOverlap {
   std::int64_t nodes = 0;          // contact nodes inside another body or behind a wall
   std::int64_t too_deep = 0;       // of these, deeper than contact can hold
+  std::int64_t behind_walls = 0;   // of these, as deep behind a wall, which holds them all the same
   double deepest = 0;              // [length]
   std::int64_t deepest_node = -1;  // number of the node, lowest of equals
   std::vector<PartOverlap> parts;  // by (part, other)
@@ -49,6 +50,11 @@ struct SurfaceChange {
   const HistoryOwners& before;
   const HistoryOwners& now;
 };
+
+/// What was found and what becomes of it, in a line that begins with "warning: " where it is hardly meant; empty if
+/// there is none. deepest_id: the user's of deepest_node.
+std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
+                             std::int64_t deepest_id);
 
 /// Of overlap at the places of `motion`, whose dt is 0, takes into the history what a new node or a new face has, as
 /// seed_history() does. What the surfaces before had is as it was. Collective.

@@ -38,10 +38,6 @@ bool is_triangular(const ExodusBlock& block) {
   return (is_called_kind(block, "SHELL") || is_called_kind(block, "TRI")) && block.nodes_per_element == 3;
 }
 
-bool can_run(const ExodusBlock& block) {
-  return is_hexahedral(block) || is_quadrilateral(block) || is_triangular(block);
-}
-
 /// A shell of four corners; where two in a row are one node, a triangle, these come last. The normal stays as it is.
 std::array<int, 8> place_triangle(std::array<int, 4> nodes) {
   for (std::size_t turn = 0; turn < 4 && nodes[2] != nodes[3]; ++turn)
@@ -265,6 +261,21 @@ unsigned find_patience(const ExodusContainer& container) {
 }
 
 }  // namespace
+
+bool can_run(const ExodusBlock& block) {
+  return is_hexahedral(block) || is_quadrilateral(block) || is_triangular(block);
+}
+
+ExodusContents read_exodus_contents(const std::string& path) {
+  const ExodusContainer container = inspect_exodus_container(path);
+  const auto read = [&] {
+    const ExodusFile file(path);
+    return ExodusContents{file.dimensions(), file.element_count(), file.blocks(),
+                          file.node_sets(),  file.side_sets(),     file.read_coordinates()};
+  };
+  run_trial_process([&] { read(); }, find_patience(container));
+  return read();
+}
 
 PartMesh read_exodus_mesh(const ExodusMesh& source) {
   const ExodusContainer container = inspect_exodus_container(source.file);

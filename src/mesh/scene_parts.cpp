@@ -13,6 +13,7 @@
 #include "src/mesh/check_mesh.hpp"
 #include "src/mesh/exodus_mesh.hpp"
 #include "src/mesh/id_allotment.hpp"
+#include "src/mesh/mesh_doubts.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/mesh/topology.hpp"
 
@@ -90,10 +91,12 @@ void read_file_part(const PartDeck& deck, const Totals& so_far, ScenePart& part)
   check_thickness(deck, mesh);
   const double copies = count_copies(deck);
   check_size(so_far, copies * double(mesh.nodes.size()), copies * double(mesh.elements.size()));
+  const std::size_t own_elements = mesh.elements.size();
   place_part(mesh, deck);
   const GeometryFindings findings = check_geometry(mesh);
   if (!findings.problems().empty()) throw InputError(findings.problems().join(""));
   findings.warn(mesh.warnings);
+  warn_of_doubts(mesh, own_elements, mesh.warnings);
   add_side_nodes(mesh);
   order_elements(*file);
   file->exterior = mark_exterior_faces(mesh.elements, mesh.nodes.size());

@@ -88,6 +88,21 @@ TEST(PercussRun, WritesItsResultsAndInfoReadsThem) {
   EXPECT_EQ(run_percuss({"info", out + "/summary.json"}).exit_code, 0);
 }
 
+TEST(PercussRun, TellsOfElementsThatHaveFailed) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", R"yaml(
+time: {end: 0.02, max_step: 1.0e-3}
+parts: {bar: {box: {size: [3, 1, 1], cells: [3, 1, 1]}, material: weak}}
+materials: {weak: {model: elastic, density: 2, youngs_modulus: 100, poissons_ratio: 0, failure: {principal_stress: 1}}}
+conditions: [{nodes: bar/x_min, fixed: x}, {nodes: bar/x_max, velocity: {x: 1}}]
+)yaml");
+  const ProcessResult result = run_percuss({"run", file, "--out", folder.path() + "/out"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("\neroded: 1 of 3 elements failed and left, mass 2, energy "));
+  EXPECT_THAT(run_percuss({"info", folder.path() + "/out"}).out,
+              HasSubstr("\neroded    1 of 3 elements failed and left, mass 2, energy "));
+}
+
 TEST(PercussRun, AuditsTheSameEnergiesWithAndWithoutOutput) {
   const TemporaryFolder folder;
   const std::string scene =

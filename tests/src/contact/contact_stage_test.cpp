@@ -187,6 +187,24 @@ contact: {surfaces: all})");
   EXPECT_THAT(nodes.prepare(), testing::HasSubstr("5 of them lie deeper"));
 }
 
+TEST(ContactStage, ABodyBehindAWallIsWarnedOfAndOneThatTouchesOrDipsInIsNot) {
+  const auto prepare = [](double height) {
+    FreeNodes nodes("parts: {a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [0, 0, " + std::to_string(height) +
+                    "], material: m}}\nwalls: [{normal: -z}]");
+    return nodes.prepare();
+  };
+  EXPECT_EQ(prepare(-1), "");
+  EXPECT_EQ(
+      prepare(-0.8),
+      "4 contact nodes overlap a wall at the start, deepest 0.2 at node 5: accepted as the reference; 4 of 'a' behind "
+      "walls.0 (up to 0.2)");
+  EXPECT_EQ(
+      prepare(1),
+      "warning: 8 contact nodes overlap a wall at the start, deepest 2 at node 5: accepted as the reference; 8 of "
+      "'a' behind walls.0 (up to 2); 8 of them lie behind a wall by more than a quarter of a face: does its normal "
+      "point to the bodies?");
+}
+
 TEST(ContactStage, AWallStopsNodesWithoutContactBetweenBodies) {
   FreeNodes nodes(R"(
 parts: {a: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [0, 0, 0.05], material: m}}

@@ -1,0 +1,18 @@
+#pragma once
+// What of a mesh from a file can be run and is hardly meant: a few elements that make the step of all, shells that are
+// turned over. Generated parts have neither.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "src/mesh/part_mesh.hpp"
+
+namespace percuss {
+
+/// Adds a warning if a few of the first `element_count` elements (one copy of the part) are far thinner than the median
+/// of them, and one if shells have normals opposite to those of their neighbours; both name elements by the user's ids.
+/// The shapes must have been checked.
+void warn_of_doubts(const PartMesh& mesh, std::size_t element_count, std::vector<std::string>& warnings);
+
+}  // namespace percuss
