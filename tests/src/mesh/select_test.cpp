@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "src/error.hpp"
+#include "src/mesh/surface_nodes.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
 
 namespace percuss {
@@ -85,6 +86,23 @@ TEST_F(Select, RefusesUnknownNamesWithTheNearest) {
 TEST_F(Select, RefusesANodeSetWhereFacesAreNeeded) {
   mesh_.node_sets["block/corner"] = {0};
   EXPECT_THAT([&] { faces("block/corner"); }, ThrowsMessage<InputError>(HasSubstr("it is a node set")));
+}
+
+TEST_F(Select, NodesOfASurfaceOrOfASetWithTheFacesAroundThem) {
+  const auto select = [&](const std::string& name) { return select_surface_nodes(mesh_, deck_, {name, {}, {7, 9}}); };
+  const SurfaceNodes side = select("block/x_max");
+  EXPECT_FALSE(side.is_node_set);
+  EXPECT_EQ(side.nodes, nodes("block/x_max"));
+  EXPECT_EQ(side.faces, faces("block/x_max"));
+  const int corner = nodes("block", box({1, 1, 1}, {1, 1, 1})).at(0);
+  mesh_.node_sets["block/spot"] = {corner};
+  mesh_.side_sets["block/spot"] = {};  // as the edge of a shell: a side without faces
+  for (const char* name : {"block/spot", "spot"}) {
+    const SurfaceNodes spot = select(name);
+    EXPECT_TRUE(spot.is_node_set);
+    EXPECT_EQ(spot.nodes, std::vector<int>{corner});
+    EXPECT_EQ(spot.faces.size(), 3U);
+  }
 }
 
 TEST_F(Select, RefusesAnEmptySelection) {
