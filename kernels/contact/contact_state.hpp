@@ -115,17 +115,15 @@ KOKKOS_INLINE_FUNCTION FacePoints find_end(const RelativeFace& face) {
   return end;
 }
 
-/// Least cosine between the normals of the node's own faces and that of the face: negative if they look at each other.
-/// A node without faces, a free particle, looks everywhere.
-KOKKOS_INLINE_FUNCTION double find_opposition(const ContactSurface& surface, const FaceState& faces, int node,
-                                              int face) {
+/// Whether some face of the node looks against the face: by a cosine between their normals of at most `most`. A node
+/// without faces, a free particle, looks everywhere.
+KOKKOS_INLINE_FUNCTION bool has_opposed_face(const ContactSurface& surface, const FaceState& faces, int node, int face,
+                                             double most) {
   const Point3 normal = load_row(faces.normal, face);
-  double least = surface.nodes_to_faces_offset(node) == surface.nodes_to_faces_offset(node + 1) ? -1 : 1;
-  for (int j = surface.nodes_to_faces_offset(node); j < surface.nodes_to_faces_offset(node + 1); ++j) {
-    const double cosine = dot(load_row(faces.normal, surface.nodes_to_faces(j)), normal);
-    if (cosine < least) least = cosine;
-  }
-  return least;
+  const int first = surface.nodes_to_faces_offset(node), last = surface.nodes_to_faces_offset(node + 1);
+  for (int j = first; j < last; ++j)
+    if (dot(load_row(faces.normal, surface.nodes_to_faces(j)), normal) <= most) return true;
+  return first == last;
 }
 
 /// Where a node of shells looks besides along their normals: away from them in their plane, at a free edge or a fold.
@@ -146,7 +144,7 @@ KOKKOS_INLINE_FUNCTION Point3 find_outlook(const ContactSurface& surface, const 
 /// Whether a node looks against a face: some face of its own does, or the node of shells looks out on it.
 KOKKOS_INLINE_FUNCTION bool looks_against(const ContactSurface& surface, const SurfaceMotion& motion,
                                           const FaceState& faces, int node, int face) {
-  if (find_opposition(surface, faces, node, face) <= contact_limits::opposing) return true;
+  if (has_opposed_face(surface, faces, node, face, contact_limits::opposing)) return true;
   return find_node_offset(surface.offsets, node) > 0 &&
          dot(find_outlook(surface, motion, node), load_row(faces.normal, face)) <= contact_limits::opposing;
 }

@@ -1,6 +1,6 @@
 #include "kernels/contact/detailed_check.hpp"
 
-#include "kernels/core/simd.hpp"
+#include "kernels/contact/node_check.hpp"
 
 namespace percuss {
 namespace {

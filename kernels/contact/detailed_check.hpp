@@ -2,8 +2,8 @@
 // The detailed check of all candidate pairs, node-parallel (the paper's section 4.2): which node touches which face.
 
 #include "kernels/contact/capture_boxes.hpp"
-#include "kernels/contact/node_check.hpp"
 #include "kernels/contact/points_in_box.hpp"
+#include "kernels/contact/touch.hpp"
 
 namespace percuss {
 

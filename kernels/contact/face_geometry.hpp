@@ -41,6 +41,7 @@ struct FacePoint {
   int triangle = 0;                 // of the fan
   double distance = 0;              // of the asking point from it
   double off = 0;                   // part of that distance along the face: 0 unless the point lies beside the face
+  Point3 normal{};                  // outward unit normal of the triangle
 };
 
 /// Barycentric coordinates of the point of triangle (a, b, c) closest to the origin of the coordinates, by the region
@@ -82,12 +83,9 @@ KOKKOS_INLINE_FUNCTION void set_fan_weights(int k, const Point3& barycentric, do
   weight[(k + 1) % 4] += barycentric.z;
 }
 
-/// The vector from the point of triangle (a, b, c) with these coordinates to the origin, without its part along the
-/// normal of the triangle.
-KOKKOS_INLINE_FUNCTION double find_distance_in_plane(const Point3& a, const Point3& b, const Point3& c,
-                                                     const Point3& to_origin) {
-  const Point3 normal = normalize(cross(b - a, c - a));
-  return norm(to_origin - dot(to_origin, normal) * normal);
+/// Length of a vector without its part along a unit normal.
+KOKKOS_INLINE_FUNCTION double find_length_in_plane(const Point3& vector, const Point3& normal) {
+  return norm(vector - dot(vector, normal) * normal);
 }
 
 /// The point of the face closest to the origin of the coordinates; on ties the first triangle of the fan. Where a
@@ -107,8 +105,9 @@ KOKKOS_INLINE_FUNCTION FacePoint find_closest_point(const FacePoints& face) {
   FacePoint best;
   best.triangle = k;
   set_fan_weights(k, bary, best.weight);
+  best.normal = normalize(cross(face.corner[k] - middle, face.corner[(k + 1) % 4] - middle));
   // Only the outer edge of the fan ends the face.
-  best.off = bary.x > 0 ? 0 : find_distance_in_plane(middle, face.corner[k], face.corner[(k + 1) % 4], to_origin);
+  best.off = bary.x > 0 ? 0 : find_length_in_plane(to_origin, best.normal);
   best.distance = std::sqrt(closest.square[k]);
   return best;
 }

@@ -77,31 +77,40 @@ KOKKOS_INLINE_FUNCTION bool are_convex(const ContactSurface& surface, const Surf
   return dot(from_a_to_b, load_row(faces.normal, a)) < 0 && dot(from_a_to_b, load_row(faces.normal, b)) > 0;
 }
 
-/// Up to three touches that the node obeys.
-struct NodeTouches {
-  int count = 0;
-  Touch touch[contact_limits::max_touches];
-};
-
 /// Takes found touch `best` into the accepted ones: itself and all that push the same way, of which one is enough, are
 /// then decided, and so are the faces that bulge away from any of these: the node passes them by. On a seam between
 /// level bodies it is thus not caught by the side of the next one.
 KOKKOS_INLINE_FUNCTION void decide_around(const ContactSurface& surface, const SurfaceMotion& motion,
                                           const FaceState& faces, const TouchList& found, int best, bool* decided) {
+  bool is_same_way[TouchList::capacity], any_other = false;
   for (int i = 0; i < found.count; ++i) {
-    if (decided[i] || dot(found.touch[i].normal, found.touch[best].normal) <= contact_limits::independent) continue;
+    is_same_way[i] = !(dot(found.touch[i].normal, found.touch[best].normal) <= contact_limits::independent);
+    any_other = any_other || !(decided[i] || is_same_way[i]);
+  }
+  for (int i = 0; i < found.count; ++i) {
+    if (decided[i] || !is_same_way[i]) continue;
     decided[i] = true;
-    for (int j = 0; j < found.count; ++j)
+    for (int j = 0; any_other && j < found.count; ++j)
       if (!decided[j] && are_convex(surface, motion, faces, found.touch[i].face, found.touch[j].face))
         decided[j] = true;
   }
 }
 
+/// Finds the gap at n of a touch that was accepted without it.
+template <Thickness thickness>
+KOKKOS_INLINE_FUNCTION void settle_start(const ContactSurface& surface, const SurfaceMotion& motion,
+                                         const CheckedNode& node, Touch& touch) {
+  if (!touch.owes_start) return;
+  const double offset = thickness == Thickness::of_shells ? find_offset(surface.offsets, node.node, touch.face) : 0;
+  measure_start(load_touched_face(surface, motion, node.x, node.v, touch.face, offset).start, touch);
+}
+
 /// A node that slips in just below an edge goes through a face that looks past it. It is lifted over the edge by the
 /// neighbour that it then lies behind by a little, rather than caught by the face; without such a neighbour it is
 /// caught.
+template <Thickness thickness>
 KOKKOS_INLINE_FUNCTION bool is_ruled_out(const ContactSurface& surface, const SurfaceMotion& motion,
-                                         const FaceState& faces, const TouchList& found, int i) {
+                                         const FaceState& faces, const CheckedNode& node, TouchList& found, int i) {
   const Touch& touch = found.touch[i];
   if (touch.same_face || (touch.opposed && !touch.beside)) return false;
   for (int j = 0; j < found.count; ++j) {
@@ -109,7 +118,8 @@ KOKKOS_INLINE_FUNCTION bool is_ruled_out(const ContactSurface& surface, const Su
     const bool is_edge =
         share_corner(surface, touch.face, other.face) && are_convex(surface, motion, faces, touch.face, other.face);
     if (!is_edge || touch.opposed == other.opposed) continue;
-    const Touch& lift = touch.opposed ? touch : other;
+    Touch& lift = touch.opposed ? found.touch[i] : found.touch[j];
+    settle_start<thickness>(surface, motion, node, lift);
     return (lift.gap_start >= -contact_limits::lift_depth * lift.size) != touch.opposed;
   }
   return touch.beside;
@@ -137,17 +147,19 @@ KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, con
                                               const FaceState& faces, const Array<const int>& history_face, int node,
                                               const Faces& candidates, int first, int last) {
   const CheckedNode checked = load_checked_node(surface, motion, node);
+  const KnownFaces known = load_known_faces(faces, history_face, checked);
   TouchList found;
   for (int c = first; c < last; ++c) {
     Touch touch;
-    if (check_pair<thickness>(surface, motion, faces, history_face, checked, candidates(c), touch)) found.insert(touch);
+    if (check_pair<thickness>(surface, motion, faces, known, checked, candidates(c), touch)) found.insert(touch);
   }
   bool decided[TouchList::capacity];
-  for (int i = 0; i < found.count; ++i) decided[i] = is_ruled_out(surface, motion, faces, found, i);
+  for (int i = 0; i < found.count; ++i) decided[i] = is_ruled_out<thickness>(surface, motion, faces, checked, found, i);
   NodeTouches accepted;
   for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
     if (decided[i]) continue;
     Touch touch = found.touch[i];
+    settle_start<thickness>(surface, motion, checked, touch);
     claim_record(accepted, touch);
     accepted.touch[accepted.count++] = touch;
     decide_around(surface, motion, faces, found, i, decided);

@@ -5,28 +5,11 @@
 // place), goes through it within the step (swept, at any speed), or leaves it far behind (held). A node behind a face
 // that it did not go through is not in contact with it. Nothing here depends on what other pairs exist.
 
+#include "kernels/contact/known_faces.hpp"
 #include "kernels/contact/offset_faces.hpp"
 #include "kernels/contact/swept_root.hpp"
 
 namespace percuss {
-
-/// One node on one face.
-struct Touch {
-  int face = -1;
-  int record = -1;         // history slot of the node (0 to 2) that this contact continues; -1: new
-  bool same_face = false;  // the record is of this very face
-  bool opposed = true;     // whether some face of the node looks against this one
-  bool beside = false;     // behind the face since the start, but beside it then: it came in through another face
-  float offset = 0;        // distance that the node keeps from the face of the mesh by thickness, for limits
-  double weight[4] = {0, 0, 0, 0};
-  Point3 normal{};        // push direction of the node
-  Point3 gap_gradient{};  // how the gap changes with the place of the node; its part along the push direction is 1
-  double gap_start = 0;   // distance along the normal at n, negative behind the face [length]
-  double gap_end = 0;     // the same at the predicted place
-  double off = 0;         // distance beside the face
-  double tau = 0;         // when contact begins, share of the step; 0: touching since the start
-  double size = 0;        // h of the face
-};
 
 /// How far behind a face a node with a history is looked for: where thickness is between them, beyond the mid-surface
 /// too, because the history knows from which side it came.
@@ -42,24 +25,8 @@ KOKKOS_INLINE_FUNCTION double find_reach(const Touch& touch) {
   return find_known_depth(touch, contact_limits::capture);
 }
 
-/// Which history slot of the node a contact with this face would continue: that of the face itself, else that of a
-/// smooth neighbour, which must still be in reach of the node. history_face: [3 contact nodes] the faces that pushed in
-/// the last step, -1: none (or a face that is out of reach).
-KOKKOS_INLINE_FUNCTION void find_record(const ContactSurface& surface, const FaceState& faces,
-                                        const Array<const int>& history_face, const CheckedNode& node, Touch& touch) {
-  for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
-    const int old = history_face(node.node * contact_limits::max_touches + slot);
-    if (old < 0 || !is_in_box(node, faces.box, old)) continue;
-    if (old == touch.face) {
-      touch.record = slot;
-      touch.same_face = true;
-      return;
-    }
-    const double cosine = dot(load_row(faces.normal, old), load_row(faces.normal, touch.face));
-    if (touch.record < 0 && cosine > contact_limits::inherited && share_corner(surface, old, touch.face))
-      touch.record = slot;
-  }
-}
+/// Bounds leave this much room for round-off.
+inline constexpr double bound_slack = 1.001;
 
 /// Signed distances of the node (the origin) from the corners of a face along its normal, positive in front.
 struct PlaneRange {
@@ -87,45 +54,65 @@ KOKKOS_INLINE_FUNCTION double find_contact_time(const Touch& touch) {
   return touch.gap_start / (touch.gap_start - touch.gap_end);
 }
 
-/// Change of the gap with the place of the node: the normal of the triangle, so scaled that moving along the push
+/// A face that looks away from the push direction by more than this cosine is seen along the push direction itself: no
+/// gap is more than 1 / least_push_cosine times the distance.
+inline constexpr double least_push_cosine = 0.5;
+
+/// Change of the gap with the place of the node: the `normal` of the triangle, so scaled that moving along the push
 /// direction by one closes the gap by one. Push direction and triangle differ on smooth surfaces; without this every
 /// push would fall short by the square of the angle.
-KOKKOS_INLINE_FUNCTION Point3 find_gap_gradient(const FacePoints& face, int triangle, const Point3& push) {
-  constexpr double least_cosine = 0.5;
-  const Point3 normal = find_triangle_normal(face, triangle);
+KOKKOS_INLINE_FUNCTION Point3 find_gap_gradient(const Point3& normal, const Point3& push) {
   const double cosine = dot(normal, push);
-  return cosine > least_cosine ? (1 / cosine) * normal : push;
+  return cosine > least_push_cosine ? (1 / cosine) * normal : push;
 }
 
-/// Sets direction and predicted gap of a touch at the point of the face with touch.weight.
+/// Sets direction and predicted gap of a touch at the point of the face with touch.weight, on the triangle with this
+/// normal.
 KOKKOS_INLINE_FUNCTION void measure_end(const ContactSurface& surface, const FaceState& faces, const FacePoints& end,
-                                        int triangle, Touch& touch) {
+                                        const Point3& normal, Touch& touch) {
   touch.normal = find_push_direction(surface, faces, touch.face, touch.weight);
-  touch.gap_gradient = find_gap_gradient(end, triangle, touch.normal);
+  touch.gap_gradient = find_gap_gradient(normal, touch.normal);
   touch.gap_end = -dot(touch.gap_gradient, interpolate(end, touch.weight));
 }
 
-/// Gap of the origin from a point of the face along the push direction of the touch.
-KOKKOS_INLINE_FUNCTION double measure_gap(const FacePoints& face, int triangle, const double weight[4],
+/// Gap of the origin from a point of the face, on the triangle with this normal, along the push direction of the touch.
+KOKKOS_INLINE_FUNCTION double measure_gap(const FacePoints& face, const Point3& normal, const double weight[4],
                                           const Touch& touch) {
-  return -dot(find_gap_gradient(face, triangle, touch.normal), interpolate(face, weight));
+  return -dot(find_gap_gradient(normal, touch.normal), interpolate(face, weight));
 }
 
-/// Touching: the closest point of the face at the predicted place. The gap at n is that of the closest point at n:
-/// that of the predicted point would count sliding as depth wherever push direction and face differ by a little.
+/// The gap at n, which is that of the closest point at n: that of the predicted point would count sliding as depth
+/// wherever push direction and face differ by a little. Returns that point.
+KOKKOS_INLINE_FUNCTION FacePoint measure_start(const FacePoints& start, Touch& touch) {
+  const FacePoint before = find_closest_point(start);
+  touch.gap_start = measure_gap(start, before.normal, before.weight, touch);
+  touch.owes_start = false;
+  return before;
+}
+
+/// Whether a node with a history was certainly not too deep behind the face at n, which is all that its gap there
+/// decides: the closest point at n is no farther than the point of the touch is there.
+KOKKOS_INLINE_FUNCTION bool is_surely_shallow(const FacePoints& start, const Touch& touch) {
+  const Point3 place = interpolate(start, touch.weight);
+  const double least = least_push_cosine * find_deepest_start(touch);
+  return touch.record >= 0 && bound_slack * dot(place, place) <= least * least;
+}
+
+/// Touching: the closest point of the face at the predicted place.
 KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const FaceState& faces,
-                                           const FacePoints& start, const FacePoints& end, Touch& touch) {
+                                           const FacePoints& start, const FacePoints& end, const FacePoint& closest,
+                                           Touch& touch) {
   const double h = touch.size;
   const bool known = touch.record >= 0;
-  const FacePoint closest = find_closest_point(end);
   if (closest.distance > find_reach(touch)) return false;
   if (closest.off > (known ? contact_limits::history_band : contact_limits::new_band) * h) return false;
   for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
   touch.off = closest.off;
-  measure_end(surface, faces, end, closest.triangle, touch);
+  measure_end(surface, faces, end, closest.normal, touch);
   if (touch.gap_end > contact_limits::row_gap * h) return false;
-  const FacePoint before = find_closest_point(start);
-  touch.gap_start = measure_gap(start, before.triangle, before.weight, touch);
+  touch.owes_start = is_surely_shallow(start, touch);
+  if (touch.owes_start) return true;
+  const FacePoint before = measure_start(start, touch);
   // Sliding in along the plane of the face is later than going through another one.
   touch.tau = before.off > contact_limits::new_band * h ? 1 : find_contact_time(touch);
   if (touch.gap_start < -find_deepest_start(touch)) return false;
@@ -133,18 +120,41 @@ KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const 
   return true;
 }
 
+/// Whether the node can come nearer to the face within the step than `band`: by the box of its corners at both ends.
+KOKKOS_INLINE_FUNCTION bool may_meet(const FacePoints& start, const FacePoints& end, double band) {
+  Point3 low = start.corner[0], high = low;
+  const auto include = [&](const Point3& p) {
+    low = {smaller(low.x, p.x), smaller(low.y, p.y), smaller(low.z, p.z)};
+    high = {larger(high.x, p.x), larger(high.y, p.y), larger(high.z, p.z)};
+  };
+  for (int i = 0; i < 4; ++i) {
+    include(start.corner[i]);
+    include(end.corner[i]);
+  }
+  return low.x <= band && low.y <= band && low.z <= band && high.x >= -band && high.y >= -band && high.z >= -band;
+}
+
 /// Swept: the first time at which the node goes through the face.
 KOKKOS_INLINE_FUNCTION bool check_swept(const ContactSurface& surface, const FaceState& faces,
                                         const RelativeFace& relative, const FacePoints& end, Touch& touch) {
   const double h = touch.size;
+  if (!may_meet(relative.start, end, bound_slack * contact_limits::new_band * h)) return false;
   const SweptHit hit = sweep_face(relative.start, relative.move, contact_limits::new_band * h);
   if (!hit.hit) return false;
   for (int i = 0; i < 4; ++i) touch.weight[i] = hit.weight[i];
   touch.off = hit.off;
-  measure_end(surface, faces, end, hit.triangle, touch);
-  touch.gap_start = measure_gap(relative.start, hit.triangle, hit.weight, touch);
+  measure_end(surface, faces, end, find_triangle_normal(end, hit.triangle), touch);
+  touch.gap_start = measure_gap(relative.start, find_triangle_normal(relative.start, hit.triangle), hit.weight, touch);
   touch.tau = touch.gap_start <= contact_limits::new_band * h ? 0 : hit.tau;
   return touch.gap_end <= contact_limits::row_gap * h && touch.gap_start >= -contact_limits::new_depth * h;
+}
+
+/// Whether a node is certainly not held, by its distance from the closest point at the predicted place: from there to
+/// the closest point at n, and from that to its predicted place, no way is longer than what a corner moves.
+KOKKOS_INLINE_FUNCTION bool is_surely_not_held(const FacePoints& move, double distance, const Touch& touch) {
+  double farthest = 0;
+  for (int i = 0; i < 4; ++i) farthest = larger(farthest, dot(move.corner[i], move.corner[i]));
+  return bound_slack * (distance + 2 * std::sqrt(farthest)) < least_push_cosine * find_reach(touch);
 }
 
 /// Held: at the face at the start of the step and so far behind it at the end that the closest point there says
@@ -158,8 +168,8 @@ KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const Face
   if (closest.off > (known ? contact_limits::history_band : contact_limits::new_band) * h) return false;
   for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
   touch.off = closest.off;
-  measure_end(surface, faces, end, closest.triangle, touch);
-  touch.gap_start = measure_gap(start, closest.triangle, closest.weight, touch);
+  measure_end(surface, faces, end, find_triangle_normal(end, closest.triangle), touch);
+  touch.gap_start = measure_gap(start, closest.normal, closest.weight, touch);
   if (touch.gap_start > contact_limits::new_band * h || touch.gap_end > -find_reach(touch)) return false;
   return touch.gap_start >= -find_deepest_start(touch);
 }
@@ -175,8 +185,8 @@ KOKKOS_INLINE_FUNCTION Touch start_touch(int face, double size, double offset) {
 /// Checks one pair; touch is meaningful if the answer is true.
 template <Thickness thickness>
 KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const SurfaceMotion& motion,
-                                       const FaceState& faces, const Array<const int>& history_face,
-                                       const CheckedNode& node, int face, Touch& touch) {
+                                       const FaceState& faces, const KnownFaces& known, const CheckedNode& node,
+                                       int face, Touch& touch) {
   if (!is_in_box(node, faces.box, face)) return false;
   const double h = faces.size(face);
   double offset = 0, reach = contact_limits::capture * h;
@@ -184,7 +194,7 @@ KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const Surf
     offset = find_offset(surface.offsets, node.node, face);
     touch = start_touch(face, h, offset);
     if (offset > 0) {
-      find_record(surface, faces, history_face, node, touch);
+      find_record(surface, faces, known, touch);
       reach = find_reach(touch);
       if (is_off_slab(faces.slab(face), load_row(faces.normal, face), motion, node, offset, contact_limits::row_gap * h,
                       reach))
@@ -197,23 +207,24 @@ KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const Surf
   if (range.least > contact_limits::row_gap * h || range.most < -reach) return false;
   if (offset == 0) {
     touch = start_touch(face, h, 0);
-    find_record(surface, faces, history_face, node, touch);
+    find_record(surface, faces, known, touch);
   }
   touch.opposed = thickness == Thickness::of_shells
                       ? looks_against(surface, motion, faces, node.node, face)
-                      : find_opposition(surface, faces, node.node, face) <= contact_limits::opposing;
+                      : has_opposed_face(surface, faces, node.node, face, contact_limits::opposing);
   // Faces that only meet at an edge, as those of bricks in line do, are hit only by going through them for certain.
   const bool starts_in_front = range.most_start > contact_limits::overlap * h;
   // What is farther from the face's plane than the band at both ends of the step, and so at any time, goes through
   // nothing.
-  constexpr double slack = 1.001;  // for round-off
-  const bool may_sweep = starts_in_front && range.least <= slack * contact_limits::new_band * h;
+  const bool may_sweep = starts_in_front && range.least <= bound_slack * contact_limits::new_band * h;
   if (!touch.opposed && !touch.same_face)
     return may_sweep && check_swept(surface, faces, relative, end, touch) &&
            touch.gap_start > contact_limits::overlap * h;
-  if (check_touching(surface, faces, relative.start, end, touch)) return true;
+  const FacePoint closest = find_closest_point(end);
+  if (check_touching(surface, faces, relative.start, end, closest, touch)) return true;
   if (may_sweep && check_swept(surface, faces, relative, end, touch)) return true;
-  return check_held(surface, faces, relative.start, end, touch);
+  return !is_surely_not_held(relative.move, closest.distance, touch) &&
+         check_held(surface, faces, relative.start, end, touch);
 }
 
 }  // namespace percuss

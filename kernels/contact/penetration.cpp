@@ -26,8 +26,7 @@ struct FaceDepth {
 /// Whether a node and a face of one body may overlap.
 KOKKOS_INLINE_FUNCTION bool may_overlap(const ContactSurface& surface, const FaceState& faces, int node, int face,
                                         double offset) {
-  const double least = find_opposition(surface, faces, node, face);
-  return offset > 0 ? least <= -flat_on_itself : least <= contact_limits::opposing;
+  return has_opposed_face(surface, faces, node, face, offset > 0 ? -flat_on_itself : contact_limits::opposing);
 }
 
 KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const ContactSurface& surface, const SurfaceMotion& motion,

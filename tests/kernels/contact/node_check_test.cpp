@@ -125,6 +125,20 @@ TEST(NodeCheck, HistoryDecidesBeforeDepth) {
   EXPECT_TRUE(t.touch[0].same_face);
 }
 
+TEST(NodeCheck, ANodeWithAHistoryIsHeldDownToItsDepthAndHasTheGapOfTheStart) {
+  for (const double depth : {0.0, 0.05, 0.2, 0.26}) {  // contact holds down to 0.25 h, and h is 1
+    CheckedScene scene(make_drop({1, 1, 1 - depth}, {0.5, 0, -0.1}), 0.01);
+    scene.history_face(3 * 8) = face_of(0, z_max);
+    scene.check();
+    const NodeTouches t = scene.at(8);
+    ASSERT_EQ(t.count, depth < 0.25 ? 1 : 0) << depth;
+    if (t.count == 0) continue;
+    EXPECT_FALSE(t.touch[0].owes_start);
+    EXPECT_NEAR(t.touch[0].gap_start, -depth, tight);
+    EXPECT_NEAR(t.touch[0].gap_end, -depth - 0.001, tight);
+  }
+}
+
 TEST(NodeCheck, ASeamOfTwoFacesGivesOneHitWhicheverSideOfItTheNodeFallsOn) {
   for (const double offset : {-1e-9, -1e-16, 0.0, 1e-16, 1e-9}) {
     BrickScene scene;
