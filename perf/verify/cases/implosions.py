@@ -11,6 +11,7 @@ time: {end: 0.6}
 parts: {gas: {exodus: {file: $mesh}, material: gas}}
 materials:
   gas: {model: fluid, density: 1, equation_of_state: {kind: ideal_gas, gamma: 1.6666666666666667, start_energy: 1e-6}}
+elements: {hourglass: viscous}
 initial:
   - {radial_velocity: {speed: -1, center: [0, 0, 0]$axis}}
 $rests
@@ -22,9 +23,26 @@ WALL = 0.06  # radius inside of which viscosity has heated the gas that met firs
 SHOCK = 0.2  # at the end
 
 
+class Gas:
+    """The elements at the end: radius, volume, density, pressure."""
+
+    def __init__(self, frames, from_axis):
+        centers = frames.points()[frames.corners].mean(axis=1)
+        if from_axis:
+            centers[:, 2] = 0
+        self.r = np.linalg.norm(centers, axis=1)
+        self.volume = meshes.volume(frames.points(), frames.corners)
+        self.density = meshes.volume(frames.points(0), frames.corners) / self.volume
+        self.pressure = frames.element("pressure")
+
+    def behind_shock(self):
+        """Mean density and pressure of the volume behind the shock."""
+        there = (self.r > WALL) & (self.r < SHOCK - 0.04)
+        return tuple(float(np.average(field[there], weights=self.volume[there])) for field in (self.density, self.pressure))
+
+
 def run_together(bench, kind, points, corners, planes):
-    """Radius from the axis or the point, density and pressure of the elements at the end. Nodes at the least radius, on a rod or a ball that
-    stands for what no hexahedron can fill, stay."""
+    """The gas at the end. Nodes at the least radius, on a rod or a ball that stands for what no hexahedron can fill, stay."""
     directions = points * (np.array([1, 1, 0]) if kind == "cylinder" else 1)
     radius = np.linalg.norm(directions, axis=1)
     on_core = radius < radius.min() * (1 + 1e-9)
@@ -36,33 +54,23 @@ def run_together(bench, kind, points, corners, planes):
     held = "\n".join(f"  - {{nodes: {{name: gas, inside: [{low}, {high}]}}, symmetry: {axis}}}" for axis, low, high in planes)
     run = bench.run(GAS, kind=kind, mesh=mesh, axis=", axis: z" if kind == "cylinder" else "", rests=each_of_core("velocity: [0, 0, 0]"),
                     planes=held + "\n" + each_of_core("fixed: [x, y, z]"))
-    frames = run.frames
-    centers = frames.points()[frames.corners].mean(axis=1)
-    if kind == "cylinder":
-        centers[:, 2] = 0
-    density = meshes.volume(frames.points(0), frames.corners) / meshes.volume(frames.points(), frames.corners)
     bench.below("energy balance, largest error", run.history.largest("energy_error"), 0.01)
-    return np.linalg.norm(centers, axis=1), density, frames.element("pressure")
+    return Gas(run.frames, kind == "cylinder")
 
 
-def compare(bench, kind, r, density, pressure, power, within):
-    """Behind the shock, 4^(power + 1) of the density at the start; ahead of it what has run together so far. within: None where the answer is only shown."""
-    behind, exact = (r > WALL) & (r < SHOCK - 0.04), 4.0 ** (power + 1)
-    means = float(np.mean(density[behind])), float(np.mean(pressure[behind]))
-    if within is None:
-        bench.table(["mean behind the shock", "measured", "exact"], [["density", f"{means[0]:.1f}", f"{exact:.0f}"], ["pressure", f"{means[1]:.2f}", f"{exact / 3:.2f}"]])
-    else:
-        bench.near(f"density behind the shock, r from {WALL} to {SHOCK - 0.04:.2f}", means[0], exact, relative=within)
-        bench.near("pressure behind the shock", means[1], exact / 3, relative=within)
-    ahead = (r > SHOCK + 0.06) & (r < 0.35)
-    bench.near("density ahead of the shock over the exact one, (1 + t / r)^n", float(np.mean(density[ahead] / (1 + 0.6 / r[ahead])**power)), 1.0,
+def compare_ahead(bench, gas, power):
+    """Ahead of the shock: what has run together so far."""
+    ahead = (gas.r > SHOCK + 0.06) & (gas.r < 0.35)
+    bench.near("density ahead of the shock over the exact one, (1 + t / r)^n", float(np.mean(gas.density[ahead] / (1 + 0.6 / gas.r[ahead])**power)), 1.0,
                relative=0.02)
 
+
+def draw_density(bench, kind, gas, power):
     def draw(axes):
         x = np.linspace(0.01, 0.4, 500)
-        axes.plot(x, np.where(x < SHOCK, exact, (1 + 0.6 / x)**power), **plots.EXACT)
-        shown = r < 0.4
-        axes.plot(r[shown], density[shown], ".", markersize=2)
+        axes.plot(x, np.where(x < SHOCK, 4.0**(power + 1), (1 + 0.6 / x)**power), **plots.EXACT)
+        shown = gas.r < 0.4
+        axes.plot(gas.r[shown], gas.density[shown], ".", markersize=2)
         axes.set(xlabel="radius", ylabel="density", xlim=(0, 0.4))
 
     bench.figure(f"Density of every element of the {kind} at t = 0.6; dashed: exact.", draw)
@@ -104,14 +112,29 @@ def noh_cylinder(bench):
     points = np.stack([r * np.cos(points[:, 1]), r * np.sin(points[:, 1]), points[:, 2]], axis=1)
     points[np.abs(points) < 1e-12] = 0
     planes = (*PLANES, ("z", [-9, -9, 0.01], [9, 9, 0.01]))
-    compare(bench, "cylinder", *run_together(bench, "cylinder", points, corners, planes), 1, 0.05)
+    gas = run_together(bench, "cylinder", points, corners, planes)
+    density, pressure = gas.behind_shock()
+    bench.near(f"density behind the shock, r from {WALL} to {SHOCK - 0.04:.2f}", density, 16, relative=0.05)
+    bench.near("pressure behind the shock", pressure, 16 / 3, relative=0.05)
+    compare_ahead(bench, gas, 1)
+    draw_density(bench, "cylinder", gas, 1)
 
 
 @case("noh_ball", "shocks", "Noh's problem in the ball")
 def noh_ball(bench):
-    """The same to a point: 64 times the density and a pressure of 64/3, ahead of the shock (1 + t / r)^2. An octant in rays, 150 x 27 elements around a ball of radius 0.02. Ahead
-    of the shock the density is right within 2 %; behind it the front is not round any more: it runs ahead along some rays, where elements are wider,
-    and the mean density is a fifth short. No tolerance is set for it; a mesh without rays does no better."""
-    points, corners = make_rays(*octant(3), np.linspace(0.02, 1, 151))
-    points[np.abs(points) < 1e-12] = 0
-    compare(bench, "ball", *run_together(bench, "ball", points, corners, PLANES), 2, None)
+    """The same to a point: 64 times the density and a pressure of 64/3, ahead of the shock (1 + t / r)^2. An octant in rays, 27 elements a layer around a ball of radius 0.02.
+    The viscosity of a shock that runs together heats too much by the first order of the layers' thickness: a code in one dimension with the same viscosity and energy equation has a density of
+    48.4, 56.6 and 60.2 with 150, 300 and 600 layers. So the density is judged where it goes, by the straight line through both meshes, within 5 %; ahead of the shock within 2 %.
+    The front does not stay round on thin, wide elements, which run ahead along some rays and keep motion across them; that is what the pressure lacks."""
+    means = []
+    for layers in (150, 300):
+        points, corners = make_rays(*octant(3), np.linspace(0.02, 1, layers + 1))
+        points[np.abs(points) < 1e-12] = 0
+        gas = run_together(bench, "ball", points, corners, PLANES)
+        means.append(gas.behind_shock())
+    limit = [2 * fine - coarse for coarse, fine in zip(*means)]
+    bench.table(["mean behind the shock", "150 layers", "300 layers", "line through both", "exact"],
+                [[name, *(f"{mean[i]:.2f}" for mean in (*means, limit)), f"{exact:.2f}"] for i, (name, exact) in enumerate((("density", 64), ("pressure", 64 / 3)))])
+    bench.near(f"density behind the shock, r from {WALL} to {SHOCK - 0.04:.2f}, where it goes with the layers", limit[0], 64, relative=0.05)
+    compare_ahead(bench, gas, 2)
+    draw_density(bench, "ball", gas, 2)
