@@ -8,8 +8,8 @@ namespace percuss {
 /// Flow stress (A + B p^n) (1 + C ln r) (1 - t^m), r = max(rate of p / reference_rate, 1), t = (T - T_room) / (T_melt -
 /// T_room) between 0 and 1; at t = 1 nothing of it is left. No heat is conducted: rho cp dT = beta sigma dp. The flow
 /// stress of a step takes the temperature of its beginning, its heat the mean flow stress. With an equation of state
-/// p(J, e) compression heats it too: dT = -T_abs dp/de dJ without heat (Maxwell's relation for a constant heat
-/// capacity), and rho cp dT = -q dJ by the viscous pressure, which stands for the shock. History: p, T.
+/// p(J, e) compression heats it too: dT = -T_abs dp/de dJ without heat (Maxwell's relation), and rho cp dT = -q dJ by
+/// the viscous pressure, which stands for the shock. History: p, T.
 struct JohnsonCook {
   static constexpr const char* name = "johnson_cook";
   using Constants = JohnsonCook;
@@ -46,6 +46,15 @@ struct JohnsonCook {
   /// What is wrong between constants; empty: nothing.
   const char* find_fault() const {
     return melt_temperature > room_temperature ? "" : "a melt_temperature that is not above its room_temperature";
+  }
+
+  /// Likewise with an equation of state. The limit is below what anyone cools to, and above Celsius' rooms.
+  const char* find_fault_with_state() const {
+    constexpr double coldest = 70;
+    return start_temperature - absolute_zero > coldest
+               ? ""
+               : "a start_temperature less than 70 above its absolute_zero, from which an equation_of_state heats by "
+                 "compression: absolute_zero is -273.15 for degrees Celsius";
   }
 
   static constexpr HistoryScalar history_names[] = {HistoryScalar::equivalent_plastic_strain,

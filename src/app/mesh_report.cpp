@@ -119,7 +119,11 @@ std::string describe_exodus_mesh(const std::string& file) {
                                    count(static_cast<std::int64_t>(contents.nodes.size()), "node")));
   text += line("extent", format_extent(contents.nodes)) + format_blocks(contents.blocks);
   text += format_sets(contents.node_sets, "node sets", "node") + format_sets(contents.side_sets, "side sets", "face");
-  return text + format_reading(file, contents);
+  try {
+    return text + format_reading(file, contents);
+  } catch (const InputError& error) {  // what is there helps to choose blocks without what is wrong
+    throw InputError(text + error.what());
+  }
 }
 
 }  // namespace percuss

@@ -1,6 +1,7 @@
 #include "src/contact/tie_thickness.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace percuss {
@@ -9,10 +10,10 @@ namespace {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// What a rank knows of a node, for its owner, and the owner's answer.
-struct NodeThickness {
+struct NodeValue {
   std::int64_t node = -1;
   int asker = 0;
-  double half = 0;  // of the thickest shell [length]
+  double value = 0;
 };
 
 std::size_t find_place(const std::vector<int>& nodes, int node) {
@@ -20,17 +21,39 @@ std::size_t find_place(const std::vector<int>& nodes, int node) {
 }
 
 /// Gives each asker the most that any of them knows.
-void share_most(std::vector<NodeThickness>& told) {
-  std::sort(told.begin(), told.end(), [](const NodeThickness& a, const NodeThickness& b) {
+void share_most(std::vector<NodeValue>& told) {
+  std::sort(told.begin(), told.end(), [](const NodeValue& a, const NodeValue& b) {
     return a.node != b.node ? a.node < b.node : a.asker < b.asker;
   });
   for (auto first = told.begin(); first != told.end();) {
-    const auto last = std::find_if(first, told.end(), [&](const NodeThickness& t) { return t.node != first->node; });
+    const auto last = std::find_if(first, told.end(), [&](const NodeValue& t) { return t.node != first->node; });
     double most = 0;
-    for (auto t = first; t != last; ++t) most = std::max(most, t->half);
-    for (; first != last; ++first) first->half = most;
+    for (auto t = first; t != last; ++t) most = std::max(most, t->value);
+    for (; first != last; ++first) first->value = most;
   }
 }
+
+/// Gives each node, ascending, the largest value that any rank has for it. Collective.
+void share_largest(const ChunkedMesh& chunked, const std::vector<int>& nodes, ItemExchange& exchange,
+                   std::vector<double>& values) {
+  const Mesh& mesh = chunked.mesh;
+  std::vector<int> owners, askers;
+  std::vector<NodeValue> known;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    known.push_back({mesh.node_numbers[at(nodes[i])], exchange.ranks().rank(), values[i]});
+    owners.push_back(chunked.numbering.find_node_owner(known.back().node));
+  }
+  std::vector<NodeValue> told = exchange.send(owners, known);
+  share_most(told);
+  for (const NodeValue& t : told) askers.push_back(t.asker);
+  for (const NodeValue& t : exchange.send(askers, told)) {
+    const auto place = std::lower_bound(nodes.begin(), nodes.end(), t.node,
+                                        [&](int n, std::int64_t number) { return mesh.node_numbers[at(n)] < number; });
+    values[static_cast<std::size_t>(place - nodes.begin())] = t.value;
+  }
+}
+
+double find_length(const Vec3& a, const Vec3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 }  // namespace
 
@@ -57,21 +80,33 @@ std::vector<double> find_node_thickness(const ChunkedMesh& chunked, const Surfac
         half[place] = std::max(half[place], find_half_thickness(mesh, face));
     }
   }
-  std::vector<int> owners, askers;
-  std::vector<NodeThickness> known;
-  for (std::size_t i = 0; i < half.size(); ++i) {
-    known.push_back({mesh.node_numbers[at(side.nodes[i])], exchange.ranks().rank(), half[i]});
-    owners.push_back(chunked.numbering.find_node_owner(known.back().node));
-  }
-  std::vector<NodeThickness> told = exchange.send(owners, known);
-  share_most(told);
-  for (const NodeThickness& t : told) askers.push_back(t.asker);
-  for (const NodeThickness& t : exchange.send(askers, told)) {
-    const auto place = std::lower_bound(side.nodes.begin(), side.nodes.end(), t.node,
-                                        [&](int n, std::int64_t number) { return mesh.node_numbers[at(n)] < number; });
-    half[static_cast<std::size_t>(place - side.nodes.begin())] = t.half;
-  }
+  share_largest(chunked, side.nodes, exchange, half);
   return half;
+}
+
+void leave_out_what_lies_behind(const ChunkedMesh& chunked, const std::vector<int>& nodes,
+                                const std::optional<double>& distance, std::vector<ClosestFace>& answers,
+                                ItemExchange& exchange) {
+  constexpr double steep = 0.7;  // sine of the angle at which an edge leads away from the surface
+  const Mesh& mesh = chunked.mesh;
+  std::vector<int> places(mesh.nodes.size(), -1);
+  for (std::size_t i = 0; i < nodes.size(); ++i) places[at(nodes[i])] = static_cast<int>(i);
+  std::vector<double> behind(nodes.size(), 0);
+  for (const std::array<int, 8>& element : mesh.elements) {
+    for (const int n : element) {
+      for (const int m : element) {
+        if (n == m || places[at(n)] < 0 || places[at(m)] < 0) continue;
+        const double farther = answers[at(places[at(n)])].distance - answers[at(places[at(m)])].distance;
+        if (farther > steep * find_length(mesh.nodes[at(n)], mesh.nodes[at(m)])) behind[at(places[at(n)])] = 1;
+      }
+    }
+  }
+  share_largest(chunked, nodes, exchange, behind);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    ClosestFace& answer = answers[i];
+    if (answer.found.face < 0 || !(behind[i] > 0)) continue;
+    if (answer.distance > distance.value_or(default_tie_distance * answer.found.geometry.size)) answer.found.face = -1;
+  }
 }
 
 std::vector<ElementFace> add_other_sides(const Mesh& mesh, std::vector<ElementFace> faces) {

@@ -85,7 +85,8 @@ struct Model {
   std::string name;
   State state;  // whether it has an equation of state
   Keys<LawDeck> keys;
-  std::string (*find_fault)(const LawDeck&);  // what is wrong between several constants; empty: nothing
+  std::string (*find_fault)(const LawDeck&);             // what is wrong between several constants; empty: nothing
+  std::string (*find_fault_with_state)(const LawDeck&);  // likewise, only with an equation of state
 };
 
 template <class Law>
@@ -93,12 +94,19 @@ Model make_model() {
   constexpr Model::State state = needs_equation_of_state<Law>   ? Model::State::must
                                  : takes_equation_of_state<Law> ? Model::State::may
                                                                 : Model::State::none;
-  Model model{Law::name, state, {}, [](const LawDeck& law) {
-                if constexpr (requires(const typename Law::Constants& c) { c.find_fault(); }) {
-                  return std::string(find_constants<Law>(law).find_fault());
-                }
-                return std::string();
-              }};
+  Model model{Law::name, state, {}, {}, {}};
+  model.find_fault = [](const LawDeck& law) {
+    if constexpr (requires(const typename Law::Constants& c) { c.find_fault(); }) {
+      return std::string(find_constants<Law>(law).find_fault());
+    }
+    return std::string();
+  };
+  model.find_fault_with_state = [](const LawDeck& law) {
+    if constexpr (requires(const typename Law::Constants& c) { c.find_fault_with_state(); }) {
+      return std::string(find_constants<Law>(law).find_fault_with_state());
+    }
+    return std::string();
+  };
   for (const auto& key : Law::keys()) model.keys.push_back(make_law_key(key));
   return model;
 }
@@ -165,7 +173,8 @@ const Model* read_choice(const std::vector<Model>& models, const char* kind, con
 }
 
 bool check_faults(const Model& model, const Reader& reader, const Node& node, const LawDeck& law) {
-  const std::string fault = model.find_fault(law);
+  std::string fault = model.find_fault(law);
+  if (fault.empty() && node.find("equation_of_state") != nullptr) fault = model.find_fault_with_state(law);
   if (!fault.empty()) reader.error(node.key, reader.self() + " has " + fault);
   return fault.empty();
 }

@@ -116,6 +116,7 @@ class ExodusReader {
     throw_problems();
     read_node_sets();
     read_side_sets();
+    name_sides_of_shells();
     throw_problems();
     return std::move(mesh_);
   }
@@ -228,6 +229,19 @@ class ExodusReader {
       std::sort(faces.begin(), faces.end());
       faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     }
+  }
+
+  /// Those that generated shells have too, unless the file has sets of these names.
+  void name_sides_of_shells() {
+    std::vector<ElementFace> tops, bottoms;
+    for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
+      if (!is_shell(mesh_.elements[static_cast<std::size_t>(e)])) continue;
+      tops.push_back({e, shell_top});
+      bottoms.push_back({e, shell_bottom});
+    }
+    if (tops.empty()) return;
+    mesh_.side_sets.try_emplace("top", std::move(tops));
+    mesh_.side_sets.try_emplace("bottom", std::move(bottoms));
   }
 
   const ExodusFile& file_;

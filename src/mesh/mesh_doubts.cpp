@@ -15,10 +15,10 @@
 namespace percuss {
 namespace {
 
-/// An element is a sliver if it is thinner than the median by this ratio, and of its kind, to a factor of 2, are no
-/// more than a few: of many the mesh is graded, and means it.
-constexpr double sliver_ratio = 5, likeness = 2, few_share = 0.01;
-constexpr std::ptrdiff_t few_least = 4;
+/// The thinnest elements are slivers if they are a few, thinner than the median by the first ratio and than all others
+/// by the second: a graded mesh grows by less from layer to layer, and means it.
+constexpr double sliver_ratio = 5, gap_ratio = 3, few_share = 0.01;
+constexpr std::size_t few_least = 4;
 
 /// Elements that a warning names.
 constexpr std::size_t most_named = 5;
@@ -52,20 +52,18 @@ void warn_of_slivers(const PartMesh& mesh, std::size_t element_count, std::vecto
   std::vector<double> heights;
   for (std::size_t e = 0; e < element_count; ++e) heights.push_back(find_height(mesh, mesh.elements[e]));
   if (heights.empty()) return;
-  const auto thinnest = std::min_element(heights.begin(), heights.end());
-  const double least = *thinnest;
-  const auto element = static_cast<std::size_t>(thinnest - heights.begin());
-  const auto alike = std::count_if(heights.begin(), heights.end(), [&](double h) { return h < likeness * least; });
-  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-  std::nth_element(heights.begin(), middle, heights.end());
-  const double few = few_share * static_cast<double>(heights.size());
-  if (*middle < sliver_ratio * least || (alike > few_least && static_cast<double>(alike) > few)) return;
+  const auto element = static_cast<std::size_t>(std::min_element(heights.begin(), heights.end()) - heights.begin());
+  std::sort(heights.begin(), heights.end());
+  const double least = heights.front(), middle = heights[heights.size() / 2];
+  const auto most = std::max(few_least, static_cast<std::size_t>(few_share * static_cast<double>(heights.size())));
+  std::size_t slivers = 1;
+  while (slivers <= most && slivers < heights.size() && heights[slivers] < gap_ratio * heights[slivers - 1]) ++slivers;
+  if (middle < sliver_ratio * least || slivers > most || slivers == heights.size()) return;
   warnings.push_back(
       fmt::format("element {} is a sliver: {:.3g} across, the median element {:.3g}{}. A step of the whole scene is no "
                   "longer than it allows, about 1/{:.0f} of what the median element does; mend the mesh there",
-                  id_of(mesh.element_ids, element), least, *middle,
-                  alike > 1 ? fmt::format(" ({} elements are less than {:g} times as thick)", alike, likeness) : "",
-                  *middle / least));
+                  id_of(mesh.element_ids, element), least, middle,
+                  slivers > 1 ? fmt::format(" ({} elements are like it)", slivers) : "", middle / least));
 }
 
 /// An edge of a shell, and whether the shell goes along it from its lower node to its higher.
@@ -155,7 +153,7 @@ void warn_of_turned_shells(const PartMesh& mesh, std::size_t element_count, std:
   if (turned.size() > most_named) names += ", ...";
   warnings.push_back(
       fmt::format("{} shell{} turned against {} neighbours, with normals to the other side: element{} {}. Their top is "
-                  "the others' bottom, for pressures, side sets, the reference surface and stresses; turn them over",
+                  "the others' bottom, for pressures, side sets and stresses; turn them over",
                   turned.size(), turned.size() == 1 ? " is" : "s are", turned.size() == 1 ? "its" : "their",
                   turned.size() == 1 ? "" : "s", names));
 }

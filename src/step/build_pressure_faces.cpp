@@ -75,8 +75,7 @@ void require_one_side(const Deck& deck, const Mesh& mesh, const PressureDeck& pr
   throw InputError(fmt::format(
       "{}: error: the pressure takes both sides of the shells of part '{}' ({}), name one side: {}",
       deck.where(pressure.where.place), mesh.parts[part].name,
-      pressure.direction ? "it would count them twice" : "on which it cancels: they would bear nothing",
-      sides.empty() ? "the file has no side set, give it one with the sides 1 (tops) or 2 (bottoms)" : sides));
+      pressure.direction ? "it would count them twice" : "on which it cancels: they would bear nothing", sides));
 }
 
 }  // namespace

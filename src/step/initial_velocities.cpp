@@ -41,7 +41,8 @@ void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, cons
       for (std::size_t k = 0; k < 3; ++k) velocity[n][k] = initial.velocity[k] + turn[k];
       if (model.has_shells) spin[n] = initial.angular_velocity;
       if (!initial.radial_velocity) continue;
-      // A shell's normal keeps its direction: the field is the gradient of a potential, and so without rotation.
+      // No spin: the directors of shells that are concentric with the field keep their directions. Others would turn
+      // with the fibres of a solid; theirs begin at rest, which is a transverse shear rate.
       const Vec3 out = find_radial_velocity(*initial.radial_velocity, mesh.nodes[n], least_radius);
       for (std::size_t k = 0; k < 3; ++k) velocity[n][k] += out[k];
     }

@@ -148,7 +148,7 @@ materials:
   steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
   soft: {{model: j2_plasticity, density: 2700, youngs_modulus: 70e9, poissons_ratio: 0.33, yield_stress: 100e6, hardening_modulus: 100e6}}
 initial: [{{part: high, velocity: [3, 0, -60], angular_velocity: [100, 0, 0]}}]
-loads: {{pressure: [{{faces: low, value: 1e6}}, {{faces: high, value: 2e5}}]}}
+loads: {{pressure: [{{faces: low/top, value: 1e6}}, {{faces: high/top, value: 2e5}}]}}
 contact: {{surfaces: all, friction: 0.2, enforcement: {}}}
 output: {{history: {{every: 0}}}}
 )yaml",

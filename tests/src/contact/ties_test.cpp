@@ -2,6 +2,7 @@
 
 #include "src/contact/ties.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -147,6 +148,25 @@ TEST(TiesOfShells, TakeTheNodesOfAnEdge) {
   // of a part all that is in reach beyond its thickness: no second row, 0.5 away
   EXPECT_EQ(Tied("{ties: [{a: strip, b: sheet}]}", sheets).ties.counts[0].tied, 3);
   expect_error("{ties: [{a: sheet, b: strip/x_min}]}", "'strip/x_min' has no exterior faces", sheets);
+}
+
+TEST(TiesOfShells, HoldWhatIsClosestHoweverFineTheMesh) {
+  for (const int rows : {5, 10, 40}) {
+    const std::string parts = fmt::format(R"(
+time: {{end: 1}}
+parts:
+  base: {{shell_plate: {{size: [2, 2], cells: [4, 4]}}, thickness: 0.08, material: m}}
+  web: {{shell_plate: {{size: [1, 0.5], cells: [5, {0}]}}, rotate: [{{axis: x, angle: 90}}], at: [0.5, 1, 0], thickness: 0.04, material: m}}
+  pad: {{box: {{size: [0.5, 0.5, 0.05], cells: [2, 2, {0}]}}, at: [0.1, 0.1, 0], material: m}}
+materials: {{m: {{model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}}}
+)",
+                                          rows);
+    EXPECT_EQ(Tied("{ties: [{a: web, b: base, distance: 1e-3}]}", parts).ties.counts[0].tied, 6) << rows;
+    EXPECT_EQ(Tied("{ties: [{a: pad, b: base, distance: 1e-3}]}", parts).ties.counts[0].tied, 9) << rows;
+    // what the distance itself reaches is tied
+    EXPECT_EQ(Tied("{ties: [{a: web, b: base, distance: 0.101}]}", parts).ties.counts[0].tied, 6 * (1 + rows / 5))
+        << rows;
+  }
 }
 
 TEST(TiesOfShells, OfOneSideWithTheOtherAreRefused) {

@@ -92,6 +92,11 @@ std::vector<WrongDeck> wrong_material_decks() {
        material("model: low_density_foam, density: 1, youngs_modulus: 1, compression: [[0, 0], [1, 1]], "
                 "hysteretic_unloading: 1.2"),
        "5:120", "hysteretic_unloading is 1.2 in material 'steel' (must be from 0 to 1)"},
+      {"CelsiusWithAnEquationOfState",
+       material("model: johnson_cook, density: 1, youngs_modulus: 1, poissons_ratio: 0.3, a: 1, b: 1, n: 1, "
+                "melt_temperature: 1000, specific_heat: 1, start_temperature: 20, room_temperature: 20, "
+                "equation_of_state: {kind: linear, bulk_modulus: 1}"),
+       "5:3", "absolute_zero is -273.15 for degrees Celsius"},
       {"TooManyRelaxations",
        material("model: viscoelastic, density: 1, bulk_modulus: 1, long_term_shear_modulus: 1, relaxation: [[1, 1], "
                 "[2, 1], [3, 1], [4, 1], [5, 1]]"),

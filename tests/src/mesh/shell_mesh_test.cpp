@@ -21,6 +21,7 @@ namespace {
 
 using namespace testing_mesh;
 using std::numbers::pi;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 using Closed = ShellBoxTubeShape::Closed;
@@ -165,6 +166,19 @@ TEST(ShellMesh, HexahedraAndShellsOfOneFileShareTheirNodes) {
   EXPECT_FALSE(is_shell(chunked.mesh.elements[0]));
   EXPECT_TRUE(is_shell(chunked.mesh.elements[2]));
   EXPECT_EQ(chunked.mesh.bodies, (std::vector<int>{0, 0, 0}));
+}
+
+TEST(ShellMesh, ShellsOfAFileHaveNamedSidesUnlessTheFileNamesThem) {
+  WrittenMesh mesh = make_cubes_with_fin();
+  for (const bool named : {false, true}) {
+    if (named) mesh.side_sets.push_back({9, "top", {1}, {6}});
+    PartDeck part = make_file_part(write_exodus(mesh, "fin.exo"));
+    part.thickness = 0.01;
+    const Mesh built = build_mesh(make_deck({part}));
+    const ElementFace top = named ? ElementFace{0, 5} : ElementFace{2, shell_top};
+    EXPECT_THAT(built.side_sets.at("p/top"), ElementsAre(top));
+    EXPECT_THAT(built.side_sets.at("p/bottom"), ElementsAre(ElementFace{2, shell_bottom}));
+  }
 }
 
 std::string take_error(const PartDeck& part) {

@@ -225,7 +225,7 @@ parts:
 materials:
   copper: {{model: j2_plasticity, density: 8930, youngs_modulus: 117e9, poissons_ratio: 0.35, yield_stress: 100e6, hardening_modulus: 1e9}}
   steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
-loads: {{pressure: [{{faces: low, value: 1e6}}]}}
+loads: {{pressure: [{{faces: low/top, value: 1e6}}]}}
 initial: [{{part: high, velocity: [3, 0, -50]}}]
 contact: {{surfaces: all, friction: 0.2}}
 )yaml",
@@ -267,7 +267,7 @@ parts:
 materials:
   copper: {{model: j2_plasticity, density: 8930, youngs_modulus: 117e9, poissons_ratio: 0.35, yield_stress: 100e6, hardening_modulus: 1e9}}
   steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
-loads: {{pressure: [{{faces: low, value: 1e6}}]}}
+loads: {{pressure: [{{faces: low/top, value: 1e6}}]}}
 initial: [{{part: weight, velocity: [3, 0, -50]}}, {{part: block, velocity: [0, 2, 1]}}]
 contact:
   friction: 0.2
