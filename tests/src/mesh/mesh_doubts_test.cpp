@@ -119,7 +119,7 @@ TEST(MeshDoubts, AreCountedInOneCopy) {
   }
   std::vector<std::string> warnings;
   warn_of_doubts(mesh, own, warnings);
-  EXPECT_THAT(warnings, ElementsAre(HasSubstr("(4 elements are less")));
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("(4 elements are like it)")));
 }
 
 }  // namespace
