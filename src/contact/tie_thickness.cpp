@@ -89,6 +89,7 @@ void leave_out_what_lies_behind(const ChunkedMesh& chunked, const std::vector<in
                                 ItemExchange& exchange) {
   constexpr double steep = 0.7;  // sine of the angle at which an edge leads away from the surface
   const Mesh& mesh = chunked.mesh;
+  if (!(find_largest_half_thickness(mesh) > 0)) return;
   std::vector<int> places(mesh.nodes.size(), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i) places[at(nodes[i])] = static_cast<int>(i);
   std::vector<double> behind(nodes.size(), 0);

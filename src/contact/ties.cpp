@@ -122,7 +122,7 @@ TiedSurfaces find_ties(const ChunkedMesh& chunked, const Deck& deck, const Commu
     part_sides(ranks, deck, tie, a, sides_of_b);
     const std::vector<double> thickness = find_node_thickness(chunked, a, exchange);
     std::vector<ClosestFace> answers = find_closest_faces(chunked, {nodes, thickness, b, tie.distance}, exchange);
-    if (!thickness.empty()) leave_out_what_lies_behind(chunked, nodes, tie.distance, answers, exchange);
+    leave_out_what_lies_behind(chunked, nodes, tie.distance, answers, exchange);
     ties.faces.push_back({add_other_sides(mesh, keep_tied_faces(mesh, a.faces, nodes, answers)), sides_of_b});
     std::vector<int> owners;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
