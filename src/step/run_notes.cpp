@@ -21,11 +21,12 @@ constexpr double noted_energy_share = 1e-3;
 constexpr double noted_contact_share = 0.01;
 
 double find_largest(const EnergySummary& energy) {
-  return std::max({energy.initial, energy.kinetic, std::abs(energy.external)});
+  return std::max({energy.initial, std::abs(energy.kinetic), std::abs(energy.external)});
 }
 
 bool is_hourglassed(const EnergySummary& energy) {
-  return energy.internal > 0 && energy.hourglass > noted_hourglass_share * energy.internal &&
+  return find_largest(energy) > 0 && energy.internal > 0 &&
+         energy.hourglass > noted_hourglass_share * energy.internal &&
          energy.hourglass > noted_energy_share * find_largest(energy);
 }
 
@@ -52,12 +53,13 @@ std::vector<std::string> find_end_notes(const Summary& summary, const Unconverge
                     "(what was left over is in the column residual of history.csv)",
                     unconverged.count, summary.steps, unconverged.first));
   }
-  if (summary.energy.contact > noted_contact_share * find_largest(summary.energy)) {
+  if (const double largest = find_largest(summary.energy); summary.energy.contact > noted_contact_share * largest) {
+    const std::string share =
+        largest > 0 ? fmt::format(", {:.0f} % of the largest", 100 * summary.energy.contact / largest) : "";
     notes.push_back(
-        fmt::format("warning: contact has given {:.3g} of energy, {:.0f} % of the largest: look where the column "
-                    "contact of history.csv "
-                    "jumps, at elements crushed to slivers",
-                    summary.energy.contact, 100 * summary.energy.contact / find_largest(summary.energy)));
+        fmt::format("warning: contact has given {:.3g} of energy{}: look where the column contact of history.csv "
+                    "jumps, at elements crushed to slivers and at overlaps that are pushed out",
+                    summary.energy.contact, share));
   }
   if (is_hourglassed(summary.energy)) {
     notes.push_back(fmt::format(

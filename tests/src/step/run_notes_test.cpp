@@ -43,6 +43,8 @@ TEST(RunNotes, TellContactThatGivesEnergy) {
   EXPECT_THAT(find_end_notes(summary, {}), IsEmpty());
   summary.energy.contact = 30;
   EXPECT_THAT(find_end_notes(summary, {}), ElementsAre(HasSubstr("given 30 of energy, 30 %")));
+  summary.energy.initial = 0;  // began at rest
+  EXPECT_THAT(find_end_notes(summary, {}), ElementsAre(HasSubstr("given 30 of energy: look")));
 }
 
 TEST(RunNotes, CountTheStepsThatDidNotConverge) {
