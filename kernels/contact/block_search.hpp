@@ -29,8 +29,10 @@ struct HitChunk {
 /// What a search leaves for the next one, and its memory.
 struct BlockScratch {
   BlockTree tree;
-  Array<int> order = Array<int>("contact::point_order", 0);           // [points] places in the query
+  Array<int> names = Array<int>("contact::ordered_names", 0);         // [points] in the order of their kd tree
+  Array<int> rows = Array<int>("contact::ordered_rows", 0);           // [points] likewise
   Array<int> point_names = Array<int>("contact::ordered_points", 0);  // [points] whose order it is
+  Array<int> point_rows = Array<int>("contact::rows_of_points", 0);   // [points] likewise
   Array<int> box_names = Array<int>("contact::ordered_boxes", 0);     // [boxes] likewise
   double first_tests = 0;                                             // boxes against blocks, when last ordered
   bool is_worn = false;                                               // to be ordered anew

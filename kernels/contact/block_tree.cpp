@@ -16,26 +16,20 @@ void set_order(const std::vector<int>& order, BlockTree& tree) {
     total += blocks;
     items = blocks > 1 ? blocks : 0;
   }
+  reserve(tree.boxes, tree.num_boxes);
   reserve(tree.blocks, total);
 }
 
 template <class Space>
-void refit(const Space& space, const Boxes& boxes, const double* origin, const BlockTree& tree) {
+void refit(const Space& space, const BlockTree& tree) {
   const BlockTree t = tree;
-  const Boxes from = boxes;
-  const double o[3] = {origin[0], origin[1], origin[2]};
   if (t.num_levels == 0) return;
   Kokkos::parallel_for(
       "contact::fit_blocks", RangeOf<Space>(space, 0, t.count[0]), KOKKOS_LAMBDA(int b) {
         BoxBlock& block = t.blocks(b);
         for (int lane = 0; lane < block_size; ++lane) {
           const int place = b * block_size + lane;
-          FloatBox box = make_empty_box();
-          for (int axis = 0; axis < 3 && place < t.num_boxes; ++axis) {
-            box.low[axis] = to_float(from(t.order(place), axis), o[axis]);
-            box.high[axis] = to_float(from(t.order(place), axis + 3), o[axis]);
-          }
-          set_lane(block, lane, box);
+          set_lane(block, lane, place < t.num_boxes ? t.boxes(place).box : make_empty_box());
         }
       });
   for (int level = 1; level < t.num_levels; ++level) {
@@ -51,7 +45,7 @@ void refit(const Space& space, const Boxes& boxes, const double* origin, const B
   }
 }
 
-#define PERCUSS_INSTANTIATE(Space) template void refit(const Space&, const Boxes&, const double*, const BlockTree&);
+#define PERCUSS_INSTANTIATE(Space) template void refit(const Space&, const BlockTree&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

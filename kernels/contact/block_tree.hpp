@@ -4,11 +4,16 @@
 // Boxes are compared in float, relative to an origin near them. Subtraction and conversion never change the order of
 // two coordinates, only make some equal: what meets in double meets in float too, and no pair is lost.
 
-#include "kernels/contact/contact_state.hpp"
-#include "kernels/contact/lane_mask.hpp"
+#include "kernels/contact/pair_query.hpp"
 #include "kernels/contact/small_space.hpp"
 
 namespace percuss {
+
+/// A box of the search and what the rule asks of it, in one line of the cache.
+struct alignas(64) TreeBox {
+  FloatBox box;
+  BoxMark mark;
+};
 
 struct BlockTree {
   static constexpr int max_levels = 8;  // 16^8 boxes are more than an int counts
@@ -18,6 +23,7 @@ struct BlockTree {
   int first[max_levels] = {};                                          // of each level in `blocks`
   int count[max_levels] = {};                                          // blocks of each level
   Array<int> order = Array<int>("contact::box_order", 0);              // [boxes] place in the query of each box
+  Array<TreeBox> boxes = Array<TreeBox>("contact::tree_boxes", 0);     // in that order
   Array<BoxBlock> blocks = Array<BoxBlock>("contact::box_blocks", 0);  // by level
 };
 
@@ -33,15 +39,6 @@ KOKKOS_FORCEINLINE_FUNCTION FloatBox bound_lanes(const BoxBlock& block) {
       box.low[axis] = block.low[axis][lane] < box.low[axis] ? block.low[axis][lane] : box.low[axis];
       box.high[axis] = block.high[axis][lane] > box.high[axis] ? block.high[axis][lane] : box.high[axis];
     }
-  }
-  return box;
-}
-
-KOKKOS_FORCEINLINE_FUNCTION FloatBox get_lane(const BoxBlock& block, int lane) {
-  FloatBox box;
-  for (int axis = 0; axis < 3; ++axis) {
-    box.low[axis] = block.low[axis][lane];
-    box.high[axis] = block.high[axis][lane];
   }
   return box;
 }
@@ -62,11 +59,12 @@ KOKKOS_INLINE_FUNCTION FloatBox make_empty_box() {
 /// Takes the order of the boxes and makes room. order: places in the query.
 void set_order(const std::vector<int>& order, BlockTree& tree);
 
-/// Fits all blocks to the boxes of this search. origin: [3] that coordinates in float are relative to.
+/// Fits all blocks to `boxes` of the tree.
 template <class Space>
-void refit(const Space& space, const Boxes& boxes, const double* origin, const BlockTree& tree);
+void refit(const Space& space, const BlockTree& tree);
 
-/// Calls visit(place in BlockTree::order, box) for every box that meets `query` in float.
+/// Calls visit(first, mask) for every block of boxes some of which meet `query`: bit i is the box at `first` + i of
+/// BlockTree::boxes.
 template <class Visit>
 KOKKOS_FORCEINLINE_FUNCTION void visit_meeting_boxes(const BlockTree& tree, const FloatBox& query, const Visit& visit) {
   struct Entry {
@@ -78,13 +76,17 @@ KOKKOS_FORCEINLINE_FUNCTION void visit_meeting_boxes(const BlockTree& tree, cons
   stack[depth++] = {tree.num_levels - 1, 0};
   while (depth > 0) {
     const Entry at = stack[--depth];
-    const BoxBlock& block = tree.blocks(tree.first[at.level] + at.block);
-    for (std::uint32_t mask = find_meeting_lanes(block, query); mask != 0; mask &= mask - 1) {
-      const int lane = find_lowest_bit(mask), child = at.block * block_size + lane;
-      if (at.level > 0) {
-        if (child < tree.count[at.level - 1]) stack[depth++] = {at.level - 1, child};
-      } else if (child < tree.num_boxes) {
-        visit(child, get_lane(block, lane));
+    const int first = at.block * block_size;
+    const int items = at.level > 0 ? tree.count[at.level - 1] : tree.num_boxes, left = items - first;
+    std::uint32_t mask = find_meeting_lanes(tree.blocks(tree.first[at.level] + at.block), query);
+    if (left < block_size) mask &= (std::uint32_t{1} << left) - 1;  // a query that is not finite meets empty boxes too
+    if (at.level == 0) {
+      visit(first, mask);
+    } else {
+      for (; mask != 0; mask &= mask - 1) {
+        const int child = first + find_lowest_bit(mask);
+        fetch_ahead(&tree.blocks(tree.first[at.level - 1] + child));
+        stack[depth++] = {at.level - 1, child};
       }
     }
   }

@@ -68,15 +68,4 @@ KOKKOS_INLINE_FUNCTION bool are_joined(const EdgeSurface& surface, int a, int b)
   return false;
 }
 
-/// Which points of edges make pairs with which edges, as far as is seen at a glance; edges may still be joined.
-struct EdgePairRule {
-  EdgeSurface surface;
-  Array<const int> edge_of_point;
-
-  KOKKOS_INLINE_FUNCTION bool operator()(int point, int b) const {
-    const int a = edge_of_point(point);
-    return a < b && find_edge_friction(surface, a, b) >= 0;
-  }
-};
-
 }  // namespace percuss

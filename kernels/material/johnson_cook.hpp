@@ -38,9 +38,8 @@ struct JohnsonCook {
              "Heat that a unit of mass takes for a degree."),
         may("heating_share", &M::heating_share, KeyRange::share, "-", "Share of the plastic work that heats."),
         may("absolute_zero", &M::absolute_zero, KeyRange::any, "temperature",
-            "Absolute zero, -273.15 where temperatures are in degrees Celsius; an equation of state heats by "
-            "compression "
-            "from there."));
+            "Absolute zero, -273.15 where temperatures are in degrees Celsius; compression under an equation of state "
+            "heats from there."));
   }
 
   /// What is wrong between constants; empty: nothing.
@@ -99,7 +98,8 @@ struct JohnsonCook {
     return_stress(trial, resistance, dp, flow_stress, step);
   }
 
-  /// Heats by the change of volume under an equation of state, which is that of its dp/de.
+  /// The temperature after a change of volume under an equation of state: that of the isentrope, exactly where dp/de is
+  /// constant, and the heat of the viscous pressure.
   template <class T>
   KOKKOS_INLINE_FUNCTION void compress(const StateChange<T>& change, PointStep<T>& step) const {
     const T zero(absolute_zero), at_rest = exponential(-change.by_energy * change.volume);

@@ -78,8 +78,10 @@ PERCUSS_FORCE_INLINE void find_shell_forces(const ShellGeometry<T>& g, const She
   set_gradient_forces(g, on.curvature[0], on.curvature[2], on.bending_hourglass[0], c.x);
   set_gradient_forces(g, on.curvature[2], on.curvature[1], on.bending_hourglass[1], c.y);
   for (int i = 0; i < 4; ++i) f.z[i] = c.z[i] = T(0);
-  const T on_xi = g.xi_x * on.shear[0] + g.xi_y * on.shear[1];
-  const T on_eta = g.eta_x * on.shear[0] + g.eta_y * on.shear[1];
+  const EdgeSkew<T> skew = find_edge_skew(g, shapes);
+  const T on_changes = on.shear_hourglass[0] + on.shear_hourglass[1];
+  const T on_x = on.shear[0] - skew.x * on_changes, on_y = on.shear[1] - skew.y * on_changes;
+  const T on_xi = g.xi_x * on_x + g.xi_y * on_y, on_eta = g.eta_x * on_x + g.eta_y * on_y;
   T on_edge[4];
   spread_to_edges({{on_xi, on_eta}, {on.shear_hourglass[0], on.shear_hourglass[1]}}, shapes, on_edge);
   add_edge_forces(g, on_edge, f, c);

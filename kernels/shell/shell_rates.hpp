@@ -19,7 +19,7 @@ struct ShellRates {
   T shear[2];               // 2 xz, 2 yz
   T membrane_hourglass[2];  // of vx, vy
   T bending_hourglass[2];   // of the director's rates
-  T shear_hourglass[2];     // part of the covariant shear that changes along eta, along xi (EdgeShear::change)
+  T shear_hourglass[2];     // part of the covariant shear that changes along eta, along xi, beyond a uniform shear's
 };
 
 /// The four edges whose shear is sampled, each along xi or eta: 1-2, 4-3, 1-4, 2-3.
@@ -106,6 +106,22 @@ PERCUSS_FORCE_INLINE void spread_to_edges(const EdgeShear<T>& on, [[maybe_unused
   }
 }
 
+/// By how much a uniform shear of 1, xz or yz, changes across an element whose opposite edges differ: the covariant
+/// shear follows the edges, gamma . (x_xi + eta h / 4). Nothing in a triangle, where it is what turns that is sampled.
+template <class T>
+struct EdgeSkew {
+  T x, y;
+};
+
+template <class T, class Shapes>
+PERCUSS_FORCE_INLINE EdgeSkew<T> find_edge_skew(const ShellGeometry<T>& g, [[maybe_unused]] const Shapes& shapes) {
+  EdgeSkew<T> skew{T(0.25) * g.hx, T(0.25) * g.hy};
+  if constexpr (Shapes::has_triangles) {
+    skew = {select(shapes.is_triangle, T(0), skew.x), select(shapes.is_triangle, T(0), skew.y)};
+  }
+  return skew;
+}
+
 /// Rates from the differences of the velocity and the angular velocities of the corners, both in the element's frame.
 template <class T, class Shapes = Quadrilaterals>
 PERCUSS_FORCE_INLINE ShellRates<T> find_shell_rates(const ShellGeometry<T>& g, const ShellDifferences<T>& velocity,
@@ -125,12 +141,15 @@ PERCUSS_FORCE_INLINE ShellRates<T> find_shell_rates(const ShellGeometry<T>& g, c
   }
   const EdgeShear<T> shear = join_edges(edge, shapes);
   const T &along_xi = shear.along[0], &along_eta = shear.along[1];
+  const T shear_x = g.xi_x * along_xi + g.eta_x * along_eta, shear_y = g.xi_y * along_xi + g.eta_y * along_eta;
+  const EdgeSkew<T> skew = find_edge_skew(g, shapes);
+  const T uniform = skew.x * shear_x + skew.y * shear_y;
   return {{vx_x, vy_y, vx_y + vy_x},
           {bx_x, by_y, bx_y + by_x},
-          {g.xi_x * along_xi + g.eta_x * along_eta, g.xi_y * along_xi + g.eta_y * along_eta},
+          {shear_x, shear_y},
           {hourglass(v.x, vx_x, vx_y), hourglass(v.y, vy_x, vy_y)},
           {hourglass(beta.x, bx_x, bx_y), hourglass(beta.y, by_x, by_y)},
-          {shear.change[0], shear.change[1]}};
+          {shear.change[0] - uniform, shear.change[1] - uniform}};
 }
 
 }  // namespace percuss

@@ -31,6 +31,26 @@ void compare(const Law& law, double kinematic, const Yield& yield, const Slope& 
   EXPECT_GT(point.p(), 0.05);
 }
 
+/// A law with the rate of Cowper and Symonds, D = 100 / s and q = 3, through changes of speed; yield: of |s - a| at
+/// rest.
+template <class Law, class Yield>
+void compare_at_rates(const Law& law, double kinematic, const Yield& yield) {
+  Point<Law> point(law, density);
+  PlasticReference reference{law.moduli()};
+  reference.kinematic = kinematic;
+  const auto rate = [&](double size, double p, double) {
+    return size > yield(p) ? 100 * std::pow(size / yield(p) - 1, 3) : 0;
+  };
+  for (const double speed : {20.0, 2000.0, -300.0}) {
+    const Leg leg{{speed, -0.5 * speed, -0.5 * speed, 0.3 * speed, 0, 0.1 * speed}, 0.03 / std::abs(speed), 1000};
+    point.follow(leg);
+    reference.follow_by_rate(leg, 200000, rate);
+    EXPECT_LT(largest_difference(point.stress, reference.stress()), 3e-3 * yield_stress) << speed;
+    EXPECT_NEAR(point.p(), reference.p, 1e-4);
+  }
+  EXPECT_GT(point.p(), 0.05);
+}
+
 TEST(Hardening, PowerLawFollowsTheRateEquations) {
   PowerLawPlasticity law{young, poisson, yield_stress, 500e6, 0.3};
   // the reference starts where the slope is finite
@@ -90,20 +110,21 @@ TEST(Hardening, CowperSymondsDoublesTheFlowStressAtItsRate) {
 }
 
 TEST(Hardening, CowperSymondsFollowsItsRateEquationThroughChangesOfRate) {
-  VocePlasticity law{young, poisson, yield_stress, 200e6, 40, 0, 100, 3};
-  Point<VocePlasticity> point(law, density);
-  PlasticReference reference{law.moduli()};
-  const auto rate = [](double size, double p, double) {
-    const double yield = yield_stress + 200e6 * (1 - std::exp(-40 * p));
-    return size > yield ? 100 * std::pow(size / yield - 1, 3) : 0;
-  };
-  for (const double speed : {20.0, 2000.0, -300.0}) {
-    const Leg leg{{speed, -0.5 * speed, -0.5 * speed, 0.3 * speed, 0, 0}, 0.03 / std::abs(speed), 1000};
-    point.follow(leg);
-    reference.follow_by_rate(leg, 400000, rate);
-    EXPECT_LT(largest_difference(point.stress, reference.stress()), 3e-3 * yield_stress) << speed;
-    EXPECT_NEAR(point.p(), reference.p, 1e-4);
-  }
+  compare_at_rates(VocePlasticity{young, poisson, yield_stress, 200e6, 40, 0, 100, 3}, 0,
+                   [](double p) { return yield_stress + 200e6 * (1 - std::exp(-40 * p)); });
+}
+
+TEST(Hardening, CowperSymondsFollowsItsRateEquationOverATable) {
+  TabulatedPlasticity law{young, poisson, {3, {0, 0.02, 0.06}, {yield_stress, 400e6, 450e6}}, 100, 3};
+  compare_at_rates(law, 0, [](double p) {
+    return p < 0.02 ? yield_stress + 5e9 * p : p < 0.06 ? 400e6 + 1.25e9 * (p - 0.02) : 450e6;
+  });
+}
+
+TEST(Hardening, CowperSymondsFollowsItsRateEquationAboutABackStress) {
+  // 40 % of 5 GPa widen the surface, and grow with the rate; the back stress does not.
+  compare_at_rates(CombinedHardening{young, poisson, yield_stress, 5e9, 0.6, 100, 3}, 3e9,
+                   [](double p) { return yield_stress + 2e9 * p; });
 }
 
 TEST(Hardening, LaneDoesNotDependOnItsNeighbours) {

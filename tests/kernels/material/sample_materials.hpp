@@ -1,0 +1,97 @@
+#pragma once
+// Constants of every material and equation of state of the lists, for tests that go through all of them. A new one has
+// no sample until it gets its overload here, and those tests do not compile.
+
+#include <type_traits>
+
+#include "kernels/material/equations_of_state.hpp"
+#include "kernels/material/materials.hpp"
+
+namespace percuss::test {
+
+template <class Law>
+struct Of {};
+
+inline constexpr double sample_density = 2000;
+
+// They yield, crush, relax and feel their rate within some hundredths of strain at about 1 / s.
+inline Elastic::Constants make_sample(Of<Elastic>) { return {20e9, 0.3}; }
+inline J2Plasticity::Constants make_sample(Of<J2Plasticity>) { return {20e9, 0.3, 200e6, 1e9}; }
+inline PowerLawPlasticity make_sample(Of<PowerLawPlasticity>) { return {20e9, 0.3, 150e6, 300e6, 0.4, 2, 3}; }
+inline VocePlasticity make_sample(Of<VocePlasticity>) { return {20e9, 0.25, 150e6, 100e6, 30, 0.5e9, 2, 3}; }
+inline TabulatedPlasticity make_sample(Of<TabulatedPlasticity>) {
+  return {20e9, 0.3, {3, {0, 0.02, 0.06}, {150e6, 220e6, 250e6}}, 2, 4};
+}
+inline CombinedHardening make_sample(Of<CombinedHardening>) { return {20e9, 0.3, 150e6, 2e9, 0.6, 2, 3}; }
+inline JohnsonCook make_sample(Of<JohnsonCook>) {
+  JohnsonCook law{20e9, 0.3, 150e6, 200e6, 0.4, 0.02, 1.1};
+  law.reference_rate = 0.1;
+  law.melt_temperature = 900;
+  law.specific_heat = 200;
+  return law;
+}
+inline NeoHookean make_sample(Of<NeoHookean>) { return {3e6, 0.4}; }
+inline MooneyRivlin make_sample(Of<MooneyRivlin>) { return {0.4e6, 0.1e6, 20e6}; }
+inline Viscoelastic make_sample(Of<Viscoelastic>) { return {1e9, 1e7, {2, {0.01, 0.2}, {5e7, 2e7}}}; }
+inline SoilAndFoam make_sample(Of<SoilAndFoam>) {
+  return {1e9, 5e9, 2e6, 0.6, -1e-9, 1e6, {3, {0, 0.02, 0.1}, {0, 40e6, 300e6}}};
+}
+inline Honeycomb make_sample(Of<Honeycomb>) {
+  return {7e9,
+          0.33,
+          20e6,
+          0.2,
+          {1e9, 2e9, 1.5e9},
+          {0.3e9, 0.5e9, 0.4e9},
+          {2, {0, 0.7}, {1e6, 2e6}},
+          {2, {0, 0.7}, {3e6, 9e6}},
+          {2, {0, 0.7}, {5e6, 6e6}},
+          {2, {0, 0.7}, {0.8e6, 1.5e6}},
+          {2, {0, 0.7}, {2.2e6, 0.4e6}},
+          {2, {0, 0.7}, {0.3e6, 2.4e6}}};
+}
+inline LowDensityFoam make_sample(Of<LowDensityFoam>) {
+  return {5e6, 0.2, 2, {4, {0, 0.05, 0.6, 0.8}, {0, 0.2e6, 0.3e6, 2e6}}};
+}
+inline Fluid make_sample(Of<Fluid>) { return {}; }
+
+inline LinearState make_sample(Of<LinearState>) { return {10e9}; }
+inline MieGrueneisenState make_sample(Of<MieGrueneisenState>) { return {3000, 1.5, 2, 1e8}; }
+inline PolynomialState make_sample(Of<PolynomialState>) { return {1e8, 10e9, 5e9, 20e9, 0.5, 0.3, 0.1, 1e9}; }
+inline IdealGasState make_sample(Of<IdealGasState>) { return {1.4, 2.5e5}; }
+inline TillotsonState make_sample(Of<TillotsonState>) { return {0.5, 1.5, 18e9, 18e9, 16e6, 5, 5, 3.5e6, 18e6, 1e8}; }
+inline JwlState make_sample(Of<JwlState>) { return {371.2e9, 3.231e9, 4.15, 0.95, 0.3, 7e9, 6930, {0, 0, 0}}; }
+
+template <class Law>
+Law make_sample_law() {
+  if constexpr (std::is_same_v<Law, typename Law::Constants>) {
+    return make_sample(Of<Law>());
+  } else {
+    return Law::make(make_sample(Of<Law>()));
+  }
+}
+
+template <class Law>
+inline constexpr bool needs_state = requires {
+  requires Law::needs_equation_of_state;
+};
+
+/// A law with an equation of state, or none: void.
+template <class L, class S>
+struct Pairing {
+  using Law = L;
+  using State = S;
+};
+
+/// Every law by itself, or with a gas if it must have an equation of state.
+template <class Law>
+using OwnPairing = Pairing<Law, std::conditional_t<needs_state<Law>, IdealGasState, void>>;
+
+template <class... Law, class... State>
+TypeList<OwnPairing<Law>..., Pairing<Fluid, State>..., Pairing<JohnsonCook, State>...> list_pairings(
+    TypeList<Law...>, TypeList<State...>);
+
+/// Every law, and every equation of state without strength and with that of a material that it heats.
+using Pairings = decltype(list_pairings(Materials(), EquationsOfState()));
+
+}  // namespace percuss::test
