@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <string>
+#include <utility>
 
 namespace percuss {
 
@@ -16,6 +17,16 @@ double read_thread_clock() {
   timespec time{};
   clock_gettime(waits_for_others ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Open MPI starts a daemon for a process that is alone, which may outlive it, and looks for networks: a third of a
+/// second for what one process never needs. Without daemons, processes would also make and remove one and the same
+/// folder at a time. Whoever has set these variables is heeded.
+void keep_to_itself() {
+  for (const auto& [variable, value] : {std::pair{"OMPI_MCA_ess_singleton_isolated", "true"},
+                                        {"OMPI_MCA_orte_create_session_dirs", "false"},
+                                        {"OMPI_MCA_pml", "ob1"}})
+    setenv(variable, value, 0);
 }
 
 thread_local int waits_under_way = 0;  // scopes may be nested; the outermost counts
@@ -39,7 +50,14 @@ void check_mpi(int code, const char* call) {
   throw MpiError(std::string(call) + " failed (" + std::string(text.data(), static_cast<std::size_t>(length)) + ")");
 }
 
+bool is_launched() {
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
+    if (std::getenv(variable) != nullptr) return true;
+  return false;
+}
+
 MpiSession::MpiSession(int& argc, char**& argv) {
+  if (!is_launched()) keep_to_itself();
   int provided = MPI_THREAD_SINGLE;
   check_mpi(MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &provided), "MPI_Init_thread");
   if (provided < MPI_THREAD_FUNNELED) {

@@ -45,6 +45,9 @@ void wait_mpi(const Call& call, const char* name) {
   check_mpi(code, name);
 }
 
+/// Whether mpirun or a like launcher has started this process, by what launchers leave in its environment.
+bool is_launched();
+
 /// MPI is up while this lives. One in a program, in main. Collective: construction and destruction.
 class MpiSession {
  public:
