@@ -88,6 +88,17 @@ Examples:
   percuss plan deck.yaml --ranks 8,64 --latency 30e-6 --bandwidth 1e8
 )";
 
+constexpr const char* schema_help = R"(
+A JSON Schema (draft 2020-12) for editors: which keys there are and what they mean, what they take and which of them must be
+there. What concerns several keys at once is left to percuss check. Editors that understand schemas of YAML, such as VS Code with its
+YAML extension, look for a comment in the deck:
+
+  # yaml-language-server: $schema=percuss.schema.json
+
+Example:
+  percuss schema > percuss.schema.json
+)";
+
 constexpr const char* info_help = R"(
 FILE is a summary.json, a fields.vtkhdf, a checkpoint.h5, a folder that holds them, or an Exodus II mesh.
 
@@ -134,7 +145,7 @@ CLI::Validator at_least(double least, const std::string& words) {
 
 struct Parser {
   CLI::App app{about, "percuss"};
-  CLI::App *run = nullptr, *check = nullptr, *plan = nullptr, *info = nullptr;
+  CLI::App *run = nullptr, *check = nullptr, *plan = nullptr, *info = nullptr, *schema = nullptr;
   Command command;
   bool version = false;
 
@@ -147,6 +158,7 @@ struct Parser {
     check = add("check", "Read a deck and its meshes and say whether they can be run", check_help);
     plan = add("plan", "Foretell how a deck's scene would run on many ranks", plan_help);
     info = add("info", "Say what a file of results or a mesh holds", info_help);
+    schema = add("schema", "Print what a deck may hold as a JSON Schema, for editors", schema_help);
     add_deck(run);
     add_deck(check);
     add_deck(plan);
@@ -167,8 +179,8 @@ struct Parser {
   /// The command that was given, if any.
   std::optional<Choice> find_parsed() const {
     using Kind = Command::Kind;
-    for (const Choice& choice :
-         {Choice{run, Kind::run}, Choice{check, Kind::check}, Choice{plan, Kind::plan}, Choice{info, Kind::info}}) {
+    for (const Choice& choice : {Choice{run, Kind::run}, Choice{check, Kind::check}, Choice{plan, Kind::plan},
+                                 Choice{info, Kind::info}, Choice{schema, Kind::schema}}) {
       if (choice.first->parsed()) return choice;
     }
     return std::nullopt;
@@ -241,9 +253,11 @@ Answer refuse_extra(const std::string& extra, const CLI::App& app, const std::st
     return wrong(fmt::format("unknown option '{}'{}", name, name_hint(name, known)), command);
   }
   if (command.empty()) {
-    return wrong(fmt::format("unknown command '{}'{}", extra, name_hint(extra, {"run", "check", "plan", "info"})));
+    return wrong(
+        fmt::format("unknown command '{}'{}", extra, name_hint(extra, {"run", "check", "plan", "info", "schema"})));
   }
-  return wrong(fmt::format("'{}' is one argument too many (percuss {} takes one file)", extra, command), command);
+  const char* takes = command == "schema" ? "none" : "one file";
+  return wrong(fmt::format("'{}' is one argument too many (percuss {} takes {})", extra, command, takes), command);
 }
 
 // CLI11's own reasons, in the words of this program.

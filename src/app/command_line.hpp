@@ -20,7 +20,7 @@ struct PlanFigures {
 };
 
 struct Command {
-  enum class Kind { run, check, plan, info };
+  enum class Kind { run, check, plan, info, schema };
   Kind kind = Kind::run;
   std::string file;                   // the deck; for info, any file or folder of results
   std::vector<std::string> settings;  // --set path.to.key=value

@@ -20,4 +20,7 @@ ExitCode plan_command(const Command& command, const Communicator& ranks);
 /// Prints on stdout what a file of results or a mesh holds.
 ExitCode info_command(const Command& command);
 
+/// Prints on stdout the JSON Schema of decks.
+ExitCode schema_command();
+
 }  // namespace percuss

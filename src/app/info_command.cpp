@@ -10,6 +10,7 @@
 #include "src/app/commands.hpp"
 #include "src/app/mesh_report.hpp"
 #include "src/app/summary_report.hpp"
+#include "src/mesh/trial_process.hpp"
 #include "src/output/checkpoint_file.hpp"
 #include "src/output/describe_fields.hpp"
 #include "src/output/summary.hpp"
@@ -89,9 +90,20 @@ std::string describe(const std::string& file) {
                    (is_deck ? " (a deck? then: percuss check " + file + ")" : ""));
 }
 
+/// Of a file, or of the files in a folder; 0 if nothing can be found out.
+std::uintmax_t find_bytes(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) return fs::is_regular_file(path, ignored) ? fs::file_size(path, ignored) : 0;
+  std::uintmax_t bytes = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(path, ignored))
+    if (entry.is_regular_file(ignored)) bytes += entry.file_size(ignored);
+  return bytes;
+}
+
 }  // namespace
 
 ExitCode info_command(const Command& command) {
+  rehearse(command.file, find_bytes(command.file), [&] { describe(command.file); });
   std::string text = describe(command.file);
   if (!text.ends_with('\n')) text += '\n';
   fmt::print("{}", text);

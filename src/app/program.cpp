@@ -5,7 +5,6 @@
 #include <Kokkos_Core.hpp>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 
 #include "comm/rendezvous.hpp"
@@ -60,8 +59,7 @@ ExitCode run_on_ranks(int argc, char** argv, const std::function<ExitCode(const 
 
 // For what needs no other rank: mpirun starts it on all of them, and one is to be heard.
 ExitCode run_on_rank_0(int argc, char** argv, const Work& work) {
-  const bool is_launched = std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr;
-  if (!is_launched) return work();
+  if (!is_launched()) return work();
   const MpiSession mpi(argc, argv);
   const Communicator world = Communicator::world();
   ExitCode code = world.rank() == 0 ? finish_output(guard(work)) : ExitCode::done;
@@ -79,6 +77,8 @@ ExitCode execute(int argc, char** argv, const Command& command) {
       return run_on_ranks(argc, argv, [&](const Communicator& ranks) { return plan_command(command, ranks); });
     case Command::Kind::info:
       return run_on_rank_0(argc, argv, [&] { return info_command(command); });
+    case Command::Kind::schema:
+      return run_on_rank_0(argc, argv, schema_command);
   }
   return ExitCode::wrong_input;
 }

@@ -85,6 +85,10 @@ struct FixedValue {
     return good;
   }
   std::string takes() const { return "a list of directions: x, y, z, rx, ry, rz"; }
+  Form form() const {
+    const Form direction = word_form({"x", "y", "z", "rx", "ry", "rz"});
+    return any_form({direction, list_form(direction, 1)});
+  }
 };
 
 struct SymmetryValue {
@@ -98,6 +102,7 @@ struct SymmetryValue {
     return true;
   }
   std::string takes() const { return "x | y | z, the normal of the plane"; }
+  Form form() const { return word_form({"x", "y", "z"}); }
 };
 
 /// Reads a map from directions, at least one of them: read_one(place in `names`, inner reader, entry).
@@ -122,6 +127,14 @@ bool read_directions(const Reader& reader, const std::string& name, const Node& 
   return good;
 }
 
+Form directions_form(const std::vector<std::string>& names) {
+  Form form = map_form({});
+  for (const std::string& name : names) form.keys.push_back({name, false, CurveValue{}.takes(), CurveValue{}.form()});
+  form.least = 1;
+  form.listed_as = "";
+  return form;
+}
+
 /// {x: curve, y: curve, z: curve}, at least one of them; of velocities also {rx: curve, ...}.
 struct MotionValue {
   ConditionDeck::Kind kind;
@@ -138,6 +151,7 @@ struct MotionValue {
   std::string takes() const {
     return fmt::format("a map from directions {} to curves", fmt::join(list_directions(), ", "));
   }
+  Form form() const { return directions_form(list_directions()); }
 
  private:
   std::vector<std::string> list_directions() const {
@@ -169,6 +183,7 @@ struct NodalValue {
     return read_directions(reader, name, node, takes(), {"x", "y", "z"}, read_one);
   }
   std::string takes() const { return "a map from directions x, y, z to curves"; }
+  Form form() const { return directions_form({"x", "y", "z"}); }
 };
 
 const Keys<NodalLoadDeck>& nodal_load_keys() {
@@ -215,6 +230,7 @@ struct SelectorsValue {
     return true;
   }
   std::string takes() const { return "a selector or a list of them"; }
+  Form form() const { return any_form({SelectorValue{}.form(), list_form(SelectorValue{}.form())}); }
 };
 
 const Keys<WallDeck>& wall_keys() {
@@ -258,8 +274,10 @@ bool ConditionValue::read(const Reader& reader, const std::string& name, const N
   return false;
 }
 
-void ConditionValue::list(const std::string& path, std::vector<DeckKey>& out) const {
-  list_keys(condition_keys(), path, out);
+Form ConditionValue::form() const {
+  Form form = form_of(condition_keys());
+  for (const auto& key : condition_kind_keys()) form.exactly_one.push_back(key.name);
+  return form;
 }
 
 }  // namespace percuss

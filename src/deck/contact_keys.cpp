@@ -29,7 +29,7 @@ struct PairValue {
     return true;
   }
   std::string takes() const { return "a pair [a, b] or {a: ..., b: ..., friction: ...}"; }
-  void list(const std::string& path, std::vector<DeckKey>& out) const { list_keys(pair_keys(), path, out); }
+  Form form() const { return any_form({TupleValue<SelectorValue, 2>{}.form(), form_of(pair_keys())}); }
 };
 
 const Keys<TieDeck>& tie_keys() {
@@ -64,7 +64,7 @@ struct SurfacesValue {
     return false;
   }
   std::string takes() const { return "all | none or a list of pairs"; }
-  void list(const std::string& path, std::vector<DeckKey>& out) const { PairValue{}.list(path + ".N", out); }
+  Form form() const { return any_form({word_form({"all", "none"}), list_form(PairValue{}.form(), 1)}); }
 };
 
 const Keys<ContactDeck>& contact_keys() {
@@ -111,8 +111,6 @@ bool ContactValue::read(const Reader& reader, const std::string& name, const Nod
   return MapValue<ContactDeck>{contact_keys, check_contact}.read(reader, name, node, out);
 }
 
-void ContactValue::list(const std::string& path, std::vector<DeckKey>& out) const {
-  list_keys(contact_keys(), path, out);
-}
+Form ContactValue::form() const { return form_of(contact_keys()); }
 
 }  // namespace percuss

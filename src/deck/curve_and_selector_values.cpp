@@ -83,6 +83,17 @@ const Keys<Selector>& selector_keys() {
   return keys;
 }
 
+Form CurveValue::form() const {
+  const auto one_key = [](const char* name, const char* takes, Form value) {
+    Form form = map_form({{name, true, takes, std::move(value)}});
+    form.listed_as = "";
+    return form;
+  };
+  const Form rows = list_form(TupleValue<NumberValue, 2>{}.form(), 1);
+  return any_form({number_form(), one_key("table", "rows [time, value], times ascending", rows),
+                   one_key("expression", "a text, an expression of t", TextValue{}.form())});
+}
+
 bool CurveValue::read(const Reader& reader, const std::string& name, const Node& node, Curve& out) const {
   if (node.kind == Node::Kind::map) {
     if (!read_curve_map(reader, name, node, out)) return false;
@@ -129,6 +140,13 @@ bool SelectorValue::read(const Reader& reader, const std::string& name, const No
   }
   out = std::move(selector);
   return true;
+}
+
+Form SelectorValue::form() const {
+  Form map = form_of(selector_keys());
+  map.least = 1;
+  map.listed_as = "SELECTOR";
+  return any_form({TextValue{}.form(), std::move(map)});
 }
 
 bool PartNameValue::read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const {

@@ -1,6 +1,7 @@
 // Keys of `time`, `elements` and `audit`, and the top of the deck.
 
 #include "src/deck/deck_keys.hpp"
+#include "src/deck/read_deck.hpp"
 
 namespace percuss {
 namespace {
@@ -67,7 +68,7 @@ struct HourglassValue {
     return map.read(reader, name, node, out);
   }
   std::string takes() const { return hourglass_kind().takes() + ", or a map"; }
-  void list(const std::string& path, std::vector<DeckKey>& out) const { map.list(path, out); }
+  Form form() const { return any_form({hourglass_kind().form(), map.form()}); }
 };
 
 const Keys<ElementDeck>& viscosity_keys() {
@@ -115,6 +116,17 @@ const Keys<Deck>& load_keys() {
   return keys;
 }
 
+void list_keys(const Form& form, const std::string& path, std::vector<DeckKey>& out) {
+  if (form.listed_as) return;
+  for (const FormKey& key : form.keys) {
+    const std::string full = path.empty() ? key.name : path + "." + key.name;
+    out.push_back({full, key.takes, key.required});
+    list_keys(key.form, full, out);
+  }
+  const std::string step = form.kind == Form::Kind::list ? ".N" : form.kind == Form::Kind::named_maps ? ".NAME" : "";
+  for (const Form& inner : form.inner) list_keys(inner, path + step, out);
+}
+
 }  // namespace
 
 MapValue<TimeDeck> time_value() { return {time_keys}; }
@@ -144,8 +156,8 @@ const Keys<Deck>& deck_keys() {
 
 std::vector<DeckKey> list_deck_keys() {
   std::vector<DeckKey> all;
-  list_keys(deck_keys(), "", all);
-  list_keys(selector_keys(), "SELECTOR", all);
+  list_keys(form_of(deck_keys()), "", all);
+  list_keys(form_of(selector_keys()), "SELECTOR", all);
   return all;
 }
 

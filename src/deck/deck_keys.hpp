@@ -9,13 +9,13 @@ namespace percuss {
 /// A part: one shape, where it stands, its copies and its material.
 struct PartValue {
   bool read_inside(const Reader& reader, const Node& node, PartDeck& out) const;
-  void list(const std::string& path, std::vector<DeckKey>& out) const;
+  Form form() const;
 };
 
 /// A material: `model` says which table its other keys come from.
 struct MaterialValue {
   bool read_inside(const Reader& reader, const Node& node, MaterialDeck& out) const;
-  void list(const std::string& path, std::vector<DeckKey>& out) const;
+  Form form() const;
 };
 
 /// `failure` in a material.
@@ -27,7 +27,7 @@ MapValue<InitialDeck> initial_value();
 /// `conditions`: each entry holds nodes in one way.
 struct ConditionValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const;
-  void list(const std::string& path, std::vector<DeckKey>& out) const;
+  Form form() const;
   std::string takes() const { return "a map"; }
 };
 
@@ -38,7 +38,7 @@ MapValue<WallDeck> wall_value();
 /// `contact`: a deck that has the section means all surfaces unless it says otherwise.
 struct ContactValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, ContactDeck& out) const;
-  void list(const std::string& path, std::vector<DeckKey>& out) const;
+  Form form() const;
   std::string takes() const { return "a map"; }
 };
 

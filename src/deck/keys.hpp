@@ -1,6 +1,7 @@
 #pragma once
 // Tables of keys: each row names a key, whether it must be there, the member that it fills and the reader of its value.
-// From the same tables come unknown-key hints, missing-key errors and the list that docs/deck.md is checked against.
+// From the same tables come unknown-key hints, missing-key errors, the list that docs/deck.md is checked against and
+// the schema for editors.
 
 #include <algorithm>
 #include <functional>
@@ -19,7 +20,7 @@ struct Key {
   bool required = false;
   std::string takes;
   std::function<bool(const Reader&, const Node&, Owner&)> read;
-  std::function<void(const std::string& path, std::vector<DeckKey>&)> list_inner;  // of a map: the keys in it
+  std::function<Form()> form;
 };
 
 template <class Owner>
@@ -32,9 +33,7 @@ Key<Owner> make_key(std::string name, bool required, Value value, Read read) {
   key.read = [name = key.name, value, read](const Reader& reader, const Node& node, Owner& owner) {
     return read(value, reader, reader.name_of(name), node, owner);
   };
-  if constexpr (ListsKeys<Value>) {
-    key.list_inner = [value](const std::string& path, std::vector<DeckKey>& out) { value.list(path, out); };
-  }
+  key.form = [value] { return value.form(); };
   return key;
 }
 
@@ -108,12 +107,10 @@ bool read_keys(const Reader& reader, const Node& node, const Keys<Owner>& keys, 
 }
 
 template <class Owner>
-void list_keys(const Keys<Owner>& keys, const std::string& path, std::vector<DeckKey>& out) {
-  for (const Key<Owner>& key : keys) {
-    const std::string full = path.empty() ? key.name : path + "." + key.name;
-    out.push_back({full, key.takes, key.required});
-    if (key.list_inner) key.list_inner(full, out);
-  }
+Form form_of(const Keys<Owner>& keys) {
+  Form form = map_form({});
+  for (const Key<Owner>& key : keys) form.keys.push_back({key.name, key.required, key.takes, key.form()});
+  return form;
 }
 
 /// A map read by its table; `check` then sees to what concerns several keys, if each was read without error.
@@ -129,7 +126,7 @@ struct MapValue {
     return read_keys(inner, node, keys(), out) && (check == nullptr || check(inner, node, out));
   }
   std::string takes() const { return "a map"; }
-  void list(const std::string& path, std::vector<DeckKey>& out) const { list_keys(keys(), path, out); }
+  Form form() const { return form_of(keys()); }
 };
 
 /// A map from names that the user gives to things of one kind ("part", "material"); T has `name` and `place`.
@@ -157,7 +154,11 @@ struct NamedMapValue {
   }
 
   std::string takes() const { return "a map from names to maps"; }
-  void list(const std::string& path, std::vector<DeckKey>& out) const { inner.list(path + ".NAME", out); }
+  Form form() const {
+    Form form{Form::Kind::named_maps};
+    form.inner.push_back(inner.form());
+    return form;
+  }
 
  private:
   bool check_name(const Reader& reader, const Entry& entry) const {

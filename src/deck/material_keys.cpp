@@ -65,6 +65,7 @@ struct TableValue {
   std::string takes() const {
     return "a table [[x, y], ...]" + (range.text.empty() ? std::string() : ", y " + range.text);
   }
+  Form form() const { return list_form(tuple_form({number_form(), number_form(range)}), 1); }
 };
 
 /// A row of the deck's table from one of a law's.
@@ -79,6 +80,8 @@ Key<LawDeck> make_law_key(const MaterialKey<C>& key) {
   if (key.vector != nullptr) return make_key<LawDeck>(key.name, key.required, vector3(range), into(&LawDeck::vectors));
   return make_key<LawDeck>(key.name, key.required, NumberValue{range}, into(&LawDeck::numbers));
 }
+
+constexpr const char* state_key = "equation_of_state";
 
 struct Model {
   enum class State { none, may, must };
@@ -132,17 +135,35 @@ ChoiceValue<const Model*> choose_model(const std::vector<Model>& models) {
   return value;
 }
 
-/// The keys of each model, those that several have once.
-void list_models(const std::vector<Model>& models, const std::string& path, std::vector<DeckKey>& out) {
+/// Adds a key of a model; one that several have is there once, in every form that one of them takes.
+void add_key(const Key<LawDeck>& key, std::vector<FormKey>& all) {
+  const auto known = std::find_if(all.begin(), all.end(), [&](const FormKey& k) { return k.name == key.name; });
+  if (known == all.end())
+    all.push_back({key.name, key.required, key.takes, key.form(), true});
+  else if (known->takes != key.takes)
+    known->form = any_form({std::move(known->form), key.form()});
+}
+
+/// A map that has the keys of `common` and those of the model that its key `chooser` names.
+Form form_of_models(const std::vector<Model>& models, const char* chooser, Form common) {
+  const auto choices = choose_model(models);
+  common.keys.insert(common.keys.begin(), {chooser, true, choices.takes(), choices.form()});
+  Form all = common;
+  all.chooser = chooser;
   for (const Model& model : models) {
-    std::vector<DeckKey> keys;
-    list_keys(model.keys, path, keys);
-    for (DeckKey& key : keys) {
-      const bool listed =
-          std::any_of(out.begin(), out.end(), [&](const DeckKey& known) { return known.path == key.path; });
-      if (!listed) out.push_back(std::move(key));
+    FormCase& its = all.cases.emplace_back(FormCase{model.name, {}, {}});
+    for (const FormKey& key : common.keys) {
+      const bool is_state = key.name == state_key;
+      if (!is_state || model.state != Model::State::none) its.keys.push_back(key.name);
+      if (is_state && model.state == Model::State::must) its.required.push_back(key.name);
+    }
+    for (const Key<LawDeck>& key : model.keys) {
+      add_key(key, all.keys);
+      its.keys.push_back(key.name);
+      if (key.required) its.required.push_back(key.name);
     }
   }
+  return all;
 }
 
 // " (a key of model j2_plasticity, not of elastic)" for a key that another model has.
@@ -174,7 +195,7 @@ const Model* read_choice(const std::vector<Model>& models, const char* kind, con
 
 bool check_faults(const Model& model, const Reader& reader, const Node& node, const LawDeck& law) {
   std::string fault = model.find_fault(law);
-  if (fault.empty() && node.find("equation_of_state") != nullptr) fault = model.find_fault_with_state(law);
+  if (fault.empty() && node.find(state_key) != nullptr) fault = model.find_fault_with_state(law);
   if (!fault.empty()) reader.error(node.key, reader.self() + " has " + fault);
   return fault.empty();
 }
@@ -191,26 +212,23 @@ struct StateValue {
     return read_keys(inner, node, model->keys, out, others) && check_faults(*model, inner, node, out);
   }
   std::string takes() const { return "a map"; }
-  void list(const std::string& path, std::vector<DeckKey>& out) const {
-    out.push_back({path + ".kind", choose_model(states()).takes(), true});
-    list_models(states(), path, out);
-  }
+  Form form() const { return form_of_models(states(), "kind", map_form({})); }
 };
 
 /// The keys that materials have whatever their law.
 const Keys<MaterialDeck>& common_keys() {
   static const Keys<MaterialDeck> keys = {
       need("density", &MaterialDeck::density, NumberValue{positive}),
-      may("equation_of_state", &MaterialDeck::equation_of_state, StateValue{}),
+      may(state_key, &MaterialDeck::equation_of_state, StateValue{}),
       may("failure", &MaterialDeck::failure, failure_value()),
   };
   return keys;
 }
 
 bool check_state(const Model& model, const Reader& reader, const Node& node) {
-  const Node* const state = node.find("equation_of_state");
+  const Node* const state = node.find(state_key);
   if (model.state == Model::State::must && state == nullptr) {
-    refuse_missing(reader, node, "equation_of_state", "a map");
+    refuse_missing(reader, node, state_key, "a map");
     return false;
   }
   if (model.state != Model::State::none || state == nullptr) return true;
@@ -239,10 +257,6 @@ bool MaterialValue::read_inside(const Reader& reader, const Node& node, Material
   return check_state(*model, reader, node) && good && check_faults(*model, reader, node, out.law);
 }
 
-void MaterialValue::list(const std::string& path, std::vector<DeckKey>& out) const {
-  out.push_back({path + ".model", choose_model(models()).takes(), true});
-  list_keys(common_keys(), path, out);
-  list_models(models(), path, out);
-}
+Form MaterialValue::form() const { return form_of_models(models(), "model", form_of(common_keys())); }
 
 }  // namespace percuss

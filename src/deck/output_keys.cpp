@@ -1,6 +1,7 @@
 // Keys of `output`.
 
 #include "src/deck/deck_keys.hpp"
+#include "src/deck/history_parts.hpp"
 
 namespace percuss {
 namespace {
@@ -29,6 +30,7 @@ struct FieldsValue {
     return good;
   }
   std::string takes() const { return "a list of fields"; }
+  Form form() const { return list_form(word_form(field_names())); }
 };
 
 const Keys<OutputDeck>& field_keys() {
@@ -71,8 +73,55 @@ struct PointsValue {
     return good;
   }
   std::string takes() const { return value().takes(); }
-  void list(const std::string& path, std::vector<DeckKey>& out) const { value().list(path, out); }
+  Form form() const { return value().form(); }
   static ListValue<MapValue<HistoryPoint>> value() { return {{point_keys, check_point}}; }
+};
+
+/// history.parts: each a point without a place, that of `all` without a part.
+struct PartsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, OutputDeck& out) const {
+    if (node.kind == Node::Kind::scalar && node.text == "all") {
+      out.points.push_back(whole_part("", node));
+      return true;
+    }
+    if (!reader.expect(node, Node::Kind::list, name, takes())) return false;
+    bool good = true;
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      if (!read_part(reader, fmt::format("{}.{}", name, i), node.items[i], parts)) {
+        good = false;
+      } else {
+        out.points.push_back(whole_part(parts.back(), node.items[i]));
+      }
+    }
+    return good;
+  }
+  std::string takes() const { return "all or a list of parts"; }
+  Form form() const { return any_form({word_form({"all"}), list_form(PartNameValue{}.form())}); }
+
+ private:
+  static HistoryPoint whole_part(const std::string& name, const Node& node) {
+    HistoryPoint point;
+    point.name = point.part = name;
+    point.place = node.spot.place;
+    return point;
+  }
+
+  static bool read_part(const Reader& reader, const std::string& name, const Node& item,
+                        std::vector<std::string>& parts) {
+    std::string part;
+    if (item.kind == Node::Kind::scalar && item.text == "all") {
+      reader.refuse(item, name, "a name from parts");
+      return false;
+    }
+    if (!PartNameValue{}.read(reader, name, item, part)) return false;
+    if (std::find(parts.begin(), parts.end(), part) != parts.end()) {
+      reader.error(item.spot, fmt::format("part '{}' is named twice in output.history.parts", part));
+      return false;
+    }
+    parts.push_back(std::move(part));
+    return true;
+  }
 };
 
 const Keys<OutputDeck>& history_keys() {
@@ -80,6 +129,7 @@ const Keys<OutputDeck>& history_keys() {
       may("every", &OutputDeck::history_every, NumberValue{not_negative}),
       group<OutputDeck>("nodes", PointsValue{false}),
       group<OutputDeck>("elements", PointsValue{true}),
+      group<OutputDeck>("parts", PartsValue{}),
   };
   return keys;
 }
@@ -88,7 +138,8 @@ bool check_history(const Reader& reader, const Node& node, OutputDeck& output) {
   if (!output.history_every) output.history_every = 0;  // the section is there: every step
   for (std::size_t i = 0; i < output.points.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (output.points[i].name != output.points[j].name) continue;
+      const HistoryPoint &a = output.points[i], &b = output.points[j];
+      if (a.name != b.name || names_parts(a) || names_parts(b)) continue;  // columns of parts end with their name
       const Place place = output.points[i].place;
       reader.error(place.line > 0 ? Spot{place, -1} : node.key,
                    fmt::format("name '{}' is given twice in {} (columns of history.csv need different names)",

@@ -56,6 +56,7 @@ struct MaterialNameValue {
     return true;
   }
   std::string takes() const { return "a name from materials"; }
+  Form form() const { return TextValue{}.form(); }
 };
 
 /// Points across the thickness of a shell.
@@ -63,10 +64,10 @@ struct ThicknessPointsValue {
   static constexpr int most = 16;  // most_thickness_points of the kernel
 
   bool read(const Reader& reader, const std::string& name, const Node& node, int& out) const {
-    if (!IntegerValue{1, most}.read(reader, name, node, out)) return false;
-    return true;
+    return IntegerValue{1, most}.read(reader, name, node, out);
   }
   std::string takes() const { return fmt::format("an integer, from 1 to {}", most); }
+  Form form() const { return IntegerValue{1, most}.form(); }
 };
 
 /// Which surface of the shells the mesh is. What it is of the thickness is known when that is read.
@@ -87,6 +88,7 @@ struct ReferenceValue {
     return true;
   }
   std::string takes() const { return "middle | bottom | top or a number"; }
+  Form form() const { return any_form({word_form({"middle", "bottom", "top"}), number_form()}); }
 
   static bool is_surface(const std::string& text) { return text == "middle" || text == "bottom" || text == "top"; }
 };
@@ -173,6 +175,10 @@ bool PartValue::read_inside(const Reader& reader, const Node& node, PartDeck& ou
   return false;
 }
 
-void PartValue::list(const std::string& path, std::vector<DeckKey>& out) const { list_keys(part_keys(), path, out); }
+Form PartValue::form() const {
+  Form form = form_of(part_keys());
+  for (const Key<PartDeck>& key : shape_keys()) form.exactly_one.push_back(key.name);
+  return form;
+}
 
 }  // namespace percuss

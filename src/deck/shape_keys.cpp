@@ -33,6 +33,12 @@ struct CellsValue {
     }
     return fmt::format("a list of {} integers: {}", N, text);
   }
+
+  Form form() const {
+    std::vector<Form> items;
+    for (const auto& [direction, least] : directions) items.push_back(IntegerValue{least}.form());
+    return tuple_form(std::move(items));
+  }
 };
 
 const Keys<BoxShape>& box_keys() {
@@ -148,6 +154,7 @@ struct FileValue {
     return true;
   }
   std::string takes() const { return "a file, relative to the deck"; }
+  Form form() const { return TextValue{}.form(); }
 };
 
 const Keys<ExodusMesh>& exodus_keys() {

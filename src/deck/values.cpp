@@ -72,6 +72,13 @@ bool IntegerValue::read(const Reader& reader, const std::string& name, const Nod
   return true;
 }
 
+Form IntegerValue::form() const {
+  Form form{Form::Kind::integer};
+  form.range.low = static_cast<double>(low);
+  if (high <= std::numeric_limits<int>::max()) form.range.high = static_cast<double>(high);
+  return form;
+}
+
 bool BooleanValue::read(const Reader& reader, const std::string& name, const Node& node, bool& out) const {
   if (node.kind != Node::Kind::scalar || node.quoted || !is_boolean(node.text)) {
     reader.refuse(node, name, takes());

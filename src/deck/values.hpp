@@ -2,7 +2,7 @@
 // Readers of single values. Each has
 //   bool read(reader, name, node, out) const   false after telling what is wrong; out is then unchanged
 //   std::string takes() const                  what the value is, for messages and docs/deck.md
-//   void list(path, keys) const                of maps: the keys in it
+//   Form form() const                          the same as data, for the list of keys and the schema
 // `name` is what messages call the value ("time.end", "initial.0.velocity"). A reader is named in one place for each
 // key: the tables in *_keys.cpp.
 
@@ -14,26 +14,12 @@
 #include <utility>
 #include <vector>
 
+#include "src/deck/deck.hpp"
+#include "src/deck/form.hpp"
 #include "src/deck/nearest_name.hpp"
-#include "src/deck/read_deck.hpp"
 #include "src/deck/reader.hpp"
 
 namespace percuss {
-
-template <class Value>
-concept ListsKeys = requires(const Value value, std::vector<DeckKey> keys) {
-  value.list("path", keys);
-};
-
-/// Which numbers a key takes; `text` completes "must be".
-struct Range {
-  std::string text;
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_open = false, high_open = false;
-
-  bool holds(double x) const { return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high); }
-};
 
 inline const Range any_number{""};
 inline const Range positive{"positive", 0, std::numeric_limits<double>::infinity(), true};
@@ -43,6 +29,7 @@ struct NumberValue {
   Range range = any_number;
   bool read(const Reader& reader, const std::string& name, const Node& node, double& out) const;
   std::string takes() const { return range.text.empty() ? "a number" : "a number, " + range.text; }
+  Form form() const { return number_form(range); }
 };
 
 struct IntegerValue {
@@ -50,23 +37,27 @@ struct IntegerValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, long& out) const;
   bool read(const Reader& reader, const std::string& name, const Node& node, int& out) const;
   std::string takes() const { return fmt::format("an integer, at least {}", low); }
+  Form form() const;
 };
 
 struct BooleanValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, bool& out) const;
   std::string takes() const { return "true or false"; }
+  Form form() const { return {Form::Kind::boolean}; }
 };
 
 /// Any text, numbers included.
 struct TextValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const;
   std::string takes() const { return "a text"; }
+  Form form() const { return {Form::Kind::text}; }
 };
 
 /// A name that the user gives: letters, digits, '_' and '-', beginning with a letter or '_'.
 struct NameValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const;
   std::string takes() const { return "a name"; }
+  Form form() const { return {Form::Kind::text}; }
 };
 bool is_name(const std::string& text);
 
@@ -96,6 +87,7 @@ struct ChoiceValue {
   }
 
   std::string takes() const { return fmt::format("{}", fmt::join(words(), " | ")); }
+  Form form() const { return word_form(words()); }
 };
 
 /// What to say of a list that is longer than it must be because decimal commas have cut its numbers; or nothing.
@@ -121,6 +113,7 @@ struct TupleValue {
   }
 
   std::string takes() const { return fmt::format("a list of {}, each {}", N, item.takes()); }
+  Form form() const { return tuple_form(std::vector<Form>(N, item.form())); }
 };
 
 inline TupleValue<NumberValue, 3> vector3(Range range = any_number) { return {{std::move(range)}}; }
@@ -143,35 +136,36 @@ struct ListValue {
     return good;
   }
 
-  void list(const std::string& path, std::vector<DeckKey>& out) const requires ListsKeys<Item> {
-    item.list(path + ".N", out);
-  }
-
   std::string takes() const { return "a list, each " + item.takes(); }
+  Form form() const { return list_form(item.form()); }
 };
 
 /// x, y, z, -x, -y, -z or a vector that is not zero; read as a unit vector.
 struct DirectionValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, Vec3& out) const;
   std::string takes() const { return "x | y | z | -x | -y | -z or a vector that is not zero"; }
+  Form form() const { return any_form({word_form({"x", "y", "z", "-x", "-y", "-z"}), vector3().form()}); }
 };
 
 /// A number, {table: [[t, value], ...]} or {expression: "..."}.
 struct CurveValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, Curve& out) const;
   std::string takes() const { return "a curve"; }
+  Form form() const;
 };
 
 /// A part by name; all (or an empty result) for the whole mesh.
 struct PartNameValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const;
   std::string takes() const { return "a name from parts, or all"; }
+  Form form() const { return {Form::Kind::text}; }
 };
 
 /// "part", "part/side", "all" or {name: ..., inside: [[x, y, z], [x, y, z]]}.
 struct SelectorValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, Selector& out) const;
   std::string takes() const { return "a selector"; }
+  Form form() const;
 };
 
 }  // namespace percuss
