@@ -268,12 +268,6 @@ PartMesh read_file(const ExodusMesh& source) {
   return ExodusReader(file, chosen).read();
 }
 
-/// Far more than reading takes, on a slow network file system too: a minute and a second for every megabyte.
-unsigned find_patience(const ExodusContainer& container) {
-  constexpr std::uintmax_t least = 60, most = 86400, bytes_a_second = 1'000'000;
-  return static_cast<unsigned>(std::min(most, least + container.bytes / bytes_a_second));
-}
-
 }  // namespace
 
 bool can_run(const ExodusBlock& block) {
@@ -287,13 +281,13 @@ ExodusContents read_exodus_contents(const std::string& path) {
     return ExodusContents{file.dimensions(), file.element_count(), file.blocks(),
                           file.node_sets(),  file.side_sets(),     file.read_coordinates()};
   };
-  run_trial_process([&] { read(); }, find_patience(container));
+  run_trial_process([&] { read(); }, find_patience(container.bytes));
   return read();
 }
 
 PartMesh read_exodus_mesh(const ExodusMesh& source) {
   const ExodusContainer container = inspect_exodus_container(source.file);
-  run_trial_process([&] { read_file(source); }, find_patience(container));
+  run_trial_process([&] { read_file(source); }, find_patience(container.bytes));
   PartMesh mesh = read_file(source);
   for (Vec3& x : mesh.nodes) {
     for (double& coordinate : x) coordinate *= source.scale;

@@ -19,7 +19,7 @@ struct ExodusContents {
 
 /// Reads the lists of a file, not its elements. Throws InputError if it is damaged or none of Exodus II, SystemError if
 /// it cannot be opened or read; neither names the file.
-ExodusContents read_exodus_contents(const std::string& file);
+ExodusContents read_exodus_contents(const std::string& path);
 
 /// Whether the elements of a block are of a kind that can be run: hexahedra of eight nodes, shells of three or four.
 bool can_run(const ExodusBlock& block);

@@ -25,11 +25,6 @@ constexpr std::size_t most_named = 5;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-double find_length(const Vec3& a, const Vec3& b) {
-  const Vec3 edge = subtract(a, b);
-  return std::sqrt(dot(edge, edge));
-}
-
 /// Across the thinnest direction, to which the stable step is proportional: the edge of a cube or a square, the height
 /// of a triangle.
 double find_height(const PartMesh& mesh, const std::array<int, 8>& element) {
@@ -37,7 +32,7 @@ double find_height(const PartMesh& mesh, const std::array<int, 8>& element) {
   for (std::size_t c = 0; c < 8; ++c) x[c] = mesh.nodes[at(element[c])];
   if (is_shell(element)) {
     double longest = 0;
-    for (std::size_t c = 0; c < 4; ++c) longest = std::max(longest, find_length(x[c], x[(c + 1) % 4]));
+    for (std::size_t c = 0; c < 4; ++c) longest = std::max(longest, find_distance(x[c], x[(c + 1) % 4]));
     return (is_triangle(element) ? 2 : 1) * find_shell_area_size(x) / longest;
   }
   double largest = 0;

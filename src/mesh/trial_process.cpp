@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -95,6 +96,25 @@ void run_trial_process(const std::function<void()>& trial, unsigned seconds) {
   }
   if (WEXITSTATUS(status) == wrong_input) throw InputError(message);
   throw SystemError(message);
+}
+
+unsigned find_patience(std::uintmax_t bytes) {
+  constexpr std::uintmax_t least = 60, most = 86400, bytes_a_second = 1'000'000;
+  return static_cast<unsigned>(std::min(most, least + bytes / bytes_a_second));
+}
+
+void rehearse(const std::string& path, std::uintmax_t bytes, const std::function<void()>& work) {
+  const auto trial = [&] {
+    try {
+      work();
+    } catch (const std::exception&) {  // thrown again in earnest
+    }
+  };
+  try {
+    run_trial_process(trial, find_patience(bytes));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: error: {}", path, error.what()));
+  }
 }
 
 }  // namespace percuss

@@ -76,11 +76,7 @@ void CheckpointWriter::run_or_abandon(Work&& work) {
   } catch (const hdf5::Error& error) {
     const std::string message = fmt::format("cannot write '{}' ({}; while HDF5 was to {}){}", path_, error.reason,
                                             error.what(), suggest_for_errno(error.error_number));
-    if (ranks_.size() > 1) {  // within HDF5 the others wait for this one
-      std::fprintf(stderr, "percuss: error: %s\n", message.c_str());
-      std::fflush(nullptr);
-      ranks_.abort(static_cast<int>(ExitCode::system_failed));
-    }
+    if (ranks_.size() > 1) hdf5::end_all_ranks(ranks_, message);
     abandon();
     throw SystemError(message);
   } catch (const SystemError&) {  // agreed on by all ranks

@@ -8,6 +8,7 @@
 #include <array>
 #include <set>
 
+#include "src/mesh/trial_process.hpp"
 #include "src/output/atomic_file.hpp"
 #include "src/output/hdf5_reading.hpp"
 #include "src/output/hdf5_table.hpp"
@@ -85,10 +86,9 @@ void cut_all(hid_t root, hid_t own, const EarlierFrames& kept) {
   cut(own, "step", kept.frames);
 }
 
-}  // namespace
-
-std::vector<double> check_fields_file(const std::string& path, const EarlierFrames& kept,
-                                      std::span<const std::string> fields) {
+/// The times of the frames that are kept.
+std::vector<double> read_times(const std::string& path, const EarlierFrames& kept,
+                               std::span<const std::string> fields) {
   const hdf5::QuietErrors quiet;
   std::string problem;
   try {
@@ -102,6 +102,14 @@ std::vector<double> check_fields_file(const std::string& path, const EarlierFram
   }
   throw InputError(fmt::format("{}: error: {} (the restart goes on with this file) choose another folder with --out",
                                path, problem));
+}
+
+}  // namespace
+
+std::vector<double> check_fields_file(const std::string& path, const EarlierFrames& kept,
+                                      std::span<const std::string> fields) {
+  rehearse(path, find_file_bytes(path), [&] { read_times(path, kept, fields); });
+  return read_times(path, kept, fields);
 }
 
 void cut_fields_file(const std::string& path, const EarlierFrames& kept) {

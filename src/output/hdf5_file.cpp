@@ -5,9 +5,13 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <thread>
 
 #include "src/output/atomic_file.hpp"
 #include "src/output/first_rank.hpp"
@@ -50,6 +54,18 @@ void make_empty_file(const std::string& path) {
   ::close(descriptor);
 }
 
+// Open MPI 4.1 waits for ever where one rank cannot open what others can: a folder that only one machine has, say.
+void agree_that_all_reach(const std::string& path, const Communicator& ranks) {
+  if (ranks.size() == 1) return;
+  fail_together(ranks, [&] {
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (descriptor < 0)
+      throw SystemError(fmt::format("rank {} of {} cannot open '{}' ({}); results need a folder that all ranks share",
+                                    ranks.rank(), ranks.size(), path, std::strerror(errno)));
+    ::close(descriptor);
+  });
+}
+
 // Each rank goes on with a file of its own. One that cannot would leave the others waiting when the file is closed.
 void turn_to_memory(MPI_File& file, int memory, const Communicator& ranks) {
   const std::string path = fmt::format("/proc/self/fd/{}", memory);
@@ -77,6 +93,7 @@ Handle create_durable_file(const std::string& path, const Communicator& ranks) {
   } else {
     ::unlink(path.c_str());
   }
+  agree_that_all_reach(path, ranks);
   Handle file(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), action), H5Fclose);
   keep_metadata_until_flush(file.get(), action);
   return file;
@@ -85,9 +102,17 @@ Handle create_durable_file(const std::string& path, const Communicator& ranks) {
 Handle open_durable_file(const std::string& path, const Communicator& ranks) {
   const std::string action = "open the file";
   const Handle access = create_access(ranks, action);
+  agree_that_all_reach(path, ranks);
   Handle file(check(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), action), H5Fclose);
   keep_metadata_until_flush(file.get(), action);
   return file;
+}
+
+void end_all_ranks(const Communicator& ranks, const std::string& message) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(250) * std::min(ranks.rank(), 20));
+  std::fprintf(stderr, "percuss: error: %s\n", message.c_str());
+  std::fflush(nullptr);
+  ranks.abort(static_cast<int>(ExitCode::system_failed));
 }
 
 Handle create_collective_transfer() {
@@ -133,11 +158,10 @@ extern "C" int MPI_File_write_at(MPI_File file, MPI_Offset offset, const void* d
   MPI_Get_elements_x(&own, MPI_BYTE, &written);
   MPI_Type_size_x(type, &item);
   if (code != MPI_SUCCESS || written != item * count) {
-    std::fprintf(stderr,
-                 "percuss: error: cannot write a file of results (%lld of %lld bytes written; is the disk sound?)\n",
-                 static_cast<long long>(written), static_cast<long long>(item * count));
-    std::fflush(nullptr);
-    MPI_Abort(MPI_COMM_WORLD, static_cast<int>(percuss::ExitCode::system_failed));
+    percuss::hdf5::end_all_ranks(
+        percuss::Communicator::world(),
+        fmt::format("cannot write a file of results ({} of {} bytes written; is the disk sound?)", written,
+                    item * count));
   }
   if (status != MPI_STATUS_IGNORE) *status = own;
   return code;

@@ -18,6 +18,10 @@ Handle create_durable_file(const std::string& path, const Communicator& ranks);
 /// Opens such a file again to go on with it. Collective. Throws Error.
 Handle open_durable_file(const std::string& path, const Communicator& ranks);
 
+/// Tells of a failure that other ranks may wait in HDF5 for, and ends them all. Where several have failed, the lowest
+/// tells of it: the others give it time to.
+[[noreturn]] void end_all_ranks(const Communicator& ranks, const std::string& message);
+
 /// How several ranks write data: all of them at once.
 Handle create_collective_transfer();
 

@@ -14,6 +14,7 @@
 
 #include "src/fail_together.hpp"
 #include "src/output/atomic_file.hpp"
+#include "src/output/checkpoint_file.hpp"
 
 namespace percuss {
 namespace {
@@ -125,7 +126,11 @@ std::uint64_t hash_share(const Communicator& ranks, const std::string& path, std
   return hash;
 }
 
-constexpr const char* what_to_do = "use an older one: checkpoint_previous.h5 beside it";
+std::string say_what_to_do(const std::string& path) {
+  const std::string older = find_previous_checkpoint(path);
+  if (::access(older.c_str(), F_OK) == 0) return "use the older one: " + older;
+  return "there is no older one beside it: begin the run again";
+}
 
 Seal read_seal(const std::string& path) {
   const File file(path, O_RDONLY);
@@ -138,13 +143,13 @@ Seal read_seal(const std::string& path) {
       return seal;
   }
   throw InputError(fmt::format("{}: error: not a checkpoint, or not a whole one (it does not end as checkpoints do) {}",
-                               path, what_to_do));
+                               path, say_what_to_do(path)));
 }
 
 void compare(const std::string& path, const Seal& seal, std::uint64_t hash) {
   if (seal.hash == hash) return;
   throw InputError(fmt::format("{}: error: the checkpoint is damaged (its content has changed since it was written) {}",
-                               path, what_to_do));
+                               path, say_what_to_do(path)));
 }
 
 }  // namespace

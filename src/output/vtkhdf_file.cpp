@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <cstdio>
 #include <numeric>
 
 #include "src/output/atomic_file.hpp"
@@ -141,22 +140,16 @@ void VtkhdfFile::run_or_abandon(const char* action, Work&& work) {
     throw;
   } catch (const std::exception& error) {
     // To give up a file that several ranks write takes all of them, and this rank may be the only one here.
-    if (ranks_.size() > 1) end_all_ranks(fmt::format("cannot {} '{}' ({})", action, path_, error.what()));
+    if (ranks_.size() > 1) hdf5::end_all_ranks(ranks_, fmt::format("cannot {} '{}' ({})", action, path_, error.what()));
     abandon();
     throw;
   }
 }
 
-void VtkhdfFile::end_all_ranks(const std::string& message) const {
-  std::fprintf(stderr, "percuss: error: %s\n", message.c_str());
-  std::fflush(nullptr);
-  ranks_.abort(static_cast<int>(ExitCode::system_failed));
-}
-
 void VtkhdfFile::fail(const char* action, const hdf5::Error& error) {
   const std::string message = fmt::format("cannot {} '{}' ({}; while HDF5 was to {}){}", action, path_, error.reason,
                                           error.what(), suggest_for_errno(error.error_number));
-  if (ranks_.size() > 1) end_all_ranks(message);
+  if (ranks_.size() > 1) hdf5::end_all_ranks(ranks_, message);
   abandon();
   throw SystemError(message);
 }

@@ -51,7 +51,6 @@ class VtkhdfFile {
   template <class Work>
   void run_or_abandon(const char* action, Work&& work);
   [[noreturn]] void fail(const char* action, const hdf5::Error& error);
-  [[noreturn]] void end_all_ranks(const std::string& message) const;
   void create(const Mesh& mesh, const FieldsOptions& options);
   void write_cells(const Mesh& mesh);
   void write_mesh(const Mesh& mesh, const FieldsOptions& options);

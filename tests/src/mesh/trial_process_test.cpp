@@ -12,7 +12,9 @@
 namespace percuss {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::StartsWith;
 using testing::StrEq;
 using testing::ThrowsMessage;
 
@@ -49,6 +51,19 @@ TEST(TrialProcess, EndsAHang) {
             1);
       },
       ThrowsMessage<InputError>(HasSubstr("hangs")));
+}
+
+TEST(TrialProcess, OfARehearsalOnlyCrashesAndHangsAreTold) {
+  rehearse("a.h5", 0, [] { throw InputError("told in earnest"); });
+  rehearse("a.h5", 0, [] { throw std::runtime_error("likewise"); });
+  EXPECT_THAT([] { rehearse("a.h5", 0, [] { std::abort(); }); },
+              ThrowsMessage<InputError>(AllOf(StartsWith("a.h5: error: "), HasSubstr("crashes"))));
+}
+
+TEST(TrialProcess, HasPatienceWithLargeFiles) {
+  EXPECT_EQ(find_patience(0), 60u);
+  EXPECT_EQ(find_patience(5'000'000'000), 60u + 5000u);
+  EXPECT_EQ(find_patience(UINTMAX_MAX), 86400u);
 }
 
 TEST(TrialProcess, KeepsTheTrialSilent) {

@@ -170,6 +170,25 @@ TEST_F(CheckpointFile, WithoutFinishLeavesTheOneBefore) {
   EXPECT_FALSE(std::filesystem::exists(path() + ".tmp"));
 }
 
+// As where ranks on several machines have folders of the same name.
+TEST_F(CheckpointFile, InAFolderThatOneRankLacksFailsOnAll) {
+  const int last = world().size() - 1;
+  std::string message;
+  try {
+    CheckpointWriter(world().rank() == last ? folder_ + "/none/checkpoint.h5" : path(), {}, share_, world());
+  } catch (const SystemError& error) {
+    message = error.what();
+  }
+  EXPECT_THAT(message, HasSubstr("/none/checkpoint.h5"));
+  EXPECT_THAT(message, HasSubstr("No such file or directory"));
+  if (last > 0) {
+    EXPECT_THAT(message,
+                HasSubstr("rank " + std::to_string(last) + " of " + std::to_string(last + 1) + " cannot open"));
+  }
+  world().barrier();
+  EXPECT_FALSE(std::filesystem::exists(path() + ".tmp"));
+}
+
 TEST_F(CheckpointFile, CutOffAnywhereIsRefused) {
   write(path(), share_, Contents(share_));
   const auto size = std::filesystem::file_size(path());
@@ -183,6 +202,29 @@ TEST_F(CheckpointFile, CutOffAnywhereIsRefused) {
   EXPECT_THAT(take_refusal(path(), share_), HasSubstr("not a whole one"));
   change([&](std::string& bytes) { bytes += "more"; });
   EXPECT_THAT(take_refusal(path(), share_), HasSubstr("not a whole one"));
+}
+
+TEST_F(CheckpointFile, DamagedNamesAnOlderOneOnlyIfThereIsOne) {
+  const std::string older = find_previous_checkpoint(path());
+  const auto cut = [](std::string& bytes) { bytes.pop_back(); };
+  const auto flip = [](std::string& bytes) {
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
+  };
+  for (const std::function<void(std::string&)>& damage : {std::function<void(std::string&)>(cut), {flip}}) {
+    write(path(), share_, Contents(share_));
+    change(damage);
+    EXPECT_THAT(take_refusal(path(), share_), HasSubstr(") there is no older one beside it: begin the run again"));
+    world().barrier();
+    write(path(), share_, Contents(share_));
+    write(path(), share_, Contents(share_));
+    change(damage);
+    EXPECT_THAT(take_refusal(path(), share_), HasSubstr(") use the older one: " + older));
+    world().barrier();
+    if (world().rank() == 0) std::filesystem::remove(older);
+    world().barrier();
+    if (world().rank() == 0) std::filesystem::remove(path());
+    world().barrier();
+  }
 }
 
 TEST_F(CheckpointFile, AnyChangedBitIsRefused) {

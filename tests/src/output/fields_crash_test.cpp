@@ -6,7 +6,6 @@
 #include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,6 +16,7 @@
 
 #include "src/error.hpp"
 #include "src/output/fields_file.hpp"
+#include "tests/src/output/file_size_limit.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
 #include "tests/src/output/sample_run.hpp"
 
@@ -61,6 +61,7 @@ extern "C" ssize_t pwrite64(int file, const void* data, std::size_t size, off_t 
 namespace percuss {
 namespace {
 
+using sample::FileSizeLimit;
 using sample::Hdf5FileView;
 using sample::TemporaryFolder;
 using testing::HasSubstr;
@@ -164,26 +165,6 @@ TEST(FieldsFileInACrash, KeepsTheFramesBeforeAndTheExitCodeWhicheverWriteFails) 
     expect_good_frames(folder.file("fields.vtkhdf"), mesh, good_frames);
   }
 }
-
-// A limit on the size of files fails as a full disk does, and needs no disk to be filled.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
 
 TEST(FieldsFileOnAFullDisk, FailsBeforeAFrameIsHalfWrittenAndKeepsTheOthers) {
   const TemporaryFolder folder;

@@ -2,10 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <algorithm>
-#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -13,12 +11,14 @@
 #include "comm/agreement.hpp"
 #include "src/error.hpp"
 #include "src/output/fields_file.hpp"
+#include "tests/src/output/file_size_limit.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
 #include "tests/src/output/sample_run.hpp"
 
 namespace percuss {
 namespace {
 
+using sample::FileSizeLimit;
 using sample::Hdf5FileView;
 using sample::TemporaryFolder;
 using testing::ElementsAre;
@@ -143,26 +143,6 @@ TEST(FieldsFileOfManyRanks, NamesTheReasonOnEveryRankWhenTheFolderIsMissing) {
   EXPECT_THAT(message, HasSubstr(folder.file("missing/fields.vtkhdf")));
   EXPECT_THAT(message, HasSubstr("No such file or directory"));
 }
-
-// A limit on the size of files fails as a full disk does, and needs no disk to be filled.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FileSizeLimit() {
-    ::setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
 
 void expect_frames(const std::string& path, int count) {
   const Hdf5FileView file(path);
