@@ -1,8 +1,9 @@
 #include "src/contact/tie_thickness.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
+
+#include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
@@ -53,8 +54,6 @@ void share_largest(const ChunkedMesh& chunked, const std::vector<int>& nodes, It
   }
 }
 
-double find_length(const Vec3& a, const Vec3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
-
 }  // namespace
 
 double find_half_thickness(const Mesh& mesh, const ElementFace& face) {
@@ -98,7 +97,7 @@ void leave_out_what_lies_behind(const ChunkedMesh& chunked, const std::vector<in
       for (const int m : element) {
         if (n == m || places[at(n)] < 0 || places[at(m)] < 0) continue;
         const double farther = answers[at(places[at(n)])].distance - answers[at(places[at(m)])].distance;
-        if (farther > steep * find_length(mesh.nodes[at(n)], mesh.nodes[at(m)])) behind[at(places[at(n)])] = 1;
+        if (farther > steep * find_distance(mesh.nodes[at(n)], mesh.nodes[at(m)])) behind[at(places[at(n)])] = 1;
       }
     }
   }

@@ -5,6 +5,7 @@
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/step/moving_nodes.hpp"
 
 namespace percuss {
 
@@ -22,26 +23,22 @@ void subtract(ExactSum& from, const ExactSum& sum) {
 using NodeSums = ExactSums<AuditSum::count_of_nodes>;
 
 NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model, const State& state) {
-  const auto x = state.x, v = state.v, slot_force = state.slot_force, start = model.start;
-  const auto nodes_to_slots = model.nodes_to_slots;
+  const MovingNodes nodes = find_translations(model, state);
+  const auto x = state.x, v = state.v, start = model.start;
   const auto mass = state.mass;
   const auto inverse_mass = state.inverse_mass;
   const auto gravity = model.gravity;
-  const double dt = state.step == 0 ? 0.0 : state.dt;
   const double first_dt = state.step == 0 ? state.next_dt : 0.0;
   const Kokkos::Array<double, 3> center{{model.mass_center[0], model.mass_center[1], model.mass_center[2]}};
   return sums(
       ExecSpace(), model.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, S::count_of_nodes>& sum) {
-        double f[3] = {mass(n) * gravity.g[0], mass(n) * gravity.g[1], mass(n) * gravity.g[2]};
-        for (int i = nodes_to_slots.first(n); i < nodes_to_slots.first(n + 1); ++i) {
-          for (int k = 0; k < 3; ++k) f[k] += slot_force(nodes_to_slots.slots(i), k);
-        }
+        double f[3];
+        nodes.find_force(n, f);
         const double m = mass(n);
         const double p[3] = {m * v(n, 0), m * v(n, 1), m * v(n, 2)};
         const double r[3] = {x(n, 0) - center[0], x(n, 1) - center[1], x(n, 2) - center[2]};
         for (int k = 0; k < 3; ++k) {
-          const double change = inverse_mass(n, k) > 0 ? dt * f[k] : 0;  // a held direction goes its own way
-          sum[S::kinetic] += 0.5 * v(n, k) * (p[k] + change);
+          sum[S::kinetic] += nodes.find_energy(n, k, f[k]);
           sum[S::half_steps] += 0.125 * inverse_mass(n, k) * (first_dt * f[k]) * (first_dt * f[k]);
           sum[S::potential] += m * gravity.g[k] * (x(n, k) - start(n, k));
           sum[S::momentum + k] += p[k];
@@ -58,24 +55,19 @@ NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const 
 void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model, const State& state,
                NodeSums::Totals& totals) {
   if (!model.has_shells) return;
-  const auto w = state.w, slot_moment = state.slot_moment;
-  const auto nodes_to_slots = model.nodes_to_slots;
+  const MovingNodes nodes = find_rotations(model, state);
+  const auto w = state.w;
   const auto inertia = state.inertia;
   const auto inverse_inertia = state.inverse_inertia;
-  const double dt = state.step == 0 ? 0.0 : state.dt;
   const double first_dt = state.step == 0 ? state.next_dt : 0.0;
   const auto of_spins = sums(
       ExecSpace(), model.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, S::count_of_nodes>& sum) {
-        double size = 0;
+        double size = 0, moment[3];
+        nodes.find_force(n, moment);
         for (int k = 0; k < 3; ++k) {
-          double moment = 0;
-          for (int i = nodes_to_slots.first(n); i < nodes_to_slots.first(n + 1); ++i) {
-            moment += slot_moment(nodes_to_slots.slots(i), k);
-          }
           const double spin = inertia(n) * w(n, k);
-          const double change = inverse_inertia(n, k) > 0 ? dt * moment : 0;  // a held direction goes its own way
-          sum[S::kinetic] += 0.5 * w(n, k) * (spin + change);
-          sum[S::half_steps] += 0.125 * inverse_inertia(n, k) * (first_dt * moment) * (first_dt * moment);
+          sum[S::kinetic] += nodes.find_energy(n, k, moment[k]);
+          sum[S::half_steps] += 0.125 * inverse_inertia(n, k) * (first_dt * moment[k]) * (first_dt * moment[k]);
           sum[S::angular + k] += spin;
           size += spin * spin;
         }
@@ -120,7 +112,7 @@ Audit::Totals Audit::sum_all(const State& state) {
   const ExactSum eroded[] = {books.eroded_internal, books.eroded_hourglass, books.eroded_viscous, books.eroded_kinetic,
                              books.eroded_mass};
   std::copy_n(eroded, 5, sums.begin() + S::eroded_internal);
-  for (int k = 0; k < 3; ++k) subtract(sums[static_cast<std::size_t>(S::internal + k)], eroded[k]);
+  for (std::size_t k = 0; k < 3; ++k) subtract(sums[S::internal + k], eroded[k]);
   sum_over_ranks(model_.ranks, sums);
   Totals totals{};
   for (std::size_t i = 0; i < S::count; ++i) totals[i] = sums[i].round();

@@ -6,8 +6,10 @@
 #include <limits>
 #include <utility>
 
+#include "comm/exact_reduction.hpp"
 #include "comm/merge_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/history_parts.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
@@ -138,6 +140,23 @@ bool can_fail(const Deck& deck) {
                      [](const MaterialDeck& material) { return material.failure.has_value(); });
 }
 
+/// Mass of the nodes that have vanished: where they may, masses are the state's own. Collective.
+double find_vanished_mass(const Model& model, const State& state) {
+  std::array<ExactSum, 1> sum{};
+  if (state.mass.data() != model.mass.data()) {
+    const auto left = state.mass, before = model.mass;
+    sum = OwnedNodeSums<1>("percuss::vanished_mass")(
+        ExecSpace(), model.owned_nodes,
+        KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 1>& mass) { mass[0] += before(n) - left(n); });
+  }
+  sum_over_ranks(model.ranks, sum);
+  return sum[0].round();
+}
+
+bool removes_nodes(const Deck& deck) {
+  return can_fail(deck) && deck.erosion.free_nodes == ErosionDeck::FreeNodes::remove;
+}
+
 std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, const Deck& deck) {
   std::vector<std::string> columns{"time",       "step",       "dt",         "dt_element", "kinetic",   "internal",
                                    "hourglass",  "viscous",    "contact",    "friction",   "external",  "energy_error",
@@ -147,9 +166,12 @@ std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, 
   if (deck.contact.enforcement == Enforcement::lagrange) columns.emplace_back("complementarity");
   if (deck.contact.enforcement == Enforcement::penalty) columns.emplace_back("contact_stored");
   if (can_fail(deck)) columns.insert(columns.end(), {"eroded_elements", "eroded_mass", "eroded_energy"});
+  if (removes_nodes(deck)) columns.emplace_back("vanished_mass");
   for (const std::string& pair : name_contact_pairs(deck))
     columns.insert(columns.end(), {"contact:" + pair, "friction:" + pair});
   if (!deck.walls.empty()) columns.insert(columns.end(), {"wall_force_x", "wall_force_y", "wall_force_z"});
+  const std::vector<std::string> of_parts = name_columns(find_booked_parts(deck));
+  columns.insert(columns.end(), of_parts.begin(), of_parts.end());
   for (const FollowedPoint& p : points) {
     const std::vector<const char*> suffixes =
         p.is_element ? std::vector<const char*>{"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz",
@@ -166,15 +188,19 @@ std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, 
 
 std::vector<FollowedPoint> find_history_points(const Deck& deck, const ChunkedMesh& chunked) {
   std::vector<FollowedPoint> points;
-  for (const HistoryPoint& p : deck.output.points) points.push_back(find_point(chunked, deck, p));
+  for (const HistoryPoint& p : deck.output.points) {
+    if (!names_parts(p)) points.push_back(find_point(chunked, deck, p));
+  }
   return points;
 }
 
 History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked)
     : ranks_(find_ranks(chunked.mesh)),
       has_walls_(!deck.walls.empty()),
+      removes_nodes_(removes_nodes(deck)),
       enforcement_(deck.contact.enforcement),
       points_(find_history_points(deck, chunked)),
+      parts_(deck, chunked),
       thermal_(name_thermal_columns(deck)) {
   fail_together(ranks_, [&] {
     if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, deck));
@@ -184,8 +210,10 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
 History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes)
     : ranks_(find_ranks(chunked.mesh)),
       has_walls_(!deck.walls.empty()),
+      removes_nodes_(removes_nodes(deck)),
       enforcement_(deck.contact.enforcement),
       points_(find_history_points(deck, chunked)),
+      parts_(deck, chunked),
       thermal_(name_thermal_columns(deck)) {
   fail_together(ranks_, [&] {
     if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, deck), bytes);
@@ -270,8 +298,10 @@ void History::write(const Model& model, const State& state, const AuditResult& a
   if (model.can_erode) {
     row.insert(row.end(), {static_cast<double>(audit.eroded.elements), audit.eroded.mass, audit.eroded.energy});
   }
+  if (removes_nodes_) row.push_back(find_vanished_mass(model, state));
   row.insert(row.end(), pair_work.begin(), pair_work.end());
   if (has_walls_) row.insert(row.end(), wall_force.begin(), wall_force.end());
+  parts_.append(model, state, row);
   gather_points(model, state, row);
   fail_together(ranks_, [&] {
     if (file_) file_->write_row(row);

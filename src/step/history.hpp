@@ -8,6 +8,7 @@
 
 #include "src/output/history_file.hpp"
 #include "src/step/audit.hpp"
+#include "src/step/part_energies.hpp"
 #include "src/step/step.hpp"
 
 namespace percuss {
@@ -49,9 +50,10 @@ class History {
   void gather_points(const Model& model, const State& state, std::vector<double>& row) const;
 
   Communicator ranks_;
-  bool has_walls_;
+  bool has_walls_, removes_nodes_;
   ContactDeck::Enforcement enforcement_;
   std::vector<FollowedPoint> points_;
+  PartEnergies parts_;
   std::vector<HistoryScalar> thermal_;  // columns of followed elements that only some materials fill
   std::optional<HistoryFile> file_;     // of rank 0
 };

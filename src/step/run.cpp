@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -361,12 +362,14 @@ void Run::fail(const std::exception& error) {
     if (dynamic_cast<const RunError*>(&error) != nullptr) write_failed_state();
     finish("failed", error.what());
     output_.close();
-  } catch (const std::exception& second) {  // a full disk must not hide why the run failed
-    if (ranks_.rank() == 0) print_quietly(stderr, "percuss: error: {}\n", second.what());
+  } catch (const std::exception& second) {  // a full disk must not hide why the run failed, and is told once
+    if (ranks_.rank() == 0 && dynamic_cast<const SystemError*>(&error) == nullptr)
+      print_quietly(stderr, "percuss: error: {}\n", second.what());
   }
   if (!speaks() || options_.out_dir.empty()) return;
   print_quietly(stderr, "results: {}\n", options_.out_dir);
-  if (checkpoint_.empty()) return;
+  std::error_code lost;  // with the folder itself
+  if (checkpoint_.empty() || !std::filesystem::exists(checkpoint_, lost)) return;
   print_quietly(stderr, "checkpoint: {}, step {}, t = {:.6g}; from there: percuss run {} --restart {}\n", checkpoint_,
                 checkpoint_step_, checkpoint_time_, deck_.file, checkpoint_);
 }

@@ -31,11 +31,12 @@ TEST(CommandLine, ReadsARun) {
   EXPECT_TRUE(run.quiet);
 }
 
-TEST(CommandLine, ReadsCheckAndInfo) {
+TEST(CommandLine, ReadsCheckInfoAndSchema) {
   EXPECT_EQ(command({"check", "deck.yaml"}).kind, Command::Kind::check);
   EXPECT_THAT(command({"check", "d", "--set=time.end=1"}).settings, testing::ElementsAre("time.end=1"));
   EXPECT_EQ(command({"info", "out"}).kind, Command::Kind::info);
   EXPECT_EQ(command({"info", "out"}).file, "out");
+  EXPECT_EQ(command({"schema"}).kind, Command::Kind::schema);
 }
 
 TEST(CommandLine, ReadsAPlan) {
@@ -75,7 +76,7 @@ TEST(CommandLine, HelpsOnDemand) {
   for (const char* flag : {"-h", "--help"}) {
     const Answer help = answer({flag});
     EXPECT_EQ(help.exit_code, ExitCode::done);
-    for (const char* part : {"run", "check", "plan", "info", "Examples", "Exit codes", "OMP_NUM_THREADS"}) {
+    for (const char* part : {"run", "check", "plan", "info", "schema", "Examples", "Exit codes", "OMP_NUM_THREADS"}) {
       EXPECT_THAT(help.text, HasSubstr(part));
     }
   }
@@ -83,6 +84,7 @@ TEST(CommandLine, HelpsOnDemand) {
   EXPECT_THAT(answer({"check", "--help"}).text, HasSubstr("Usage: percuss check"));
   EXPECT_THAT(answer({"plan", "--help"}).text, HasSubstr("Usage: percuss plan"));
   EXPECT_THAT(answer({"info", "-h"}).text, HasSubstr("Usage: percuss info"));
+  EXPECT_THAT(answer({"schema", "-h"}).text, HasSubstr("Usage: percuss schema"));
 }
 
 TEST(CommandLine, TellsItsVersion) {
@@ -97,12 +99,14 @@ TEST(CommandLine, HelpsWhenNothingIsAsked) {
 
 TEST(CommandLine, HintsAtWhatWasMeant) {
   EXPECT_THAT(answer({"rnu", "deck.yaml"}).text, HasSubstr("unknown command 'rnu' (did you mean 'run'?)"));
-  EXPECT_THAT(answer({"simulate"}).text, HasSubstr("(known: run, check, plan, info)"));
+  EXPECT_THAT(answer({"simulate"}).text, HasSubstr("(known: run, check, plan, info, schema)"));
   EXPECT_THAT(answer({"run", "d", "--ouT", "x"}).text, HasSubstr("unknown option '--ouT' (did you mean '--out'?)"));
   EXPECT_THAT(answer({"--hepl"}).text, HasSubstr("unknown option '--hepl' (did you mean '--help'?)"));
   EXPECT_THAT(answer({"run"}).text, HasSubstr("percuss run needs a deck"));
   EXPECT_THAT(answer({"info"}).text, HasSubstr("percuss info needs a file"));
   EXPECT_THAT(answer({"check", "a", "b"}).text, HasSubstr("'b' is one argument too many"));
+  EXPECT_THAT(answer({"schema", "deck.yaml"}).text,
+              HasSubstr("'deck.yaml' is one argument too many (percuss schema takes none)"));
   EXPECT_THAT(answer({"--force", "run", "d"}).text, HasSubstr("option '--force' stands before the command"));
   EXPECT_THAT(answer({"run", "d", "--set"}).text, HasSubstr("has no value"));
 }
@@ -115,6 +119,8 @@ TEST(CommandLine, AnswersEveryMistakeWithExitCodeTwo) {
                                                           {"--bad"},
                                                           {"check", "a", "--out", "b"},
                                                           {"plan", "a", "--ranks", "0"},
+                                                          {"schema", "a"},
+                                                          {"schema", "--set", "a=1"},
                                                           {"run", "a", "--set"}};
   for (const auto& arguments : mistakes) {
     EXPECT_EQ(answer(arguments).exit_code, ExitCode::wrong_input) << arguments.front();

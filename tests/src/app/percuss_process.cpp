@@ -49,8 +49,8 @@ ProcessResult run_percuss(const std::vector<std::string>& arguments, const std::
   return {decode(status), read_file(folder.path() + "/out"), read_file(folder.path() + "/err")};
 }
 
-ProcessResult interrupt_percuss(const std::vector<std::string>& arguments, const std::string& file, int signal_number,
-                                const std::string& before) {
+ProcessResult disturb_percuss(const std::vector<std::string>& arguments, const std::string& file,
+                              const std::function<void(int)>& disturb, const std::string& before) {
   const TemporaryFolder folder;
   const std::string command = make_command(arguments, before, folder.path());
   const pid_t child = fork();
@@ -66,9 +66,27 @@ ProcessResult interrupt_percuss(const std::vector<std::string>& arguments, const
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
-  kill(child, signal_number);
+  disturb(child);
   waitpid(child, &status, 0);
   return {decode(status), read_file(folder.path() + "/out"), read_file(folder.path() + "/err")};
+}
+
+ProcessResult interrupt_percuss(const std::vector<std::string>& arguments, const std::string& file, int signal_number,
+                                const std::string& before) {
+  return disturb_percuss(
+      arguments, file, [&](int child) { kill(child, signal_number); }, before);
+}
+
+std::string launch_on(int ranks) {
+  return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 "
+         "OMP_NUM_THREADS=1 " PERCUSS_MPIEXEC " --oversubscribe --bind-to none -n " +
+         std::to_string(ranks);
+}
+
+int count(const std::string& text, const std::string& what) {
+  int found = 0;
+  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+  return found;
 }
 
 TemporaryFolder::TemporaryFolder() {

@@ -1,6 +1,7 @@
 #pragma once
 // Runs the built executable as a user does.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,19 @@ struct ProcessResult {
 /// Runs percuss with these arguments and waits for it. `before` is put in front of the command ("mpirun -n 2").
 ProcessResult run_percuss(const std::vector<std::string>& arguments, const std::string& before = "");
 
+/// Starts percuss, waits until `file` exists, calls disturb(id of the process) and waits for its end.
+ProcessResult disturb_percuss(const std::vector<std::string>& arguments, const std::string& file,
+                              const std::function<void(int)>& disturb, const std::string& before = "");
+
 /// Starts percuss, waits until `file` exists, sends it a signal and waits for its end.
 ProcessResult interrupt_percuss(const std::vector<std::string>& arguments, const std::string& file, int signal_number,
                                 const std::string& before = "");
+
+/// What starts percuss on several ranks, for `before`.
+std::string launch_on(int ranks);
+
+/// How often a text has `what` in it.
+int count(const std::string& text, const std::string& what);
 
 /// A new, empty folder of this process; gone with its contents when this is destroyed.
 class TemporaryFolder {

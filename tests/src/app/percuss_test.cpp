@@ -5,11 +5,9 @@
 
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 
 #include "src/output/summary.hpp"
 #include "tests/src/app/percuss_process.hpp"
-#include "tests/src/deck/wrong_decks.hpp"
 
 namespace percuss {
 namespace {
@@ -234,17 +232,6 @@ TEST(PercussRun, EndsCleanlyWhenItIsInterrupted) {
   }
 }
 
-// Without contact: two blocks that fly and deform.
-const char* const blocks = R"yaml(title: Two blocks fly
-time: {end: 0.5, max_steps: 20}
-parts:
-  one: {box: {size: [1, 1, 1], cells: [8, 8, 8]}, material: soft}
-  two: {box: {size: [1, 1, 1], cells: [4, 4, 4]}, at: [0, 0, 3], material: soft}
-materials: {soft: {model: elastic, density: 2, youngs_modulus: 100, poissons_ratio: 0.25}}
-initial: [{part: one, velocity: [0, 0, 0.1], angular_velocity: [0, 0, 1]}]
-output: {history: {every: 0}}
-)yaml";
-
 TEST(PercussRun, RefusesARestartFromWhatIsNoCheckpoint) {
   const TemporaryFolder folder;
   const std::string file = folder.write("deck.yaml", cube);
@@ -257,110 +244,6 @@ TEST(PercussRun, RefusesARestartFromWhatIsNoCheckpoint) {
   const ProcessResult text = run_percuss({"run", file, "--restart", file});
   EXPECT_EQ(text.exit_code, 2);
   EXPECT_THAT(text.err, HasSubstr("deck.yaml: error: not a checkpoint, or not a whole one"));
-}
-
-/// What starts percuss on several ranks.
-std::string launch_on(int ranks) {
-  return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 "
-         "OMP_NUM_THREADS=1 " PERCUSS_MPIEXEC " --oversubscribe --bind-to none -n " +
-         std::to_string(ranks);
-}
-
-int count(const std::string& text, const std::string& what) {
-  int found = 0;
-  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
-  return found;
-}
-
-TEST(PercussOnRanks, RunsAndReportsOnce) {
-  const TemporaryFolder folder;
-  const std::string out = folder.path() + "/out";
-  const ProcessResult result = run_percuss({"run", folder.write("deck.yaml", blocks), "-o", out}, launch_on(3));
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(count(result.err, "completed: t ="), 1) << result.err;
-  const Summary summary = read_summary(out + "/summary.json");
-  EXPECT_EQ(summary.ranks, 3);
-  EXPECT_EQ(summary.elements, 576);
-  EXPECT_GT(summary.messages.count, 0);
-  EXPECT_GE(summary.balance.elements, 1);
-}
-
-TEST(PercussOnRanks, ChecksAndPrintsOnceWhatOneRankPrints) {
-  const TemporaryFolder folder;
-  const std::string file = folder.write("deck.yaml", blocks);
-  const ProcessResult alone = run_percuss({"check", file});
-  const ProcessResult result = run_percuss({"check", file}, launch_on(3));
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(result.out, alone.out);
-}
-
-TEST(PercussOnRanks, TellsOfWrongInputOnce) {
-  const TemporaryFolder folder;
-  const std::string file =
-      folder.write("deck.yaml", std::string(blocks) +
-                                    "conditions: [{nodes: {name: one, inside: [[8, 8, 8], [9, 9, 9]]}, fixed: x}]\n");
-  const ProcessResult result = run_percuss({"run", file, "-o", folder.path() + "/out"}, launch_on(2));
-  EXPECT_EQ(result.exit_code, 2) << result.err;
-  EXPECT_EQ(count(result.err, "'one' has no nodes inside the box"), 1) << result.err;
-  EXPECT_EQ(run_percuss({"run", "--nonsense"}, launch_on(2)).exit_code, 2);
-}
-
-TEST(PercussOnRanks, TellsOfAFailedRunOnceAndWritesItsSummary) {
-  const TemporaryFolder folder;
-  const std::string out = folder.path() + "/out";
-  const ProcessResult result = run_percuss(
-      {"run", folder.write("deck.yaml", blocks), "-o", out, "--set", "audit={max_energy_error: 1e-30}"}, launch_on(2));
-  EXPECT_EQ(result.exit_code, 3) << result.err;
-  EXPECT_EQ(count(result.err, "audit.max_energy_error ="), 1) << result.err;
-  EXPECT_EQ(read_summary(out + "/summary.json").status, "failed");
-}
-
-TEST(PercussOnRanks, TellsOfAFailedSystemOnce) {
-  const TemporaryFolder folder;
-  const ProcessResult result =
-      run_percuss({"run", folder.write("deck.yaml", blocks), "-o", "/proc/percuss/out"}, launch_on(2));
-  EXPECT_EQ(result.exit_code, 4) << result.err;
-  EXPECT_EQ(count(result.err, "folder /proc/percuss/out cannot be made"), 1) << result.err;
-}
-
-TEST(PercussOnRanks, SaysThatRanksHaveNoElements) {
-  const TemporaryFolder folder;
-  const ProcessResult result =
-      run_percuss({"run", folder.write("deck.yaml", blocks), "-o", folder.path() + "/out", "--set",
-                   "parts.one.box.cells=[1, 1, 1]", "--set", "parts.two.box.cells=[1, 1, 1]"},
-                  launch_on(3));
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(count(result.err, "warning: 1 of 3 ranks have no elements (the mesh has 2 chunks"), 1) << result.err;
-}
-
-TEST(PercussOnRanks, HelpsOnce) {
-  const ProcessResult result = run_percuss({"--help"}, launch_on(2));
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(count(result.out, "Exit codes:"), 1);
-}
-
-TEST(PercussPlan, TellsTheDivisionOverManyRanksAndWritesNoFile) {
-  const TemporaryFolder folder;
-  const std::string file = folder.write("deck.yaml", blocks);
-  const ProcessResult result = run_percuss({"plan", file, "--ranks", "1,3"});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(result.err, "");
-  EXPECT_THAT(result.out, HasSubstr("Two blocks fly"));
-  EXPECT_THAT(result.out, HasSubstr("576 elements in 9 chunks"));
-  EXPECT_THAT(result.out, HasSubstr("elements a rank, mean        576.0   192.0\n"));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
-  EXPECT_EQ(run_percuss({"plan", file, "--ranks", "1,3"}, launch_on(2)).out, result.out);
-}
-
-TEST(PercussPlan, RefusesAWrongDeckWithItsPlace) {
-  const TemporaryFolder folder;
-  const std::string file = folder.write("deck.yaml", std::string(blocks) + "contact: {surfaces: [[one, three]]}\n");
-  for (const auto& before : {std::string(), launch_on(2)}) {
-    const ProcessResult result = run_percuss({"plan", file, "--ranks", "2"}, before);
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(result.out, "");
-    EXPECT_EQ(count(result.err, file + ":9:28: error: unknown part 'three'"), 1) << result.err;
-  }
 }
 
 TEST(PercussInfo, ReadsOnlyWhatItKnows) {
@@ -383,28 +266,4 @@ TEST(Percuss, FailsWhenItsOutputIsLost) {
 }
 
 }  // namespace
-TEST(PercussRun, StoppedOnRanksGoesOnOnOthersToTheSameBits) {
-  const TemporaryFolder folder;
-  const std::string file = folder.write("deck.yaml", blocks), out = folder.path() + "/out",
-                    whole = folder.path() + "/whole";
-  const auto steps = [](int count) { return "time.max_steps=" + std::to_string(count); };
-  // Long enough to be stopped on the way. SIGUSR1: mpirun leaves its ranks only a second after SIGTERM.
-  const ProcessResult stopped =
-      interrupt_percuss({"run", file, "-o", out, "--set", steps(1'000'000), "--set", "time.end=1e6"},
-                        out + "/history.csv", SIGUSR1, launch_on(2));
-  EXPECT_NE(stopped.exit_code, 0);
-  const Summary first = read_summary(out + "/summary.json");
-  EXPECT_EQ(first.status, "interrupted") << stopped.err;
-  const int end = static_cast<int>(first.steps) + 9;
-  for (const auto& [launch, arguments] :
-       {std::pair(launch_on(3), std::vector<std::string>{"run", file, "--restart", out}),
-        std::pair(std::string(), std::vector<std::string>{"run", file, "-o", whole})}) {
-    std::vector<std::string> all = arguments;
-    all.insert(all.end(), {"--set", steps(end), "--set", "time.end=1e6"});
-    const ProcessResult result = run_percuss(all, launch);
-    EXPECT_EQ(result.exit_code, 0) << result.err;
-  }
-  EXPECT_EQ(read_summary(out + "/summary.json").state_hash, read_summary(whole + "/summary.json").state_hash);
-}
-
 }  // namespace percuss

@@ -19,8 +19,7 @@
 #include "src/step/history.hpp"
 #include "src/step/run.hpp"
 #include "src/step/whole_mesh.hpp"
-#include "tests/src/step/scene.hpp"
-#include "tests/verification/mapped_shell.hpp"
+#include "tests/src/step/two_scenes.hpp"
 #include "tests/verification/run_deck.hpp"
 
 namespace percuss::test {
@@ -50,29 +49,6 @@ output:
     nodes: [{name: n, near: [0.7, 0.5, 0.4]}, {name: m, near: [3, 0, 0.5]}, {name: o, id: 7}]
     elements: [{name: e, near: [1.25, 0.5, 0.4]}, {name: f, near: [3, 0.5, 0]}, {name: g, id: 11}]
 )yaml";
-
-/// The same scene held by all ranks together and by this one alone.
-struct TwoScenes {
-  explicit TwoScenes(const std::string& from = text) : together(from), alone(from, Communicator(MPI_COMM_SELF)) {}
-  Scene together, alone;
-
-  void run(int steps) {
-    together.run(steps);
-    alone.run(steps);
-  }
-};
-
-/// Expects the rows of this rank's nodes to be those of the same nodes of the whole mesh.
-void expect_same_rows(const TwoScenes& scenes, const Rows3<double>& together, const Rows3<double>& alone,
-                      const char* what) {
-  const auto mine = to_host(together), whole = to_host(alone);
-  const auto& numbers = scenes.together.chunked.mesh.node_numbers;
-  for (std::size_t n = 0; n < numbers.size(); ++n) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      ASSERT_EQ(mine(n, k), whole(static_cast<std::size_t>(numbers[n]), k)) << what << " of node " << numbers[n];
-    }
-  }
-}
 
 std::string read_file(const std::string& path) {
   std::ostringstream all;
@@ -128,7 +104,7 @@ Communicator self() { return Communicator(MPI_COMM_SELF); }
 }  // namespace
 
 TEST(ModelOnRanks, HasTheMassesAndMotionsOfOneRank) {
-  const TwoScenes scenes;
+  const TwoScenes scenes(text);
   const Model &together = scenes.together.model, &alone = scenes.alone.model;
   EXPECT_EQ(together.total_mass, alone.total_mass);
   EXPECT_EQ(together.mass_center, alone.mass_center);
@@ -140,7 +116,7 @@ TEST(ModelOnRanks, HasTheMassesAndMotionsOfOneRank) {
 }
 
 TEST(ModelOnRanks, SumsEveryNodeOverAsManySlotsAsOneRank) {
-  const TwoScenes scenes;
+  const TwoScenes scenes(text);
   const auto mine = to_host(scenes.together.model.nodes_to_slots.first);
   const auto whole = to_host(scenes.alone.model.nodes_to_slots.first);
   const auto& numbers = scenes.together.chunked.mesh.node_numbers;
@@ -184,7 +160,7 @@ TEST(ModelOnRanks, RefusesContradictingConditionsWithTheWordsOfOneRank) {
 }
 
 TEST(StepOnRanks, HasTheBitsOfOneRank) {
-  TwoScenes scenes;
+  TwoScenes scenes(text);
   scenes.run(25);
   const State &together = scenes.together.state, &alone = scenes.alone.state;
   expect_same_rows(scenes, together.x, alone.x, "position");
@@ -210,87 +186,6 @@ TEST(StepOnRanks, HashSeesTheLastBitOfOneNodeOfOneRank) {
   EXPECT_NE(hash_state(scene.model, scene.state), before);
 }
 
-TEST(StepOnRanks, OfTrianglesAndQuadrilateralsThatTouchHasTheBitsOfOneRank) {
-  auto mesh = make_mapped_shell({18, 14}, [](double u, double v) { return Vec3{0.09 * u, 0.07 * v, 0}; });
-  halve(18, Halving::every_other, mesh);
-  const Communicator world = Communicator::world();
-  std::string path;
-  if (world.rank() == 0) path = testing_mesh::write_exodus(mesh, "triangles_on_ranks.exo");
-  path = broadcast_text(world, path, 0);
-  TwoScenes scenes(fmt::format(R"yaml(
-time: {{end: 1}}
-parts:
-  low: {{exodus: {{file: {0}}}, thickness: 0.002, material: steel}}
-  high: {{exodus: {{file: {0}}}, thickness: 0.001, at: [0.011, 0.007, 0.00155], material: copper}}
-materials:
-  copper: {{model: j2_plasticity, density: 8930, youngs_modulus: 117e9, poissons_ratio: 0.35, yield_stress: 100e6, hardening_modulus: 1e9}}
-  steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
-loads: {{pressure: [{{faces: low/top, value: 1e6}}]}}
-initial: [{{part: high, velocity: [3, 0, -50]}}]
-contact: {{surfaces: all, friction: 0.2}}
-)yaml",
-                               path));
-  world.barrier();
-  if (world.rank() == 0) std::remove(path.c_str());
-  scenes.run(0);
-  std::int64_t touches = 0;
-  for (int i = 0; i < 40; ++i) {
-    scenes.together.stepper.advance(scenes.together.state);
-    scenes.alone.stepper.advance(scenes.alone.state);
-    touches += scenes.alone.stepper.contact_report().interactions;
-  }
-  EXPECT_GT(touches, 100);
-  expect_same_rows(scenes, scenes.together.state.x, scenes.alone.state.x, "position");
-  expect_same_rows(scenes, scenes.together.state.v, scenes.alone.state.v, "velocity");
-  expect_same_rows(scenes, scenes.together.state.w, scenes.alone.state.w, "angular velocity");
-  EXPECT_EQ(hash_state(scenes.together.model, scenes.together.state),
-            hash_state(scenes.alone.model, scenes.alone.state));
-}
-
-TEST(StepOnRanks, OfTiedShellsHasTheBitsOfOneRank) {
-  auto mesh = make_mapped_shell({18, 14}, [](double u, double v) { return Vec3{0.09 * u, 0.07 * v, 0}; });
-  halve(18, Halving::every_other, mesh);
-  const Communicator world = Communicator::world();
-  std::string path;
-  if (world.rank() == 0) path = testing_mesh::write_exodus(mesh, "tied_shells_on_ranks.exo");
-  path = broadcast_text(world, path, 0);
-  // On triangles and quadrilaterals a sheet; below them a block, whose nodes they hold; an upright sheet; a weight on
-  // top.
-  TwoScenes scenes(fmt::format(R"yaml(
-time: {{end: 1}}
-parts:
-  low: {{exodus: {{file: {0}}}, thickness: 0.002, material: steel}}
-  high: {{shell_plate: {{size: [0.08, 0.05], cells: [16, 9]}}, thickness: 0.001, at: [0.004, 0.007, 0.0015], material: copper}}
-  block: {{box: {{size: [0.07, 0.06, 0.02], cells: [8, 7, 3]}}, at: [0.011, 0.003, -0.0211], material: steel}}
-  upright: {{shell_plate: {{size: [0.05, 0.04], cells: [9, 8]}}, rotate: [{{axis: x, angle: 90}}], thickness: 0.001, at: [0.02, 0.03, 0.002], material: steel}}
-  weight: {{box: {{size: [0.01, 0.01, 0.01], cells: [3, 3, 3]}}, at: [0.01, 0.04, 0.00205], material: steel}}
-materials:
-  copper: {{model: j2_plasticity, density: 8930, youngs_modulus: 117e9, poissons_ratio: 0.35, yield_stress: 100e6, hardening_modulus: 1e9}}
-  steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
-loads: {{pressure: [{{faces: low/top, value: 1e6}}]}}
-initial: [{{part: weight, velocity: [3, 0, -50]}}, {{part: block, velocity: [0, 2, 1]}}]
-contact:
-  friction: 0.2
-  ties: [{{a: high, b: low}}, {{a: block/z_max, b: low, distance: 2e-4}}, {{a: upright/y_min, b: high}}]
-)yaml",
-                               path));
-  world.barrier();
-  if (world.rank() == 0) std::remove(path.c_str());
-  scenes.run(0);
-  std::int64_t touches = 0;
-  for (int i = 0; i < 30; ++i) {
-    scenes.together.stepper.advance(scenes.together.state);
-    scenes.alone.stepper.advance(scenes.alone.state);
-    touches = scenes.alone.stepper.contact_report().interactions;
-  }
-  EXPECT_GT(touches, 17 * 10 + 9 * 8 + 10);  // all tied nodes, and contact
-  expect_same_rows(scenes, scenes.together.state.x, scenes.alone.state.x, "position");
-  expect_same_rows(scenes, scenes.together.state.v, scenes.alone.state.v, "velocity");
-  expect_same_rows(scenes, scenes.together.state.w, scenes.alone.state.w, "angular velocity");
-  EXPECT_EQ(hash_state(scenes.together.model, scenes.together.state),
-            hash_state(scenes.alone.model, scenes.alone.state));
-}
-
 TEST(StepOnRanks, StopsWhereAnyRankWantsTo) {
   Scene scene(text);
   scene.run(1);
@@ -300,7 +195,7 @@ TEST(StepOnRanks, StopsWhereAnyRankWantsTo) {
 }
 
 TEST(AuditOnRanks, HasTheBitsOfOneRank) {
-  TwoScenes scenes;
+  TwoScenes scenes(text);
   Audit together(scenes.together.model), alone(scenes.alone.model);
   scenes.run(0);
   for (int i = 0; i < 6; ++i) {
@@ -314,7 +209,7 @@ TEST(AuditOnRanks, HasTheBitsOfOneRank) {
 }
 
 TEST(HistoryOnRanks, FollowsThePointsOfOneRank) {
-  const TwoScenes scenes;
+  const TwoScenes scenes(text);
   const auto together = find_history_points(scenes.together.deck, scenes.together.chunked);
   const auto alone = find_history_points(scenes.alone.deck, scenes.alone.chunked);
   ASSERT_EQ(together.size(), alone.size());
@@ -327,7 +222,7 @@ TEST(HistoryOnRanks, FollowsThePointsOfOneRank) {
 }
 
 TEST(HistoryOnRanks, IsTheFileOfOneRankByteForByte) {
-  TwoScenes scenes;
+  TwoScenes scenes(text);
   const std::string together = write_history(scenes.together), alone = write_history(scenes.alone);
   if (scenes.together.model.ranks.rank() == 0) {
     EXPECT_EQ(together, alone);

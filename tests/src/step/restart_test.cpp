@@ -10,6 +10,7 @@
 
 #include "src/deck/read_deck.hpp"
 #include "src/error.hpp"
+#include "src/output/checkpoint_file.hpp"
 #include "src/step/run.hpp"
 #include "tests/verification/run_deck.hpp"
 
@@ -146,6 +147,30 @@ TEST(Restart, AnEstimatedStepGoesOnFromItsLastEstimate) {
   EXPECT_EQ(summary.state_hash, expected.state_hash);
   EXPECT_EQ(summary.dt.gain, expected.dt.gain);
   EXPECT_EQ(summary.dt.estimates, 1);
+}
+
+/// The deck that stops after five steps, with checkpoints by the clock.
+std::string by_the_clock(const std::string& seconds) {
+  return change(stopped(5), "checkpoint: {every: 1}", "checkpoint: {wall: " + seconds + "}");
+}
+
+// Every step takes longer than 1e-300 s, and none 1e300 s.
+TEST(Restart, FromACheckpointByTheClockEndsInTheSameBits) {
+  const TemporaryFolder whole, parts;
+  const Summary expected = run(blocks, whole.path()).summary;
+  run(by_the_clock("1e-300"), parts.path());
+  EXPECT_EQ(read_checkpoint_header(parts.path() + checkpoint_name).step, 5);
+  const std::string previous = find_previous_checkpoint(parts.path() + checkpoint_name);
+  EXPECT_EQ(read_checkpoint_header(previous).step, 4);
+  EXPECT_EQ(run(blocks, parts.path(), previous).summary.state_hash, expected.state_hash);
+  EXPECT_EQ(read_file(parts.path() + "/history.csv"), read_file(whole.path() + "/history.csv"));
+}
+
+TEST(Restart, ClockThatIsNotDueLeavesACheckpointAtTheEndAlone) {
+  const TemporaryFolder folder;
+  run(by_the_clock("1e300"), folder.path());
+  EXPECT_EQ(read_checkpoint_header(folder.path() + checkpoint_name).step, 5);
+  EXPECT_FALSE(std::filesystem::exists(find_previous_checkpoint(folder.path() + checkpoint_name)));
 }
 
 TEST(Restart, InAnotherFolderWritesWhatComesAfterTheCheckpoint) {
