@@ -1,5 +1,6 @@
 // Nanoseconds of a core a contact node and search by both methods, everything counted but the capture boxes: ranking or
-// refitting, the query, the list sorted by node and face. Arguments: numbers of nodes (default 40000 250000 1000000).
+// refitting, the query, the list sorted by node and face. Arguments: numbers of nodes (default 40000 250000 1000000);
+// --blocks: only blocks whose order is kept, many times, for profiles.
 //
 // "kept": the order of the last search serves, as it nearly always does in a run; "ordered": a new order is made.
 
@@ -55,8 +56,8 @@ Scene make_scene(const Cloud& cloud) {
 
 /// Median of the times of some searches [ns a node]. prepare: what happens before each.
 template <class Prepare>
-double time_searches(const Scene& scene, SearchScratch& scratch, CandidateList& list, const Prepare& prepare) {
-  constexpr std::size_t repeats = 5;
+double time_searches(const Scene& scene, std::size_t repeats, SearchScratch& scratch, CandidateList& list,
+                     const Prepare& prepare) {
   std::vector<double> times;
   for (std::size_t i = 0; i <= repeats; ++i) {
     prepare();
@@ -65,8 +66,18 @@ double time_searches(const Scene& scene, SearchScratch& scratch, CandidateList& 
     const double passed = 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     if (i > 0) times.push_back(passed / scene.surface.num_nodes);
   }
-  std::nth_element(times.begin(), times.begin() + repeats / 2, times.end());
+  std::nth_element(times.begin(), times.begin() + static_cast<std::ptrdiff_t>(repeats / 2), times.end());
   return times[repeats / 2];
+}
+
+/// Blocks alone.
+void report_blocks(const std::string& name, int num_nodes) {
+  const Scene scene = make_scene(make_cloud(name, num_nodes));
+  SearchScratch blocks;
+  CandidateList list;
+  const double kept = time_searches(scene, 8'000'000 / static_cast<std::size_t>(num_nodes), blocks, list, [] {});
+  fmt::print("{:8} {:9} {:11.1f} {:14} {:7.0f}\n", name, scene.surface.num_nodes,
+             static_cast<double>(list.num_pairs) / scene.surface.num_nodes, "", kept);
 }
 
 void report(const std::string& name, int num_nodes) {
@@ -74,10 +85,11 @@ void report(const std::string& name, int num_nodes) {
   SearchScratch lists, blocks;
   lists.method = SearchMethod::points_in_box;
   CandidateList list;
-  const double by_lists = time_searches(scene, lists, list, [] {});
+  constexpr std::size_t repeats = 5;
+  const double by_lists = time_searches(scene, repeats, lists, list, [] {});
   const int pairs = list.num_pairs;
-  const double kept = time_searches(scene, blocks, list, [] {});
-  const double ordered = time_searches(scene, blocks, list, [&] { blocks.blocks.is_worn = true; });
+  const double kept = time_searches(scene, repeats, blocks, list, [] {});
+  const double ordered = time_searches(scene, repeats, blocks, list, [&] { blocks.blocks.is_worn = true; });
   fmt::print("{:8} {:9} {:11.1f} {:14.0f} {:7.0f} {:9.0f} {}\n", name, scene.surface.num_nodes,
              static_cast<double>(pairs) / scene.surface.num_nodes, by_lists, kept, ordered,
              pairs == list.num_pairs ? "" : "NOT THE SAME PAIRS");
@@ -89,11 +101,18 @@ void report(const std::string& name, int num_nodes) {
 int main(int argc, char** argv) {
   Kokkos::ScopeGuard kokkos(argc, argv);
   std::vector<int> sizes;
-  for (int i = 1; i < argc; ++i) sizes.push_back(std::stoi(argv[i]));
+  bool only_blocks = false;
+  for (int i = 1; i < argc; ++i) {
+    if (std::string(argv[i]) == "--blocks")
+      only_blocks = true;
+    else
+      sizes.push_back(std::stoi(argv[i]));
+  }
   if (sizes.empty()) sizes = {40'000, 250'000, 1'000'000};
   fmt::print("{:8} {:>9} {:>11} {:>14} {:>7} {:>9}\n", "cloud", "nodes", "pairs/node", "points-in-box", "kept",
              "ordered");
   for (const std::string& name : percuss::perf::cloud_names())
-    for (const int nodes : sizes) percuss::perf::report(name, nodes);
+    for (const int nodes : sizes)
+      only_blocks ? percuss::perf::report_blocks(name, nodes) : percuss::perf::report(name, nodes);
   return 0;
 }

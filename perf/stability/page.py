@@ -98,6 +98,10 @@ def tell_global(page, stored):
 
 # --- blow-ups
 
+def show_error(value):
+    return "-" if value is None else f"{value:.1e}"
+
+
 def tell_margins(page, free, contact):
     rows = [*(free or {"results": []})["results"], *(contact or {"results": []})["results"]]
     kinds = unique(rows, "kind")
@@ -108,10 +112,13 @@ def tell_margins(page, free, contact):
         for kind in kinds:
             found = [r for r in rows if (r["scene"], r["contact"], r["kind"]) == (scene, keys, kind)]
             cells.append(f"{'' if found[0]['is_limit'] else '>= '}{found[0]['largest']:.2f}" if found else "-")
-        worst = max((r["energy_error"] or 0 for r in rows if (r["scene"], r["contact"]) == (scene, keys)), default=0)
-        ends = sorted({r["outcome"] for r in rows if (r["scene"], r["contact"]) == (scene, keys) and r["outcome"]})
-        body.append([scene, "" if scene in FREE_SCENES else names.get(keys, keys), *cells, f"{worst:.1e}", "; ".join(ends)])
-    page.texts["margins"] = table(["scene", "contact", *kinds, "energy error at 0.9", "ended by"], body)
+        here = [r for r in rows if (r["scene"], r["contact"]) == (scene, keys)]
+        errors = {kind: max((r["energy_error"] or 0 for r in here if r["kind"] == kind), default=None) for kind in kinds}
+        worst = max(errors, key=lambda kind: errors[kind] or 0)
+        ends = sorted({r["outcome"] for r in here if r["outcome"]})
+        body.append([scene, "" if scene in FREE_SCENES else names.get(keys, keys), *cells, show_error(errors[DEFAULT]), f"{show_error(errors[worst])} ({worst})",
+                     "; ".join(ends)])
+    page.texts["margins"] = table(["scene", "contact", *kinds, f"energy error at 0.9, {DEFAULT}", "worst", "ended by"], body)
     default = [r for r in rows if r["kind"] == kinds[0] and r["contact"] == ""]
     lowest = min(default, key=lambda r: r["largest"])
     page.texts["lowest_margin"] = f"{lowest['largest']:.2f} ({lowest['scene']})"
@@ -140,6 +147,36 @@ def tell_long_runs(page, stored):
     page.texts["drift_penalty"] = f"{max((r['energy_error'] for r in done if 'penalty' in r['run']), default=0):.0e}"
     page.texts["long_runs"] = table(["run", "element", "steps", "largest energy error, first half", "whole run", "angular momentum", "rest"], body)
     plots.draw_drift(stored["results"], page.images / "drift.svg")
+
+
+# --- precisions
+
+def tell_precisions(page, stored):
+    results = stored["results"]
+    precisions = unique(results["long_runs"], "precision")
+
+    def find(rows, **keys):
+        return next(r for r in rows if all(r[key] == value for key, value in keys.items()))
+
+    def tell(row, key="energy_error"):
+        return f"{row[key]:.1e}" if row["code"] == 0 else f"exit code {row['code']}: {row['error'][:100]}"
+
+    body = []
+    for run in unique(results["long_runs"], "run"):
+        rows = [find(results["long_runs"], run=run, precision=precision) for precision in precisions]
+        angular = [f"{r['angular_drift']:.0e}" if "angular_drift" in r else "" for r in rows]
+        body.append([run, rows[0]["steps"], *map(tell, rows), *angular])
+    page.texts["precision_runs"] = table(["run", "steps", *(f"energy error, {p}" for p in precisions),
+                                          *(f"angular momentum, {p}" for p in precisions)], body)
+    body = []
+    for scene in unique(results["scenes"], "scene"):
+        body.append([scene, *(tell(find(results["scenes"], scene=scene, share=share, precision=precision))
+                              for share in unique(results["scenes"], "share") for precision in precisions)])
+    page.texts["precision_scenes"] = table(["scene", *(f"{share:g}, {precision}" for share in unique(results["scenes"], "share")
+                                                       for precision in precisions)], body)
+    for r in [*results["long_runs"], *results["scenes"]]:
+        if r["code"] != 0 or r["energy_error"] > 0.01:
+            page.wrong.append(f"{r['precision']}, {r.get('run', r.get('scene'))}: {tell(r)}")
 
 
 # --- impacts
@@ -211,6 +248,8 @@ def write_page(docs, stored):
         tell_margins(page, stored.get("blow_ups"), stored.get("contact"))
     if "long_runs" in stored:
         tell_long_runs(page, stored["long_runs"])
+    if "precisions" in stored:
+        tell_precisions(page, stored["precisions"])
     if "impacts" in stored:
         tell_impacts(page, stored["impacts"])
     page.texts["seconds"] = ", ".join(f"{name} {study['seconds']:.0f} s" for name, study in stored.items())

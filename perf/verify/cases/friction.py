@@ -15,8 +15,8 @@ BLOCK = "block: {box: {size: [0.4, 0.4, 0.1], cells: [4, 4, 2]}, material: soft}
 @case("sliding_block", "friction", "A block slides to rest", quick=True)
 def sliding_block(bench):
     """A block at 5 m/s on a floor with mu = 0.3 stops after v^2 / (2 mu g) = 4.2474 m and v / (mu g) = 1.6989 s; friction takes m v^2 / 2. On a rigid wall and, at
-    2 m/s, over the faces of a plate (0.6796 m, corners must not steer it). The block is elastic: weight comes all at once and rings for a while; 0.5 % is a
-    few times what that changes. Its bending is damped (viscous hourglass control), because an undamped one flutters. Energy: contact work and viscosity hold the ringing, so friction alone is within 2 %, all together within 0.1 %."""
+    2 m/s, over the faces of a plate (0.6796 m, corners must not steer it). The block is elastic, and weight comes all at once and rings for a while; all is within 0.1 % all the same.
+    Its bending is damped (viscous hourglass control), because an undamped one flutters. Energy: contact work and viscosity hold the ringing; friction alone and all together are within 0.1 % each."""
     run = bench.run("""
 time: {end: 1.9}
 parts: {""" + BLOCK + """}
@@ -26,10 +26,10 @@ walls: [{normal: [0, 0, 1], friction: 0.3}]
 output: {history: {every: 1e-3, nodes: [{name: n, near: [0.2, 0.2, 0.05]}]}}
 """ + SOFT)
     h, energy = run.history, run.summary["energy"]
-    bench.near("wall: distance", h.last("n_x") - 0.2, 4.2474, relative=5e-3, unit="m")
+    bench.near("wall: distance", h.last("n_x") - 0.2, 4.2474, relative=1e-3, unit="m")
     straight = h["momentum_x"] > 0.05 * MASS * 5
-    bench.near("wall: time, from the straight line of the momentum", h["time"][straight][-1] / 0.95, 1.6989, relative=5e-3, unit="s")
-    bench.near("wall: work of friction", energy["friction"], -0.5 * MASS * 25, relative=0.02, unit="J")
+    bench.near("wall: time, from the straight line of the momentum", h["time"][straight][-1] / 0.95, 1.6989, relative=1e-3, unit="s")
+    bench.near("wall: work of friction", energy["friction"], -0.5 * MASS * 25, relative=1e-3, unit="J")
     bench.near("wall: with the ringing that contact and viscosity took", energy["friction"] + energy["contact"] - energy["viscous"],
                -0.5 * MASS * 25, relative=1e-3, unit="J")
     bench.below("wall: energy balance, largest error", h.largest("energy_error"), 1e-3)
@@ -46,8 +46,8 @@ loads: {gravity: [0, 0, -9.81]}
 contact: {surfaces: all, friction: 0.3$enforcement}
 output: {history: {every: 1e-3, nodes: [{name: n, near: [0.3, 0.4, 0.05], part: block}]}}
 """ + SOFT, enforcement=text).history
-        bench.near(f"plate, {name}: distance", h.last("n_x") - 0.3, 4 / (2 * 0.3 * G), relative=5e-3, unit="m")
-        bench.near(f"plate, {name}: distance aside", h.last("n_y") - 0.4, 0, absolute=1e-3, unit="m")
+        bench.near(f"plate, {name}: distance", h.last("n_x") - 0.3, 4 / (2 * 0.3 * G), relative=1e-3, unit="m")
+        bench.near(f"plate, {name}: distance aside", h.last("n_y") - 0.4, 0, absolute=1e-6, unit="m")
         bench.below(f"plate, {name}: energy balance, largest error", h.largest("energy_error"), 1e-3)
 
     def draw(axes):
@@ -63,7 +63,8 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [0.3, 0.4, 0.05], part: 
 @case("incline", "friction", "A block on an incline")
 def incline(bench):
     """30 degrees: with mu = 0.3 it slides at a = g (sin - mu cos) = 2.3563 m/s^2; with mu = 0.7 > tan it sticks. Weight comes all at once, and while that rings
-    single nodes slip a little (below 1 mm); after that nothing may creep: from 1 to 2 s the mean place stays within 1 um and friction does no work. Bending is damped as above."""
+    single nodes slip a little (below 1 mm); after that nothing may creep: from 1 to 2 s the mean place stays within 1 um and friction does no work. Bending is damped as above: *without that damping it does not stick*. With the
+    default hourglass control the block flutters and creeps down (see the open points); that is no answer but what is measured, held below 2 % of the way without friction, g sin t^2 / 2 = 9.81 m in 2 s."""
     template = """
 time: {end: $end}
 parts: {""" + BLOCK + """}
@@ -74,12 +75,14 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [0.2, 0.2, 0.05]}]}}
     angle = np.pi / 6
     gravity = {"gx": G * np.sin(angle), "gz": -G * np.cos(angle)}
     h = bench.run(template, end=1.0, mu=0.3, **gravity).history
-    bench.near("slides: acceleration from the distance", 2 * (h.last("n_x") - 0.2), 2.3563, relative=5e-3, unit="m/s^2")
-    bench.near("slides: acceleration from the momentum", h.last("momentum_x") / MASS, 2.3563, relative=5e-3, unit="m/s^2")
+    bench.near("slides: acceleration from the distance", 2 * (h.last("n_x") - 0.2), 2.3563, relative=1e-3, unit="m/s^2")
+    bench.near("slides: acceleration from the momentum", h.last("momentum_x") / MASS, 2.3563, relative=1e-3, unit="m/s^2")
     h = bench.run(template, end=2.0, mu=0.7, **gravity).history
     bench.near("sticks: place after the ringing", h.mean(0.9, 1.0, "n_x"), 0.2, absolute=1e-3, unit="m")
     bench.near("sticks: creep in a second", h.mean(1.9, 2.0, "n_x") - h.mean(0.9, 1.0, "n_x"), 0, absolute=1e-6, unit="m")
     bench.near("sticks: work of friction from 1 to 2 s", h.last("friction") - h.at(1.0, "friction"), 0, absolute=1e-15, unit="J")
+    h = bench.run(template.replace("elements: {hourglass: {kind: viscous}}\n", ""), end=2.0, mu=0.7, **gravity).history
+    bench.near("default elements, undamped: creep in 2 s", h.last("n_x") - h.first("n_x"), 0, absolute=0.02 * 2 * gravity["gx"], unit="m")
 
 
 @case("oblique_impact", "friction", "Oblique impact that slides throughout", quick=True)
