@@ -34,11 +34,8 @@ KOKKOS_INLINE_FUNCTION ElementLoad read_load(const HexChunks& chunks, int c, con
   load.stress = read_tensor(record, HexRecord::stress, points);
   load.stretch = read_tensor(record, HexRecord::stretch, 1);
   load.plastic_strain = read_scalar(record, strain, points);
-  if (limits.melt_temperature > limits.room_temperature) {
-    const double temperature =
-        read_scalar(record, chunks.find_scalar(c, HistoryScalar::temperature), points) - limits.room_temperature;
-    load.homologous = larger(temperature / (limits.melt_temperature - limits.room_temperature), 0.0);
-  }
+  const int temperature = chunks.find_scalar(c, HistoryScalar::temperature);
+  if (temperature >= 0) load.homologous = find_homologous(limits, read_scalar(record, temperature, points));
   return load;
 }
 

@@ -16,6 +16,12 @@ struct ElementLoad {
   double homologous = 0;       // (T - T room) / (T melt - T room)
 };
 
+/// ElementLoad::homologous at a temperature; 0 where the limits have none.
+KOKKOS_INLINE_FUNCTION double find_homologous(const FailureLimits& limits, double temperature) {
+  const double range = limits.melt_temperature - limits.room_temperature;
+  return range > 0 ? larger((temperature - limits.room_temperature) / range, 0.0) : 0;
+}
+
 /// What adds up over the steps.
 struct FailureHistory {
   double plastic_strain = 0, damage = 0, time_at_yield = 0;

@@ -73,29 +73,39 @@ struct JohnsonCook {
     return T(1) - power(t, m);
   }
 
+  /// Flow stress over a step as a function of dp.
+  template <class T>
+  struct Flow {
+    const JohnsonCook& law;
+    T p, softening, over_rate;
+    T at_rest;
+
+    KOKKOS_INLINE_FUNCTION FlowStress<T> operator()(const T& dp) const {
+      const T hardening = T(law.b) * power(p + dp, law.n), strain = larger(dp, T(1e-300));
+      const T yield = (T(law.a) + hardening) * softening;
+      const T slope = T(law.n) * hardening / larger(p + dp, T(1e-300)) * softening;
+      const T rate = strain * over_rate;
+      const T faster = T(1) + T(law.c) * logarithm(larger(rate, T(1)));
+      return FlowStress<T>{yield * faster, slope * faster + select(rate > T(1), yield * T(law.c) / strain, T(0))};
+    }
+  };
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION Flow<T> start_flow(const T* history, const T& dt) const {
+    const T p = history[0], softening = find_softening(history[1]);
+    const T at_rest = (T(a) + T(b) * power(p, n)) * softening;
+    return {*this, p, softening, T(1) / larger(T(reference_rate) * dt, T(1e-300)), at_rest};
+  }
+
+  /// What dp under this mean stress heats.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION void heat(T* history, const T& dp, const T& mean_stress, double density) const {
+    history[1] = history[1] + T(heating_share / (density * specific_heat)) * mean_stress * dp;
+  }
+
   template <class T>
   KOKKOS_INLINE_FUNCTION void update(PointStep<T>& step) const {
-    const LameConstants moduli_now = moduli();
-    const double resistance = 3 * moduli_now.mu;
-    const Trial<T> trial = find_trial(moduli_now, step.stress, step.motion.de);
-    const T p = step.history[0], softening = find_softening(step.history[1]);
-    const T at_rest = (T(a) + T(b) * power(p, n)) * softening;
-    const T over_rate = T(1) / larger(T(reference_rate) * step.motion.dt, T(1e-300));
-    const auto flow = [&](const T& dp) {
-      const T hardening = T(b) * power(p + dp, n), strain = larger(dp, T(1e-300));
-      const T yield = (T(a) + hardening) * softening;
-      const T slope = T(n) * hardening / larger(p + dp, T(1e-300)) * softening;
-      const T rate = strain * over_rate;
-      const T faster = T(1) + T(c) * logarithm(larger(rate, T(1)));
-      return FlowStress<T>{yield * faster, slope * faster + select(rate > T(1), yield * T(c) / strain, T(0))};
-    };
-    const T dp = find_plastic_increment(trial.von_mises, resistance, at_rest, flow);
-    const T flow_stress = larger(trial.von_mises - T(resistance) * dp, at_rest);
-    step.history[0] = p + dp;
-    const T before = square_root(T(1.5)) * find_norm_of_deviator(step.stress);
-    const T mean_stress = T(0.5) * (before + flow_stress);
-    step.history[1] = step.history[1] + T(heating_share / (step.density * specific_heat)) * mean_stress * dp;
-    return_stress(trial, resistance, dp, flow_stress, step);
+    return_by_isotropic_hardening(*this, step);
   }
 
   /// The temperature after a change of volume under an equation of state: that of the isentrope, exactly where dp/de is
@@ -105,13 +115,6 @@ struct JohnsonCook {
     const T zero(absolute_zero), at_rest = exponential(-change.by_energy * change.volume);
     step.history[1] = zero + (step.history[1] - zero) * at_rest -
                       T(1 / (step.density * specific_heat)) * step.motion.viscosity * change.volume;
-  }
-
- private:
-  template <class T>
-  KOKKOS_INLINE_FUNCTION static T find_norm_of_deviator(const Symmetric3<T>& stress) {
-    const Symmetric3<T> deviator = add_pressure(stress, T(-1.0 / 3.0) * trace(stress));
-    return square_root(contract(deviator, deviator));
   }
 };
 

@@ -73,4 +73,23 @@ KOKKOS_INLINE_FUNCTION void return_stress(const Trial<T>& trial, double resistan
   step.plastic = {share, flow_stress, smaller(ratio * ratio, T(1))};
 }
 
+/// The update of a material whose flow stress depends on p, which is history[0], and its rate, and on what else it
+/// remembers: start_flow(history, dt) is that of a step (RateFlow in rate_hardening.hpp). Some heat themselves.
+template <class T, class Material>
+KOKKOS_INLINE_FUNCTION void return_by_isotropic_hardening(const Material& m, PointStep<T>& step) {
+  const LameConstants c = m.moduli();
+  const double resistance = 3 * c.mu;
+  const Trial<T> trial = find_trial(c, step.stress, step.motion.de);
+  const auto flow = m.start_flow(step.history, step.motion.dt);
+  const T dp = find_plastic_increment(trial.von_mises, resistance, flow.at_rest, flow);
+  const T flow_stress = larger(trial.von_mises - T(resistance) * dp, flow.at_rest);
+  step.history[0] = step.history[0] + dp;
+  if constexpr (requires { m.heat(step.history, dp, dp, 1.0); }) {
+    const Symmetric3<T> deviator = add_pressure(step.stress, T(-1.0 / 3.0) * trace(step.stress));
+    const T before = square_root(T(1.5)) * square_root(contract(deviator, deviator));
+    m.heat(step.history, dp, T(0.5) * (before + flow_stress), step.density);
+  }
+  return_stress(trial, resistance, dp, flow_stress, step);
+}
+
 }  // namespace percuss

@@ -20,22 +20,23 @@ struct CowperSymonds {
   }
 };
 
-/// The update of a material with isotropic hardening find_yield(p) and the constants of Cowper and Symonds; history[0]
-/// is p.
+/// Flow stress over a step from p on, as a function of dp, of a material with isotropic hardening find_yield(p) and the
+/// constants of Cowper and Symonds.
 template <class T, class Material>
-KOKKOS_INLINE_FUNCTION void return_by_isotropic_hardening(const Material& m, PointStep<T>& step) {
-  const LameConstants c = m.moduli();
-  const double resistance = 3 * c.mu;
-  const Trial<T> trial = find_trial(c, step.stress, step.motion.de);
-  const T p = step.history[0];
-  const T at_rest = m.find_yield(p).value;
-  const auto flow = [&](const T& dp) {
-    return CowperSymonds::apply(m.cowper_symonds_rate, m.cowper_symonds_exponent, m.find_yield(p + dp), dp,
-                                step.motion.dt);
-  };
-  const T dp = find_plastic_increment(trial.von_mises, resistance, at_rest, flow);
-  step.history[0] = p + dp;
-  return_stress(trial, resistance, dp, larger(trial.von_mises - T(resistance) * dp, at_rest), step);
+struct RateFlow {
+  const Material& material;
+  T p, dt;
+  T at_rest;  // static, at p
+
+  KOKKOS_INLINE_FUNCTION FlowStress<T> operator()(const T& dp) const {
+    return CowperSymonds::apply(material.cowper_symonds_rate, material.cowper_symonds_exponent,
+                                material.find_yield(p + dp), dp, dt);
+  }
+};
+
+template <class T, class Material>
+KOKKOS_INLINE_FUNCTION RateFlow<T, Material> start_rate_flow(const Material& material, const T* history, const T& dt) {
+  return {material, history[0], dt, material.find_yield(history[0]).value};
 }
 
 /// Their keys, for a struct of constants with the members cowper_symonds_rate and cowper_symonds_exponent.

@@ -42,6 +42,11 @@ struct VocePlasticity {
   }
 
   template <class T>
+  KOKKOS_INLINE_FUNCTION auto start_flow(const T* history, const T& dt) const {
+    return start_rate_flow(*this, history, dt);
+  }
+
+  template <class T>
   KOKKOS_INLINE_FUNCTION void update(PointStep<T>& step) const {
     return_by_isotropic_hardening(*this, step);
   }

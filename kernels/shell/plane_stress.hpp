@@ -32,24 +32,80 @@ inline PlaneElasticity find_plane_elasticity(double youngs_modulus, double poiss
   return {youngs_modulus, poissons_ratio, youngs_modulus / (2 * (1 + poissons_ratio))};
 }
 
+/// The elastic trial of a step, in the sum and the difference of the normal stresses, in which the return of J2
+/// plasticity is diagonal (Simo and Taylor 1986; Simo and Hughes 1998, section 3.4): with the multiplier l, dp = l s_e,
+/// the sum divided by 1 + E l / (2 (1 - nu)), the difference and the shear by 1 + 3 G l.
+template <class T>
+struct PlaneTrial {
+  T sum, difference, xy;
+  T normal, shear;  // the two parts of the squared equivalent stress
+  T before;         // sum of the normal stresses at n
+};
+
+/// stress: at n.
+template <class T>
+PERCUSS_FORCE_INLINE PlaneTrial<T> find_plane_trial(const PlaneElasticity& elasticity, const T (&stress)[3],
+                                                    const T (&de)[3]) {
+  T s[3] = {stress[0], stress[1], stress[2]};
+  elasticity.add_stress(s, de);
+  PlaneTrial<T> trial{s[0] + s[1], s[0] - s[1], s[2], T(0), T(0), stress[0] + stress[1]};
+  trial.normal = T(0.25) * trial.sum * trial.sum;
+  trial.shear = T(0.75) * trial.difference * trial.difference + T(3) * trial.xy * trial.xy;
+  return trial;
+}
+
+/// How fast the two parts of a trial fall with the multiplier.
+struct PlaneReturnRates {
+  double normal, shear;
+};
+
+PERCUSS_FORCE_INLINE PlaneReturnRates find_return_rates(const PlaneElasticity& e) {
+  return {e.youngs_modulus / (2 * (1 - e.poissons_ratio)), 3 * e.shear_modulus};
+}
+
+/// The response, and the equivalent stress at n+1.
+template <class T>
+struct PlaneReturn {
+  LayerResponse<T> response;
+  T equivalent;
+};
+
+/// Sets the stress at n+1.
+template <class T>
+PERCUSS_FORCE_INLINE PlaneReturn<T> return_in_plane(const PlaneElasticity& elasticity, const PlaneTrial<T>& trial,
+                                                    const T& multiplier, T (&stress)[3]) {
+  const PlaneReturnRates rates = find_return_rates(elasticity);
+  const T sum = trial.sum * (T(1) / (T(1) + T(rates.normal) * multiplier));
+  const T share = T(1) / (T(1) + T(rates.shear) * multiplier);
+  const T difference = share * trial.difference;
+  stress[0] = T(0.5) * (sum + difference);
+  stress[1] = T(0.5) * (sum - difference);
+  stress[2] = share * trial.xy;
+  const T equivalent =
+      square_root(T(0.25) * sum * sum + T(0.75) * difference * difference + T(3) * stress[2] * stress[2]);
+  const T elastic = T(-elasticity.poissons_ratio / elasticity.youngs_modulus) * (sum - trial.before);
+  return {{elastic - T(0.5) * multiplier * sum, share}, equivalent};
+}
+
 /// Linear elasticity in plane stress; no history.
 struct ElasticLayer {
-  static constexpr int history_count = 0;
+  static constexpr int most_history = 0;
   static constexpr bool can_yield = false;
   PlaneElasticity elasticity;
 
+  static constexpr int count_history() { return 0; }
+
   template <class T>
-  PERCUSS_FORCE_INLINE LayerResponse<T> update(T (&stress)[3], T* /*history*/, const T (&de)[3]) const {
+  PERCUSS_FORCE_INLINE LayerResponse<T> update(T (&stress)[3], T* /*history*/, const T (&de)[3],
+                                               const T& /*dt*/) const {
     elasticity.add_stress(stress, de);
     return {T(-elasticity.poissons_ratio / (1 - elasticity.poissons_ratio)) * (de[0] + de[1]), T(1)};
   }
 };
 
-/// J2 plasticity with linear isotropic hardening in plane stress (Simo and Taylor 1986; Simo and Hughes 1998, section
-/// 3.4): yield stress sigma_y + H p, history p. In sum and difference of the normal stresses the return is diagonal:
-/// with the multiplier l, dp = l s_e, S = S_trial / (1 + E l / (2 (1 - nu))), D and the shear by 1 / (1 + 3 G l).
+/// J2 plasticity with linear isotropic hardening in plane stress: yield stress sigma_y + H p, history p.
 struct J2Layer {
-  static constexpr int history_count = 1;
+  static constexpr int most_history = 1;
   static constexpr bool can_yield = true;
   /// Enough for round-off: Newton's steps double the digits, of which the first bracket gives one or more.
   static constexpr int most_iterations = 12;
@@ -57,44 +113,27 @@ struct J2Layer {
   double yield_stress = 0;
   double hardening_modulus = 0;
 
+  static constexpr int count_history() { return 1; }
+
   template <class T>
-  PERCUSS_FORCE_INLINE LayerResponse<T> update(T (&stress)[3], T* history, const T (&de)[3]) const {
-    const double nu = elasticity.poissons_ratio, young = elasticity.youngs_modulus;
-    const T before = stress[0] + stress[1];
-    elasticity.add_stress(stress, de);
+  PERCUSS_FORCE_INLINE LayerResponse<T> update(T (&stress)[3], T* history, const T (&de)[3], const T& /*dt*/) const {
+    const PlaneTrial<T> trial = find_plane_trial(elasticity, stress, de);
     const T yield = T(yield_stress) + T(hardening_modulus) * history[0];
-    Trial<T> trial{stress[0] + stress[1], stress[0] - stress[1], stress[2], T(0), T(0)};
-    trial.normal = T(0.25) * trial.sum * trial.sum;
-    trial.shear = T(0.75) * trial.difference * trial.difference + T(3) * trial.xy * trial.xy;
     T multiplier = T(0);
     if (any(trial.normal + trial.shear > yield * yield)) multiplier = find_multiplier(trial, yield);
-    const T sum = trial.sum * (T(1) / (T(1) + T(young / (2 * (1 - nu))) * multiplier));
-    const T share = T(1) / (T(1) + T(3 * elasticity.shear_modulus) * multiplier);
-    const T difference = share * trial.difference;
-    stress[0] = T(0.5) * (sum + difference);
-    stress[1] = T(0.5) * (sum - difference);
-    stress[2] = share * trial.xy;
-    const T equivalent =
-        square_root(T(0.25) * sum * sum + T(0.75) * difference * difference + T(3) * stress[2] * stress[2]);
-    history[0] = history[0] + multiplier * equivalent;
-    return {T(-nu / young) * (sum - before) - T(0.5) * multiplier * sum, share};
+    const PlaneReturn<T> to = return_in_plane(elasticity, trial, multiplier, stress);
+    history[0] = history[0] + multiplier * to.equivalent;
+    return to.response;
   }
 
  private:
-  /// Trial stress: sum and difference of xx and yy, xy; and the two parts of the squared equivalent stress.
-  template <class T>
-  struct Trial {
-    T sum, difference, xy, normal, shear;
-  };
-
   /// Solves s_e(l) (1 - H l) = sigma_y for l, 0 where the trial is elastic. s_e lies between s_e(0) / (1 + k l) of the
   /// largest and of the smallest k, which brackets l; Newton's steps from the lower end stay inside. A lane that has
   /// converged keeps its value, so that it does not depend on the others of its pack.
   template <class T>
-  PERCUSS_FORCE_INLINE T find_multiplier(const Trial<T>& trial, const T& yield) const {
+  PERCUSS_FORCE_INLINE T find_multiplier(const PlaneTrial<T>& trial, const T& yield) const {
     const double hardening = hardening_modulus;
-    const double k_normal = elasticity.youngs_modulus / (2 * (1 - elasticity.poissons_ratio));
-    const double k_shear = 3 * elasticity.shear_modulus;
+    const auto [k_normal, k_shear] = find_return_rates(elasticity);
     const T start = square_root(trial.normal + trial.shear);
     const T excess = larger(start - yield, T(0));
     T low = excess * (T(1) / (T(hardening) * start + T(larger(k_normal, k_shear)) * yield));

@@ -148,14 +148,14 @@ PERCUSS_FORCE_INLINE LayerSums<T> advance_layers(const ShellParameters<Material>
                                                  [[maybe_unused]] const Lives& lives) {
   LayerSums<T> sums{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, T(0), T(0), {T(0), T(0)}, {T(1), T(1), T(1), T(1)}};
   const T half = T(0.5);
-  for (int p = 0; p < par.points.count; ++p, layer += 3 + Material::history_count) {
+  for (int p = 0; p < par.points.count; ++p, layer += 3 + par.material.count_history()) {
     const T place = T(par.points.place[p]), weight = T(par.points.weight[p]);
     T de[3], stress[3];
     for (int k = 0; k < 3; ++k) {
       de[k] = dt * (rate.membrane[k] + half_thickness * place * rate.curvature[k]);
       stress[k] = layer[k];
     }
-    const LayerResponse<T> response = par.material.update(stress, layer + 3, de);
+    const LayerResponse<T> response = par.material.update(stress, layer + 3, de, dt);
     sums.across = sums.across + weight * response.across;
     if constexpr (Material::can_yield) sums.flow.add(par.points, p, response.share);
     T acting = weight, working = weight;

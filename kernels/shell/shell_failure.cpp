@@ -13,8 +13,8 @@ constexpr int width = pack_size<double>;
 struct FailingShell {
   const Real* record;
   double* lives;
-  int layer_size;  // scalars of a layer in the record
-  bool can_yield;
+  int layer_size;                   // scalars of a layer in the record
+  int plastic_strain, temperature;  // their places in a layer, or negative
 
   KOKKOS_INLINE_FUNCTION double* life(int p) const { return find_layer_life(lives, p); }
   KOKKOS_INLINE_FUNCTION double read(int p, int scalar) const {
@@ -23,12 +23,13 @@ struct FailingShell {
   KOKKOS_INLINE_FUNCTION int left(int p) const { return static_cast<int>(life(p)[LayerLives::left * width]); }
 };
 
-/// Stress and plastic strain of a layer.
-KOKKOS_INLINE_FUNCTION ElementLoad read_layer(const FailingShell& shell, int p) {
+/// Stress, plastic strain and temperature of a layer.
+KOKKOS_INLINE_FUNCTION ElementLoad read_layer(const FailingShell& shell, int p, const FailureLimits& limits) {
   ElementLoad load;
   load.stress = {shell.read(p, 0), shell.read(p, 1), 0, shell.read(p, 2), 0, 0};
   load.stretch = {1, 1, 1, 0, 0, 0};
-  if (shell.can_yield) load.plastic_strain = shell.read(p, ShellRecord::stress_count);
+  if (shell.plastic_strain >= 0) load.plastic_strain = shell.read(p, shell.plastic_strain);
+  if (shell.temperature >= 0) load.homologous = find_homologous(limits, shell.read(p, shell.temperature));
   return load;
 }
 
@@ -48,7 +49,7 @@ KOKKOS_INLINE_FUNCTION bool judge_layer(const FailingShell& shell, int p, double
                          life[LayerLives::time_at_yield * width]};
   FailureLimits of_stress = limits;
   of_stress.principal_strain = FailureLimits::none;
-  const bool failed = fails(of_stress, read_layer(shell, p), dt, history);
+  const bool failed = fails(of_stress, read_layer(shell, p, limits), dt, history);
   life[LayerLives::plastic_strain * width] = history.plastic_strain;
   life[LayerLives::damage * width] = history.damage;
   life[LayerLives::time_at_yield * width] = history.time_at_yield;
@@ -131,9 +132,9 @@ struct JudgeShells {
   ChunkResults results;
 
   KOKKOS_INLINE_FUNCTION FailingShell find(const FailingRecords& of, int c, int i) const {
-    const int points = chunks.points(c);
-    return {of.find(i), find_layer_lives(lives, failing, c, points, i),
-            (chunks.record_size(c) - ShellRecord::layers) / points, chunks.history(c) >= 0};
+    return {of.find(i), find_layer_lives(lives, failing, c, chunks.points(c), i), find_layer_size(chunks, c),
+            chunks.find_scalar(c, HistoryScalar::equivalent_plastic_strain) - ShellRecord::layers,
+            chunks.find_scalar(c, HistoryScalar::temperature) - ShellRecord::layers};
   }
 
   /// Whether an element or a layer has begun to fail and is not dead yet.

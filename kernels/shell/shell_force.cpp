@@ -132,7 +132,7 @@ struct AdvanceShellChunk {
   /// Returns whether a bit of the records has changed, if watched.
   KOKKOS_FUNCTION bool advance_packs(int c, const double* nodes, double* forces, bool watched) const {
     const ShellParameters<Layer> parameters = block.parameters(chunks.parameters(c));
-    constexpr int largest_record = find_shell_record_size<Layer>(most_thickness_points) * width;
+    constexpr int largest_record = find_shell_record_size(most_thickness_points, Layer::most_history) * width;
     const int record_size = chunks.record_size(c) * width;
     const int first = chunks.first_element(c), end = chunks.first_element(c + 1);
     auto* record = reinterpret_cast<double*>(&state(chunks.first_state(c)));

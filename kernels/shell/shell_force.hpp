@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "kernels/element/hex_chunks.hpp"
+#include "kernels/shell/hardening_layer.hpp"
 #include "kernels/shell/shell4.hpp"
 
 namespace percuss {
@@ -20,9 +21,17 @@ struct ShellRecord {
 };
 
 /// Scalars that one element's record holds.
-template <class Layer>
-constexpr int find_shell_record_size(int points) {
-  return ShellRecord::layers + points * (ShellRecord::stress_count + Layer::history_count);
+constexpr int find_shell_record_size(int points, int history_count) {
+  return ShellRecord::layers + points * (ShellRecord::stress_count + history_count);
+}
+
+KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
+  return chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0;
+}
+
+/// Scalars of a point of the shells of a chunk.
+KOKKOS_INLINE_FUNCTION int find_layer_size(const HexChunks& chunks, int c) {
+  return (chunks.record_size(c) - ShellRecord::layers) / chunks.points(c);
 }
 
 /// Chunks of one material of layers.
@@ -34,7 +43,7 @@ struct ShellBlock {
 };
 
 /// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
-using ShellBlocks = std::tuple<ShellBlock<ElasticLayer>, ShellBlock<J2Layer>>;
+using ShellBlocks = std::tuple<ShellBlock<ElasticLayer>, ShellBlock<J2Layer>, ShellBlock<HardeningLayer>>;
 
 /// The motion that shells see: positions at n+1, velocities and angular velocities at n+1/2, the step between.
 struct ShellMotion {

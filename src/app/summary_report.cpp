@@ -34,8 +34,10 @@ std::string format_phases(const Summary& summary) {
 
 std::string format_eroded(const Summary& s) {
   if (s.eroded.elements == 0) return "";
-  return fmt::format("{} of {} elements failed and left, mass {:.4g}, energy {:.4g}", s.eroded.elements, s.elements,
-                     s.eroded.mass, s.eroded.energy);
+  std::string text = fmt::format("{} of {} elements failed and left, mass {:.4g}, energy {:.4g}", s.eroded.elements,
+                                 s.elements, s.eroded.mass, s.eroded.energy);
+  if (s.eroded.vanished_mass > 0) text += fmt::format("; nodes of mass {:.4g} vanished", s.eroded.vanished_mass);
+  return text;
 }
 
 std::string format_summary(const Summary& s) {

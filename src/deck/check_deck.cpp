@@ -143,6 +143,27 @@ void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
+/// A point of shells that no part can have. Shells of a part that does not say have 3 or 5 points, by their material.
+void check_points(const Deck& deck, const Node& root, Reading& reading) {
+  constexpr int usual = 5;
+  int most = 0;
+  for (const PartDeck& part : deck.parts) {
+    if (part.thickness) most = std::max(most, part.points.value_or(usual));
+  }
+  for (std::size_t i = 0; i < deck.output.fields.size(); ++i) {
+    const std::string& field = deck.output.fields[i];
+    for (const std::string_view quantity : {stress_points, plastic_strain_points}) {
+      const int point = find_thickness_point(field, quantity).value_or(0);
+      if (point <= most) continue;
+      const Node& item = root.find("output")->find("fields")->find("write")->items[i];
+      reading.errors.add(item.spot, most == 0 ? fmt::format("output.fields.write has {} (no part has shells)", field)
+                                              : fmt::format("output.fields.write has {} (shells have at most {} points; "
+                                                            "say more with points of their part)",
+                                                            field, most));
+    }
+  }
+}
+
 void check_frames(const Deck& deck, const Node& root, Reading& reading) {
   constexpr double most_frames = 1e6;
   if (!deck.output.fields_every || deck.time.end / *deck.output.fields_every <= most_frames) return;
@@ -170,6 +191,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_estimate(deck, root, reading);
   check_fluids(deck, root, reading);
   check_frames(deck, root, reading);
+  check_points(deck, root, reading);
 }
 
 }  // namespace percuss

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -314,6 +315,13 @@ struct HistoryPoint {
   std::string part;          // searched part; empty: the whole mesh
   Place place;
 };
+
+/// Fields of one point across the thickness of shells are called by one of these and its number, from 1, the lowest.
+inline constexpr std::string_view stress_points = "stress_point_",
+                                  plastic_strain_points = "equivalent_plastic_strain_point_";
+
+/// The number of such a point; empty: the field is another.
+std::optional<int> find_thickness_point(std::string_view field, std::string_view quantity);
 
 struct OutputDeck {
   std::optional<double> fields_every;   // s; the first and last state are always written when set

@@ -1,5 +1,8 @@
 // Keys of `output`.
 
+#include <charconv>
+
+#include "kernels/shell/thickness_points.hpp"
 #include "src/deck/deck_keys.hpp"
 #include "src/deck/history_parts.hpp"
 
@@ -177,14 +180,29 @@ const Keys<OutputDeck>& output_keys() {
 
 MapValue<OutputDeck> output_value() { return {output_keys}; }
 
+std::optional<int> find_thickness_point(std::string_view field, std::string_view quantity) {
+  if (field.substr(0, quantity.size()) != quantity) return std::nullopt;
+  const std::string_view digits = field.substr(quantity.size());
+  int point = 0;
+  const auto [end, error] = std::from_chars(digits.begin(), digits.end(), point);
+  if (error != std::errc() || end != digits.end()) return std::nullopt;
+  return point;
+}
+
 const std::vector<std::string>& field_names() {
-  static const std::vector<std::string> names = {
-      "displacement",  "velocity",        "contact_force", "mass",
-      "contact_rank",  // of nodes
-      "stress",        "pressure",        "von_mises",     "equivalent_plastic_strain",
-      "temperature",   "internal_energy", "alive",         "damage",  // of elements
-      "stress_bottom", "stress_top",      "thickness",                // of shells
-      "body",          "chunk",           "fe_rank"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = {
+        "displacement",  "velocity",        "contact_force", "mass",
+        "contact_rank",  // of nodes
+        "stress",        "pressure",        "von_mises",     "equivalent_plastic_strain",
+        "temperature",   "internal_energy", "alive",         "damage",  // of elements
+        "stress_bottom", "stress_top",      "thickness",                // of shells
+        "body",          "chunk",           "fe_rank"};
+    for (const std::string_view quantity : {stress_points, plastic_strain_points}) {
+      for (int point = 1; point <= most_thickness_points; ++point) all.push_back(fmt::format("{}{}", quantity, point));
+    }
+    return all;
+  }();
   return names;
 }
 

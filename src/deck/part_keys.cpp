@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "kernels/shell/thickness_points.hpp"
 #include "src/deck/deck_keys.hpp"
 #include "src/deck/mesh_size.hpp"
 
@@ -61,7 +62,7 @@ struct MaterialNameValue {
 
 /// Points across the thickness of a shell.
 struct ThicknessPointsValue {
-  static constexpr int most = 16;  // most_thickness_points of the kernel
+  static constexpr int most = most_thickness_points;
 
   bool read(const Reader& reader, const std::string& name, const Node& node, int& out) const {
     return IntegerValue{1, most}.read(reader, name, node, out);

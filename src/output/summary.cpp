@@ -100,6 +100,7 @@ void visit_summary(S& s, Visitor&& v) {
     v.value("elements", s.eroded.elements);
     v.value("mass", s.eroded.mass);
     v.value("energy", s.eroded.energy);
+    v.value("vanished_mass", s.eroded.vanished_mass);
   });
   v.group("balance", [&] {
     v.value("elements", s.balance.elements);

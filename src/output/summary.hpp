@@ -24,7 +24,7 @@ struct EnergySummary {
 /// What dead elements took with them: their internal, hourglass and viscous energy and that of nodes that vanished.
 struct ErodedSummary {
   std::int64_t elements = 0;
-  double mass = 0, energy = 0;
+  double mass = 0, energy = 0, vanished_mass = 0;
 };
 
 struct MomentumSummary {

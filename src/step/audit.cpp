@@ -76,6 +76,15 @@ void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model
   for (std::size_t i = 0; i < totals.size(); ++i) totals[i].merge(of_spins[i]);
 }
 
+/// Mass of the nodes of this rank that have vanished: where they may, masses are the state's own.
+ExactSum sum_vanished_mass(const Model& model, const State& state) {
+  if (state.mass.data() == model.mass.data()) return {};
+  const auto left = state.mass, before = model.mass;
+  return OwnedNodeSums<1>("percuss::vanished_mass")(
+      ExecSpace(), model.owned_nodes,
+      KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 1>& mass) { mass[0] += before(n) - left(n); })[0];
+}
+
 }  // namespace
 
 void AuditResult::archive(CheckpointArchive& archive) {
@@ -92,6 +101,7 @@ void AuditResult::archive(CheckpointArchive& archive) {
   archive.number("audited/eroded_elements", eroded.elements);
   archive.number("audited/eroded_mass", eroded.mass);
   archive.number("audited/eroded_energy", eroded.energy);
+  archive.number("audited/vanished_mass", eroded.vanished_mass);
 }
 
 Audit::Audit(const Model& model) : model_(model) {}
@@ -113,6 +123,7 @@ Audit::Totals Audit::sum_all(const State& state) {
                              books.eroded_mass};
   std::copy_n(eroded, 5, sums.begin() + S::eroded_internal);
   for (std::size_t k = 0; k < 3; ++k) subtract(sums[S::internal + k], eroded[k]);
+  sums[S::vanished_mass] = sum_vanished_mass(model_, state);
   sum_over_ranks(model_.ranks, sums);
   Totals totals{};
   for (std::size_t i = 0; i < S::count; ++i) totals[i] = sums[i].round();
@@ -186,7 +197,8 @@ AuditResult Audit::operator()(const State& state) {
   result.momentum = balance_momentum(totals);
   result.eroded = {
       state.books.eroded_elements, totals[S::eroded_mass],
-      totals[S::eroded_internal] + totals[S::eroded_hourglass] + totals[S::eroded_viscous] + totals[S::eroded_kinetic]};
+      totals[S::eroded_internal] + totals[S::eroded_hourglass] + totals[S::eroded_viscous] + totals[S::eroded_kinetic],
+      totals[S::vanished_mass]};
   return result;
 }
 

@@ -45,6 +45,7 @@ struct AuditSum {
     eroded_viscous,
     eroded_kinetic,
     eroded_mass,
+    vanished_mass,
     count
   };
 };

@@ -89,7 +89,10 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
                        empty,
                        {}};
   std::apply([&](auto&... block) { (builder.build(block), ...); }, model.blocks);
-  build_shell_blocks(deck, chunked, {builder.record_size, builder.history, builder.points, builder.parameters}, model);
+  build_shell_blocks(deck, chunked,
+                     {builder.record_size, builder.history, builder.points, builder.parameters, builder.scalars,
+                      builder.first_start, builder.start_count, builder.start_values},
+                     model);
 
   std::vector<std::size_t> first_state(count);
   for (std::size_t c = 0; c < count; ++c) {

@@ -27,20 +27,26 @@ PlaneElasticity find_layer_elasticity(const LameConstants& c) {
   return find_plane_elasticity(c.mu * (3 * c.lambda + 2 * c.mu) / sum, 0.5 * c.lambda / sum);
 }
 
-ElasticLayer make_layer(const Elastic& law) { return {find_layer_elasticity(law.moduli())}; }
+ElasticLayer make_layer(const Elastic& law, double /*density*/) { return {find_layer_elasticity(law.moduli())}; }
 
-J2Layer make_layer(const J2Plasticity& law) {
+J2Layer make_layer(const J2Plasticity& law, double /*density*/) {
   return {find_layer_elasticity(law.moduli()), law.yield_stress, law.hardening_modulus};
 }
 
-/// Calls use(layer) with the layer of a material. Returns false if shells do not know it.
+template <class Law>
+  requires requires(const Law& law, const double* history) { law.start_flow(history, 1.0); }
+HardeningLayer make_layer(const Law& law, double density) {
+  return HardeningLayer::make(law, find_layer_elasticity(law.moduli()), density);
+}
+
+/// Calls use(law, layer) with the layer of a material. Returns false if shells do not know it.
 template <class Use>
 bool visit_layer(const MaterialDeck& material, const Use& use) {
   if (material.equation_of_state) return false;
   bool known = false;
   visit_law(material, [&](const auto& law) {
-    if constexpr (requires { make_layer(law); }) {
-      use(make_layer(law));
+    if constexpr (requires { make_layer(law, material.density); }) {
+      use(law, make_layer(law, material.density));
       known = true;
     }
   });
@@ -52,10 +58,11 @@ void check_materials(const Deck& deck, const Mesh& mesh) {
   for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
     if (mesh.parts[p].thickness == 0) continue;
     const MaterialDeck& material = deck.materials[static_cast<std::size_t>(mesh.parts[p].material)];
-    if (visit_layer(material, [](const auto&) {})) continue;
+    if (visit_layer(material, [](const auto&, const auto&) {})) continue;
     throw InputError(
-        fmt::format("{}: error: part '{}' has shells of material '{}' (shells know elastic and "
-                    "j2_plasticity, without an equation of state)",
+        fmt::format("{}: error: part '{}' has shells of material '{}' (shells know elastic, j2_plasticity, "
+                    "power_law_plasticity, voce_plasticity, tabulated_plasticity and johnson_cook, without an equation "
+                    "of state)",
                     deck.where(deck.parts[p].place), mesh.parts[p].name, material.name));
   }
 }
@@ -63,6 +70,35 @@ void check_materials(const Deck& deck, const Mesh& mesh) {
 bool holds_triangle(const ChunkedMesh& chunked, const Chunk& chunk) {
   const auto first = chunked.mesh.elements.begin() + chunk.first_element;
   return std::any_of(first, first + chunk.element_count, [](const auto& corners) { return is_triangle(corners); });
+}
+
+/// What the launchers and readers need to know of the records of chunk c.
+template <class Law, class Layer>
+void describe_records(const Law&, const Layer& layer, int points, std::size_t c, const ChunkRecords& records) {
+  const int history = ShellRecord::layers + ShellRecord::stress_count;
+  records.record_size[c] = find_shell_record_size(points, layer.count_history());
+  records.points[c] = points;
+  records.history[c] = layer.count_history() > 0 ? history : -1;
+  int place = history;
+  const std::size_t first = c * history_scalars;
+  for (std::size_t k = 0; k < history_scalars; ++k) records.scalars[first + k] = -1;
+  if constexpr (requires { Law::history_names; }) {
+    for (const HistoryScalar name : Law::history_names) records.scalars[first + static_cast<std::size_t>(name)] = place++;
+  }
+}
+
+/// The history of the layers of a chunk at the start, the same of all.
+template <class Layer>
+void add_start_history(const Layer& layer, int elements, std::size_t c, const ChunkRecords& records) {
+  if constexpr (requires(double* history) { layer.start(history); }) {
+    std::vector<double> row(static_cast<std::size_t>(layer.count_history()));
+    layer.start(row.data());
+    records.first_start[c] = records.start_values.size();
+    records.start_count[c] = layer.count_history();
+    for (int e = 0; e < elements; ++e) {
+      records.start_values.insert(records.start_values.end(), row.begin(), row.end());
+    }
+  }
 }
 
 template <class Layer>
@@ -74,9 +110,9 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecord
     if (!is_shell_chunk(chunked, chunked.chunks[c])) continue;
     const int part_index = chunked.chunks[c].part;
     const MeshPart& part = chunked.mesh.parts[static_cast<std::size_t>(part_index)];
-    visit_layer(deck.materials[static_cast<std::size_t>(part.material)], [&](const auto& layer) {
+    visit_layer(deck.materials[static_cast<std::size_t>(part.material)], [&](const auto& law, const auto& layer) {
       if constexpr (std::is_same_v<std::decay_t<decltype(layer)>, Layer>) {
-        constexpr int usual = Layer::history_count > 0 ? points_of_plastic_shells : points_of_elastic_shells;
+        constexpr int usual = Layer::can_yield ? points_of_plastic_shells : points_of_elastic_shells;
         const int points = part.points > 0 ? part.points : usual;
         const auto [row, is_new] = row_of_part.emplace(part_index, static_cast<int>(rows.size()));
         const double offset = deck.parts[static_cast<std::size_t>(part_index)].offset;
@@ -84,9 +120,8 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecord
         block.has_triangles = block.has_triangles || holds_triangle(chunked, chunked.chunks[c]);
         chunks.push_back(static_cast<int>(c));
         records.parameters[c] = row->second;
-        records.record_size[c] = find_shell_record_size<Layer>(points);
-        records.points[c] = points;
-        records.history[c] = Layer::history_count > 0 ? ShellRecord::layers + ShellRecord::stress_count : -1;
+        describe_records(law, layer, points, c, records);
+        add_start_history(layer, chunked.chunks[c].element_count, c, records);
       }
     });
   }

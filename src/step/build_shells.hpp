@@ -14,7 +14,10 @@ bool is_shell_chunk(const ChunkedMesh& chunked, const Chunk& chunk);
 
 /// What the launchers need to know of each chunk, by chunk; filled by who builds its block.
 struct ChunkRecords {
-  std::vector<int>&record_size, &history, &points, &parameters;
+  std::vector<int>&record_size, &history, &points, &parameters, &scalars;
+  std::vector<std::size_t>& first_start;  // as in StartHistory
+  std::vector<int>& start_count;
+  std::vector<double>& start_values;
 };
 
 /// Fills the blocks of shells and the records of their chunks. Throws InputError with the deck's place, the same on all

@@ -58,10 +58,10 @@ struct ReadStress {
   static constexpr int components = 6;
   static constexpr bool fades = true;
   ShellTables shells;
-  ShellLayer layer = ShellLayer::mean;
+  int point = ShellPoint::mean;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const Real* record, double* row) const {
     if (is_shell(chunks, c)) {
-      read_shell_stress(shells, chunks, c, e, record, layer, row);
+      read_shell_stress(shells, chunks, c, e, record, point, row);
       return;
     }
     const Real* s = record + HexRecord::stress * width;
@@ -94,13 +94,15 @@ struct ReadScalar {
   static constexpr bool fades = false;
   ShellTables shells;
   HistoryScalar name;
+  int point = ShellPoint::mean;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const Real* record,
                                          double* row) const {
     if (is_shell(chunks, c)) {
-      const bool has = name == HistoryScalar::equivalent_plastic_strain && chunks.history(c) >= 0;
       const auto& rule = shells.rules(chunks.points(c));
+      const int place = chunks.find_scalar(c, name);
       const auto whole = [](int) { return 1.0; };
-      row[0] = has ? read_layers(chunks, c, rule, record, ShellRecord::stress_count, ShellLayer::mean, whole) : 0;
+      const bool has = place >= 0 && point < rule.count;
+      row[0] = has ? read_layers(chunks, c, rule, record, place - ShellRecord::layers, point, whole) : 0;
       return;
     }
     const int place = chunks.find_scalar(c, name);
@@ -201,12 +203,8 @@ std::vector<double> find_stresses(const Model& model, const State& state) {
   return read_all(model, state, ReadStress{{model, state}});
 }
 
-std::vector<double> find_bottom_stresses(const Model& model, const State& state) {
-  return read_all(model, state, ReadStress{{model, state}, ShellLayer::bottom});
-}
-
-std::vector<double> find_top_stresses(const Model& model, const State& state) {
-  return read_all(model, state, ReadStress{{model, state}, ShellLayer::top});
+std::vector<double> find_point_stresses(const Model& model, const State& state, int point) {
+  return read_all(model, state, ReadStress{{model, state}, point});
 }
 
 std::vector<double> find_thicknesses(const Model& model, const State& state) {
@@ -215,6 +213,10 @@ std::vector<double> find_thicknesses(const Model& model, const State& state) {
 
 std::vector<double> find_plastic_strains(const Model& model, const State& state) {
   return read_all(model, state, ReadScalar{{model, state}, HistoryScalar::equivalent_plastic_strain});
+}
+
+std::vector<double> find_point_plastic_strains(const Model& model, const State& state, int point) {
+  return read_all(model, state, ReadScalar{{model, state}, HistoryScalar::equivalent_plastic_strain, point});
 }
 
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name) {

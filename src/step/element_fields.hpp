@@ -13,15 +13,22 @@ namespace percuss {
 /// Of a shell the mean across its thickness.
 std::vector<double> find_stresses(const Model& model, const State& state);
 
-/// The same at the lowest and the highest point of shells; of hexahedra as find_stresses().
-std::vector<double> find_bottom_stresses(const Model& model, const State& state);
-std::vector<double> find_top_stresses(const Model& model, const State& state);
+/// Which of the points across the thickness of a shell: a number from 0, the lowest, or one of these.
+struct ShellPoint {
+  static constexpr int mean = -1, highest = -2, lowest = 0;
+};
+
+/// The same at one point of shells, 0 where they have no such point; of hexahedra as find_stresses().
+std::vector<double> find_point_stresses(const Model& model, const State& state, int point);
 
 /// Thickness of shells; 0 of hexahedra.
 std::vector<double> find_thicknesses(const Model& model, const State& state);
 
 /// Equivalent plastic strain an element, the mean of its points; 0 where the material has none.
 std::vector<double> find_plastic_strains(const Model& model, const State& state);
+
+/// The same at one point of shells, 0 where they have no such point; of hexahedra as find_plastic_strains().
+std::vector<double> find_point_plastic_strains(const Model& model, const State& state, int point);
 
 /// A named scalar of the materials' history an element, at several points their mean; 0 where the material has none.
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name);

@@ -108,9 +108,13 @@ void Frames::write(const State& state) {
     } else if (name == "damage") {
       add(name, FieldPlace::element, 1, find_damage(model_, state));
     } else if (name == "stress_bottom") {
-      add(name, FieldPlace::element, 6, find_bottom_stresses(model_, state));
+      add(name, FieldPlace::element, 6, find_point_stresses(model_, state, ShellPoint::lowest));
     } else if (name == "stress_top") {
-      add(name, FieldPlace::element, 6, find_top_stresses(model_, state));
+      add(name, FieldPlace::element, 6, find_point_stresses(model_, state, ShellPoint::highest));
+    } else if (const auto stress = find_thickness_point(name, stress_points)) {
+      add(name, FieldPlace::element, 6, find_point_stresses(model_, state, *stress - 1));
+    } else if (const auto strain = find_thickness_point(name, plastic_strain_points)) {
+      add(name, FieldPlace::element, 1, find_point_plastic_strains(model_, state, *strain - 1));
     } else if (name == "thickness") {
       add(name, FieldPlace::element, 1, find_thicknesses(model_, state));
     } else if (name == "body") {

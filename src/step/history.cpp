@@ -140,19 +140,6 @@ bool can_fail(const Deck& deck) {
                      [](const MaterialDeck& material) { return material.failure.has_value(); });
 }
 
-/// Mass of the nodes that have vanished: where they may, masses are the state's own. Collective.
-double find_vanished_mass(const Model& model, const State& state) {
-  std::array<ExactSum, 1> sum{};
-  if (state.mass.data() != model.mass.data()) {
-    const auto left = state.mass, before = model.mass;
-    sum = OwnedNodeSums<1>("percuss::vanished_mass")(
-        ExecSpace(), model.owned_nodes,
-        KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 1>& mass) { mass[0] += before(n) - left(n); });
-  }
-  sum_over_ranks(model.ranks, sum);
-  return sum[0].round();
-}
-
 bool removes_nodes(const Deck& deck) {
   return can_fail(deck) && deck.erosion.free_nodes == ErosionDeck::FreeNodes::remove;
 }
@@ -298,7 +285,7 @@ void History::write(const Model& model, const State& state, const AuditResult& a
   if (model.can_erode) {
     row.insert(row.end(), {static_cast<double>(audit.eroded.elements), audit.eroded.mass, audit.eroded.energy});
   }
-  if (removes_nodes_) row.push_back(find_vanished_mass(model, state));
+  if (removes_nodes_) row.push_back(audit.eroded.vanished_mass);
   row.insert(row.end(), pair_work.begin(), pair_work.end());
   if (has_walls_) row.insert(row.end(), wall_force.begin(), wall_force.end());
   parts_.append(model, state, row);

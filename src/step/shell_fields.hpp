@@ -2,13 +2,11 @@
 // Reads the records of shells for output. Internal to element_fields.cpp.
 
 #include "kernels/shell/shell_failure.hpp"
+#include "src/step/element_fields.hpp"
 #include "src/step/model.hpp"
 #include "src/step/state.hpp"
 
 namespace percuss {
-
-/// Which stress of a shell: the mean across its thickness, or that of the lowest or highest point.
-enum class ShellLayer { mean, bottom, top };
 
 /// What a reader of shells needs besides the records; empty in a scene without shells.
 struct ShellTables {
@@ -30,25 +28,16 @@ struct ShellTables {
   }
 };
 
-KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
-  return chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0;
-}
-
-/// Scalars of a point of the shells of a chunk.
-KOKKOS_INLINE_FUNCTION int find_layer_size(const HexChunks& chunks, int c) {
-  return (chunks.record_size(c) - ShellRecord::layers) / chunks.points(c);
-}
-
-/// Mean over the thickness of scalar `place` of the points, or its value at one end. record: its scalars lie a pack
+/// Scalar `place` of one point (a number below the rule's count, or as in ShellPoint). record: its scalars lie a pack
 /// apart; share(p): what counts of layer p.
 template <class Share>
 KOKKOS_INLINE_FUNCTION double read_layers(const HexChunks& chunks, int c, const ThicknessPoints& rule,
-                                          const Real* record, int place, ShellLayer layer, const Share& share) {
+                                          const Real* record, int place, int point, const Share& share) {
   constexpr int width = pack_size<Real>;
   const int size = find_layer_size(chunks, c), count = rule.count;
   const auto value = [&](int p) { return share(p) * record[(ShellRecord::layers + size * p + place) * width]; };
-  if (layer == ShellLayer::bottom) return value(0);
-  if (layer == ShellLayer::top) return value(count - 1);
+  if (point == ShellPoint::highest) return value(count - 1);
+  if (point != ShellPoint::mean) return value(point);
   double mean = 0;
   for (int p = 0; p < count; ++p) mean += rule.weight[p] * value(p);
   return mean;
@@ -72,11 +61,15 @@ KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const HexChunks& chunks,
 
 /// Stress in space axes: xx, yy, zz, xy, yz, zx. Transverse shear is that of all layers.
 KOKKOS_INLINE_FUNCTION void read_shell_stress(const ShellTables& tables, const HexChunks& chunks, int c, int e,
-                                              const Real* record, ShellLayer layer, double* row) {
+                                              const Real* record, int point, double* row) {
   constexpr int width = pack_size<Real>, shear = 3;  // ShellState::shear
   const ThicknessPoints& rule = tables.rules(chunks.points(c));
+  if (point >= rule.count) {
+    for (int k = 0; k < 6; ++k) row[k] = 0;
+    return;
+  }
   const auto share = [&](int p) { return tables.find_share(c, e - chunks.first_element(c), rule.count, p); };
-  const auto in_plane = [&](int k) { return read_layers(chunks, c, rule, record, k, layer, share); };
+  const auto in_plane = [&](int k) { return read_layers(chunks, c, rule, record, k, point, share); };
   double left = 1;  // of the whole section
   for (int p = 0; p < rule.count; ++p) left -= rule.weight[p] * (1 - share(p));
   const Symmetric3<double> stress{

@@ -10,10 +10,6 @@ namespace {
 
 constexpr int width = pack_size<Real>;
 
-KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
-  return chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0;
-}
-
 /// Each element starts undeformed: R = V = I, no stress, its mass from its own volume and density.
 Array<Real> make_element_records(const Model& model) {
   const auto elements = make_streamed<Array<Real>>("percuss::elements", model.state_size);
@@ -63,6 +59,8 @@ void set_start_history(const Model& model, const Array<Real>& elements) {
         const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
         const int elements_here = chunks.first_element(c + 1) - chunks.first_element(c);
         const int size = chunks.record_size(c), points = chunks.points(c);
+        const bool layered = is_shell(chunks, c);
+        const int to_point = layered ? find_layer_size(chunks, c) : 1, to_scalar = layered ? 1 : points;
         for (int i = 0; i < packs * width; ++i) {
           Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
           const int row = i < elements_here ? i : elements_here - 1;
@@ -70,9 +68,9 @@ void set_start_history(const Model& model, const Array<Real>& elements) {
             const double value = start.values(start.first(c) + static_cast<std::size_t>(row * start.count(c) + k));
             const auto kept = static_cast<Real>(value);
             for (int p = 0; p < points; ++p) {
-              Real* const scalar = record + (chunks.history(c) + points * k + p) * width;
+              Real* const scalar = record + (chunks.history(c) + to_scalar * k + to_point * p) * width;
               *scalar = kept;
-              if constexpr (is_single_precision) {  // its rest
+              if (is_single_precision && !layered) {  // its rest
                 scalar[points * start.count(c) * width] = static_cast<Real>(value - static_cast<double>(kept));
               }
             }

@@ -73,7 +73,7 @@ TEST(PlaneStress, ReturnLiesOnTheYieldSurfaceForAnyStep) {
       double stress[3] = {0, 0, 0}, p = 0;
       const double size = std::pow(10.0, 2 * random() - 2);  // from 1e-4 to 1
       const double de[3] = {size * random(), size * random(), size * random()};
-      material.update(stress, &p, de);
+      material.update(stress, &p, de, 1.0);
       const double yield = yield_stress + hardening * p;
       if (p > 0) {
         EXPECT_NEAR(find_equivalent(stress) / yield, 1, 1e-13);
@@ -94,7 +94,7 @@ TEST(PlaneStress, ConvergesToTheRateEquations) {
       const int steps = level == 0 ? 500 : 1000;
       const double de[3] = {strain[0] / steps, strain[1] / steps, strain[2] / steps};
       double stress[3] = {0, 0, 0}, p = 0;
-      for (int i = 0; i < steps; ++i) material.update(stress, &p, de);
+      for (int i = 0; i < steps; ++i) material.update(stress, &p, de, 1.0);
       error[level] = std::abs(p - exact.p) / exact.p;
       for (int k = 0; k < 3; ++k)
         error[level] = std::max(error[level], std::abs(stress[k] - exact.s[k]) / yield_stress);
@@ -112,7 +112,7 @@ TEST(PlaneStress, UniaxialTensionIsExact) {
   const double plastic = total - stress_exact / young;
   double stress[3] = {0, 0, 0}, p = 0;
   const double de[3] = {total, -poisson * stress_exact / young - plastic / 2, 0};
-  const double across = material.update(stress, &p, de).across;
+  const double across = material.update(stress, &p, de, 1.0).across;
   EXPECT_NEAR(stress[0] / stress_exact, 1, 1e-12);
   EXPECT_NEAR(stress[1] / stress_exact, 0, 1e-12);
   EXPECT_NEAR(p, plastic, 1e-12 * total);
@@ -130,13 +130,13 @@ TEST(PlaneStress, PackGivesTheBitsOfTheScalarInEveryLane) {
   }
   Pack<double> pack_de[3], pack_stress[3] = {Pack<double>(0), Pack<double>(0), Pack<double>(0)}, pack_p(0);
   for (int k = 0; k < 3; ++k) pack_de[k] = load_pack(de[k]);
-  material.update(pack_stress, &pack_p, pack_de);
+  material.update(pack_stress, &pack_p, pack_de, Pack<double>(1));
   for (int k = 0; k < 3; ++k) store_pack(stress[k], pack_stress[k]);
   store_pack(p, pack_p);
   for (int lane = 0; lane < width; ++lane) {
     double s[3] = {0, 0, 0}, history = 0;
     const double e[3] = {de[0][lane], de[1][lane], de[2][lane]};
-    material.update(s, &history, e);
+    material.update(s, &history, e, 1.0);
     for (int k = 0; k < 3; ++k) EXPECT_EQ(stress[k][lane], s[k]);
     EXPECT_EQ(p[lane], history);
   }

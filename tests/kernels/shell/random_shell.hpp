@@ -57,7 +57,7 @@ struct TestShell {
 
   TestShell(const Material& material, int points, const ShellCorners& x, double thickness, double density)
       : par{material, find_thickness_points(points)},
-        layers(static_cast<std::size_t>(points * (3 + Material::history_count))) {
+        layers(static_cast<std::size_t>(points * (3 + Material::most_history))) {
     const double area = find_shell_geometry(find_differences(x), find_shapes(x)).area;
     state.mass = density * area * thickness;
     state.gyration_square = thickness * thickness / 12 + area / 8;

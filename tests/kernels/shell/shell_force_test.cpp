@@ -63,7 +63,7 @@ HexChunks make_chunks() {
   chunks.corner_slots = to_view("corner_slots", corners);
   chunks.first_state = to_view<std::size_t>("first_state", {0});
   chunks.parameters = to_view<int>("parameters", {0});
-  chunks.record_size = to_view<int>("record_size", {find_shell_record_size<J2Layer>(point_count)});
+  chunks.record_size = to_view<int>("record_size", {find_shell_record_size(point_count, J2Layer::most_history)});
   return chunks;
 }
 
@@ -96,7 +96,7 @@ TEST(ShellLauncher, GivesWhatThePureFunctionGives) {
     shells.emplace_back(make_material(), point_count, Strip::gather(strip.x, e), thickness, density);
   }
   const HexChunks chunks = make_chunks();
-  const Array<double> state = make_records(shells, find_shell_record_size<J2Layer>(point_count));
+  const Array<double> state = make_records(shells, find_shell_record_size(point_count, J2Layer::most_history));
   ShellBlocks blocks;
   auto& block = std::get<ShellBlock<J2Layer>>(blocks);
   block.chunks = to_view<int>("chunks", {0});
@@ -146,7 +146,7 @@ TEST(ShellLauncher, SkipsAChunkThatRestsAndIsSettled) {
   for (int e = 0; e < element_count; ++e) {
     shells.emplace_back(make_material(), point_count, Strip::gather(strip.x, e), thickness, density);
   }
-  const Array<double> state = make_records(shells, find_shell_record_size<J2Layer>(point_count));
+  const Array<double> state = make_records(shells, find_shell_record_size(point_count, J2Layer::most_history));
   ShellBlocks blocks;
   auto& block = std::get<ShellBlock<J2Layer>>(blocks);
   block.chunks = to_view<int>("chunks", {0});

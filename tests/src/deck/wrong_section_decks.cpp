@@ -38,6 +38,14 @@ std::vector<WrongDeck> missing_keys() {
        "3:80", "reference is 'side' in part 'rod' (must be middle | bottom | top or a number)"},
       {"RotationWithoutShells", append("conditions: [{nodes: rod, fixed: [x, ry]}]"), "6:38",
        "ry is of no use (no part has shells, whose nodes alone have rotations)"},
+      {"PointFieldWithoutShells", append("output: {fields: {every: 1, write: [stress_point_1]}}"), "6:37",
+       "output.fields.write has stress_point_1 (no part has shells)"},
+      {"PointFieldOfAPointTooMany",
+       "time: {end: 1.0}\n"
+       "parts: {cap: {shell_sphere: {radius: 1, cells: 2}, thickness: 0.1, points: 3, material: steel}}\n"
+       "materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n"
+       "output: {fields: {every: 1, write: [stress_point_3, equivalent_plastic_strain_point_4]}}\n",
+       "4:53", "output.fields.write has equivalent_plastic_strain_point_4 (shells have at most 3 points; say more with"},
       {"GlobalStepOfShells",
        "time: {end: 1.0, step_estimate: global}\n"
        "parts: {cap: {shell_sphere: {radius: 1, cells: 2}, thickness: 0.1, material: steel}}\n"

@@ -114,6 +114,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "eroded.elements",
                                           "eroded.mass",
                                           "eroded.energy",
+                                          "eroded.vanished_mass",
                                           "balance.elements",
                                           "balance.contact",
                                           "messages.count",

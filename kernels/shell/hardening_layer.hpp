@@ -1,0 +1,101 @@
+#pragma once
+// Layers in plane stress of every material whose flow stress depends on the equivalent plastic strain, its rate and the
+// temperature: the solid's own laws, returned to a yield surface without stress across the layer.
+
+#include "kernels/material/johnson_cook.hpp"
+#include "kernels/material/power_law_plasticity.hpp"
+#include "kernels/material/tabulated_plasticity.hpp"
+#include "kernels/material/type_list.hpp"
+#include "kernels/material/voce_plasticity.hpp"
+#include "kernels/shell/plane_stress.hpp"
+
+namespace percuss {
+
+/// The multiplier l with s_e(l) = flow(l s_e(l)); 0 where the trial is not above flow.at_rest. As the flow stress does
+/// not fall with dp, l is at most where s_e has fallen to flow.at_rest. Newton's method from there, kept between
+/// bounds; a lane stays as it is once it has converged, so that its bits do not depend on its neighbours.
+template <class T, class Flow>
+PERCUSS_FORCE_INLINE T find_plane_multiplier(const PlaneElasticity& elasticity, const PlaneTrial<T>& trial,
+                                             const Flow& flow) {
+  constexpr int most_steps = 60;
+  constexpr double tolerance = 1e-13, next_to_molten = 1e-12;  // of the trial's equivalent stress
+  const auto [k_normal, k_shear] = find_return_rates(elasticity);
+  const T start = square_root(trial.normal + trial.shear);
+  const auto yields = start > flow.at_rest;
+  if (!any(yields)) return T(0);
+  const T floor = select(yields, larger(flow.at_rest, T(next_to_molten) * start), T(1));
+  T low = T(0), high = select(yields, (start - floor) / (T(smaller(k_normal, k_shear)) * floor), T(1)), l = high;
+  auto open = yields;
+  for (int i = 0; i < most_steps && any(open); ++i) {
+    const T a = T(1) / (T(1) + T(k_normal) * l), b = T(1) / (T(1) + T(k_shear) * l);
+    const T normal = trial.normal * a * a, shear = trial.shear * b * b;
+    const T equivalent = larger(square_root(normal + shear), T(1e-300));
+    const T slope = -(T(k_normal) * a * normal + T(k_shear) * b * shear) / equivalent;
+    const FlowStress<T> now = flow(l * equivalent);
+    const T excess = equivalent - now.value;
+    low = select(open && excess > T(0), l, low);
+    high = select(open && excess <= T(0), l, high);
+    const T newton = l - excess / (slope - now.slope * (equivalent + l * slope));
+    const T next = select(newton > low && newton < high, newton, T(0.5) * (low + high));
+    open = open && larger(excess, -excess) > T(tolerance) * start && high - low > T(1e-15) * high;
+    l = select(open, next, l);
+  }
+  return select(yields, l, T(0));
+}
+
+/// A layer of any of these laws, called through its number: one compiled shell serves them all. History: that of the
+/// law, p first.
+struct HardeningLayer {
+  using Laws = TypeList<PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, JohnsonCook>;
+  static constexpr int most_history = 2;
+  static constexpr bool can_yield = true;
+  PlaneElasticity elasticity;
+  double density = 0;
+  int law_history = 0;  // scalars
+  AnyOf<4096> law;
+
+  template <class Law>
+  static HardeningLayer make(const Law& law, const PlaneElasticity& elasticity, double density) {
+    static_assert(Law::history_count <= most_history);
+    HardeningLayer layer{elasticity, density, Law::history_count, {}};
+    set_any_of(layer.law, Laws(), law);
+    return layer;
+  }
+
+  KOKKOS_INLINE_FUNCTION int count_history() const { return law_history; }
+
+  /// The history at the start. history: out, [count_history()].
+  void start(double* history) const {
+    for (int k = 0; k < law_history; ++k) history[k] = 0;
+    visit_any_of(law, Laws(), [&](const auto& one) {
+      if constexpr (requires { one.start(history); }) one.start(history);
+    });
+  }
+
+  template <class T>
+  PERCUSS_FORCE_INLINE LayerResponse<T> update(T (&stress)[3], T* history, const T (&de)[3], const T& dt) const {
+    LayerResponse<T> response{};
+    visit_any_of(law, Laws(), [&](const auto& one) { response = update_by(one, stress, history, de, dt); });
+    return response;
+  }
+
+ private:
+  /// The function that each law is compiled as.
+  template <class T, class Law>
+  PERCUSS_NO_INLINE LayerResponse<T> update_by(const Law& one, T (&stress)[3], T* history, const T (&de)[3],
+                                               const T& dt) const {
+    const T before = square_root(stress[0] * stress[0] - stress[0] * stress[1] + stress[1] * stress[1] +
+                                 T(3) * stress[2] * stress[2]);
+    const PlaneTrial<T> trial = find_plane_trial(elasticity, stress, de);
+    const T multiplier = find_plane_multiplier(elasticity, trial, one.start_flow(history, dt));
+    const PlaneReturn<T> to = return_in_plane(elasticity, trial, multiplier, stress);
+    const T dp = multiplier * to.equivalent;
+    history[0] = history[0] + dp;
+    if constexpr (requires { one.heat(history, dp, dp, density); }) {
+      one.heat(history, dp, T(0.5) * (before + to.equivalent), density);
+    }
+    return to.response;
+  }
+};
+
+}  // namespace percuss
