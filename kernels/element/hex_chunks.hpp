@@ -31,8 +31,9 @@ struct HexChunks {
   Array<int> scalars;                 // [count][history_scalars] place of a named scalar of the first point, -1: none
   Array<int> is_shell;                // [count] 1: of shells (kernels/shell); empty in a scene without any
 
-  /// Where the record of an element of chunk c holds a scalar of its first point; point p has it at this + p. -1: the
-  /// material has none.
+  /// Where the record of an element of chunk c holds a scalar of its first point; point p of a hexahedron has it at
+  /// this
+  /// + p, that of a shell a layer's size farther (find_layer_size() in kernels/shell). -1: the material has none.
   KOKKOS_INLINE_FUNCTION int find_scalar(int c, HistoryScalar name) const {
     return scalars(c * history_scalars + static_cast<int>(name));
   }

@@ -24,6 +24,7 @@ struct AnyOf {
 template <int Size, class... Ts, class T>
 void set_any_of(AnyOf<Size>& any, TypeList<Ts...>, const T& value) {
   static_assert(std::is_trivially_copyable_v<T> && sizeof(T) <= Size);
+  static_assert((std::is_same_v<T, Ts> || ...), "not in the list: nobody could call it");
   constexpr bool is[] = {std::is_same_v<T, Ts>...};
   any.kind = static_cast<int>(std::find(std::begin(is), std::end(is), true) - std::begin(is));
   std::memcpy(any.bytes, &value, sizeof value);

@@ -11,9 +11,10 @@
 
 namespace percuss {
 
-/// The multiplier l with s_e(l) = flow(l s_e(l)); 0 where the trial is not above flow.at_rest. As the flow stress does
-/// not fall with dp, l is at most where s_e has fallen to flow.at_rest. Newton's method from there, kept between
-/// bounds; a lane stays as it is once it has converged, so that its bits do not depend on its neighbours.
+/// The multiplier l with s_e(l) = flow(l s_e(l)); 0 where the trial is not above flow.at_rest. Where the flow stress
+/// does not fall with dp, l is at most where s_e has fallen to flow.at_rest, for which the slower of its two parts
+/// gives a bound; a table that falls is seen one step later. Newton's method from that bound, kept between bounds; a
+/// lane stays as it is once it has converged, so that its bits do not depend on its neighbours.
 template <class T, class Flow>
 PERCUSS_FORCE_INLINE T find_plane_multiplier(const PlaneElasticity& elasticity, const PlaneTrial<T>& trial,
                                              const Flow& flow) {

@@ -11,6 +11,10 @@ namespace percuss {
 /// Most points that a shell can have.
 inline constexpr int most_thickness_points = 16;
 
+/// Points unless the deck says: enough for the moment of a section that yields (0.94 of the fully plastic one), or for
+/// more than linear stress.
+inline constexpr int points_of_plastic_shells = 5, points_of_elastic_shells = 3;
+
 /// Places from -1 (bottom) to 1 (top, along the normal); weights, which add up to 1, and shares of the points in the
 /// bending stiffness, which do so too.
 struct ThicknessPoints {

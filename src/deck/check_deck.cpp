@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "kernels/shell/thickness_points.hpp"
 #include "src/deck/deck_keys.hpp"
 #include "src/deck/mesh_size.hpp"
 
@@ -143,24 +144,29 @@ void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
-/// A point of shells that no part can have. Shells of a part that does not say have 3 or 5 points, by their material.
-void check_points(const Deck& deck, const Node& root, Reading& reading) {
-  constexpr int usual = 5;
+/// Most points that a shell of a part can have; one that says nothing has as many as its material needs.
+int find_most_points(const Deck& deck) {
   int most = 0;
   for (const PartDeck& part : deck.parts) {
-    if (part.thickness) most = std::max(most, part.points.value_or(usual));
+    if (part.thickness) most = std::max(most, part.points.value_or(points_of_plastic_shells));
+    if (is_shell_shape(part.shape) && !part.thickness) return most_thickness_points;  // which is told already
   }
-  for (std::size_t i = 0; i < deck.output.fields.size(); ++i) {
-    const std::string& field = deck.output.fields[i];
-    for (const std::string_view quantity : {stress_points, plastic_strain_points}) {
-      const int point = find_thickness_point(field, quantity).value_or(0);
-      if (point <= most) continue;
-      const Node& item = root.find("output")->find("fields")->find("write")->items[i];
-      reading.errors.add(item.spot, most == 0 ? fmt::format("output.fields.write has {} (no part has shells)", field)
-                                              : fmt::format("output.fields.write has {} (shells have at most {} points; "
-                                                            "say more with points of their part)",
-                                                            field, most));
-    }
+  return most;
+}
+
+/// A point of shells that no part can have.
+void check_points(const Deck& deck, const Node& root, Reading& reading) {
+  const int most = find_most_points(deck);
+  for (const std::string& field : deck.output.fields) {
+    const int point = std::max(find_thickness_point(field, stress_points).value_or(0),
+                               find_thickness_point(field, plastic_strain_points).value_or(0));
+    if (point <= most || deck.parts.empty() || !reading.shapeless.empty()) continue;
+    const std::vector<Node>& items = root.find("output")->find("fields")->find("write")->items;
+    const auto item = std::find_if(items.begin(), items.end(), [&](const Node& node) { return node.text == field; });
+    const std::string text =
+        most == 0 ? "no part has shells"
+                  : fmt::format("shells have at most {} points; say more with points of their part", most);
+    reading.errors.add(item->spot, fmt::format("output.fields.write has {} ({})", field, text));
   }
 }
 

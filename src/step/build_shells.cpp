@@ -16,10 +16,6 @@ namespace percuss {
 
 namespace {
 
-/// Points across the thickness unless the deck says: enough for the moment of a section that yields (0.94 of the fully
-/// plastic one), or for more than linear stress.
-constexpr int points_of_plastic_shells = 5, points_of_elastic_shells = 3;
-
 // --- materials: the one place that turns a deck's material into that of a layer
 
 PlaneElasticity find_layer_elasticity(const LameConstants& c) {
@@ -34,7 +30,7 @@ J2Layer make_layer(const J2Plasticity& law, double /*density*/) {
 }
 
 template <class Law>
-  requires requires(const Law& law, const double* history) { law.start_flow(history, 1.0); }
+requires requires(const Law& law, const double* history) { law.start_flow(history, 1.0); }
 HardeningLayer make_layer(const Law& law, double density) {
   return HardeningLayer::make(law, find_layer_elasticity(law.moduli()), density);
 }
@@ -83,7 +79,8 @@ void describe_records(const Law&, const Layer& layer, int points, std::size_t c,
   const std::size_t first = c * history_scalars;
   for (std::size_t k = 0; k < history_scalars; ++k) records.scalars[first + k] = -1;
   if constexpr (requires { Law::history_names; }) {
-    for (const HistoryScalar name : Law::history_names) records.scalars[first + static_cast<std::size_t>(name)] = place++;
+    for (const HistoryScalar name : Law::history_names)
+      records.scalars[first + static_cast<std::size_t>(name)] = place++;
   }
 }
 
@@ -93,6 +90,7 @@ void add_start_history(const Layer& layer, int elements, std::size_t c, const Ch
   if constexpr (requires(double* history) { layer.start(history); }) {
     std::vector<double> row(static_cast<std::size_t>(layer.count_history()));
     layer.start(row.data());
+    if (std::all_of(row.begin(), row.end(), [](double value) { return value == 0; })) return;
     records.first_start[c] = records.start_values.size();
     records.start_count[c] = layer.count_history();
     for (int e = 0; e < elements; ++e) {

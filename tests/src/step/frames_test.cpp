@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "comm/agreement.hpp"
@@ -75,6 +76,34 @@ TEST(FramesOnRanks, ShowWhoOwnsEveryContactNodeAndComputesEveryElement) {
   }
   EXPECT_EQ(owned, nodes - inner_nodes);
   EXPECT_EQ(computed, elements);
+}
+
+// A plate of two elements, bent by its ends beyond yield.
+const std::string bent_plate = R"yaml(
+time: {end: 1, max_steps: 60, max_step: 1.0e-6}
+parts: {plate: {shell_plate: {size: [1, 1], cells: [1, 2]}, thickness: 0.1, points: 5, material: steel}}
+materials: {steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 4.0e5}}
+conditions:
+  - {nodes: plate, fixed: [x, y, z, rx, rz]}
+  - {nodes: plate/x_min, velocity: {ry: -2}}
+  - {nodes: plate/x_max, velocity: {ry: 2}}
+output: {fields: {every: 1, write: [stress_bottom, stress_top, stress_point_1, stress_point_5, equivalent_plastic_strain_point_1, equivalent_plastic_strain_point_3]}}
+)yaml";
+
+TEST(FramesOnRanks, HaveTheFirstPointOfShellsAtTheBottomAndTheLastAtTheTop) {
+  const Communicator ranks = Communicator::world();
+  std::optional<TemporaryFolder> folder;
+  if (ranks.rank() == 0) folder.emplace();
+  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  run_scene(parse_deck(bent_plate, "deck.yaml"), {path, Progress::Style::quiet});
+  if (ranks.rank() > 0) return;
+  const Hdf5FileView file(path + "/fields.vtkhdf");
+  const std::vector<double> bottom = file.numbers("VTKHDF/CellData/stress_bottom");
+  EXPECT_EQ(file.numbers("VTKHDF/CellData/stress_point_1"), bottom);
+  EXPECT_EQ(file.numbers("VTKHDF/CellData/stress_point_5"), file.numbers("VTKHDF/CellData/stress_top"));
+  EXPECT_GT(std::abs(bottom.at(2 * 6)), 4e5);  // of the last frame, along x
+  EXPECT_GT(file.numbers("VTKHDF/CellData/equivalent_plastic_strain_point_1").back(), 1e-6);
+  EXPECT_EQ(file.numbers("VTKHDF/CellData/equivalent_plastic_strain_point_3").back(), 0);
 }
 
 TEST(FramesOnRanks, ShowTheDivisionFromTheFirstFrameOn) {
