@@ -44,7 +44,8 @@ struct JohnsonCook {
 
   /// What is wrong between constants; empty: nothing.
   const char* find_fault() const {
-    return melt_temperature > room_temperature ? "" : "a melt_temperature that is not above its room_temperature";
+    if (melt_temperature <= room_temperature) return "a melt_temperature that is not above its room_temperature";
+    return melt_temperature > start_temperature ? "" : "a melt_temperature that is not above its start_temperature";
   }
 
   /// Likewise with an equation of state. The limit is below what anyone cools to, and above Celsius' rooms.

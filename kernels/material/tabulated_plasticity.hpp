@@ -15,10 +15,11 @@ struct TabulatedPlasticity {
 
   static constexpr auto keys() {
     using M = TabulatedPlasticity;
-    return join_keys(
-        with_elastic_keys<M>(need("hardening", &M::hardening, KeyRange::positive, "-, pressure",
-                                  "Yield stress over equivalent plastic strain; level after the last row.")),
-        rate_keys<M>());
+    return join_keys(with_elastic_keys<M>(
+                         need("hardening", &M::hardening, KeyRange::positive, "-, pressure",
+                              "Yield stress over equivalent plastic strain; level before the first and after the last "
+                              "row. It may fall.")),
+                     rate_keys<M>());
   }
 
   static constexpr HistoryScalar history_names[] = {HistoryScalar::equivalent_plastic_strain};

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "kernels/material/elastic.hpp"
 #include "kernels/shell/thickness_points.hpp"
 #include "src/deck/deck_keys.hpp"
 #include "src/deck/mesh_size.hpp"
@@ -144,11 +145,19 @@ void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
-/// Most points that a shell of a part can have; one that says nothing has as many as its material needs.
+/// Points of the shells of a part that does not say: what is not elastic yields, where shells know it.
+int find_usual_points(const Deck& deck, const PartDeck& part) {
+  const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                     [&](const MaterialDeck& of) { return of.name == part.material; });
+  const bool is_elastic = material != deck.materials.end() && material->law.model == Elastic::name;
+  return is_elastic ? points_of_elastic_shells : points_of_plastic_shells;
+}
+
+/// Most points that a shell of a part can have.
 int find_most_points(const Deck& deck) {
   int most = 0;
   for (const PartDeck& part : deck.parts) {
-    if (part.thickness) most = std::max(most, part.points.value_or(points_of_plastic_shells));
+    if (part.thickness) most = std::max(most, part.points.value_or(find_usual_points(deck, part)));
     if (is_shell_shape(part.shape) && !part.thickness) return most_thickness_points;  // which is told already
   }
   return most;

@@ -46,6 +46,10 @@ std::vector<WrongDeck> wrong_material_decks() {
        material("model: johnson_cook, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, a: 1e8, b: 1e8, n: "
                 "0.2, specific_heat: 460, melt_temperature: 200"),
        "5:3", "material 'steel' has a melt_temperature that is not above its room_temperature"},
+      {"StartsMolten",
+       material("model: johnson_cook, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, a: 1e8, b: 1e8, n: "
+                "0.2, specific_heat: 460, melt_temperature: 900, start_temperature: 900"),
+       "5:3", "material 'steel' has a melt_temperature that is not above its start_temperature"},
       {"KeyOfAnotherPlasticity",
        material("model: power_law_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: "
                 "1e8, hardening_coefficient: 1e8, hardening_exponent: 1, kinematic_share: 1"),
