@@ -110,8 +110,18 @@ struct ChunkScratch {
         static_cast<std::size_t>(largest_slot_count) * (NodeSize * sizeof(Scalar) + ForceSize * sizeof(double)) +
         8 * sizeof(double) + 128;
     ChunkPolicy policy(space, count, 1);
-    policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(bytes))).set_chunk_size(1);
+    policy.set_scratch_size(0, Kokkos::PerTeam(static_cast<int>(bytes))).set_chunk_size(find_share(space, count));
     return policy;
+  }
+
+  /// How many teams a thread takes at a time, a power of two: each time it waits until what it has stored has left. One
+  /// thread alone takes all, several leave each other enough to even out.
+  static int find_share(const ExecSpace& space, int count) {
+    constexpr int shares_of_thread = 64;
+    const int threads = space.concurrency(), most = threads == 1 ? count : count / (shares_of_thread * threads);
+    int share = 1;
+    while (2 * share <= most) share *= 2;
+    return share;
   }
 };
 using HexScratch = ChunkScratch<node_record, force_record, Real>;
