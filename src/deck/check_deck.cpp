@@ -42,6 +42,7 @@ void check_selector(const NameUse& use, const std::map<std::string, const PartDe
   const auto part = parts.find(part_name);
   if (part == parts.end()) {
     std::vector<std::string> known;
+    known.reserve(parts.size());
     for (const auto& entry : parts) known.push_back(entry.first);
     reading.errors.add(use.spot,
                        fmt::format("unknown part {}{}{}", quote(part_name), use.in, name_hint(part_name, known)));
