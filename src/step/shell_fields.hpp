@@ -48,7 +48,7 @@ KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const HexChunks& chunks,
                                                         const Rows3<const double>& x) {
   constexpr int width = pack_size<Real>;
   const int i = e - chunks.first_element(c);
-  const auto pack = static_cast<std::size_t>(chunks.first_pack(c) + i / width);
+  const std::size_t pack = static_cast<std::size_t>(chunks.first_pack(c)) + static_cast<std::size_t>(i / width);
   Vector3<double> corners[4];
   for (int k = 0; k < 4; ++k) {
     const int slot =

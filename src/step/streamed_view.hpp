@@ -23,7 +23,7 @@ inline void wish_huge_pages([[maybe_unused]] void* data, [[maybe_unused]] std::s
   const auto start = reinterpret_cast<std::uintptr_t>(data);
   const std::uintptr_t first = (start + huge_page - 1) / huge_page * huge_page;
   const std::uintptr_t end = (start + bytes) / huge_page * huge_page;
-  if (first < end) ::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+  if (first < end) ::madvise(static_cast<char*>(data) + (first - start), end - first, MADV_HUGEPAGE);
 #endif
 }
 
