@@ -63,7 +63,7 @@ FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, con
       "percuss::find_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
       KOKKOS_LAMBDA(const int i, int& sum_failing, int& sum_died) {
         const int c = failing.list(i);
-        if (chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0) return;  // kernels/shell/shell_failure.hpp
+        if (is_shell(chunks, c)) return;  // kernels/shell/shell_failure.hpp
         const FailureLimits limits = failing.limits(failing.row(c));
         const FailingRecords of = find_records(chunks, failing, elements, c);
         const int count = chunks.first_element(c + 1) - chunks.first_element(c);

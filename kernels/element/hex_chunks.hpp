@@ -39,6 +39,11 @@ struct HexChunks {
   }
 };
 
+/// Whether chunk c is one of shells.
+KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
+  return chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0;
+}
+
 /// What a step leaves for each chunk.
 struct ChunkResults {
   Array<double> stable_step;       // [count] smallest bound of the chunk's elements

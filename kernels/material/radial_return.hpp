@@ -7,12 +7,16 @@
 
 namespace percuss {
 
-/// Flow stress, and its derivative by dp at a given step (hardening and rate together).
+/// A function and its derivative.
 template <class T>
-struct FlowStress {
+struct ValueAndSlope {
   T value;
   T slope;
 };
+
+/// Flow stress, and its derivative by dp at a given step (hardening and rate together).
+template <class T>
+using FlowStress = ValueAndSlope<T>;
 
 /// The elastic trial of a step.
 template <class T>
@@ -37,30 +41,40 @@ KOKKOS_INLINE_FUNCTION Trial<T> find_trial(const LameConstants& c, const Symmetr
   return {mean, deviator, square_root(T(1.5) * contract(deviator, deviator))};
 }
 
+/// Where f falls through 0 between 0 and `high`, of the lanes that are open; 0 of others. f(x): ValueAndSlope, not
+/// positive at `high`; scale: what its value is small against. Newton's method from above, kept between bounds: where f
+/// is convex, it comes down once and then rises to the root from one side. A lane stays as it is once it has converged,
+/// so that its bits do not depend on its neighbours.
+template <class T, class Mask, class F>
+KOKKOS_INLINE_FUNCTION T find_falling_root(const Mask& lanes, T high, const T& scale, const F& f) {
+  constexpr int most_steps = 60;
+  constexpr double tolerance = 1e-13;
+  T low = T(0), x = high;
+  auto open = lanes;
+  for (int i = 0; i < most_steps && any(open); ++i) {
+    const ValueAndSlope<T> now = f(x);
+    low = select(open && now.value > T(0), x, low);
+    high = select(open && now.value <= T(0), x, high);
+    const T newton = x - now.value / now.slope;
+    const T next = select(newton > low && newton < high, newton, T(0.5) * (low + high));
+    open = open && larger(now.value, -now.value) > T(tolerance) * scale && high - low > T(1e-15) * high;
+    x = select(open, next, x);
+  }
+  return select(lanes, x, T(0));
+}
+
 /// The plastic increment dp >= 0 with von_mises - resistance dp = flow(dp).value, where von_mises > flow(0).value; 0
-/// elsewhere. resistance: 3 mu. Newton's method from above, kept between bounds: where the flow stress grows less and
-/// less with dp, it comes down once and then rises to the root from one side. A lane stays as it is once it has
-/// converged, so that its bits do not depend on its neighbours.
+/// elsewhere. resistance: 3 mu.
 template <class T, class Flow>
 KOKKOS_INLINE_FUNCTION T find_plastic_increment(const T& von_mises, double resistance, const T& flow_at_rest,
                                                 const Flow& flow) {
-  constexpr int most_steps = 60;
-  constexpr double tolerance = 1e-13;  // of the von Mises stress
   const auto yields = von_mises > flow_at_rest;
   if (!any(yields)) return T(0);
-  T low = T(0), high = select(yields, (von_mises - flow_at_rest) * T(1 / resistance), T(1)), dp = high;
-  auto open = yields;
-  for (int i = 0; i < most_steps && any(open); ++i) {
+  const T high = select(yields, (von_mises - flow_at_rest) * T(1 / resistance), T(1));
+  return find_falling_root(yields, high, von_mises, [&](const T& dp) {
     const FlowStress<T> now = flow(dp);
-    const T excess = von_mises - T(resistance) * dp - now.value;
-    low = select(open && excess > T(0), dp, low);
-    high = select(open && excess <= T(0), dp, high);
-    const T newton = dp + excess / (T(resistance) + now.slope);
-    const T next = select(newton > low && newton < high, newton, T(0.5) * (low + high));
-    open = open && larger(excess, -excess) > T(tolerance) * von_mises && high - low > T(1e-15) * high;
-    dp = select(open, next, dp);
-  }
-  return select(yields, dp, T(0));
+    return ValueAndSlope<T>{von_mises - T(resistance) * dp - now.value, -(T(resistance) + now.slope)};
+  });
 }
 
 /// Sets the stress and what the element has to know from the trial and dp.

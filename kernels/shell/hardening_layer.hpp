@@ -13,35 +13,25 @@ namespace percuss {
 
 /// The multiplier l with s_e(l) = flow(l s_e(l)); 0 where the trial is not above flow.at_rest. Where the flow stress
 /// does not fall with dp, l is at most where s_e has fallen to flow.at_rest, for which the slower of its two parts
-/// gives a bound; a table that falls is seen one step later. Newton's method from that bound, kept between bounds; a
-/// lane stays as it is once it has converged, so that its bits do not depend on its neighbours.
+/// gives a bound; a table that falls is seen one step later.
 template <class T, class Flow>
 PERCUSS_FORCE_INLINE T find_plane_multiplier(const PlaneElasticity& elasticity, const PlaneTrial<T>& trial,
                                              const Flow& flow) {
-  constexpr int most_steps = 60;
-  constexpr double tolerance = 1e-13, next_to_molten = 1e-12;  // of the trial's equivalent stress
+  constexpr double next_to_molten = 1e-12;  // of the trial's equivalent stress
   const auto [k_normal, k_shear] = find_return_rates(elasticity);
   const T start = square_root(trial.normal + trial.shear);
   const auto yields = start > flow.at_rest;
   if (!any(yields)) return T(0);
   const T floor = select(yields, larger(flow.at_rest, T(next_to_molten) * start), T(1));
-  T low = T(0), high = select(yields, (start - floor) / (T(smaller(k_normal, k_shear)) * floor), T(1)), l = high;
-  auto open = yields;
-  for (int i = 0; i < most_steps && any(open); ++i) {
-    const T a = T(1) / (T(1) + T(k_normal) * l), b = T(1) / (T(1) + T(k_shear) * l);
+  const T high = select(yields, (start - floor) / (T(smaller(k_normal, k_shear)) * floor), T(1));
+  return find_falling_root(yields, high, start, [&, kn = k_normal, ks = k_shear](const T& l) {
+    const T a = T(1) / (T(1) + T(kn) * l), b = T(1) / (T(1) + T(ks) * l);
     const T normal = trial.normal * a * a, shear = trial.shear * b * b;
     const T equivalent = larger(square_root(normal + shear), T(1e-300));
-    const T slope = -(T(k_normal) * a * normal + T(k_shear) * b * shear) / equivalent;
+    const T slope = -(T(kn) * a * normal + T(ks) * b * shear) / equivalent;
     const FlowStress<T> now = flow(l * equivalent);
-    const T excess = equivalent - now.value;
-    low = select(open && excess > T(0), l, low);
-    high = select(open && excess <= T(0), l, high);
-    const T newton = l - excess / (slope - now.slope * (equivalent + l * slope));
-    const T next = select(newton > low && newton < high, newton, T(0.5) * (low + high));
-    open = open && larger(excess, -excess) > T(tolerance) * start && high - low > T(1e-15) * high;
-    l = select(open, next, l);
-  }
-  return select(yields, l, T(0));
+    return ValueAndSlope<T>{equivalent - now.value, slope - now.slope * (equivalent + l * slope)};
+  });
 }
 
 /// A layer of any of these laws, called through its number: one compiled shell serves them all. History: that of the

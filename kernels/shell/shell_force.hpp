@@ -25,10 +25,6 @@ constexpr int find_shell_record_size(int points, int history_count) {
   return ShellRecord::layers + points * (ShellRecord::stress_count + history_count);
 }
 
-KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
-  return chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0;
-}
-
 /// Scalars of a point of the shells of a chunk.
 KOKKOS_INLINE_FUNCTION int find_layer_size(const HexChunks& chunks, int c) {
   return (chunks.record_size(c) - ShellRecord::layers) / chunks.points(c);

@@ -54,7 +54,7 @@ class WatchedRun {
         stepper_(deck, chunked_, model_, contact_),
         audit_(model_) {}
 
-  void run(double noise, Trial& trial) {
+  void run(double noise, BoundedRun& trial) {
     add_noise(model_, noise, state_.v);
     if (contact_.is_active()) contact_.prepare(state_.x, state_.v);
     stepper_.start(state_);
@@ -70,7 +70,7 @@ class WatchedRun {
   }
 
  private:
-  std::string judge(Trial& trial) {
+  std::string judge(BoundedRun& trial) {
     if (state_.bound.failed_element >= 0) return "an element fails";
     if (state_.step % steps_between_audits == 0) {
       const EnergySummary energy = audit_(state_).energy;
@@ -96,10 +96,10 @@ class WatchedRun {
 
 }  // namespace
 
-Trial run_bounded(const Deck& deck, double scale, double noise) {
+BoundedRun run_bounded(const Deck& deck, double scale, double noise) {
   Deck scaled = deck;
   scaled.time.step_scale = scale;
-  Trial trial{scale, false, "", 0, 0, 0};
+  BoundedRun trial{scale, false, "", 0, 0, 0};
   try {
     WatchedRun(scaled).run(noise, trial);
   } catch (const std::exception& error) {  // contact gives up on what flies apart
@@ -108,8 +108,9 @@ Trial run_bounded(const Deck& deck, double scale, double noise) {
   return trial;
 }
 
-std::vector<Trial> search_largest_scale(const Deck& deck, double low, double high, double tolerance, double noise) {
-  std::vector<Trial> trials{run_bounded(deck, high, noise)};
+std::vector<BoundedRun> search_largest_scale(const Deck& deck, double low, double high, double tolerance,
+                                             double noise) {
+  std::vector<BoundedRun> trials{run_bounded(deck, high, noise)};
   if (trials.back().is_bounded) return trials;
   trials.push_back(run_bounded(deck, low, noise));
   if (!trials.back().is_bounded) return trials;

@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-struct Trial {
+struct BoundedRun {
   double scale = 0;  // of the step bound
   bool is_bounded = false;
   std::string outcome;  // "bounded", or what ended it
@@ -21,10 +21,10 @@ struct Trial {
 /// same mesh, that each free node is given on top of the deck's. Stops at the first sign of instability: an element
 /// fails, the balance of energy leaves the deck's audit, kinetic energy exceeds `most_growth` of what the scene was
 /// given.
-Trial run_bounded(const Deck& deck, double scale, double noise);
+BoundedRun run_bounded(const Deck& deck, double scale, double noise);
 
 /// Bisects for the largest scale that stays bounded between low, which is taken to, and high, until they are within
 /// `tolerance` of each other. Every trial in its order: first high, then low if that is not bounded, then the rest.
-std::vector<Trial> search_largest_scale(const Deck& deck, double low, double high, double tolerance, double noise);
+std::vector<BoundedRun> search_largest_scale(const Deck& deck, double low, double high, double tolerance, double noise);
 
 }  // namespace percuss

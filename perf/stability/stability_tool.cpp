@@ -57,7 +57,7 @@ void write_matrices(const std::string& deck_path, const std::string& shapes_path
 }
 
 void print_search(const std::string& deck_path, double low, double high, double tolerance, double noise) {
-  for (const Trial& t : search_largest_scale(read_deck(deck_path), low, high, tolerance, noise)) {
+  for (const BoundedRun& t : search_largest_scale(read_deck(deck_path), low, high, tolerance, noise)) {
     fmt::print(
         "{{\"scale\": {}, \"bounded\": {}, \"outcome\": \"{}\", \"steps\": {}, \"energy_error\": {:.3e}, \"growth\": "
         "{:.3e}}}\n",

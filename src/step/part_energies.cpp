@@ -23,7 +23,7 @@ using P = PartSum;
 struct NodeSum {
   enum : int { kinetic, momentum, mass = momentum + 3, rotation, count };
 };
-using NodeSums = Kokkos::View<double * [NodeSum::count], Kokkos::LayoutRight, MemSpace>;
+using NodeSums = Kokkos::View<double**, Kokkos::LayoutRight, MemSpace>;
 
 const std::vector<std::string>& find_headings(bool can_fail) {
   static const std::vector<std::string> always = {"kinetic",    "internal",   "hourglass",  "viscous",
@@ -132,7 +132,7 @@ PartEnergies::PartEnergies(const Deck& deck, const ChunkedMesh& chunked)
     part_of_chunk_.push_back(part);
   }
   listed_ = to_view("percuss::chunks_of_booked_parts", chunks_);
-  node_sums_ = NodeSums("percuss::part_sums", chunks_.size());
+  node_sums_ = NodeSums("percuss::part_sums", chunks_.size(), NodeSum::count);
 }
 
 /// The sums of this rank, part after part.

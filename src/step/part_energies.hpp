@@ -39,10 +39,10 @@ class PartEnergies {
 
   const ChunkedMesh& chunked_;
   std::vector<BookedPart> parts_;
-  std::vector<int> chunks_;                                             // of this rank that belong to these parts
-  std::vector<int> part_of_chunk_;                                      // [those] into parts_
-  Array<int> listed_;                                                   // the same chunks, for the kernel
-  Kokkos::View<double* [6], Kokkos::LayoutRight, MemSpace> node_sums_;  // [those]
+  std::vector<int> chunks_;                                          // of this rank that belong to these parts
+  std::vector<int> part_of_chunk_;                                   // [those] into parts_
+  Array<int> listed_;                                                // the same chunks, for the kernel
+  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> node_sums_;  // [those][sums]
 };
 
 }  // namespace percuss

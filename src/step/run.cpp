@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -18,6 +17,7 @@
 #include "src/step/checkpoint.hpp"
 #include "src/step/erosion.hpp"
 #include "src/step/phases.hpp"
+#include "src/step/run_checkpoints.hpp"
 #include "src/step/run_checks.hpp"
 #include "src/step/run_notes.hpp"
 #include "src/step/run_output.hpp"
@@ -35,8 +35,6 @@ volatile std::sig_atomic_t stop_requested = 0;
 
 /// Energy and momentum are judged at least this often, also without output.
 constexpr long steps_between_audits = 500;
-
-constexpr const char* checkpoint_name = "/checkpoint.h5";
 
 using Clock = std::chrono::steady_clock;
 
@@ -65,7 +63,6 @@ class Run {
   void note_contact();
   void check_step_made() const;
   CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }
-  bool wants_checkpoints() const { return deck_.output.checkpoint_every || deck_.output.checkpoint_wall; }
   StepWishes find_wishes() const;
   void archive(CheckpointArchive& archive);
   void write_checkpoint();
@@ -93,11 +90,7 @@ class Run {
   AuditResult audited_;
   long audited_step_ = -1;
   RunOutput output_;
-  Schedule checkpoints_due_;
-  Clock::time_point checkpoint_clock_ = Clock::now();  // when the last one was written, or the run began
-  long checkpoint_step_ = -1;                          // of the last one
-  double checkpoint_time_ = 0;
-  std::string checkpoint_;
+  RunCheckpoints checkpoints_;
   bool is_state_whole_ = true;  // false while a step is made
   long start_step_ = 0;         // where this run began
   double first_dt_ = 0;
@@ -121,7 +114,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       erosion_(deck, chunked_, model_, contact_),
       audit_(model_),
       output_(deck, chunked_, model_, contact_, options.out_dir),
-      checkpoints_due_(deck.output.checkpoint_every),
+      checkpoints_(deck, options.out_dir),
       progress_(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet) {
   say(find_start_notes(chunked_, model_, ranks_.size()));
   if (options.restart.empty()) {
@@ -143,7 +136,7 @@ void Run::begin() {
   erode();
   first_dt_ = state_.next_dt;
   limiting_element_id_ = state_.bound.element_id;
-  checkpoints_due_.advance(state_.time);  // none at time 0
+  checkpoints_.begin(state_.time);  // none at time 0
 }
 
 void Run::restart() {
@@ -158,10 +151,8 @@ void Run::restart() {
   complete_state(chunked_, model_, state_);
   compute_start_ = compute_seconds();
   stepper_.resume(state_);
-  start_step_ = checkpoint_step_ = state_.step;
-  checkpoint_time_ = state_.time;
-  checkpoint_ = options_.restart;
-  checkpoints_due_.advance(state_.time);
+  start_step_ = state_.step;
+  checkpoints_.note(options_.restart, state_);
   if (speaks()) print_quietly(stderr, "goes on from step {}, t = {:.6g}\n", state_.step, state_.time);
 }
 
@@ -200,7 +191,7 @@ void Run::loop() {
   while (!is_finished() && !stepper_.is_stop_agreed()) advance();
   // The checkpoint goes before the last row and frame, which a run that goes on does not have.
   const bool is_interrupted = !is_finished();
-  if (checkpoint_step_ != state_.step && (is_interrupted || wants_checkpoints())) write_checkpoint();
+  if (checkpoints_.step() != state_.step && (is_interrupted || checkpoints_.are_wanted())) write_checkpoint();
   observe_last();
 }
 
@@ -216,7 +207,7 @@ void Run::advance() {
   check_step_made();
   erode();
   observe();
-  if (stepper_.is_checkpoint_agreed() || checkpoints_due_.is_due(state_.time)) write_checkpoint();
+  if (stepper_.is_checkpoint_agreed() || checkpoints_.is_due(state_.time)) write_checkpoint();
   if (!is_finished() && !stepper_.is_stop_agreed()) progress_.report(find_progress());  // finish() has the last word
 }
 
@@ -231,8 +222,7 @@ void Run::erode() {
 StepWishes Run::find_wishes() const {
   StepWishes wishes;
   wishes.stop = stop_requested != 0;
-  wishes.checkpoint = ranks_.rank() == 0 && !options_.out_dir.empty() && deck_.output.checkpoint_wall &&
-                      find_seconds(checkpoint_clock_) >= *deck_.output.checkpoint_wall;
+  wishes.checkpoint = ranks_.rank() == 0 && checkpoints_.is_clock_due();
   return wishes;
 }
 
@@ -301,15 +291,8 @@ void Run::write_checkpoint() {
   if (options_.out_dir.empty()) return;
   const Phase phase("percuss::output", stepper_.clocks().output);
   output_.sync();
-  const std::string path = options_.out_dir + checkpoint_name;
-  CheckpointWriter writer(path, make_checkpoint_header(deck_, chunked_, model_, state_), chunked_, ranks_);
-  archive(writer);
-  writer.finish();
-  checkpoint_ = path;
-  checkpoint_step_ = state_.step;
-  checkpoint_time_ = state_.time;
-  checkpoint_clock_ = Clock::now();
-  checkpoints_due_.advance(state_.time);
+  checkpoints_.write(make_checkpoint_header(deck_, chunked_, model_, state_), chunked_, ranks_, state_,
+                     [&](CheckpointArchive& to) { archive(to); });
 }
 
 ProgressState Run::find_progress() const {
@@ -368,10 +351,7 @@ void Run::fail(const std::exception& error) {
   }
   if (!speaks() || options_.out_dir.empty()) return;
   print_quietly(stderr, "results: {}\n", options_.out_dir);
-  std::error_code lost;  // with the folder itself
-  if (checkpoint_.empty() || !std::filesystem::exists(checkpoint_, lost)) return;
-  print_quietly(stderr, "checkpoint: {}, step {}, t = {:.6g}; from there: percuss run {} --restart {}\n", checkpoint_,
-                checkpoint_step_, checkpoint_time_, deck_.file, checkpoint_);
+  if (const std::string hint = checkpoints_.describe(); !hint.empty()) say({hint});
 }
 
 RunResult Run::operator()() {
@@ -387,7 +367,7 @@ RunResult Run::operator()() {
   }
   const bool interrupted = stepper_.is_stop_agreed() && !is_finished();
   finish(interrupted ? "interrupted" : "completed", "");
-  return {interrupted ? ExitCode::interrupted : ExitCode::done, summary_, checkpoint_};
+  return {interrupted ? ExitCode::interrupted : ExitCode::done, summary_, checkpoints_.path()};
 }
 
 }  // namespace
