@@ -185,32 +185,53 @@ Array<int> copy(const Array<const int>& from, const char* label) {
   return to;
 }
 
-/// Orders points and boxes anew.
-void order_blocks(const PointQuery& query, const Boxes& boxes, BlockScratch& scratch) {
+std::vector<int> order_points(const PointQuery& query) {
   const auto x = to_host(query.x);
   const auto points = to_host(query.points);
-  const auto box = to_host(boxes);
-  const std::size_t num_points = query.point_names.extent(0), num_boxes = query.box_names.extent(0);
-  std::vector<double> places(3 * num_points), centres(3 * num_boxes);
-  for (std::size_t i = 0; i < num_points; ++i)
+  const std::size_t count = query.point_names.extent(0);
+  std::vector<double> places(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
     for (std::size_t axis = 0; axis < 3; ++axis) places[3 * i + axis] = x(points(i), axis);
-  for (std::size_t i = 0; i < num_boxes; ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis) centres[3 * i + axis] = 0.5 * (box(i, axis) + box(i, axis + 3));
   std::vector<int> order;
   find_kd_order(places, order);
+  return order;
+}
+
+std::vector<int> order_boxes(const PointQuery& query, const Boxes& boxes) {
+  const auto box = to_host(boxes);
+  const std::size_t count = query.box_names.extent(0);
+  std::vector<double> centres(3 * count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t axis = 0; axis < 3; ++axis) centres[3 * i + axis] = 0.5 * (box(i, axis) + box(i, axis + 3));
+  std::vector<int> order;
+  find_kd_order(centres, order);
+  return order;
+}
+
+/// Puts points and boxes in order, where there is none anew. Returns whether both went on.
+bool order_blocks(const PointQuery& query, const Boxes& boxes, BlockScratch& scratch) {
+  std::vector<int>&point_order = scratch.point_order.order, &box_order = scratch.box_order.order;
+  const std::size_t num_points = query.point_names.extent(0), num_boxes = query.box_names.extent(0);
+  const bool goes_on =
+      scratch.is_other && !scratch.is_worn && point_order.size() == num_points && box_order.size() == num_boxes;
+  if (!goes_on) {
+    point_order = order_points(query);
+    box_order = order_boxes(query, boxes);
+  }
   std::vector<int> names(num_points), rows(num_points);
-  const auto point_names = to_host(query.point_names);
+  const auto point_names = to_host(query.point_names), points = to_host(query.points);
   for (std::size_t i = 0; i < num_points; ++i) {
-    names[i] = point_names(static_cast<std::size_t>(order[i]));
-    rows[i] = points(static_cast<std::size_t>(order[i]));
+    names[i] = point_names(static_cast<std::size_t>(point_order[i]));
+    rows[i] = points(static_cast<std::size_t>(point_order[i]));
   }
   scratch.names = to_view("contact::ordered_names", names);
   scratch.rows = to_view("contact::ordered_rows", rows);
-  find_kd_order(centres, order);
-  set_order(order, scratch.tree);
+  set_order(box_order, scratch.tree);
   scratch.point_names = copy(query.point_names, "contact::ordered_points");
   scratch.point_rows = copy(query.points, "contact::rows_of_points");
   scratch.box_names = copy(query.box_names, "contact::ordered_boxes");
+  scratch.is_other = false;
+  return goes_on;
 }
 
 /// Brings the boxes of this search into the order of the tree, with what the rule asks of them.
@@ -303,15 +324,27 @@ void list_hits(const Space& space, const BlockWalk<Rule>& walk, int blocks, Cand
 
 }  // namespace
 
+void identify(const std::vector<std::int64_t>& points, const std::vector<std::int64_t>& boxes, BlockScratch& scratch) {
+  const auto take = [&](const std::vector<std::int64_t>& now, NumberedOrder& of) {
+    if (now == of.numbers) return;
+    of.order = carry_order(of.order, of.numbers, now);
+    of.numbers = now;
+    scratch.is_other = true;
+  };
+  take(points, scratch.point_order);
+  take(boxes, scratch.box_order);
+}
+
 template <class Space, class Rule>
 std::int64_t find_hits_in_blocks(const Space& space, const PointQuery& query, const Boxes& boxes, const Rule& rule,
                                  std::int64_t max_pairs, BlockScratch& scratch, CandidateList& list) {
   constexpr double wear = 1.5;  // tests after which a new order pays, over those that it begins with
   const int num_points = static_cast<int>(query.point_names.extent(0));
-  const bool is_new = scratch.is_worn || !are_equal<Space>(space, query.point_names, scratch.point_names) ||
-                      !are_equal<Space>(space, query.points, scratch.point_rows) ||
-                      !are_equal<Space>(space, query.box_names, scratch.box_names);
-  if (is_new) order_blocks(query, boxes, scratch);
+  const bool is_known = !scratch.is_worn && !scratch.is_other &&
+                        are_equal<Space>(space, query.point_names, scratch.point_names) &&
+                        are_equal<Space>(space, query.points, scratch.point_rows) &&
+                        are_equal<Space>(space, query.box_names, scratch.box_names);
+  const bool goes_on = is_known || order_blocks(query, boxes, scratch);
   const int blocks = (num_points + block_size - 1) / block_size;
   reserve(scratch.first_chunk, blocks);
   reserve(scratch.tests, blocks);
@@ -334,7 +367,7 @@ std::int64_t find_hits_in_blocks(const Space& space, const PointQuery& query, co
   const std::int64_t found = walk_blocks(space, walk, blocks, max_pairs, scratch);
   if (found > max_pairs) return found;
   const double tests = sum_tests(space, walk.tests, blocks);
-  if (is_new) scratch.first_tests = tests;
+  if (!goes_on) scratch.first_tests = tests;
   scratch.is_worn = tests > wear * scratch.first_tests;
   list.num_pairs = static_cast<int>(found);
   reserve(list.face, list.num_pairs);

@@ -51,4 +51,34 @@ void find_kd_order(const std::vector<double>& points, std::vector<int>& order) {
   split(points, order.data(), order.data() + order.size());
 }
 
+std::vector<int> carry_order(const std::vector<int>& order, const std::vector<std::int64_t>& before,
+                             const std::vector<std::int64_t>& now) {
+  constexpr std::size_t part = 8;
+  std::vector<int> places(before.size(), -1), fresh;  // places in `now`
+  std::size_t b = 0;
+  for (std::size_t n = 0; n < now.size(); ++n) {
+    while (b < before.size() && before[b] < now[n]) ++b;
+    if (b < before.size() && before[b] == now[n])
+      places[b] = static_cast<int>(n);
+    else
+      fresh.push_back(static_cast<int>(n));
+  }
+  const std::size_t gone = before.size() + fresh.size() - now.size();
+  if (part * fresh.size() > now.size() || part * gone > before.size()) return {};
+  std::vector<int> carried;
+  carried.reserve(before.size() + fresh.size());
+  for (const int place : order) carried.push_back(places[static_cast<std::size_t>(place)]);
+  auto next = fresh.begin();
+  for (int& place : carried)
+    if (place < 0 && next != fresh.end()) place = *next++;
+  carried.insert(carried.end(), next, fresh.end());
+  for (std::size_t i = 0; i < carried.size(); ++i) {
+    while (!carried.empty() && carried.back() < 0) carried.pop_back();
+    if (i >= carried.size() || carried[i] >= 0) continue;
+    carried[i] = carried.back();
+    carried.pop_back();
+  }
+  return carried;
+}
+
 }  // namespace percuss

@@ -48,12 +48,12 @@ struct HostHistory {
 };
 
 void carry_nodes(const HostHistory& old, const HistoryOwners& before, const HistoryOwners& now, HostHistory& out) {
-  for (std::size_t n = 0; n < now.nodes.size(); ++n) {
-    const int o = find_number(before.nodes, now.nodes[n]);
-    if (o < 0) continue;
+  for (std::size_t n = 0, o = 0; n < now.nodes.size(); ++n) {
+    while (o < before.nodes.size() && before.nodes[o] < now.nodes[n]) ++o;
+    if (o == before.nodes.size() || before.nodes[o] != now.nodes[n]) continue;
     for (std::size_t i = 0; i < touches; ++i) {
-      out.face(touches * n + i) = old.face(touches * at(o) + i);
-      out.copy_record(touches * n + i, old, touches * at(o) + i);
+      out.face(touches * n + i) = old.face(touches * o + i);
+      out.copy_record(touches * n + i, old, touches * o + i);
     }
   }
   const NumberMap places(before.wall_pairs);

@@ -68,8 +68,8 @@ class ContactFinder {
   virtual DecompositionReport report() const = 0;
   virtual SearchLoad load() const = 0;
 
-  /// Goes on where a finder of the surface before left off: cuts, counts and clocks.
-  virtual void take_over(const ContactFinder& /*before*/) {}
+  /// Goes on where a finder of the surface before left off: cuts, orders, counts and clocks.
+  virtual void take_over(const ContactFinder& before) = 0;
 
   /// Of a search, what went into the decomposition: steps (5.1) to (5.5).
   virtual PhaseClock decomposition_clock() const = 0;

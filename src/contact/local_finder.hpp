@@ -22,12 +22,14 @@ class LocalFinder : public ContactFinder {
   std::vector<int> node_ranks() const override;
   DecompositionReport report() const override { return {}; }
   SearchLoad load() const override;
+  void take_over(const ContactFinder& before) override;
   PhaseClock decomposition_clock() const override { return {}; }
   Traffic traffic() const override { return {}; }
 
  private:
   std::int64_t search_faces(const SurfaceMotion& motion, double margin);
   std::int64_t search_edges(const SurfaceMotion& motion, double margin);
+  void identify_items();
   int check_faces(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches);
 
   const SurfaceShare& share_;

@@ -92,6 +92,7 @@ void RankedFinder::take_over(const ContactFinder& before) {
   decomposition_.take_over(other.decomposition_);
   decomposition_clock_ = other.decomposition_clock_;
   traffic_before_ = other.traffic();
+  scratch_ = other.scratch_;
 }
 
 SearchLoad RankedFinder::load() const {
@@ -109,6 +110,10 @@ std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
   const ContactSurface surface = make_contact_surface(list_search_surface(nodes, faces), share_);
   const Boxes boxes = copy_boxes(faces);
   const Rows3<double> x = copy_places(nodes);
+  std::vector<std::int64_t> node_numbers, face_numbers;
+  for (const NodeRecord& node : nodes) node_numbers.push_back(node.number);
+  for (const FaceRecord& face : faces) face_numbers.push_back(face.face.number);
+  identify(node_numbers, face_numbers, scratch_.blocks);
   std::int64_t pairs = 0;
   run_where_it_pays(static_cast<int>(faces.size()) / 2, [&](const auto& space) {
     pairs = find_points_in_boxes(space, surface, x, boxes, limit, scratch_, found_);

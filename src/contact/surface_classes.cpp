@@ -24,6 +24,7 @@ PairRule find_rule(const ContactDeck& contact, const SurfaceSet& node, const Sur
 }
 
 void sort_unique(std::vector<SurfaceSet>& sets) {
+  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());  // neighbours are mostly alike: little is left to sort
   std::sort(sets.begin(), sets.end());
   sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
 }

@@ -7,6 +7,7 @@
 
 #include "comm/item_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/buckets.hpp"
 #include "src/contact/face_corners.hpp"
 #include "src/contact/face_springs.hpp"
 #include "src/contact/surface_classes.hpp"
@@ -21,17 +22,29 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 constexpr int hex_neighbours[8][3] = {{1, 3, 4}, {0, 2, 5}, {1, 3, 6}, {0, 2, 7},
                                       {0, 5, 7}, {1, 4, 6}, {2, 5, 7}, {3, 4, 6}};
 
-/// The corner across the element from a corner of a face.
-int find_back_corner(int face, int corner) {
-  const int* on_face = hex_faces[face];
-  for (const int neighbour : hex_neighbours[corner])
-    if (std::find(on_face, on_face + 4, neighbour) == on_face + 4) return neighbour;
-  return corner;
+/// The corner across the element from each corner of a face.
+using BackCorners = std::array<std::array<int, 4>, 6>;
+
+BackCorners list_back_corners() {
+  BackCorners backs{};
+  for (std::size_t face = 0; face < 6; ++face) {
+    const int* const on_face = hex_faces[face];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int* const around = hex_neighbours[on_face[i]];
+      backs[face][i] = *std::find_if(
+          around, around + 3, [&](int corner) { return std::find(on_face, on_face + 4, corner) == on_face + 4; });
+    }
+  }
+  return backs;
 }
 
 void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& faces, SurfaceShare& share) {
   const Mesh& mesh = chunked.mesh;
   const std::vector<std::int64_t> numbers = list_element_numbers(chunked);
+  const BackCorners back_corners = list_back_corners();
+  share.faces.reserve(faces.size());
+  share.face_corners.reserve(faces.size());
+  share.face_backs.reserve(faces.size());
   for (const ElementFace& f : faces) {
     FaceTopology face;
     face.number = 6 * numbers[at(f.element)] + f.face;
@@ -40,9 +53,8 @@ void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& face
     if (is_shell(mesh.elements[at(f.element)])) face.offset = 0.5 * mesh.parts[at(face.part)].thickness;
     std::array<int, 4> corners{}, backs{};
     for (std::size_t i = 0; i < 4; ++i) {
-      const int corner = hex_faces[f.face][i];
-      corners[i] = mesh.elements[at(f.element)][at(corner)];
-      backs[i] = mesh.elements[at(f.element)][at(find_back_corner(f.face, corner))];
+      corners[i] = mesh.elements[at(f.element)][at(hex_faces[f.face][i])];
+      backs[i] = mesh.elements[at(f.element)][at(back_corners[at(f.face)][i])];
       face.corners[i] = mesh.node_numbers[at(corners[i])];
       face.backs[i] = mesh.node_numbers[at(backs[i])];
     }
@@ -60,18 +72,27 @@ struct CornerNotice {
   FaceTopology face;
 };
 
-CornerNotice make_notice(const Mesh& mesh, const SurfaceShare& share, std::size_t face, std::size_t corner,
-                         double spring) {
-  const auto measure = [&](int a, int b) {
-    const Vec3 &p = mesh.nodes[at(a)], &q = mesh.nodes[at(b)];
-    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-  };
-  const std::array<int, 4>& nodes = share.face_corners[face];
-  const int node = nodes[corner];
-  return {share.faces[face].corners[corner],
-          std::min(measure(node, nodes[find_next_corner(nodes, corner)]),
-                   measure(node, nodes[find_previous_corner(nodes, corner)])),
-          spring / static_cast<double>(count_corners(nodes)), share.faces[face]};
+/// What an owned node is told of a face around it or, by a face without a number, of itself as a particle.
+struct NodeNotice {
+  int node = 0;  // of this rank's mesh
+  double size = 0, spring = 0;
+  const FaceTopology* face = nullptr;
+};
+
+/// Lengths of the edges of a face, from each corner to the next.
+std::array<double, 4> measure_edges(const Mesh& mesh, const std::array<int, 4>& corners) {
+  std::array<double, 4> lengths{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3 &p = mesh.nodes[at(corners[i])], &q = mesh.nodes[at(corners[(i + 1) % 4])];
+    lengths[i] = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  }
+  return lengths;
+}
+
+/// The shorter of the two edges that meet at a corner, which is not one repeated.
+double find_corner_size(const std::array<int, 4>& corners, const std::array<double, 4>& lengths, std::size_t corner) {
+  const std::size_t next = (corner + 1) % 4, previous = (corner + 3) % 4;
+  return std::min(lengths[corners[next] == corners[corner] ? next : corner], lengths[previous]);
 }
 
 /// Of nodes that no element holds any more: what their dead elements say of them, without a face. part_classes: the
@@ -105,53 +126,80 @@ std::vector<CornerNotice> list_particles(const Mesh& mesh, const Deck& deck, con
   return notices;
 }
 
-/// Tells the owner of every corner about each face of this rank, and of particles; returns what the owned nodes were
-/// told, by (node, face).
-std::vector<CornerNotice> exchange_notices(const ChunkedMesh& chunked, const SurfaceShare& share,
-                                           const std::vector<double>& springs, std::vector<CornerNotice> notices,
-                                           UnstructuredExchange& exchange) {
+/// What the owned nodes are told. Held: what other ranks and particles say, to which notices point as they do to the
+/// faces of the share.
+struct ToldNodes {
+  std::vector<CornerNotice> held;
+  std::vector<NodeNotice> notices;
+};
+
+/// Tells the owner of every corner about each face of this rank, and of particles.
+ToldNodes tell_nodes(const ChunkedMesh& chunked, const SurfaceShare& share, const std::vector<double>& springs,
+                     std::vector<CornerNotice> sent, UnstructuredExchange& exchange) {
+  const Mesh& mesh = chunked.mesh;
+  const int own = exchange.ranks().rank();
+  ToldNodes told;
+  told.notices.reserve(4 * share.faces.size());
   std::vector<int> owners;
-  notices.reserve(notices.size() + 4 * share.faces.size());
-  owners.reserve(notices.capacity());
-  for (const CornerNotice& notice : notices) owners.push_back(chunked.numbering.find_node_owner(notice.node));
+  for (const CornerNotice& notice : sent) owners.push_back(chunked.numbering.find_node_owner(notice.node));
   for (std::size_t f = 0; f < share.faces.size(); ++f) {
+    const FaceTopology& face = share.faces[f];
+    const std::array<int, 4>& corners = share.face_corners[f];
+    const std::array<double, 4> lengths = measure_edges(mesh, corners);
+    const double spring = springs[f] / static_cast<double>(count_corners(corners));
     for (std::size_t i = 0; i < 4; ++i) {
-      if (is_repeated(share.face_corners[f], i)) continue;
-      notices.push_back(make_notice(chunked.mesh, share, f, i, springs[f]));
-      owners.push_back(chunked.numbering.find_node_owner(notices.back().node));
+      if (is_repeated(corners, i)) continue;
+      const double size = find_corner_size(corners, lengths, i);
+      const int owner = chunked.numbering.find_node_owner(face.corners[i]);
+      if (owner == own) {
+        told.notices.push_back({corners[i], size, spring, &face});
+      } else {
+        sent.push_back({face.corners[i], size, spring, face});
+        owners.push_back(owner);
+      }
     }
   }
-  std::vector<CornerNotice> received = ItemExchange(exchange.ranks()).send(owners, notices);
-  std::sort(received.begin(), received.end(), [](const CornerNotice& a, const CornerNotice& b) {
-    return a.node != b.node ? a.node < b.node : a.face.number < b.face.number;
-  });
-  return received;
+  told.held = ItemExchange(exchange.ranks()).send(owners, sent);
+  for (const CornerNotice& notice : told.held) {
+    const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), notice.node);
+    told.notices.push_back(
+        {static_cast<int>(place - mesh.node_numbers.begin()), notice.size, notice.spring, &notice.face});
+  }
+  return told;
 }
 
 /// particle_classes: out, [nodes] classes of the surfaces of particles.
-void list_nodes(const Mesh& mesh, const std::vector<CornerNotice>& notices, OwnedContactNodes& nodes,
+void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, OwnedContactNodes& nodes,
                 std::vector<std::vector<int>>& particle_classes) {
-  for (const CornerNotice& notice : notices) {
-    if (nodes.numbers.empty() || nodes.numbers.back() != notice.node) {
-      const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), notice.node);
-      nodes.mesh_nodes.push_back(static_cast<int>(place - mesh.node_numbers.begin()));
-      nodes.numbers.push_back(notice.node);
-      nodes.ids.push_back(mesh.node_ids[at(nodes.mesh_nodes.back())]);
-      nodes.sizes.push_back(std::numeric_limits<double>::infinity());
-      nodes.springs.push_back(0);
-      nodes.parts.push_back(notice.face.part);
-      nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
-      particle_classes.emplace_back();
+  std::vector<int> told;
+  told.reserve(notices.size());
+  for (const NodeNotice& notice : notices) told.push_back(notice.node);
+  Buckets by_node = sort_into_buckets(told, mesh.nodes.size());
+  nodes.faces.reserve(notices.size());
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    const auto first = by_node.items.begin() + by_node.first[n], last = by_node.items.begin() + by_node.first[n + 1];
+    if (first == last) continue;
+    std::sort(first, last, [&](int a, int b) { return notices[at(a)].face->number < notices[at(b)].face->number; });
+    nodes.mesh_nodes.push_back(static_cast<int>(n));
+    nodes.numbers.push_back(mesh.node_numbers[n]);
+    nodes.ids.push_back(mesh.node_ids[n]);
+    nodes.sizes.push_back(std::numeric_limits<double>::infinity());
+    nodes.springs.push_back(0);
+    nodes.parts.push_back(notices[at(*first)].face->part);
+    nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
+    particle_classes.emplace_back();
+    for (auto item = first; item != last; ++item) {
+      const NodeNotice& notice = notices[at(*item)];
+      nodes.sizes.back() = std::min(nodes.sizes.back(), notice.size);
+      if (notice.face->number < 0) {  // of a particle, in no certain order
+        nodes.springs.back() = std::max(nodes.springs.back(), notice.spring);
+        nodes.parts.back() = std::min(nodes.parts.back(), notice.face->part);
+        particle_classes.back().push_back(notice.face->surface_class);
+        continue;
+      }
+      nodes.springs.back() += notice.spring;
+      nodes.faces.push_back(*notice.face);
     }
-    nodes.sizes.back() = std::min(nodes.sizes.back(), notice.size);
-    if (notice.face.number < 0) {  // in no certain order
-      nodes.springs.back() = std::max(nodes.springs.back(), notice.spring);
-      nodes.parts.back() = std::min(nodes.parts.back(), notice.face.part);
-      particle_classes.back().push_back(notice.face.surface_class);
-      continue;
-    }
-    nodes.springs.back() += notice.spring;
-    nodes.faces.push_back(notice.face);
   }
   nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
 }
@@ -294,10 +342,9 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   std::vector<int> part_classes;
   for (const SurfaceSet& set : part_sets) part_classes.push_back(of_faces.find(set));
   std::vector<std::vector<int>> particle_classes;
-  list_nodes(mesh,
-             exchange_notices(chunked, share, find_face_springs(mesh, deck, faces),
-                              list_particles(mesh, deck, part_classes), exchange),
-             share.nodes, particle_classes);
+  const ToldNodes told = tell_nodes(chunked, share, find_face_springs(mesh, deck, faces),
+                                    list_particles(mesh, deck, part_classes), exchange);
+  list_nodes(mesh, told.notices, share.nodes, particle_classes);
   const std::vector<SurfaceSet> node_sets = find_node_surfaces(share.nodes, of_faces, particle_classes);
   std::vector<SurfaceSet> all = of_faces.sets;
   all.insert(all.end(), node_sets.begin(), node_sets.end());

@@ -1,7 +1,6 @@
 #include "src/step/erosion.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -90,14 +89,10 @@ std::vector<int> Erosion::list_newly_dead(const State& state) {
 
 void Erosion::find_neighbours() {
   const Mesh& mesh = chunked_.mesh;
-  first_around_.assign(mesh.nodes.size() + 1, 0);
-  for (const auto& corners : mesh.elements)
-    for (const int n : corners) ++first_around_[at(n) + 1];
-  std::partial_sum(first_around_.begin(), first_around_.end(), first_around_.begin());
-  around_.resize(8 * mesh.elements.size());
-  std::vector<int> next(first_around_.begin(), first_around_.end() - 1);
-  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e)
-    for (const int n : mesh.elements[at(e)]) around_[at(next[at(n)]++)] = e;
+  std::vector<int> corners;
+  corners.reserve(8 * mesh.elements.size());
+  for (const auto& element : mesh.elements) corners.insert(corners.end(), element.begin(), element.end());
+  around_ = sort_into_buckets(corners, mesh.nodes.size());
 }
 
 /// The face of this rank with these nodes, of an element other than `but`, as 6 * element + face; -1: none here.
@@ -105,8 +100,8 @@ int Erosion::find_across(const FaceKey& face, int but) const {
   const Mesh& mesh = chunked_.mesh;
   const int node = find_local_node(chunked_, face[0]);
   if (node < 0) return -1;
-  for (int i = first_around_[at(node)]; i < first_around_[at(node) + 1]; ++i) {
-    const int e = around_[at(i)];
+  for (int i = around_.first[at(node)]; i < around_.first[at(node) + 1]; ++i) {
+    const int e = around_.items[at(i)] / 8;
     if (is_shell(mesh.elements[at(e)])) continue;  // both of its faces are exterior as long as it lives
     for (int f = 0; e != but && f < 6; ++f)
       if (sort_numbers(mesh, e, f) == face) return 6 * e + f;
@@ -117,7 +112,7 @@ int Erosion::find_across(const FaceKey& face, int but) const {
 /// Faces between a dead element and a living one belong to the surface.
 void Erosion::open_faces(const std::vector<int>& newly_dead) {
   Mesh& mesh = chunked_.mesh;
-  if (!newly_dead.empty() && first_around_.empty()) find_neighbours();
+  if (!newly_dead.empty() && around_.items.empty()) find_neighbours();
   const auto open = [&](int face) {
     std::uint8_t& mask = mesh.exterior[at(face / 6)];
     if (mesh.eroded.dead[at(face / 6)] == 0) mask = static_cast<std::uint8_t>(mask | (1U << (face % 6)));
@@ -135,7 +130,7 @@ void Erosion::open_faces(const std::vector<int>& newly_dead) {
   for (const int e : newly_dead) mesh.exterior[at(e)] = 0;
   if (model_.ranks.size() == 1) return;
   const std::vector<FaceKey> asked = gather_items(model_.ranks, elsewhere);
-  if (!asked.empty() && first_around_.empty()) find_neighbours();
+  if (!asked.empty() && around_.items.empty()) find_neighbours();
   for (const FaceKey& key : asked) {
     const int other = find_across(key, -1);
     if (other >= 0) open(other);

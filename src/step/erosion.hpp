@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "comm/halo_swap.hpp"
+#include "src/contact/buckets.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/step/books.hpp"
 #include "src/step/state.hpp"
@@ -48,10 +49,10 @@ class Erosion {
   ChunkedMesh& chunked_;
   const Model& model_;
   ContactStage& contact_;
-  std::optional<HaloSwap> halo_;            // where anything can erode
-  std::vector<int> first_around_, around_;  // elements around each node; made when the first one dies
-  std::vector<int> loaded_elements_;        // [pressure faces] the element of each
-  Rows3<double> slot_holders_, holders_;    // living elements at each slot and node, in the first column
+  std::optional<HaloSwap> halo_;          // where anything can erode
+  Buckets around_;                        // corners of elements, 8 each, at each node; made when the first one dies
+  std::vector<int> loaded_elements_;      // [pressure faces] the element of each
+  Rows3<double> slot_holders_, holders_;  // living elements at each slot and node, in the first column
 };
 
 }  // namespace percuss
