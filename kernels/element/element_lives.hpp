@@ -37,6 +37,11 @@ struct FailureLimits {
   bool takes_inverted = false;  // so does no positive volume
   int fade_steps = 1;           // evaluations until a failed element, or layer of a shell, has no force
   double layers = 1;            // of a shell: share of the thickness that has to fail
+
+  KOKKOS_INLINE_FUNCTION bool reads_stress() const {
+    return tension < none || principal_stress < none || johnson_cook.any();
+  }
+  KOKKOS_INLINE_FUNCTION bool reads_stretch() const { return principal_strain < none; }
 };
 
 /// The chunks that can fail; const after set-up.

@@ -13,29 +13,34 @@ constexpr int width = FailingRecords::width;
 KOKKOS_INLINE_FUNCTION Symmetric3<double> read_tensor(const Real* record, int first, int points) {
   double mean[6];
   for (int k = 0; k < 6; ++k) {
-    double sum = 0;
-    for (int p = 0; p < points; ++p) sum += record[(first + 6 * p + k) * width];
-    mean[k] = sum / points;
+    double sum = record[(first + k) * width];
+    for (int p = 1; p < points; ++p) sum += record[(first + 6 * p + k) * width];
+    mean[k] = points > 1 ? sum / points : sum;
   }
   return {mean[0], mean[1], mean[2], mean[3], mean[4], mean[5]};
 }
 
 /// A scalar of the history, the mean over the points; 0 where there is none.
 KOKKOS_INLINE_FUNCTION double read_scalar(const Real* record, int first, int points) {
+  if (first < 0) return 0;
+  if (points == 1) return record[first * width];
   double mean = 0;
-  for (int p = 0; first >= 0 && p < points; ++p) mean += double{record[(first + p) * width]} / points;
+  for (int p = 0; p < points; ++p) mean += double{record[(first + p) * width]} / points;
   return mean;
 }
 
+/// What the limits ask of an element.
 KOKKOS_INLINE_FUNCTION ElementLoad read_load(const HexChunks& chunks, int c, const FailureLimits& limits,
                                              const Real* record) {
-  const int points = chunks.points(c), strain = chunks.find_scalar(c, HistoryScalar::equivalent_plastic_strain);
+  const int points = chunks.points(c);
   ElementLoad load;
-  load.stress = read_tensor(record, HexRecord::stress, points);
-  load.stretch = read_tensor(record, HexRecord::stretch, 1);
-  load.plastic_strain = read_scalar(record, strain, points);
-  const int temperature = chunks.find_scalar(c, HistoryScalar::temperature);
-  if (temperature >= 0) load.homologous = find_homologous(limits, read_scalar(record, temperature, points));
+  if (limits.reads_stress()) load.stress = read_tensor(record, HexRecord::stress, points);
+  if (limits.reads_stretch()) load.stretch = read_tensor(record, HexRecord::stretch, 1);
+  load.plastic_strain = read_scalar(record, chunks.find_scalar(c, HistoryScalar::equivalent_plastic_strain), points);
+  if (limits.johnson_cook.any()) {
+    const int temperature = chunks.find_scalar(c, HistoryScalar::temperature);
+    if (temperature >= 0) load.homologous = find_homologous(limits, read_scalar(record, temperature, points));
+  }
   return load;
 }
 

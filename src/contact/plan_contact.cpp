@@ -105,7 +105,8 @@ struct ContactPlanner::Reach {
     requests.add(rank, places.find_fe_rank(node));
     answers.add(places.find_fe_rank(node), rank, end - first);
     for (int f = first; f < end; ++f) {
-      for (const std::int64_t corner : nodes.faces[at(f)].corners) need(static_cast<int>(corner), rank);
+      for (const std::int64_t corner : planner.share_.face(nodes.faces[at(f)]).corners)
+        need(static_cast<int>(corner), rank);
     }
   }
 };

@@ -180,7 +180,8 @@ std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<s
   std::vector<FaceTopology> faces;
   for (const int n : asked.published) {
     counts.push_back(own.first_face[at(n) + 1] - own.first_face[at(n)]);
-    faces.insert(faces.end(), own.faces.begin() + own.first_face[at(n)], own.faces.begin() + own.first_face[at(n) + 1]);
+    for (int f = own.first_face[at(n)]; f < own.first_face[at(n) + 1]; ++f)
+      faces.push_back(share_.face(own.faces[at(f)]));
   }
   const ExchangePlan answer = reverse(asked.request);
   std::vector<FaceTopology> received = exchange_sized(data_, answer, sum_by_run(answer.to, counts), faces);

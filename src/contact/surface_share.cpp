@@ -75,8 +75,8 @@ struct CornerNotice {
 /// What an owned node is told of a face around it or, by a face without a number, of itself as a particle.
 struct NodeNotice {
   int node = 0;  // of this rank's mesh
+  int face = 0;  // SurfaceShare::face()
   double size = 0, spring = 0;
-  const FaceTopology* face = nullptr;
 };
 
 /// Lengths of the edges of a face, from each corner to the next.
@@ -126,20 +126,15 @@ std::vector<CornerNotice> list_particles(const Mesh& mesh, const Deck& deck, con
   return notices;
 }
 
-/// What the owned nodes are told. Held: what other ranks and particles say, to which notices point as they do to the
-/// faces of the share.
-struct ToldNodes {
-  std::vector<CornerNotice> held;
-  std::vector<NodeNotice> notices;
-};
-
-/// Tells the owner of every corner about each face of this rank, and of particles.
-ToldNodes tell_nodes(const ChunkedMesh& chunked, const SurfaceShare& share, const std::vector<double>& springs,
-                     std::vector<CornerNotice> sent, UnstructuredExchange& exchange) {
+/// Tells the owner of every corner about each face of this rank, and of particles. Returns what the owned nodes are
+/// told: of faces of the share in their order, then of `told_faces`, which it fills.
+std::vector<NodeNotice> tell_nodes(const ChunkedMesh& chunked, const std::vector<double>& springs,
+                                   std::vector<CornerNotice> sent, UnstructuredExchange& exchange,
+                                   SurfaceShare& share) {
   const Mesh& mesh = chunked.mesh;
   const int own = exchange.ranks().rank();
-  ToldNodes told;
-  told.notices.reserve(4 * share.faces.size());
+  std::vector<NodeNotice> notices;
+  notices.reserve(4 * share.faces.size());
   std::vector<int> owners;
   for (const CornerNotice& notice : sent) owners.push_back(chunked.numbering.find_node_owner(notice.node));
   for (std::size_t f = 0; f < share.faces.size(); ++f) {
@@ -152,25 +147,27 @@ ToldNodes tell_nodes(const ChunkedMesh& chunked, const SurfaceShare& share, cons
       const double size = find_corner_size(corners, lengths, i);
       const int owner = chunked.numbering.find_node_owner(face.corners[i]);
       if (owner == own) {
-        told.notices.push_back({corners[i], size, spring, &face});
+        notices.push_back({corners[i], static_cast<int>(f), size, spring});
       } else {
         sent.push_back({face.corners[i], size, spring, face});
         owners.push_back(owner);
       }
     }
   }
-  told.held = ItemExchange(exchange.ranks()).send(owners, sent);
-  for (const CornerNotice& notice : told.held) {
+  for (const CornerNotice& notice : ItemExchange(exchange.ranks()).send(owners, sent)) {
     const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), notice.node);
-    told.notices.push_back(
-        {static_cast<int>(place - mesh.node_numbers.begin()), notice.size, notice.spring, &notice.face});
+    const std::size_t face = share.faces.size() + share.told_faces.size();
+    share.told_faces.push_back(notice.face);
+    notices.push_back(
+        {static_cast<int>(place - mesh.node_numbers.begin()), static_cast<int>(face), notice.size, notice.spring});
   }
-  return told;
+  return notices;
 }
 
 /// particle_classes: out, [nodes] classes of the surfaces of particles.
-void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, OwnedContactNodes& nodes,
+void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, SurfaceShare& share,
                 std::vector<std::vector<int>>& particle_classes) {
+  OwnedContactNodes& nodes = share.nodes;
   std::vector<int> told;
   told.reserve(notices.size());
   for (const NodeNotice& notice : notices) told.push_back(notice.node);
@@ -179,41 +176,46 @@ void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, OwnedC
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     const auto first = by_node.items.begin() + by_node.first[n], last = by_node.items.begin() + by_node.first[n + 1];
     if (first == last) continue;
-    std::sort(first, last, [&](int a, int b) { return notices[at(a)].face->number < notices[at(b)].face->number; });
+    const auto face_of = [&](int item) -> const FaceTopology& { return share.face(notices[at(item)].face); };
+    if (at(notices[at(*(last - 1))].face) >= share.faces.size())  // the rank's own faces are in order
+      std::sort(first, last, [&](int a, int b) { return face_of(a).number < face_of(b).number; });
     nodes.mesh_nodes.push_back(static_cast<int>(n));
     nodes.numbers.push_back(mesh.node_numbers[n]);
     nodes.ids.push_back(mesh.node_ids[n]);
     nodes.sizes.push_back(std::numeric_limits<double>::infinity());
     nodes.springs.push_back(0);
-    nodes.parts.push_back(notices[at(*first)].face->part);
+    nodes.parts.push_back(face_of(*first).part);
     nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
     particle_classes.emplace_back();
     for (auto item = first; item != last; ++item) {
       const NodeNotice& notice = notices[at(*item)];
+      const FaceTopology& face = face_of(*item);
       nodes.sizes.back() = std::min(nodes.sizes.back(), notice.size);
-      if (notice.face->number < 0) {  // of a particle, in no certain order
+      if (face.number < 0) {  // of a particle, in no certain order
         nodes.springs.back() = std::max(nodes.springs.back(), notice.spring);
-        nodes.parts.back() = std::min(nodes.parts.back(), notice.face->part);
-        particle_classes.back().push_back(notice.face->surface_class);
+        nodes.parts.back() = std::min(nodes.parts.back(), face.part);
+        particle_classes.back().push_back(face.surface_class);
         continue;
       }
       nodes.springs.back() += notice.spring;
-      nodes.faces.push_back(*notice.face);
+      nodes.faces.push_back(notice.face);
     }
   }
   nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
 }
 
 /// Surfaces of each owned node: those of all faces around it, of a particle those of its parts.
-std::vector<SurfaceSet> find_node_surfaces(const OwnedContactNodes& nodes, const SurfaceClasses& classes,
+std::vector<SurfaceSet> find_node_surfaces(const SurfaceShare& share, const SurfaceClasses& classes,
                                            const std::vector<std::vector<int>>& particle_classes) {
+  const OwnedContactNodes& nodes = share.nodes;
   std::vector<SurfaceSet> sets(at(nodes.count()));
   for (std::size_t n = 0; n < sets.size(); ++n) {
     const auto add = [&](int surface_class) {
       const SurfaceSet& set = classes.sets[at(surface_class)];
       sets[n].insert(sets[n].end(), set.begin(), set.end());
     };
-    for (int f = nodes.first_face[n]; f < nodes.first_face[n + 1]; ++f) add(nodes.faces[at(f)].surface_class);
+    for (int f = nodes.first_face[n]; f < nodes.first_face[n + 1]; ++f)
+      add(share.face(nodes.faces[at(f)]).surface_class);
     for (const int surface_class : particle_classes[n]) add(surface_class);
     std::sort(sets[n].begin(), sets[n].end());
     sets[n].erase(std::unique(sets[n].begin(), sets[n].end()), sets[n].end());
@@ -264,7 +266,7 @@ void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const Surface
     face.surface_class = classes.find(of_faces.sets[at(face.surface_class)]);
   };
   std::for_each(share.faces.begin(), share.faces.end(), renumber);
-  std::for_each(share.nodes.faces.begin(), share.nodes.faces.end(), renumber);
+  std::for_each(share.told_faces.begin(), share.told_faces.end(), renumber);
   for (const SurfaceSet& set : node_sets) share.nodes.classes.push_back(classes.find(set));
   std::vector<double> friction;
   std::vector<int> pair_number;
@@ -296,7 +298,7 @@ void set_offsets(const Mesh& mesh, const Communicator& ranks, SurfaceShare& shar
   const OwnedContactNodes& nodes = share.nodes;
   for (std::size_t n = 0; n < nodes.searched.size(); ++n)
     for (int f = nodes.first_face[n]; nodes.searched[n] != 0 && f < nodes.first_face[n + 1]; ++f)
-      largest = std::max(largest, nodes.faces[at(f)].offset);
+      largest = std::max(largest, share.face(nodes.faces[at(f)]).offset);
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
            "MPI_Allreduce");
   share.largest_offset = largest;
@@ -342,10 +344,11 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   std::vector<int> part_classes;
   for (const SurfaceSet& set : part_sets) part_classes.push_back(of_faces.find(set));
   std::vector<std::vector<int>> particle_classes;
-  const ToldNodes told = tell_nodes(chunked, share, find_face_springs(mesh, deck, faces),
-                                    list_particles(mesh, deck, part_classes), exchange);
-  list_nodes(mesh, told.notices, share.nodes, particle_classes);
-  const std::vector<SurfaceSet> node_sets = find_node_surfaces(share.nodes, of_faces, particle_classes);
+  list_nodes(mesh,
+             tell_nodes(chunked, find_face_springs(mesh, deck, faces), list_particles(mesh, deck, part_classes),
+                        exchange, share),
+             share, particle_classes);
+  const std::vector<SurfaceSet> node_sets = find_node_surfaces(share, of_faces, particle_classes);
   std::vector<SurfaceSet> all = of_faces.sets;
   all.insert(all.end(), node_sets.begin(), node_sets.end());
   std::vector<FoundEdge> edges;

@@ -34,10 +34,10 @@ struct OwnedContactNodes {
   std::vector<int> classes;           // as FaceTopology::surface_class
   std::vector<int> parts;             // index into Mesh::parts
   std::vector<double> sizes;          // shortest edge of the faces around each at time 0 [length]
-  std::vector<double> springs;      // stiffness of each (kernels/contact/springs.hpp) [force/length]; 0 without penalty
-  std::vector<int> first_face;      // [nodes + 1] into faces
-  std::vector<FaceTopology> faces;  // around each node, ascending number; a free particle has none
-  std::vector<char> searched;       // whether it may touch any face
+  std::vector<double> springs;  // stiffness of each (kernels/contact/springs.hpp) [force/length]; 0 without penalty
+  std::vector<int> first_face;  // [nodes + 1] into faces
+  std::vector<int> faces;       // around each node, ascending number: SurfaceShare::face(); a free particle has none
+  std::vector<char> searched;   // whether it may touch any face
 
   int count() const { return static_cast<int>(mesh_nodes.size()); }
 };
@@ -45,6 +45,7 @@ struct OwnedContactNodes {
 struct SurfaceShare {
   OwnedContactNodes nodes;
   std::vector<FaceTopology> faces;                           // of this rank's elements, ascending number
+  std::vector<FaceTopology> told_faces;                      // of others' elements, at nodes that this rank owns
   std::vector<char> face_searched;                           // whether it may be touched by any node
   std::vector<std::array<int, 4>> face_corners, face_backs;  // mesh nodes of this rank
   int num_classes = 1;
@@ -63,6 +64,11 @@ struct SurfaceShare {
   std::vector<int> searched_faces;   // places in `faces`
   Array<const double> reach_list{};  // [searched faces] BoundedFaces::offset
 
+  /// A face that OwnedContactNodes::faces names: one of `faces`, or beyond these of `told_faces`.
+  const FaceTopology& face(int place) const {
+    const auto i = static_cast<std::size_t>(place);
+    return i < faces.size() ? faces[i] : told_faces[i - faces.size()];
+  }
   BoundedFaces bounded_faces() const { return {corner_list, reach_list}; }
 };
 
