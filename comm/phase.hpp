@@ -12,6 +12,17 @@ namespace percuss {
 struct PhaseClock {
   double wall = 0;
   double compute = 0;  // compute_seconds(): waits for other ranks and for the core left out
+
+  PhaseClock& operator+=(const PhaseClock& other) {
+    wall += other.wall;
+    compute += other.compute;
+    return *this;
+  }
+  PhaseClock& operator-=(const PhaseClock& other) {
+    wall -= other.wall;
+    compute -= other.compute;
+    return *this;
+  }
 };
 
 /// Adds its lifetime to a clock and names it as a Kokkos profiling region. Fences at its end, so that the time is that

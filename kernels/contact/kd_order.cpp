@@ -54,6 +54,7 @@ void find_kd_order(const std::vector<double>& points, std::vector<int>& order) {
 std::vector<int> carry_order(const std::vector<int>& order, const std::vector<std::int64_t>& before,
                              const std::vector<std::int64_t>& now) {
   constexpr std::size_t part = 8;
+  if (order.size() != before.size()) return {};
   std::vector<int> places(before.size(), -1), fresh;  // places in `now`
   std::size_t b = 0;
   for (std::size_t n = 0; n < now.size(); ++n) {

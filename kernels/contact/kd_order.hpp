@@ -12,8 +12,8 @@ void find_kd_order(const std::vector<double>& points, std::vector<int>& order);
 
 /// The order of a list that has changed a little. order: places in `before`; both lists ascending, no number twice.
 /// What is in both keeps its block; what is new takes the places of what has gone, then follows, and places that are
-/// left over take the last of the order. Empty if more than an eighth of either list is not in the other: then a new
-/// order pays.
+/// left over take the last of the order. Empty if there is no order of `before`, or if more than an eighth of either
+/// list is not in the other: then a new order pays.
 std::vector<int> carry_order(const std::vector<int>& order, const std::vector<std::int64_t>& before,
                              const std::vector<std::int64_t>& now);
 

@@ -246,8 +246,7 @@ long ContactStage::searches() const { return impl_->searches; }
 ContactClocks ContactStage::clocks() const {
   ContactClocks clocks = impl_->clocks;
   clocks.decomposition = impl_->finder->decomposition_clock();
-  clocks.search.wall -= clocks.decomposition.wall;
-  clocks.search.compute -= clocks.decomposition.compute;
+  clocks.search -= clocks.decomposition;
   return clocks;
 }
 

@@ -56,6 +56,12 @@ std::vector<std::string> name_contact_pairs(const Deck& deck);
 /// Time since the start, by phase.
 struct ContactClocks {
   PhaseClock decomposition, search, check, enforce;
+
+  PhaseClock sum() const {
+    PhaseClock all = decomposition;
+    for (const PhaseClock& clock : {search, check, enforce}) all += clock;
+    return all;
+  }
 };
 
 class ContactStage {

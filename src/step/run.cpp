@@ -214,9 +214,14 @@ void Run::advance() {
 /// Where elements have died, everything else follows before the state is looked at.
 void Run::erode() {
   if (!state_.bound.died) return;
-  const Phase phase("percuss::erosion", stepper_.clocks().reduce);
-  erosion_.redefine(state_, stepper_.bookkeeper());
-  if (!deck_.pressures.empty() || !deck_.nodal_loads.empty()) stepper_.renew_loads(state_);
+  PhaseClock& clock = stepper_.clocks().reduce;
+  clock += contact_.clocks().sum();
+  {
+    const Phase phase("percuss::erosion", clock);
+    erosion_.redefine(state_, stepper_.bookkeeper());
+    if (!deck_.pressures.empty() || !deck_.nodal_loads.empty()) stepper_.renew_loads(state_);
+  }
+  clock -= contact_.clocks().sum();  // has phases of its own
 }
 
 StepWishes Run::find_wishes() const {

@@ -148,6 +148,44 @@ TEST(BlockSearch, TakesOtherPointsThanTheLastTime) {
   }
 }
 
+/// A wall of bricks of which some have gone, and some others have come in places near these.
+struct ChangedWall {
+  BrickScene scene;
+  std::vector<std::int64_t> nodes, faces;  // numbers, ascending
+
+  ChangedWall(int gone, int come) {
+    for (int i = 0; i < 225; ++i)
+      if (i < 100 || i >= 100 + gone) add(i, {1.0 * (i % 15), 1.0 * (i / 15), 0});
+    for (int i = 100; i < 100 + come; ++i) add(125 + i, {1.0 * (i % 15), 1.0 * (i / 15), 0.2});
+  }
+
+  void add(int number, const Point3& place) {
+    scene.add_brick(place, {1, 1, 1});
+    for (int n = 0; n < 8; ++n) nodes.push_back(8 * number + n);
+    for (int f = 0; f < 6; ++f) faces.push_back(6 * number + f);
+  }
+};
+
+TEST(BlockSearch, GoesOnInItsOrderWhenFewItemsAreOthers) {
+  SearchScratch scratch;
+  const auto expect_all_pairs = [&](const ChangedWall& wall) {
+    const Boxes boxes = bound_all(wall.scene, 0.1);
+    identify(wall.nodes, wall.faces, scratch.blocks);
+    EXPECT_EQ(find_pairs<SmallSpace>(wall.scene, boxes, scratch), find_by_brute_force(wall.scene, boxes));
+  };
+  expect_all_pairs({0, 0});
+  const double first_tests = scratch.blocks.first_tests;  // counted where an order is made anew
+  for (int changed = 1; changed < 20; ++changed) {
+    expect_all_pairs({changed, changed});
+    EXPECT_EQ(scratch.blocks.first_tests, first_tests);
+    EXPECT_FALSE(scratch.blocks.is_worn);
+  }
+  for (int gone = 20; gone < 40; ++gone) expect_all_pairs({gone, 20});
+  for (int come = 20; come < 120; come += 7) expect_all_pairs({40, come});
+  expect_all_pairs({110, 0});
+  EXPECT_NE(scratch.blocks.first_tests, first_tests);
+}
+
 TEST(KdOrder, IsAPermutationWhoseBlocksAreSmall) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> place(0, 1);
@@ -171,6 +209,59 @@ TEST(KdOrder, IsAPermutationWhoseBlocksAreSmall) {
     mean += (high - low) / 256;
   }
   EXPECT_LT(mean, 0.25);
+}
+
+std::vector<int> find_order_of_line(std::size_t n) {
+  std::vector<double> points(3 * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) points[3 * i] = static_cast<double>(i);
+  std::vector<int> order;
+  find_kd_order(points, order);
+  return order;
+}
+
+TEST(KdOrder, GoesOnOverAChangeWithNewItemsInThePlacesOfThoseGone) {
+  std::vector<std::int64_t> before(64), now;
+  std::iota(before.begin(), before.end(), 100);
+  const std::vector<int> order = find_order_of_line(64);
+  for (const std::int64_t number : before)
+    if (number != 105 && number != 150) now.push_back(number);
+  now.insert(now.begin(), {7, 8, 9});  // three come, two go
+  const std::vector<int> carried = carry_order(order, before, now);
+  ASSERT_EQ(carried.size(), now.size());
+  std::vector<int> sorted = carried;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], static_cast<int>(i));
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    const std::int64_t was = before[static_cast<std::size_t>(order[place])];
+    const std::int64_t is = now[static_cast<std::size_t>(carried[place])];
+    if (was == 105 || was == 150)
+      EXPECT_LT(is, 10) << place;
+    else
+      EXPECT_EQ(is, was) << place;
+  }
+}
+
+TEST(KdOrder, FillsPlacesThatAreLeftOverFromItsEnd) {
+  std::vector<std::int64_t> before(64), now;
+  std::iota(before.begin(), before.end(), 0);
+  const std::vector<int> order = find_order_of_line(64);
+  for (const std::int64_t number : before)
+    if (number != 3 && number != 62 && number != 63) now.push_back(number);
+  const std::vector<int> carried = carry_order(order, before, now);
+  std::vector<int> sorted = carried;
+  std::sort(sorted.begin(), sorted.end());
+  ASSERT_EQ(sorted.size(), now.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], static_cast<int>(i));
+}
+
+TEST(KdOrder, DoesNotGoOnOverALargeChange) {
+  std::vector<std::int64_t> before(64), now(64);
+  std::iota(before.begin(), before.end(), 0);
+  std::iota(now.begin(), now.end(), 9);
+  const std::vector<int> order = find_order_of_line(64);
+  EXPECT_TRUE(carry_order(order, before, now).empty());
+  EXPECT_FALSE(carry_order(order, before, before).empty());
+  EXPECT_TRUE(carry_order({}, before, before).empty());
 }
 
 TEST(PointOrder, RanksByCoordinateThenByPlaceInTheList) {
