@@ -192,9 +192,7 @@ std::vector<int> order_points(const PointQuery& query) {
   std::vector<double> places(3 * count);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t axis = 0; axis < 3; ++axis) places[3 * i + axis] = x(points(i), axis);
-  std::vector<int> order;
-  find_kd_order(places, order);
-  return order;
+  return find_kd_order(places);
 }
 
 std::vector<int> order_boxes(const PointQuery& query, const Boxes& boxes) {
@@ -203,9 +201,7 @@ std::vector<int> order_boxes(const PointQuery& query, const Boxes& boxes) {
   std::vector<double> centres(3 * count);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t axis = 0; axis < 3; ++axis) centres[3 * i + axis] = 0.5 * (box(i, axis) + box(i, axis + 3));
-  std::vector<int> order;
-  find_kd_order(centres, order);
-  return order;
+  return find_kd_order(centres);
 }
 
 /// Puts points and boxes in order, where there is none anew. Returns whether both went on.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 
 #include "kernels/contact/lane_mask.hpp"
 #include "kernels/contact/point_order.hpp"
@@ -11,16 +10,22 @@
 namespace percuss {
 namespace {
 
-/// The axis along which the points first to last - 1 of the order lie farthest apart.
-int find_widest_axis(const std::vector<double>& points, const int* first, const int* last) {
+/// A point and its place in the list, moved together: looked up by their places, points would come from all over
+/// memory at every comparison.
+struct PlacedPoint {
+  double x[3];
+  int place;
+};
+
+/// The axis along which points lie farthest apart.
+int find_widest_axis(const PlacedPoint* first, const PlacedPoint* last) {
   double low[3], high[3];
   std::fill_n(low, 3, std::numeric_limits<double>::infinity());
   std::fill_n(high, 3, -std::numeric_limits<double>::infinity());
-  for (const int* i = first; i != last; ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double x = points[3 * static_cast<std::size_t>(*i) + axis];
-      low[axis] = std::min(low[axis], x);
-      high[axis] = std::max(high[axis], x);
+  for (const PlacedPoint* point = first; point != last; ++point)
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], point->x[axis]);
+      high[axis] = std::max(high[axis], point->x[axis]);
     }
   int widest = 0;
   for (int axis = 1; axis < 3; ++axis)
@@ -28,27 +33,31 @@ int find_widest_axis(const std::vector<double>& points, const int* first, const 
   return widest;
 }
 
-void split(const std::vector<double>& points, int* first, int* last) {
+void split(PlacedPoint* first, PlacedPoint* last) {
   const std::ptrdiff_t blocks = (last - first + block_size - 1) / block_size;
   if (blocks < 2) return;
-  const auto axis = static_cast<std::size_t>(find_widest_axis(points, first, last));
-  int* const middle = first + block_size * ((blocks + 1) / 2);
-  std::nth_element(first, middle, last, [&](int a, int b) {
+  const int axis = find_widest_axis(first, last);
+  PlacedPoint* const middle = first + block_size * ((blocks + 1) / 2);
+  std::nth_element(first, middle, last, [axis](const PlacedPoint& a, const PlacedPoint& b) {
     // As integers, which have an order even where something is not a number.
-    const std::uint64_t x = make_sort_key(points[3 * static_cast<std::size_t>(a) + axis]);
-    const std::uint64_t y = make_sort_key(points[3 * static_cast<std::size_t>(b) + axis]);
-    return x < y || (x == y && a < b);
+    const std::uint64_t x = make_sort_key(a.x[axis]), y = make_sort_key(b.x[axis]);
+    return x < y || (x == y && a.place < b.place);
   });
-  split(points, first, middle);
-  split(points, middle, last);
+  split(first, middle);
+  split(middle, last);
 }
 
 }  // namespace
 
-void find_kd_order(const std::vector<double>& points, std::vector<int>& order) {
-  order.resize(points.size() / 3);
-  std::iota(order.begin(), order.end(), 0);
-  split(points, order.data(), order.data() + order.size());
+std::vector<int> find_kd_order(const std::vector<double>& points) {
+  std::vector<PlacedPoint> placed(points.size() / 3);
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    placed[i] = {{points[3 * i], points[3 * i + 1], points[3 * i + 2]}, static_cast<int>(i)};
+  split(placed.data(), placed.data() + placed.size());
+  std::vector<int> order;
+  order.reserve(placed.size());
+  for (const PlacedPoint& point : placed) order.push_back(point.place);
+  return order;
 }
 
 std::vector<int> carry_order(const std::vector<int>& order, const std::vector<std::int64_t>& before,

@@ -7,8 +7,9 @@
 namespace percuss {
 
 /// Splits places 0 to n - 1 on the widest extent of what they hold, at a multiple of the block size, by (coordinate,
-/// place), until parts are blocks. points: x, y, z of each; order: out, [n]. On the host; n log n.
-void find_kd_order(const std::vector<double>& points, std::vector<int>& order);
+/// place), until parts are blocks. points: x, y, z of each. Returns the place of each in that order. On the host; n log
+/// n.
+std::vector<int> find_kd_order(const std::vector<double>& points);
 
 /// The order of a list that has changed a little. order: places in `before`; both lists ascending, no number twice.
 /// What is in both keeps its block; what is new takes the places of what has gone, then follows, and places that are

@@ -192,8 +192,7 @@ TEST(KdOrder, IsAPermutationWhoseBlocksAreSmall) {
   std::vector<double> points(3 * 4096);
   for (double& x : points) x = place(random);
   points[7] = std::nan("");
-  std::vector<int> order;
-  find_kd_order(points, order);
+  const std::vector<int> order = find_kd_order(points);
   std::vector<int> sorted = order;
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t i = 0; i < sorted.size(); ++i) ASSERT_EQ(sorted[i], static_cast<int>(i));
@@ -214,9 +213,7 @@ TEST(KdOrder, IsAPermutationWhoseBlocksAreSmall) {
 std::vector<int> find_order_of_line(std::size_t n) {
   std::vector<double> points(3 * n, 0.0);
   for (std::size_t i = 0; i < n; ++i) points[3 * i] = static_cast<double>(i);
-  std::vector<int> order;
-  find_kd_order(points, order);
-  return order;
+  return find_kd_order(points);
 }
 
 TEST(KdOrder, GoesOnOverAChangeWithNewItemsInThePlacesOfThoseGone) {
