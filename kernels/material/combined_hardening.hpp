@@ -29,31 +29,42 @@ struct CombinedHardening {
 
   static constexpr HistoryScalar history_names[] = {HistoryScalar::equivalent_plastic_strain};
   static constexpr int history_count = 7;
+  static constexpr int plane_history_count = 4;  // of a layer of a shell (kernels/shell/hardening_layer.hpp)
   static constexpr bool takes_equation_of_state = true;
 
   KOKKOS_INLINE_FUNCTION LameConstants moduli() const { return find_lame_constants(youngs_modulus, poissons_ratio); }
 
+  /// Modulus of the part that moves the yield surface.
+  KOKKOS_INLINE_FUNCTION double kinematic_modulus() const { return kinematic_share * hardening_modulus; }
+
+  /// Static radius of the yield surface and its slope at p.
+  template <class T>
+  KOKKOS_INLINE_FUNCTION FlowStress<T> find_yield(const T& p) const {
+    const double isotropic = hardening_modulus - kinematic_modulus();
+    return {T(yield_stress) + T(isotropic) * p, T(isotropic)};
+  }
+
+  template <class T>
+  KOKKOS_INLINE_FUNCTION auto start_flow(const T* history, const T& dt) const {
+    return start_rate_flow(*this, history, dt);
+  }
+
   template <class T>
   KOKKOS_INLINE_FUNCTION void update(PointStep<T>& step) const {
     const LameConstants c = moduli();
-    const double kinematic = kinematic_share * hardening_modulus, isotropic = hardening_modulus - kinematic;
-    const double resistance = 3 * c.mu + kinematic;
+    const double resistance = 3 * c.mu + kinematic_modulus();
     T* const h = step.history;
     const Symmetric3<T> back{h[1], h[2], h[3], h[4], h[5], h[6]};
     // the trial about the back stress, which is a deviator
     const Trial<T> trial = find_trial(c, step.stress + T(-1) * back, step.motion.de);
-    const T p = h[0], at_rest = T(yield_stress) + T(isotropic) * p;
-    const auto flow = [&](const T& dp) {
-      const FlowStress<T> yield{at_rest + T(isotropic) * dp, T(isotropic)};
-      return CowperSymonds::apply(cowper_symonds_rate, cowper_symonds_exponent, yield, dp, step.motion.dt);
-    };
-    const T dp = find_plastic_increment(trial.von_mises, resistance, at_rest, flow);
-    h[0] = p + dp;
+    const auto flow = start_flow(h, step.motion.dt);
+    const T dp = find_plastic_increment(trial.von_mises, resistance, flow.at_rest, flow);
+    h[0] = h[0] + dp;
     // da = (2/3) k H (3/2) dp n, n = trial deviator / von Mises stress
     const T over_von_mises = T(1) / larger(trial.von_mises, T(1e-300));
-    const Symmetric3<T> moved = back + (T(kinematic) * dp * over_von_mises) * trial.deviator;
+    const Symmetric3<T> moved = back + (T(kinematic_modulus()) * dp * over_von_mises) * trial.deviator;
     h[1] = moved.xx, h[2] = moved.yy, h[3] = moved.zz, h[4] = moved.xy, h[5] = moved.yz, h[6] = moved.zx;
-    return_stress(trial, resistance, dp, larger(trial.von_mises - T(resistance) * dp, at_rest), step);
+    return_stress(trial, resistance, dp, larger(trial.von_mises - T(resistance) * dp, flow.at_rest), step);
     // what was set is s - a(n+1)
     step.stress = step.stress + moved;
   }

@@ -2,6 +2,7 @@
 // Layers in plane stress of every material whose flow stress depends on the equivalent plastic strain, its rate and the
 // temperature: the solid's own laws, returned to a yield surface without stress across the layer.
 
+#include "kernels/material/combined_hardening.hpp"
 #include "kernels/material/johnson_cook.hpp"
 #include "kernels/material/power_law_plasticity.hpp"
 #include "kernels/material/tabulated_plasticity.hpp"
@@ -15,10 +16,10 @@ namespace percuss {
 /// does not fall with dp, l is at most where s_e has fallen to flow.at_rest, for which the slower of its two parts
 /// gives a bound; a table that falls is seen one step later.
 template <class T, class Flow>
-PERCUSS_FORCE_INLINE T find_plane_multiplier(const PlaneElasticity& elasticity, const PlaneTrial<T>& trial,
+PERCUSS_FORCE_INLINE T find_plane_multiplier(const PlaneReturnRates& rates, const PlaneTrial<T>& trial,
                                              const Flow& flow) {
   constexpr double next_to_molten = 1e-12;  // of the trial's equivalent stress
-  const auto [k_normal, k_shear] = find_return_rates(elasticity);
+  const auto [k_normal, k_shear] = rates;
   const T start = square_root(trial.normal + trial.shear);
   const auto yields = start > flow.at_rest;
   if (!any(yields)) return T(0);
@@ -34,11 +35,22 @@ PERCUSS_FORCE_INLINE T find_plane_multiplier(const PlaneElasticity& elasticity, 
   });
 }
 
+/// Scalars that a layer of a law remembers.
+template <class Law>
+constexpr int count_plane_history() {
+  if constexpr (requires { Law::plane_history_count; })
+    return Law::plane_history_count;
+  else
+    return Law::history_count;
+}
+
 /// A layer of any of these laws, called through its number: one compiled shell serves them all. History: that of the
-/// law, p first.
+/// law, p first. Of a law whose yield surface moves, the back stress in the plane follows: b, whose deviator is the
+/// solid's a, by xx, yy, xy. It moves by db = K l (s - b), which adds K, the kinematic modulus, to both rates at which
+/// the trial about b falls (Simo and Hughes 1998, section 3.4).
 struct HardeningLayer {
-  using Laws = TypeList<PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, JohnsonCook>;
-  static constexpr int most_history = 2;
+  using Laws = TypeList<PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, CombinedHardening, JohnsonCook>;
+  static constexpr int most_history = 4;
   static constexpr bool can_yield = true;
   PlaneElasticity elasticity;
   double density = 0;
@@ -47,8 +59,8 @@ struct HardeningLayer {
 
   template <class Law>
   static HardeningLayer make(const Law& law, const PlaneElasticity& elasticity, double density) {
-    static_assert(Law::history_count <= most_history);
-    HardeningLayer layer{elasticity, density, Law::history_count, {}};
+    static_assert(count_plane_history<Law>() <= most_history);
+    HardeningLayer layer{elasticity, density, count_plane_history<Law>(), {}};
     set_any_of(layer.law, Laws(), law);
     return layer;
   }
@@ -75,17 +87,44 @@ struct HardeningLayer {
   template <class T, class Law>
   PERCUSS_NO_INLINE LayerResponse<T> update_by(const Law& one, T (&stress)[3], T* history, const T (&de)[3],
                                                const T& dt) const {
-    const T before = square_root(stress[0] * stress[0] - stress[0] * stress[1] + stress[1] * stress[1] +
-                                 T(3) * stress[2] * stress[2]);
-    const PlaneTrial<T> trial = find_plane_trial(elasticity, stress, de);
-    const T multiplier = find_plane_multiplier(elasticity, trial, one.start_flow(history, dt));
-    const PlaneReturn<T> to = return_in_plane(elasticity, trial, multiplier, stress);
-    const T dp = multiplier * to.equivalent;
-    history[0] = history[0] + dp;
-    if constexpr (requires { one.heat(history, dp, dp, density); }) {
-      one.heat(history, dp, T(0.5) * (before + to.equivalent), density);
+    if constexpr (requires { one.kinematic_modulus(); }) {
+      return update_about_back_stress(one, stress, history, de, dt);
+    } else {
+      const T before = square_root(stress[0] * stress[0] - stress[0] * stress[1] + stress[1] * stress[1] +
+                                   T(3) * stress[2] * stress[2]);
+      const PlaneReturnRates rates = find_return_rates(elasticity);
+      const PlaneTrial<T> trial = find_plane_trial(elasticity, stress, de);
+      const T multiplier = find_plane_multiplier(rates, trial, one.start_flow(history, dt));
+      const PlaneReturn<T> to = return_in_plane(elasticity, rates, trial, multiplier, stress);
+      const T dp = multiplier * to.equivalent;
+      history[0] = history[0] + dp;
+      if constexpr (requires { one.heat(history, dp, dp, density); }) {
+        one.heat(history, dp, T(0.5) * (before + to.equivalent), density);
+      }
+      return to.response;
     }
-    return to.response;
+  }
+
+  template <class T, class Law>
+  PERCUSS_FORCE_INLINE LayerResponse<T> update_about_back_stress(const Law& one, T (&stress)[3], T* history,
+                                                                 const T (&de)[3], const T& dt) const {
+    const double kinematic = one.kinematic_modulus();
+    const PlaneReturnRates elastic = find_return_rates(elasticity);
+    const PlaneReturnRates rates{elastic.normal + kinematic, elastic.shear + kinematic};
+    T* const back = history + 1;
+    T about[3] = {stress[0] - back[0], stress[1] - back[1], stress[2] - back[2]};
+    const PlaneTrial<T> trial = find_plane_trial(elasticity, about, de);
+    const T multiplier = find_plane_multiplier(rates, trial, one.start_flow(history, dt));
+    const PlaneReturn<T> to = return_in_plane(elasticity, rates, trial, multiplier, about);
+    history[0] = history[0] + multiplier * to.equivalent;
+    const T moves = T(kinematic) * multiplier;
+    for (int k = 0; k < 3; ++k) {
+      back[k] = back[k] + moves * about[k];
+      stress[k] = about[k] + back[k];
+    }
+    // The stress has changed by that of the trial and by that of the back stress.
+    const T across = T(-elasticity.poissons_ratio / elasticity.youngs_modulus) * moves * (about[0] + about[1]);
+    return {to.response.across + across, to.response.share * (T(1) + moves)};
   }
 };
 

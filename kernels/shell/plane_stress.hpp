@@ -72,9 +72,8 @@ struct PlaneReturn {
 
 /// Sets the stress at n+1.
 template <class T>
-PERCUSS_FORCE_INLINE PlaneReturn<T> return_in_plane(const PlaneElasticity& elasticity, const PlaneTrial<T>& trial,
-                                                    const T& multiplier, T (&stress)[3]) {
-  const PlaneReturnRates rates = find_return_rates(elasticity);
+PERCUSS_FORCE_INLINE PlaneReturn<T> return_in_plane(const PlaneElasticity& elasticity, const PlaneReturnRates& rates,
+                                                    const PlaneTrial<T>& trial, const T& multiplier, T (&stress)[3]) {
   const T sum = trial.sum * (T(1) / (T(1) + T(rates.normal) * multiplier));
   const T share = T(1) / (T(1) + T(rates.shear) * multiplier);
   const T difference = share * trial.difference;
@@ -121,7 +120,7 @@ struct J2Layer {
     const T yield = T(yield_stress) + T(hardening_modulus) * history[0];
     T multiplier = T(0);
     if (any(trial.normal + trial.shear > yield * yield)) multiplier = find_multiplier(trial, yield);
-    const PlaneReturn<T> to = return_in_plane(elasticity, trial, multiplier, stress);
+    const PlaneReturn<T> to = return_in_plane(elasticity, find_return_rates(elasticity), trial, multiplier, stress);
     history[0] = history[0] + multiplier * to.equivalent;
     return to.response;
   }
