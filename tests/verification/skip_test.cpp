@@ -20,7 +20,7 @@ output: {history: {every: 0, nodes: [{name: a, near: [0.1, 0.02, 0.02]}]}}
 
 void expect_same_without(const std::string& deck, const std::vector<std::string>& settings, double least) {
   std::vector<std::string> every = settings;
-  every.push_back("elements.skip_resting=false");
+  every.emplace_back("elements.skip_resting=false");
   const Outcome all = run_deck(deck, every), some = run_deck(deck, settings);
   EXPECT_EQ(some.summary.state_hash, all.summary.state_hash);
   EXPECT_EQ(all.summary.skipped.chunk_updates, 0);
