@@ -8,8 +8,6 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 
-NO_OUTPUT = {"output.fields": "{}", "output.history": "{}"}
-
 # Deck, settings of a full run, settings of a quick one. Few steps of many elements: a start is not what is measured.
 SCENES = {
     "block": ("perf/block/deck.yaml", {"time.max_steps": 200}, {"time.max_steps": 60}),
@@ -21,6 +19,8 @@ SCENES = {
     "can_crush": ("inputs/can_crush/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 400}),
     "taylor_bar": ("inputs/taylor_bar/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 400}),
     "sphere_drop": ("inputs/elastic_sphere_drop/deck.yaml", {}, {"time.max_steps": 300}),
+    "can_crush_shells": ("inputs/can_crush_shells/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 400}),
+    "rod_through_plates": ("inputs/rod_through_plates/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 500}),
 }
 CONTACT = ["contact_rcb", "contact_search", "contact_check", "contact_enforce"]
 

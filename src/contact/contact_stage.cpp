@@ -188,8 +188,13 @@ void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) {
   stage.redefine_surface();
   const HistoryOwners now = stage.list_owners();
   stage.history = carry_history(stage.ranks, stage.history, before, now, stage.share, stage.walls);
+  if (!stage.has_pairs()) return;
+  // One search for both: where opened surfaces overlap, and the pairs of the next steps.
   const Phase phase("percuss::contact_redefine", stage.clocks.search);
-  seed_opened(stage.look_for_overlap(*stage.finder), {x, v, 0}, stage.contact.overlap, {before, now}, stage.history);
+  const SurfaceMotion here{x, v, 0};
+  stage.candidates = stage.finder->search(here, stage.bound.restart(here, true));
+  ++stage.searches;
+  seed_opened(stage.look_for_overlap(*stage.finder), here, stage.contact.overlap, {before, now}, stage.history);
 }
 
 void ContactStage::archive(CheckpointArchive& archive) {

@@ -43,7 +43,7 @@ bool ReuseBound::covers(const SurfaceMotion& motion) const {
   return travels_in_margin * find_largest(travel) <= margin_;
 }
 
-double ReuseBound::restart(const SurfaceMotion& motion) {
+double ReuseBound::restart(const SurfaceMotion& motion, bool wide) {
   double move = 0;
   run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
     move = find_largest_move(space, share_.node_list, motion);
@@ -52,7 +52,7 @@ double ReuseBound::restart(const SurfaceMotion& motion) {
     space.fence();
   });
   // Without reuse the boxes only need what a node moves in this step.
-  margin_ = find_largest(move) + (enabled_ ? margin_edges * find_mean_edge(motion) : 0);
+  margin_ = find_largest(move) + (enabled_ || wide ? margin_edges * find_mean_edge(motion) : 0);
   dt_ = motion.dt;
   valid_ = true;
   return margin_;

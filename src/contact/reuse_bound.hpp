@@ -18,8 +18,9 @@ class ReuseBound {
   /// Whether the pairs of the last search still hold all that the check could accept in this step.
   bool covers(const SurfaceMotion& motion) const;
 
-  /// Starts anew at this step's places; returns the margin by which capture boxes must be widened [length].
-  double restart(const SurfaceMotion& motion);
+  /// Starts anew at this step's places; returns the margin by which capture boxes must be widened [length]. wide: also
+  /// where pairs are not used again, for what else asks for them.
+  double restart(const SurfaceMotion& motion, bool wide = false);
 
   /// The last search, so that it can be done again: its margin, places and velocities. Collective.
   void archive(CheckpointArchive& archive, const ChunkRows& contact_nodes);

@@ -177,7 +177,7 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, Conta
   std::sort(faces.begin(), faces.end());
   const auto history_face = to_host(history.face);
   const auto reference = to_host(history.reference);
-  for (const Penetration& p : look_everywhere(search, motion)) {
+  for (const Penetration& p : search.finder.find_penetrations(motion)) {
     const bool is_new =
         std::binary_search(faces.begin(), faces.end(), p.face) ||
         std::binary_search(nodes.begin(), nodes.end(), search.share.nodes.numbers[static_cast<std::size_t>(p.node)]);

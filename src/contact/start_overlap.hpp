@@ -57,7 +57,8 @@ std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap ove
                              std::int64_t deepest_id);
 
 /// Of overlap at the places of `motion`, whose dt is 0, takes into the history what a new node or a new face has, as
-/// seed_history() does. What the surfaces before had is as it was. Collective.
+/// seed_history() does. What the surfaces before had is as it was. Looks at the candidate pairs that the finder has.
+/// Collective.
 void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
                  const SurfaceChange& change, ContactHistory& history);
 
