@@ -1,7 +1,7 @@
 #include "src/contact/contact_decomposition.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 #include "kernels/contact/capture_boxes.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -21,6 +21,20 @@ struct SentPoint {
   std::int64_t id = 0;
   double x[3] = {0, 0, 0};
 };
+
+/// The places of records in the order of their numbers. Sorted are numbers with places: a record is a line of memory
+/// or more, moved once.
+template <class Record, class GetNumber>
+std::vector<int> find_number_order(const std::vector<Record>& records, const GetNumber& get_number) {
+  std::vector<std::pair<std::int64_t, int>> numbers;
+  numbers.reserve(records.size());
+  for (const Record& record : records) numbers.emplace_back(get_number(record), static_cast<int>(numbers.size()));
+  std::sort(numbers.begin(), numbers.end());
+  std::vector<int> order;
+  order.reserve(numbers.size());
+  for (const auto& [number, place] : numbers) order.push_back(place);
+  return order;
+}
 
 template <class Record>
 std::vector<Record> take_in_order(const std::vector<Record>& records, const std::vector<int>& order) {
@@ -162,12 +176,8 @@ void ContactDecomposition::send_nodes_to_owners() {
     records.push_back({share_.nodes.numbers[at(n)], {x(i, 0), x(i, 1), x(i, 2)}, share_.nodes.classes[at(n)]});
   }
   const std::vector<NodeRecord> received = data_.exchange(node_plan_, records);
-  if (received_order_.size() != received.size()) {
-    received_order_.resize(received.size());
-    std::iota(received_order_.begin(), received_order_.end(), 0);
-    std::sort(received_order_.begin(), received_order_.end(),
-              [&](int a, int b) { return received[at(a)].number < received[at(b)].number; });
-  }
+  if (received_order_.size() != received.size())
+    received_order_ = find_number_order(received, [](const NodeRecord& node) { return node.number; });
   nodes_ = take_in_order(received, received_order_);
   if (just_rebalanced_) return;
   const Rows3<double> positions("contact::owned_positions", nodes_.size());
@@ -191,15 +201,16 @@ void ContactDecomposition::send_overlapping_faces() {
   const SendOrder order = order_by_destination(reached_.rank);
   const auto boxes = to_host(boxes_);
   std::vector<FaceRecord> records;
+  records.reserve(order.items.size());
   for (const int i : order.items) {
     const int f = reached_.box[at(i)];
     FaceRecord record{share_.faces[at(share_.searched_faces[at(f)])], {}};
     for (std::size_t k = 0; k < 6; ++k) record.box[k] = boxes(f, k);
     records.push_back(record);
   }
-  faces_ = data_.exchange(exchange_.plan(order.to), records);
-  std::sort(faces_.begin(), faces_.end(),
-            [](const FaceRecord& a, const FaceRecord& b) { return a.face.number < b.face.number; });
+  const std::vector<FaceRecord> received = data_.exchange(exchange_.plan(order.to), records);
+  faces_ =
+      take_in_order(received, find_number_order(received, [](const FaceRecord& face) { return face.face.number; }));
 }
 
 void ContactDecomposition::note_ghost_faces(std::int64_t ghosts) {
