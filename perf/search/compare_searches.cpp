@@ -1,12 +1,13 @@
 // Nanoseconds of a core a contact node and search by both methods, everything counted but the capture boxes: ranking or
 // refitting, the query, the list sorted by node and face. Arguments: numbers of nodes (default 40000 250000 1000000);
-// --blocks: only blocks whose order is kept, many times, for profiles.
+// names of surfaces (default all); --blocks: only blocks whose order is kept, many times, for profiles.
 //
 // "kept": the order of the last search serves, as it nearly always does in a run; "ordered": a new order is made.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <ctime>
 #include <string>
 #include <vector>
@@ -100,18 +101,28 @@ void report(const std::string& name, int num_nodes) {
 
 int main(int argc, char** argv) {
   Kokkos::ScopeGuard kokkos(argc, argv);
+  const std::vector<std::string>& all = percuss::perf::cloud_names();
+  std::vector<std::string> names;
   std::vector<int> sizes;
   bool only_blocks = false;
   for (int i = 1; i < argc; ++i) {
-    if (std::string(argv[i]) == "--blocks")
+    const std::string argument = argv[i];
+    if (argument == "--blocks") {
       only_blocks = true;
-    else
-      sizes.push_back(std::stoi(argv[i]));
+    } else if (std::find(all.begin(), all.end(), argument) != all.end()) {
+      names.push_back(argument);
+    } else if (const int nodes = std::atoi(argv[i]); nodes > 0) {
+      sizes.push_back(nodes);
+    } else {
+      fmt::print(stderr, "compare_searches: error: '{}' is no number of nodes and none of {}\n", argument,
+                 fmt::join(all, ", "));
+      return 2;
+    }
   }
   if (sizes.empty()) sizes = {40'000, 250'000, 1'000'000};
   fmt::print("{:8} {:>9} {:>11} {:>14} {:>7} {:>9}\n", "cloud", "nodes", "pairs/node", "points-in-box", "kept",
              "ordered");
-  for (const std::string& name : percuss::perf::cloud_names())
+  for (const std::string& name : names.empty() ? all : names)
     for (const int nodes : sizes)
       only_blocks ? percuss::perf::report_blocks(name, nodes) : percuss::perf::report(name, nodes);
   return 0;

@@ -155,6 +155,7 @@ EdgeHistory carry_edges(const Communicator& ranks, const EdgeHistory& old, const
   for (std::size_t i = 0; i < old_names.size(); ++i)
     numbers_of_used[at(find_number(used, old_names[i].number))] = new_numbers[i];
   std::vector<std::int64_t> own;
+  own.reserve(now.size());
   for (const EdgeTopology& edge : now) own.push_back(edge.number);
   std::vector<SentRecord> kept;
   for (SentRecord& record : records) {

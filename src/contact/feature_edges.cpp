@@ -247,6 +247,7 @@ std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const std:
   std::vector<FoundEdge> numbered;
   fail_together(exchange.ranks(), [&] { numbered = number_edges(sides); });
   std::vector<int> homes;
+  homes.reserve(numbered.size());
   for (const FoundEdge& found : numbered) homes.push_back(found.edge.home);
   std::vector<FoundEdge> edges = ItemExchange(exchange.ranks()).send(homes, numbered);
   std::sort(edges.begin(), edges.end(),

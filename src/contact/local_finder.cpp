@@ -68,8 +68,7 @@ void LocalFinder::identify_items() {
 
 void LocalFinder::take_over(const ContactFinder& before) {
   const auto& other = dynamic_cast<const LocalFinder&>(before);  // of the same number of ranks
-  scratch_ = other.scratch_;
-  edge_scratch_ = other.edge_scratch_;
+  scratch_.blocks = other.scratch_.blocks;
   identify_items();
 }
 

@@ -92,7 +92,7 @@ void RankedFinder::take_over(const ContactFinder& before) {
   decomposition_.take_over(other.decomposition_);
   decomposition_clock_ = other.decomposition_clock_;
   traffic_before_ = other.traffic();
-  scratch_ = other.scratch_;
+  scratch_.blocks = other.scratch_.blocks;
 }
 
 SearchLoad RankedFinder::load() const {

@@ -136,6 +136,7 @@ std::vector<NodeNotice> tell_nodes(const ChunkedMesh& chunked, const std::vector
   std::vector<NodeNotice> notices;
   notices.reserve(4 * share.faces.size());
   std::vector<int> owners;
+  owners.reserve(sent.size());
   for (const CornerNotice& notice : sent) owners.push_back(chunked.numbering.find_node_owner(notice.node));
   for (std::size_t f = 0; f < share.faces.size(); ++f) {
     const FaceTopology& face = share.faces[f];
@@ -342,6 +343,7 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   const SurfaceClasses of_faces = agree_on_classes(mesh, std::move(named));
   for (std::size_t f = 0; f < faces.size(); ++f) share.faces[f].surface_class = of_faces.find(face_sets[f]);
   std::vector<int> part_classes;
+  part_classes.reserve(part_sets.size());
   for (const SurfaceSet& set : part_sets) part_classes.push_back(of_faces.find(set));
   std::vector<std::vector<int>> particle_classes;
   list_nodes(mesh,
