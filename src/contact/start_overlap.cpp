@@ -121,7 +121,7 @@ void reduce(const Communicator& ranks, StartOverlap& found) {
 }  // namespace
 
 ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls) {
-  const auto faces = static_cast<std::size_t>(contact_limits::max_touches * share.nodes.count());
+  const auto faces = std::size_t{contact_limits::max_touches} * static_cast<std::size_t>(share.nodes.count());
   const std::size_t records = faces + walls.node.extent(0);
   ContactHistory history{
       Array<std::int64_t>("contact::history_face", faces), Rows3<double>("contact::history_impulse", records),
