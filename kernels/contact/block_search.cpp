@@ -204,16 +204,20 @@ std::vector<int> order_boxes(const PointQuery& query, const Boxes& boxes) {
   return find_kd_order(centres);
 }
 
-/// Puts points and boxes in order, where there is none anew. Returns whether both went on.
+/// Whether the order of a list of so many items is one of theirs, whatever their names are now.
+bool is_usable(const NumberedOrder& of, std::size_t count) {
+  return of.numbers.size() == count && of.order.size() == count;
+}
+
+/// Puts points and boxes in order, each anew where it has none that goes on. Returns whether both went on.
 bool order_blocks(const PointQuery& query, const Boxes& boxes, BlockScratch& scratch) {
-  std::vector<int>&point_order = scratch.point_order.order, &box_order = scratch.box_order.order;
   const std::size_t num_points = query.point_names.extent(0), num_boxes = query.box_names.extent(0);
-  const bool goes_on =
-      scratch.is_other && !scratch.is_worn && point_order.size() == num_points && box_order.size() == num_boxes;
-  if (!goes_on) {
-    point_order = order_points(query);
-    box_order = order_boxes(query, boxes);
-  }
+  const bool points_go_on = !scratch.is_worn && is_usable(scratch.point_order, num_points);
+  const bool boxes_go_on = !scratch.is_worn && is_usable(scratch.box_order, num_boxes);
+  std::vector<int>& point_order = scratch.point_order.order;
+  std::vector<int>& box_order = scratch.box_order.order;
+  if (!points_go_on) point_order = order_points(query);
+  if (!boxes_go_on) box_order = order_boxes(query, boxes);
   std::vector<int> names(num_points), rows(num_points);
   const auto point_names = to_host(query.point_names), points = to_host(query.points);
   for (std::size_t i = 0; i < num_points; ++i) {
@@ -227,7 +231,7 @@ bool order_blocks(const PointQuery& query, const Boxes& boxes, BlockScratch& scr
   scratch.point_rows = copy(query.points, "contact::rows_of_points");
   scratch.box_names = copy(query.box_names, "contact::ordered_boxes");
   scratch.is_other = false;
-  return goes_on;
+  return points_go_on && boxes_go_on;
 }
 
 /// Brings the boxes of this search into the order of the tree, with what the rule asks of them.

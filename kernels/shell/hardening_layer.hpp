@@ -108,6 +108,9 @@ struct HardeningLayer {
   template <class T, class Law>
   PERCUSS_FORCE_INLINE LayerResponse<T> update_about_back_stress(const Law& one, T (&stress)[3], T* history,
                                                                  const T (&de)[3], const T& dt) const {
+    static_assert(count_plane_history<Law>() == 4, "p and the back stress by xx, yy, xy");
+    static_assert(
+        !requires { one.heat(history, dt, dt, density); }, "such a law is not heated");
     const double kinematic = one.kinematic_modulus();
     const PlaneReturnRates elastic = find_return_rates(elasticity);
     const PlaneReturnRates rates{elastic.normal + kinematic, elastic.shear + kinematic};
@@ -122,7 +125,7 @@ struct HardeningLayer {
       back[k] = back[k] + moves * about[k];
       stress[k] = about[k] + back[k];
     }
-    // The stress has changed by that of the trial and by that of the back stress.
+    // The stress changes by what s - b and what b change.
     const T across = T(-elasticity.poissons_ratio / elasticity.youngs_modulus) * moves * (about[0] + about[1]);
     return {to.response.across + across, to.response.share * (T(1) + moves)};
   }

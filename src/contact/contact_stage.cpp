@@ -44,6 +44,7 @@ struct ContactStage::Impl {
   bool has_pairs() const { return share.total_searched_faces > 0; }
 
   bool search(const SurfaceMotion& motion);
+  void count_search();
   void search_again();
   int check(const SurfaceMotion& motion);
   bool is_anything_touched(int num_touches) const;
@@ -74,8 +75,9 @@ struct ContactStage::Impl {
   std::vector<std::string> start_notes;
   Array<RowTouch> touches = Array<RowTouch>("contact::row_touches", 0);
   std::int64_t candidates = 0;  // of the last search, on all ranks
-  long searches = 0;
-  bool touched_last = false;  // whether any rank had a row in the last step
+  long searches = 0;            // steps that did
+  bool is_step_counted = true;  // among these; the start is no step
+  bool touched_last = false;    // whether any rank had a row in the last step
   ContactClocks clocks;
 };
 
@@ -84,8 +86,13 @@ bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   const Phase phase("percuss::contact_search", clocks.search);
   if (bound.covers(motion)) return false;
   candidates = finder->search(motion, bound.restart(motion));
-  ++searches;
   return true;
+}
+
+/// One of a step may be made before its contact and one after it.
+void ContactStage::Impl::count_search() {
+  if (!is_step_counted) ++searches;
+  is_step_counted = true;
 }
 
 /// After a restart: the search that found the candidate pairs in use.
@@ -137,7 +144,6 @@ void ContactStage::Impl::refuse_torn_ties(const ContactReport& report) const {
 
 /// Everything that follows from the mesh as it is now, but the history.
 void ContactStage::Impl::redefine_surface() {
-  const Phase phase("percuss::contact_redefine", clocks.search);
   ties = keep_living_ties(chunks, ties_of_start, ranks);
   share = build_surface_share(chunks, deck, ties, exchange);
   tie_rows = TieRows(seen(), ties, contact);
@@ -184,16 +190,16 @@ void ContactStage::restore_surface() {
 
 void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
+  const Phase phase("percuss::contact_redefine", stage.clocks.search);
   const HistoryOwners before = stage.list_owners();
   stage.redefine_surface();
   const HistoryOwners now = stage.list_owners();
   stage.history = carry_history(stage.ranks, stage.history, before, now, stage.share, stage.walls);
   if (!stage.has_pairs()) return;
   // One search for both: where opened surfaces overlap, and the pairs of the next steps.
-  const Phase phase("percuss::contact_redefine", stage.clocks.search);
   const SurfaceMotion here{x, v, 0};
   stage.candidates = stage.finder->search(here, stage.bound.restart(here, true));
-  ++stage.searches;
+  stage.count_search();
   seed_opened(stage.look_for_overlap(*stage.finder), here, stage.contact.overlap, {before, now}, stage.history);
 }
 
@@ -211,7 +217,9 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   Impl& stage = *impl_;
   const SurfaceMotion predicted{motion.x, motion.v, motion.dt};
   ContactReport report;
+  stage.is_step_counted = false;
   report.searched = stage.search(predicted);
+  if (report.searched) stage.count_search();
   report.candidates = stage.candidates;
   const int num_touches = stage.check(predicted);
   const Phase phase("percuss::contact_enforce", stage.clocks.enforce);

@@ -103,7 +103,7 @@ class ContactStage {
 
   std::int64_t contact_nodes() const;  // of the whole scene
   std::int64_t contact_faces() const;
-  long searches() const;  // in steps, and where erosion has redefined the surface
+  long searches() const;  // how many steps searched, for their contact or because erosion had redefined the surface
   DecompositionReport decomposition() const;
   SearchLoad load() const;  // of this rank
 

@@ -46,7 +46,6 @@ LocalFinder::LocalFinder(const SurfaceShare& share, SearchMethod method) : share
   set_surface(make_whole_surface(share), list_face_numbers(share), check_);
   node_numbers_ = to_view("contact::node_numbers", share.nodes.numbers);
   boxes_ = Boxes("contact::boxes", share.searched_faces.size());
-  identify_items();
   if (share.edges.empty()) return;
   const auto find_row = [&](std::int64_t number) {
     return share.nodes.mesh_nodes[static_cast<std::size_t>(find_number(share.nodes.numbers, number))];
@@ -57,19 +56,16 @@ LocalFinder::LocalFinder(const SurfaceShare& share, SearchMethod method) : share
   edge_boxes_ = Boxes("contact::edge_boxes", share.edges.size());
 }
 
-/// What is searched, for an order that goes on over changes of the surface.
-void LocalFinder::identify_items() {
+/// A surface that has changed once may do so again: from now on the order of its search goes on.
+void LocalFinder::take_over(const ContactFinder& before) {
+  if (scratch_.method != SearchMethod::blocks) return;
+  scratch_.blocks = dynamic_cast<const LocalFinder&>(before).scratch_.blocks;  // of the same number of ranks
   std::vector<std::int64_t> nodes, faces;
+  faces.reserve(share_.searched_faces.size());
   for (std::size_t n = 0; n < share_.nodes.searched.size(); ++n)
     if (share_.nodes.searched[n] != 0) nodes.push_back(share_.nodes.numbers[n]);
   for (const int f : share_.searched_faces) faces.push_back(share_.faces[static_cast<std::size_t>(f)].number);
   identify(nodes, faces, scratch_.blocks);
-}
-
-void LocalFinder::take_over(const ContactFinder& before) {
-  const auto& other = dynamic_cast<const LocalFinder&>(before);  // of the same number of ranks
-  scratch_.blocks = other.scratch_.blocks;
-  identify_items();
 }
 
 std::int64_t LocalFinder::search(const SurfaceMotion& motion, double margin) {

@@ -29,7 +29,6 @@ class LocalFinder : public ContactFinder {
  private:
   std::int64_t search_faces(const SurfaceMotion& motion, double margin);
   std::int64_t search_edges(const SurfaceMotion& motion, double margin);
-  void identify_items();
   int check_faces(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches);
 
   const SurfaceShare& share_;

@@ -110,10 +110,14 @@ std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
   const ContactSurface surface = make_contact_surface(list_search_surface(nodes, faces), share_);
   const Boxes boxes = copy_boxes(faces);
   const Rows3<double> x = copy_places(nodes);
-  std::vector<std::int64_t> node_numbers, face_numbers;
-  for (const NodeRecord& node : nodes) node_numbers.push_back(node.number);
-  for (const FaceRecord& face : faces) face_numbers.push_back(face.face.number);
-  identify(node_numbers, face_numbers, scratch_.blocks);
+  if (scratch_.method == SearchMethod::blocks) {  // from search to search, ranks see other faces
+    std::vector<std::int64_t> node_numbers, face_numbers;
+    node_numbers.reserve(nodes.size());
+    face_numbers.reserve(faces.size());
+    for (const NodeRecord& node : nodes) node_numbers.push_back(node.number);
+    for (const FaceRecord& face : faces) face_numbers.push_back(face.face.number);
+    identify(node_numbers, face_numbers, scratch_.blocks);
+  }
   std::int64_t pairs = 0;
   run_where_it_pays(static_cast<int>(faces.size()) / 2, [&](const auto& space) {
     pairs = find_points_in_boxes(space, surface, x, boxes, limit, scratch_, found_);

@@ -44,9 +44,9 @@ struct OwnedContactNodes {
 
 struct SurfaceShare {
   OwnedContactNodes nodes;
-  std::vector<FaceTopology> faces;                           // of this rank's elements, ascending number
-  std::vector<FaceTopology> told_faces;                      // of others' elements, at nodes that this rank owns
-  std::vector<char> face_searched;                           // whether it may be touched by any node
+  std::vector<FaceTopology> faces;       // of this rank's elements, ascending number
+  std::vector<FaceTopology> told_faces;  // of others' elements at nodes of this rank; and of particles, number -1
+  std::vector<char> face_searched;       // whether it may be touched by any node
   std::vector<std::array<int, 4>> face_corners, face_backs;  // mesh nodes of this rank
   int num_classes = 1;
   Array<const double> pair_friction;          // [class of node * num_classes + class of face]; negative: may not touch

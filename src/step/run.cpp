@@ -215,13 +215,14 @@ void Run::advance() {
 void Run::erode() {
   if (!state_.bound.died) return;
   PhaseClock& clock = stepper_.clocks().reduce;
-  clock += contact_.clocks().sum();
+  const PhaseClock before = contact_.clocks().sum();
   {
     const Phase phase("percuss::erosion", clock);
     erosion_.redefine(state_, stepper_.bookkeeper());
     if (!deck_.pressures.empty() || !deck_.nodal_loads.empty()) stepper_.renew_loads(state_);
   }
-  clock -= contact_.clocks().sum();  // has phases of its own
+  clock += before;  // contact has phases of its own
+  clock -= contact_.clocks().sum();
 }
 
 StepWishes Run::find_wishes() const {

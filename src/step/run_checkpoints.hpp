@@ -29,7 +29,8 @@ class RunCheckpoints {
   void begin(double time) { due_.advance(time); }
   /// Takes the file at `path`, of this state, for the last one: a run that is restarted calls it.
   void note(const std::string& path, const State& state);
-  /// Writes the state; archive: everything that belongs to it. Collective. Throws SystemError, the same on all ranks.
+  /// Writes the state, where there is a directory; archive: everything that belongs to it. Collective. Throws
+  /// SystemError, the same on all ranks.
   void write(const CheckpointHeader& header, const ChunkedMesh& chunked, const Communicator& ranks, const State& state,
              const std::function<void(CheckpointArchive&)>& archive);
 

@@ -248,15 +248,23 @@ TEST(KdOrder, FillsPlacesThatAreLeftOverFromItsEnd) {
   std::vector<int> sorted = carried;
   std::sort(sorted.begin(), sorted.end());
   ASSERT_EQ(sorted.size(), now.size());
+  for (std::size_t place = 0; place < carried.size(); ++place) {
+    const std::int64_t was = before[static_cast<std::size_t>(order[place])];
+    if (was != 3 && was != 62 && was != 63) {
+      EXPECT_EQ(now[static_cast<std::size_t>(carried[place])], was) << place;
+    }
+  }
   for (std::size_t i = 0; i < sorted.size(); ++i) EXPECT_EQ(sorted[i], static_cast<int>(i));
 }
 
 TEST(KdOrder, DoesNotGoOnOverALargeChange) {
-  std::vector<std::int64_t> before(64), now(64);
+  std::vector<std::int64_t> before(64), now(64), less(64);
   std::iota(before.begin(), before.end(), 0);
-  std::iota(now.begin(), now.end(), 9);
+  std::iota(now.begin(), now.end(), 9);  // 9 of 64 go and 9 come
+  std::iota(less.begin(), less.end(), 8);
   const std::vector<int> order = find_order_of_line(64);
   EXPECT_TRUE(carry_order(order, before, now).empty());
+  EXPECT_FALSE(carry_order(order, before, less).empty());
   EXPECT_FALSE(carry_order(order, before, before).empty());
   EXPECT_TRUE(carry_order({}, before, before).empty());
 }

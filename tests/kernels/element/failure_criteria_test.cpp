@@ -79,15 +79,17 @@ TEST(Failure, EachLimitIsMetAtItsValue) {
     double FailureLimits::*limit;
     double value;
     ElementLoad below, above;
+    bool reads_stress, reads_stretch;
   };
   ElementLoad long_load = stretch_to(0, {}), longer = long_load;
   long_load.stretch = turn({std::exp(0.2) * 0.999, 1, 1, 0, 0, 0}, 0.3, 0.4);
   longer.stretch = turn({std::exp(0.2) * 1.001, 1, 1, 0, 0, 0}, 0.3, 0.4);
   const Case cases[] = {
-      {&FailureLimits::plastic_strain, 0.3, stretch_to(0.2999, {}), stretch_to(0.3, {})},
-      {&FailureLimits::principal_stress, 5, stretch_to(0, {4.99, -9, 1, 0, 0, 0}), stretch_to(0, {0, 0, 0, 5, 0, 0})},
-      {&FailureLimits::tension, 2, stretch_to(0, {3, 2.9, 0, 0, 0, 0}), stretch_to(0, {3, 3, 0, 0, 0, 0})},
-      {&FailureLimits::principal_strain, 0.2, long_load, longer},
+      {&FailureLimits::plastic_strain, 0.3, stretch_to(0.2999, {}), stretch_to(0.3, {}), false, false},
+      {&FailureLimits::principal_stress, 5, stretch_to(0, {4.99, -9, 1, 0, 0, 0}), stretch_to(0, {0, 0, 0, 5, 0, 0}),
+       true, false},
+      {&FailureLimits::tension, 2, stretch_to(0, {3, 2.9, 0, 0, 0, 0}), stretch_to(0, {3, 3, 0, 0, 0, 0}), true, false},
+      {&FailureLimits::principal_strain, 0.2, long_load, longer, false, true},
   };
   for (const Case& c : cases) {
     FailureLimits limits;
@@ -96,7 +98,12 @@ TEST(Failure, EachLimitIsMetAtItsValue) {
     limits.*c.limit = c.value;
     EXPECT_FALSE(fails(limits, c.below, 1, history));
     EXPECT_TRUE(fails(limits, c.above, 1, history));
+    EXPECT_EQ(limits.reads_stress(), c.reads_stress);
+    EXPECT_EQ(limits.reads_stretch(), c.reads_stretch);
   }
+  FailureLimits damaged;
+  damaged.johnson_cook.d1 = 0.1;
+  EXPECT_TRUE(damaged.reads_stress());
 }
 
 TEST(Failure, TimeAtYieldCountsTheStepsThatFlow) {

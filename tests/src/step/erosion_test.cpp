@@ -208,6 +208,12 @@ TEST(Erosion, APinGoesThroughAHoleInAPlateAndIsHeldByItsRim) {
   }
 }
 
+/// The deck with a search in every step.
+std::string without_reuse(std::string deck) {
+  const std::string contact = "contact: {";
+  return deck.insert(deck.find(contact) + contact.size(), "reuse_search: false, ");
+}
+
 TEST(Erosion, OfShellsIsTheSameOnAnyNumberOfRanks) {
   for (const char* more : {"", "erosion: {free_nodes: remove}\n"}) {
     const std::string deck =
@@ -216,14 +222,18 @@ TEST(Erosion, OfShellsIsTheSameOnAnyNumberOfRanks) {
                                "0.2, 0.3]}]\ncontact: {friction: 0.1}\nloads: {gravity: [0, 0.1, -0.2], pressure: "
                                "[{faces: plate/top, value: 0.01}]}\n") +
                        more);
-    ErodingScene together(deck), alone(deck, Communicator(MPI_COMM_SELF));
-    for (ErodingScene* eroding : {&together, &alone}) {
+    ErodingScene together(deck), alone(deck, Communicator(MPI_COMM_SELF)), searching(without_reuse(deck));
+    for (ErodingScene* eroding : {&together, &alone, &searching}) {
       eroding->kill({{2.5, 2.5, 0}});
       eroding->run(20);
       eroding->kill({{0.5, 0.5, 0}, {1.5, 0.5, 0}, {0.5, 1.5, 0}, {1.5, 1.5, 0}, {4.5, 4.5, 0}});
       eroding->run(60);
     }
     EXPECT_EQ(hash_state(together.scene.model, together.scene.state), hash_state(alone.scene.model, alone.scene.state));
+    EXPECT_EQ(hash_state(searching.scene.model, searching.scene.state),
+              hash_state(alone.scene.model, alone.scene.state));
+    EXPECT_EQ(searching.scene.contact.searches(), 80);  // steps, in two of which elements died
+    EXPECT_LT(together.scene.contact.searches(), 40);
     EXPECT_EQ(together.scene.contact.contact_nodes(), alone.scene.contact.contact_nodes());
     EXPECT_EQ(together.scene.contact.contact_faces(), alone.scene.contact.contact_faces());
     const AuditResult a = together.audit(together.scene.state), b = alone.audit(alone.scene.state);
@@ -243,14 +253,18 @@ TEST(Erosion, IsTheSameOnAnyNumberOfRanks) {
                             "walls: [{point: [0, 0, 0], normal: [0, 0, 1]}]\n"
                             "loads: {gravity: [0, 0.1, -0.2], pressure: [{faces: block/z_max, value: 0.01}]}\n" +
                             more);
-    ErodingScene together(deck), alone(deck, Communicator(MPI_COMM_SELF));
-    for (ErodingScene* eroding : {&together, &alone}) {
+    ErodingScene together(deck), alone(deck, Communicator(MPI_COMM_SELF)), searching(without_reuse(deck));
+    for (ErodingScene* eroding : {&together, &alone, &searching}) {
       eroding->kill({{2.5, 2.5, 2.5}});
       eroding->run(20);
       eroding->kill({{2.5, 2.5, 1.5}, {1.5, 2.5, 2.5}, {0.5, 0.5, 2.5}, {0.5, 0.5, 1.5}, {0.5, 0.5, 0.5}});
       eroding->run(60);
     }
     EXPECT_EQ(hash_state(together.scene.model, together.scene.state), hash_state(alone.scene.model, alone.scene.state));
+    EXPECT_EQ(hash_state(searching.scene.model, searching.scene.state),
+              hash_state(alone.scene.model, alone.scene.state));
+    EXPECT_EQ(searching.scene.contact.searches(), 80);  // steps, in two of which elements died
+    EXPECT_LT(together.scene.contact.searches(), 40);
     EXPECT_EQ(together.scene.contact.contact_nodes(), alone.scene.contact.contact_nodes());
     EXPECT_EQ(together.scene.contact.contact_faces(), alone.scene.contact.contact_faces());
     const AuditResult a = together.audit(together.scene.state), b = alone.audit(alone.scene.state);
