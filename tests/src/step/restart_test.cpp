@@ -12,6 +12,7 @@
 #include "src/error.hpp"
 #include "src/output/checkpoint_file.hpp"
 #include "src/step/run.hpp"
+#include "src/step/run_checkpoints.hpp"
 #include "tests/verification/run_deck.hpp"
 
 namespace percuss::test {
@@ -247,6 +248,36 @@ TEST(Restart, ACheckpointThatCannotBeWrittenEndsTheRunAndLeavesItsResults) {
   EXPECT_THROW(run(stopped(5), folder.path()), SystemError);
   EXPECT_EQ(HistoryTable(folder.path() + "/history.csv").last("step"), 5);
   EXPECT_EQ(read_summary(folder.path() + "/summary.json").status, "failed");
+}
+
+TEST(RunCheckpoints, AreDueByTimeAndNameTheLastOne) {
+  const TemporaryFolder folder;
+  std::string text = blocks;
+  const std::string output = "output: {";
+  const Deck deck = parse_deck(text.insert(text.find(output) + output.size(), "checkpoint: {every: 1e-3}, "), "d.yaml");
+  RunCheckpoints checkpoints(deck, folder.path());
+  EXPECT_TRUE(checkpoints.are_wanted());
+  EXPECT_FALSE(checkpoints.is_clock_due());
+  checkpoints.begin(0);
+  EXPECT_FALSE(checkpoints.is_due(0));
+  EXPECT_FALSE(checkpoints.is_due(9e-4));
+  EXPECT_TRUE(checkpoints.is_due(1e-3));
+  EXPECT_EQ(checkpoints.step(), -1);
+  EXPECT_EQ(checkpoints.describe(), "");
+  const std::string file = folder.path() + "/one.h5";
+  std::ofstream(file) << "a checkpoint";
+  State state;
+  state.step = 7;
+  state.time = 2.5e-3;
+  checkpoints.note(file, state);
+  EXPECT_EQ(checkpoints.step(), 7);
+  EXPECT_FALSE(checkpoints.is_due(2.9e-3));
+  EXPECT_TRUE(checkpoints.is_due(3e-3));
+  EXPECT_THAT(checkpoints.describe(),
+              AllOf(HasSubstr("step 7, t = 0.0025;"), HasSubstr("percuss run d.yaml --restart " + file)));
+  std::filesystem::remove(file);
+  EXPECT_EQ(checkpoints.describe(), "");
+  EXPECT_FALSE(RunCheckpoints(parse_deck(blocks, "d.yaml"), folder.path()).are_wanted());
 }
 
 }  // namespace percuss::test
