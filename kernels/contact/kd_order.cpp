@@ -12,17 +12,17 @@ namespace {
 
 /// A point and its place in the list, moved together: looked up by their places, points would come from all over
 /// memory at every comparison.
-struct PlacedPoint {
+struct ListedPoint {
   double x[3];
   int place;
 };
 
 /// The axis along which points lie farthest apart.
-int find_widest_axis(const PlacedPoint* first, const PlacedPoint* last) {
+int find_widest_axis(const ListedPoint* first, const ListedPoint* last) {
   double low[3], high[3];
   std::fill_n(low, 3, std::numeric_limits<double>::infinity());
   std::fill_n(high, 3, -std::numeric_limits<double>::infinity());
-  for (const PlacedPoint* point = first; point != last; ++point)
+  for (const ListedPoint* point = first; point != last; ++point)
     for (int axis = 0; axis < 3; ++axis) {
       low[axis] = std::min(low[axis], point->x[axis]);
       high[axis] = std::max(high[axis], point->x[axis]);
@@ -33,12 +33,12 @@ int find_widest_axis(const PlacedPoint* first, const PlacedPoint* last) {
   return widest;
 }
 
-void split(PlacedPoint* first, PlacedPoint* last) {
+void split(ListedPoint* first, ListedPoint* last) {
   const std::ptrdiff_t blocks = (last - first + block_size - 1) / block_size;
   if (blocks < 2) return;
   const int axis = find_widest_axis(first, last);
-  PlacedPoint* const middle = first + block_size * ((blocks + 1) / 2);
-  std::nth_element(first, middle, last, [axis](const PlacedPoint& a, const PlacedPoint& b) {
+  ListedPoint* const middle = first + block_size * ((blocks + 1) / 2);
+  std::nth_element(first, middle, last, [axis](const ListedPoint& a, const ListedPoint& b) {
     // As integers, which have an order even where something is not a number.
     const std::uint64_t x = make_sort_key(a.x[axis]), y = make_sort_key(b.x[axis]);
     return x < y || (x == y && a.place < b.place);
@@ -50,13 +50,13 @@ void split(PlacedPoint* first, PlacedPoint* last) {
 }  // namespace
 
 std::vector<int> find_kd_order(const std::vector<double>& points) {
-  std::vector<PlacedPoint> placed(points.size() / 3);
+  std::vector<ListedPoint> placed(points.size() / 3);
   for (std::size_t i = 0; i < placed.size(); ++i)
     placed[i] = {{points[3 * i], points[3 * i + 1], points[3 * i + 2]}, static_cast<int>(i)};
   split(placed.data(), placed.data() + placed.size());
   std::vector<int> order;
   order.reserve(placed.size());
-  for (const PlacedPoint& point : placed) order.push_back(point.place);
+  for (const ListedPoint& point : placed) order.push_back(point.place);
   return order;
 }
 

@@ -83,51 +83,42 @@ struct HardeningLayer {
   }
 
  private:
-  /// The function that each law is compiled as.
+  /// The function that each law is compiled as. Between the two branches `stress` is s - b.
   template <class T, class Law>
   PERCUSS_NO_INLINE LayerResponse<T> update_by(const Law& one, T (&stress)[3], T* history, const T (&de)[3],
                                                const T& dt) const {
-    if constexpr (requires { one.kinematic_modulus(); }) {
-      return update_about_back_stress(one, stress, history, de, dt);
-    } else {
-      const T before = square_root(stress[0] * stress[0] - stress[0] * stress[1] + stress[1] * stress[1] +
-                                   T(3) * stress[2] * stress[2]);
-      const PlaneReturnRates rates = find_return_rates(elasticity);
-      const PlaneTrial<T> trial = find_plane_trial(elasticity, stress, de);
-      const T multiplier = find_plane_multiplier(rates, trial, one.start_flow(history, dt));
-      const PlaneReturn<T> to = return_in_plane(elasticity, rates, trial, multiplier, stress);
-      const T dp = multiplier * to.equivalent;
-      history[0] = history[0] + dp;
-      if constexpr (requires { one.heat(history, dp, dp, density); }) {
-        one.heat(history, dp, T(0.5) * (before + to.equivalent), density);
-      }
-      return to.response;
+    constexpr bool moves = requires { one.kinematic_modulus(); };
+    PlaneReturnRates rates = find_return_rates(elasticity);
+    [[maybe_unused]] T* const back = history + 1;
+    if constexpr (moves) {
+      static_assert(count_plane_history<Law>() == 4, "p and the back stress by xx, yy, xy");
+      rates.normal += one.kinematic_modulus();
+      rates.shear += one.kinematic_modulus();
+      for (int k = 0; k < 3; ++k) stress[k] = stress[k] - back[k];
     }
-  }
-
-  template <class T, class Law>
-  PERCUSS_FORCE_INLINE LayerResponse<T> update_about_back_stress(const Law& one, T (&stress)[3], T* history,
-                                                                 const T (&de)[3], const T& dt) const {
-    static_assert(count_plane_history<Law>() == 4, "p and the back stress by xx, yy, xy");
-    static_assert(
-        !requires { one.heat(history, dt, dt, density); }, "such a law is not heated");
-    const double kinematic = one.kinematic_modulus();
-    const PlaneReturnRates elastic = find_return_rates(elasticity);
-    const PlaneReturnRates rates{elastic.normal + kinematic, elastic.shear + kinematic};
-    T* const back = history + 1;
-    T about[3] = {stress[0] - back[0], stress[1] - back[1], stress[2] - back[2]};
-    const PlaneTrial<T> trial = find_plane_trial(elasticity, about, de);
+    const T before = square_root(stress[0] * stress[0] - stress[0] * stress[1] + stress[1] * stress[1] +
+                                 T(3) * stress[2] * stress[2]);
+    const PlaneTrial<T> trial = find_plane_trial(elasticity, stress, de);
     const T multiplier = find_plane_multiplier(rates, trial, one.start_flow(history, dt));
-    const PlaneReturn<T> to = return_in_plane(elasticity, rates, trial, multiplier, about);
-    history[0] = history[0] + multiplier * to.equivalent;
-    const T moves = T(kinematic) * multiplier;
-    for (int k = 0; k < 3; ++k) {
-      back[k] = back[k] + moves * about[k];
-      stress[k] = about[k] + back[k];
+    const PlaneReturn<T> to = return_in_plane(elasticity, rates, trial, multiplier, stress);
+    const T dp = multiplier * to.equivalent;
+    history[0] = history[0] + dp;
+    if constexpr (requires { one.heat(history, dp, dp, density); }) {
+      one.heat(history, dp, T(0.5) * (before + to.equivalent), density);
     }
-    // The stress changes by what s - b and what b change.
-    const T across = T(-elasticity.poissons_ratio / elasticity.youngs_modulus) * moves * (about[0] + about[1]);
-    return {to.response.across + across, to.response.share * (T(1) + moves)};
+    LayerResponse<T> response = to.response;
+    if constexpr (moves) {
+      const T move = T(one.kinematic_modulus()) * multiplier;
+      // What the change of b adds to the elastic strain across.
+      const T lateral = T(-elasticity.poissons_ratio / elasticity.youngs_modulus) * move;
+      response.across = response.across + lateral * (stress[0] + stress[1]);
+      response.share = response.share * (T(1) + move);
+      for (int k = 0; k < 3; ++k) {
+        back[k] = back[k] + move * stress[k];
+        stress[k] = stress[k] + back[k];
+      }
+    }
+    return response;
   }
 };
 
