@@ -56,7 +56,7 @@ struct CombinedHardening {
     T* const h = step.history;
     const Symmetric3<T> back{h[1], h[2], h[3], h[4], h[5], h[6]};
     // the trial about the back stress, which is a deviator
-    const Trial<T> trial = find_trial(c, step.stress + T(-1) * back, step.motion.de);
+    const ElasticTrial<T> trial = find_trial(c, step.stress + T(-1) * back, step.motion.de);
     const auto flow = start_flow(h, step.motion.dt);
     const T dp = find_plastic_increment(trial.von_mises, resistance, flow.at_rest, flow);
     h[0] = h[0] + dp;

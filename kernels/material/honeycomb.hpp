@@ -55,7 +55,7 @@ struct Honeycomb {
     const auto is_solid = share >= T(1);
     const Symmetric3<T> old = step.stress, de = step.motion.de;
 
-    const Trial<T> trial = find_trial(solid, old, de);
+    const ElasticTrial<T> trial = find_trial(solid, old, de);
     const double resistance = 3 * solid.mu;
     const T dp = select(is_solid, larger(trial.von_mises - T(yield_stress), T(0)) * T(1 / resistance), T(0));
     step.history[0] = step.history[0] + dp;

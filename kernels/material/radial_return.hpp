@@ -20,7 +20,7 @@ using FlowStress = ValueAndSlope<T>;
 
 /// The elastic trial of a step.
 template <class T>
-struct Trial {
+struct ElasticTrial {
   T mean;                  // stress
   Symmetric3<T> deviator;  // stress
   T von_mises;
@@ -33,8 +33,8 @@ KOKKOS_INLINE_FUNCTION Symmetric3<T> add_pressure(const Symmetric3<T>& deviator,
 
 /// The elastic stress after the strain increment, from the one before.
 template <class T>
-KOKKOS_INLINE_FUNCTION Trial<T> find_trial(const LameConstants& c, const Symmetric3<T>& stress,
-                                           const Symmetric3<T>& de) {
+KOKKOS_INLINE_FUNCTION ElasticTrial<T> find_trial(const LameConstants& c, const Symmetric3<T>& stress,
+                                                  const Symmetric3<T>& de) {
   const Symmetric3<T> trial = add_pressure(stress + T(2 * c.mu) * de, T(c.lambda) * trace(de));
   const T mean = T(1.0 / 3.0) * trace(trial);
   const Symmetric3<T> deviator = add_pressure(trial, -mean);
@@ -79,8 +79,8 @@ KOKKOS_INLINE_FUNCTION T find_plastic_increment(const T& von_mises, double resis
 
 /// Sets the stress and what the element has to know from the trial and dp.
 template <class T>
-KOKKOS_INLINE_FUNCTION void return_stress(const Trial<T>& trial, double resistance, const T& dp, const T& flow_stress,
-                                          PointStep<T>& step) {
+KOKKOS_INLINE_FUNCTION void return_stress(const ElasticTrial<T>& trial, double resistance, const T& dp,
+                                          const T& flow_stress, PointStep<T>& step) {
   const T share = T(1) - T(resistance) * dp / larger(trial.von_mises, T(1e-300));
   step.stress = add_pressure(share * trial.deviator, trial.mean);
   const T ratio = share * trial.von_mises / larger(flow_stress, T(1e-300));
@@ -93,7 +93,7 @@ template <class T, class Material>
 KOKKOS_INLINE_FUNCTION void return_by_isotropic_hardening(const Material& m, PointStep<T>& step) {
   const LameConstants c = m.moduli();
   const double resistance = 3 * c.mu;
-  const Trial<T> trial = find_trial(c, step.stress, step.motion.de);
+  const ElasticTrial<T> trial = find_trial(c, step.stress, step.motion.de);
   const auto flow = m.start_flow(step.history, step.motion.dt);
   const T dp = find_plastic_increment(trial.von_mises, resistance, flow.at_rest, flow);
   const T flow_stress = larger(trial.von_mises - T(resistance) * dp, flow.at_rest);

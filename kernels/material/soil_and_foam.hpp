@@ -63,7 +63,7 @@ struct SoilAndFoam {
     const T line = find_compaction(largest) - T(unloading_bulk_modulus) * (largest - strain);
     const T pressure = larger(line, T(-tension_limit));
 
-    Trial<T> trial = find_trial(moduli(), step.stress, step.motion.de);
+    ElasticTrial<T> trial = find_trial(moduli(), step.stress, step.motion.de);
     trial.mean = -pressure;
     const T strength = larger(T(a0) + pressure * (T(a1) + pressure * T(a2)), T(0));
     const double resistance = 3 * shear_modulus;
