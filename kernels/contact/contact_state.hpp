@@ -23,7 +23,9 @@ struct FaceState {
   Array<double> size;    // h of contact_limits.hpp at n
   Boxes box;             // of the face over the step, widened by the reach of the check
 
-  Array<FaceSlab> slab = Array<FaceSlab>("contact::face_slab", 0);  // in scenes with shells
+  // in scenes with shells
+  Rows3<double> normal_at_start = Rows3<double>("contact::face_start_normal", 0);  // outward unit normal at n
+  Array<FaceSlab> slab = Array<FaceSlab>("contact::face_slab", 0);
 };
 
 /// A node as the check of its candidate faces sees it, loaded once.

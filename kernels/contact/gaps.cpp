@@ -10,7 +10,7 @@ constexpr double no_gap = -1;
 KOKKOS_INLINE_FUNCTION double find_gap(const ContactSurface& surface, const SurfaceMotion& motion,
                                        const FaceState& faces, int node, int face) {
   if (surface.node_body(node) == surface.face_body(face)) return no_gap;
-  const RelativeFace relative = load_touched_face(surface, motion, node, face);
+  const RelativeFace relative = load_touched_face(surface, motion, faces, node, face);
   const FacePoint closest = find_closest_point(relative.start);
   if (closest.distance <= contact_limits::overlap * faces.size(face)) return 0;
   const double behind = dot(load_row(faces.normal, face), interpolate(relative.start, closest.weight));

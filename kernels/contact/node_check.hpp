@@ -99,10 +99,10 @@ KOKKOS_INLINE_FUNCTION void decide_around(const ContactSurface& surface, const S
 /// Finds the gap at n of a touch that was accepted without it.
 template <Thickness thickness>
 KOKKOS_INLINE_FUNCTION void settle_start(const ContactSurface& surface, const SurfaceMotion& motion,
-                                         const CheckedNode& node, Touch& touch) {
+                                         const FaceState& faces, const CheckedNode& node, Touch& touch) {
   if (!touch.owes_start) return;
   const double offset = thickness == Thickness::of_shells ? find_offset(surface.offsets, node.node, touch.face) : 0;
-  measure_start(load_touched_face(surface, motion, node.x, node.v, touch.face, offset).start, touch);
+  measure_start(load_touched_face(surface, motion, faces, node.x, node.v, touch.face, offset).start, touch);
 }
 
 /// A node that slips in just below an edge goes through a face that looks past it. It is lifted over the edge by the
@@ -119,7 +119,7 @@ KOKKOS_INLINE_FUNCTION bool is_ruled_out(const ContactSurface& surface, const Su
         share_corner(surface, touch.face, other.face) && are_convex(surface, motion, faces, touch.face, other.face);
     if (!is_edge || touch.opposed == other.opposed) continue;
     Touch& lift = touch.opposed ? found.touch[i] : found.touch[j];
-    settle_start<thickness>(surface, motion, node, lift);
+    settle_start<thickness>(surface, motion, faces, node, lift);
     return (lift.gap_start >= -contact_limits::lift_depth * lift.size) != touch.opposed;
   }
   return touch.beside;
@@ -159,7 +159,7 @@ KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, con
   for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
     if (decided[i]) continue;
     Touch touch = found.touch[i];
-    settle_start<thickness>(surface, motion, checked, touch);
+    settle_start<thickness>(surface, motion, faces, checked, touch);
     claim_record(accepted, touch);
     accepted.touch[accepted.count++] = touch;
     decide_around(surface, motion, faces, found, i, decided);

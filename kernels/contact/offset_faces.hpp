@@ -18,55 +18,64 @@ KOKKOS_INLINE_FUNCTION FacePoints find_face_points(const ContactSurface& surface
   return points;
 }
 
-/// The direction in which a corner of a face is moved, by an offset of 1. points: of the face; own: its normal.
+/// The direction in which a corner of a face is moved, by an offset of 1. points: of the face; normals: of all faces
+/// around it, at the places of `place`.
 template <class Place>
 KOKKOS_INLINE_FUNCTION Point3 find_corner_direction(const ContactSurface& surface, const Place& place,
-                                                    const FacePoints& points, const Point3& own, int face, int corner) {
+                                                    const Rows3<const double>& normals, const FacePoints& points,
+                                                    int face, int corner) {
   const SurfaceOffsets& offsets = surface.offsets;
-  const Point3 point = points.corner[corner];
-  Point3 sum = own, outlook = normalize(point - find_middle(points));
+  const Point3 point = points.corner[corner], own = load_row(normals, face);
+  const bool is_open = offsets.is_open(4 * face + corner) != 0;
+  Point3 sum = own, outlook{};
+  if (is_open) outlook = normalize(point - find_middle(points));
   for (int j = offsets.ring_first(4 * face + corner); j < offsets.ring_first(4 * face + corner + 1); ++j) {
-    const FacePoints other = find_face_points(surface, place, offsets.ring(j));
-    const Point3 normal = find_face_normal(other), from_middle = point - find_middle(other);
-    if (dot(from_middle, own) > 0 || dot(normal, own) > contact_limits::smooth) sum = sum + normal;
-    outlook = outlook + normalize(from_middle);
+    const Point3 normal = load_row(normals, offsets.ring(j));
+    bool is_taken = dot(normal, own) > contact_limits::smooth;
+    if (!is_taken || is_open) {
+      const Point3 from_middle = point - find_middle(find_face_points(surface, place, offsets.ring(j)));
+      is_taken = is_taken || dot(from_middle, own) > 0;
+      if (is_open) outlook = outlook + normalize(from_middle);
+    }
+    if (is_taken) sum = sum + normal;
   }
   Point3 along_face = find_mitre(own, sum);
-  if (offsets.is_open(4 * face + corner) != 0) along_face = along_face + normalize(outlook - dot(outlook, own) * own);
+  if (is_open) along_face = along_face + normalize(outlook - dot(outlook, own) * own);
   return find_outward(own, along_face);
 }
 
-/// The corners of a face moved outward by `offset`, at the places of `place`, relative to its origin.
+/// The corners of a face moved outward by `offset`, at the places of `place`, relative to its origin. normals: as
+/// above.
 template <class Place>
-KOKKOS_INLINE_FUNCTION FacePoints find_moved_face(const ContactSurface& surface, const Place& place, int face,
-                                                  double offset) {
+KOKKOS_INLINE_FUNCTION FacePoints find_moved_face(const ContactSurface& surface, const Place& place,
+                                                  const Rows3<const double>& normals, int face, double offset) {
   const FacePoints points = find_face_points(surface, place, face);
-  const Point3 own = find_face_normal(points);
   FacePoints moved;
   for (int i = 0; i < 4; ++i)
-    moved.corner[i] = points.corner[i] + offset * find_corner_direction(surface, place, points, own, face, i);
+    moved.corner[i] = points.corner[i] + offset * find_corner_direction(surface, place, normals, points, face, i);
   return moved;
 }
 
 /// The face that a node touches, relative to the node: that of the mesh, moved outward where thickness is between them.
 KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                      const Point3& x, const Point3& v, int face, double offset) {
+                                                      const FaceState& faces, const Point3& x, const Point3& v,
+                                                      int face, double offset) {
   RelativeFace relative = load_relative_face(surface, motion, x, v, face);
   if (offset == 0) return relative;
   const auto at_start = [&](int node) { return load_row(motion.x, surface.nodes(node)) - x; };
   const auto at_end = [&](int node) {
     return at_start(node) + motion.dt * (load_row(motion.v, surface.nodes(node)) - v);
   };
-  const FacePoints end = find_moved_face(surface, at_end, face, offset);
-  relative.start = find_moved_face(surface, at_start, face, offset);
+  const FacePoints end = find_moved_face(surface, at_end, faces.normal, face, offset);
+  relative.start = find_moved_face(surface, at_start, faces.normal_at_start, face, offset);
   for (int i = 0; i < 4; ++i) relative.move.corner[i] = end.corner[i] - relative.start.corner[i];
   return relative;
 }
 
 KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                      int node, int face) {
+                                                      const FaceState& faces, int node, int face) {
   const int s = surface.nodes(node);
-  return load_touched_face(surface, motion, load_row(motion.x, s), load_row(motion.v, s), face,
+  return load_touched_face(surface, motion, faces, load_row(motion.x, s), load_row(motion.v, s), face,
                            find_offset(surface.offsets, node, face));
 }
 

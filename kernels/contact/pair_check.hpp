@@ -201,7 +201,7 @@ KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const Surf
         return false;
     }
   }
-  const RelativeFace relative = load_touched_face(surface, motion, node.x, node.v, face, offset);
+  const RelativeFace relative = load_touched_face(surface, motion, faces, node.x, node.v, face, offset);
   const FacePoints end = find_end(relative);
   const PlaneRange range = find_plane_range(relative.start, end, load_row(faces.normal, face));
   if (range.least > contact_limits::row_gap * h || range.most < -reach) return false;

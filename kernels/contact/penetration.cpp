@@ -36,7 +36,7 @@ KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const ContactSurface& surface, 
   const double offset = find_offset(surface.offsets, node, face);
   if (surface.node_body(node) == surface.face_body(face) && !may_overlap(surface, faces, node, face, offset))
     return result;
-  const RelativeFace relative = load_touched_face(surface, motion, node, face);
+  const RelativeFace relative = load_touched_face(surface, motion, faces, node, face);
   const FacePoint closest = find_closest_point(relative.start);
   const double size = faces.size(face);
   result.distance = closest.distance;

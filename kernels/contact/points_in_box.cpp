@@ -155,7 +155,7 @@ std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surf
 }
 
 template <class Space>
-void list_concerned(const Space& space, const ContactSurface& surface, SearchScratch& scratch, CandidateList& list) {
+void list_concerned(const Space& space, const ContactSurface& surface, ConcernedScratch& scratch, CandidateList& list) {
   reserve(scratch.mark, surface.num_faces);
   reserve(scratch.read_nodes, surface.num_nodes);
   reserve(list.nodes, surface.num_nodes);
@@ -192,7 +192,7 @@ void list_concerned(const Space& space, const ContactSurface& surface, SearchScr
                                              const Boxes&, std::int64_t, SearchScratch&, CandidateList&);           \
   template std::int64_t find_hits(const Space&, const PointQuery&, const Boxes&, const EdgePairRule&, std::int64_t, \
                                   SearchScratch&, CandidateList&);                                                  \
-  template void list_concerned(const Space&, const ContactSurface&, SearchScratch&, CandidateList&);
+  template void list_concerned(const Space&, const ContactSurface&, ConcernedScratch&, CandidateList&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -13,6 +13,12 @@ namespace percuss {
 /// How pairs are found: the list is the same.
 enum class SearchMethod { blocks, points_in_box };
 
+/// Memory of list_concerned().
+struct ConcernedScratch {
+  Array<int> mark = Array<int>("contact::mark", 0);
+  Array<int> read_nodes = Array<int>("contact::read_nodes", 0);
+};
+
 /// How to search, and memory kept between searches.
 struct SearchScratch {
   SearchMethod method = SearchMethod::blocks;
@@ -26,8 +32,7 @@ struct SearchScratch {
   Array<int> hit_node = Array<int>("contact::hit_node", 0), hit_face = Array<int>("contact::hit_face", 0);
   Array<std::int64_t> total = Array<std::int64_t>("contact::hit_total", 1);
   Array<int> count = Array<int>("contact::count", 0);
-  Array<int> mark = Array<int>("contact::mark", 0);
-  Array<int> read_nodes = Array<int>("contact::read_nodes", 0);
+  ConcernedScratch concerned;
 };
 
 /// Finds all pairs of a point and a box that holds it and is not ruled out; as find_points_in_boxes(). Rule:
@@ -47,6 +52,6 @@ std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surf
 /// Lists the nodes that have candidates and the faces that their check reads: candidates, the faces around these and
 /// the nodes' own faces.
 template <class Space>
-void list_concerned(const Space& space, const ContactSurface& surface, SearchScratch& scratch, CandidateList& list);
+void list_concerned(const Space& space, const ContactSurface& surface, ConcernedScratch& scratch, CandidateList& list);
 
 }  // namespace percuss

@@ -62,15 +62,21 @@ KOKKOS_INLINE_FUNCTION double find_offset_reach(double face_offset, double large
 KOKKOS_INLINE_FUNCTION Point3 find_mitre(const Point3& own, const Point3& sum) {
   const double along = dot(sum, own);
   const Point3 across = sum - along * own;
-  const double length = norm(across);
-  if (!(length > 0)) return {};
+  const double square = dot(across, across);
+  if (!(square > 0)) return {};
+  // A root is taken where it may be the larger.
+  constexpr double clearly = 1.001;
+  if (along > 0 && along * along > clearly * square) return (1 / along) * across;
+  const double length = std::sqrt(square);
   return (along > length ? 1 / along : 1 / length) * across;
 }
 
 /// The direction in which a corner is moved outward: its part along the normal `own` is 1, so that a flat face stays
 /// parallel to itself, that along the face at most 1.
 KOKKOS_INLINE_FUNCTION Point3 find_outward(const Point3& own, const Point3& along_face) {
-  const double length = norm(along_face);
+  const double square = dot(along_face, along_face);
+  if (square <= 1) return own + along_face;
+  const double length = std::sqrt(square);
   return own + (length > 1 ? 1 / length : 1) * along_face;
 }
 

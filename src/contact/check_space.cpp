@@ -92,17 +92,41 @@ void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>&
     check.faces = {};
     check.faces = {Rows3<double>("contact::face_normal", faces), Array<double>("contact::face_size", faces),
                    Boxes("contact::face_box", faces)};
-    if (surface.offsets.largest > 0) check.faces.slab = Array<FaceSlab>("contact::face_slab", faces);
+    if (surface.offsets.largest > 0) {
+      check.faces.normal_at_start = Rows3<double>("contact::face_start_normal", faces);
+      check.faces.slab = Array<FaceSlab>("contact::face_slab", faces);
+    }
   }
   reserve(check.history_face, contact_limits::max_touches * surface.num_nodes);
 }
 
+void NearPairs::ask(double travel) {
+  forget();
+  if (left_out_ > 0)
+    --left_out_;
+  else
+    travel_ = travel;
+}
+
+template <class Space>
+void NearPairs::make(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+                     const FaceState& faces, const Array<const int>& history_face, const CandidateList& all) {
+  constexpr double worth_it = 0.7;  // share of near pairs above which a list of their own saves nothing
+  constexpr int pause = 7;          // where it is not worth it, the next is listed after so many that are not
+  list_near_pairs(space, surface, motion.x, faces, history_face, all, travel_, scratch_, list_);
+  is_listed_ = list_.num_pairs < worth_it * all.num_pairs;
+  if (!is_listed_) left_out_ = pause;
+  travel_ = 0;
+}
+
 void check_candidates(const SurfaceMotion& motion, CheckSpace& check) {
   check.touches.count = 0;
-  if (check.candidates.num_pairs == 0) return;
-  run_where_it_pays(check.candidates.num_pairs, [&](const auto& space) {
-    update_faces(space, check.surface, motion, check.candidates, check.faces);
-    find_touches(space, check.surface, motion, check.candidates, check.faces, check.history_face, check.touches);
+  if (check.read_pairs().num_pairs == 0) return;
+  run_where_it_pays(check.read_pairs().num_pairs, [&](const auto& space) {
+    update_faces(space, check.surface, motion, check.read_pairs(), check.faces);
+    if (check.near.is_asked())
+      check.near.make(space, check.surface, motion, check.faces, check.history_face, check.candidates);
+    find_touches(space, check.surface, motion, check.checked_pairs(), check.faces, check.history_face, check.touches);
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "kernels/contact/capture_boxes.hpp"
 #include "kernels/contact/detailed_check.hpp"
+#include "kernels/contact/near_pairs.hpp"
 #include "kernels/contact/penetration.hpp"
 #include "src/contact/surface_share.hpp"
 
@@ -24,14 +25,48 @@ struct SurfaceLists {
 
 ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShare& share);
 
+/// The candidate pairs that are near enough to be checked, where there are many others.
+class NearPairs {
+ public:
+  /// The candidate pairs are others now, and all of them are checked.
+  void forget() {
+    is_listed_ = false;
+    travel_ = 0;
+  }
+
+  /// They are to be listed at the next check, for a travel; 0: all are checked.
+  void ask(double travel);
+
+  bool is_asked() const { return travel_ > 0; }
+  bool is_listed() const { return is_listed_; }
+  const CandidateList& list() const { return list_; }
+
+  /// Lists them; faces, history_face: of all candidate pairs.
+  template <class Space>
+  void make(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
+            const Array<const int>& history_face, const CandidateList& all);
+
+ private:
+  bool is_listed_ = false;
+  double travel_ = 0;
+  int left_out_ = 0;  // of what is asked for
+  CandidateList list_;
+  NearScratch scratch_;
+};
+
 /// A surface with the candidate pairs of the last search and the memory of checking them.
 struct CheckSpace {
   ContactSurface surface;
   Array<const std::int64_t> face_numbers;  // [faces] ascending
   CandidateList candidates;
+  NearPairs near;
   FaceState faces;
   TouchTable touches;
   Array<int> history_face;  // [3 nodes] faces that pushed in the last step, -1: none, or not here
+
+  /// The pairs that the last check looked at, and those of which the next one reads faces and history.
+  const CandidateList& checked_pairs() const { return near.is_listed() ? near.list() : candidates; }
+  const CandidateList& read_pairs() const { return near.is_asked() ? candidates : checked_pairs(); }
 };
 
 /// Takes a surface into use: memory for its faces and nodes.

@@ -49,6 +49,10 @@ class ContactFinder {
   /// RunError, on all ranks, if they are absurdly many.
   virtual std::int64_t search(const SurfaceMotion& motion, double margin) = 0;
 
+  /// From the next check on leaves out the pairs of nodes and faces that it cannot accept before some node is farther
+  /// than `travel` from its place of then; 0: none.
+  virtual void narrow(double travel) = 0;
+
   /// Checks the candidate pairs. touches: those of this rank's contact nodes, by (node, face), then those of edges
   /// whose home this rank is, by (edge A, edge B). Returns how many these are.
   virtual int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) = 0;

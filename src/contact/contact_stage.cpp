@@ -84,9 +84,11 @@ struct ContactStage::Impl {
 bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   if (!has_pairs()) return false;
   const Phase phase("percuss::contact_search", clocks.search);
-  if (bound.covers(motion)) return false;
-  candidates = finder->search(motion, bound.restart(motion));
-  return true;
+  if (bound.covers_near(motion)) return false;
+  const bool is_due = !bound.covers(motion);
+  if (is_due) candidates = finder->search(motion, bound.restart(motion));
+  finder->narrow(bound.restart_near(motion));
+  return is_due;
 }
 
 /// One of a step may be made before its contact and one after it.

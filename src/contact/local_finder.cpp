@@ -96,10 +96,11 @@ std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margi
   run_where_it_pays(static_cast<int>(share_.searched_faces.size()) / 2, [&](const auto& space) {
     bound_faces(space, share_.bounded_faces(), motion, margin, boxes_);
     pairs = find_points_in_boxes(space, surface, motion.x, boxes_, limit, scratch_, check_.candidates);
-    if (pairs <= limit) list_concerned(space, surface, scratch_, check_.candidates);
+    if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, check_.candidates);
   });
   refuse_too_many_pairs(pairs, find_pair_limit(share_), margin);
   refuse_crowded_ranks(pairs > most_indexed_pairs ? 1 : 0);
+  check_.near.forget();
   return pairs;
 }
 
@@ -113,13 +114,13 @@ int LocalFinder::check(const SurfaceMotion& motion, const ContactHistory& histor
 
 int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
   if (check_.candidates.num_pairs == 0) return 0;
-  const CandidateList& candidates = check_.candidates;
-  const Array<const int> nodes = candidates.nodes;
+  const CandidateList& read = check_.read_pairs();
+  const Array<const int> nodes = read.nodes;
   const Array<const std::int64_t> numbers = check_.face_numbers, old = history.face;
   const Array<int> history_face = check_.history_face;
-  run_where_it_pays(candidates.num_nodes, [&](const auto& space) {
+  run_where_it_pays(read.num_nodes, [&](const auto& space) {
     Kokkos::parallel_for(
-        "contact::load_history", RangeOf<std::decay_t<decltype(space)>>(space, 0, candidates.num_nodes),
+        "contact::load_history", RangeOf<std::decay_t<decltype(space)>>(space, 0, read.num_nodes),
         KOKKOS_LAMBDA(int i) {
           for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
             const int record = contact_limits::max_touches * nodes(i) + slot;
@@ -130,7 +131,8 @@ int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& 
   check_candidates(motion, check_);
   if (check_.touches.count == 0) return 0;
   run_where_it_pays(check_.touches.count, [&](const auto& space) {
-    collect_touches(space, check_.surface, candidates, check_.touches, check_.face_numbers, node_numbers_, touches);
+    collect_touches(space, check_.surface, check_.checked_pairs(), check_.touches, check_.face_numbers, node_numbers_,
+                    touches);
   });
   return check_.touches.count;
 }

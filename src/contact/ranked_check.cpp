@@ -94,12 +94,16 @@ std::vector<RowTouch> RankedFinder::check_faces(const SurfaceMotion& motion, con
   const auto friction = to_host(check_.surface.pair_friction);
   const auto pair_number = to_host(check_.surface.pair_number);
   const auto node_class = to_host(check_.surface.node_class);
-  for (std::size_t i = 0; i < checked_nodes_.size(); ++i) {
-    const int n = checked_nodes_[i];
-    counts.push_back(by_node(i).count);
-    for (int j = 0; j < by_node(i).count; ++j) {
+  const CandidateList& pairs = check_.checked_pairs();
+  const auto nodes = to_host(pairs.nodes);
+  int next = 0;  // of the nodes whose pairs were checked
+  for (const int n : checked_nodes_) {
+    const bool is_checked = next < pairs.num_nodes && nodes(next) == n;
+    const NodeTouches touches = is_checked ? by_node(next++) : NodeTouches{};
+    counts.push_back(touches.count);
+    for (int j = 0; j < touches.count; ++j) {
       TouchRecord record;
-      record.touch = by_node(i).touch[j];
+      record.touch = touches.touch[j];
       record.order = j;
       const FaceTopology& face = check_faces_[at(record.touch.face)];
       record.node = check_nodes_[at(n)];

@@ -163,6 +163,7 @@ std::int64_t RankedFinder::search_faces(double margin) {
   decomposition_.note_ghost_faces(sums[1] - share_.total_searched_faces);
   check_.candidates.num_pairs = 0;
   check_.candidates.num_nodes = 0;
+  check_.near.forget();
   if (total_pairs_ == 0) return 0;
   list_pairs();
   std::vector<std::int64_t> nodes;

@@ -1,6 +1,8 @@
 #include "src/contact/reuse_bound.hpp"
 
-#include "kernels/contact/capture_boxes.hpp"
+#include <algorithm>
+
+#include "kernels/contact/near_pairs.hpp"
 
 namespace percuss {
 namespace {
@@ -12,6 +14,11 @@ constexpr double margin_edges = 0.5;
 /// the edges of a face, 2 sqrt(3) * contact_limits::capture < 1 times as much.
 constexpr double travels_in_margin = 3;
 
+/// Near pairs are listed anew after a share of the travel between two searches, or sooner if a step goes a short way:
+/// less often against more of them. What is left of the way to the next search is not worth a list if it is less than
+/// the least share.
+constexpr double near_share = 0.25, least_near_share = 0.06, near_steps = 12;
+
 }  // namespace
 
 ReuseBound::ReuseBound(const Communicator& ranks, const SurfaceShare& share, bool enabled)
@@ -19,13 +26,15 @@ ReuseBound::ReuseBound(const Communicator& ranks, const SurfaceShare& share, boo
       share_(share),
       enabled_(enabled),
       origin_("contact::search_origin", static_cast<std::size_t>(share.nodes.count())),
-      velocity_("contact::search_velocity", static_cast<std::size_t>(share.nodes.count())) {}
+      velocity_("contact::search_velocity", static_cast<std::size_t>(share.nodes.count())),
+      near_origin_("contact::near_origin", static_cast<std::size_t>(share.nodes.count())) {}
 
 void ReuseBound::redefine() {
   valid_ = false;
-  margin_ = dt_ = 0;
+  margin_ = dt_ = near_travel_ = 0;
   origin_ = Rows3<double>("contact::search_origin", static_cast<std::size_t>(share_.nodes.count()));
   velocity_ = Rows3<double>("contact::search_velocity", static_cast<std::size_t>(share_.nodes.count()));
+  near_origin_ = Rows3<double>("contact::near_origin", static_cast<std::size_t>(share_.nodes.count()));
 }
 
 double ReuseBound::find_largest(double value) const {
@@ -35,12 +44,13 @@ double ReuseBound::find_largest(double value) const {
   return value;
 }
 
-bool ReuseBound::covers(const SurfaceMotion& motion) const {
+bool ReuseBound::covers(const SurfaceMotion& motion) {
   if (!enabled_ || !valid_) return false;
   double travel = 0;
   run_where_it_pays(share_.nodes.count() / 10,
                     [&](const auto& space) { travel = find_largest_travel(space, share_.node_list, motion, origin_); });
-  return travels_in_margin * find_largest(travel) <= margin_;
+  travel_ = find_largest(travel);
+  return travels_in_margin * travel_ <= margin_;
 }
 
 double ReuseBound::restart(const SurfaceMotion& motion, bool wide) {
@@ -55,7 +65,34 @@ double ReuseBound::restart(const SurfaceMotion& motion, bool wide) {
   margin_ = find_largest(move) + (enabled_ || wide ? margin_edges * find_mean_edge(motion) : 0);
   dt_ = motion.dt;
   valid_ = true;
+  travel_ = near_travel_ = 0;
   return margin_;
+}
+
+double ReuseBound::find_distance(const SurfaceMotion& motion) const {
+  double distance = 0;
+  run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
+    distance = find_largest_distance(space, share_.node_list, motion, near_origin_);
+  });
+  return find_largest(distance);
+}
+
+bool ReuseBound::covers_near(const SurfaceMotion& motion) const {
+  return near_travel_ > 0 && find_distance(motion) <= near_travel_;
+}
+
+double ReuseBound::restart_near(const SurfaceMotion& motion) {
+  const double whole = margin_ / travels_in_margin, left = whole - travel_;
+  near_travel_ = 0;
+  if (!enabled_ || left < least_near_share * whole) return 0;
+  run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
+    store_places(space, share_.node_list, motion.x, near_origin_);
+    space.fence();
+  });
+  const double step = find_distance(motion), travel = std::min(near_share * whole, left);
+  if (step > travel) return 0;
+  near_travel_ = step > 0 ? std::min(travel, near_steps * step) : travel;
+  return near_travel_;
 }
 
 void ReuseBound::archive(CheckpointArchive& archive, const ChunkRows& contact_nodes) {

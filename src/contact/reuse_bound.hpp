@@ -16,7 +16,15 @@ class ReuseBound {
   void redefine();
 
   /// Whether the pairs of the last search still hold all that the check could accept in this step.
-  bool covers(const SurfaceMotion& motion) const;
+  bool covers(const SurfaceMotion& motion);
+
+  /// Whether no node is farther from its place at the last restart_near(), in this step, than that allowed. Then
+  /// covers() holds as well.
+  bool covers_near(const SurfaceMotion& motion) const;
+
+  /// Starts the shorter way of the near pairs at this step's places, where covers() holds or restart() was called;
+  /// returns how far a node may go on it [length], 0: it is not worth it.
+  double restart_near(const SurfaceMotion& motion);
 
   /// Starts anew at this step's places; returns the margin by which capture boxes must be widened [length]. wide: also
   /// where pairs are not used again, for what else asks for them.
@@ -37,6 +45,8 @@ class ReuseBound {
 
  private:
   double find_largest(double value) const;
+  /// From near_origin_.
+  double find_distance(const SurfaceMotion& motion) const;
 
   Communicator ranks_;
   const SurfaceShare& share_;
@@ -46,6 +56,9 @@ class ReuseBound {
   double margin_ = 0;
   double dt_ = 0;
   Rows3<double> origin_, velocity_;  // at the last search
+  double travel_ = 0;                // since then, as covers() found it last
+  double near_travel_ = 0;           // allowed from near_origin_; 0: nothing
+  Rows3<double> near_origin_;
 };
 
 }  // namespace percuss

@@ -1,0 +1,172 @@
+#include "kernels/contact/near_pairs.hpp"
+
+namespace percuss {
+namespace {
+
+/// By how much node and face can come nearer to the reach of the check, in travels: each by one, and the reach grows
+/// with the edges of the face, which grow by two.
+constexpr double approach_in_travel = 2 * (1 + contact_limits::capture);
+/// Room for round-off.
+constexpr double near_slack = 1.001;
+
+/// How near a pair can come.
+enum Nearness { never, with_history, ever };
+
+/// Adds an axis in which a face is seen: any unit vector, or none.
+KOKKOS_INLINE_FUNCTION void set_axis(const FacePoints& face, int k, const Point3& axis, SeenFace& seen) {
+  seen.axis[k] = axis;
+  for (int i = 0; i < 4; ++i) {
+    const double height = dot(axis, face.corner[i]);
+    seen.low[k] = i == 0 || height < seen.low[k] ? height : seen.low[k];
+    seen.high[k] = i == 0 || height > seen.high[k] ? height : seen.high[k];
+  }
+}
+
+/// face: relative to its first corner, which is at `origin`; travel: how far each corner may move.
+KOKKOS_INLINE_FUNCTION SeenFace see_face(const Point3& origin, const FacePoints& face, double travel) {
+  const Point3 a = face.corner[2] - face.corner[0], b = face.corner[3] - face.corner[1], area = cross(a, b),
+               along = (face.corner[1] - face.corner[0]) + (face.corner[2] - face.corner[3]);
+  const double size = norm(area), length = norm(along);
+  const Point3 normal = size > 0 ? (1 / size) * area : Point3{}, first = length > 0 ? (1 / length) * along : Point3{};
+  SeenFace seen;
+  seen.origin = origin;
+  set_axis(face, 0, normal, seen);
+  set_axis(face, 1, first, seen);
+  set_axis(face, 2, cross(normal, first), seen);
+  // Each diagonal changes by twice the travel at most.
+  const double change = 2 * travel * (norm(a) + norm(b) + 2 * travel);
+  seen.turn = change < size ? change / size : 1;
+  return seen;
+}
+
+/// How near a pair can come while each side moves by what `capture` has for it. Without a history, a node is accepted
+/// within the capture of the face moved outward by thickness; with one, by the offset farther behind it as well.
+KOKKOS_INLINE_FUNCTION Nearness find_nearness(const SeenFace& seen, const Point3& place, double capture,
+                                              double offset) {
+  const Point3 from = place - seen.origin;
+  const double reach = capture + (1 + longest_mitre) * offset;
+  double low = 0, high = 0;  // of the face over the node
+  for (int k = 2; k >= 0; --k) {
+    const double height = dot(seen.axis[k], from);
+    low = seen.low[k] - height;
+    high = seen.high[k] - height;
+    if (low > reach || high < -reach) return never;
+  }
+  // The moved face is higher by the offset along a normal that turns, and its corners by as much along it at most.
+  const double least = offset * (1 - 2 * seen.turn), most = offset * (1 + seen.turn);
+  const bool is_apart = offset > 0 && seen.turn < 0.5 && (low + least > capture || high + most < -capture);
+  return is_apart ? with_history : ever;
+}
+
+KOKKOS_INLINE_FUNCTION bool is_in_history(const Array<const int>& history_face, int node, int face) {
+  for (int slot = 0; slot < contact_limits::max_touches; ++slot)
+    if (history_face(contact_limits::max_touches * node + slot) == face) return true;
+  return false;
+}
+
+/// A history passes from a face to its neighbours: of the pairs that only come near with one, those stay that share a
+/// corner with one that stays.
+KOKKOS_INLINE_FUNCTION void follow_histories(const ContactSurface& surface, const Array<const int>& face,
+                                             const Array<int>& nearness, int first, int last) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (int c = first; c < last; ++c) {
+      if (nearness(c) != with_history) continue;
+      for (int b = first; b < last && nearness(c) != ever; ++b)
+        if (nearness(b) == ever && share_corner(surface, face(b), face(c))) nearness(c) = ever;
+      changed = changed || nearness(c) == ever;
+    }
+  }
+}
+
+}  // namespace
+
+template <class Space>
+double find_largest_distance(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
+                             const Rows3<const double>& origin) {
+  double largest = 0;
+  const SurfaceMotion m = motion;
+  const Array<const int> list = nodes;
+  const Rows3<const double> from = origin;
+  Kokkos::parallel_reduce(
+      "contact::largest_distance", RangeOf<Space>(space, 0, static_cast<int>(list.extent(0))),
+      KOKKOS_LAMBDA(int n, double& square) {
+        const int a = list(n);
+        const Point3 moved = load_row(m.x, a) - load_row(from, n), end = moved + m.dt * load_row(m.v, a);
+        square = larger(square, larger(dot(moved, moved), dot(end, end)));
+      },
+      Kokkos::Max<double>(largest));
+  return std::sqrt(larger(largest, 0.0));
+}
+
+template <class Space>
+void list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
+                     const FaceState& faces, const Array<const int>& history_face, const CandidateList& all,
+                     double travel, NearScratch& scratch, CandidateList& near) {
+  reserve(scratch.count, surface.num_nodes);
+  reserve(scratch.nearness, all.num_pairs);
+  reserve(scratch.seen, surface.num_faces);
+  reserve(near.offset, surface.num_nodes + 1);
+  const ContactSurface s = surface;
+  const Rows3<const double> places = x;
+  const Array<const double> size = faces.size;
+  const Array<const int> history = history_face, offset = all.offset, face = all.face, seen_faces = all.faces;
+  const Array<int> count = scratch.count, nearness = scratch.nearness, near_offset = near.offset;
+  const Array<SeenFace> seen = scratch.seen;
+  const double approach = approach_in_travel * travel;
+  Kokkos::parallel_for(
+      "contact::see_faces", RangeOf<Space>(space, 0, all.num_faces), KOKKOS_LAMBDA(int i) {
+        const int seen_face = seen_faces(i);
+        const Point3 origin = load_row(places, s.nodes(s.face_corners(seen_face, 0)));
+        FacePoints corners;
+        for (int k = 0; k < 4; ++k)
+          corners.corner[k] = load_row(places, s.nodes(s.face_corners(seen_face, k))) - origin;
+        seen(seen_face) = see_face(origin, corners, travel);
+      });
+  Kokkos::parallel_for(
+      "contact::find_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
+        const int first = offset(node), last = offset(node + 1);
+        bool any = false, any_with_history = false;
+        const Point3 place = first < last ? load_row(places, s.nodes(node)) : Point3{};
+        for (int c = first; c < last; ++c) {
+          const double capture = contact_limits::capture * size(face(c)) + approach,
+                       apart = find_offset(s.offsets, node, face(c));
+          const Nearness own = find_nearness(seen(face(c)), place, near_slack * capture, near_slack * apart);
+          nearness(c) = own != ever && is_in_history(history, node, face(c)) ? ever : own;
+          any = any || nearness(c) == ever;
+          any_with_history = any_with_history || nearness(c) == with_history;
+        }
+        if (any && any_with_history) follow_histories(s, face, nearness, first, last);
+        count(node) = 0;
+        for (int c = first; c < last; ++c) count(node) += nearness(c) == ever ? 1 : 0;
+      });
+  Kokkos::parallel_scan(
+      "contact::near_offset", RangeOf<Space>(space, 0, surface.num_nodes + 1),
+      KOKKOS_LAMBDA(int n, int& place, bool final_pass) {
+        if (final_pass) near_offset(n) = place;
+        if (n < s.num_nodes) place += count(n);
+      },
+      near.num_pairs);
+  reserve(near.face, near.num_pairs);
+  const Array<int> near_face = near.face;
+  Kokkos::parallel_for(
+      "contact::list_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
+        int place = near_offset(node);
+        for (int c = offset(node); c < offset(node + 1); ++c)
+          if (nearness(c) == ever) near_face(place++) = face(c);
+      });
+  list_concerned(space, surface, scratch.concerned, near);
+}
+
+#define PERCUSS_INSTANTIATE(Space)                                                                                 \
+  template double find_largest_distance(const Space&, const Array<const int>&, const SurfaceMotion&,               \
+                                        const Rows3<const double>&);                                               \
+  template void list_near_pairs(const Space&, const ContactSurface&, const Rows3<const double>&, const FaceState&, \
+                                const Array<const int>&, const CandidateList&, double, NearScratch&, CandidateList&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss

@@ -1,0 +1,42 @@
+#pragma once
+// Which candidate pairs can come into contact soon: the others are left out of the check until surfaces have moved.
+//
+// A capture box follows the axes and is wide where a face is oblique, and its margin serves many steps. Most candidate
+// pairs are therefore out of reach of each other for long, as the two sides of a thin wall are. A node that is farther
+// from a face than the reach of the check, in some direction, stays so while neither moves by more than half of what is
+// left: a guarantee, as that of capture_boxes.hpp, by a shorter way and in directions of the face's own.
+
+#include "kernels/contact/points_in_box.hpp"
+
+namespace percuss {
+
+/// Largest distance of any of `nodes` (mesh nodes), at n, in the step or at its predicted place, from its place
+/// `origin` [nodes][3].
+template <class Space>
+double find_largest_distance(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
+                             const Rows3<const double>& origin);
+
+/// A face at n as nodes see it: its normal and two axes along it.
+struct SeenFace {
+  Point3 origin{}, axis[3]{};
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};  // least and greatest height of a corner over the origin, by axis
+  double turn = 0;  // what the sine of the angle that its normal turns by is at most; 1: no bound
+};
+
+/// Memory kept between lists.
+struct NearScratch {
+  ConcernedScratch concerned;
+  Array<int> count = Array<int>("contact::near_count", 0);           // [contact nodes]
+  Array<SeenFace> seen = Array<SeenFace>("contact::seen_faces", 0);  // [faces]
+  Array<int> nearness = Array<int>("contact::nearness", 0);          // [pairs]
+};
+
+/// Fills `near` with the pairs of `all` that the check could accept before some node is farther than `travel` from its
+/// place at n, and with those of a node and a face that pushed it in the last step, whose place the check asks for.
+/// faces: of update_faces() for `all`; history_face: as in find_touches().
+template <class Space>
+void list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
+                     const FaceState& faces, const Array<const int>& history_face, const CandidateList& all,
+                     double travel, NearScratch& scratch, CandidateList& near);
+
+}  // namespace percuss
