@@ -121,6 +121,8 @@ void NearPairs::make(const Space& space, const ContactSurface& surface, const Su
 
 void check_candidates(const SurfaceMotion& motion, CheckSpace& check) {
   check.touches.count = 0;
+  check.counts.candidates += check.candidates.num_pairs;
+  check.counts.left_out += check.candidates.num_pairs - check.read_pairs().num_pairs;
   if (check.read_pairs().num_pairs == 0) return;
   run_where_it_pays(check.read_pairs().num_pairs, [&](const auto& space) {
     update_faces(space, check.surface, motion, check.read_pairs(), check.faces);

@@ -54,12 +54,18 @@ class NearPairs {
   NearScratch scratch_;
 };
 
+/// Candidate pairs of all steps so far, and how many of these were not checked: no near pairs.
+struct PairCounts {
+  std::int64_t candidates = 0, left_out = 0;
+};
+
 /// A surface with the candidate pairs of the last search and the memory of checking them.
 struct CheckSpace {
   ContactSurface surface;
   Array<const std::int64_t> face_numbers;  // [faces] ascending
   CandidateList candidates;
   NearPairs near;
+  PairCounts counts;
   FaceState faces;
   TouchTable touches;
   Array<int> history_face;  // [3 nodes] faces that pushed in the last step, -1: none, or not here
@@ -85,7 +91,7 @@ KOKKOS_INLINE_FUNCTION int find_face(const Array<const std::int64_t>& numbers, s
   return first < static_cast<int>(numbers.extent(0)) && numbers(first) == number ? first : -1;
 }
 
-/// The detailed check of all candidate pairs (the paper's section 4.2).
+/// The detailed check of the candidate pairs that are near (the paper's section 4.2).
 void check_candidates(const SurfaceMotion& motion, CheckSpace& check);
 
 /// How deep contact nodes are inside other bodies at the places of a motion with dt = 0.

@@ -71,6 +71,7 @@ class ContactFinder {
   virtual std::vector<int> node_ranks() const = 0;
   virtual DecompositionReport report() const = 0;
   virtual SearchLoad load() const = 0;
+  virtual PairCounts pair_counts() const = 0;  // of this rank
 
   /// Goes on where a finder of the surface before left off: cuts, orders, counts and clocks.
   virtual void take_over(const ContactFinder& before) = 0;

@@ -274,6 +274,7 @@ Traffic ContactStage::traffic() const {
 
 DecompositionReport ContactStage::decomposition() const { return impl_->finder->report(); }
 SearchLoad ContactStage::load() const { return impl_->finder->load(); }
+PairCounts ContactStage::pair_counts() const { return impl_->finder->pair_counts(); }
 
 std::vector<double> ContactStage::contact_ranks() const {
   const Impl& stage = *impl_;

@@ -105,7 +105,8 @@ class ContactStage {
   std::int64_t contact_faces() const;
   long searches() const;  // how many steps searched, for their contact or because erosion had redefined the surface
   DecompositionReport decomposition() const;
-  SearchLoad load() const;  // of this rank
+  SearchLoad load() const;         // of this rank
+  PairCounts pair_counts() const;  // likewise
 
   /// Rank that owns each node of this rank's share in the contact decomposition, -1 for nodes that are not searched,
   /// for copies of nodes that other ranks own. After prepare(). Not collective.

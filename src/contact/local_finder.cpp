@@ -58,8 +58,10 @@ LocalFinder::LocalFinder(const SurfaceShare& share, SearchMethod method) : share
 
 /// A surface that has changed once may do so again: from now on the order of its search goes on.
 void LocalFinder::take_over(const ContactFinder& before) {
+  const auto& other = dynamic_cast<const LocalFinder&>(before);  // of the same number of ranks
+  check_.counts = other.check_.counts;
   if (scratch_.method != SearchMethod::blocks) return;
-  scratch_.blocks = dynamic_cast<const LocalFinder&>(before).scratch_.blocks;  // of the same number of ranks
+  scratch_.blocks = other.scratch_.blocks;
   std::vector<std::int64_t> nodes, faces;
   faces.reserve(share_.searched_faces.size());
   for (std::size_t n = 0; n < share_.nodes.searched.size(); ++n)

@@ -23,6 +23,7 @@ class LocalFinder : public ContactFinder {
   std::vector<int> node_ranks() const override;
   DecompositionReport report() const override { return {}; }
   SearchLoad load() const override;
+  PairCounts pair_counts() const override { return check_.counts; }
   void take_over(const ContactFinder& before) override;
   PhaseClock decomposition_clock() const override { return {}; }
   Traffic traffic() const override { return {}; }

@@ -89,6 +89,7 @@ Traffic RankedFinder::traffic() const {
 
 void RankedFinder::take_over(const ContactFinder& before) {
   const auto& other = dynamic_cast<const RankedFinder&>(before);  // of the same number of ranks
+  check_.counts = other.check_.counts;
   decomposition_.take_over(other.decomposition_);
   decomposition_clock_ = other.decomposition_clock_;
   traffic_before_ = other.traffic();

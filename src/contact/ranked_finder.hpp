@@ -30,6 +30,7 @@ class RankedFinder : public ContactFinder {
   std::vector<int> node_ranks() const override { return decomposition_.node_owners(); }
   DecompositionReport report() const override { return decomposition_.report(); }
   SearchLoad load() const override;
+  PairCounts pair_counts() const override { return check_.counts; }
   void take_over(const ContactFinder& before) override;
   PhaseClock decomposition_clock() const override { return decomposition_clock_; }
   Traffic traffic() const override;

@@ -18,6 +18,10 @@ void fill_contact_summary(const SummedRun& run, Summary& summary) {
     summary.skipped.searches = 1 - static_cast<double>(run.contact.searches()) / steps;
     summary.skipped.rebalances = 1 - static_cast<double>(done.rebalances) / steps;
   }
+  const PairCounts own = run.contact.pair_counts();
+  const std::int64_t candidates = sum_counts(run.model.ranks, own.candidates),
+                     left_out = sum_counts(run.model.ranks, own.left_out);
+  if (candidates > 0) summary.skipped.pair_checks = static_cast<double>(left_out) / static_cast<double>(candidates);
   summary.balance.contact = done.imbalance;
   summary.decomposition = {done.rebalances, done.ghost_faces, done.worst_imbalance, done.rounds_per_cut};
 }

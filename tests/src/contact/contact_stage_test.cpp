@@ -128,6 +128,8 @@ contact: {surfaces: all, friction: 0.3, reuse_search: )";
   EXPECT_GT(pushes, 1000);
   EXPECT_EQ(fresh.stage.searches(), 120);
   EXPECT_LT(reused.stage.searches(), 40);
+  EXPECT_GT(reused.stage.pair_counts().left_out, 0);
+  EXPECT_EQ(fresh.stage.pair_counts().left_out, 0);
 }
 
 TEST(ContactStage, FarFromTheOriginTheSameContactsAreFound) {

@@ -97,6 +97,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "phases_s.output",
                                           "skipped.chunk_updates",
                                           "skipped.searches",
+                                          "skipped.pair_checks",
                                           "skipped.rebalances",
                                           "energy.initial",
                                           "energy.kinetic",
