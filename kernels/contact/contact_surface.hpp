@@ -18,8 +18,8 @@ struct ContactSurface {
   Array<const int> nodes_to_faces_offset;  // [contact nodes + 1]
   Array<const int> nodes_to_faces;         // faces that hold the node, ascending
   Rows4<const int> face_corners;           // [faces][4] contact nodes, outward by the right-hand rule
-  // [faces][4] mesh nodes of the element behind the face, opposite each corner, of a shell these themselves; -1: no
-  // candidate of any node here, only its normal is read
+  // [faces][4] mesh nodes of the element behind the face, opposite each corner, of a shell these themselves; -1: not
+  // here, for no node here has the face for a candidate
   Rows4<const int> face_backs;
   Array<const int> node_body;   // [contact nodes] connected body
   Array<const int> face_body;   // [faces] connected body

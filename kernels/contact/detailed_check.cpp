@@ -29,22 +29,38 @@ KOKKOS_INLINE_FUNCTION double find_box_offset(const SurfaceOffsets& offsets, int
   return find_offset_reach(find_face_offset(offsets, face), offsets.largest);
 }
 
+/// The candidate faces of a node.
+struct NodeCandidates {
+  Array<const int> face, with_history;
+  bool leaves_out = false;  // those that only a node with a history is checked against
+
+  /// -1: left out.
+  KOKKOS_INLINE_FUNCTION int operator()(int c) const { return leaves_out && with_history(c) != 0 ? -1 : face(c); }
+};
+
+KOKKOS_INLINE_FUNCTION bool has_history(const Array<const int>& history_face, int node) {
+  for (int slot = 0; slot < contact_limits::max_touches; ++slot)
+    if (history_face(contact_limits::max_touches * node + slot) >= 0) return true;
+  return false;
+}
+
 /// Flattened: a pair is checked by some fifty small functions.
 template <Thickness thickness>
 PERCUSS_FLATTEN KOKKOS_FUNCTION NodeTouches check_node_flat(const ContactSurface& surface, const SurfaceMotion& motion,
                                                             const FaceState& faces,
                                                             const Array<const int>& history_face, int node,
-                                                            const Array<const int>& candidates, int first, int last) {
+                                                            const NodeCandidates& candidates, int first, int last) {
   return check_node<thickness>(surface, motion, faces, history_face, node, candidates, first, last);
 }
 
 /// The first of the candidates first to last - 1 whose box the node meets in the step, or `last`: for most nodes, in
 /// most steps, there is none.
 KOKKOS_INLINE_FUNCTION int find_first_near(const ContactSurface& surface, const SurfaceMotion& motion,
-                                           const FaceState& faces, int node, const Array<const int>& candidates,
+                                           const FaceState& faces, int node, const NodeCandidates& candidates,
                                            int first, int last) {
   const CheckedNode checked = load_checked_node(surface, motion, node);
-  while (first < last && !is_in_box(checked, faces.box, candidates(first))) ++first;
+  for (; first < last; ++first)
+    if (const int face = candidates(first); face >= 0 && is_in_box(checked, faces.box, face)) break;
   return first;
 }
 
@@ -56,7 +72,7 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
   const ContactSurface s = surface;
   const SurfaceMotion m = motion;
   const FaceState out = faces;
-  const Array<const int> list = candidates.faces;
+  const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
   Kokkos::parallel_for(
       "contact::update_faces", RangeOf<Space>(space, 0, candidates.num_faces), KOKKOS_LAMBDA(int i) {
         const int face = list(i);
@@ -64,7 +80,7 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
         const RelativeFace relative = load_relative_face(s, m, s.face_corners(face, 0), face);
         store_row(out.normal, face, find_face_normal(find_end(relative)));
         if (s.offsets.largest > 0) store_row(out.normal_at_start, face, find_face_normal(relative.start));
-        if (s.face_backs(face, 0) < 0) {
+        if (is_boxed(i) == 0) {
           set_empty_box(out.box, face);
           return;
         }
@@ -89,14 +105,17 @@ void check_nodes(const Space& space, const ContactSurface& surface, const Surfac
   const FaceState f = faces;
   const Array<const int> h = history_face;
   const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
+  const Array<const int> with_history = candidates.with_history;
+  const bool has_marks = with_history.extent(0) > 0;
   Kokkos::parallel_for(
       "contact::detailed_check", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
         const int node = nodes(i);
-        const int last = offset(node + 1), first = find_first_near(s, m, f, node, face, offset(node), last);
+        const NodeCandidates own{face, with_history, has_marks && !has_history(h, node)};
+        const int last = offset(node + 1), first = find_first_near(s, m, f, node, own, offset(node), last);
         if (first == last)
           by_node(i).count = 0;
         else
-          by_node(i) = check_node_flat<thickness>(s, m, f, h, node, face, first, last);
+          by_node(i) = check_node_flat<thickness>(s, m, f, h, node, own, first, last);
       });
 }
 

@@ -29,10 +29,11 @@ KOKKOS_INLINE_FUNCTION bool is_same_point(const Point3& a, const Point3& b) {
 KOKKOS_INLINE_FUNCTION double find_shortest_edge(const FacePoints& face) {
   double shortest = 0;
   for (int i = 0; i < 4; ++i) {
-    const double edge = norm(face.corner[(i + 1) % 4] - face.corner[i]);
-    if (edge > 0 && (shortest == 0 || edge < shortest)) shortest = edge;
+    const Point3 edge = face.corner[(i + 1) % 4] - face.corner[i];
+    const double square = dot(edge, edge);
+    if (square > 0 && (shortest == 0 || square < shortest)) shortest = square;
   }
-  return shortest;
+  return std::sqrt(shortest);
 }
 
 /// A point of a face.

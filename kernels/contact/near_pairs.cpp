@@ -9,8 +9,9 @@ constexpr double approach_in_travel = 2 * (1 + contact_limits::capture);
 /// Room for round-off.
 constexpr double near_slack = 1.001;
 
-/// How near a pair can come.
-enum Nearness { never, with_history, ever };
+/// How near a pair can come. A node has its histories from faces that it comes near ever, and they pass from face to
+/// face by common corners: where no such way leads, a pair is unlinked and never near.
+enum Nearness { never, unlinked, with_history, ever };
 
 /// Adds an axis in which a face is seen: any unit vector, or none.
 KOKKOS_INLINE_FUNCTION void set_axis(const FacePoints& face, int k, const Point3& axis, SeenFace& seen) {
@@ -55,7 +56,7 @@ KOKKOS_INLINE_FUNCTION Nearness find_nearness(const SeenFace& seen, const Point3
   // The moved face is higher by the offset along a normal that turns, and its corners by as much along it at most.
   const double least = offset * (1 - 2 * seen.turn), most = offset * (1 + seen.turn);
   const bool is_apart = offset > 0 && seen.turn < 0.5 && (low + least > capture || high + most < -capture);
-  return is_apart ? with_history : ever;
+  return is_apart ? unlinked : ever;
 }
 
 KOKKOS_INLINE_FUNCTION bool is_in_history(const Array<const int>& history_face, int node, int face) {
@@ -64,17 +65,16 @@ KOKKOS_INLINE_FUNCTION bool is_in_history(const Array<const int>& history_face, 
   return false;
 }
 
-/// A history passes from a face to its neighbours: of the pairs that only come near with one, those stay that share a
-/// corner with one that stays.
-KOKKOS_INLINE_FUNCTION void follow_histories(const ContactSurface& surface, const Array<const int>& face,
-                                             const Array<int>& nearness, int first, int last) {
+/// Follows these ways from the pairs that are near ever.
+KOKKOS_INLINE_FUNCTION void link_histories(const ContactSurface& surface, const Array<const int>& face,
+                                           const Array<int>& nearness, int first, int last) {
   for (bool changed = true; changed;) {
     changed = false;
     for (int c = first; c < last; ++c) {
-      if (nearness(c) != with_history) continue;
-      for (int b = first; b < last && nearness(c) != ever; ++b)
-        if (nearness(b) == ever && share_corner(surface, face(b), face(c))) nearness(c) = ever;
-      changed = changed || nearness(c) == ever;
+      if (nearness(c) != unlinked) continue;
+      for (int b = first; b < last && nearness(c) == unlinked; ++b)
+        if (nearness(b) >= with_history && share_corner(surface, face(b), face(c))) nearness(c) = with_history;
+      changed = changed || nearness(c) == with_history;
     }
   }
 }
@@ -126,7 +126,7 @@ void list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
   Kokkos::parallel_for(
       "contact::find_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
         const int first = offset(node), last = offset(node + 1);
-        bool any = false, any_with_history = false;
+        bool any = false, any_unlinked = false;
         const Point3 place = first < last ? load_row(places, s.nodes(node)) : Point3{};
         for (int c = first; c < last; ++c) {
           const double capture = contact_limits::capture * size(face(c)) + approach,
@@ -134,11 +134,11 @@ void list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
           const Nearness own = find_nearness(seen(face(c)), place, near_slack * capture, near_slack * apart);
           nearness(c) = own != ever && is_in_history(history, node, face(c)) ? ever : own;
           any = any || nearness(c) == ever;
-          any_with_history = any_with_history || nearness(c) == with_history;
+          any_unlinked = any_unlinked || nearness(c) == unlinked;
         }
-        if (any && any_with_history) follow_histories(s, face, nearness, first, last);
+        if (any && any_unlinked) link_histories(s, face, nearness, first, last);
         count(node) = 0;
-        for (int c = first; c < last; ++c) count(node) += nearness(c) == ever ? 1 : 0;
+        for (int c = first; c < last; ++c) count(node) += nearness(c) >= with_history ? 1 : 0;
       });
   Kokkos::parallel_scan(
       "contact::near_offset", RangeOf<Space>(space, 0, surface.num_nodes + 1),
@@ -147,13 +147,18 @@ void list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
         if (n < s.num_nodes) place += count(n);
       },
       near.num_pairs);
+  const bool has_thickness = surface.offsets.largest > 0;
   reserve(near.face, near.num_pairs);
-  const Array<int> near_face = near.face;
+  if (has_thickness) reserve(near.with_history, near.num_pairs);
+  const Array<int> near_face = near.face, flag = near.with_history;
   Kokkos::parallel_for(
       "contact::list_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
         int place = near_offset(node);
-        for (int c = offset(node); c < offset(node + 1); ++c)
-          if (nearness(c) == ever) near_face(place++) = face(c);
+        for (int c = offset(node); c < offset(node + 1); ++c) {
+          if (nearness(c) < with_history) continue;
+          if (has_thickness) flag(place) = nearness(c) == with_history ? 1 : 0;
+          near_face(place++) = face(c);
+        }
       });
   list_concerned(space, surface, scratch.concerned, near);
 }

@@ -33,7 +33,8 @@ struct NearScratch {
 
 /// Fills `near` with the pairs of `all` that the check could accept before some node is farther than `travel` from its
 /// place at n, and with those of a node and a face that pushed it in the last step, whose place the check asks for.
-/// faces: of update_faces() for `all`; history_face: as in find_touches().
+/// Where thickness lets nodes with a history be deeper, pairs that come near in no other way are marked. faces: of
+/// update_faces() for `all`; history_face: as in find_touches().
 template <class Space>
 void list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
                      const FaceState& faces, const Array<const int>& history_face, const CandidateList& all,

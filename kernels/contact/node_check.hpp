@@ -141,7 +141,7 @@ KOKKOS_INLINE_FUNCTION void sort_by_face(NodeTouches& touches) {
     }
 }
 
-/// Checks the candidate faces of a node, candidates(first) to candidates(last - 1).
+/// Checks the candidate faces of a node, candidates(first) to candidates(last - 1) that are not negative.
 template <Thickness thickness, class Faces>
 KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, const SurfaceMotion& motion,
                                               const FaceState& faces, const Array<const int>& history_face, int node,
@@ -150,8 +150,9 @@ KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, con
   const KnownFaces known = load_known_faces(faces, history_face, checked);
   TouchList found;
   for (int c = first; c < last; ++c) {
+    const int face = candidates(c);
     Touch touch;
-    if (check_pair<thickness>(surface, motion, faces, known, checked, candidates(c), touch)) found.insert(touch);
+    if (face >= 0 && check_pair<thickness>(surface, motion, faces, known, checked, face, touch)) found.insert(touch);
   }
   bool decided[TouchList::capacity];
   for (int i = 0; i < found.count; ++i) decided[i] = is_ruled_out<thickness>(surface, motion, faces, checked, found, i);

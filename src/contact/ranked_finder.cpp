@@ -265,6 +265,7 @@ void RankedFinder::build_check_space(std::vector<FaceTopology> faces) {
   std::vector<int> all_faces(check_faces_.size());
   std::iota(all_faces.begin(), all_faces.end(), 0);
   candidates.faces = to_view("contact::candidate_faces", all_faces);
+  candidates.is_boxed = to_view("contact::boxed_faces", std::vector<int>(is_candidate.begin(), is_candidate.end()));
 
   motion_.ask(ranks_, exchange_, data_, check_nodes_);
   history_ = subscribe_to_contact_nodes(checked_numbers);
