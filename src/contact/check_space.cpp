@@ -100,23 +100,29 @@ void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>&
   reserve(check.history_face, contact_limits::max_touches * surface.num_nodes);
 }
 
-void NearPairs::ask(double travel) {
-  forget();
+void NearPairs::ask(const NearWay& way) {
+  is_listed_ = is_asked_ = false;
+  way_ = way;
   if (left_out_ > 0)
     --left_out_;
   else
-    travel_ = travel;
+    is_asked_ = way.near > 0;
 }
 
 template <class Space>
 void NearPairs::make(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
                      const FaceState& faces, const Array<const int>& history_face, const CandidateList& all) {
-  constexpr double worth_it = 0.7;  // share of near pairs above which a list of their own saves nothing
-  constexpr int pause = 7;          // where it is not worth it, the next is listed after so many that are not
-  list_near_pairs(space, surface, motion.x, faces, history_face, all, travel_, scratch_, list_);
-  is_listed_ = list_.num_pairs < worth_it * all.num_pairs;
+  constexpr int pause = 7;  // where it is not worth it, the next is listed after so many that are not
+  const auto list = [&](const CandidateList& of, double travel, CandidateList& near) {
+    constexpr double worth_it = 0.7;  // share above which a list of its own saves nothing
+    list_near_pairs(space, surface, motion.x, faces, history_face, of, travel, scratch_, near);
+    return near.num_pairs < worth_it * of.num_pairs;
+  };
+  if (is_first_) has_reachable_ = list(all, way_.search, reachable_);
+  is_first_ = false;
+  is_listed_ = list(from(all), way_.near, near_);
   if (!is_listed_) left_out_ = pause;
-  travel_ = 0;
+  is_asked_ = false;
 }
 
 void check_candidates(const SurfaceMotion& motion, CheckSpace& check) {

@@ -25,32 +25,43 @@ struct SurfaceLists {
 
 ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShare& share);
 
-/// The candidate pairs that are near enough to be checked, where there are many others.
+/// How far any node may go from its place of now.
+struct NearWay {
+  double near = 0;    // until the near pairs are listed anew [length]; 0: none are listed
+  double search = 0;  // until the next search [length]
+};
+
+/// The candidate pairs that are near enough to be checked, where there are many others: of those of a search the ones
+/// that can come near before the next, and of these, more often, the ones that can soon.
 class NearPairs {
  public:
   /// The candidate pairs are others now, and all of them are checked.
   void forget() {
-    is_listed_ = false;
-    travel_ = 0;
+    has_reachable_ = is_listed_ = is_asked_ = false;
+    is_first_ = true;
   }
 
-  /// They are to be listed at the next check, for a travel; 0: all are checked.
-  void ask(double travel);
+  /// They are to be listed at the next check, or none are.
+  void ask(const NearWay& way);
+  bool is_asked() const { return is_asked_; }
 
-  bool is_asked() const { return travel_ > 0; }
-  bool is_listed() const { return is_listed_; }
-  const CandidateList& list() const { return list_; }
-
-  /// Lists them; faces, history_face: of all candidate pairs.
+  /// Lists them; faces, history_face: of read_pairs().
   template <class Space>
   void make(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
             const Array<const int>& history_face, const CandidateList& all);
 
+  /// The pairs that the last check looked at, and those of which the next one reads faces and history.
+  const CandidateList& checked_pairs(const CandidateList& all) const { return is_listed_ ? near_ : from(all); }
+  const CandidateList& read_pairs(const CandidateList& all) const { return is_asked_ ? from(all) : checked_pairs(all); }
+
  private:
-  bool is_listed_ = false;
-  double travel_ = 0;
+  const CandidateList& from(const CandidateList& all) const { return has_reachable_ ? reachable_ : all; }
+
+  bool has_reachable_ = false, is_listed_ = false, is_asked_ = false;
+  bool is_first_ = true;  // list since the search
+  NearWay way_;
   int left_out_ = 0;  // of what is asked for
-  CandidateList list_;
+  CandidateList reachable_, near_;
   NearScratch scratch_;
 };
 
@@ -71,8 +82,8 @@ struct CheckSpace {
   Array<int> history_face;  // [3 nodes] faces that pushed in the last step, -1: none, or not here
 
   /// The pairs that the last check looked at, and those of which the next one reads faces and history.
-  const CandidateList& checked_pairs() const { return near.is_listed() ? near.list() : candidates; }
-  const CandidateList& read_pairs() const { return near.is_asked() ? candidates : checked_pairs(); }
+  const CandidateList& checked_pairs() const { return near.checked_pairs(candidates); }
+  const CandidateList& read_pairs() const { return near.read_pairs(candidates); }
 };
 
 /// Takes a surface into use: memory for its faces and nodes.

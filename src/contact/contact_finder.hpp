@@ -50,8 +50,8 @@ class ContactFinder {
   virtual std::int64_t search(const SurfaceMotion& motion, double margin) = 0;
 
   /// From the next check on leaves out the pairs of nodes and faces that it cannot accept before some node is farther
-  /// than `travel` from its place of then; 0: none.
-  virtual void narrow(double travel) = 0;
+  /// from its place of then than it may go.
+  virtual void narrow(const NearWay& way) = 0;
 
   /// Checks the candidate pairs. touches: those of this rank's contact nodes, by (node, face), then those of edges
   /// whose home this rank is, by (edge A, edge B). Returns how many these are.

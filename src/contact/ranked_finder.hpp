@@ -20,7 +20,7 @@ class RankedFinder : public ContactFinder {
                SearchMethod method);
 
   std::int64_t search(const SurfaceMotion& motion, double margin) override;
-  void narrow(double travel) override { check_.near.ask(travel); }
+  void narrow(const NearWay& way) override { check_.near.ask(way); }
   int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
   std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) override {

@@ -1,6 +1,7 @@
 #include "src/contact/reuse_bound.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernels/contact/near_pairs.hpp"
 
@@ -81,18 +82,19 @@ bool ReuseBound::covers_near(const SurfaceMotion& motion) const {
   return near_travel_ > 0 && find_distance(motion) <= near_travel_;
 }
 
-double ReuseBound::restart_near(const SurfaceMotion& motion) {
+NearWay ReuseBound::restart_near(const SurfaceMotion& motion) {
   const double whole = margin_ / travels_in_margin, left = whole - travel_;
   near_travel_ = 0;
-  if (!enabled_ || left < least_near_share * whole) return 0;
+  if (!enabled_ || left < least_near_share * whole) return {};
   run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
     store_places(space, share_.node_list, motion.x, near_origin_);
     space.fence();
   });
   const double step = find_distance(motion), travel = std::min(near_share * whole, left);
-  if (step > travel) return 0;
+  if (step > travel) return {};
   near_travel_ = step > 0 ? std::min(travel, near_steps * step) : travel;
-  return near_travel_;
+  // The way to the next search is bounded by component, and from the place of the last one.
+  return {near_travel_, std::sqrt(3.0) * (whole + travel_)};
 }
 
 void ReuseBound::archive(CheckpointArchive& archive, const ChunkRows& contact_nodes) {

@@ -2,7 +2,7 @@
 // Whether candidate pairs may be used again: a bound on the motion since the search that found them.
 
 #include "comm/merge_reduction.hpp"
-#include "src/contact/surface_share.hpp"
+#include "src/contact/check_space.hpp"
 #include "src/output/checkpoint_archive.hpp"
 
 namespace percuss {
@@ -22,9 +22,8 @@ class ReuseBound {
   /// covers() holds as well.
   bool covers_near(const SurfaceMotion& motion) const;
 
-  /// Starts the shorter way of the near pairs at this step's places, where covers() holds or restart() was called;
-  /// returns how far a node may go on it [length], 0: it is not worth it.
-  double restart_near(const SurfaceMotion& motion);
+  /// Starts the way of the near pairs at this step's places, where covers() holds or restart() was called.
+  NearWay restart_near(const SurfaceMotion& motion);
 
   /// Starts anew at this step's places; returns the margin by which capture boxes must be widened [length]. wide: also
   /// where pairs are not used again, for what else asks for them.
