@@ -37,7 +37,8 @@ double find_largest_travel(const Space& space, const Array<const int>& nodes, co
       KOKKOS_LAMBDA(int n, double& travel) {
         const int a = list(n);
         const Point3 moved = load_row(m.x, a) - load_row(from, n);
-        travel = larger(travel, max_component(moved) + m.dt * max_component(load_row(m.v, a)));
+        const Point3 end = moved + m.dt * load_row(m.v, a);
+        travel = larger(travel, larger(max_component(moved), max_component(end)));
       },
       Kokkos::Max<double>(largest));
   return larger(largest, 0.0);

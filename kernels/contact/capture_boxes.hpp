@@ -33,7 +33,8 @@ KOKKOS_INLINE_FUNCTION void bound_face(const SurfaceMotion& motion, const Corner
 template <class Space>
 double find_largest_move(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion);
 
-/// Largest component by which any of `nodes` is, at n or in the step, away from its place `origin` [nodes][3].
+/// Largest component by which any of `nodes` is, at n or at its predicted place, away from its place `origin`
+/// [nodes][3].
 template <class Space>
 double find_largest_travel(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                            const Rows3<const double>& origin);

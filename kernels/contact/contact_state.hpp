@@ -17,7 +17,7 @@ struct SurfaceMotion {
 /// Boxes [n][6]: lowest x, y, z, highest x, y, z; both ends belong to the box.
 using Boxes = Kokkos::View<double* [6], Kokkos::LayoutRight, MemSpace>;
 
-/// Geometry of faces in this step; valid for the faces listed in CandidateList::faces.
+/// Geometry of faces in this step: normals of those listed in CandidateList::faces, the rest of those that are boxed.
 struct FaceState {
   Rows3<double> normal;  // outward unit normal at the predicted place
   Array<double> size;    // h of contact_limits.hpp at n

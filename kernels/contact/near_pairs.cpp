@@ -7,11 +7,11 @@ namespace {
 /// with the edges of the face, which grow by two.
 constexpr double approach_in_travel = 2 * (1 + contact_limits::capture);
 /// Room for round-off.
-constexpr double near_slack = 1.001;
+constexpr double near_slack = 1e-3;
 
 /// How near a pair can come. A node has its histories from faces that it comes near ever, and they pass from face to
 /// face by common corners: where no such way leads, a pair is unlinked and never near.
-enum Nearness { never, unlinked, with_history, ever };
+enum Nearness { never, unlinked, with_history, linked_now, ever };
 
 /// Adds an axis in which a face is seen: any unit vector, or none.
 KOKKOS_INLINE_FUNCTION void set_axis(const FacePoints& face, int k, const Point3& axis, SeenFace& seen) {
@@ -23,14 +23,18 @@ KOKKOS_INLINE_FUNCTION void set_axis(const FacePoints& face, int k, const Point3
   }
 }
 
-/// face: relative to its first corner, which is at `origin`; travel: how far each corner may move.
-KOKKOS_INLINE_FUNCTION SeenFace see_face(const Point3& origin, const FacePoints& face, double travel) {
+/// face: relative to its first corner, which is at `origin`; travel: how far each corner may move. size_of_shell: h of
+/// a face of shells; 0: of a solid, where h is at most the shortest edge, and a thickness less than that follows nodes
+/// inside the solid, which no travel bounds.
+KOKKOS_INLINE_FUNCTION SeenFace see_face(const Point3& origin, const FacePoints& face, double size_of_shell,
+                                         double travel) {
   const Point3 a = face.corner[2] - face.corner[0], b = face.corner[3] - face.corner[1], area = cross(a, b),
                along = (face.corner[1] - face.corner[0]) + (face.corner[2] - face.corner[3]);
   const double size = norm(area), length = norm(along);
   const Point3 normal = size > 0 ? (1 / size) * area : Point3{}, first = length > 0 ? (1 / length) * along : Point3{};
   SeenFace seen;
   seen.origin = origin;
+  seen.capture = contact_limits::capture * (size_of_shell > 0 ? size_of_shell : find_shortest_edge(face));
   set_axis(face, 0, normal, seen);
   set_axis(face, 1, first, seen);
   set_axis(face, 2, cross(normal, first), seen);
@@ -65,16 +69,25 @@ KOKKOS_INLINE_FUNCTION bool is_in_history(const Array<const int>& history_face, 
   return false;
 }
 
-/// Follows these ways from the pairs that are near ever.
+/// Links what shares a corner with candidate `b`.
+KOKKOS_INLINE_FUNCTION void link_to(const ContactSurface& surface, const Array<const int>& face,
+                                    const Array<int>& nearness, int b, int first, int last) {
+  for (int c = first; c < last; ++c)
+    if (nearness(c) == unlinked && share_corner(surface, face(b), face(c))) nearness(c) = linked_now;
+}
+
+/// Follows these ways from the pairs that are near ever, from each pair once.
 KOKKOS_INLINE_FUNCTION void link_histories(const ContactSurface& surface, const Array<const int>& face,
                                            const Array<int>& nearness, int first, int last) {
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (int c = first; c < last; ++c) {
-      if (nearness(c) != unlinked) continue;
-      for (int b = first; b < last && nearness(c) == unlinked; ++b)
-        if (nearness(b) >= with_history && share_corner(surface, face(b), face(c))) nearness(c) = with_history;
-      changed = changed || nearness(c) == with_history;
+  for (int b = first; b < last; ++b)
+    if (nearness(b) == ever) link_to(surface, face, nearness, b, first, last);
+  for (bool any = true; any;) {
+    any = false;
+    for (int b = first; b < last; ++b) {
+      if (nearness(b) != linked_now) continue;
+      nearness(b) = with_history;
+      link_to(surface, face, nearness, b, first, last);
+      any = true;
     }
   }
 }
@@ -100,9 +113,9 @@ double find_largest_distance(const Space& space, const Array<const int>& nodes, 
 }
 
 template <class Space>
-void list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
+bool list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
                      const FaceState& faces, const Array<const int>& history_face, const CandidateList& all,
-                     double travel, NearScratch& scratch, CandidateList& near) {
+                     double travel, double most, NearScratch& scratch, CandidateList& near) {
   reserve(scratch.count, surface.num_nodes);
   reserve(scratch.nearness, all.num_pairs);
   reserve(scratch.seen, surface.num_faces);
@@ -121,7 +134,8 @@ void list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
         FacePoints corners;
         for (int k = 0; k < 4; ++k)
           corners.corner[k] = load_row(places, s.nodes(s.face_corners(seen_face, k))) - origin;
-        seen(seen_face) = see_face(origin, corners, travel);
+        seen(seen_face) =
+            see_face(origin, corners, find_face_offset(s.offsets, seen_face) > 0 ? size(seen_face) : 0, travel);
       });
   Kokkos::parallel_for(
       "contact::find_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
@@ -129,9 +143,9 @@ void list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
         bool any = false, any_unlinked = false;
         const Point3 place = first < last ? load_row(places, s.nodes(node)) : Point3{};
         for (int c = first; c < last; ++c) {
-          const double capture = contact_limits::capture * size(face(c)) + approach,
-                       apart = find_offset(s.offsets, node, face(c));
-          const Nearness own = find_nearness(seen(face(c)), place, near_slack * capture, near_slack * apart);
+          const SeenFace& one = seen(face(c));
+          const double capture = one.capture + approach, apart = find_offset(s.offsets, node, face(c));
+          const Nearness own = find_nearness(one, place, capture + near_slack * (capture + apart), apart);
           nearness(c) = own != ever && is_in_history(history, node, face(c)) ? ever : own;
           any = any || nearness(c) == ever;
           any_unlinked = any_unlinked || nearness(c) == unlinked;
@@ -147,6 +161,7 @@ void list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
         if (n < s.num_nodes) place += count(n);
       },
       near.num_pairs);
+  if (near.num_pairs > most) return false;
   const bool has_thickness = surface.offsets.largest > 0;
   reserve(near.face, near.num_pairs);
   if (has_thickness) reserve(near.with_history, near.num_pairs);
@@ -161,13 +176,15 @@ void list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
         }
       });
   list_concerned(space, surface, scratch.concerned, near);
+  return true;
 }
 
 #define PERCUSS_INSTANTIATE(Space)                                                                                 \
   template double find_largest_distance(const Space&, const Array<const int>&, const SurfaceMotion&,               \
                                         const Rows3<const double>&);                                               \
-  template void list_near_pairs(const Space&, const ContactSurface&, const Rows3<const double>&, const FaceState&, \
-                                const Array<const int>&, const CandidateList&, double, NearScratch&, CandidateList&);
+  template bool list_near_pairs(const Space&, const ContactSurface&, const Rows3<const double>&, const FaceState&, \
+                                const Array<const int>&, const CandidateList&, double, double, NearScratch&,       \
+                                CandidateList&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -3,8 +3,8 @@
 //
 // A capture box follows the axes and is wide where a face is oblique, and its margin serves many steps. Most candidate
 // pairs are therefore out of reach of each other for long, as the two sides of a thin wall are. A node that is farther
-// from a face than the reach of the check, in some direction, stays so while neither moves by more than half of what is
-// left: a guarantee, as that of capture_boxes.hpp, by a shorter way and in directions of the face's own.
+// from a face than the reach of the check, in some direction, stays so while neither moves by more than its part of
+// what is left: a guarantee, as that of capture_boxes.hpp, by a shorter way and in directions of the face's own.
 
 #include "kernels/contact/points_in_box.hpp"
 
@@ -20,6 +20,7 @@ double find_largest_distance(const Space& space, const Array<const int>& nodes, 
 struct SeenFace {
   Point3 origin{}, axis[3]{};
   double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};  // least and greatest height of a corner over the origin, by axis
+  double capture = 0;                              // reach of the check, without thickness
   double turn = 0;  // what the sine of the angle that its normal turns by is at most; 1: no bound
 };
 
@@ -33,11 +34,12 @@ struct NearScratch {
 
 /// Fills `near` with the pairs of `all` that the check could accept before some node is farther than `travel` from its
 /// place at n, and with those of a node and a face that pushed it in the last step, whose place the check asks for.
-/// Where thickness lets nodes with a history be deeper, pairs that come near in no other way are marked. faces: of
-/// update_faces() for `all`; history_face: as in find_touches().
+/// Where thickness lets nodes with a history be deeper, pairs that come near in no other way are marked. Returns
+/// whether there are at most `most` pairs; otherwise they are not listed. faces: of update_faces() for `all`;
+/// history_face: as in find_touches().
 template <class Space>
-void list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
+bool list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
                      const FaceState& faces, const Array<const int>& history_face, const CandidateList& all,
-                     double travel, NearScratch& scratch, CandidateList& near);
+                     double travel, double most, NearScratch& scratch, CandidateList& near);
 
 }  // namespace percuss

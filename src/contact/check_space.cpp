@@ -100,29 +100,37 @@ void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>&
   reserve(check.history_face, contact_limits::max_touches * surface.num_nodes);
 }
 
-void NearPairs::ask(const NearWay& way) {
-  is_listed_ = is_asked_ = false;
-  way_ = way;
-  if (left_out_ > 0)
-    --left_out_;
-  else
-    is_asked_ = way.near > 0;
+void NearPairs::PartList::ask() {
+  is_due = turns_to_pass == 0;
+  if (!is_due) --turns_to_pass;
 }
 
-template <class Space>
-void NearPairs::make(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
-                     const FaceState& faces, const Array<const int>& history_face, const CandidateList& all) {
-  constexpr int pause = 7;  // where it is not worth it, the next is listed after so many that are not
-  const auto list = [&](const CandidateList& of, double travel, CandidateList& near) {
-    constexpr double worth_it = 0.7;  // share above which a list of its own saves nothing
-    list_near_pairs(space, surface, motion.x, faces, history_face, of, travel, scratch_, near);
-    return near.num_pairs < worth_it * of.num_pairs;
-  };
-  if (is_first_) has_reachable_ = list(all, way_.search, reachable_);
+void NearPairs::ask(const NearWay& way) {
+  near_.is_used = near_.is_due = false;
+  way_ = way;
+  if (way.near <= 0) return;
+  if (is_first_) reachable_.ask();
   is_first_ = false;
-  is_listed_ = list(from(all), way_.near, near_);
-  if (!is_listed_) left_out_ = pause;
-  is_asked_ = false;
+  near_.ask();
+}
+
+void NearPairs::fill(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
+                     const Array<const int>& history_face, const CandidateList& of, double travel, PartList& part) {
+  constexpr double worth_it = 0.7;  // share of the pairs above which a list of its own saves nothing
+  constexpr int pause = 7;          // where it is not worth it, the next is made after so many that are not
+  if (!part.is_due) return;
+  part.is_due = false;
+  run_where_it_pays(surface.num_faces / 2, [&](const auto& space) {
+    part.is_used = list_near_pairs(space, surface, motion.x, faces, history_face, of, travel, worth_it * of.num_pairs,
+                                   scratch_, part.list);
+  });
+  if (!part.is_used) part.turns_to_pass = pause;
+}
+
+void NearPairs::make(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
+                     const Array<const int>& history_face, const CandidateList& all) {
+  fill(surface, motion, faces, history_face, all, way_.search, reachable_);
+  fill(surface, motion, faces, history_face, from(all), way_.near, near_);
 }
 
 void check_candidates(const SurfaceMotion& motion, CheckSpace& check) {
@@ -132,8 +140,10 @@ void check_candidates(const SurfaceMotion& motion, CheckSpace& check) {
   if (check.read_pairs().num_pairs == 0) return;
   run_where_it_pays(check.read_pairs().num_pairs, [&](const auto& space) {
     update_faces(space, check.surface, motion, check.read_pairs(), check.faces);
-    if (check.near.is_asked())
-      check.near.make(space, check.surface, motion, check.faces, check.history_face, check.candidates);
+    space.fence();
+  });
+  if (check.near.is_asked()) check.near.make(check.surface, motion, check.faces, check.history_face, check.candidates);
+  run_where_it_pays(check.checked_pairs().num_pairs, [&](const auto& space) {
     find_touches(space, check.surface, motion, check.checked_pairs(), check.faces, check.history_face, check.touches);
   });
 }

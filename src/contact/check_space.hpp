@@ -37,35 +37,46 @@ class NearPairs {
  public:
   /// The candidate pairs are others now, and all of them are checked.
   void forget() {
-    has_reachable_ = is_listed_ = is_asked_ = false;
+    reachable_.is_used = near_.is_used = false;
+    reachable_.is_due = near_.is_due = false;
     is_first_ = true;
   }
 
   /// They are to be listed at the next check, or none are.
   void ask(const NearWay& way);
-  bool is_asked() const { return is_asked_; }
+  bool is_asked() const { return reachable_.is_due || near_.is_due; }
 
   /// Lists them; faces, history_face: of read_pairs().
-  template <class Space>
-  void make(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
+  void make(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
             const Array<const int>& history_face, const CandidateList& all);
 
-  /// The pairs that the last check looked at, and those of which the next one reads faces and history.
-  const CandidateList& checked_pairs(const CandidateList& all) const { return is_listed_ ? near_ : from(all); }
-  const CandidateList& read_pairs(const CandidateList& all) const { return is_asked_ ? from(all) : checked_pairs(all); }
+  /// The pairs to check, once what is asked for is listed, and those of which that needs faces and history.
+  const CandidateList& checked_pairs(const CandidateList& all) const { return near_.is_used ? near_.list : from(all); }
+  const CandidateList& read_pairs(const CandidateList& all) const {
+    return is_asked() ? from(all) : checked_pairs(all);
+  }
 
  private:
-  const CandidateList& from(const CandidateList& all) const { return has_reachable_ ? reachable_ : all; }
+  /// A list that is made where it leaves out enough.
+  struct PartList {
+    CandidateList list;
+    bool is_used = false, is_due = false;
+    int turns_to_pass = 0;
 
-  bool has_reachable_ = false, is_listed_ = false, is_asked_ = false;
-  bool is_first_ = true;  // list since the search
+    void ask();
+  };
+
+  const CandidateList& from(const CandidateList& all) const { return reachable_.is_used ? reachable_.list : all; }
+  void fill(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
+            const Array<const int>& history_face, const CandidateList& of, double travel, PartList& part);
+
   NearWay way_;
-  int left_out_ = 0;  // of what is asked for
-  CandidateList reachable_, near_;
+  bool is_first_ = true;  // list since the search
+  PartList reachable_, near_;
   NearScratch scratch_;
 };
 
-/// Candidate pairs of all steps so far, and how many of these were not checked: no near pairs.
+/// Candidate pairs of all steps so far, and how many of these were on no list of near pairs.
 struct PairCounts {
   std::int64_t candidates = 0, left_out = 0;
 };
@@ -81,7 +92,6 @@ struct CheckSpace {
   TouchTable touches;
   Array<int> history_face;  // [3 nodes] faces that pushed in the last step, -1: none, or not here
 
-  /// The pairs that the last check looked at, and those of which the next one reads faces and history.
   const CandidateList& checked_pairs() const { return near.checked_pairs(candidates); }
   const CandidateList& read_pairs() const { return near.read_pairs(candidates); }
 };

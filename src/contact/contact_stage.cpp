@@ -77,6 +77,7 @@ struct ContactStage::Impl {
   std::int64_t candidates = 0;  // of the last search, on all ranks
   long searches = 0;            // steps that did
   bool is_step_counted = true;  // among these; the start is no step
+  bool is_new_surface = false;  // since the last step
   bool touched_last = false;    // whether any rank had a row in the last step
   ContactClocks clocks;
 };
@@ -87,7 +88,9 @@ bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   if (bound.covers_near(motion)) return false;
   const bool is_due = !bound.covers(motion);
   if (is_due) candidates = finder->search(motion, bound.restart(motion));
-  finder->narrow(bound.restart_near(motion));
+  // Where elements die step by step, a list would serve a single one.
+  finder->narrow(is_new_surface ? NearWay{} : bound.restart_near(motion));
+  is_new_surface = false;
   return is_due;
 }
 
@@ -151,6 +154,7 @@ void ContactStage::Impl::redefine_surface() {
   tie_rows = TieRows(seen(), ties, contact);
   walls = build_walls(mesh, deck, share);
   bound.redefine();
+  is_new_surface = true;
   std::unique_ptr<ContactFinder> next = make_contact_finder(seen(), share, contact.rebalance, contact.search);
   next->take_over(*finder);
   finder = std::move(next);

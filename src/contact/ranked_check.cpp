@@ -99,11 +99,11 @@ std::vector<RowTouch> RankedFinder::check_faces(const SurfaceMotion& motion, con
   int next = 0;  // of the nodes whose pairs were checked
   for (const int n : checked_nodes_) {
     const bool is_checked = next < pairs.num_nodes && nodes(next) == n;
-    const NodeTouches touches = is_checked ? by_node(next++) : NodeTouches{};
-    counts.push_back(touches.count);
-    for (int j = 0; j < touches.count; ++j) {
+    const int place = is_checked ? next++ : 0;
+    counts.push_back(is_checked ? by_node(place).count : 0);
+    for (int j = 0; j < counts.back(); ++j) {
       TouchRecord record;
-      record.touch = touches.touch[j];
+      record.touch = by_node(place).touch[j];
       record.order = j;
       const FaceTopology& face = check_faces_[at(record.touch.face)];
       record.node = check_nodes_[at(n)];

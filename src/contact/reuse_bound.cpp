@@ -17,8 +17,8 @@ constexpr double travels_in_margin = 3;
 
 /// Near pairs are listed anew after a share of the travel between two searches, or sooner if a step goes a short way:
 /// less often against more of them. What is left of the way to the next search is not worth a list if it is less than
-/// the least share.
-constexpr double near_share = 0.25, least_near_share = 0.06, near_steps = 12;
+/// the least share, nor is one that would serve fewer steps than the least.
+constexpr double near_share = 0.25, least_near_share = 0.06, near_steps = 12, least_near_steps = 3;
 
 }  // namespace
 
@@ -83,7 +83,7 @@ bool ReuseBound::covers_near(const SurfaceMotion& motion) const {
 }
 
 NearWay ReuseBound::restart_near(const SurfaceMotion& motion) {
-  const double whole = margin_ / travels_in_margin, left = whole - travel_;
+  const double whole = margin_ / travels_in_margin, left = 0.999 * (whole - travel_);  // so that covers() holds, too
   near_travel_ = 0;
   if (!enabled_ || left < least_near_share * whole) return {};
   run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
@@ -91,7 +91,7 @@ NearWay ReuseBound::restart_near(const SurfaceMotion& motion) {
     space.fence();
   });
   const double step = find_distance(motion), travel = std::min(near_share * whole, left);
-  if (step > travel) return {};
+  if (travel < least_near_steps * step) return {};
   near_travel_ = step > 0 ? std::min(travel, near_steps * step) : travel;
   // The way to the next search is bounded by component, and from the place of the last one.
   return {near_travel_, std::sqrt(3.0) * (whole + travel_)};
@@ -103,6 +103,7 @@ void ReuseBound::archive(CheckpointArchive& archive, const ChunkRows& contact_no
   archive.number("contact/search/dt", dt_);
   archive.rows("contact/search/origin", contact_nodes, 3, origin_);
   archive.rows("contact/search/velocity", contact_nodes, 3, velocity_);
+  if (archive.is_loading()) travel_ = near_travel_ = 0;
 }
 
 double ReuseBound::find_mean_edge(const SurfaceMotion& motion) const {
