@@ -20,6 +20,8 @@ SCENES = {
     "taylor_bar": ("inputs/taylor_bar/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 400}),
     "sphere_drop": ("inputs/elastic_sphere_drop/deck.yaml", {}, {"time.max_steps": 300}),
     "can_crush_shells": ("inputs/can_crush_shells/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 400}),
+    "square_tube_crush": ("inputs/square_tube_crush/deck.yaml", {"time.max_steps": 1000}, {"time.max_steps": 300}),
+    "container_drop": ("inputs/container_drop/deck.yaml", {"time.max_steps": 200}, {"time.max_steps": 60}),
     "rod_through_plates": ("inputs/rod_through_plates/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 500}),
 }
 CONTACT = ["contact_rcb", "contact_search", "contact_check", "contact_enforce"]

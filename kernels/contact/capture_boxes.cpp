@@ -11,37 +11,57 @@ KOKKOS_INLINE_FUNCTION FacePoints load_face(const Rows4<const int>& corners, con
   return points;
 }
 
+/// Largest value(i) of the first `count`; 0 of none.
+template <class Space, class Value>
+double find_largest_value(const char* name, const Space& space, std::size_t count, const Value& value) {
+  double largest = 0;
+  Kokkos::parallel_reduce(
+      name, RangeOf<Space>(space, 0, static_cast<int>(count)),
+      KOKKOS_LAMBDA(int i, double& most) { most = larger(most, value(i)); }, Kokkos::Max<double>(largest));
+  return larger(largest, 0.0);
+}
+
+/// What node i of `nodes` has moved from its place in `origin`, at n and at its predicted place.
+struct Travels {
+  Array<const int> nodes;
+  SurfaceMotion motion;
+  Rows3<const double> origin;
+
+  template <class Measure>
+  KOKKOS_INLINE_FUNCTION double find_larger(int i, const Measure& measure) const {
+    const int a = nodes(i);
+    const Point3 moved = load_row(motion.x, a) - load_row(origin, i);
+    return larger(measure(moved), measure(moved + motion.dt * load_row(motion.v, a)));
+  }
+};
+
 }  // namespace
 
 template <class Space>
 double find_largest_move(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion) {
-  double largest = 0;
   const SurfaceMotion m = motion;
   const Array<const int> list = nodes;
-  Kokkos::parallel_reduce(
-      "contact::largest_move", RangeOf<Space>(space, 0, static_cast<int>(list.extent(0))),
-      KOKKOS_LAMBDA(int n, double& move) { move = larger(move, m.dt * max_component(load_row(m.v, list(n)))); },
-      Kokkos::Max<double>(largest));
-  return larger(largest, 0.0);
+  return find_largest_value("contact::largest_move", space, list.extent(0),
+                            [m, list] KOKKOS_FUNCTION(int n) { return m.dt * max_component(load_row(m.v, list(n))); });
 }
 
 template <class Space>
 double find_largest_travel(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                            const Rows3<const double>& origin) {
-  double largest = 0;
-  const SurfaceMotion m = motion;
-  const Array<const int> list = nodes;
-  const Rows3<const double> from = origin;
-  Kokkos::parallel_reduce(
-      "contact::largest_travel", RangeOf<Space>(space, 0, static_cast<int>(list.extent(0))),
-      KOKKOS_LAMBDA(int n, double& travel) {
-        const int a = list(n);
-        const Point3 moved = load_row(m.x, a) - load_row(from, n);
-        const Point3 end = moved + m.dt * load_row(m.v, a);
-        travel = larger(travel, larger(max_component(moved), max_component(end)));
-      },
-      Kokkos::Max<double>(largest));
-  return larger(largest, 0.0);
+  const Travels travels{nodes, motion, origin};
+  return find_largest_value("contact::largest_travel", space, nodes.extent(0), [travels] KOKKOS_FUNCTION(int n) {
+    return travels.find_larger(n, [](const Point3& travel) { return max_component(travel); });
+  });
+}
+
+template <class Space>
+double find_largest_distance(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
+                             const Rows3<const double>& origin) {
+  const Travels travels{nodes, motion, origin};
+  return std::sqrt(
+      find_largest_value("contact::largest_distance", space, nodes.extent(0), [travels] KOKKOS_FUNCTION(int n) {
+        return travels.find_larger(n, [](const Point3& travel) { return dot(travel, travel); });
+      }));
 }
 
 template <class Space>
@@ -87,6 +107,8 @@ void bound_faces(const Space& space, const BoundedFaces& faces, const SurfaceMot
   template double find_largest_move(const Space&, const Array<const int>&, const SurfaceMotion&);                      \
   template double find_largest_travel(const Space&, const Array<const int>&, const SurfaceMotion&,                     \
                                       const Rows3<const double>&);                                                     \
+  template double find_largest_distance(const Space&, const Array<const int>&, const SurfaceMotion&,                   \
+                                        const Rows3<const double>&);                                                   \
   template void store_places(const Space&, const Array<const int>&, const Rows3<const double>&, const Rows3<double>&); \
   template ExactSum sum_shortest_edges(const Space&, const Rows4<const int>&, const Rows3<const double>&);             \
   template void bound_faces(const Space&, const BoundedFaces&, const SurfaceMotion&, double, const Boxes&);

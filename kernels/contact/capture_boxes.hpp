@@ -39,6 +39,11 @@ template <class Space>
 double find_largest_travel(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                            const Rows3<const double>& origin);
 
+/// The largest such distance.
+template <class Space>
+double find_largest_distance(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
+                             const Rows3<const double>& origin);
+
 /// Stores the places of the nodes: origin [nodes][3].
 template <class Space>
 void store_places(const Space& space, const Array<const int>& nodes, const Rows3<const double>& x,

@@ -24,7 +24,6 @@ struct FaceState {
   Boxes box;             // of the face over the step, widened by the reach of the check
 
   // in scenes with shells
-  Rows3<double> normal_at_start = Rows3<double>("contact::face_start_normal", 0);  // outward unit normal at n
   Array<FaceSlab> slab = Array<FaceSlab>("contact::face_slab", 0);
 };
 

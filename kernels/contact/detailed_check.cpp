@@ -79,7 +79,6 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
         // Relative to the first corner, so that nothing degrades far from the origin of the coordinates.
         const RelativeFace relative = load_relative_face(s, m, s.face_corners(face, 0), face);
         store_row(out.normal, face, find_face_normal(find_end(relative)));
-        if (s.offsets.largest > 0) store_row(out.normal_at_start, face, find_face_normal(relative.start));
         if (is_boxed(i) == 0) {
           set_empty_box(out.box, face);
           return;

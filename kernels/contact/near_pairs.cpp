@@ -63,6 +63,7 @@ KOKKOS_INLINE_FUNCTION Nearness find_nearness(const SeenFace& seen, const Point3
   return is_apart ? unlinked : ever;
 }
 
+/// Whether the face pushed the node in the last step.
 KOKKOS_INLINE_FUNCTION bool is_in_history(const Array<const int>& history_face, int node, int face) {
   for (int slot = 0; slot < contact_limits::max_touches; ++slot)
     if (history_face(contact_limits::max_touches * node + slot) == face) return true;
@@ -93,24 +94,6 @@ KOKKOS_INLINE_FUNCTION void link_histories(const ContactSurface& surface, const 
 }
 
 }  // namespace
-
-template <class Space>
-double find_largest_distance(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
-                             const Rows3<const double>& origin) {
-  double largest = 0;
-  const SurfaceMotion m = motion;
-  const Array<const int> list = nodes;
-  const Rows3<const double> from = origin;
-  Kokkos::parallel_reduce(
-      "contact::largest_distance", RangeOf<Space>(space, 0, static_cast<int>(list.extent(0))),
-      KOKKOS_LAMBDA(int n, double& square) {
-        const int a = list(n);
-        const Point3 moved = load_row(m.x, a) - load_row(from, n), end = moved + m.dt * load_row(m.v, a);
-        square = larger(square, larger(dot(moved, moved), dot(end, end)));
-      },
-      Kokkos::Max<double>(largest));
-  return std::sqrt(larger(largest, 0.0));
-}
 
 template <class Space>
 bool list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
@@ -180,8 +163,6 @@ bool list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
 }
 
 #define PERCUSS_INSTANTIATE(Space)                                                                                 \
-  template double find_largest_distance(const Space&, const Array<const int>&, const SurfaceMotion&,               \
-                                        const Rows3<const double>&);                                               \
   template bool list_near_pairs(const Space&, const ContactSurface&, const Rows3<const double>&, const FaceState&, \
                                 const Array<const int>&, const CandidateList&, double, double, NearScratch&,       \
                                 CandidateList&);

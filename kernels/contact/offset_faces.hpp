@@ -44,31 +44,23 @@ KOKKOS_INLINE_FUNCTION Point3 find_corner_direction(const ContactSurface& surfac
   return find_outward(own, along_face);
 }
 
-/// The corners of a face moved outward by `offset`, at the places of `place`, relative to its origin. normals: as
-/// above.
-template <class Place>
-KOKKOS_INLINE_FUNCTION FacePoints find_moved_face(const ContactSurface& surface, const Place& place,
-                                                  const Rows3<const double>& normals, int face, double offset) {
-  const FacePoints points = find_face_points(surface, place, face);
-  FacePoints moved;
-  for (int i = 0; i < 4; ++i)
-    moved.corner[i] = points.corner[i] + offset * find_corner_direction(surface, place, normals, points, face, i);
-  return moved;
-}
-
-/// The face that a node touches, relative to the node: that of the mesh, moved outward where thickness is between them.
+/// The face that a node touches, relative to the node: that of the mesh, moved outward where thickness is between them,
+/// in the directions of the end of the step: over a step they turn by so little that the face would be out of place by
+/// the square of that.
 KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surface, const SurfaceMotion& motion,
                                                       const FaceState& faces, const Point3& x, const Point3& v,
                                                       int face, double offset) {
   RelativeFace relative = load_relative_face(surface, motion, x, v, face);
   if (offset == 0) return relative;
-  const auto at_start = [&](int node) { return load_row(motion.x, surface.nodes(node)) - x; };
   const auto at_end = [&](int node) {
-    return at_start(node) + motion.dt * (load_row(motion.v, surface.nodes(node)) - v);
+    const int a = surface.nodes(node);
+    return (load_row(motion.x, a) - x) + motion.dt * (load_row(motion.v, a) - v);
   };
-  const FacePoints end = find_moved_face(surface, at_end, faces.normal, face, offset);
-  relative.start = find_moved_face(surface, at_start, faces.normal_at_start, face, offset);
-  for (int i = 0; i < 4; ++i) relative.move.corner[i] = end.corner[i] - relative.start.corner[i];
+  const FacePoints end = find_end(relative);
+  for (int i = 0; i < 4; ++i) {
+    const Point3 direction = find_corner_direction(surface, at_end, faces.normal, end, face, i);
+    relative.start.corner[i] = relative.start.corner[i] + offset * direction;
+  }
   return relative;
 }
 
@@ -97,16 +89,15 @@ KOKKOS_INLINE_FUNCTION FaceSlab find_slab(const SurfaceMotion& motion, int first
 }
 
 /// Whether a node stays, over the step, farther than `beyond` in front of the face moved outward by `offset`, or
-/// farther than `deepest` behind it. Leaves room for what a face turns in a step, at which its moved corners rise or
-/// fall.
+/// farther than `deepest` behind it: moved corners are higher by the offset, at both ends of the step.
 KOKKOS_INLINE_FUNCTION bool is_off_slab(const FaceSlab& slab, const Point3& normal, const SurfaceMotion& motion,
                                         const CheckedNode& node, double offset, double beyond, double deepest) {
-  constexpr double turn = 0.25;  // radians in a step, where it moves at the speed of sound
+  constexpr double slack = 1e-6;  // room for round-off
   const Point3 from = node.x - slab.origin;
   const double start = dot(normal, from), end = start + dot(normal, motion.dt * node.v - slab.move);
   const double high = start - slab.low_start > end - slab.low_end ? start - slab.low_start : end - slab.low_end;
   const double low = start - slab.high_start < end - slab.high_end ? start - slab.high_start : end - slab.high_end;
-  return low - (1 + turn) * offset > beyond || high - (1 - turn) * offset < -deepest;
+  return low - (1 + slack) * offset > beyond || high - (1 - slack) * offset < -deepest;
 }
 
 }  // namespace percuss

@@ -92,10 +92,7 @@ void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>&
     check.faces = {};
     check.faces = {Rows3<double>("contact::face_normal", faces), Array<double>("contact::face_size", faces),
                    Boxes("contact::face_box", faces)};
-    if (surface.offsets.largest > 0) {
-      check.faces.normal_at_start = Rows3<double>("contact::face_start_normal", faces);
-      check.faces.slab = Array<FaceSlab>("contact::face_slab", faces);
-    }
+    if (surface.offsets.largest > 0) check.faces.slab = Array<FaceSlab>("contact::face_slab", faces);
   }
   reserve(check.history_face, contact_limits::max_touches * surface.num_nodes);
 }

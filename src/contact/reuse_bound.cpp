@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/contact/near_pairs.hpp"
+#include "kernels/contact/capture_boxes.hpp"
 
 namespace percuss {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "kernels/contact/capture_boxes.hpp"
 #include "kernels/contact/near_pairs.hpp"
 #include "tests/kernels/contact/brick_scene.hpp"
 
@@ -30,7 +31,6 @@ void thicken(CheckedScene& scene, double half) {
                            to_array(std::vector<int>(corners + 1, 0)),
                            to_array(std::vector<int>()),
                            to_array(std::vector<int>(corners, 0))};
-  scene.faces.normal_at_start = Rows3<double>("test::normal_at_start", faces);
   scene.faces.slab = Array<FaceSlab>("test::slab", faces);
   scene.check();
 }
