@@ -23,24 +23,21 @@ KOKKOS_INLINE_FUNCTION void set_axis(const FacePoints& face, int k, const Point3
   }
 }
 
-/// face: relative to its first corner, which is at `origin`; travel: how far each corner may move. size_of_shell: h of
-/// a face of shells; 0: of a solid, where h is at most the shortest edge, and a thickness less than that follows nodes
-/// inside the solid, which no travel bounds.
-KOKKOS_INLINE_FUNCTION SeenFace see_face(const Point3& origin, const FacePoints& face, double size_of_shell,
-                                         double travel) {
+/// face: relative to its first corner, which is at `origin`; size: h; travel: how far each corner may move.
+KOKKOS_INLINE_FUNCTION SeenFace see_face(const Point3& origin, const FacePoints& face, double size, double travel) {
   const Point3 a = face.corner[2] - face.corner[0], b = face.corner[3] - face.corner[1], area = cross(a, b),
                along = (face.corner[1] - face.corner[0]) + (face.corner[2] - face.corner[3]);
-  const double size = norm(area), length = norm(along);
-  const Point3 normal = size > 0 ? (1 / size) * area : Point3{}, first = length > 0 ? (1 / length) * along : Point3{};
+  const double whole = norm(area), length = norm(along);
+  const Point3 normal = whole > 0 ? (1 / whole) * area : Point3{}, first = length > 0 ? (1 / length) * along : Point3{};
   SeenFace seen;
   seen.origin = origin;
-  seen.capture = contact_limits::capture * (size_of_shell > 0 ? size_of_shell : find_shortest_edge(face));
+  seen.capture = contact_limits::capture * size;
   set_axis(face, 0, normal, seen);
   set_axis(face, 1, first, seen);
   set_axis(face, 2, cross(normal, first), seen);
   // Each diagonal changes by twice the travel at most.
   const double change = 2 * travel * (norm(a) + norm(b) + 2 * travel);
-  seen.turn = change < size ? change / size : 1;
+  seen.turn = change < whole ? change / whole : 1;
   return seen;
 }
 
@@ -117,8 +114,7 @@ bool list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
         FacePoints corners;
         for (int k = 0; k < 4; ++k)
           corners.corner[k] = load_row(places, s.nodes(s.face_corners(seen_face, k))) - origin;
-        seen(seen_face) =
-            see_face(origin, corners, find_face_offset(s.offsets, seen_face) > 0 ? size(seen_face) : 0, travel);
+        seen(seen_face) = see_face(origin, corners, size(seen_face), travel);
       });
   Kokkos::parallel_for(
       "contact::find_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {

@@ -103,12 +103,11 @@ void NearPairs::PartList::ask() {
 }
 
 void NearPairs::ask(const NearWay& way) {
-  near_.is_used = near_.is_due = false;
+  near_.is_used = near_.is_due = reachable_.is_due = false;
+  reachable_.is_used = reachable_.is_used && way.keeps_first;
   way_ = way;
-  if (way.near <= 0) return;
-  if (is_first_) reachable_.ask();
-  is_first_ = false;
-  near_.ask();
+  if (way.search > 0) reachable_.ask();
+  if (way.near > 0) near_.ask();
 }
 
 void NearPairs::fill(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,

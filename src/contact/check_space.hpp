@@ -25,10 +25,11 @@ struct SurfaceLists {
 
 ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShare& share);
 
-/// How far any node may go from its place of now.
+/// How far any node, also of those behind faces, may go from its place of now.
 struct NearWay {
-  double near = 0;    // until the near pairs are listed anew [length]; 0: none are listed
-  double search = 0;  // until the next search [length]
+  double near = 0;           // until the near pairs are listed anew [length]; 0: none are listed
+  double search = 0;         // until the next search [length]; 0: what was listed for that way is not listed anew
+  bool keeps_first = false;  // what was listed for that way still holds
 };
 
 /// The candidate pairs that are near enough to be checked, where there are many others: of those of a search the ones
@@ -39,7 +40,6 @@ class NearPairs {
   void forget() {
     reachable_.is_used = near_.is_used = false;
     reachable_.is_due = near_.is_due = false;
-    is_first_ = true;
   }
 
   /// They are to be listed at the next check, or none are.
@@ -71,7 +71,6 @@ class NearPairs {
             const Array<const int>& history_face, const CandidateList& of, double travel, PartList& part);
 
   NearWay way_;
-  bool is_first_ = true;  // list since the search
   PartList reachable_, near_;
   NearScratch scratch_;
 };

@@ -28,14 +28,16 @@ ReuseBound::ReuseBound(const Communicator& ranks, const SurfaceShare& share, boo
       enabled_(enabled),
       origin_("contact::search_origin", static_cast<std::size_t>(share.nodes.count())),
       velocity_("contact::search_velocity", static_cast<std::size_t>(share.nodes.count())),
-      near_origin_("contact::near_origin", static_cast<std::size_t>(share.nodes.count())) {}
+      near_origin_("contact::near_origin", share.moved_list.extent(0)),
+      first_origin_("contact::first_origin", share.moved_list.extent(0)) {}
 
 void ReuseBound::redefine() {
   valid_ = false;
-  margin_ = dt_ = near_travel_ = 0;
+  margin_ = dt_ = near_travel_ = first_travel_ = 0;
   origin_ = Rows3<double>("contact::search_origin", static_cast<std::size_t>(share_.nodes.count()));
   velocity_ = Rows3<double>("contact::search_velocity", static_cast<std::size_t>(share_.nodes.count()));
-  near_origin_ = Rows3<double>("contact::near_origin", static_cast<std::size_t>(share_.nodes.count()));
+  near_origin_ = Rows3<double>("contact::near_origin", share_.moved_list.extent(0));
+  first_origin_ = Rows3<double>("contact::first_origin", share_.moved_list.extent(0));
 }
 
 double ReuseBound::find_largest(double value) const {
@@ -66,35 +68,48 @@ double ReuseBound::restart(const SurfaceMotion& motion, bool wide) {
   margin_ = find_largest(move) + (enabled_ || wide ? margin_edges * find_mean_edge(motion) : 0);
   dt_ = motion.dt;
   valid_ = true;
-  travel_ = near_travel_ = 0;
+  travel_ = near_travel_ = first_travel_ = 0;
   return margin_;
 }
 
-double ReuseBound::find_distance(const SurfaceMotion& motion) const {
+double ReuseBound::find_distance(const SurfaceMotion& motion, const Rows3<double>& origin) const {
   double distance = 0;
   run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
-    distance = find_largest_distance(space, share_.node_list, motion, near_origin_);
+    distance = find_largest_distance(space, share_.moved_list, motion, origin);
   });
   return find_largest(distance);
 }
 
+void ReuseBound::store_moved(const SurfaceMotion& motion, const Rows3<double>& origin) const {
+  run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
+    store_places(space, share_.moved_list, motion.x, origin);
+    space.fence();
+  });
+}
+
 bool ReuseBound::covers_near(const SurfaceMotion& motion) const {
-  return near_travel_ > 0 && find_distance(motion) <= near_travel_;
+  return near_travel_ > 0 && find_distance(motion, near_origin_) <= near_travel_;
 }
 
 NearWay ReuseBound::restart_near(const SurfaceMotion& motion) {
   const double whole = margin_ / travels_in_margin, left = 0.999 * (whole - travel_);  // so that covers() holds, too
+  NearWay way;
   near_travel_ = 0;
-  if (!enabled_ || left < least_near_share * whole) return {};
-  run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
-    store_places(space, share_.node_list, motion.x, near_origin_);
-    space.fence();
-  });
-  const double step = find_distance(motion), travel = std::min(near_share * whole, left);
-  if (travel < least_near_steps * step) return {};
-  near_travel_ = step > 0 ? std::min(travel, near_steps * step) : travel;
-  // The way to the next search is bounded by component, and from the place of the last one.
-  return {near_travel_, std::sqrt(3.0) * (whole + travel_)};
+  if (enabled_ && left >= least_near_share * whole) {
+    store_moved(motion, near_origin_);
+    const double step = find_distance(motion, near_origin_), travel = std::min(near_share * whole, left);
+    if (travel >= least_near_steps * step) near_travel_ = step > 0 ? std::min(travel, near_steps * step) : travel;
+  }
+  way.near = near_travel_;
+  // That of contact nodes to the next search is bounded; those behind faces have to keep to it.
+  way.keeps_first = first_travel_ > 0 && find_distance(motion, first_origin_) + near_travel_ <= first_travel_;
+  if (!way.keeps_first) first_travel_ = 0;
+  if (near_travel_ > 0 && !way.keeps_first) {
+    // By component, and from the place of the last search.
+    way.search = first_travel_ = std::sqrt(3.0) * (whole + travel_);
+    store_moved(motion, first_origin_);
+  }
+  return way;
 }
 
 void ReuseBound::archive(CheckpointArchive& archive, const ChunkRows& contact_nodes) {
@@ -103,7 +118,7 @@ void ReuseBound::archive(CheckpointArchive& archive, const ChunkRows& contact_no
   archive.number("contact/search/dt", dt_);
   archive.rows("contact/search/origin", contact_nodes, 3, origin_);
   archive.rows("contact/search/velocity", contact_nodes, 3, velocity_);
-  if (archive.is_loading()) travel_ = near_travel_ = 0;
+  if (archive.is_loading()) travel_ = near_travel_ = first_travel_ = 0;
 }
 
 double ReuseBound::find_mean_edge(const SurfaceMotion& motion) const {

@@ -18,8 +18,8 @@ class ReuseBound {
   /// Whether the pairs of the last search still hold all that the check could accept in this step.
   bool covers(const SurfaceMotion& motion);
 
-  /// Whether no node is farther from its place at the last restart_near(), in this step, than that allowed. Then
-  /// covers() holds as well.
+  /// Whether no contact node, and none behind a face, is farther from its place at the last restart_near(), in this
+  /// step, than that allowed. Then covers() holds as well.
   bool covers_near(const SurfaceMotion& motion) const;
 
   /// Starts the way of the near pairs at this step's places, where covers() holds or restart() was called.
@@ -44,8 +44,8 @@ class ReuseBound {
 
  private:
   double find_largest(double value) const;
-  /// From near_origin_.
-  double find_distance(const SurfaceMotion& motion) const;
+  double find_distance(const SurfaceMotion& motion, const Rows3<double>& origin) const;
+  void store_moved(const SurfaceMotion& motion, const Rows3<double>& origin) const;
 
   Communicator ranks_;
   const SurfaceShare& share_;
@@ -56,8 +56,10 @@ class ReuseBound {
   double dt_ = 0;
   Rows3<double> origin_, velocity_;  // at the last search
   double travel_ = 0;                // since then, as covers() found it last
-  double near_travel_ = 0;           // allowed from near_origin_; 0: nothing
-  Rows3<double> near_origin_;
+  // Of the nodes of SurfaceShare::moved_list: places at the last restart_near(), and at the one that asked for the
+  // pairs that can come near before the next search, with the ways allowed from there; 0: nothing holds.
+  double near_travel_ = 0, first_travel_ = 0;
+  Rows3<double> near_origin_, first_origin_;
 };
 
 }  // namespace percuss

@@ -311,12 +311,17 @@ void set_offsets(const Mesh& mesh, const Communicator& ranks, SurfaceShare& shar
 
 void set_lists(const Communicator& ranks, SurfaceShare& share) {
   std::vector<std::array<int, 4>> corners;
+  std::vector<int> moved = share.nodes.mesh_nodes;
   for (std::size_t f = 0; f < share.faces.size(); ++f) {
     if (share.face_searched[f] == 0) continue;
+    if (share.faces[f].offset == 0) moved.insert(moved.end(), share.face_backs[f].begin(), share.face_backs[f].end());
     share.searched_faces.push_back(static_cast<int>(f));
     corners.push_back(share.face_corners[f]);
   }
   share.node_list = to_view("contact::nodes", share.nodes.mesh_nodes);
+  std::sort(moved.begin(), moved.end());
+  moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
+  share.moved_list = to_view("contact::moved_nodes", moved);
   share.corner_list = to_rows("contact::face_nodes", corners);
   std::int64_t totals[4] = {share.nodes.count(), static_cast<std::int64_t>(share.faces.size()),
                             static_cast<std::int64_t>(corners.size()), static_cast<std::int64_t>(share.edges.size())};

@@ -59,9 +59,10 @@ struct SurfaceShare {
   double largest_offset = 0;  // of any face or node of any rank that may touch [length]; 0: no shells do
 
   // For kernels over the share.
-  Array<const int> node_list;        // [owned contact nodes] mesh nodes
-  Rows4<const int> corner_list;      // [searched faces] corners as mesh nodes
-  std::vector<int> searched_faces;   // places in `faces`
+  Array<const int> node_list;       // [owned contact nodes] mesh nodes
+  Array<const int> moved_list;      // mesh nodes on which places and sizes of faces depend: node_list, and behind faces
+  Rows4<const int> corner_list;     // [searched faces] corners as mesh nodes
+  std::vector<int> searched_faces;  // places in `faces`
   Array<const double> reach_list{};  // [searched faces] BoundedFaces::offset
 
   /// A face that OwnedContactNodes::faces names: one of `faces`, or beyond these of `told_faces`.

@@ -106,6 +106,37 @@ TEST(ContactStage, ImpulsesAreEqualAndOppositeAndGoneWhenContactIs) {
   for (int n = 0; n < nodes.count(); ++n) EXPECT_EQ(norm(load_row(nodes.impulse, n)), 0);
 }
 
+TEST(ContactStage, ElementsThatGrowThickerBringNodesIntoReach) {
+  // A cube has come through the top of a plate of two layers by more than a contact of elements so thin holds. Then
+  // the nodes between the layers go down, and the same depth is a small one: no contact node has moved to speak of.
+  const std::string plate = R"(
+parts:
+  plate: {box: {size: [4, 4, 0.04], cells: [4, 4, 2]}, at: [0, 0, 0], material: m}
+  cube: {box: {size: [0.5, 0.5, 0.5], cells: [1, 1, 1]}, at: [1.25, 1.25, 0.03], material: m}
+contact: {surfaces: all, reuse_search: )";
+  FreeNodes reused(plate + "true}"), fresh(plate + "false}");
+  int pushes = 0;
+  for (int i = 0; i < 6; ++i) {
+    int from_reused = 0, from_fresh = 0;
+    for (FreeNodes* nodes : {&reused, &fresh}) {
+      nodes->set_velocity("cube", {0, 0, -1e-3});
+      for (const int n : nodes->part("plate")) {
+        const Vec3& place = nodes->mesh.nodes[static_cast<std::size_t>(n)];
+        const bool is_inside =
+            place[0] > 0 && place[0] < 4 && place[1] > 0 && place[1] < 4 && place[2] > 0.01 && place[2] < 0.03;
+        if (is_inside) nodes->v(n, 2) = i == 3 ? -100 : 0;
+      }
+      (nodes == &reused ? from_reused : from_fresh) = nodes->step(0.01).interactions;
+    }
+    EXPECT_EQ(from_reused, from_fresh) << "step " << i;
+    EXPECT_EQ(from_fresh > 0, i > 3) << "step " << i;
+    pushes += from_fresh;
+  }
+  EXPECT_GT(pushes, 0);
+  EXPECT_EQ(reused.stage.searches(), 1);
+  EXPECT_GT(reused.stage.pair_counts().left_out, 0);
+}
+
 TEST(ContactStage, TheReuseOfCandidatesChangesNoBit) {
   const std::string bricks = R"(
 parts:
