@@ -137,6 +137,37 @@ contact: {surfaces: all, reuse_search: )";
   EXPECT_GT(reused.stage.pair_counts().left_out, 0);
 }
 
+TEST(ContactStage, DeepInAThicknessAHistoryGoesFromFaceToFace) {
+  // A cube rests on a thick plate, is put into its thickness, deeper than a node without a history is held, and slides
+  // from one of the plate's faces to the next: as slowly as that, one list of near pairs serves all of the way.
+  const std::string plate = R"(
+parts:
+  plate: {shell_plate: {size: [8, 8], cells: [2, 2]}, thickness: 1, material: m}
+  cube: {box: {size: [0.2, 0.2, 0.2], cells: [1, 1, 1]}, at: [3.795, 1.9, 0.5], material: m}
+contact: {surfaces: all, reuse_search: )";
+  FreeNodes reused(plate + "true}"), fresh(plate + "false}");
+  for (FreeNodes* nodes : {&reused, &fresh}) {
+    nodes->hold("plate");
+    nodes->set_velocity("cube", {0, 0, -1e-3});
+    EXPECT_EQ(nodes->step(1).interactions, 4);
+    for (const int n : nodes->part("cube")) nodes->x(n, 2) -= 0.4;
+  }
+  for (int i = 0; i < 12; ++i) {
+    int from_reused = 0;
+    for (FreeNodes* nodes : {&reused, &fresh}) {
+      nodes->set_velocity("cube", {2e-3, 0, -1e-3});
+      const int interactions = nodes->step(1).interactions;
+      if (nodes == &reused)
+        from_reused = interactions;
+      else
+        EXPECT_EQ(from_reused, interactions) << "step " << i;
+    }
+    EXPECT_EQ(from_reused, 4) << "step " << i;
+  }
+  EXPECT_GT(reused.x(reused.part("cube/x_max")[0], 0), 4 + 0.01);
+  EXPECT_GT(reused.stage.pair_counts().left_out, 0);
+}
+
 TEST(ContactStage, TheReuseOfCandidatesChangesNoBit) {
   const std::string bricks = R"(
 parts:
