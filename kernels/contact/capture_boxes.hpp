@@ -39,7 +39,7 @@ template <class Space>
 double find_largest_travel(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                            const Rows3<const double>& origin);
 
-/// The largest such distance.
+/// The same with distances in place of their largest components; in between, in the step, no node is farther away.
 template <class Space>
 double find_largest_distance(const Space& space, const Array<const int>& nodes, const SurfaceMotion& motion,
                              const Rows3<const double>& origin);

@@ -103,12 +103,14 @@ bool list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
   const ContactSurface s = surface;
   const Rows3<const double> places = x;
   const Array<const double> size = faces.size;
-  const Array<const int> history = history_face, offset = all.offset, face = all.face, seen_faces = all.faces;
+  const Array<const int> history = history_face, offset = all.offset, face = all.face;
+  const Array<const int> seen_faces = all.faces, is_candidate = all.is_boxed;
   const Array<int> count = scratch.count, nearness = scratch.nearness, near_offset = near.offset;
   const Array<SeenFace> seen = scratch.seen;
   const double approach = approach_in_travel * travel;
   Kokkos::parallel_for(
       "contact::see_faces", RangeOf<Space>(space, 0, all.num_faces), KOKKOS_LAMBDA(int i) {
+        if (is_candidate(i) == 0) return;
         const int seen_face = seen_faces(i);
         const Point3 origin = load_row(places, s.nodes(s.face_corners(seen_face, 0)));
         FacePoints corners;

@@ -44,9 +44,18 @@ KOKKOS_INLINE_FUNCTION Point3 find_corner_direction(const ContactSurface& surfac
   return find_outward(own, along_face);
 }
 
-/// The face that a node touches, relative to the node: that of the mesh, moved outward where thickness is between them,
-/// in the directions of the end of the step: over a step they turn by so little that the face would be out of place by
-/// the square of that.
+/// v turned as `from` is to become `to`, both unit vectors, on the shortest way (Rodrigues); v where they are a right
+/// angle apart, or one has no length.
+KOKKOS_INLINE_FUNCTION Point3 turn_from_to(const Point3& from, const Point3& to, const Point3& v) {
+  const Point3 axis = cross(from, to);
+  const double cosine = dot(from, to);
+  if (!(cosine > 0)) return v;
+  return cosine * v + cross(axis, v) + (dot(axis, v) / (1 + cosine)) * axis;
+}
+
+/// The face that a node touches, relative to the node: that of the mesh, moved outward where thickness is between them.
+/// The directions are those of the end of the step and at its start these turned back with the face's normal: what
+/// else they change by in a step lies along the face.
 KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surface, const SurfaceMotion& motion,
                                                       const FaceState& faces, const Point3& x, const Point3& v,
                                                       int face, double offset) {
@@ -57,9 +66,12 @@ KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surf
     return (load_row(motion.x, a) - x) + motion.dt * (load_row(motion.v, a) - v);
   };
   const FacePoints end = find_end(relative);
+  const Point3 normal = load_row(faces.normal, face), normal_at_start = faces.slab(face).normal_at_start;
   for (int i = 0; i < 4; ++i) {
     const Point3 direction = find_corner_direction(surface, at_end, faces.normal, end, face, i);
-    relative.start.corner[i] = relative.start.corner[i] + offset * direction;
+    const Point3 at_start = turn_from_to(normal, normal_at_start, direction);
+    relative.start.corner[i] = relative.start.corner[i] + offset * at_start;
+    relative.move.corner[i] = relative.move.corner[i] + offset * (direction - at_start);
   }
   return relative;
 }
@@ -85,19 +97,21 @@ KOKKOS_INLINE_FUNCTION FaceSlab find_slab(const SurfaceMotion& motion, int first
     slab.low_end = i == 0 || end < slab.low_end ? end : slab.low_end;
     slab.high_end = i == 0 || end > slab.high_end ? end : slab.high_end;
   }
+  constexpr double slack = 1e-6;  // room for round-off
+  slab.normal_at_start = find_face_normal(relative.start);
+  slab.turn = longest_mitre * norm(normal - slab.normal_at_start) + slack;
   return slab;
 }
 
 /// Whether a node stays, over the step, farther than `beyond` in front of the face moved outward by `offset`, or
-/// farther than `deepest` behind it: moved corners are higher by the offset, at both ends of the step.
+/// farther than `deepest` behind it: moved corners are higher by the offset, along the normal of their time.
 KOKKOS_INLINE_FUNCTION bool is_off_slab(const FaceSlab& slab, const Point3& normal, const SurfaceMotion& motion,
                                         const CheckedNode& node, double offset, double beyond, double deepest) {
-  constexpr double slack = 1e-6;  // room for round-off
   const Point3 from = node.x - slab.origin;
   const double start = dot(normal, from), end = start + dot(normal, motion.dt * node.v - slab.move);
   const double high = start - slab.low_start > end - slab.low_end ? start - slab.low_start : end - slab.low_end;
   const double low = start - slab.high_start < end - slab.high_end ? start - slab.high_start : end - slab.high_end;
-  return low - (1 + slack) * offset > beyond || high - (1 - slack) * offset < -deepest;
+  return low - (1 + slab.turn) * offset > beyond || high - (1 - slab.turn) * offset < -deepest;
 }
 
 }  // namespace percuss

@@ -25,11 +25,11 @@ struct SurfaceLists {
 
 ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShare& share);
 
-/// How far any node, also of those behind faces, may go from its place of now.
+/// What the next checks may leave out, by how far no node, also of those behind faces, will be from its place of now.
 struct NearWay {
   double near = 0;           // until the near pairs are listed anew [length]; 0: none are listed
-  double search = 0;         // until the next search [length]; 0: what was listed for that way is not listed anew
-  bool keeps_first = false;  // what was listed for that way still holds
+  double search = 0;         // until the next search [length], for a first list that is to be made now; 0: none is
+  bool keeps_first = false;  // the first list of before still holds; otherwise it is dropped
 };
 
 /// The candidate pairs that are near enough to be checked, where there are many others: of those of a search the ones

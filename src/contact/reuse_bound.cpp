@@ -28,22 +28,26 @@ ReuseBound::ReuseBound(const Communicator& ranks, const SurfaceShare& share, boo
       enabled_(enabled),
       origin_("contact::search_origin", static_cast<std::size_t>(share.nodes.count())),
       velocity_("contact::search_velocity", static_cast<std::size_t>(share.nodes.count())),
-      near_origin_("contact::near_origin", share.moved_list.extent(0)),
-      first_origin_("contact::first_origin", share.moved_list.extent(0)) {}
+      near_origin_("contact::near_origin", share.watched_list.extent(0)),
+      first_origin_("contact::first_origin", share.watched_list.extent(0)) {}
 
 void ReuseBound::redefine() {
   valid_ = false;
   margin_ = dt_ = near_travel_ = first_travel_ = 0;
   origin_ = Rows3<double>("contact::search_origin", static_cast<std::size_t>(share_.nodes.count()));
   velocity_ = Rows3<double>("contact::search_velocity", static_cast<std::size_t>(share_.nodes.count()));
-  near_origin_ = Rows3<double>("contact::near_origin", share_.moved_list.extent(0));
-  first_origin_ = Rows3<double>("contact::first_origin", share_.moved_list.extent(0));
+  near_origin_ = Rows3<double>("contact::near_origin", share_.watched_list.extent(0));
+  first_origin_ = Rows3<double>("contact::first_origin", share_.watched_list.extent(0));
+}
+
+void ReuseBound::find_largest(double* values, int count) const {
+  if (ranks_.size() > 1)
+    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_MAX, ranks_.handle()); },
+             "MPI_Allreduce");
 }
 
 double ReuseBound::find_largest(double value) const {
-  if (ranks_.size() > 1)
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, ranks_.handle()); },
-             "MPI_Allreduce");
+  find_largest(&value, 1);
   return value;
 }
 
@@ -72,42 +76,46 @@ double ReuseBound::restart(const SurfaceMotion& motion, bool wide) {
   return margin_;
 }
 
-double ReuseBound::find_distance(const SurfaceMotion& motion, const Rows3<double>& origin) const {
+double ReuseBound::find_distance_here(const SurfaceMotion& motion, const Rows3<double>& origin) const {
   double distance = 0;
   run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
-    distance = find_largest_distance(space, share_.moved_list, motion, origin);
+    distance = find_largest_distance(space, share_.watched_list, motion, origin);
   });
-  return find_largest(distance);
+  return distance;
 }
 
-void ReuseBound::store_moved(const SurfaceMotion& motion, const Rows3<double>& origin) const {
+void ReuseBound::store_watched(const SurfaceMotion& motion, const Rows3<double>& origin) const {
   run_where_it_pays(share_.nodes.count() / 10, [&](const auto& space) {
-    store_places(space, share_.moved_list, motion.x, origin);
+    store_places(space, share_.watched_list, motion.x, origin);
     space.fence();
   });
 }
 
 bool ReuseBound::covers_near(const SurfaceMotion& motion) const {
-  return near_travel_ > 0 && find_distance(motion, near_origin_) <= near_travel_;
+  return near_travel_ > 0 && find_largest(find_distance_here(motion, near_origin_)) <= near_travel_;
 }
 
 NearWay ReuseBound::restart_near(const SurfaceMotion& motion) {
   const double whole = margin_ / travels_in_margin, left = 0.999 * (whole - travel_);  // so that covers() holds, too
-  NearWay way;
+  const bool is_worth_it = enabled_ && left >= least_near_share * whole;
   near_travel_ = 0;
-  if (enabled_ && left >= least_near_share * whole) {
-    store_moved(motion, near_origin_);
-    const double step = find_distance(motion, near_origin_), travel = std::min(near_share * whole, left);
-    if (travel >= least_near_steps * step) near_travel_ = step > 0 ? std::min(travel, near_steps * step) : travel;
-  }
+  if (!is_worth_it && first_travel_ == 0) return {};
+  store_watched(motion, near_origin_);
+  double gone[2] = {find_distance_here(motion, near_origin_),
+                    first_travel_ > 0 ? find_distance_here(motion, first_origin_) : 0};
+  find_largest(gone, 2);
+  const double step = gone[0], travel = std::min(near_share * whole, left);
+  if (is_worth_it && travel >= least_near_steps * step)
+    near_travel_ = step > 0 ? std::min(travel, near_steps * step) : travel;
+  NearWay way;
   way.near = near_travel_;
-  // That of contact nodes to the next search is bounded; those behind faces have to keep to it.
-  way.keeps_first = first_travel_ > 0 && find_distance(motion, first_origin_) + near_travel_ <= first_travel_;
+  // The way of contact nodes to the next search is bounded; those behind faces have to keep to it.
+  way.keeps_first = first_travel_ > 0 && gone[1] + near_travel_ <= first_travel_;
   if (!way.keeps_first) first_travel_ = 0;
   if (near_travel_ > 0 && !way.keeps_first) {
     // By component, and from the place of the last search.
     way.search = first_travel_ = std::sqrt(3.0) * (whole + travel_);
-    store_moved(motion, first_origin_);
+    store_watched(motion, first_origin_);
   }
   return way;
 }

@@ -43,9 +43,11 @@ class ReuseBound {
   double find_mean_edge(const SurfaceMotion& motion) const;
 
  private:
+  /// Largest values of all ranks, in place.
+  void find_largest(double* values, int count) const;
   double find_largest(double value) const;
-  double find_distance(const SurfaceMotion& motion, const Rows3<double>& origin) const;
-  void store_moved(const SurfaceMotion& motion, const Rows3<double>& origin) const;
+  double find_distance_here(const SurfaceMotion& motion, const Rows3<double>& origin) const;
+  void store_watched(const SurfaceMotion& motion, const Rows3<double>& origin) const;
 
   Communicator ranks_;
   const SurfaceShare& share_;
@@ -56,7 +58,7 @@ class ReuseBound {
   double dt_ = 0;
   Rows3<double> origin_, velocity_;  // at the last search
   double travel_ = 0;                // since then, as covers() found it last
-  // Of the nodes of SurfaceShare::moved_list: places at the last restart_near(), and at the one that asked for the
+  // Of the nodes of SurfaceShare::watched_list: places at the last restart_near(), and at the one that asked for the
   // pairs that can come near before the next search, with the ways allowed from there; 0: nothing holds.
   double near_travel_ = 0, first_travel_ = 0;
   Rows3<double> near_origin_, first_origin_;

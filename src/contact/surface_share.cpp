@@ -311,17 +311,19 @@ void set_offsets(const Mesh& mesh, const Communicator& ranks, SurfaceShare& shar
 
 void set_lists(const Communicator& ranks, SurfaceShare& share) {
   std::vector<std::array<int, 4>> corners;
-  std::vector<int> moved = share.nodes.mesh_nodes;
+  std::vector<int> watched = share.nodes.mesh_nodes;
   for (std::size_t f = 0; f < share.faces.size(); ++f) {
     if (share.face_searched[f] == 0) continue;
-    if (share.faces[f].offset == 0) moved.insert(moved.end(), share.face_backs[f].begin(), share.face_backs[f].end());
+    // The thickness of a shell is that of time 0; of a solid it is found from the nodes behind the face.
+    if (share.faces[f].offset == 0)
+      watched.insert(watched.end(), share.face_backs[f].begin(), share.face_backs[f].end());
     share.searched_faces.push_back(static_cast<int>(f));
     corners.push_back(share.face_corners[f]);
   }
   share.node_list = to_view("contact::nodes", share.nodes.mesh_nodes);
-  std::sort(moved.begin(), moved.end());
-  moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
-  share.moved_list = to_view("contact::moved_nodes", moved);
+  std::sort(watched.begin(), watched.end());
+  watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
+  share.watched_list = to_view("contact::watched_nodes", watched);
   share.corner_list = to_rows("contact::face_nodes", corners);
   std::int64_t totals[4] = {share.nodes.count(), static_cast<std::int64_t>(share.faces.size()),
                             static_cast<std::int64_t>(corners.size()), static_cast<std::int64_t>(share.edges.size())};

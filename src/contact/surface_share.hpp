@@ -60,7 +60,7 @@ struct SurfaceShare {
 
   // For kernels over the share.
   Array<const int> node_list;       // [owned contact nodes] mesh nodes
-  Array<const int> moved_list;      // mesh nodes on which places and sizes of faces depend: node_list, and behind faces
+  Array<const int> watched_list;    // mesh nodes on which places and sizes of faces depend: node_list, and behind faces
   Rows4<const int> corner_list;     // [searched faces] corners as mesh nodes
   std::vector<int> searched_faces;  // places in `faces`
   Array<const double> reach_list{};  // [searched faces] BoundedFaces::offset

@@ -4,7 +4,6 @@
 
 #include <random>
 
-#include "kernels/contact/capture_boxes.hpp"
 #include "kernels/contact/near_pairs.hpp"
 #include "tests/kernels/contact/brick_scene.hpp"
 
@@ -141,15 +140,6 @@ TEST(NearPairs, AtRestOnlyWhatTouchesIsNear) {
   EXPECT_EQ(apart.touches, 0);
   EXPECT_EQ(apart.near, 0);
   EXPECT_GT(apart.all, 500);
-}
-
-TEST(NearPairs, TheLargestDistanceIsThatOfEitherEndOfTheStep) {
-  const Array<int> nodes = to_array(std::vector<int>{2, 0});
-  const Rows3<double> x = to_rows({{1, 0, 0}, {50, 0, 0}, {0, 0, 3}}), v = to_rows({{0, 2, 0}, {9, 9, 9}, {0, 0, -1}}),
-                      origin = to_rows({{0, 0, 0}, {1, 0, 0}});
-  // The first listed node is 3 away and comes nearer; the second starts in its place and goes by 2 dt.
-  EXPECT_EQ(find_largest_distance(SmallSpace(), nodes, {x, v, 0.5}, origin), 3);
-  EXPECT_EQ(find_largest_distance(SmallSpace(), nodes, {x, v, 2}, origin), 4);
 }
 
 }  // namespace

@@ -1,0 +1,126 @@
+// Faces moved outward for the thickness of shells, of a surface with rings and rims.
+
+#include "kernels/contact/offset_faces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "kernels/contact/pair_check.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/contact/check_space.hpp"
+
+namespace percuss::test {
+namespace {
+
+/// A crooked patch of 3 x 3 shells of edge 1 and half thickness `half`, both sides, and a free node.
+struct CrookedPatch {
+  static constexpr int edge = 4, node = edge * edge;  // nodes along an edge; the free one
+  Rows3<double> x = Rows3<double>("test::x", node + 1), v = Rows3<double>("test::v", node + 1);
+  CheckSpace check;
+
+  explicit CrookedPatch(double half) {
+    SurfaceLists lists;
+    for (int n = 0; n <= node; ++n) lists.nodes.push_back(n);
+    lists.node_class.assign(lists.nodes.size(), 0);
+    for (int j = 0; j + 1 < edge; ++j) {
+      for (int i = 0; i + 1 < edge; ++i) {
+        const int a = edge * j + i, b = a + 1, c = b + edge, d = a + edge;
+        lists.corners.push_back({a, d, c, b});
+        lists.corners.push_back({a, b, c, d});
+      }
+    }
+    lists.backs = lists.corners;
+    lists.face_class.assign(lists.corners.size(), 0);
+    lists.face_body.assign(lists.corners.size(), 0);
+    lists.face_offset.assign(lists.corners.size(), half);
+    SurfaceShare share;
+    share.largest_offset = half;
+    std::vector<std::int64_t> numbers(lists.corners.size());
+    std::vector<int> faces(numbers.size());
+    for (std::size_t f = 0; f < numbers.size(); ++f) numbers[f] = faces[f] = static_cast<int>(f);
+    set_surface(make_contact_surface(lists, share), numbers, check);
+    check.candidates.num_faces = static_cast<int>(faces.size());
+    check.candidates.faces = to_view("test::faces", faces);
+    check.candidates.is_boxed = to_view("test::boxed", std::vector<int>(faces.size(), 1));
+  }
+
+  /// Draws places and velocities; of some draws the faces turn by a good part of a right angle in the step.
+  SurfaceMotion draw(std::mt19937& random) {
+    const auto draw = [&](double largest) {
+      return largest * (2 * (static_cast<double>(random()) / 4294967295.0) - 1);
+    };
+    const auto draw_point = [&](double largest) { return Point3{draw(largest), draw(largest), draw(largest)}; };
+    const double pace = draw(1), fold = draw(0.8);
+    const Point3 spin = pace * pace * draw_point(1.2);
+    for (int n = 0; n < node; ++n) {
+      const double along = n % edge, across = static_cast<double>(n) / edge;
+      const Point3 place{along, across, fold * (n % edge == 1 ? 1 : 0)};
+      store_row(x, n, place + draw_point(0.15));
+      store_row(v, n, cross(spin, load_row(x, n)) + pace * pace * draw_point(0.1));
+    }
+    store_row(x, node, Point3{1.5, 1.5, 0} + Point3{draw(1.5), draw(1.5), draw(0.8)});
+    store_row(v, node, cross(spin, load_row(x, node)) + pace * draw_point(0.2));
+    const SurfaceMotion motion{x, v, 1};
+    update_faces(SmallSpace(), check.surface, motion, check.candidates, check.faces);
+    return motion;
+  }
+};
+
+TEST(OffsetFaces, WhatIsOffTheSlabIsOffTheMovedFace) {
+  constexpr double half = 0.3, beyond = 0.01, deepest = 0.2;
+  CrookedPatch patch(half);
+  std::mt19937 random(3);
+  int off = 0, on = 0;
+  for (int draw = 0; draw < 4000; ++draw) {
+    const SurfaceMotion motion = patch.draw(random);
+    const CheckedNode node = load_checked_node(patch.check.surface, motion, CrookedPatch::node);
+    for (int face = 0; face < patch.check.surface.num_faces; ++face) {
+      const RelativeFace moved =
+          load_touched_face(patch.check.surface, motion, patch.check.faces, node.x, node.v, face, half);
+      const Point3 normal = load_row(patch.check.faces.normal, face);
+      const PlaneRange range = find_plane_range(moved.start, find_end(moved), normal);
+      const bool is_out = range.least > beyond || range.most < -deepest;
+      const bool is_off = is_off_slab(patch.check.faces.slab(face), normal, motion, node, half, beyond, deepest);
+      EXPECT_TRUE(is_out || !is_off) << "draw " << draw << " face " << face;
+      off += is_off ? 1 : 0;
+      on += is_out ? 0 : 1;
+    }
+  }
+  EXPECT_GT(off, 10000);
+  EXPECT_GT(on, 10000);
+}
+
+TEST(OffsetFaces, TurnWithTheFaceThroughTheStep) {
+  // A rigid turn by 0.3: seen from a node that turns along, the moved corners only turn.
+  constexpr double half = 0.3;
+  CrookedPatch patch(half);
+  std::mt19937 random(5);
+  SurfaceMotion motion = patch.draw(random);
+  const Point3 axis{0.6, 0.8, 0};
+  for (int n = 0; n <= CrookedPatch::node; ++n) {
+    const Point3 p = load_row(patch.x, n);
+    const Point3 turned =
+        std::cos(0.3) * p + std::sin(0.3) * cross(axis, p) + (1 - std::cos(0.3)) * dot(axis, p) * axis;
+    store_row(patch.v, n, turned - p);
+  }
+  update_faces(SmallSpace(), patch.check.surface, motion, patch.check.candidates, patch.check.faces);
+  const CheckedNode node = load_checked_node(patch.check.surface, motion, CrookedPatch::node);
+  for (int face = 0; face < patch.check.surface.num_faces; ++face) {
+    const RelativeFace moved =
+        load_touched_face(patch.check.surface, motion, patch.check.faces, node.x, node.v, face, half);
+    const RelativeFace flat = load_relative_face(patch.check.surface, motion, node.x, node.v, face);
+    const FacePoints end = find_end(moved), flat_end = find_end(flat);
+    const Point3 normal_start = patch.check.faces.slab(face).normal_at_start,
+                 normal_end = load_row(patch.check.faces.normal, face);
+    for (int i = 0; i < 4; ++i) {
+      const Point3 at_start = moved.start.corner[i] - flat.start.corner[i], at_end = end.corner[i] - flat_end.corner[i];
+      EXPECT_NEAR(dot(at_start, normal_start), half, 1e-14);
+      EXPECT_NEAR(dot(at_end, normal_end), half, 1e-14);
+      EXPECT_NEAR(norm(at_start), norm(at_end), 1e-14);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace percuss::test
