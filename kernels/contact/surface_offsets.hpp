@@ -32,7 +32,7 @@ struct FaceSlab {
   double low_start = 0, high_start = 0;  // least and greatest height of a corner at n
   double low_end = 0, high_end = 0;      // and at the predicted place
   Point3 normal_at_start{};              // outward unit normal at n
-  double turn = 0;  // most that its turning over the step raises or lowers a moved corner by / offset
+  double turn = 0;                       // bound of what its turning raises or lowers moved corners by / offset
 };
 
 /// No corner is moved by more than this times the offset: mitred at edges of up to a right angle, and by as much along

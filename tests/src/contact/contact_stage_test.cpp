@@ -115,7 +115,6 @@ parts:
   cube: {box: {size: [0.5, 0.5, 0.5], cells: [1, 1, 1]}, at: [1.25, 1.25, 0.03], material: m}
 contact: {surfaces: all, reuse_search: )";
   FreeNodes reused(plate + "true}"), fresh(plate + "false}");
-  int pushes = 0;
   for (int i = 0; i < 6; ++i) {
     int from_reused = 0, from_fresh = 0;
     for (FreeNodes* nodes : {&reused, &fresh}) {
@@ -132,9 +131,7 @@ contact: {surfaces: all, reuse_search: )";
     EXPECT_EQ(from_fresh > 0, i > 3) << "step " << i;
     for (int n = 0; n < reused.count(); ++n)
       for (int d = 0; d < 3; ++d) ASSERT_EQ(reused.v(n, d), fresh.v(n, d)) << "step " << i << " node " << n;
-    pushes += from_fresh;
   }
-  EXPECT_GT(pushes, 0);
   EXPECT_EQ(reused.stage.searches(), 1);
   EXPECT_GT(reused.stage.pair_counts().left_out, 0);
 }
@@ -192,7 +189,7 @@ contact: {surfaces: all}
     nodes.step(1);
     for (const int n : nodes.part("cube/z_min")) {
       const double angle = turn * (i + 1), height = nodes.x(n, 2) * std::cos(angle) - nodes.x(n, 0) * std::sin(angle);
-      ASSERT_NEAR(height, 0.1, 1e-3) << "step " << i;
+      ASSERT_NEAR(height, 0.1, 1e-6) << "step " << i;
     }
   }
 }

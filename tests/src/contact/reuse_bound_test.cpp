@@ -12,26 +12,30 @@ namespace {
 /// Nodes 0 to 3 are corners of a face of edge 1, nodes 4 to 7 lie behind it and are no contact nodes.
 struct ReuseBounds : testing::Test {
   ReuseBounds() {
+    const double corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    for (int n = 0; n < 8; ++n) store_row(x, n, {corners[n % 4][0], corners[n % 4][1], n < 4 ? 0.0 : -1.0});
+    store_row(v, 0, {0, 0, 1e-4});
+    bound.restart(motion());
+  }
+
+  static SurfaceShare make_share() {
+    SurfaceShare share;
     share.nodes.mesh_nodes = {0, 1, 2, 3};
     share.node_list = to_view("test::nodes", share.nodes.mesh_nodes);
     share.watched_list = to_view("test::watched", std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7});
     share.corner_list = to_rows("test::corners", std::vector<std::array<int, 4>>{{0, 1, 2, 3}});
     share.searched_faces = {0};
     share.total_searched_faces = 1;
-    const double corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    for (int n = 0; n < 8; ++n) store_row(x, n, {corners[n % 4][0], corners[n % 4][1], n < 4 ? 0.0 : -1.0});
-    store_row(v, 0, {0, 0, 1e-4});
+    return share;
   }
-
   SurfaceMotion motion() const { return {x, v, 1}; }
 
-  SurfaceShare share;
+  const SurfaceShare share = make_share();
   Rows3<double> x = Rows3<double>("test::x", 8), v = Rows3<double>("test::v", 8);
+  ReuseBound bound{Communicator::world(), share, true};  // has just searched
 };
 
 TEST_F(ReuseBounds, AFirstListIsAskedForAfterASearchAndHoldsWhileNodesStay) {
-  ReuseBound bound(Communicator::world(), share, true);
-  bound.restart(motion());
   const NearWay first = bound.restart_near(motion());
   EXPECT_GT(first.near, 0);
   EXPECT_GT(first.search, first.near);
@@ -48,8 +52,6 @@ TEST_F(ReuseBounds, AFirstListIsAskedForAfterASearchAndHoldsWhileNodesStay) {
 }
 
 TEST_F(ReuseBounds, NodesBehindFacesEndBothLists) {
-  ReuseBound bound(Communicator::world(), share, true);
-  bound.restart(motion());
   const NearWay first = bound.restart_near(motion());
   x(5, 2) += 1.1 * first.near;
   EXPECT_FALSE(bound.covers_near(motion()));
@@ -63,8 +65,6 @@ TEST_F(ReuseBounds, NodesBehindFacesEndBothLists) {
 }
 
 TEST_F(ReuseBounds, TheFirstListIsWatchedWhereNoNearOneIsWorthIt) {
-  ReuseBound bound(Communicator::world(), share, true);
-  bound.restart(motion());
   const NearWay first = bound.restart_near(motion());
   store_row(v, 2, {0, 0, 0.2 * first.search});  // fewer than three steps
   NearWay next = bound.restart_near(motion());
@@ -77,8 +77,6 @@ TEST_F(ReuseBounds, TheFirstListIsWatchedWhereNoNearOneIsWorthIt) {
 }
 
 TEST_F(ReuseBounds, SearchesAndOtherSurfacesEndTheFirstList) {
-  ReuseBound bound(Communicator::world(), share, true);
-  bound.restart(motion());
   bound.restart_near(motion());
   bound.restart(motion());
   EXPECT_FALSE(bound.restart_near(motion()).keeps_first);
@@ -89,10 +87,10 @@ TEST_F(ReuseBounds, SearchesAndOtherSurfacesEndTheFirstList) {
 }
 
 TEST_F(ReuseBounds, SwitchedOffNothingIsUsedAgain) {
-  ReuseBound bound(Communicator::world(), share, false);
-  bound.restart(motion());
-  EXPECT_FALSE(bound.covers(motion()));
-  const NearWay way = bound.restart_near(motion());
+  ReuseBound off(Communicator::world(), share, false);
+  off.restart(motion());
+  EXPECT_FALSE(off.covers(motion()));
+  const NearWay way = off.restart_near(motion());
   EXPECT_EQ(way.near, 0);
   EXPECT_EQ(way.search, 0);
   EXPECT_FALSE(way.keeps_first);
