@@ -10,12 +10,11 @@ namespace percuss {
 
 namespace {
 
-bool waits_for_others = false;  // whether the program has several ranks
+clockid_t work_clock = CLOCK_MONOTONIC;
 
-/// A reading of the thread's own clock is a system call, ten of which would be a good share of a small scene's step.
-double read_thread_clock() {
+double read_work_clock() {
   timespec time{};
-  clock_gettime(waits_for_others ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &time);
+  clock_gettime(work_clock, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
@@ -30,16 +29,20 @@ void keep_to_itself() {
 }
 
 thread_local int waits_under_way = 0;  // scopes may be nested; the outermost counts
-thread_local double waited = 0;        // CPU seconds
+thread_local double waited = 0;        // seconds
 
 }  // namespace
 
-double compute_seconds() { return read_thread_clock() - waited; }
+void choose_work_clock(WorkClock clock) {
+  work_clock = clock == WorkClock::thread ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC;
+}
 
-WaitScope::WaitScope() : start_(waits_under_way++ == 0 ? read_thread_clock() : 0) {}
+double compute_seconds() { return read_work_clock() - waited; }
+
+WaitScope::WaitScope() : start_(waits_under_way++ == 0 ? read_work_clock() : 0) {}
 
 WaitScope::~WaitScope() {
-  if (--waits_under_way == 0) waited += read_thread_clock() - start_;
+  if (--waits_under_way == 0) waited += read_work_clock() - start_;
 }
 
 void check_mpi(int code, const char* call) {
@@ -66,7 +69,7 @@ MpiSession::MpiSession(int& argc, char**& argv) {
   }
   int ranks = 1;
   check_mpi(MPI_Comm_size(MPI_COMM_WORLD, &ranks), "MPI_Comm_size");
-  waits_for_others = ranks > 1;
+  choose_work_clock(ranks > 1 ? WorkClock::thread : WorkClock::usual);
 }
 
 // A failing end cannot be told to anybody; the results are on disk by now.
@@ -115,6 +118,12 @@ OwnedCommunicator OwnedCommunicator::of_range(const Communicator& ranks, int fir
   check_mpi(MPI_Group_free(&range), "MPI_Group_free");
   check_mpi(MPI_Group_free(&all), "MPI_Group_free");
   return OwnedCommunicator(part);
+}
+
+OwnedCommunicator OwnedCommunicator::in_order(const Communicator& ranks, int key) {
+  MPI_Comm ordered = MPI_COMM_NULL;
+  check_mpi(MPI_Comm_split(ranks.handle(), 0, key, &ordered), "MPI_Comm_split");
+  return OwnedCommunicator(ordered);
 }
 
 OwnedCommunicator OwnedCommunicator::of_machine(const Communicator& ranks) {

@@ -17,9 +17,17 @@ class MpiError : public std::runtime_error {
 /// Throws MpiError if `code`, returned by the MPI call named `call`, is not MPI_SUCCESS.
 void check_mpi(int code, const char* call);
 
-/// CPU seconds of the calling thread without what it spent in wait_mpi(): its work, whoever else uses the core. A rank
-/// that waits for others may spin or yield; neither is work. Of a program on one rank: seconds by the clock, which cost
-/// less to read.
+/// By which clock compute_seconds() counts: that of the thread, which stands still while another program or rank has its
+/// core, or the usual one, which costs a twentieth to read. A reading of the thread's own is a system call; those of a
+/// step with contact would be a twentieth of a small scene's run.
+enum class WorkClock { thread, usual };
+
+/// Until then a program on several ranks counts by the thread's clock, one on a single rank by the usual one. Between
+/// phases, on each rank by itself.
+void choose_work_clock(WorkClock clock);
+
+/// Seconds without what the calling thread spent in wait_mpi(): its work. A rank that waits for others may spin or
+/// yield; neither is work.
 double compute_seconds();
 
 /// Tells compute_seconds() that the calling thread waits for other ranks while this lives.
@@ -93,6 +101,9 @@ class OwnedCommunicator {
 
   /// The ranks first <= rank < last of `ranks`, renumbered from 0. Collective over those alone. Throws MpiError.
   static OwnedCommunicator of_range(const Communicator& ranks, int first, int last);
+
+  /// The same ranks in the order of their keys, which differ. Collective over them. Throws MpiError.
+  static OwnedCommunicator in_order(const Communicator& ranks, int key);
 
   /// The ranks of `ranks` that run on the same machine as this one, in their order. Collective over all. Throws
   /// MpiError.

@@ -10,6 +10,7 @@ namespace percuss {
 namespace {
 
 constexpr int data_tag = 1;
+constexpr int sized_tag = 2;  // of messages whose length the receiver learns from them
 
 /// Calls send_piece(offset, length) for the messages that a run is cut into, in bytes; MPI keeps their order.
 template <class Piece>
@@ -48,13 +49,16 @@ void DataExchange::begin_receive(const PeerRun& run, std::byte* buffer, std::siz
 
 void DataExchange::begin_send(const PeerRun& run, const std::byte* buffer, std::size_t item_bytes) {
   for_each_piece(run, item_bytes, message_limit_, [&](std::int64_t offset, int length) {
-    MPI_Request request = MPI_REQUEST_NULL;
-    check_mpi(MPI_Isend(buffer + offset, length, MPI_BYTE, run.rank, data_tag, ranks_->handle(), &request),
-              "MPI_Isend");
-    requests_.push_back(request);
-    ++traffic_.messages;
-    traffic_.bytes += length;
+    begin_message(buffer + offset, length, run.rank, data_tag);
   });
+}
+
+void DataExchange::begin_message(const std::byte* data, int length, int rank, int tag) {
+  MPI_Request request = MPI_REQUEST_NULL;
+  check_mpi(MPI_Isend(data, length, MPI_BYTE, rank, tag, ranks_->handle(), &request), "MPI_Isend");
+  requests_.push_back(request);
+  ++traffic_.messages;
+  traffic_.bytes += length;
 }
 
 namespace {
@@ -93,6 +97,53 @@ void DataExchange::end() {
   wait_mpi([&] { return MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE); },
            "MPI_Waitall");
   requests_.clear();
+}
+
+/// Appends what a rank sends to sized_: messages up to the first that is not as long as a message may be.
+void DataExchange::receive_sized(int source) {
+  int length = 0;
+  do {
+    MPI_Message message = MPI_MESSAGE_NULL;
+    MPI_Status status;
+    check_mpi(MPI_Mprobe(source, sized_tag, ranks_->handle(), &message, &status), "MPI_Mprobe");
+    check_mpi(MPI_Get_count(&status, MPI_BYTE, &length), "MPI_Get_count");
+    const std::size_t first = sized_.size();
+    sized_.resize(first + static_cast<std::size_t>(length));
+    check_mpi(MPI_Mrecv(sized_.data() + first, length, MPI_BYTE, &message, MPI_STATUS_IGNORE), "MPI_Mrecv");
+  } while (length == message_limit_);
+}
+
+std::span<const std::byte> DataExchange::exchange_sized_bytes(const ExchangePlan& partners,
+                                                              const std::vector<int>& counts, const std::byte* items,
+                                                              std::size_t item_bytes) {
+  if (!requests_.empty()) throw std::logic_error("an exchange was begun (the one before it has not ended)");
+  std::span<const std::byte> own;
+  for (std::size_t r = 0; r < partners.to.size(); ++r) {
+    const std::size_t bytes = static_cast<std::size_t>(counts[r]) * item_bytes;
+    if (partners.to[r].rank == ranks_->rank()) {
+      own = {items, bytes};
+    } else {
+      auto left = static_cast<std::int64_t>(bytes);
+      const std::byte* next = items;
+      for (; left >= message_limit_; left -= message_limit_, next += message_limit_)
+        begin_message(next, static_cast<int>(message_limit_), partners.to[r].rank, sized_tag);
+      begin_message(next, static_cast<int>(left), partners.to[r].rank, sized_tag);
+    }
+    items += bytes;
+  }
+  sized_.clear();
+  {
+    const WaitScope waits;  // one for all: reading the clock of a thread takes half a microsecond
+    for (const PeerRun& run : partners.from) {
+      if (run.rank == ranks_->rank())
+        sized_.insert(sized_.end(), own.begin(), own.end());
+      else
+        receive_sized(run.rank);
+    }
+    check_mpi(MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE), "MPI_Waitall");
+  }
+  requests_.clear();
+  return sized_;
 }
 
 }  // namespace percuss

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -59,18 +60,37 @@ class DataExchange {
     return receive;
   }
 
+  /// Sends items in numbers that the receivers do not know, between the ranks of a plan made for something else: one
+  /// message to each, empty where there is nothing for it. counts: [partners.to] items for each; items: in the order of
+  /// these. Returns the received items by source rank, then as sent. Every rank of the plan calls it. Throws MpiError.
+  template <class T>
+  std::vector<T> exchange_sized(const ExchangePlan& partners, const std::vector<int>& counts,
+                                const std::vector<T>& items) {
+    static_assert(std::is_trivially_copyable_v<T>, "items travel as bytes");
+    const std::span<const std::byte> received =
+        exchange_sized_bytes(partners, counts, reinterpret_cast<const std::byte*>(items.data()), sizeof(T));
+    std::vector<T> result(received.size() / sizeof(T));
+    if (!result.empty()) std::memcpy(result.data(), received.data(), received.size());
+    return result;
+  }
+
   /// Since construction.
   const Traffic& traffic() const { return traffic_; }
 
  private:
   void check_room(const ExchangePlan& plan, std::size_t send, std::size_t receive) const;
   void begin_bytes(const ExchangePlan& plan, const std::byte* send, std::byte* receive, std::size_t item_bytes);
+  std::span<const std::byte> exchange_sized_bytes(const ExchangePlan& partners, const std::vector<int>& counts,
+                                                  const std::byte* items, std::size_t item_bytes);
+  void receive_sized(int source);
   void begin_receive(const PeerRun& run, std::byte* buffer, std::size_t item_bytes);
   void begin_send(const PeerRun& run, const std::byte* buffer, std::size_t item_bytes);
+  void begin_message(const std::byte* data, int length, int rank, int tag);
 
   OwnedCommunicator ranks_;
   std::int64_t message_limit_;
   std::vector<MPI_Request> requests_;
+  std::vector<std::byte> sized_;  // as received last
   Traffic traffic_;
 };
 

@@ -28,6 +28,9 @@ class NodeCopies {
   /// Packs the values of owned shared nodes and starts the messages. values: [local nodes][3]. Throws MpiError.
   void begin(const ExecSpace& space, const Rows3<const double>& values);
 
+  /// The nodes of this rank that others own.
+  const Array<int>& copies() const { return receive_nodes_; }
+
   /// Returns when every copy of a node has its owner's value. values: [local nodes][3]. Throws MpiError.
   void end(const ExecSpace& space, const Rows3<double>& values);
 

@@ -124,6 +124,6 @@ void write_history(const Space& space, double dt, const RowSystem& system, Conta
 
 /// Zeroes the impulse of the owned nodes of the system's rows.
 template <class Space>
-void clear_impulses(const Space& space, const RowSystem& system, const Rows3<double>& impulse);
+void clear_impulses(const Space& space, const Array<const int>& nodes, int num_nodes, const Rows3<double>& impulse);
 
 }  // namespace percuss

@@ -187,11 +187,10 @@ void write_history(const Space& space, double dt, const RowSystem& system, Conta
 }
 
 template <class Space>
-void clear_impulses(const Space& space, const RowSystem& system, const Rows3<double>& impulse) {
-  const Array<const int> nodes = system.nodes;
+void clear_impulses(const Space& space, const Array<const int>& nodes, int num_nodes, const Rows3<double>& impulse) {
   const Rows3<double> out = impulse;
   Kokkos::parallel_for(
-      "contact::clear_impulses", RangeOf<Space>(space, 0, system.num_nodes),
+      "contact::clear_impulses", RangeOf<Space>(space, 0, num_nodes),
       KOKKOS_LAMBDA(int a) { store_row(out, nodes(a), Point3{}); });
 }
 
@@ -200,7 +199,7 @@ void clear_impulses(const Space& space, const RowSystem& system, const Rows3<dou
   template EnforcementSums sum_outcome(const Space&, double, const RowSystem&, RowSumMemory&);              \
   template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                      \
   template void write_history(const Space&, double, const RowSystem&, ContactHistory&);                     \
-  template void clear_impulses(const Space&, const RowSystem&, const Rows3<double>&);
+  template void clear_impulses(const Space&, const Array<const int>&, int, const Rows3<double>&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

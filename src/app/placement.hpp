@@ -17,6 +17,11 @@ struct Placement {
 /// Looks at all ranks. threads: of this rank. The same on all ranks. Collective. Throws MpiError.
 Placement find_placement(const Communicator& ranks, int threads);
 
+/// Whether ranks and threads take turns on cores.
+inline bool are_cores_shared(const Placement& placement) {
+  return placement.threads > placement.cores || placement.bound_ranks > 0;
+}
+
 /// A line that names the numbers, if cores are too few; else empty. rank_count: of the whole run.
 std::string describe_crowding(const Placement& placement, int rank_count);
 

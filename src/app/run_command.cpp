@@ -89,6 +89,7 @@ ExitCode run_command(const Command& given, const Communicator& ranks) {
   const Placement placement = find_placement(ranks, ExecSpace().concurrency());
   const std::string crowding = describe_crowding(placement, ranks.size());
   if (speaks && !command.quiet && !crowding.empty()) print_quietly(stderr, "{}\n", crowding);
+  choose_work_clock(are_cores_shared(placement) ? WorkClock::thread : WorkClock::usual);
   install_signal_handlers();
   const RunResult result = run_scene(deck, options);
   if (speaks && !command.quiet) report(result, out_dir, command.file);

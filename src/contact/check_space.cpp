@@ -126,7 +126,7 @@ void NearPairs::fill(const ContactSurface& surface, const SurfaceMotion& motion,
 void NearPairs::make(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
                      const Array<const int>& history_face, const CandidateList& all) {
   fill(surface, motion, faces, history_face, all, way_.search, reachable_);
-  fill(surface, motion, faces, history_face, from(all), way_.near, near_);
+  fill(surface, motion, faces, history_face, reachable_pairs(all), way_.near, near_);
 }
 
 void check_candidates(const SurfaceMotion& motion, CheckSpace& check) {

@@ -50,10 +50,13 @@ class NearPairs {
   void make(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
             const Array<const int>& history_face, const CandidateList& all);
 
+  /// Those that can come near before the next search, where these are listed.
+  const CandidateList& reachable_pairs(const CandidateList& all) const { return reachable_.is_used ? reachable_.list : all; }
+
   /// The pairs to check, once what is asked for is listed, and those of which that needs faces and history.
-  const CandidateList& checked_pairs(const CandidateList& all) const { return near_.is_used ? near_.list : from(all); }
+  const CandidateList& checked_pairs(const CandidateList& all) const { return near_.is_used ? near_.list : reachable_pairs(all); }
   const CandidateList& read_pairs(const CandidateList& all) const {
-    return is_asked() ? from(all) : checked_pairs(all);
+    return is_asked() ? reachable_pairs(all) : checked_pairs(all);
   }
 
  private:
@@ -66,7 +69,6 @@ class NearPairs {
     void ask();
   };
 
-  const CandidateList& from(const CandidateList& all) const { return reachable_.is_used ? reachable_.list : all; }
   void fill(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
             const Array<const int>& history_face, const CandidateList& of, double travel, PartList& part);
 
@@ -91,6 +93,7 @@ struct CheckSpace {
   TouchTable touches;
   Array<int> history_face;  // [3 nodes] faces that pushed in the last step, -1: none, or not here
 
+  const CandidateList& reachable_pairs() const { return near.reachable_pairs(candidates); }
   const CandidateList& checked_pairs() const { return near.checked_pairs(candidates); }
   const CandidateList& read_pairs() const { return near.read_pairs(candidates); }
 };

@@ -5,6 +5,7 @@
 
 #include "kernels/contact/capture_boxes.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/gather_items.hpp"
 
 namespace percuss {
 namespace {
@@ -16,32 +17,68 @@ constexpr double ghost_growth = 1.15;
 /// Change of the number of points, where erosion redefines the surface, at which they are.
 constexpr double point_growth = 1.1;
 
+/// Margins of a search by which a box is wider, beside its own, for the choice of the ranks that are told of its face:
+/// so that faces move on for some searches before others have to be.
+constexpr double told_margins = 2;
+
 /// A point on its way to the rank that owned it before.
 struct SentPoint {
   std::int64_t id = 0;
   double x[3] = {0, 0, 0};
 };
 
-/// The places of records in the order of their numbers. Sorted are numbers with places: a record is a line of memory
-/// or more, moved once.
-template <class Record, class GetNumber>
-std::vector<int> find_number_order(const std::vector<Record>& records, const GetNumber& get_number) {
+/// A place of a node, and a capture box, on their way.
+struct PlaceItem {
+  double x[3];
+};
+struct BoxItem {
+  double side[6];
+};
+
+/// Sorts records by number. Returns the place of each in the sorted list. Sorted are numbers with places: a record is
+/// a line of memory or more, moved once.
+template <class Record>
+std::vector<int> sort_by_number(std::vector<Record>& records) {
   std::vector<std::pair<std::int64_t, int>> numbers;
   numbers.reserve(records.size());
-  for (const Record& record : records) numbers.emplace_back(get_number(record), static_cast<int>(numbers.size()));
+  for (const Record& record : records) numbers.emplace_back(record.number, static_cast<int>(numbers.size()));
   std::sort(numbers.begin(), numbers.end());
-  std::vector<int> order;
-  order.reserve(numbers.size());
-  for (const auto& [number, place] : numbers) order.push_back(place);
-  return order;
+  std::vector<int> place(records.size());
+  std::vector<Record> sorted;
+  sorted.reserve(records.size());
+  for (const auto& [number, before] : numbers) {
+    place[at(before)] = static_cast<int>(sorted.size());
+    sorted.push_back(records[at(before)]);
+  }
+  records = std::move(sorted);
+  return place;
 }
 
-template <class Record>
-std::vector<Record> take_in_order(const std::vector<Record>& records, const std::vector<int>& order) {
-  std::vector<Record> result;
-  result.reserve(order.size());
-  for (const int i : order) result.push_back(records[at(i)]);
-  return result;
+/// Sends rows along a plan: row from(k) of `sent` arrives as row to(k) of `received`. Item: a row as it travels.
+template <class Item, class Rows>
+void send_rows(DataExchange& data, const ExchangePlan& plan, const Rows& sent, const Array<const int>& from,
+               const Rows& received, const Array<const int>& to) {
+  constexpr int width = sizeof(Item) / sizeof(double);
+  const Array<Item> send(Kokkos::view_alloc("contact::sent_rows", Kokkos::WithoutInitializing), from.extent(0));
+  const Array<Item> receive(Kokkos::view_alloc("contact::received_rows", Kokkos::WithoutInitializing), to.extent(0));
+  Kokkos::parallel_for(
+      "contact::pack_rows", Range(ExecSpace(), 0, static_cast<int>(from.extent(0))), KOKKOS_LAMBDA(int i) {
+        double* const item = reinterpret_cast<double*>(&send(i));
+        for (int k = 0; k < width; ++k) item[k] = sent(from(i), k);
+      });
+  ExecSpace().fence();
+  const auto send_buffer = to_host(send);
+  const auto receive_buffer = Kokkos::create_mirror_view(receive);
+  data.begin<Item>(plan, {send_buffer.data(), send_buffer.extent(0)},
+                   {receive_buffer.data(), receive_buffer.extent(0)});
+  data.end();
+  Kokkos::deep_copy(receive, receive_buffer);
+  Kokkos::parallel_for(
+      "contact::unpack_rows", Range(ExecSpace(), 0, static_cast<int>(to.extent(0))), KOKKOS_LAMBDA(int i) {
+        const double* const item = reinterpret_cast<const double*>(&receive(i));
+        for (int k = 0; k < width; ++k) received(to(i), k) = item[k];
+      });
+  ExecSpace().fence();
 }
 
 }  // namespace
@@ -52,7 +89,6 @@ ContactDecomposition::ContactDecomposition(const Communicator& ranks, const Surf
       rebalance_(rebalance),
       exchange_(ranks),
       data_(ranks),
-      rcb_(ranks),
       boxes_("contact::boxes", share.searched_faces.size()) {
   std::vector<std::int64_t> ids;
   for (int n = 0; n < share.nodes.count(); ++n) {
@@ -71,7 +107,7 @@ void ContactDecomposition::take_over(const ContactDecomposition& before) {
   warm_rounds_ = before.warm_rounds_;
   report_ = before.report_;
   if (report_.rebalances == 0) return;
-  rcb_.restore(before.rcb_.cuts());
+  parts_ = before.parts_;
   std::int64_t counts[2] = {static_cast<std::int64_t>(points_.ids.extent(0)), points_at_rebalance_};
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, exchange_.ranks().handle()); },
            "MPI_Allreduce");
@@ -82,16 +118,23 @@ void ContactDecomposition::take_over(const ContactDecomposition& before) {
 
 void ContactDecomposition::update(const SurfaceMotion& motion, double margin) {
   ++searches_;
+  if (!parts_) parts_ = std::make_shared<AssignedParts>(exchange_.ranks());
   locate_points(motion);
-  if (!knows_owners_ && report_.rebalances > 0) find_new_owners();  // of another surface's cuts
+  const bool are_owners_new = is_due_ || !knows_owners_;
   just_rebalanced_ = is_due_;
-  if (is_due_) {
-    rebalance_points(send_contact_data_to_previous_owners());
+  if (is_due_) rebalance_points(send_contact_data_to_previous_owners());
+  if (are_owners_new) {
     find_new_owners();
+    send_nodes_to_owners();
   }
-  send_nodes_to_owners();
-  list_reached_ranks(motion, margin);
-  send_overlapping_faces();
+  send_places_to_owners();
+  const bool are_told = !are_owners_new && are_reached_ranks_told(motion, margin);
+  if (!are_told) {
+    send_overlapping_faces(motion, margin);
+    are_reached_ranks_told(motion, margin);
+  }
+  has_changed_ = !are_told;
+  send_boxes();
 }
 
 void ContactDecomposition::locate_points(const SurfaceMotion& motion) {
@@ -138,7 +181,7 @@ RcbPoints ContactDecomposition::send_contact_data_to_previous_owners() {
 
 // (5.2) and (5.3): the bisection ends with the cuts known to all ranks.
 void ContactDecomposition::rebalance_points(const RcbPoints& points) {
-  const RcbReport done = rcb_.decompose(ExecSpace(), points);
+  const RcbReport done = parts_->cuts().decompose(ExecSpace(), points);
   ++report_.rebalances;
   points_at_rebalance_ = static_cast<std::int64_t>(points_.ids.extent(0));
   report_.imbalance = done.imbalance;
@@ -152,14 +195,23 @@ void ContactDecomposition::rebalance_points(const RcbPoints& points) {
 /// With the cuts every FE owner knows who owns its points.
 void ContactDecomposition::find_new_owners() {
   const Array<int> owners("contact::owners", points_.ids.extent(0));
-  find_owners(ExecSpace(), rcb_.tree(), points_.positions, points_.ids, owners);
+  find_owners(ExecSpace(), parts_->cuts().tree(), points_.positions, points_.ids, owners);
   ExecSpace().fence();
   const auto host = to_host(owners);
   owners_.assign(host.data(), host.data() + host.extent(0));
+  if (!knows_owners_ && report_.rebalances == 1) assign_parts_once(owners_);
+  for (int& owner : owners_) owner = parts_->find_rank(owner);
   knows_owners_ = true;
-  node_order_ = order_by_destination(node_owners());
-  node_plan_ = exchange_.plan(node_order_.to);
-  received_order_.clear();
+}
+
+/// After the first bisection: parts to the ranks that have most of their points. parts: [points].
+void ContactDecomposition::assign_parts_once(const std::vector<int>& parts) {
+  const Communicator& ranks = exchange_.ranks();
+  std::vector<int> rank_of_part = assign_parts(gather_items(ranks, find_overlaps(ranks.rank(), parts)), ranks.size());
+  if (rank_of_part == parts_->rank_of_part()) return;
+  const auto assigned = std::make_shared<AssignedParts>(ranks, std::move(rank_of_part));
+  assigned->cuts().restore(parts_->cuts().cuts());
+  parts_ = assigned;
 }
 
 std::vector<int> ContactDecomposition::node_owners() const {
@@ -167,50 +219,66 @@ std::vector<int> ContactDecomposition::node_owners() const {
   return {owners_.begin(), owners_.begin() + static_cast<std::ptrdiff_t>(searched_nodes_.size())};
 }
 
-/// The places of the nodes to their owners. Between rebalances the nodes may cross cuts: what boxes reach follows them.
+/// Tells the owners of nodes which these are.
 void ContactDecomposition::send_nodes_to_owners() {
-  const auto x = to_host(points_.positions);
+  const SendOrder order = order_by_destination(node_owners());
+  node_plan_ = exchange_.plan(order.to);
   std::vector<NodeRecord> records;
-  for (const int i : node_order_.items) {
-    const int n = searched_nodes_[at(i)];
-    records.push_back({share_.nodes.numbers[at(n)], {x(i, 0), x(i, 1), x(i, 2)}, share_.nodes.classes[at(n)]});
-  }
-  const std::vector<NodeRecord> received = data_.exchange(node_plan_, records);
-  if (received_order_.size() != received.size())
-    received_order_ = find_number_order(received, [](const NodeRecord& node) { return node.number; });
-  nodes_ = take_in_order(received, received_order_);
-  if (just_rebalanced_) return;
-  const Rows3<double> positions("contact::owned_positions", nodes_.size());
-  const auto host = Kokkos::create_mirror_view(positions);
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) host(i, k) = nodes_[i].x[k];
-  }
-  Kokkos::deep_copy(positions, host);
-  rcb_.refit(ExecSpace(), positions);
-}
-
-// (5.4) For all my faces: which ranks does the capture box reach?
-void ContactDecomposition::list_reached_ranks(const SurfaceMotion& motion, double margin) {
-  bound_faces(ExecSpace(), share_.bounded_faces(), motion, margin, boxes_);
-  reached_ = percuss::list_reached_ranks(exchange_.ranks(), rcb_.tree(), boxes_,
-                                         static_cast<int>(share_.searched_faces.size()), margin, reach_count_);
-}
-
-// (5.5) Faces to the ranks that need them.
-void ContactDecomposition::send_overlapping_faces() {
-  const SendOrder order = order_by_destination(reached_.rank);
-  const auto boxes = to_host(boxes_);
-  std::vector<FaceRecord> records;
   records.reserve(order.items.size());
   for (const int i : order.items) {
-    const int f = reached_.box[at(i)];
-    FaceRecord record{share_.faces[at(share_.searched_faces[at(f)])], {}};
-    for (std::size_t k = 0; k < 6; ++k) record.box[k] = boxes(f, k);
-    records.push_back(record);
+    const int n = searched_nodes_[at(i)];
+    records.push_back({share_.nodes.numbers[at(n)], share_.nodes.classes[at(n)]});
   }
-  const std::vector<FaceRecord> received = data_.exchange(exchange_.plan(order.to), records);
-  faces_ =
-      take_in_order(received, find_number_order(received, [](const FaceRecord& face) { return face.face.number; }));
+  nodes_ = data_.exchange(node_plan_, records);
+  sent_nodes_ = to_view("contact::sent_nodes", order.items);
+  received_nodes_ = to_view("contact::received_nodes", sort_by_number(nodes_));
+  places_ = Rows3<double>("contact::owned_places", nodes_.size());
+}
+
+/// Between rebalances the nodes may cross cuts: what boxes reach follows them.
+void ContactDecomposition::send_places_to_owners() {
+  send_rows<PlaceItem>(data_, node_plan_, points_.positions, sent_nodes_, places_, received_nodes_);
+  if (!just_rebalanced_) parts_->cuts().refit(ExecSpace(), places_);
+}
+
+// (5.4) For all my faces: which ranks does the capture box reach, and do these know the face?
+bool ContactDecomposition::are_reached_ranks_told(const SurfaceMotion& motion, double margin) {
+  bound_faces(ExecSpace(), share_.bounded_faces(), motion, margin, boxes_);
+  const ReachCount count =
+      count_reached_ranks(exchange_.ranks(), parts_->cuts().tree(), boxes_, static_cast<int>(share_.searched_faces.size()),
+                          margin, known_);
+  reaching_faces_ = count.copies;
+  return !count.any_unlisted;
+}
+
+// (5.5) Faces to the ranks that need them, and to those that soon may.
+void ContactDecomposition::send_overlapping_faces(const SurfaceMotion& motion, double margin) {
+  const double wide = (1 + told_margins) * margin;
+  bound_faces(ExecSpace(), share_.bounded_faces(), motion, wide, boxes_);
+  known_ = list_reached_ranks(exchange_.ranks(), parts_->cuts().tree(), boxes_, static_cast<int>(share_.searched_faces.size()),
+                              wide);
+  const auto box = to_host(known_.box), part = to_host(known_.rank);
+  std::vector<int> to;
+  to.reserve(part.extent(0));
+  for (std::size_t i = 0; i < part.extent(0); ++i) to.push_back(parts_->find_rank(part(i)));
+  const SendOrder order = order_by_destination(to);
+  face_plan_ = exchange_.plan(order.to);
+  std::vector<int> sent;
+  std::vector<FaceTopology> records;
+  sent.reserve(order.items.size());
+  records.reserve(order.items.size());
+  for (const int i : order.items) {
+    sent.push_back(box(i));
+    records.push_back(share_.faces[at(share_.searched_faces[at(sent.back())])]);
+  }
+  faces_ = data_.exchange(face_plan_, records);
+  sent_faces_ = to_view("contact::sent_faces", sent);
+  received_faces_ = to_view("contact::received_faces", sort_by_number(faces_));
+  received_boxes_ = Boxes("contact::received_boxes", faces_.size());
+}
+
+void ContactDecomposition::send_boxes() {
+  send_rows<BoxItem>(data_, face_plan_, boxes_, sent_faces_, received_boxes_, received_faces_);
 }
 
 void ContactDecomposition::note_ghost_faces(std::int64_t ghosts) {

@@ -2,15 +2,19 @@
 // The contact decomposition: recursive coordinate bisection of contact nodes and faces, dynamic, beside the static one
 // of the elements. Steps (5.1) to (5.5) of the paper's Figure 5, each a function.
 //
-// Two things differ from the paper. A face goes straight from its FE owner to every rank that its capture box reaches,
-// one message instead of two. And the cuts are kept until copies of faces on several ranks have grown by a share: the
-// owners of points stay, so the balance stays, and nothing moves in between. Nothing physical depends on the cuts.
+// Four things differ from the paper. A face goes straight from its FE owner to every rank that its capture box reaches,
+// one message instead of two. A part goes to the rank that has most of its points in the FE decomposition: they need no
+// messages then. The cuts are kept until copies of faces on several ranks have grown by a share: the
+// owners of points stay, so the balance stays, and nothing moves in between. And what a node or a face is is told once:
+// from search to search only places and boxes are sent, until a face reaches a rank that does not know it. Nothing
+// physical depends on the cuts, nor on which ranks know a face that they need not.
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "comm/assign_parts.hpp"
 #include "comm/data_exchange.hpp"
-#include "comm/rcb.hpp"
 #include "src/contact/contact_finder.hpp"
 #include "src/contact/reached_ranks.hpp"
 
@@ -19,14 +23,7 @@ namespace percuss {
 /// A contact node as the search needs it.
 struct NodeRecord {
   std::int64_t number = -1;
-  double x[3] = {0, 0, 0};
   int surface_class = 0;
-};
-
-/// A contact face and its capture box: lowest x, y, z, highest x, y, z.
-struct FaceRecord {
-  FaceTopology face;
-  double box[6] = {0, 0, 0, 0, 0, 0};
 };
 
 class ContactDecomposition {
@@ -38,15 +35,23 @@ class ContactDecomposition {
   void take_over(const ContactDecomposition& before);
 
   /// Brings searched contact nodes to their owners and searched faces to the ranks that their boxes, widened by
-  /// `margin`, reach; rebalances before if that is due. Collective. Throws MpiError.
+  /// `margin`, reach, and maybe to more; rebalances before if that is due. Collective. Throws MpiError.
   void update(const SurfaceMotion& motion, double margin);
 
-  /// What this rank has after update(), ascending in number.
+  /// What this rank has after update(), ascending in number, and whether that are others than before it, on any rank.
   const std::vector<NodeRecord>& nodes() const { return nodes_; }
-  const std::vector<FaceRecord>& faces() const { return faces_; }
+  const std::vector<FaceTopology>& faces() const { return faces_; }
+  bool has_changed() const { return has_changed_; }
+
+  /// Where they are: [nodes][3], and capture boxes [faces], lowest x, y, z, highest x, y, z.
+  const Rows3<double>& places() const { return places_; }
+  const Boxes& boxes() const { return received_boxes_; }
+
+  /// Faces of this rank's FE share, one for each rank that its box reached.
+  std::int64_t reaching_faces() const { return reaching_faces_; }
 
   /// The cuts, and whether the last update() made them anew.
-  const Rcb& cuts() const { return rcb_; }
+  const AssignedParts& parts() const { return *parts_; }
   bool was_rebalanced() const { return just_rebalanced_; }
 
   /// Tells how many copies of faces there are on all ranks beyond one each; decides whether the next update rebalances.
@@ -67,34 +72,46 @@ class ContactDecomposition {
   void locate_points(const SurfaceMotion& motion);
   RcbPoints send_contact_data_to_previous_owners();
   void rebalance_points(const RcbPoints& points);
+  void assign_parts_once(const std::vector<int>& parts);
   void find_new_owners();
   void send_nodes_to_owners();
-  void list_reached_ranks(const SurfaceMotion& motion, double margin);
-  void send_overlapping_faces();
+  void send_places_to_owners();
+  bool are_reached_ranks_told(const SurfaceMotion& motion, double margin);
+  void send_overlapping_faces(const SurfaceMotion& motion, double margin);
+  void send_boxes();
 
   const SurfaceShare& share_;
   ContactDeck::Rebalance rebalance_;
   UnstructuredExchange exchange_;
   DataExchange data_;
-  Rcb rcb_;
+  std::shared_ptr<AssignedParts> parts_;  // goes on from one surface of the scene to the next
   SharePoints points_;
   std::vector<int> searched_nodes_;  // places in OwnedContactNodes
-  std::vector<int> owners_;          // [points] in the contact decomposition; empty before the first rebalance
+  std::vector<int> owners_;          // [points] ranks in the contact decomposition; empty before the first rebalance
   bool knows_owners_ = false;        // the same on all ranks, unlike whether a rank has points
-  SendOrder node_order_;
-  ExchangePlan node_plan_;
-  std::vector<int> received_order_;  // places of received nodes, ascending in number
-  std::vector<NodeRecord> nodes_;
-  std::vector<FaceRecord> faces_;
-  Boxes boxes_;           // [searched faces]
-  ReachedRanks reached_;  // of the searched faces
-  Array<int> reach_count_ = Array<int>("contact::reach_count", 0);
   long searches_ = 0;
   std::int64_t ghosts_after_rebalance_ = 0;
   std::int64_t points_at_rebalance_ = 0;  // of this rank's FE share
   bool is_due_ = true, just_rebalanced_ = false;
   double warm_rounds_ = 0;
   DecompositionReport report_;
+
+  // Nodes on their way to their owners, and those that this rank owns. Order: of the messages.
+  ExchangePlan node_plan_;
+  Array<const int> sent_nodes_;     // points
+  Array<const int> received_nodes_;  // places in nodes_
+  std::vector<NodeRecord> nodes_;
+  Rows3<double> places_;  // [nodes]
+
+  // Faces likewise.
+  Boxes boxes_;         // [searched faces]
+  ReachedRanks known_;  // of the searched faces: the parts whose ranks were told of each
+  ExchangePlan face_plan_;
+  Array<const int> sent_faces_, received_faces_;
+  std::vector<FaceTopology> faces_;
+  Boxes received_boxes_;  // [faces]
+  std::int64_t reaching_faces_ = 0;
+  bool has_changed_ = false;
 };
 
 }  // namespace percuss

@@ -55,12 +55,16 @@ void Enforcer::redefine(const Mesh& mesh, const SurfaceShare& share, const WallP
 }
 
 void Enforcer::clear_last_impulse(const ContactMotion& motion) {
-  // Only the nodes of the last step's rows can be set, if it is the same memory; copies of them are not listed.
-  if (last_impulse_ != motion.impulse.data() || (was_pushed_ && has_many_ranks_)) {
+  // Only the nodes of the last step's rows and copies of others' can be set, if it is the same memory.
+  if (last_impulse_ != motion.impulse.data()) {
     Kokkos::deep_copy(ExecSpace(), motion.impulse, 0.0);
   } else if (was_pushed_) {
-    run_where_it_pays(system_.num_nodes / 10,
-                      [&](const auto& space) { clear_impulses(space, system_, motion.impulse); });
+    const Array<const int> copies = impulse_copies_.copies();
+    const int num_copies = static_cast<int>(copies.extent(0));
+    run_where_it_pays((system_.num_nodes + num_copies) / 10, [&](const auto& space) {
+      clear_impulses(space, system_.nodes, system_.num_nodes, motion.impulse);
+      clear_impulses(space, copies, num_copies, motion.impulse);
+    });
   }
   last_impulse_ = motion.impulse.data();
   was_pushed_ = false;

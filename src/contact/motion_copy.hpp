@@ -1,48 +1,53 @@
 #pragma once
-// What a rank asks others for by number, and gets in every step until it asks again: places and velocities of nodes.
+// Places and velocities of nodes that other ranks own, in every step.
 
 #include <cstdint>
 #include <vector>
 
-#include "comm/item_exchange.hpp"
 #include "src/contact/contact_finder.hpp"
+#include "src/contact/remote_items.hpp"
 
 namespace percuss {
 
-/// Items asked for by number, from those who have them; `order` puts what comes back to its place.
-struct Subscription {
-  ExchangePlan request;        // to those who have the items
-  std::vector<int> order;      // item k of the messages is the asker's item order[k]
-  std::vector<int> published;  // the places, where they are, of the items that this rank sends, as in its messages
+/// Nodes whose motion is wanted.
+struct MotionPart {
+  ExchangePlan request;
+  Array<int> rows, published;      // in messages: rows of the copy, mesh nodes of this rank
+  Array<int> own_rows, own_nodes;  // of this rank itself
 };
 
-/// owners: [numbers] the rank that has each; find(number): its place there. Collective.
-template <class Find>
-Subscription subscribe(UnstructuredExchange& exchange, DataExchange& data, const std::vector<int>& owners,
-                       const std::vector<std::int64_t>& numbers, const Find& find) {
-  SendOrder order = order_by_destination(owners);
-  const std::vector<std::int64_t> ordered = ItemExchange::arrange(order, numbers);
-  Subscription made;
-  made.request = exchange.plan(order.to);
-  made.order = std::move(order.items);
-  for (const std::int64_t number : data.exchange(made.request, ordered)) made.published.push_back(find(number));
-  return made;
-}
-
-/// The motion of nodes that other ranks own, one row a node.
+/// The motion of nodes by number, one row a node.
 class MotionCopy {
  public:
-  /// Asks the FE owners of the nodes, by number, for their motion from now on. Collective.
-  void ask(const ContactRanks& ranks, UnstructuredExchange& exchange, DataExchange& data,
-           const std::vector<std::int64_t>& numbers);
+  /// Names the nodes to their FE owners. Collective.
+  void name(const ContactRanks& ranks, UnstructuredExchange& exchange, DataExchange& data,
+            const std::vector<std::int64_t>& numbers);
 
-  /// Their motion in this step; rows as asked for. motion: of this rank's mesh nodes. Collective.
-  SurfaceMotion receive(DataExchange& data, const SurfaceMotion& motion);
+  /// All of them, and those wanted: [named nodes]. select() is collective.
+  MotionPart all() const;
+  MotionPart select(DataExchange& data, const std::vector<char>& is_wanted) const;
+
+  /// Starts getting the motion of a part. motion: of this rank's mesh nodes. Collective.
+  void begin(DataExchange& data, const MotionPart& part, const SurfaceMotion& motion);
+
+  /// The motion in this step; rows as named, those of no node of the part are of earlier steps. Collective.
+  SurfaceMotion end(DataExchange& data, const MotionPart& part, const SurfaceMotion& motion);
+
+  SurfaceMotion receive(DataExchange& data, const MotionPart& part, const SurfaceMotion& motion) {
+    begin(data, part, motion);
+    return end(data, part, motion);
+  }
 
  private:
-  Subscription nodes_;
-  Array<int> order_ = Array<int>("contact::motion_order", 0);
-  Array<int> published_ = Array<int>("contact::published_nodes", 0);
+  /// Place and velocity of a node.
+  struct Item {
+    double x[3], v[3];
+  };
+
+  RemoteItems nodes_;
+  Array<Item> sent_ = Array<Item>("contact::sent_motion", 0);
+  Array<Item> received_ = Array<Item>("contact::received_motion", 0);
+  Array<Item>::HostMirror send_buffer_, receive_buffer_;
   Rows3<double> x_ = Rows3<double>("contact::check_x", 0), v_ = Rows3<double>("contact::check_v", 0);
 };
 

@@ -218,7 +218,7 @@ void ContactPlanner::plan_search(const Places& places, ContactPlan& plan) const 
   for (const ContactRankPlan& rank : plan.ranks) plan.ghost_faces += rank.faces_here;
   nodes.send(sizeof(NodeRecord), &ContactRankPlan::search, plan);
   faces.announce(plan_bytes, &ContactRankPlan::search, plan);
-  faces.send(sizeof(FaceRecord), &ContactRankPlan::search, plan);
+  faces.send(sizeof(FaceTopology), &ContactRankPlan::search, plan);
 }
 
 /// What a rank learns for the check of its candidate pairs, in a search and in every step: (5.6) and (5.7).

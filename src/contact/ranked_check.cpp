@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "comm/sized_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/number_map.hpp"
 #include "src/contact/ranked_finder.hpp"
@@ -32,45 +31,67 @@ struct HistoryItem {
   std::int64_t face[max_touches];
 };
 
-}  // namespace
-
-/// What the FE owners remember of the checked nodes.
-void RankedFinder::receive_history(const ContactHistory& history) {
-  const auto face = to_host(history.face);
-  std::vector<HistoryItem> items;
-  items.reserve(history_.published.size());
-  for (const int n : history_.published) {
-    HistoryItem item{};
-    for (int slot = 0; slot < max_touches; ++slot) item.face[slot] = face(max_touches * n + slot);
-    items.push_back(item);
-  }
-  const std::vector<HistoryItem> received = data_.exchange(reverse(history_.request), items);
-  const auto local = Kokkos::create_mirror_view(check_.history_face);
-  const auto numbers = to_host(check_.face_numbers);
-  for (std::size_t k = 0; k < received.size(); ++k) {
-    const int node = checked_nodes_[at(history_.order[k])];
-    for (int slot = 0; slot < max_touches; ++slot) {
-      const std::int64_t number = received[k].face[slot];
-      local(max_touches * node + slot) = number < 0 ? -1 : find_face(numbers, number);
-    }
-  }
-  Kokkos::deep_copy(check_.history_face, local);
+KOKKOS_INLINE_FUNCTION int find_remembered_face(const Array<const std::int64_t>& numbers, std::int64_t number) {
+  return number < 0 ? -1 : find_face(numbers, number);
 }
 
-// (5.7) Results to the FE owners of their nodes. records: by checked node; counts: [checked] records of each.
+}  // namespace
+
+/// The motion of the nodes that the check reads, and what FE owners remember of the checked ones.
+SurfaceMotion RankedFinder::receive(const SurfaceMotion& motion, const ContactHistory& history) {
+  const CheckPart& part = *read_;
+  motion_.begin(data_, part.motion, motion);
+  const int sent = static_cast<int>(part.published_history.extent(0));
+  const int own = static_cast<int>(part.own_history_rows.extent(0));
+  const int received = static_cast<int>(part.history_rows.extent(0));
+  const Array<HistoryItem> send(Kokkos::view_alloc("contact::sent_history", Kokkos::WithoutInitializing),
+                                part.published_history.extent(0));
+  const Array<HistoryItem> receive(Kokkos::view_alloc("contact::received_history", Kokkos::WithoutInitializing),
+                                   part.history_rows.extent(0));
+  const Array<const std::int64_t> remembered = history.face, numbers = check_.face_numbers;
+  const Array<const int> published = part.published_history, places = part.own_history_places;
+  const Array<const int> rows = part.history_rows, own_rows = part.own_history_rows;
+  const Array<int> faces = check_.history_face;
+  run_where_it_pays((sent + own) / 10, [&](const auto& space) {
+    using Space = std::decay_t<decltype(space)>;
+    Kokkos::parallel_for(
+        "contact::pack_history", RangeOf<Space>(space, 0, sent), KOKKOS_LAMBDA(int i) {
+          for (int slot = 0; slot < max_touches; ++slot)
+            send(i).face[slot] = remembered(max_touches * published(i) + slot);
+        });
+    Kokkos::parallel_for(
+        "contact::copy_own_history", RangeOf<Space>(space, 0, own), KOKKOS_LAMBDA(int i) {
+          for (int slot = 0; slot < max_touches; ++slot)
+            faces(max_touches * own_rows(i) + slot) =
+                find_remembered_face(numbers, remembered(max_touches * places(i) + slot));
+        });
+    space.fence();
+  });
+  const auto send_buffer = to_host(send);
+  const auto receive_buffer = Kokkos::create_mirror_view(receive);
+  history_data_.begin<HistoryItem>(reverse(part.history.request), {send_buffer.data(), send_buffer.extent(0)},
+                                   {receive_buffer.data(), receive_buffer.extent(0)});
+  const SurfaceMotion here = motion_.end(data_, part.motion, motion);
+  history_data_.end();
+  Kokkos::deep_copy(receive, receive_buffer);
+  run_where_it_pays(received / 10, [&](const auto& space) {
+    Kokkos::parallel_for(
+        "contact::unpack_history", RangeOf<std::decay_t<decltype(space)>>(space, 0, received), KOKKOS_LAMBDA(int i) {
+          for (int slot = 0; slot < max_touches; ++slot)
+            faces(max_touches * rows(i) + slot) = find_remembered_face(numbers, receive(i).face[slot]);
+        });
+    space.fence();
+  });
+  return here;
+}
+
+// (5.7) Results to the FE owners of their nodes, of those in the last receive().
 template <class Record>
-std::vector<Record> RankedFinder::send_results_to_fe_owners(const std::vector<Record>& records,
-                                                            const std::vector<int>& counts) {
-  std::vector<int> first(counts.size() + 1, 0);
-  std::partial_sum(counts.begin(), counts.end(), first.begin() + 1);
-  std::vector<int> ordered_counts;
-  std::vector<Record> ordered;
-  ordered.reserve(records.size());
-  for (const int i : history_.order) {
-    ordered_counts.push_back(counts[at(i)]);
-    ordered.insert(ordered.end(), records.begin() + first[at(i)], records.begin() + first[at(i) + 1]);
-  }
-  return exchange_sized(data_, history_.request, sum_by_run(history_.request.to, ordered_counts), ordered);
+std::vector<Record> RankedFinder::send_results_to_fe_owners(const std::vector<Record>& records) {
+  std::vector<int> owners;
+  owners.reserve(records.size());
+  for (const Record& record : records) owners.push_back(ranks_.numbering.find_node_owner(record.node));
+  return send_to_partners(data_, ranks_.ranks.rank(), read_->history.request, owners, records);
 }
 
 int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
@@ -85,36 +106,36 @@ int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& histo
 
 std::vector<RowTouch> RankedFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& history) {
   if (total_pairs_ == 0) return {};
-  const SurfaceMotion here = motion_.receive(data_, motion);
-  receive_history(history);
-  check_candidates(here, check_);  // (5.6), second half
+  check_candidates(receive(motion, history), check_);  // (5.6), second half
   std::vector<TouchRecord> records;
-  std::vector<int> counts;
-  const auto by_node = to_host(check_.touches.by_node);
-  const auto friction = to_host(check_.surface.pair_friction);
-  const auto pair_number = to_host(check_.surface.pair_number);
-  const auto node_class = to_host(check_.surface.node_class);
-  const CandidateList& pairs = check_.checked_pairs();
-  const auto nodes = to_host(pairs.nodes);
-  int next = 0;  // of the nodes whose pairs were checked
-  for (const int n : checked_nodes_) {
-    const bool is_checked = next < pairs.num_nodes && nodes(next) == n;
-    const int place = is_checked ? next++ : 0;
-    counts.push_back(is_checked ? by_node(place).count : 0);
-    for (int j = 0; j < counts.back(); ++j) {
-      TouchRecord record;
-      record.touch = by_node(place).touch[j];
-      record.order = j;
-      const FaceTopology& face = check_faces_[at(record.touch.face)];
-      record.node = check_nodes_[at(n)];
-      record.face = face.number;
-      std::copy(std::begin(face.corners), std::end(face.corners), record.corners);
-      record.friction = friction(node_class(n) * share_.num_classes + face.surface_class);
-      record.pair = pair_number(node_class(n) * share_.num_classes + face.surface_class);
-      records.push_back(record);
+  records.reserve(at(check_.touches.count));
+  if (check_.touches.count > 0) {
+    const auto by_node = to_host(check_.touches.by_node);
+    const auto friction = to_host(check_.surface.pair_friction);
+    const auto pair_number = to_host(check_.surface.pair_number);
+    const auto node_class = to_host(check_.surface.node_class);
+    const CandidateList& pairs = check_.checked_pairs();
+    const auto nodes = to_host(pairs.nodes);
+    for (int i = 0; i < pairs.num_nodes; ++i) {
+      const NodeTouches& touches = by_node(i);
+      for (int j = 0; j < touches.count; ++j) {
+        const FaceTopology& face = faces_[at(touches.touch[j].face)];
+        const int pair = node_class(nodes(i)) * share_.num_classes + face.surface_class;
+        TouchRecord record;
+        record.node = nodes_[at(nodes(i))];
+        record.face = face.number;
+        std::copy(std::begin(face.corners), std::end(face.corners), record.corners);
+        record.touch = touches.touch[j];
+        record.friction = friction(pair);
+        record.pair = pair_number(pair);
+        record.order = j;
+        records.push_back(record);
+      }
     }
   }
-  return make_row_touches(send_results_to_fe_owners(records, counts));
+  std::vector<RowTouch> rows = make_row_touches(send_results_to_fe_owners(records));
+  if (asked_.near > 0) select_near();
+  return rows;
 }
 
 /// Touches of this rank's contact nodes as rows need them, by (node, face). Corners that other ranks own are numbered
@@ -147,7 +168,8 @@ std::vector<RowTouch> RankedFinder::make_row_touches(std::vector<TouchRecord> re
 
 std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& motion) {
   if (total_pairs_ == 0) return {};
-  const PenetrationTable table = measure_candidates(motion_.receive(data_, motion), check_);
+  read_ = &of_all_;
+  const PenetrationTable table = measure_candidates(motion_.receive(data_, read_->motion, motion), check_);
   const auto depth = to_host(table.depth), ratio = to_host(table.ratio), limit = to_host(table.limit);
   const auto size = to_host(check_.faces.size);
   const auto face = to_host(table.face);
@@ -156,15 +178,13 @@ std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& mo
     Penetration penetration;
   };
   std::vector<Record> records;
-  std::vector<int> counts;
-  for (const int n : checked_nodes_) {
-    counts.push_back(check_.candidates.num_pairs > 0 && face(n) >= 0 ? 1 : 0);
-    if (counts.back() == 0) continue;
-    const FaceTopology& of = check_faces_[at(face(n))];
-    records.push_back({check_nodes_[at(n)], {0, of.number, depth(n), ratio(n), size(face(n)), of.part, limit(n)}});
+  for (const int n : searched_nodes_) {
+    if (check_.candidates.num_pairs == 0 || face(n) < 0) continue;
+    const FaceTopology& of = faces_[at(face(n))];
+    records.push_back({nodes_[at(n)], {0, of.number, depth(n), ratio(n), size(face(n)), of.part, limit(n)}});
   }
   std::vector<Penetration> found;
-  for (Record& record : send_results_to_fe_owners(records, counts)) {
+  for (Record& record : send_results_to_fe_owners(records)) {
     record.penetration.node = find_contact_node(record.node);
     found.push_back(record.penetration);
   }
@@ -175,8 +195,9 @@ std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& mo
 std::vector<PartGap> RankedFinder::find_gaps(const SurfaceMotion& motion) {
   if (total_pairs_ == 0) return {};
   std::vector<int> parts;
-  for (const FaceTopology& face : check_faces_) parts.push_back(face.part);
-  return measure_gaps(motion_.receive(data_, motion), check_, parts);
+  parts.reserve(faces_.size());
+  for (const FaceTopology& face : faces_) parts.push_back(face.part);
+  return measure_gaps(motion_.receive(data_, of_all_.motion, motion), check_, parts);
 }
 
 }  // namespace percuss

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "comm/sized_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/number_map.hpp"
 #include "src/contact/ranked_edges.hpp"
@@ -42,19 +41,27 @@ EdgeHistory RankedEdges::receive_history(const EdgeHistory& history) {
   const auto a = to_host(history.a), b = to_host(history.b);
   const auto holds = to_host(history.holds);
   const auto normal = to_host(history.normal);
-  std::vector<int> counts;
   std::vector<HistoryItem> items;
-  for (const int e : history_.published) {
+  const auto add_items_of = [&](int e) {
     const std::int64_t number = share_.edges[at(e)].number;
     const std::int64_t* const all = a.data();
-    const std::size_t before = items.size();
     for (auto r = static_cast<int>(std::lower_bound(all, all + history.count, number) - all);
          r < history.count && a(r) == number; ++r)
       if (holds(r) != 0) items.push_back({a(r), b(r), {normal(r, 0), normal(r, 1), normal(r, 2)}});
+  };
+  const ItemPart& part = history_.all();
+  const ExchangePlan answer = reverse(part.request);
+  std::vector<int> counts;
+  for (const PeerRun& run : answer.to) {
+    const std::size_t before = items.size();
+    for (std::int64_t k = run.first; k < run.first + run.count; ++k)
+      add_items_of(part.published[static_cast<std::size_t>(k)]);
     counts.push_back(static_cast<int>(items.size() - before));
   }
-  const ExchangePlan answer = reverse(history_.request);
-  std::vector<HistoryItem> received = exchange_sized(*data_, answer, sum_by_run(answer.to, counts), items);
+  std::vector<HistoryItem> received = data_->exchange_sized(answer, counts, items);
+  items.clear();
+  for (const int e : part.own_places) add_items_of(e);
+  received.insert(received.end(), items.begin(), items.end());
   std::sort(received.begin(), received.end(), comes_before<HistoryItem>);
   std::vector<std::int64_t> of_a, of_b;
   std::vector<std::array<double, 3>> normals;
@@ -72,32 +79,28 @@ EdgeHistory RankedEdges::receive_history(const EdgeHistory& history) {
   return here;
 }
 
-// (5.7) Results to the homes of their edges A. records: by paired edge; counts: [paired] records of each.
+// (5.7) Results to the homes of their edges A.
 template <class Record>
-std::vector<Record> RankedEdges::send_home(const std::vector<Record>& records, const std::vector<int>& counts) {
-  std::vector<int> first(counts.size() + 1, 0);
-  std::partial_sum(counts.begin(), counts.end(), first.begin() + 1);
-  std::vector<int> ordered_counts;
-  std::vector<Record> ordered;
-  ordered.reserve(records.size());
-  for (const int i : history_.order) {
-    ordered_counts.push_back(counts[at(i)]);
-    ordered.insert(ordered.end(), records.begin() + first[at(i)], records.begin() + first[at(i) + 1]);
+std::vector<Record> RankedEdges::send_home(const std::vector<Record>& records) {
+  std::vector<int> homes;
+  homes.reserve(records.size());
+  for (const Record& record : records) {
+    const auto edge = std::lower_bound(edges_.begin(), edges_.end(), record.a,
+                                       [](const EdgeTopology& e, std::int64_t number) { return e.number < number; });
+    homes.push_back(edge->home);
   }
-  std::vector<Record> received =
-      exchange_sized(*data_, history_.request, sum_by_run(history_.request.to, ordered_counts), ordered);
+  std::vector<Record> received = send_to_partners(*data_, ranks_.ranks.rank(), history_.all().request, homes, records);
   std::sort(received.begin(), received.end(), comes_before<Record>);
   return received;
 }
 
 /// The touches of the last check, by paired edge.
-std::vector<RankedEdges::TouchRecord> RankedEdges::list_touches(std::vector<int>& counts) const {
+std::vector<RankedEdges::TouchRecord> RankedEdges::list_touches() const {
   const auto list = to_host(space_.touches.list), a = to_host(space_.pairs.a), b = to_host(space_.pairs.b);
   const auto touches = to_host(space_.touches.by_pair);
   const auto friction = to_host(share_.pair_friction);
   const auto pair_number = to_host(share_.pair_number);
   std::vector<TouchRecord> records;
-  counts.assign(paired_.size(), 0);
   for (int k = 0; k < space_.touches.count; ++k) {
     const int pair = list(k), of_a = a(pair);
     const EdgeTopology &edge = edges_[at(of_a)], &other = edges_[at(b(pair))];
@@ -112,7 +115,6 @@ std::vector<RankedEdges::TouchRecord> RankedEdges::list_touches(std::vector<int>
     record.friction = friction(edge.surface_class * share_.num_classes + other.surface_class);
     record.pair = pair_number(edge.surface_class * share_.num_classes + other.surface_class);
     records.push_back(record);
-    ++counts[static_cast<std::size_t>(std::lower_bound(paired_.begin(), paired_.end(), of_a) - paired_.begin())];
   }
   return records;
 }
@@ -135,10 +137,8 @@ RowTouch RankedEdges::make_row_touch(const TouchRecord& record, int& foreign) co
 void RankedEdges::append_touches(const SurfaceMotion& motion, const EdgeHistory& history,
                                  std::vector<RowTouch>& touches) {
   if (total_pairs_ == 0) return;
-  check_edge_pairs(motion_.receive(*data_, motion), receive_history(history), space_);
-  std::vector<int> counts;
-  const std::vector<TouchRecord> sent = list_touches(counts);
-  const std::vector<TouchRecord> records = send_home(sent, counts);
+  check_edge_pairs(motion_.receive(*data_, read_, motion), receive_history(history), space_);
+  const std::vector<TouchRecord> records = send_home(list_touches());
   int foreign = 0;
   for (const RowTouch& touch : touches)
     foreign += static_cast<int>(std::count_if(touch.node, touch.node + touch.count, [](int n) { return n < 0; }));
@@ -158,14 +158,7 @@ void RankedEdges::append_touches(const SurfaceMotion& motion, const EdgeHistory&
 
 std::vector<EdgePenetration> RankedEdges::find_penetrations(const SurfaceMotion& motion) {
   if (total_pairs_ == 0) return {};
-  const std::vector<EdgePenetration> found = measure_edge_pairs(motion_.receive(*data_, motion), space_);
-  std::vector<int> counts(paired_.size(), 0);
-  for (const EdgePenetration& p : found) {
-    const auto place = std::lower_bound(paired_.begin(), paired_.end(), p.a,
-                                        [&](int e, std::int64_t n) { return edges_[at(e)].number < n; });
-    ++counts[static_cast<std::size_t>(place - paired_.begin())];
-  }
-  return send_home(found, counts);
+  return send_home(measure_edge_pairs(motion_.receive(*data_, read_, motion), space_));
 }
 
 }  // namespace percuss

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "comm/sized_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/number_map.hpp"
 #include "src/contact/pair_limit.hpp"
@@ -29,7 +28,6 @@ RankedEdges::RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, S
   if (share.total_edges == 0) return;
   exchange_.emplace(ranks.ranks);
   data_.emplace(ranks.ranks);
-  cuts_.emplace(ranks.ranks);
   std::vector<int> pieces, first{0};
   for (const EdgeTopology& edge : share.edges) {
     pieces.push_back(edge.pieces);
@@ -41,7 +39,7 @@ RankedEdges::RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, S
 }
 
 /// The rank in whose part the middle of each edge lies.
-void RankedEdges::find_owners(const SurfaceMotion& motion, const CutTree& tree) {
+void RankedEdges::find_owners(const SurfaceMotion& motion) {
   std::vector<std::int64_t> ids;
   for (const EdgeTopology& edge : share_.edges) ids.push_back(edge.number);
   const Rows3<double> middles("contact::edge_middles", ids.size());
@@ -51,17 +49,20 @@ void RankedEdges::find_owners(const SurfaceMotion& motion, const CutTree& tree) 
   Kokkos::parallel_for(
       "contact::edge_middles", Range(ExecSpace(), 0, static_cast<int>(ids.size())),
       KOKKOS_LAMBDA(int e) { store_row(middles, e, 0.5 * (load_row(m.x, ends(e, 0)) + load_row(m.x, ends(e, 1)))); });
-  percuss::find_owners(ExecSpace(), tree, middles, to_view("contact::edge_ids", ids), owners);
+  percuss::find_owners(ExecSpace(), parts_->cuts().tree(), middles, to_view("contact::edge_ids", ids), owners);
   ExecSpace().fence();
   const auto host = to_host(owners);
-  owners_.assign(host.data(), host.data() + host.extent(0));
+  owners_.clear();
+  for (std::size_t e = 0; e < host.extent(0); ++e) owners_.push_back(parts_->find_rank(host(e)));
 }
 
 /// Tells owners where the points of their edges are, so that they know what boxes must reach them.
 void RankedEdges::send_points_to_owners(const SurfaceMotion& motion, const ContactDecomposition& decomposition) {
+  const AssignedParts& parts = decomposition.parts();
+  if (!parts_ || parts_->rank_of_part() != parts.rank_of_part()) parts_.emplace(ranks_.ranks, parts.rank_of_part());
   if (decomposition.was_rebalanced() || owners_.size() != share_.edges.size()) {
-    cuts_->restore(decomposition.cuts().cuts());
-    find_owners(motion, cuts_->tree());
+    parts_->cuts().restore(parts.cuts().cuts());
+    find_owners(motion);
   }
   const Rows3<double> places("contact::edge_places", at(points_.num_points));
   place_edge_points(ExecSpace(), points_, motion.x, places);
@@ -79,7 +80,7 @@ void RankedEdges::send_points_to_owners(const SurfaceMotion& motion, const Conta
   const SendOrder order = order_by_destination(to);
   const std::vector<std::array<double, 3>> own =
       data_->exchange(exchange_->plan(order.to), ItemExchange::arrange(order, points));
-  cuts_->refit(ExecSpace(), to_rows("contact::owned_edge_points", own));
+  parts_->cuts().refit(ExecSpace(), to_rows("contact::owned_edge_points", own));
 }
 
 Point3 RankedEdges::find_half_piece_of_all(const SurfaceMotion& motion) const {
@@ -94,23 +95,26 @@ Point3 RankedEdges::find_half_piece_of_all(const SurfaceMotion& motion) const {
 void RankedEdges::send_edges_to_reached(const SurfaceMotion& motion, const Point3& margin) {
   bound_edges(ExecSpace(), points_.ends, motion, margin, boxes_);
   ExecSpace().fence();
-  const ReachedRanks reached = list_reached_ranks(ranks_.ranks, cuts_->tree(), boxes_,
-                                                  static_cast<int>(share_.edges.size()), margin.x, reach_count_);
+  const ReachedRanks reached = list_reached_ranks(ranks_.ranks, parts_->cuts().tree(), boxes_,
+                                                  static_cast<int>(share_.edges.size()), margin.x);
   const auto boxes = to_host(boxes_);
   const auto x = to_host(motion.x);
+  const auto box = to_host(reached.box), part = to_host(reached.rank);
+  std::vector<int> to;
   std::vector<EdgeRecord> records;
-  for (std::size_t i = 0; i < reached.box.size(); ++i) {
-    const auto e = at(reached.box[i]);
+  for (std::size_t i = 0; i < box.extent(0); ++i) {
+    const auto e = at(box(i));
     EdgeRecord record{};
     record.edge = share_.edges[e];
-    record.is_owned = reached.rank[i] == owners_[e];
+    to.push_back(parts_->find_rank(part(i)));
+    record.is_owned = to.back() == owners_[e];
     for (std::size_t k = 0; k < 6; ++k) {
       record.box[k] = boxes(e, k);
       record.ends[k] = x(at(share_.edge_ends[e][k / 3]), k % 3);
     }
     records.push_back(record);
   }
-  const SendOrder order = order_by_destination(reached.rank);
+  const SendOrder order = order_by_destination(to);
   std::vector<EdgeRecord> received = data_->exchange(exchange_->plan(order.to), ItemExchange::arrange(order, records));
   std::sort(received.begin(), received.end(),
             [](const EdgeRecord& a, const EdgeRecord& b) { return a.edge.number < b.edge.number; });
@@ -207,17 +211,18 @@ void RankedEdges::subscribe_to_pairs() {
   pairs.a = to_view("contact::edge_pair_a", pair_a);
   pairs.b = to_view("contact::edge_pair_b", pair_b);
   pairs.edges = to_view("contact::pair_edges", all);
-  motion_.ask(ranks_, *exchange_, *data_, nodes);
+  motion_.name(ranks_, *exchange_, *data_, nodes);
+  read_ = motion_.all();
 
-  paired_ = pair_a;
-  paired_.erase(std::unique(paired_.begin(), paired_.end()), paired_.end());
+  std::vector<int>& paired = pair_a;  // edges that are A of some pair, ascending
+  paired.erase(std::unique(paired.begin(), paired.end()), paired.end());
   std::vector<int> homes;
   std::vector<std::int64_t> numbers;
-  for (const int e : paired_) {
+  for (const int e : paired) {
     homes.push_back(edges_[at(e)].home);
     numbers.push_back(edges_[at(e)].number);
   }
-  history_ = subscribe(*exchange_, *data_, homes, numbers, [&](std::int64_t number) {
+  history_.name(*exchange_, *data_, homes, numbers, [&](std::int64_t number) {
     const auto edge = std::lower_bound(share_.edges.begin(), share_.edges.end(), number,
                                        [](const EdgeTopology& e, std::int64_t n) { return e.number < n; });
     return static_cast<int>(edge - share_.edges.begin());

@@ -35,28 +35,27 @@ class RankedEdges {
   struct TouchRecord;
 
   void send_points_to_owners(const SurfaceMotion& motion, const ContactDecomposition& decomposition);
-  void find_owners(const SurfaceMotion& motion, const CutTree& tree);
+  void find_owners(const SurfaceMotion& motion);
   Point3 find_half_piece_of_all(const SurfaceMotion& motion) const;
   void send_edges_to_reached(const SurfaceMotion& motion, const Point3& margin);
   std::int64_t find_pairs_here(const Point3& slack, std::int64_t limit);
   void subscribe_to_pairs();
   EdgeHistory receive_history(const EdgeHistory& history);
   template <class Record>
-  std::vector<Record> send_home(const std::vector<Record>& records, const std::vector<int>& counts);
-  std::vector<TouchRecord> list_touches(std::vector<int>& counts) const;
+  std::vector<Record> send_home(const std::vector<Record>& records);
+  std::vector<TouchRecord> list_touches() const;
   RowTouch make_row_touch(const TouchRecord& record, int& foreign) const;
 
   const ContactRanks ranks_;
   const SurfaceShare& share_;
   std::optional<UnstructuredExchange> exchange_;
   std::optional<DataExchange> data_;
-  std::optional<Rcb> cuts_;  // those of the decomposition, with the reach of edges' points
+  std::optional<AssignedParts> parts_;  // those of the decomposition, with the reach of edges' points
 
   // Edges whose home this rank is.
   EdgePoints points_;                         // ends as mesh nodes
-  std::vector<int> owners_;                   // [edges] in the contact decomposition
+  std::vector<int> owners_;                   // [edges] ranks in the contact decomposition
   Boxes boxes_ = Boxes("contact::boxes", 0);  // [edges]
-  Array<int> reach_count_ = Array<int>("contact::edge_reach_count", 0);
 
   // Edges that reached this rank, ascending in number, and their pairs.
   struct EdgeRecord;
@@ -66,10 +65,10 @@ class RankedEdges {
   Boxes edge_boxes_ = Boxes("contact::received_boxes", 0);
   EdgeSearchScratch scratch_;
   EdgeSpace space_;
-  std::vector<int> paired_;  // edges that are A of some pair, ascending
   std::int64_t total_pairs_ = 0;
   MotionCopy motion_;
-  Subscription history_;  // records of the paired edges
+  MotionPart read_;
+  RemoteItems history_;  // records of the paired edges
 };
 
 }  // namespace percuss

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "comm/item_exchange.hpp"
-#include "comm/sized_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/number_map.hpp"
 #include "src/contact/pair_limit.hpp"
@@ -22,50 +20,46 @@ void sort_unique(std::vector<std::int64_t>& numbers) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
+void sort_unique(std::vector<FaceTopology>& faces) {
+  std::sort(faces.begin(), faces.end(),
+            [](const FaceTopology& a, const FaceTopology& b) { return a.number < b.number; });
+  faces.erase(std::unique(faces.begin(), faces.end(),
+                          [](const FaceTopology& a, const FaceTopology& b) { return a.number == b.number; }),
+              faces.end());
+}
+
+template <class Record>
+std::vector<std::int64_t> list_numbers(const std::vector<Record>& records) {
+  std::vector<std::int64_t> numbers;
+  numbers.reserve(records.size());
+  for (const Record& record : records) numbers.push_back(record.number);
+  return numbers;
+}
+
 std::array<int, 4> find_numbers(const NumberMap& places, const std::int64_t (&wanted)[4]) {
   return {places.find(wanted[0]), places.find(wanted[1]), places.find(wanted[2]), places.find(wanted[3])};
 }
 
-SurfaceLists list_search_surface(const std::vector<NodeRecord>& nodes, const std::vector<FaceRecord>& faces) {
-  SurfaceLists lists;
-  std::vector<std::int64_t> numbers;
-  for (const NodeRecord& node : nodes) {
-    numbers.push_back(node.number);
-    lists.node_class.push_back(node.surface_class);
-  }
-  lists.nodes.resize(nodes.size());
-  std::iota(lists.nodes.begin(), lists.nodes.end(), 0);
-  lists.searched_nodes = lists.nodes;
-  const NumberMap places(numbers);
-  for (const FaceRecord& record : faces) {
-    lists.corners.push_back(find_numbers(places, record.face.corners));
-    lists.backs.push_back(find_numbers(places, record.face.backs));
-    lists.face_class.push_back(record.face.surface_class);
-    lists.face_body.push_back(record.face.body);
-  }
-  lists.searched_faces.resize(faces.size());
-  std::iota(lists.searched_faces.begin(), lists.searched_faces.end(), 0);
-  return lists;
-}
-
-Boxes copy_boxes(const std::vector<FaceRecord>& faces) {
-  const Boxes boxes("contact::received_boxes", faces.size());
-  const auto host = Kokkos::create_mirror_view(boxes);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (std::size_t k = 0; k < 6; ++k) host(f, k) = faces[f].box[k];
-  }
-  Kokkos::deep_copy(boxes, host);
-  return boxes;
-}
-
-Rows3<double> copy_places(const std::vector<NodeRecord>& nodes) {
-  const Rows3<double> x("contact::received_places", nodes.size());
-  const auto host = Kokkos::create_mirror_view(x);
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    for (std::size_t k = 0; k < 3; ++k) host(n, k) = nodes[n].x[k];
-  }
-  Kokkos::deep_copy(x, host);
-  return x;
+/// Marks the nodes whose motion the check of a list of pairs reads. is_wanted: out, [nodes].
+template <class Space>
+void mark_read_nodes(const Space& space, const ContactSurface& surface, const CandidateList& pairs,
+                     const Array<int>& is_wanted) {
+  const ContactSurface s = surface;
+  const Array<const int> faces = pairs.faces, is_boxed = pairs.is_boxed, nodes = pairs.nodes;
+  Kokkos::parallel_for(
+      "contact::clear_wanted", RangeOf<Space>(space, 0, s.num_nodes), KOKKOS_LAMBDA(int n) { is_wanted(n) = 0; });
+  Kokkos::parallel_for(
+      "contact::want_nodes", RangeOf<Space>(space, 0, pairs.num_nodes),
+      KOKKOS_LAMBDA(int i) { Kokkos::atomic_assign(&is_wanted(nodes(i)), 1); });
+  Kokkos::parallel_for(
+      "contact::want_corners", RangeOf<Space>(space, 0, pairs.num_faces), KOKKOS_LAMBDA(int i) {
+        const int f = faces(i);
+        for (int c = 0; c < 4; ++c) {
+          Kokkos::atomic_assign(&is_wanted(s.face_corners(f, c)), 1);
+          if (is_boxed(i) != 0) Kokkos::atomic_assign(&is_wanted(s.face_backs(f, c)), 1);
+        }
+      });
+  space.fence();
 }
 
 }  // namespace
@@ -76,15 +70,20 @@ RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share,
       share_(share),
       exchange_(ranks.ranks),
       data_(ranks.ranks),
+      history_data_(ranks.ranks),
       decomposition_(ranks.ranks, share, rebalance),
       edges_(ranks, share, method) {
   scratch_.method = method;
 }
 
 Traffic RankedFinder::traffic() const {
-  const Traffic &own = data_.traffic(), &decomposition = decomposition_.traffic(), edges = edges_.traffic();
-  return {traffic_before_.messages + own.messages + decomposition.messages + edges.messages,
-          traffic_before_.bytes + own.bytes + decomposition.bytes + edges.bytes};
+  Traffic sum = traffic_before_;
+  for (const Traffic& part :
+       {data_.traffic(), history_data_.traffic(), decomposition_.traffic(), edges_.traffic()}) {
+    sum.messages += part.messages;
+    sum.bytes += part.bytes;
+  }
+  return sum;
 }
 
 void RankedFinder::take_over(const ContactFinder& before) {
@@ -104,171 +103,197 @@ SearchLoad RankedFinder::load() const {
 int RankedFinder::find_mesh_node(std::int64_t number) const { return find_number(ranks_.mesh.node_numbers, number); }
 int RankedFinder::find_contact_node(std::int64_t number) const { return find_number(share_.nodes.numbers, number); }
 
-// (5.6), first half: which nodes are in which boxes, on every rank by itself.
-std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
-  const std::vector<NodeRecord>& nodes = decomposition_.nodes();
-  const std::vector<FaceRecord>& faces = decomposition_.faces();
-  const ContactSurface surface = make_contact_surface(list_search_surface(nodes, faces), share_);
-  const Boxes boxes = copy_boxes(faces);
-  const Rows3<double> x = copy_places(nodes);
-  if (scratch_.method == SearchMethod::blocks) {  // from search to search, ranks see other faces
-    std::vector<std::int64_t> node_numbers, face_numbers;
-    node_numbers.reserve(nodes.size());
-    face_numbers.reserve(faces.size());
-    for (const NodeRecord& node : nodes) node_numbers.push_back(node.number);
-    for (const FaceRecord& face : faces) face_numbers.push_back(face.face.number);
-    identify(node_numbers, face_numbers, scratch_.blocks);
-  }
-  std::int64_t pairs = 0;
-  run_where_it_pays(static_cast<int>(faces.size()) / 2, [&](const auto& space) {
-    pairs = find_points_in_boxes(space, surface, x, boxes, limit, scratch_, found_);
-  });
-  return pairs;
-}
-
-/// Puts the pairs on the host and lists the nodes and faces that have any.
-void RankedFinder::list_pairs() {
-  const std::size_t num_nodes = decomposition_.nodes().size();
-  const auto offset = to_host(found_.offset);
-  const auto face = to_host(found_.face);
-  first_pair_.assign(offset.data(), offset.data() + num_nodes + 1);
-  pair_face_.assign(face.data(), face.data() + found_.num_pairs);
-  checked_.clear();
-  for (std::size_t n = 0; n < num_nodes; ++n) {
-    if (first_pair_[n] < first_pair_[n + 1]) checked_.push_back(static_cast<int>(n));
-  }
-  candidate_faces_ = pair_face_;
-  std::sort(candidate_faces_.begin(), candidate_faces_.end());
-  candidate_faces_.erase(std::unique(candidate_faces_.begin(), candidate_faces_.end()), candidate_faces_.end());
-}
-
 std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
   {
     const Phase phase("percuss::contact_rcb", decomposition_clock_);
     decomposition_.update(motion, margin);
   }
+  if (decomposition_.has_changed()) redefine_surface();
   const std::int64_t of_faces = search_faces(margin);
   return of_faces + edges_.search(motion, margin, decomposition_);
+}
+
+/// The surface that this rank knows is another now.
+void RankedFinder::redefine_surface() {
+  number_surface(list_known_faces());
+  motion_.name(ranks_, exchange_, data_, nodes_);
+  const std::vector<std::int64_t> searched = list_numbers(decomposition_.nodes());
+  std::vector<int> owners;
+  owners.reserve(searched.size());
+  for (const std::int64_t number : searched) owners.push_back(ranks_.numbering.find_node_owner(number));
+  history_.name(exchange_, data_, owners, searched, [&](std::int64_t number) { return find_contact_node(number); });
+  // From search to search, ranks see other faces.
+  if (scratch_.method == SearchMethod::blocks) identify(searched, list_numbers(decomposition_.faces()), scratch_.blocks);
+}
+
+/// The faces that reach this rank and those around its nodes and theirs.
+std::vector<FaceTopology> RankedFinder::list_known_faces() {
+  std::vector<std::int64_t> nodes = list_numbers(decomposition_.nodes());
+  for (const FaceTopology& face : decomposition_.faces())
+    nodes.insert(nodes.end(), std::begin(face.corners), std::end(face.corners));
+  sort_unique(nodes);
+  std::vector<FaceTopology> faces = ask_for_faces_around(nodes);
+  faces.insert(faces.end(), decomposition_.faces().begin(), decomposition_.faces().end());
+  sort_unique(faces);
+  return faces;
+}
+
+/// Asks the FE owners of nodes for all faces around these. Each tells of a face once.
+std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<std::int64_t>& nodes) {
+  std::vector<int> owners;
+  owners.reserve(nodes.size());
+  for (const std::int64_t number : nodes) owners.push_back(ranks_.numbering.find_node_owner(number));
+  RemoteItems asked;
+  asked.name(exchange_, data_, owners, nodes, [&](std::int64_t number) { return find_contact_node(number); });
+  const OwnedContactNodes& own = share_.nodes;
+  std::vector<int> told(share_.faces.size() + share_.told_faces.size(), -1);  // the last who was
+  std::vector<FaceTopology> faces;
+  const auto tell = [&](int whom, int node) {
+    for (int f = own.first_face[at(node)]; f < own.first_face[at(node) + 1]; ++f) {
+      const int face = own.faces[at(f)];
+      if (told[at(face)] == whom) continue;
+      told[at(face)] = whom;
+      faces.push_back(share_.face(face));
+    }
+  };
+  std::vector<int> counts;
+  const ExchangePlan answer = reverse(asked.all().request);
+  for (const PeerRun& run : answer.to) {
+    const std::size_t before = faces.size();
+    for (std::int64_t k = run.first; k < run.first + run.count; ++k)
+      tell(run.rank, asked.all().published[static_cast<std::size_t>(k)]);
+    counts.push_back(static_cast<int>(faces.size() - before));
+  }
+  std::vector<FaceTopology> received = data_.exchange_sized(answer, counts, faces);
+  faces.clear();
+  for (const int node : asked.all().own_places) tell(ranks_.ranks.rank(), node);
+  received.insert(received.end(), faces.begin(), faces.end());
+  return received;
+}
+
+/// Numbers the nodes and faces that this rank knows. faces: ascending.
+void RankedFinder::number_surface(const std::vector<FaceTopology>& faces) {
+  faces_ = faces;
+  const std::vector<std::int64_t> face_numbers = list_numbers(faces_);
+  SurfaceLists lists;
+  std::vector<char> is_searched(faces_.size(), 0);
+  for (const FaceTopology& face : decomposition_.faces()) {
+    lists.searched_faces.push_back(find_number(face_numbers, face.number));
+    is_searched[at(lists.searched_faces.back())] = 1;
+  }
+  nodes_ = list_numbers(decomposition_.nodes());
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    nodes_.insert(nodes_.end(), std::begin(faces_[f].corners), std::end(faces_[f].corners));
+    if (is_searched[f] != 0) nodes_.insert(nodes_.end(), std::begin(faces_[f].backs), std::end(faces_[f].backs));
+  }
+  sort_unique(nodes_);
+  const NumberMap places(nodes_);
+  lists.nodes.resize(nodes_.size());
+  std::iota(lists.nodes.begin(), lists.nodes.end(), 0);
+  lists.node_class.assign(nodes_.size(), 0);
+  searched_nodes_.clear();
+  for (const NodeRecord& node : decomposition_.nodes()) {
+    searched_nodes_.push_back(places.find(node.number));
+    lists.node_class[at(searched_nodes_.back())] = node.surface_class;
+  }
+  lists.searched_nodes = searched_nodes_;
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    const FaceTopology& face = faces_[f];
+    lists.corners.push_back(find_numbers(places, face.corners));
+    lists.backs.push_back(is_searched[f] != 0 ? find_numbers(places, face.backs)
+                                              : std::array<int, 4>{-1, -1, -1, -1});
+    lists.face_class.push_back(face.surface_class);
+    lists.face_body.push_back(face.body);
+    if (share_.largest_offset > 0) lists.face_offset.push_back(face.offset);
+  }
+  set_surface(make_contact_surface(lists, share_), face_numbers, check_);
+  reserve(places_, check_.surface.num_nodes);
+}
+
+// (5.6), first half: which nodes are in which boxes, on every rank by itself.
+std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
+  const ContactSurface& surface = check_.surface;
+  const Array<const int> nodes = surface.searched_nodes;
+  const Rows3<const double> found = decomposition_.places();
+  const Rows3<double> x = places_;
+  std::int64_t pairs = 0;
+  run_where_it_pays(static_cast<int>(decomposition_.faces().size()) / 2, [&](const auto& space) {
+    Kokkos::parallel_for(
+        "contact::searched_places",
+        RangeOf<std::decay_t<decltype(space)>>(space, 0, static_cast<int>(nodes.extent(0))),
+        KOKKOS_LAMBDA(int i) { store_row(x, nodes(i), load_row(found, i)); });
+    pairs = find_points_in_boxes(space, surface, x, decomposition_.boxes(), limit, scratch_, check_.candidates);
+    if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, check_.candidates);
+  });
+  return pairs;
 }
 
 std::int64_t RankedFinder::search_faces(double margin) {
   const std::int64_t limit = find_pair_limit(share_);
   const std::int64_t pairs = find_points_in_boxes_here(std::min(limit, most_indexed_pairs));
-  std::int64_t sums[3] = {pairs, static_cast<std::int64_t>(decomposition_.faces().size()),
-                          pairs > most_indexed_pairs ? 1 : 0};
+  std::int64_t sums[3] = {pairs, decomposition_.reaching_faces(), pairs > most_indexed_pairs ? 1 : 0};
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_INT64_T, MPI_SUM, ranks_.ranks.handle()); },
            "MPI_Allreduce");
   total_pairs_ = sums[0];
   refuse_too_many_pairs(total_pairs_, limit, margin);
   refuse_crowded_ranks(sums[2]);
   decomposition_.note_ghost_faces(sums[1] - share_.total_searched_faces);
-  check_.candidates.num_pairs = 0;
-  check_.candidates.num_nodes = 0;
   check_.near.forget();
-  if (total_pairs_ == 0) return 0;
-  list_pairs();
-  std::vector<std::int64_t> nodes;
-  for (const int n : checked_) nodes.push_back(decomposition_.nodes()[at(n)].number);
-  for (const int f : candidate_faces_) {
-    const auto& corners = decomposition_.faces()[at(f)].face.corners;
-    nodes.insert(nodes.end(), std::begin(corners), std::end(corners));
-  }
-  sort_unique(nodes);
-  build_check_space(ask_for_faces_around(nodes));
+  read_ = base_ = &of_all_;
+  asked_ = {};
+  if (total_pairs_ > 0) of_all_ = select(check_.candidates);
   return total_pairs_;
 }
 
-/// Asks the FE owners of nodes for all faces around these.
-std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<std::int64_t>& nodes) {
-  const Subscription asked = subscribe_to_contact_nodes(nodes);
-  const OwnedContactNodes& own = share_.nodes;
-  std::vector<int> counts;
-  std::vector<FaceTopology> faces;
-  for (const int n : asked.published) {
-    counts.push_back(own.first_face[at(n) + 1] - own.first_face[at(n)]);
-    for (int f = own.first_face[at(n)]; f < own.first_face[at(n) + 1]; ++f)
-      faces.push_back(share_.face(own.faces[at(f)]));
+/// Tells the FE owners what the check of a list of pairs reads. Collective.
+RankedFinder::CheckPart RankedFinder::select(const CandidateList& pairs) {
+  reserve(wanted_, check_.surface.num_nodes);
+  run_where_it_pays(check_.surface.num_nodes / 10,
+                    [&](const auto& space) { mark_read_nodes(space, check_.surface, pairs, wanted_); });
+  const auto marks = to_host(wanted_);
+  CheckPart part;
+  part.motion = motion_.select(data_, {marks.data(), marks.data() + check_.surface.num_nodes});
+  const auto nodes = to_host(pairs.nodes);
+  std::vector<char> is_checked;
+  is_checked.reserve(searched_nodes_.size());
+  int next = 0;
+  for (const int n : searched_nodes_) {
+    is_checked.push_back(next < pairs.num_nodes && nodes(next) == n ? 1 : 0);
+    next += is_checked.back();
   }
-  const ExchangePlan answer = reverse(asked.request);
-  std::vector<FaceTopology> received = exchange_sized(data_, answer, sum_by_run(answer.to, counts), faces);
-  std::sort(received.begin(), received.end(),
-            [](const FaceTopology& a, const FaceTopology& b) { return a.number < b.number; });
-  received.erase(std::unique(received.begin(), received.end(),
-                             [](const FaceTopology& a, const FaceTopology& b) { return a.number == b.number; }),
-                 received.end());
-  return received;
+  part.history = history_.select(history_data_, is_checked);
+  const auto list_rows = [&](const std::vector<int>& searched) {
+    std::vector<int> rows;
+    for (const int i : searched) rows.push_back(searched_nodes_[at(i)]);
+    return to_view("contact::history_rows", rows);
+  };
+  part.history_rows = list_rows(part.history.asked);
+  part.own_history_rows = list_rows(part.history.own);
+  part.own_history_places = to_view("contact::own_history", part.history.own_places);
+  part.published_history = to_view("contact::published_history", part.history.published);
+  return part;
 }
 
-/// What the FE owners of contact nodes have of these.
-Subscription RankedFinder::subscribe_to_contact_nodes(const std::vector<std::int64_t>& numbers) {
-  std::vector<int> owners;
-  owners.reserve(numbers.size());
-  for (const std::int64_t number : numbers) owners.push_back(ranks_.numbering.find_node_owner(number));
-  return subscribe(exchange_, data_, owners, numbers, [&](std::int64_t number) { return find_contact_node(number); });
+void RankedFinder::narrow(const NearWay& way) {
+  check_.near.ask(way);
+  asked_ = way;
+  if (!way.keeps_first) base_ = &of_all_;
+  read_ = base_;
 }
 
-/// The surface of the check: candidate faces, the faces around all nodes concerned, and all their nodes.
-void RankedFinder::build_check_space(std::vector<FaceTopology> faces) {
-  check_faces_ = std::move(faces);
-  std::vector<std::int64_t> face_numbers;
-  for (const FaceTopology& face : check_faces_) face_numbers.push_back(face.number);
-  std::vector<int> place_of_candidate;  // of each candidate face
-  std::vector<char> is_candidate(check_faces_.size(), 0);
-  for (const int f : candidate_faces_) {
-    place_of_candidate.push_back(find_number(face_numbers, decomposition_.faces()[at(f)].face.number));
-    is_candidate[at(place_of_candidate.back())] = 1;
+/// After a check that made lists: from now on what is read for these. All ranks come here in the same step, also those
+/// that have not found theirs worth it.
+void RankedFinder::select_near() {
+  if (asked_.search > 0) {
+    of_reachable_ = select(check_.reachable_pairs());
+    base_ = &of_reachable_;
   }
-  check_nodes_.clear();
-  for (const int n : checked_) check_nodes_.push_back(decomposition_.nodes()[at(n)].number);
-  const std::vector<std::int64_t> checked_numbers = check_nodes_;
-  for (std::size_t f = 0; f < check_faces_.size(); ++f) {
-    const FaceTopology& face = check_faces_[f];
-    check_nodes_.insert(check_nodes_.end(), std::begin(face.corners), std::end(face.corners));
-    if (is_candidate[f] != 0) check_nodes_.insert(check_nodes_.end(), std::begin(face.backs), std::end(face.backs));
+  read_ = base_;
+  if (asked_.near > 0) {
+    of_near_ = select(check_.checked_pairs());
+    read_ = &of_near_;
   }
-  sort_unique(check_nodes_);
-
-  SurfaceLists lists;
-  lists.nodes.resize(check_nodes_.size());
-  std::iota(lists.nodes.begin(), lists.nodes.end(), 0);
-  lists.node_class.assign(check_nodes_.size(), 0);
-  const NumberMap places(check_nodes_);
-  for (std::size_t f = 0; f < check_faces_.size(); ++f) {
-    const FaceTopology& face = check_faces_[f];
-    lists.corners.push_back(find_numbers(places, face.corners));
-    lists.backs.push_back(is_candidate[f] != 0 ? find_numbers(places, face.backs) : std::array<int, 4>{-1, -1, -1, -1});
-    lists.face_class.push_back(face.surface_class);
-    lists.face_body.push_back(face.body);
-    if (share_.largest_offset > 0) lists.face_offset.push_back(face.offset);
-  }
-  CandidateList& candidates = check_.candidates;
-  std::vector<int> offset(check_nodes_.size() + 1, 0), pairs;
-  checked_nodes_.clear();
-  for (const std::int64_t number : checked_numbers) checked_nodes_.push_back(places.find(number));
-  for (std::size_t i = 0; i < checked_.size(); ++i) {
-    const auto n = at(checked_[i]);
-    lists.node_class[at(checked_nodes_[i])] = decomposition_.nodes()[n].surface_class;
-    offset[at(checked_nodes_[i]) + 1] = first_pair_[n + 1] - first_pair_[n];
-  }
-  std::partial_sum(offset.begin(), offset.end(), offset.begin());
-  for (const int f : pair_face_) {  // nodes ascend here as there
-    const auto place = std::lower_bound(candidate_faces_.begin(), candidate_faces_.end(), f) - candidate_faces_.begin();
-    pairs.push_back(place_of_candidate[static_cast<std::size_t>(place)]);
-  }
-  set_surface(make_contact_surface(lists, share_), face_numbers, check_);
-  candidates.num_pairs = static_cast<int>(pairs.size());
-  candidates.num_nodes = static_cast<int>(checked_nodes_.size());
-  candidates.num_faces = static_cast<int>(check_faces_.size());
-  candidates.offset = to_view("contact::candidate_offset", offset);
-  candidates.face = to_view("contact::candidate_face", pairs);
-  candidates.nodes = to_view("contact::candidate_nodes", checked_nodes_);
-  std::vector<int> all_faces(check_faces_.size());
-  std::iota(all_faces.begin(), all_faces.end(), 0);
-  candidates.faces = to_view("contact::candidate_faces", all_faces);
-  candidates.is_boxed = to_view("contact::boxed_faces", std::vector<int>(is_candidate.begin(), is_candidate.end()));
-
-  motion_.ask(ranks_, exchange_, data_, check_nodes_);
-  history_ = subscribe_to_contact_nodes(checked_numbers);
+  asked_ = {};
 }
 
 }  // namespace percuss

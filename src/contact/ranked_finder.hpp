@@ -1,10 +1,11 @@
 #pragma once
 // Search and check in the contact decomposition: steps (5.6) and (5.7) of the paper's Figure 5.
 //
-// A search lists the candidate pairs among the nodes that a rank owns there and the faces that reached it. Then the
-// rank learns what the check of these pairs reads (the faces around their nodes, for normals) and subscribes to the
-// places and velocities of all nodes concerned. Until the next search a step costs no more than these, and the touches
-// that go back: nodes and faces far from any contact are not sent at all.
+// A rank knows the nodes that it owns there, the faces that reach it, and the faces around the nodes of both, for
+// normals: its part of the surface, which it is told once and uses for many searches. A search lists the candidate
+// pairs; then the rank tells the FE owners of nodes which places and velocities, and which remembered contacts, the
+// check of these pairs reads. Until it tells them otherwise a step costs no more than these, and the touches that go
+// back: nodes and faces far from any contact are not sent at all. Where near pairs are listed, only theirs are.
 
 #include "comm/merge_reduction.hpp"
 #include "src/contact/check_space.hpp"
@@ -20,7 +21,7 @@ class RankedFinder : public ContactFinder {
                SearchMethod method);
 
   std::int64_t search(const SurfaceMotion& motion, double margin) override;
-  void narrow(const NearWay& way) override { check_.near.ask(way); }
+  void narrow(const NearWay& way) override;
   int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
   std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) override {
@@ -39,16 +40,27 @@ class RankedFinder : public ContactFinder {
   /// A touch on its way to the FE owner of its node.
   struct TouchRecord;
 
-  std::int64_t search_faces(double margin);
-  std::vector<RowTouch> check_faces(const SurfaceMotion& motion, const ContactHistory& history);
-  std::int64_t find_points_in_boxes_here(std::int64_t limit);
-  void list_pairs();
+  /// What the check of a list of pairs reads.
+  struct CheckPart {
+    MotionPart motion;
+    ItemPart history;                                       // of searched nodes
+    Array<int> history_rows;                                // in messages: nodes of the surface
+    Array<int> own_history_rows, own_history_places;        // of this rank itself: nodes, and contact nodes of the share
+    Array<int> published_history;                           // contact nodes of the share
+  };
+
+  void redefine_surface();
+  std::vector<FaceTopology> list_known_faces();
   std::vector<FaceTopology> ask_for_faces_around(const std::vector<std::int64_t>& nodes);
-  void build_check_space(std::vector<FaceTopology> faces);
-  Subscription subscribe_to_contact_nodes(const std::vector<std::int64_t>& numbers);
-  void receive_history(const ContactHistory& history);
+  void number_surface(const std::vector<FaceTopology>& faces);
+  std::int64_t search_faces(double margin);
+  std::int64_t find_points_in_boxes_here(std::int64_t limit);
+  CheckPart select(const CandidateList& pairs);
+  void select_near();
+  std::vector<RowTouch> check_faces(const SurfaceMotion& motion, const ContactHistory& history);
+  SurfaceMotion receive(const SurfaceMotion& motion, const ContactHistory& history);
   template <class Record>
-  std::vector<Record> send_results_to_fe_owners(const std::vector<Record>& records, const std::vector<int>& counts);
+  std::vector<Record> send_results_to_fe_owners(const std::vector<Record>& records);
   std::vector<RowTouch> make_row_touches(std::vector<TouchRecord> records) const;
   int find_mesh_node(std::int64_t number) const;
   int find_contact_node(std::int64_t number) const;
@@ -56,26 +68,29 @@ class RankedFinder : public ContactFinder {
   ContactRanks ranks_;
   const SurfaceShare& share_;
   UnstructuredExchange exchange_;
-  DataExchange data_;
+  DataExchange data_, history_data_;
   ContactDecomposition decomposition_;
   PhaseClock decomposition_clock_;
   Traffic traffic_before_;  // of finders whose place this one took
 
+  // The surface that this rank knows, in numbers of its own: searched nodes and faces are those of the decomposition.
+  CheckSpace check_;
+  std::vector<std::int64_t> nodes_;  // [nodes] numbers, ascending
+  std::vector<FaceTopology> faces_;  // [faces] ascending
+  std::vector<int> searched_nodes_;  // [searched] places in nodes_
+  MotionCopy motion_;
+  RemoteItems history_;  // of searched nodes, from their FE owners
+
   // The search on this rank.
   SearchScratch scratch_;
-  CandidateList found_;                      // in places of decomposition_.nodes() and faces()
-  std::vector<int> first_pair_, pair_face_;  // the same on the host: [nodes + 1], [pairs]
-  std::vector<int> checked_;                 // places of nodes with candidates
-  std::vector<int> candidate_faces_;         // places of faces that are some node's candidate, ascending
-  std::int64_t total_pairs_ = 0;             // of all ranks
+  Rows3<double> places_ = Rows3<double>("contact::searched_places", 0);  // [nodes], of searched nodes
+  std::int64_t total_pairs_ = 0;                                         // of all ranks
 
-  // The check on this rank, in numbers of its own.
-  CheckSpace check_;
-  std::vector<std::int64_t> check_nodes_;  // [nodes] numbers, ascending
-  std::vector<FaceTopology> check_faces_;  // [faces] ascending
-  std::vector<int> checked_nodes_;         // [checked] places in check_nodes_
-  MotionCopy motion_;
-  Subscription history_;
+  // What is asked for of others: for all pairs, for those that can come near before the next search, for the near ones.
+  CheckPart of_all_, of_reachable_, of_near_;
+  const CheckPart *base_ = &of_all_, *read_ = &of_all_;  // where no near pairs are listed, and in the next check
+  NearWay asked_;                                        // of lists that the next check makes
+  Array<int> wanted_ = Array<int>("contact::wanted_nodes", 0);
 
   RankedEdges edges_;
 };

@@ -1,0 +1,84 @@
+#pragma once
+// Items that a rank asks others for by number, and parts of them that it asks for again without naming them.
+
+#include <cstdint>
+#include <vector>
+
+#include "comm/item_exchange.hpp"
+
+namespace percuss {
+
+/// Which of the named items are wanted: in messages, and on this rank.
+struct ItemPart {
+  ExchangePlan request;         // to those who have the items, from those who asked this rank; without this rank
+  std::vector<int> asked;       // item k of the answers is the asker's item asked[k]
+  std::vector<int> published;   // places, where they are, of the items that this rank sends, as in its messages
+  std::vector<int> own;         // the asker's items that this rank has itself...
+  std::vector<int> own_places;  // ... and their places
+};
+
+class RemoteItems {
+ public:
+  /// owners: [numbers] the rank that has each; find(number): its place there, >= 0. Collective. Throws MpiError.
+  template <class Find>
+  void name(UnstructuredExchange& exchange, DataExchange& data, const std::vector<int>& owners,
+            const std::vector<std::int64_t>& numbers, const Find& find) {
+    const int rank = exchange.ranks().rank();
+    all_ = {};
+    std::vector<int> of_others, to;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (owners[i] == rank) {
+        all_.own.push_back(static_cast<int>(i));
+        all_.own_places.push_back(find(numbers[i]));
+      } else {
+        of_others.push_back(static_cast<int>(i));
+        to.push_back(owners[i]);
+      }
+    }
+    const SendOrder order = order_by_destination(to);
+    std::vector<std::int64_t> sent;
+    sent.reserve(order.items.size());
+    for (const int k : order.items) {
+      all_.asked.push_back(of_others[static_cast<std::size_t>(k)]);
+      sent.push_back(numbers[static_cast<std::size_t>(all_.asked.back())]);
+    }
+    all_.request = exchange.plan(order.to);
+    for (const std::int64_t number : data.exchange(all_.request, sent)) all_.published.push_back(find(number));
+  }
+
+  const ItemPart& all() const { return all_; }
+
+  /// Those wanted. is_wanted: [numbers]. One message to each rank of the request. Collective. Throws MpiError.
+  ItemPart select(DataExchange& data, const std::vector<char>& is_wanted) const;
+
+ private:
+  ItemPart all_;
+};
+
+/// Sends records to partners, those of a plan and this rank itself. to: [records] rank that each goes to. Returns what
+/// is sent to this rank, in no certain order. Every rank of the plan calls it. Throws MpiError.
+template <class Record>
+std::vector<Record> send_to_partners(DataExchange& data, int own_rank, const ExchangePlan& partners,
+                                     const std::vector<int>& to, const std::vector<Record>& records) {
+  const SendOrder order = order_by_destination(to);
+  std::vector<Record> of_others, own;
+  std::vector<int> counts;
+  auto run = order.to.begin();
+  const auto add_run = [&](std::vector<Record>& list) {
+    for (std::int64_t k = run->first; k < run->first + run->count; ++k)
+      list.push_back(records[static_cast<std::size_t>(order.items[static_cast<std::size_t>(k)])]);
+    ++run;
+  };
+  for (const PeerRun& partner : partners.to) {  // ranks ascend in both
+    if (run != order.to.end() && run->rank == own_rank) add_run(own);
+    const std::size_t before = of_others.size();
+    if (run != order.to.end() && run->rank == partner.rank) add_run(of_others);
+    counts.push_back(static_cast<int>(of_others.size() - before));
+  }
+  if (run != order.to.end()) add_run(own);
+  std::vector<Record> received = data.exchange_sized(partners, counts, of_others);
+  received.insert(received.end(), own.begin(), own.end());
+  return received;
+}
+
+}  // namespace percuss
