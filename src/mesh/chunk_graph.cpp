@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <numeric>
 
+#include "comm/item_exchange.hpp"
 #include "src/fail_together.hpp"
+#include "src/mesh/near_chunks.hpp"
 #include "src/mesh/node_homes.hpp"
 
 namespace percuss {
@@ -61,9 +63,8 @@ std::vector<std::int64_t> number_owned_nodes(const std::vector<int>& users, cons
   return numbers;
 }
 
-/// [chunks of the scene] on every rank.
-std::vector<int> find_costs(const Deck& deck, const Communicator& ranks, const SceneParts& scene,
-                            const ChunkPieces& pieces) {
+/// [chunks of the scene] exterior faces of each, on every rank.
+std::vector<std::int64_t> count_faces(const Communicator& ranks, const SceneParts& scene, const ChunkPieces& pieces) {
   std::vector<std::int64_t> faces(at(scene.chunk_count()), 0);
   for (std::size_t c = 0; c < pieces.chunks.size(); ++c) {
     for (int e = pieces.first_element[c]; e < pieces.first_element[c + 1]; ++e) {
@@ -71,7 +72,38 @@ std::vector<int> find_costs(const Deck& deck, const Communicator& ranks, const S
     }
   }
   sum_over_ranks(ranks, faces);
-  const int face_cost = deck.contact.surfaces == ContactDeck::Surfaces::none ? 0 : contact_face_cost;
+  return faces;
+}
+
+/// A chunk as it is told to rank 0.
+struct BoxNotice {
+  int chunk = 0;
+  ChunkBox box;
+};
+
+/// [chunks of the scene] on rank 0.
+std::vector<ChunkBox> gather_boxes(const Communicator& ranks, const SceneParts& scene, const ChunkPieces& pieces,
+                                   const std::vector<std::int64_t>& faces) {
+  std::vector<BoxNotice> notices;
+  for (std::size_t c = 0; c < pieces.chunks.size(); ++c) {
+    const auto first = at(pieces.first_node[c]), last = at(pieces.first_node[c + 1]);
+    ChunkBox box{pieces.places[first], pieces.places[first], faces[at(pieces.chunks[c])]};
+    for (std::size_t n = first; n < last; ++n) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        box.low[k] = std::min(box.low[k], pieces.places[n][k]);
+        box.high[k] = std::max(box.high[k], pieces.places[n][k]);
+      }
+    }
+    notices.push_back({pieces.chunks[c], box});
+  }
+  std::vector<ChunkBox> boxes(ranks.rank() == 0 ? at(scene.chunk_count()) : 0);
+  for (const BoxNotice& notice : ItemExchange(ranks).send(std::vector<int>(notices.size(), 0), notices))
+    boxes[at(notice.chunk)] = notice.box;
+  return boxes;
+}
+
+/// [chunks of the scene] on every rank.
+std::vector<int> find_costs(const SceneParts& scene, const std::vector<std::int64_t>& faces, int face_cost) {
   std::vector<int> costs(faces.size());
   for (std::size_t c = 0; c < costs.size(); ++c) {
     const auto elements = static_cast<int>(scene.first_element[c + 1] - scene.first_element[c]);
@@ -93,10 +125,16 @@ NumberedChunks number_chunks(const Deck& deck, const Communicator& ranks, const 
     numbered.numbering.first_node = number_first_nodes(ranks, scene.chunk_count(), users, owners);
     numbered.numbers = homes.share_numbers(number_owned_nodes(users, owners, numbered.numbering.first_node));
   }
-  const std::vector<GraphEdge> edges = homes.gather_edges();
-  std::vector<int> costs = find_costs(deck, ranks, scene, pieces);
+  std::vector<GraphEdge> edges = homes.gather_edges();
+  const bool has_contact = deck.contact.surfaces != ContactDeck::Surfaces::none;
+  const std::vector<std::int64_t> faces = count_faces(ranks, scene, pieces);
+  std::vector<ChunkBox> boxes;
+  if (has_contact) boxes = gather_boxes(ranks, scene, pieces, faces);
+  std::vector<int> costs = find_costs(scene, faces, has_contact ? contact_face_cost : 0);
   fail_together(ranks, [&] {
-    if (ranks.rank() == 0) numbered.graph = build_graph(edges, std::move(costs));
+    if (ranks.rank() != 0) return;
+    if (has_contact) edges = add_near_chunks(boxes, std::move(edges));
+    numbered.graph = build_graph(edges, std::move(costs));
   });
   return numbered;
 }

@@ -19,7 +19,7 @@ inline constexpr int element_cost = 32, contact_face_cost = 1;
 struct NumberedChunks {
   std::vector<std::int64_t> numbers;  // [nodes of the pieces]
   Numbering numbering;                // the same on every rank; nobody holds any chunk yet (no ranks)
-  Graph graph;                        // rank 0: a vertex a chunk, an edge where chunks share nodes
+  Graph graph;  // rank 0: a vertex a chunk, an edge where chunks share nodes or, with contact, lie next to each other
 };
 
 /// Gives every node to the lowest chunk that uses it and numbers the nodes of each chunk by first use; counts what
