@@ -17,10 +17,6 @@ constexpr double ghost_growth = 1.15;
 /// Change of the number of points, where erosion redefines the surface, at which they are.
 constexpr double point_growth = 1.1;
 
-/// Margins of a search by which a box is wider, beside its own, for the choice of the ranks that are told of its face:
-/// so that faces move on for some searches before others have to be.
-constexpr double told_margins = 2;
-
 /// A point on its way to the rank that owned it before.
 struct SentPoint {
   std::int64_t id = 0;
@@ -279,6 +275,14 @@ void ContactDecomposition::send_overlapping_faces(const SurfaceMotion& motion, d
 
 void ContactDecomposition::send_boxes() {
   send_rows<BoxItem>(data_, face_plan_, boxes_, sent_faces_, received_boxes_, received_faces_);
+}
+
+std::int64_t ContactDecomposition::count_reaching_here() const {
+  if (faces_.empty()) return 0;
+  const std::vector<int>& ranks = parts_->rank_of_part();
+  const int rank = exchange_.ranks().rank();
+  const int own = static_cast<int>(std::find(ranks.begin(), ranks.end(), rank) - ranks.begin());
+  return count_boxes_that_reach(parts_->cuts().tree(), received_boxes_, static_cast<int>(faces_.size()), own);
 }
 
 void ContactDecomposition::note_ghost_faces(std::int64_t ghosts) {

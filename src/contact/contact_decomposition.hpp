@@ -20,6 +20,10 @@
 
 namespace percuss {
 
+/// Margins of a search by which a box is wider, beside its own, for the choice of the ranks that are told of its face:
+/// so that faces move on for some searches before others have to be.
+inline constexpr double told_margins = 2;
+
 /// A contact node as the search needs it.
 struct NodeRecord {
   std::int64_t number = -1;
@@ -49,6 +53,9 @@ class ContactDecomposition {
 
   /// Faces of this rank's FE share, one for each rank that its box reached.
   std::int64_t reaching_faces() const { return reaching_faces_; }
+
+  /// Those of faces() whose boxes reached this rank.
+  std::int64_t count_reaching_here() const;
 
   /// The cuts, and whether the last update() made them anew.
   const AssignedParts& parts() const { return *parts_; }

@@ -17,8 +17,10 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Bytes of an item as a run sends it.
 constexpr std::int64_t number_bytes = 8;       // of a node
-constexpr std::int64_t count_bytes = 4;        // items of a message that is to follow
-constexpr std::int64_t plan_bytes = 8;         // the same, when a plan is made (2.4)
+constexpr std::int64_t plan_bytes = 8;         // items of a message that is to follow, when a plan is made (2.4)
+constexpr std::int64_t place_bytes = 24;
+constexpr std::int64_t box_bytes = 48;
+constexpr std::int64_t flag_bytes = 1;         // whether something is wanted
 constexpr std::int64_t motion_bytes = 48;      // place and velocity
 constexpr std::int64_t history_bytes = 24;     // three faces
 constexpr std::int64_t touch_bytes = 200;      // a touch with its node, face and corners
@@ -65,7 +67,8 @@ class Flow {
 struct ContactPlanner::Places {
   Numbering fe;  // of the mesh, with the ranks of the plan
   CutTree tree;
-  std::vector<int> owners;  // [points]
+  std::vector<int> rank_of_part;
+  std::vector<int> owners;  // [points] ranks
 
   int find_fe_rank(int mesh_node) const { return fe.find_node_owner(mesh_node); }
 };
@@ -82,31 +85,35 @@ struct ContactPlanner::Visit {
   }
 };
 
-/// What a rank asks for to check its candidate pairs, as RankedFinder::search does.
+/// What a rank learns of the surface around some nodes, as RankedFinder asks for it.
 struct ContactPlanner::Reach {
   const ContactPlanner& planner;
   const Places& places;
-  Visit asked, needed;
-  Flow requests, answers, motion;  // numbers of nodes, faces around these, nodes whose motion is read
+  Visit asked, needed, told;
+  Flow requests, answers, nodes;  // numbers of nodes, faces around these, nodes of these faces
 
   Reach(const ContactPlanner& from, const Places& in)
-      : planner(from), places(in), asked(from.whole_.mesh.nodes.size()), needed(from.whole_.mesh.nodes.size()) {}
+      : planner(from),
+        places(in),
+        asked(from.whole_.mesh.nodes.size()),
+        needed(from.whole_.mesh.nodes.size()),
+        told(from.share_.faces.size()) {}
 
   void need(int node, int rank) {
-    if (needed.is_first(node, rank)) motion.add(places.find_fe_rank(node), rank);
+    if (needed.is_first(node, rank)) nodes.add(places.find_fe_rank(node), rank);
   }
 
   /// A node whose surrounding faces are read.
   void ask(int node, int rank) {
     if (!asked.is_first(node, rank)) return;
-    const OwnedContactNodes& nodes = planner.share_.nodes;
+    const OwnedContactNodes& own = planner.share_.nodes;
     const auto n = at(planner.contact_nodes_[at(node)]);
-    const int first = nodes.first_face[n], end = nodes.first_face[n + 1];
-    requests.add(rank, places.find_fe_rank(node));
-    answers.add(places.find_fe_rank(node), rank, end - first);
-    for (int f = first; f < end; ++f) {
-      for (const std::int64_t corner : planner.share_.face(nodes.faces[at(f)]).corners)
-        need(static_cast<int>(corner), rank);
+    const int fe_rank = places.find_fe_rank(node);
+    requests.add(rank, fe_rank);
+    for (int f = own.first_face[n]; f < own.first_face[n + 1]; ++f) {
+      const int face = own.faces[at(f)];
+      if (told.is_first(face, rank)) answers.add(fe_rank, rank);  // another owner may tell of it, too: seldom
+      for (const std::int64_t corner : planner.share_.face(face).corners) need(static_cast<int>(corner), rank);
     }
   }
 };
@@ -144,7 +151,7 @@ void ContactPlanner::locate_points() {
 void ContactPlanner::find_boxes(bool reuse_search) {
   const SurfaceMotion at_rest{x_, x_, 0};
   ReuseBound bound(exchange_.ranks(), share_, reuse_search);
-  const double margin = bound.restart(at_rest);
+  const double margin = margin_ = bound.restart(at_rest);
   const Boxes boxes("contact::boxes", share_.searched_faces.size());
   bound_faces(ExecSpace(), share_.bounded_faces(), at_rest, margin, boxes);
   ExecSpace().fence();
@@ -190,10 +197,37 @@ int ContactPlanner::find_nearest_candidate(int node) const {
   return nearest;
 }
 
+/// The rank that has a point in the FE decomposition.
+int ContactPlanner::find_point_rank(const Places& places, std::size_t point) const {
+  if (point < searched_nodes_.size()) return places.find_fe_rank(share_.nodes.mesh_nodes[at(searched_nodes_[point])]);
+  const int face = share_.searched_faces[point - searched_nodes_.size()];
+  return places.fe.find_element_owner(share_.faces[at(face)].number / 6);
+}
+
+/// Calls call(rank) for the ranks that the box of a searched face reaches, if it is so much wider.
+template <class Call>
+void ContactPlanner::visit_ranks(const Places& places, std::size_t face, double wider, const Call& call) const {
+  const std::array<double, 6>& box = boxes_[face];
+  visit_reached_ranks(places.tree, std::array{box[0] - wider, box[1] - wider, box[2] - wider},
+                      std::array{box[3] + wider, box[4] + wider, box[5] + wider},
+                      [&](int part) { call(places.rank_of_part[at(part)]); });
+}
+
 ContactPlanner::Places ContactPlanner::divide(const std::vector<int>& chunk_ranks, int rank_count) const {
-  Places places{whole_.numbering, {rank_count, to_view("contact::cuts", bisect_points(points_, rank_count))}, {}};
+  Places places{whole_.numbering, {rank_count, to_view("contact::cuts", bisect_points(points_, rank_count))}, {}, {}};
   places.fe.ranks = chunk_ranks;
-  for (const PlacedPoint& point : points_) places.owners.push_back(find_owner(places.tree, point.x, point.id));
+  std::vector<std::vector<int>> parts(at(rank_count));
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    places.owners.push_back(find_owner(places.tree, points_[p].x, points_[p].id));
+    parts[at(find_point_rank(places, p))].push_back(places.owners.back());
+  }
+  std::vector<Overlap> overlaps;
+  for (std::size_t r = 0; r < parts.size(); ++r) {
+    const std::vector<Overlap> own = find_overlaps(static_cast<int>(r), parts[r]);
+    overlaps.insert(overlaps.end(), own.begin(), own.end());
+  }
+  places.rank_of_part = assign_parts(std::move(overlaps), rank_count);
+  for (int& owner : places.owners) owner = places.rank_of_part[at(owner)];
   return places;
 }
 
@@ -202,26 +236,56 @@ void ContactPlanner::plan_search(const Places& places, ContactPlan& plan) const 
   Flow nodes, faces;
   for (std::size_t i = 0; i < searched_nodes_.size(); ++i) {
     ++plan.ranks[at(places.owners[i])].nodes;
-    nodes.add(places.find_fe_rank(share_.nodes.mesh_nodes[at(searched_nodes_[i])]), places.owners[i]);
+    nodes.add(find_point_rank(places, i), places.owners[i]);
   }
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    ++plan.ranks[at(places.owners[searched_nodes_.size() + i])].faces;
-    const int fe_rank = places.fe.find_element_owner(share_.faces[at(share_.searched_faces[i])].number / 6);
-    const std::array<double, 6>& box = boxes_[i];
-    visit_reached_ranks(places.tree, std::array{box[0], box[1], box[2]}, std::array{box[3], box[4], box[5]},
-                        [&](int rank) {
-                          ++plan.ranks[at(rank)].faces_here;
-                          faces.add(fe_rank, rank);
-                        });
+    const std::size_t point = searched_nodes_.size() + i;
+    ++plan.ranks[at(places.owners[point])].faces;
+    visit_ranks(places, i, 0, [&](int rank) { ++plan.ranks[at(rank)].faces_here; });
+    visit_ranks(places, i, told_margins * margin_, [&](int rank) { faces.add(find_point_rank(places, point), rank); });
   }
   plan.ghost_faces = -static_cast<std::int64_t>(boxes_.size());
   for (const ContactRankPlan& rank : plan.ranks) plan.ghost_faces += rank.faces_here;
-  nodes.send(sizeof(NodeRecord), &ContactRankPlan::search, plan);
-  faces.announce(plan_bytes, &ContactRankPlan::search, plan);
-  faces.send(sizeof(FaceTopology), &ContactRankPlan::search, plan);
+  const auto telling = &ContactRankPlan::telling, search = &ContactRankPlan::search;
+  for (const Flow* flow : {&nodes, &faces}) flow->announce(plan_bytes, telling, plan);
+  nodes.send(sizeof(NodeRecord), telling, plan);
+  faces.send(sizeof(FaceTopology), telling, plan);
+  nodes.send(place_bytes, search, plan);
+  faces.send(box_bytes, search, plan);
 }
 
-/// What a rank learns for the check of its candidate pairs, in a search and in every step: (5.6) and (5.7).
+/// What a rank learns of the surface: the faces around its nodes and those of the faces that it was told of, by whose
+/// names it then asks for the motion of nodes and for history.
+void ContactPlanner::plan_telling(const Places& places, ContactPlan& plan) const {
+  std::vector<std::vector<int>> nodes(plan.ranks.size()), faces(plan.ranks.size());  // by rank, mesh nodes and faces
+  Flow history;
+  for (std::size_t i = 0; i < searched_nodes_.size(); ++i) {
+    nodes[at(places.owners[i])].push_back(share_.nodes.mesh_nodes[at(searched_nodes_[i])]);
+    history.add(find_point_rank(places, i), places.owners[i]);
+  }
+  for (std::size_t i = 0; i < boxes_.size(); ++i)
+    visit_ranks(places, i, told_margins * margin_,
+                [&](int rank) { faces[at(rank)].push_back(share_.searched_faces[i]); });
+  Reach reach(*this, places);
+  for (int rank = 0; rank < static_cast<int>(nodes.size()); ++rank) {
+    for (const int node : nodes[at(rank)]) reach.ask(node, rank);
+    for (const int face : faces[at(rank)]) {
+      for (const int corner : share_.face_corners[at(face)]) reach.ask(corner, rank);
+      for (const int back : share_.face_backs[at(face)]) reach.need(back, rank);
+    }
+  }
+  const auto telling = &ContactRankPlan::telling, search = &ContactRankPlan::search;
+  reach.requests.announce(plan_bytes, telling, plan);
+  reach.requests.send(number_bytes, telling, plan);
+  reach.answers.send(sizeof(FaceTopology), telling, plan);
+  for (const Flow* named : {&reach.nodes, &history}) {
+    named->announce_back(plan_bytes, telling, plan);
+    named->send_back(number_bytes, telling, plan);
+    named->send_back(flag_bytes, search, plan);
+  }
+}
+
+/// What a rank is sent for the check of its candidate pairs, in every step: (5.6) and (5.7).
 void ContactPlanner::plan_check(const Places& places, ContactPlan& plan) const {
   std::vector<std::vector<int>> checked(plan.ranks.size());  // by rank, places among the contact nodes
   for (std::size_t i = 0; i < searched_nodes_.size(); ++i) {
@@ -245,18 +309,9 @@ void ContactPlanner::plan_check(const Places& places, ContactPlan& plan) const {
       }
     }
   }
-  const auto search = &ContactRankPlan::search, step = &ContactRankPlan::step;
-  reach.requests.announce(plan_bytes, search, plan);
-  reach.requests.send(number_bytes, search, plan);
-  reach.answers.announce(count_bytes, search, plan);
-  reach.answers.send(sizeof(FaceTopology), search, plan);
-  for (const Flow* subscription : {&reach.motion, &history}) {
-    subscription->send_back(number_bytes, search, plan);
-    subscription->announce_back(plan_bytes, search, plan);
-  }
-  reach.motion.send(motion_bytes, step, plan);
+  const auto step = &ContactRankPlan::step;
+  reach.nodes.send(motion_bytes, step, plan);
   history.send(history_bytes, step, plan);
-  history.announce_back(count_bytes, step, plan);
   history.send_back(touch_bytes, step, plan);
 }
 
@@ -286,6 +341,7 @@ ContactPlan ContactPlanner::plan(const std::vector<int>& chunk_ranks, int rank_c
   const Places places = divide(chunk_ranks, rank_count);
   plan_search(places, plan);
   if (rank_count == 1) return plan;  // nothing is sent
+  plan_telling(places, plan);
   plan_check(places, plan);
   plan_enforcement(places, plan);
   return plan;

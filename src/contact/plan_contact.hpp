@@ -20,6 +20,7 @@ namespace percuss {
 struct ContactRankPlan {
   std::int64_t nodes = 0, faces = 0;  // searched nodes and centres of searched faces that it owns
   std::int64_t faces_here = 0;        // faces whose capture boxes reach it
+  Traffic telling;                    // sent when ranks learn which nodes and faces they look after
   Traffic search;                     // sent in each search
   Traffic step;                       // sent in each step, besides
   Traffic pass;                       // sent in each pass of the enforcement, of which an iteration is one
@@ -54,8 +55,12 @@ class ContactPlanner {
   void find_pairs(const Boxes& boxes, double margin);
   void locate_points();
   int find_nearest_candidate(int node) const;
+  int find_point_rank(const Places& places, std::size_t point) const;
+  template <class Call>
+  void visit_ranks(const Places& places, std::size_t face, double wider, const Call& call) const;
   Places divide(const std::vector<int>& chunk_ranks, int rank_count) const;
   void plan_search(const Places& places, ContactPlan& plan) const;
+  void plan_telling(const Places& places, ContactPlan& plan) const;
   void plan_check(const Places& places, ContactPlan& plan) const;
   void plan_enforcement(const Places& places, ContactPlan& plan) const;
 
@@ -67,6 +72,7 @@ class ContactPlanner {
   std::vector<PlacedPoint> points_;           // searched nodes, then centres of searched faces
   std::vector<int> searched_nodes_;           // places among the contact nodes
   std::vector<std::array<double, 6>> boxes_;  // [searched faces] lowest x, y, z, highest x, y, z
+  double margin_ = 0;                         // that these are wider than they must be [length]
   std::vector<int> first_pair_, pair_face_;   // [contact nodes + 1], [pairs] places in SurfaceShare::faces
 };
 

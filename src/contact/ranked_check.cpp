@@ -87,11 +87,12 @@ SurfaceMotion RankedFinder::receive(const SurfaceMotion& motion, const ContactHi
 
 // (5.7) Results to the FE owners of their nodes, of those in the last receive().
 template <class Record>
-std::vector<Record> RankedFinder::send_results_to_fe_owners(const std::vector<Record>& records) {
+std::vector<Record> RankedFinder::send_results_to_fe_owners(std::vector<Record> records) {
   std::vector<int> owners;
   owners.reserve(records.size());
   for (const Record& record : records) owners.push_back(ranks_.numbering.find_node_owner(record.node));
-  return send_to_partners(data_, ranks_.ranks.rank(), read_->history.request, owners, records);
+  return send_to_partners(data_, ranks_.ranks.rank(), read_->history.request, owners,
+                          std::move(records));
 }
 
 int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
@@ -133,7 +134,7 @@ std::vector<RowTouch> RankedFinder::check_faces(const SurfaceMotion& motion, con
       }
     }
   }
-  std::vector<RowTouch> rows = make_row_touches(send_results_to_fe_owners(records));
+  std::vector<RowTouch> rows = make_row_touches(send_results_to_fe_owners(std::move(records)));
   if (asked_.near > 0) select_near();
   return rows;
 }
@@ -141,10 +142,14 @@ std::vector<RowTouch> RankedFinder::check_faces(const SurfaceMotion& motion, con
 /// Touches of this rank's contact nodes as rows need them, by (node, face). Corners that other ranks own are numbered
 /// as foreign nodes.
 std::vector<RowTouch> RankedFinder::make_row_touches(std::vector<TouchRecord> records) const {
-  std::sort(records.begin(), records.end(), [](const TouchRecord& a, const TouchRecord& b) {
+  const auto comes_before = [](const TouchRecord& a, const TouchRecord& b) {
     return a.node != b.node ? a.node < b.node : a.order < b.order;
-  });
+  };
+  // Where this rank has found all of them itself, they are in order.
+  if (!std::is_sorted(records.begin(), records.end(), comes_before))
+    std::sort(records.begin(), records.end(), comes_before);
   std::vector<RowTouch> rows;
+  rows.reserve(records.size());
   int foreign = 0;
   for (const TouchRecord& record : records) {
     const int node = find_contact_node(record.node);
@@ -157,8 +162,8 @@ std::vector<RowTouch> RankedFinder::make_row_touches(std::vector<TouchRecord> re
     row.old_record = record.touch.record < 0 ? -1 : max_touches * node + record.touch.record;
     row.node[0] = share_.nodes.mesh_nodes[at(node)];
     for (int i = 0; i < 4; ++i) {
-      const bool is_own = ranks_.numbering.find_node_owner(record.corners[i]) == ranks_.ranks.rank();
-      row.node[i + 1] = is_own ? find_mesh_node(record.corners[i]) : -1 - foreign++;
+      const int corner = find_contact_node(record.corners[i]);
+      row.node[i + 1] = corner >= 0 ? share_.nodes.mesh_nodes[at(corner)] : -1 - foreign++;
       row.node_number[i + 1] = record.corners[i];
     }
     rows.push_back(row);
@@ -184,7 +189,7 @@ std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& mo
     records.push_back({nodes_[at(n)], {0, of.number, depth(n), ratio(n), size(face(n)), of.part, limit(n)}});
   }
   std::vector<Penetration> found;
-  for (Record& record : send_results_to_fe_owners(records)) {
+  for (Record& record : send_results_to_fe_owners(std::move(records))) {
     record.penetration.node = find_contact_node(record.node);
     found.push_back(record.penetration);
   }

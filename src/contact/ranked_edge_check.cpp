@@ -81,7 +81,7 @@ EdgeHistory RankedEdges::receive_history(const EdgeHistory& history) {
 
 // (5.7) Results to the homes of their edges A.
 template <class Record>
-std::vector<Record> RankedEdges::send_home(const std::vector<Record>& records) {
+std::vector<Record> RankedEdges::send_home(std::vector<Record> records) {
   std::vector<int> homes;
   homes.reserve(records.size());
   for (const Record& record : records) {
@@ -89,7 +89,8 @@ std::vector<Record> RankedEdges::send_home(const std::vector<Record>& records) {
                                        [](const EdgeTopology& e, std::int64_t number) { return e.number < number; });
     homes.push_back(edge->home);
   }
-  std::vector<Record> received = send_to_partners(*data_, ranks_.ranks.rank(), history_.all().request, homes, records);
+  std::vector<Record> received =
+      send_to_partners(*data_, ranks_.ranks.rank(), history_.all().request, homes, std::move(records));
   std::sort(received.begin(), received.end(), comes_before<Record>);
   return received;
 }

@@ -42,7 +42,7 @@ class RankedEdges {
   void subscribe_to_pairs();
   EdgeHistory receive_history(const EdgeHistory& history);
   template <class Record>
-  std::vector<Record> send_home(const std::vector<Record>& records);
+  std::vector<Record> send_home(std::vector<Record> records);
   std::vector<TouchRecord> list_touches() const;
   RowTouch make_row_touch(const TouchRecord& record, int& foreign) const;
 

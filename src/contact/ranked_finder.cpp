@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/contact/number_map.hpp"
 #include "src/contact/pair_limit.hpp"
 
 namespace percuss {
@@ -68,6 +67,7 @@ RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share,
                            SearchMethod method)
     : ranks_(ranks),
       share_(share),
+      contact_nodes_(share.nodes.numbers),
       exchange_(ranks.ranks),
       data_(ranks.ranks),
       history_data_(ranks.ranks),
@@ -97,11 +97,8 @@ void RankedFinder::take_over(const ContactFinder& before) {
 
 SearchLoad RankedFinder::load() const {
   return {static_cast<std::int64_t>(decomposition_.nodes().size()),
-          static_cast<std::int64_t>(decomposition_.faces().size())};
+          decomposition_.count_reaching_here()};
 }
-
-int RankedFinder::find_mesh_node(std::int64_t number) const { return find_number(ranks_.mesh.node_numbers, number); }
-int RankedFinder::find_contact_node(std::int64_t number) const { return find_number(share_.nodes.numbers, number); }
 
 std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
   {

@@ -11,6 +11,7 @@
 #include "src/contact/check_space.hpp"
 #include "src/contact/contact_decomposition.hpp"
 #include "src/contact/motion_copy.hpp"
+#include "src/contact/number_map.hpp"
 #include "src/contact/ranked_edges.hpp"
 
 namespace percuss {
@@ -60,13 +61,13 @@ class RankedFinder : public ContactFinder {
   std::vector<RowTouch> check_faces(const SurfaceMotion& motion, const ContactHistory& history);
   SurfaceMotion receive(const SurfaceMotion& motion, const ContactHistory& history);
   template <class Record>
-  std::vector<Record> send_results_to_fe_owners(const std::vector<Record>& records);
+  std::vector<Record> send_results_to_fe_owners(std::vector<Record> records);
   std::vector<RowTouch> make_row_touches(std::vector<TouchRecord> records) const;
-  int find_mesh_node(std::int64_t number) const;
-  int find_contact_node(std::int64_t number) const;
+  int find_contact_node(std::int64_t number) const { return contact_nodes_.find(number); }
 
   ContactRanks ranks_;
   const SurfaceShare& share_;
+  const NumberMap contact_nodes_;  // those that this rank owns in the FE decomposition
   UnstructuredExchange exchange_;
   DataExchange data_, history_data_;
   ContactDecomposition decomposition_;

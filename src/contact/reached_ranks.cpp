@@ -92,4 +92,13 @@ ReachedRanks list_reached_ranks(const Communicator& ranks, const CutTree& tree, 
   return reached;
 }
 
+std::int64_t count_boxes_that_reach(const CutTree& tree, const Boxes& boxes, int num_boxes, int rank) {
+  std::int64_t count = 0;
+  const BoxVisit visit{tree, boxes};
+  Kokkos::parallel_reduce(
+      "contact::count_reaching_boxes", Range(ExecSpace(), 0, num_boxes),
+      KOKKOS_LAMBDA(int i, std::int64_t& sum) { visit(i, [&](int r) { sum += r == rank ? 1 : 0; }); }, count);
+  return count;
+}
+
 }  // namespace percuss

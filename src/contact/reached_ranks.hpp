@@ -27,4 +27,7 @@ struct ReachCount {
 ReachCount count_reached_ranks(const Communicator& ranks, const CutTree& tree, const Boxes& boxes, int num_boxes,
                                double margin, const ReachedRanks& listed);
 
+/// How many of the first `num_boxes` boxes reach one rank.
+std::int64_t count_boxes_that_reach(const CutTree& tree, const Boxes& boxes, int num_boxes, int rank);
+
 }  // namespace percuss

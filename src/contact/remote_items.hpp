@@ -56,29 +56,34 @@ class RemoteItems {
 };
 
 /// Sends records to partners, those of a plan and this rank itself. to: [records] rank that each goes to. Returns what
-/// is sent to this rank, in no certain order. Every rank of the plan calls it. Throws MpiError.
+/// is for this rank: its own in their order, then those of others by rank, as sent. Every rank of the plan calls it.
+/// Throws MpiError.
 template <class Record>
 std::vector<Record> send_to_partners(DataExchange& data, int own_rank, const ExchangePlan& partners,
-                                     const std::vector<int>& to, const std::vector<Record>& records) {
-  const SendOrder order = order_by_destination(to);
-  std::vector<Record> of_others, own;
+                                     const std::vector<int>& to, std::vector<Record> records) {
+  std::vector<int> destinations;
+  std::vector<Record> of_others;
+  std::size_t own = 0;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (to[i] != own_rank) {
+      destinations.push_back(to[i]);
+      of_others.push_back(records[i]);
+    } else {
+      if (own != i) records[own] = records[i];
+      ++own;
+    }
+  }
+  records.resize(own);
+  const SendOrder order = order_by_destination(destinations);
   std::vector<int> counts;
   auto run = order.to.begin();
-  const auto add_run = [&](std::vector<Record>& list) {
-    for (std::int64_t k = run->first; k < run->first + run->count; ++k)
-      list.push_back(records[static_cast<std::size_t>(order.items[static_cast<std::size_t>(k)])]);
-    ++run;
-  };
   for (const PeerRun& partner : partners.to) {  // ranks ascend in both
-    if (run != order.to.end() && run->rank == own_rank) add_run(own);
-    const std::size_t before = of_others.size();
-    if (run != order.to.end() && run->rank == partner.rank) add_run(of_others);
-    counts.push_back(static_cast<int>(of_others.size() - before));
+    const bool has_some = run != order.to.end() && run->rank == partner.rank;
+    counts.push_back(has_some ? static_cast<int>((run++)->count) : 0);
   }
-  if (run != order.to.end()) add_run(own);
-  std::vector<Record> received = data.exchange_sized(partners, counts, of_others);
-  received.insert(received.end(), own.begin(), own.end());
-  return received;
+  const std::vector<Record> received = data.exchange_sized(partners, counts, ItemExchange::arrange(order, of_others));
+  records.insert(records.end(), received.begin(), received.end());
+  return records;
 }
 
 }  // namespace percuss

@@ -116,6 +116,29 @@ TEST(DataExchange, APlanServesItemsOfAnySizeAndAnyNumberOfTimes) {
   }
 }
 
+TEST(DataExchange, PartnersOfAPlanSendAsMuchAsTheyLike) {
+  const Communicator world = Communicator::world();
+  UnstructuredExchange exchange(world);
+  DataExchange data(world), in_pieces(world, static_cast<std::int64_t>(sizeof(Letter)));
+  const Post post = prepare(exchange, 5);
+  for (const int factor : {0, 1, 3}) {  // of what the plan says
+    std::vector<int> counts;
+    std::vector<Letter> sent;
+    for (const PeerRun& run : post.plan.to) {
+      counts.push_back(factor * static_cast<int>(run.count));
+      for (int i = 0; i < counts.back(); ++i)
+        sent.push_back({world.rank(), run.rank, i, {}});
+    }
+    std::vector<Letter> expected;
+    for (const PeerRun& run : post.plan.from)
+      for (int i = 0; i < factor * static_cast<int>(run.count); ++i)
+        expected.push_back({run.rank, world.rank(), i, {}});
+    EXPECT_EQ(data.exchange_sized(post.plan, counts, sent), expected);
+    EXPECT_EQ(in_pieces.exchange_sized(post.plan, counts, sent), expected);
+    EXPECT_EQ(data.exchange_sized(post.plan, counts, sent), expected);  // one right after the other
+  }
+}
+
 TEST(DataExchange, ToOneselfSendsNoMessage) {
   const Communicator world = Communicator::world();
   DataExchange data(world);

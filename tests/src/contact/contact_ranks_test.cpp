@@ -205,6 +205,44 @@ contact: {surfaces: all, friction: 0.2}
   EXPECT_EQ(contacts[3], 0);
 }
 
+// A long way over a plate that is long in numbers of faces: faces come to other ranks, lists of near pairs are made,
+// used, made anew and dropped, by ranks with many pairs and by ranks without.
+TEST(ContactOnRanks, ABodyThatSlidesOverALongPlateGivesTheSameBits) {
+  const Deck deck = parse_deck(R"(
+parts:
+  plate: {box: {size: [8, 1, 0.1], cells: [48, 6, 1]}, material: m}
+  sledge: {box: {size: [1, 0.8, 0.3], cells: [7, 5, 2]}, at: [0.2, 0.1, 0.105], material: m}
+contact: {surfaces: all, friction: 0.2}
+)" + head,
+                               "deck.yaml");
+  Nodes whole(deck, self()), share(deck, Communicator::world());
+  EXPECT_EQ(share.stage.prepare(share.x, share.v), whole.stage.prepare(whole.x, whole.v));
+  int most = 0, touched = 0;
+  constexpr int steps = 500;
+  for (int i = 0; i < steps; ++i) {
+    for (Nodes* nodes : {&whole, &share}) {  // pressed on every third step, as if by forces
+      for (const int n : nodes->chunked.mesh.node_sets.at("plate")) store_row(nodes->v, n, {0, 0, 0});
+      for (const int n : nodes->chunked.mesh.node_sets.at("sledge"))
+        store_row(nodes->v, n, {1, 0.2 * std::sin(0.1 * i), i % 3 == 0 ? -0.6 : 0.2});
+    }
+    const int contacts = step_both(whole, share, 0.002);
+    most = std::max(most, contacts);
+    touched += contacts > 0 ? 1 : 0;
+    if (testing::Test::HasFailure()) FAIL() << "in step " << i;
+  }
+  EXPECT_GE(most, 20);
+  EXPECT_GT(touched, steps / 10);
+  EXPECT_LT(touched, steps);
+  const PairCounts pairs = whole.stage.pair_counts();
+  EXPECT_GT(pairs.left_out, pairs.candidates / 10);  // else no near pairs were in use
+  std::int64_t counts[2] = {share.stage.pair_counts().candidates, share.stage.pair_counts().left_out};
+  MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+  EXPECT_EQ(counts[0], pairs.candidates);
+  EXPECT_GT(counts[1], pairs.candidates / 10);
+  EXPECT_GT(whole.stage.searches(), 5);
+  EXPECT_LT(whole.stage.searches(), steps / 2);
+}
+
 TEST(ContactOnRanks, WhatIsFarFromAnyContactIsNotSent) {
   const Deck deck = parse_deck(R"(
 parts:

@@ -91,7 +91,7 @@ TEST(PlanContactTraffic, ForetellsRoughlyWhatAWallOfBricksSends) {
   std::int64_t bytes = sent.bytes, planned = 0;
   MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
   for (const ContactRankPlan& rank : both.plan.ranks) {
-    planned += rank.search.bytes + rank.step.bytes + (report.iterations + 1) * rank.pass.bytes;
+    planned += rank.telling.bytes + rank.search.bytes + rank.step.bytes + (report.iterations + 1) * rank.pass.bytes;
   }
   // Bricks face to face: nearly every node touches a face, but some touch two or three.
   EXPECT_GE(planned, bytes / 2);
