@@ -48,9 +48,8 @@ void DataExchange::begin_receive(const PeerRun& run, std::byte* buffer, std::siz
 }
 
 void DataExchange::begin_send(const PeerRun& run, const std::byte* buffer, std::size_t item_bytes) {
-  for_each_piece(run, item_bytes, message_limit_, [&](std::int64_t offset, int length) {
-    begin_message(buffer + offset, length, run.rank, data_tag);
-  });
+  for_each_piece(run, item_bytes, message_limit_,
+                 [&](std::int64_t offset, int length) { begin_message(buffer + offset, length, run.rank, data_tag); });
 }
 
 void DataExchange::begin_message(const std::byte* data, int length, int rank, int tag) {

@@ -51,10 +51,14 @@ class NearPairs {
             const Array<const int>& history_face, const CandidateList& all);
 
   /// Those that can come near before the next search, where these are listed.
-  const CandidateList& reachable_pairs(const CandidateList& all) const { return reachable_.is_used ? reachable_.list : all; }
+  const CandidateList& reachable_pairs(const CandidateList& all) const {
+    return reachable_.is_used ? reachable_.list : all;
+  }
 
   /// The pairs to check, once what is asked for is listed, and those of which that needs faces and history.
-  const CandidateList& checked_pairs(const CandidateList& all) const { return near_.is_used ? near_.list : reachable_pairs(all); }
+  const CandidateList& checked_pairs(const CandidateList& all) const {
+    return near_.is_used ? near_.list : reachable_pairs(all);
+  }
   const CandidateList& read_pairs(const CandidateList& all) const {
     return is_asked() ? reachable_pairs(all) : checked_pairs(all);
   }

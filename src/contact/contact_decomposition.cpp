@@ -223,7 +223,8 @@ void ContactDecomposition::send_nodes_to_owners() {
   records.reserve(order.items.size());
   for (const int i : order.items) {
     const int n = searched_nodes_[at(i)];
-    records.push_back({share_.nodes.numbers[at(n)], share_.nodes.classes[at(n)]});
+    const int faces = share_.nodes.first_face[at(n) + 1] - share_.nodes.first_face[at(n)];
+    records.push_back({share_.nodes.numbers[at(n)], share_.nodes.classes[at(n)], faces});
   }
   nodes_ = data_.exchange(node_plan_, records);
   sent_nodes_ = to_view("contact::sent_nodes", order.items);
@@ -240,9 +241,8 @@ void ContactDecomposition::send_places_to_owners() {
 // (5.4) For all my faces: which ranks does the capture box reach, and do these know the face?
 bool ContactDecomposition::are_reached_ranks_told(const SurfaceMotion& motion, double margin) {
   bound_faces(ExecSpace(), share_.bounded_faces(), motion, margin, boxes_);
-  const ReachCount count =
-      count_reached_ranks(exchange_.ranks(), parts_->cuts().tree(), boxes_, static_cast<int>(share_.searched_faces.size()),
-                          margin, known_);
+  const ReachCount count = count_reached_ranks(exchange_.ranks(), parts_->cuts().tree(), boxes_,
+                                               static_cast<int>(share_.searched_faces.size()), margin, known_);
   reaching_faces_ = count.copies;
   return !count.any_unlisted;
 }
@@ -251,8 +251,8 @@ bool ContactDecomposition::are_reached_ranks_told(const SurfaceMotion& motion, d
 void ContactDecomposition::send_overlapping_faces(const SurfaceMotion& motion, double margin) {
   const double wide = (1 + told_margins) * margin;
   bound_faces(ExecSpace(), share_.bounded_faces(), motion, wide, boxes_);
-  known_ = list_reached_ranks(exchange_.ranks(), parts_->cuts().tree(), boxes_, static_cast<int>(share_.searched_faces.size()),
-                              wide);
+  known_ = list_reached_ranks(exchange_.ranks(), parts_->cuts().tree(), boxes_,
+                              static_cast<int>(share_.searched_faces.size()), wide);
   const auto box = to_host(known_.box), part = to_host(known_.rank);
   std::vector<int> to;
   to.reserve(part.extent(0));

@@ -28,6 +28,7 @@ inline constexpr double told_margins = 2;
 struct NodeRecord {
   std::int64_t number = -1;
   int surface_class = 0;
+  int faces = 0;  // around it, searched or not
 };
 
 class ContactDecomposition {
@@ -105,7 +106,7 @@ class ContactDecomposition {
 
   // Nodes on their way to their owners, and those that this rank owns. Order: of the messages.
   ExchangePlan node_plan_;
-  Array<const int> sent_nodes_;     // points
+  Array<const int> sent_nodes_;      // points
   Array<const int> received_nodes_;  // places in nodes_
   std::vector<NodeRecord> nodes_;
   Rows3<double> places_;  // [nodes]

@@ -8,19 +8,18 @@ namespace percuss {
 namespace {
 
 MotionPart to_views(const ItemPart& part) {
-  return {part.request, to_view("contact::motion_rows", part.asked), to_view("contact::published_nodes", part.published),
-          to_view("contact::own_rows", part.own), to_view("contact::own_nodes", part.own_places)};
+  return {part.request, to_view("contact::motion_rows", part.asked),
+          to_view("contact::published_nodes", part.published), to_view("contact::own_rows", part.own),
+          to_view("contact::own_nodes", part.own_places)};
 }
 
 }  // namespace
 
 void MotionCopy::name(const ContactRanks& ranks, UnstructuredExchange& exchange, DataExchange& data,
                       const std::vector<std::int64_t>& numbers) {
-  std::vector<int> owners;
-  owners.reserve(numbers.size());
-  for (const std::int64_t number : numbers) owners.push_back(ranks.numbering.find_node_owner(number));
-  nodes_.name(exchange, data, owners, numbers,
-              [&](std::int64_t number) { return find_number(ranks.mesh.node_numbers, number); });
+  NumberWalk walk(ranks.mesh.node_numbers);
+  nodes_.name(exchange, data, NodeOwners(ranks.numbering).find(numbers), numbers,
+              [&](std::int64_t number) { return walk.find(number); });
   reserve(x_, static_cast<int>(numbers.size()));
   reserve(v_, static_cast<int>(numbers.size()));
 }

@@ -16,8 +16,8 @@ namespace {
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Bytes of an item as a run sends it.
-constexpr std::int64_t number_bytes = 8;       // of a node
-constexpr std::int64_t plan_bytes = 8;         // items of a message that is to follow, when a plan is made (2.4)
+constexpr std::int64_t number_bytes = 8;  // of a node
+constexpr std::int64_t plan_bytes = 8;    // items of a message that is to follow, when a plan is made (2.4)
 constexpr std::int64_t place_bytes = 24;
 constexpr std::int64_t box_bytes = 48;
 constexpr std::int64_t flag_bytes = 1;         // whether something is wanted

@@ -91,8 +91,7 @@ std::vector<Record> RankedFinder::send_results_to_fe_owners(std::vector<Record> 
   std::vector<int> owners;
   owners.reserve(records.size());
   for (const Record& record : records) owners.push_back(ranks_.numbering.find_node_owner(record.node));
-  return send_to_partners(data_, ranks_.ranks.rank(), read_->history.request, owners,
-                          std::move(records));
+  return send_to_partners(data_, ranks_.ranks.rank(), read_->history.request, owners, std::move(records));
 }
 
 int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {

@@ -95,8 +95,8 @@ Point3 RankedEdges::find_half_piece_of_all(const SurfaceMotion& motion) const {
 void RankedEdges::send_edges_to_reached(const SurfaceMotion& motion, const Point3& margin) {
   bound_edges(ExecSpace(), points_.ends, motion, margin, boxes_);
   ExecSpace().fence();
-  const ReachedRanks reached = list_reached_ranks(ranks_.ranks, parts_->cuts().tree(), boxes_,
-                                                  static_cast<int>(share_.edges.size()), margin.x);
+  const ReachedRanks reached =
+      list_reached_ranks(ranks_.ranks, parts_->cuts().tree(), boxes_, static_cast<int>(share_.edges.size()), margin.x);
   const auto boxes = to_host(boxes_);
   const auto x = to_host(motion.x);
   const auto box = to_host(reached.box), part = to_host(reached.rank);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/face_corners.hpp"
 #include "src/contact/pair_limit.hpp"
 
 namespace percuss {
@@ -14,18 +15,7 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-void sort_unique(std::vector<std::int64_t>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
-
-void sort_unique(std::vector<FaceTopology>& faces) {
-  std::sort(faces.begin(), faces.end(),
-            [](const FaceTopology& a, const FaceTopology& b) { return a.number < b.number; });
-  faces.erase(std::unique(faces.begin(), faces.end(),
-                          [](const FaceTopology& a, const FaceTopology& b) { return a.number == b.number; }),
-              faces.end());
-}
+bool comes_before(const FaceTopology& a, const FaceTopology& b) { return a.number < b.number; }
 
 template <class Record>
 std::vector<std::int64_t> list_numbers(const std::vector<Record>& records) {
@@ -78,8 +68,7 @@ RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share,
 
 Traffic RankedFinder::traffic() const {
   Traffic sum = traffic_before_;
-  for (const Traffic& part :
-       {data_.traffic(), history_data_.traffic(), decomposition_.traffic(), edges_.traffic()}) {
+  for (const Traffic& part : {data_.traffic(), history_data_.traffic(), decomposition_.traffic(), edges_.traffic()}) {
     sum.messages += part.messages;
     sum.bytes += part.bytes;
   }
@@ -96,8 +85,7 @@ void RankedFinder::take_over(const ContactFinder& before) {
 }
 
 SearchLoad RankedFinder::load() const {
-  return {static_cast<std::int64_t>(decomposition_.nodes().size()),
-          decomposition_.count_reaching_here()};
+  return {static_cast<std::int64_t>(decomposition_.nodes().size()), decomposition_.count_reaching_here()};
 }
 
 std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
@@ -110,38 +98,45 @@ std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
   return of_faces + edges_.search(motion, margin, decomposition_);
 }
 
-/// The surface that this rank knows is another now.
+/// The surface that this rank knows is another now: the faces that reach it, and those around its nodes and theirs.
 void RankedFinder::redefine_surface() {
-  number_surface(list_known_faces());
+  number_surface(ask_for_faces_around(list_nodes_of_unknown_faces()));
   motion_.name(ranks_, exchange_, data_, nodes_);
   const std::vector<std::int64_t> searched = list_numbers(decomposition_.nodes());
-  std::vector<int> owners;
-  owners.reserve(searched.size());
-  for (const std::int64_t number : searched) owners.push_back(ranks_.numbering.find_node_owner(number));
-  history_.name(exchange_, data_, owners, searched, [&](std::int64_t number) { return find_contact_node(number); });
+  history_.name(exchange_, data_, NodeOwners(ranks_.numbering).find(searched), searched,
+                [&](std::int64_t number) { return find_contact_node(number); });
   // From search to search, ranks see other faces.
   if (scratch_.method == SearchMethod::blocks) identify(searched, list_numbers(decomposition_.faces()), scratch_.blocks);
 }
 
-/// The faces that reach this rank and those around its nodes and theirs.
-std::vector<FaceTopology> RankedFinder::list_known_faces() {
-  std::vector<std::int64_t> nodes = list_numbers(decomposition_.nodes());
-  for (const FaceTopology& face : decomposition_.faces())
-    nodes.insert(nodes.end(), std::begin(face.corners), std::end(face.corners));
-  sort_unique(nodes);
-  std::vector<FaceTopology> faces = ask_for_faces_around(nodes);
-  faces.insert(faces.end(), decomposition_.faces().begin(), decomposition_.faces().end());
-  sort_unique(faces);
-  return faces;
+/// The searched nodes of this rank around which there are more faces than it was told of, and the other corners of
+/// faces, of which it does not know. Ascending.
+std::vector<std::int64_t> RankedFinder::list_nodes_of_unknown_faces() const {
+  const std::vector<NodeRecord>& searched = decomposition_.nodes();
+  NumberMap places;
+  places.reserve(searched.size() + decomposition_.faces().size());
+  for (const NodeRecord& node : searched) places.add(node.number);
+  std::vector<int> faces(searched.size(), 0);  // around each that this rank was told of
+  for (const FaceTopology& face : decomposition_.faces()) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto place = at(places.add(face.corners[i]));
+      if (place < faces.size() && !is_repeated(face.corners, i)) ++faces[place];
+    }
+  }
+  std::vector<std::int64_t> unknown;
+  for (std::size_t n = 0; n < searched.size(); ++n)
+    if (faces[n] < searched[n].faces) unknown.push_back(searched[n].number);
+  unknown.insert(unknown.end(), places.numbers().begin() + static_cast<std::ptrdiff_t>(searched.size()),
+                 places.numbers().end());
+  std::sort(unknown.begin(), unknown.end());
+  return unknown;
 }
 
 /// Asks the FE owners of nodes for all faces around these. Each tells of a face once.
 std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<std::int64_t>& nodes) {
-  std::vector<int> owners;
-  owners.reserve(nodes.size());
-  for (const std::int64_t number : nodes) owners.push_back(ranks_.numbering.find_node_owner(number));
   RemoteItems asked;
-  asked.name(exchange_, data_, owners, nodes, [&](std::int64_t number) { return find_contact_node(number); });
+  asked.name(exchange_, data_, NodeOwners(ranks_.numbering).find(nodes), nodes,
+             [&](std::int64_t number) { return find_contact_node(number); });
   const OwnedContactNodes& own = share_.nodes;
   std::vector<int> told(share_.faces.size() + share_.told_faces.size(), -1);  // the last who was
   std::vector<FaceTopology> faces;
@@ -168,22 +163,36 @@ std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<s
   return received;
 }
 
-/// Numbers the nodes and faces that this rank knows. faces: ascending.
-void RankedFinder::number_surface(const std::vector<FaceTopology>& faces) {
-  faces_ = faces;
-  const std::vector<std::int64_t> face_numbers = list_numbers(faces_);
+/// Numbers the nodes and faces that this rank knows: those of the decomposition and more, in any order, some of them
+/// twice.
+void RankedFinder::number_surface(std::vector<FaceTopology> more) {
+  const std::vector<FaceTopology>& searched = decomposition_.faces();
+  std::erase_if(more, [&](const FaceTopology& face) {
+    return std::binary_search(searched.begin(), searched.end(), face, comes_before);
+  });
+  std::sort(more.begin(), more.end(), comes_before);
+  more.erase(std::unique(more.begin(), more.end(),
+                         [](const FaceTopology& a, const FaceTopology& b) { return a.number == b.number; }),
+             more.end());
+  faces_.resize(searched.size() + more.size());
+  std::merge(searched.begin(), searched.end(), more.begin(), more.end(), faces_.begin(), comes_before);
+
   SurfaceLists lists;
-  std::vector<char> is_searched(faces_.size(), 0);
-  for (const FaceTopology& face : decomposition_.faces()) {
-    lists.searched_faces.push_back(find_number(face_numbers, face.number));
-    is_searched[at(lists.searched_faces.back())] = 1;
-  }
-  nodes_ = list_numbers(decomposition_.nodes());
+  NumberMap found;
+  found.reserve(decomposition_.nodes().size() + faces_.size());
+  for (const NodeRecord& node : decomposition_.nodes()) found.add(node.number);
+  std::vector<char> is_searched;
+  is_searched.reserve(faces_.size());
   for (std::size_t f = 0; f < faces_.size(); ++f) {
-    nodes_.insert(nodes_.end(), std::begin(faces_[f].corners), std::end(faces_[f].corners));
-    if (is_searched[f] != 0) nodes_.insert(nodes_.end(), std::begin(faces_[f].backs), std::end(faces_[f].backs));
+    const std::size_t next = lists.searched_faces.size();
+    is_searched.push_back(next < searched.size() && searched[next].number == faces_[f].number ? 1 : 0);
+    for (const std::int64_t corner : faces_[f].corners) found.add(corner);
+    if (is_searched[f] == 0) continue;
+    lists.searched_faces.push_back(static_cast<int>(f));
+    for (const std::int64_t back : faces_[f].backs) found.add(back);
   }
-  sort_unique(nodes_);
+  nodes_ = found.numbers();
+  std::sort(nodes_.begin(), nodes_.end());
   const NumberMap places(nodes_);
   lists.nodes.resize(nodes_.size());
   std::iota(lists.nodes.begin(), lists.nodes.end(), 0);
@@ -203,7 +212,7 @@ void RankedFinder::number_surface(const std::vector<FaceTopology>& faces) {
     lists.face_body.push_back(face.body);
     if (share_.largest_offset > 0) lists.face_offset.push_back(face.offset);
   }
-  set_surface(make_contact_surface(lists, share_), face_numbers, check_);
+  set_surface(make_contact_surface(lists, share_), list_numbers(faces_), check_);
   reserve(places_, check_.surface.num_nodes);
 }
 
@@ -216,8 +225,7 @@ std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
   std::int64_t pairs = 0;
   run_where_it_pays(static_cast<int>(decomposition_.faces().size()) / 2, [&](const auto& space) {
     Kokkos::parallel_for(
-        "contact::searched_places",
-        RangeOf<std::decay_t<decltype(space)>>(space, 0, static_cast<int>(nodes.extent(0))),
+        "contact::searched_places", RangeOf<std::decay_t<decltype(space)>>(space, 0, static_cast<int>(nodes.extent(0))),
         KOKKOS_LAMBDA(int i) { store_row(x, nodes(i), load_row(found, i)); });
     pairs = find_points_in_boxes(space, surface, x, decomposition_.boxes(), limit, scratch_, check_.candidates);
     if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, check_.candidates);

@@ -44,16 +44,16 @@ class RankedFinder : public ContactFinder {
   /// What the check of a list of pairs reads.
   struct CheckPart {
     MotionPart motion;
-    ItemPart history;                                       // of searched nodes
-    Array<int> history_rows;                                // in messages: nodes of the surface
-    Array<int> own_history_rows, own_history_places;        // of this rank itself: nodes, and contact nodes of the share
-    Array<int> published_history;                           // contact nodes of the share
+    ItemPart history;                                 // of searched nodes
+    Array<int> history_rows;                          // in messages: nodes of the surface
+    Array<int> own_history_rows, own_history_places;  // of this rank itself: nodes, and contact nodes of the share
+    Array<int> published_history;                     // contact nodes of the share
   };
 
   void redefine_surface();
-  std::vector<FaceTopology> list_known_faces();
+  std::vector<std::int64_t> list_nodes_of_unknown_faces() const;
   std::vector<FaceTopology> ask_for_faces_around(const std::vector<std::int64_t>& nodes);
-  void number_surface(const std::vector<FaceTopology>& faces);
+  void number_surface(std::vector<FaceTopology> more);
   std::int64_t search_faces(double margin);
   std::int64_t find_points_in_boxes_here(std::int64_t limit);
   CheckPart select(const CandidateList& pairs);

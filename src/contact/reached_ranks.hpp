@@ -19,7 +19,7 @@ ReachedRanks list_reached_ranks(const Communicator& ranks, const CutTree& tree, 
                                 double margin);
 
 struct ReachCount {
-  std::int64_t copies = 0;   // of this rank's boxes, one for each rank that a box reaches
+  std::int64_t copies = 0;    // of this rank's boxes, one for each rank that a box reaches
   bool any_unlisted = false;  // whether a box of any rank reaches another rank than those listed for it
 };
 

@@ -19,10 +19,11 @@ struct ItemPart {
 
 class RemoteItems {
  public:
-  /// owners: [numbers] the rank that has each; find(number): its place there, >= 0. Collective. Throws MpiError.
+  /// owners: [numbers] the rank that has each; find(number): its place there, >= 0, asked for in the order of the
+  /// numbers of one asker after the other. Collective. Throws MpiError.
   template <class Find>
   void name(UnstructuredExchange& exchange, DataExchange& data, const std::vector<int>& owners,
-            const std::vector<std::int64_t>& numbers, const Find& find) {
+            const std::vector<std::int64_t>& numbers, Find&& find) {
     const int rank = exchange.ranks().rank();
     all_ = {};
     std::vector<int> of_others, to;

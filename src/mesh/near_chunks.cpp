@@ -46,7 +46,9 @@ int count_facing(const ChunkBox& a, const ChunkBox& b, double edge) {
 }  // namespace
 
 std::vector<GraphEdge> add_near_chunks(const std::vector<ChunkBox>& chunks, std::vector<GraphEdge> shared) {
-  const auto comes_before = [](const GraphEdge& x, const GraphEdge& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); };
+  const auto comes_before = [](const GraphEdge& x, const GraphEdge& y) {
+    return std::tie(x.a, x.b) < std::tie(y.a, y.b);
+  };
   std::vector<double> edges;
   edges.reserve(chunks.size());
   for (const ChunkBox& chunk : chunks) edges.push_back(find_face_edge(chunk));

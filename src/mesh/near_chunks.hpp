@@ -12,7 +12,7 @@ namespace percuss {
 
 /// Where a chunk is and how much surface it has.
 struct ChunkBox {
-  Vec3 low{}, high{};       // [length]
+  Vec3 low{}, high{};      // [length]
   std::int64_t faces = 0;  // exterior
 };
 

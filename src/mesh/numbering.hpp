@@ -30,4 +30,27 @@ struct Numbering {
   }
 };
 
+/// The owners of nodes that are asked for in nearly ascending order: the next is mostly of the same chunk.
+class NodeOwners {
+ public:
+  explicit NodeOwners(const Numbering& numbering) : numbering_(numbering) {}
+
+  int find(std::int64_t node) {
+    const std::vector<std::int64_t>& first = numbering_.first_node;
+    if (node < first[chunk_] || node >= first[chunk_ + 1]) chunk_ = Numbering::find_chunk(first, node);
+    return numbering_.ranks[chunk_];
+  }
+
+  std::vector<int> find(const std::vector<std::int64_t>& nodes) {
+    std::vector<int> owners;
+    owners.reserve(nodes.size());
+    for (const std::int64_t node : nodes) owners.push_back(find(node));
+    return owners;
+  }
+
+ private:
+  const Numbering& numbering_;
+  std::size_t chunk_ = 0;
+};
+
 }  // namespace percuss

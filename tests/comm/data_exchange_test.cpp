@@ -126,8 +126,7 @@ TEST(DataExchange, PartnersOfAPlanSendAsMuchAsTheyLike) {
     std::vector<Letter> sent;
     for (const PeerRun& run : post.plan.to) {
       counts.push_back(factor * static_cast<int>(run.count));
-      for (int i = 0; i < counts.back(); ++i)
-        sent.push_back({world.rank(), run.rank, i, {}});
+      for (int i = 0; i < counts.back(); ++i) sent.push_back({world.rank(), run.rank, i, {}});
     }
     std::vector<Letter> expected;
     for (const PeerRun& run : post.plan.from)

@@ -210,7 +210,8 @@ TEST(RemoteItems, ArePartlyAskedForAndRecordsFindTheirOwners) {
   ASSERT_EQ(answers.size(), part.asked.size());
   std::vector<int> found(23, 0);
   for (std::size_t k = 0; k < answers.size(); ++k) found[static_cast<std::size_t>(part.asked[k])] = answers[k];
-  for (std::size_t k = 0; k < part.own.size(); ++k) found[static_cast<std::size_t>(part.own[k])] = part.own_places[k] + 1;
+  for (std::size_t k = 0; k < part.own.size(); ++k)
+    found[static_cast<std::size_t>(part.own[k])] = part.own_places[k] + 1;
   for (int i = 0; i < 23; ++i)
     EXPECT_EQ(found[static_cast<std::size_t>(i)], is_wanted_by(world.rank(), i) ? 10 * i + 1 : 0) << i;
 
