@@ -116,20 +116,17 @@ void ContactDecomposition::update(const SurfaceMotion& motion, double margin) {
   ++searches_;
   if (!parts_) parts_ = std::make_shared<AssignedParts>(exchange_.ranks());
   locate_points(motion);
-  const bool are_owners_new = is_due_ || !knows_owners_;
   just_rebalanced_ = is_due_;
   if (is_due_) rebalance_points(send_contact_data_to_previous_owners());
-  if (are_owners_new) {
-    find_new_owners();
-    send_nodes_to_owners();
-  }
+  const bool are_nodes_others = (is_due_ || !knows_owners_) && find_new_owners();
+  if (are_nodes_others) send_nodes_to_owners();
   send_places_to_owners();
-  const bool are_told = !are_owners_new && are_reached_ranks_told(motion, margin);
+  const bool are_told = are_faces_told_ && are_reached_ranks_told(motion, margin);
   if (!are_told) {
     send_overlapping_faces(motion, margin);
     are_reached_ranks_told(motion, margin);
   }
-  has_changed_ = !are_told;
+  has_changed_ = are_nodes_others || !are_told;
   send_boxes();
 }
 
@@ -188,16 +185,21 @@ void ContactDecomposition::rebalance_points(const RcbPoints& points) {
   }
 }
 
-/// With the cuts every FE owner knows who owns its points.
-void ContactDecomposition::find_new_owners() {
+/// With the cuts every FE owner knows who owns its points. Returns whether a node of any rank has another owner now.
+bool ContactDecomposition::find_new_owners() {
   const Array<int> owners("contact::owners", points_.ids.extent(0));
   find_owners(ExecSpace(), parts_->cuts().tree(), points_.positions, points_.ids, owners);
   ExecSpace().fence();
   const auto host = to_host(owners);
+  const std::vector<int> before = node_owners();
   owners_.assign(host.data(), host.data() + host.extent(0));
   if (!knows_owners_ && report_.rebalances == 1) assign_parts_once(owners_);
   for (int& owner : owners_) owner = parts_->find_rank(owner);
+  int has_changed = !knows_owners_ || before != node_owners() ? 1 : 0;
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &has_changed, 1, MPI_INT, MPI_MAX, exchange_.ranks().handle()); },
+           "MPI_Allreduce");
   knows_owners_ = true;
+  return has_changed != 0;
 }
 
 /// After the first bisection: parts to the ranks that have most of their points. parts: [points].
@@ -251,6 +253,7 @@ bool ContactDecomposition::are_reached_ranks_told(const SurfaceMotion& motion, d
 void ContactDecomposition::send_overlapping_faces(const SurfaceMotion& motion, double margin) {
   const double wide = (1 + told_margins) * margin;
   bound_faces(ExecSpace(), share_.bounded_faces(), motion, wide, boxes_);
+  are_faces_told_ = true;
   known_ = list_reached_ranks(exchange_.ranks(), parts_->cuts().tree(), boxes_,
                               static_cast<int>(share_.searched_faces.size()), wide);
   const auto box = to_host(known_.box), part = to_host(known_.rank);

@@ -81,7 +81,7 @@ class ContactDecomposition {
   RcbPoints send_contact_data_to_previous_owners();
   void rebalance_points(const RcbPoints& points);
   void assign_parts_once(const std::vector<int>& parts);
-  void find_new_owners();
+  bool find_new_owners();
   void send_nodes_to_owners();
   void send_places_to_owners();
   bool are_reached_ranks_told(const SurfaceMotion& motion, double margin);
@@ -119,7 +119,7 @@ class ContactDecomposition {
   std::vector<FaceTopology> faces_;
   Boxes received_boxes_;  // [faces]
   std::int64_t reaching_faces_ = 0;
-  bool has_changed_ = false;
+  bool are_faces_told_ = false, has_changed_ = false;
 };
 
 }  // namespace percuss

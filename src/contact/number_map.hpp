@@ -61,7 +61,8 @@ class NumberMap {
 
   void grow(std::size_t size) {
     entries_.assign(size, Entry{});
-    for (std::size_t n = 0; n < numbers_.size(); ++n) entries_[find_entry(numbers_[n])] = {numbers_[n], static_cast<int>(n)};
+    for (std::size_t n = 0; n < numbers_.size(); ++n)
+      entries_[find_entry(numbers_[n])] = {numbers_[n], static_cast<int>(n)};
   }
 
   std::vector<Entry> entries_ = std::vector<Entry>(16);  // a power of two
@@ -83,7 +84,8 @@ class NumberWalk {
     }
     const auto begin = numbers_.begin();
     const auto end = begin + static_cast<std::ptrdiff_t>(std::min(first + step + 1, numbers_.size()));
-    place_ = static_cast<std::size_t>(std::lower_bound(begin + static_cast<std::ptrdiff_t>(first), end, number) - begin);
+    place_ =
+        static_cast<std::size_t>(std::lower_bound(begin + static_cast<std::ptrdiff_t>(first), end, number) - begin);
     return place_;
   }
 

@@ -106,7 +106,8 @@ void RankedFinder::redefine_surface() {
   history_.name(exchange_, data_, NodeOwners(ranks_.numbering).find(searched), searched,
                 [&](std::int64_t number) { return find_contact_node(number); });
   // From search to search, ranks see other faces.
-  if (scratch_.method == SearchMethod::blocks) identify(searched, list_numbers(decomposition_.faces()), scratch_.blocks);
+  if (scratch_.method == SearchMethod::blocks)
+    identify(searched, list_numbers(decomposition_.faces()), scratch_.blocks);
 }
 
 /// The searched nodes of this rank around which there are more faces than it was told of, and the other corners of
@@ -206,8 +207,7 @@ void RankedFinder::number_surface(std::vector<FaceTopology> more) {
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     const FaceTopology& face = faces_[f];
     lists.corners.push_back(find_numbers(places, face.corners));
-    lists.backs.push_back(is_searched[f] != 0 ? find_numbers(places, face.backs)
-                                              : std::array<int, 4>{-1, -1, -1, -1});
+    lists.backs.push_back(is_searched[f] != 0 ? find_numbers(places, face.backs) : std::array<int, 4>{-1, -1, -1, -1});
     lists.face_class.push_back(face.surface_class);
     lists.face_body.push_back(face.body);
     if (share_.largest_offset > 0) lists.face_offset.push_back(face.offset);

@@ -309,20 +309,22 @@ void set_offsets(const Mesh& mesh, const Communicator& ranks, SurfaceShare& shar
   share.reach_list = to_view("contact::face_reach", reach);
 }
 
-void set_lists(const Communicator& ranks, SurfaceShare& share) {
+void set_lists(const Mesh& mesh, const Communicator& ranks, SurfaceShare& share) {
   std::vector<std::array<int, 4>> corners;
-  std::vector<int> watched = share.nodes.mesh_nodes;
+  std::vector<char> is_watched(mesh.nodes.size(), 0);
+  for (const int n : share.nodes.mesh_nodes) is_watched[at(n)] = 1;
   for (std::size_t f = 0; f < share.faces.size(); ++f) {
     if (share.face_searched[f] == 0) continue;
     // The thickness of a shell is that of time 0; of a solid it is found from the nodes behind the face.
     if (share.faces[f].offset == 0)
-      watched.insert(watched.end(), share.face_backs[f].begin(), share.face_backs[f].end());
+      for (const int n : share.face_backs[f]) is_watched[at(n)] = 1;
     share.searched_faces.push_back(static_cast<int>(f));
     corners.push_back(share.face_corners[f]);
   }
   share.node_list = to_view("contact::nodes", share.nodes.mesh_nodes);
-  std::sort(watched.begin(), watched.end());
-  watched.erase(std::unique(watched.begin(), watched.end()), watched.end());
+  std::vector<int> watched;
+  for (std::size_t n = 0; n < is_watched.size(); ++n)
+    if (is_watched[n] != 0) watched.push_back(static_cast<int>(n));
   share.watched_list = to_view("contact::watched_nodes", watched);
   share.corner_list = to_rows("contact::face_nodes", corners);
   std::int64_t totals[4] = {share.nodes.count(), static_cast<std::int64_t>(share.faces.size()),
@@ -368,7 +370,7 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   const SurfaceClasses classes = agree_on_classes(mesh, std::move(all));
   set_classes(deck, of_faces, classes, node_sets, share);
   if (has_edges) set_edges(mesh, exchange.ranks(), edges, edge_sets, classes, share);
-  set_lists(exchange.ranks(), share);
+  set_lists(mesh, exchange.ranks(), share);
   set_offsets(mesh, exchange.ranks(), share);
   return share;
 }
