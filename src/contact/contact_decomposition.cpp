@@ -193,7 +193,7 @@ bool ContactDecomposition::find_new_owners() {
   const auto host = to_host(owners);
   const std::vector<int> before = node_owners();
   owners_.assign(host.data(), host.data() + host.extent(0));
-  if (!knows_owners_ && report_.rebalances == 1) assign_parts_once(owners_);
+  if (just_rebalanced_ && report_.rebalances == 1) assign_parts_once(owners_);
   for (int& owner : owners_) owner = parts_->find_rank(owner);
   int has_changed = !knows_owners_ || before != node_owners() ? 1 : 0;
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &has_changed, 1, MPI_INT, MPI_MAX, exchange_.ranks().handle()); },
