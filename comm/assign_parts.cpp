@@ -18,6 +18,7 @@ std::vector<Overlap> find_overlaps(int rank, const std::vector<int>& parts) {
   std::map<int, std::int64_t> counts;
   for (const int part : parts) ++counts[part];
   std::vector<Overlap> overlaps;
+  overlaps.reserve(counts.size());
   for (const auto& [part, points] : counts) overlaps.push_back({rank, part, points});
   std::sort(overlaps.begin(), overlaps.end(), comes_before);
   overlaps.resize(std::min(overlaps.size(), most_overlaps));

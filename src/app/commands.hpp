@@ -7,7 +7,7 @@
 namespace percuss {
 
 /// Runs the deck's scene into its output folder; rank 0 reports on stderr. Collective. Throws as run_scene does.
-ExitCode run_command(const Command& command, const Communicator& ranks);
+ExitCode run_command(Command command, const Communicator& ranks);
 
 /// Reads the deck, builds and checks all that a run needs; rank 0 prints on stdout what it is. Collective. Throws
 /// InputError with everything that is wrong, the same on all ranks.

@@ -73,9 +73,8 @@ void prepare_folder(const Command& command, const std::string& out_dir, const Co
 
 }  // namespace
 
-ExitCode run_command(const Command& given, const Communicator& ranks) {
-  Command command = given;
-  command.restart = find_checkpoint(given.restart);
+ExitCode run_command(Command command, const Communicator& ranks) {
+  command.restart = find_checkpoint(command.restart);
   const bool speaks = ranks.rank() == 0;
   const Deck deck = read_deck_together(command, ranks);
   if (speaks) {

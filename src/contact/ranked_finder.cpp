@@ -269,6 +269,7 @@ RankedFinder::CheckPart RankedFinder::select(const CandidateList& pairs) {
   part.history = history_.select(history_data_, is_checked);
   const auto list_rows = [&](const std::vector<int>& searched) {
     std::vector<int> rows;
+    rows.reserve(searched.size());
     for (const int i : searched) rows.push_back(searched_nodes_[at(i)]);
     return to_view("contact::history_rows", rows);
   };
