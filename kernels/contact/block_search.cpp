@@ -5,6 +5,7 @@
 #include "kernels/contact/index_lists.hpp"
 #include "kernels/contact/kd_order.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/prefetch.hpp"
 
 namespace percuss {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "kernels/contact/pair_query.hpp"
 #include "kernels/contact/small_space.hpp"
+#include "kernels/core/prefetch.hpp"
 
 namespace percuss {
 

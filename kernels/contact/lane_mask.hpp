@@ -174,15 +174,6 @@ KOKKOS_FORCEINLINE_FUNCTION int count_bits(std::uint32_t mask) {
 #endif
 }
 
-/// Asks for what will be read soon: where the mask of a block leads the hardware does not foresee.
-template <class T>
-KOKKOS_FORCEINLINE_FUNCTION void fetch_ahead([[maybe_unused]] const T* place) {
-#ifdef PERCUSS_HAS_SIMD
-  const char* const first = reinterpret_cast<const char*>(place);
-  for (std::size_t byte = 0; byte < sizeof(T); byte += 64) __builtin_prefetch(first + byte, 0, 3);
-#endif
-}
-
 /// Place of the lowest bit that is set.
 KOKKOS_FORCEINLINE_FUNCTION int find_lowest_bit(std::uint32_t mask) {
 #if defined(__GNUC__) && !defined(__CUDA_ARCH__)

@@ -4,6 +4,7 @@
 #include "kernels/contact/contact_state.hpp"
 #include "kernels/contact/edge_surface.hpp"
 #include "kernels/contact/lane_mask.hpp"
+#include "kernels/core/prefetch.hpp"
 
 namespace percuss {
 

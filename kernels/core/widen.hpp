@@ -61,6 +61,17 @@ PERCUSS_FORCE_INLINE auto join_lanes(const Raw& a, const Raw& b, std::integer_se
   return __builtin_shufflevector(a, b, I...);
 }
 
+/// Lane by lane. Of eight lanes GCC 12 would make two conversions of four, taken apart and put together.
+template <class To, class From>
+PERCUSS_FORCE_INLINE To convert(const From& a) {
+#ifdef __AVX512F__
+  if constexpr (sizeof(To) == 64) return reinterpret_cast<To>(_mm512_maskz_cvtps_pd(0xff, reinterpret_cast<__m256>(a)));
+  if constexpr (sizeof(From) == 64)
+    return reinterpret_cast<To>(_mm512_maskz_cvtpd_ps(0xff, reinterpret_cast<__m512d>(a)));
+#endif
+  return __builtin_convertvector(a, To);
+}
+
 }  // namespace detail
 
 template <int Part>
@@ -74,13 +85,26 @@ PERCUSS_FORCE_INLINE Pack<double> widen(const Pack<float>& a) {
     using Long = typename detail::RawLanes<double, width>::type;
     const Short all = static_cast<Short>(a);
     const auto part = detail::take_lanes_from<Part * width>(all, std::make_integer_sequence<int, width>());
-    return Pack<double>(__builtin_convertvector(part, Long));
+    return Pack<double>(detail::convert<Long>(part));
   }
 }
 
 template <int Part>
 PERCUSS_FORCE_INLINE Pack<double> widen(const Pack<double>& a) {
   return a;
+}
+
+/// widen() of what lies in memory, of which that part alone is read.
+template <int Part>
+PERCUSS_FORCE_INLINE Pack<double> load_wide(const Pack<float>& from) {
+  constexpr int width = pack_size<double>;
+  if constexpr (width == 1) {
+    return widen<Part>(from);
+  } else {
+    using Half = typename detail::RawLanes<float, width>::type;
+    using Long = typename detail::RawLanes<double, width>::type;
+    return Pack<double>(detail::convert<Long>(reinterpret_cast<const Half*>(&from)[Part]));
+  }
 }
 
 PERCUSS_FORCE_INLINE void narrow(const Pack<double> (&parts)[2], Pack<float>& a) {
@@ -90,10 +114,15 @@ PERCUSS_FORCE_INLINE void narrow(const Pack<double> (&parts)[2], Pack<float>& a)
   } else {
     using Half = typename detail::RawLanes<float, width>::type;
     using Long = typename detail::RawLanes<double, width>::type;
-    const Half low = __builtin_convertvector(static_cast<Long>(parts[0]), Half),
-               high = __builtin_convertvector(static_cast<Long>(parts[1]), Half);
+    const auto low = detail::convert<Half>(static_cast<Long>(parts[0])),
+               high = detail::convert<Half>(static_cast<Long>(parts[1]));
     a = Pack<float>(detail::join_lanes(low, high, std::make_integer_sequence<int, 2 * width>()));
   }
+}
+#else
+template <int Part>
+PERCUSS_FORCE_INLINE double load_wide(float from) {
+  return widen<Part>(from);
 }
 #endif
 

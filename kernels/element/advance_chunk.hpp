@@ -6,6 +6,7 @@
 
 #include <cstring>
 
+#include "kernels/core/prefetch.hpp"
 #include "kernels/element/chunk_records.hpp"
 #include "kernels/element/internal_force.hpp"
 #include "kernels/element/living_lanes.hpp"
@@ -18,12 +19,14 @@ using LaneState = HexState<HexLanes, Material, Kind>;
 /// Asks for a third of the next pack's record while this one is computed: the hardware does not see across the pack's
 /// long body. In thirds, because a core that asks for all at once has to wait until its requests are taken.
 template <int Size>
-PERCUSS_FORCE_INLINE void prefetch([[maybe_unused]] const Real* record, [[maybe_unused]] int third) {
-#ifdef PERCUSS_HAS_SIMD
-  constexpr int line = 64 / sizeof(Real), lines = (Size + line - 1) / line;
-  for (int i = lines * third / 3; i < lines * (third + 1) / 3; ++i) __builtin_prefetch(record + line * i, 1, 3);
-#endif
+PERCUSS_FORCE_INLINE void fetch_third(const Real* record, int third) {
+  constexpr int line = static_cast<int>(cache_line / sizeof(Real)), lines = (Size + line - 1) / line;
+  for (int i = lines * third / 3; i < lines * (third + 1) / 3; ++i) fetch_to_write(record + line * i);
 }
+
+/// How many rows ahead of its copy the row of a node is asked for: numbers of a chunk's nodes jump where others own
+/// them. 48 takes 0.95 to 0.97 of the whole step's time without; 24 is as good, 12 and 96 less so.
+inline constexpr int rows_ahead = 48;
 
 /// Smallest step of a chunk, the element that has it (the lowest among equals), and the lowest element that failed.
 struct ChunkStep {
@@ -108,6 +111,9 @@ struct AdvanceChunk {
     }
     const std::size_t middle = 3 * static_cast<std::size_t>(slots_to_nodes[slot_count / 2]);
     for (int s = 0; s < slot_count; ++s) {
+      const int ahead = slots_to_nodes[s + rows_ahead < slot_count ? s + rows_ahead : slot_count - 1];
+      fetch_ahead(x + 3 * static_cast<std::size_t>(ahead));
+      fetch_ahead(v + 3 * static_cast<std::size_t>(ahead));
       const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
       fill_row(x + n, x + middle, nodes + node_record * s);
       fill_row(v + n, v + middle, nodes + node_record * s + 4);
@@ -139,7 +145,7 @@ struct AdvanceChunk {
     Real* record = &state(chunks.first_state(c));
     const std::uint16_t* next_corners =
         &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
-    constexpr int prefetched = is_called<Material> ? HexRecord::history<Kind> * width : largest_size;
+    constexpr int fetched = is_called<Material> ? HexRecord::history<Kind> * width : largest_size;
     ChunkStep step{HexLanes(beyond_all<Real>), HexLanes(0), -1};
     double work[3] = {0, 0, 0};
     Real before[largest_size];
@@ -153,16 +159,16 @@ struct AdvanceChunk {
       if (living.can_fail() && !living.take_pack(corners)) continue;
       const Real* const next = record + record_size;
       VectorModes<HexLanes> a, v;
-      prefetch<prefetched>(next, 0);
+      fetch_third<fetched>(next, 0);
       gather_modes(nodes, corners, a);
-      prefetch<prefetched>(next, 1);
+      fetch_third<fetched>(next, 1);
       gather_modes(nodes + 4, corners, v);
       auto& s = *reinterpret_cast<LaneState<Material, Kind>*>(record);  // its scalars lie like the record's
       if (watched) std::memcpy(before, record, static_cast<std::size_t>(record_size) * sizeof(Real));
       HexLanes f[3][8];
       HexResult<HexLanes> result =
           advance_hex8(parameters, a, v, HexLanes(static_cast<Real>(motion.dt)), s, f[0], f[1], f[2]);
-      prefetch<prefetched>(next, 2);
+      fetch_third<fetched>(next, 2);
       if (living.can_fail()) living.settle(result, f);
       scatter_forces(f, corners, lanes, forces);
       if (watched)

@@ -69,7 +69,7 @@ PERCUSS_NO_INLINE inline void scatter_forces(const Pack<float> (&f)[3][8], const
     alignas(64) double records[8][width][4];
     Lanes u[3][8];
     for (int k = 0; k < 3; ++k) {
-      for (int m = 0; m < 8; ++m) u[k][m] = widen<part>(f[k][m]);
+      for (int m = 0; m < 8; ++m) u[k][m] = load_wide<part>(f[k][m]);
       to_corners(u[k]);
     }
     for (int i = 0; i < 8; ++i) {

@@ -1,5 +1,6 @@
 #include "kernels/node/motion.hpp"
 
+#include "kernels/core/prefetch.hpp"
 #include "kernels/core/tensor.hpp"
 
 namespace percuss {
@@ -10,13 +11,6 @@ namespace {
 /// does not foresee. 48 to 96 are equally good, 24 and 200 less so.
 constexpr int slots_ahead = 64;
 
-/// Asks for a row of slots that is needed soon.
-KOKKOS_INLINE_FUNCTION void prefetch([[maybe_unused]] const double* row) {
-#ifdef PERCUSS_HAS_SIMD
-  __builtin_prefetch(row, 0, 3);
-#endif
-}
-
 /// The node's slots, summed in ascending order.
 KOKKOS_INLINE_FUNCTION Vector3<double> sum_slots(const NodeSlots& nodes_to_slots, const Rows3<const double>& slot_force,
                                                  int n) {
@@ -24,7 +18,7 @@ KOKKOS_INLINE_FUNCTION Vector3<double> sum_slots(const NodeSlots& nodes_to_slots
   const int end = nodes_to_slots.first(n + 1), last = static_cast<int>(nodes_to_slots.slots.extent(0)) - 1;
   for (int i = nodes_to_slots.first(n); i < end; ++i) {
     const int ahead = i + slots_ahead;
-    prefetch(&slot_force(nodes_to_slots.slots(ahead < last ? ahead : last), 0));
+    fetch_ahead(&slot_force(nodes_to_slots.slots(ahead < last ? ahead : last), 0));
     const double* share = &slot_force(nodes_to_slots.slots(i), 0);
     f = f + Vector3<double>{share[0], share[1], share[2]};
   }

@@ -4,13 +4,14 @@
 #include <chrono>
 #include <vector>
 
+#include "kernels/core/precision.hpp"
 #include "kernels/core/simd.hpp"
 
 namespace percuss {
 
 namespace {
 
-using Lanes = Pack<double>;
+using Lanes = Pack<Real>;
 constexpr int tries = 20;
 #ifdef __AVX512F__
 constexpr int flop_chains = 10;
@@ -36,8 +37,8 @@ volatile double sink = 0;
 void multiply_and_add(int rounds) {
   constexpr int chains = flop_chains;
   Lanes product[chains], sum[chains];
-  for (int i = 0; i < chains; ++i) product[i] = sum[i] = Lanes(1 + 1e-3 * i);
-  const Lanes factor(1 + 1e-12), term(1e-12);
+  for (int i = 0; i < chains; ++i) product[i] = sum[i] = Lanes(static_cast<Real>(1 + 1e-3 * i));
+  const Lanes factor(static_cast<Real>(1 + 1e-6)), term(static_cast<Real>(1e-6));
   for (int r = 0; r < rounds; ++r) {
     for (int i = 0; i < chains; ++i) {
       product[i] = product[i] * factor;
@@ -46,7 +47,7 @@ void multiply_and_add(int rounds) {
   }
   Lanes all(0);
   for (int i = 0; i < chains; ++i) all = all + product[i] + sum[i];
-  alignas(64) double row[pack_size<double>];
+  alignas(64) Real row[pack_size<Real>];
   store_pack(row, all);
   sink = row[0];
 }
@@ -55,7 +56,7 @@ void multiply_and_add(int rounds) {
 
 Ceilings measure_ceilings() {
   constexpr int rounds = 100000;
-  const double flop = 2.0 * flop_chains * rounds * pack_size<double>;
+  const double flop = 2.0 * flop_chains * rounds * pack_size<Real>;
   const double compute = time_least([] { multiply_and_add(rounds); });
 
   constexpr std::size_t length = 8'000'000;  // three arrays of 64 MB: past any cache

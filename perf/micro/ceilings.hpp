@@ -4,7 +4,8 @@
 namespace percuss {
 
 struct Ceilings {
-  double flops;   // double-precision operations a second: packs, one multiplication beside each addition, not fused
+  double
+      flops;  // operations a second in the elements' precision: packs, a multiplication beside each addition, not fused
   double stream;  // bytes a second: a triad of long arrays, reads and writes, no write-allocate counted
 };
 

@@ -72,7 +72,7 @@ struct Block {
 double count_element_bytes(const Block& block) {
   const double slots = static_cast<double>(block.model.chunks.slots_to_nodes.extent(0));
   const double nodes = block.model.node_count, elements = block.model.element_count;
-  const double state = 2 * sizeof(double) * static_cast<double>(block.model.state_size);
+  const double state = 2 * sizeof(Real) * static_cast<double>(block.model.state_size);
   return (state + slots * (sizeof(int) + 3 * sizeof(double)) + nodes * 6 * sizeof(double)) / elements +
          8 * sizeof(std::uint16_t);
 }
