@@ -116,6 +116,7 @@ std::span<const std::byte> DataExchange::exchange_sized_bytes(const ExchangePlan
                                                               const std::vector<int>& counts, const std::byte* items,
                                                               std::size_t item_bytes) {
   if (!requests_.empty()) throw std::logic_error("an exchange was begun (the one before it has not ended)");
+  if (counts.size() != partners.to.size()) throw std::logic_error("an exchange needs a count for each of its partners");
   std::span<const std::byte> own;
   for (std::size_t r = 0; r < partners.to.size(); ++r) {
     const std::size_t bytes = static_cast<std::size_t>(counts[r]) * item_bytes;

@@ -38,7 +38,8 @@ class DataExchange {
   DataExchange& operator=(const DataExchange&) = delete;
 
   /// Starts an exchange. send: [plan.send_count()], receive: [plan.receive_count()] items, not overlapping, on the
-  /// host. The send buffer must not change and the receive buffer must not be read before end(). One exchange at a
+  /// host. The send buffer must not change and the receive buffer must not be read before end(); the plan is read by
+  /// this call alone. One exchange at a
   /// time; every rank of the plan calls it, in the same order of exchanges. Throws MpiError.
   template <class T>
   void begin(const ExchangePlan& plan, std::span<const T> send, std::span<T> receive) {

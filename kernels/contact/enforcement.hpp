@@ -122,7 +122,7 @@ PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, Ro
 template <class Space>
 void write_history(const Space& space, double dt, const RowSystem& system, ContactHistory& history);
 
-/// Zeroes the impulse of the owned nodes of the system's rows.
+/// Zeroes the impulse of the first num_nodes of a list of nodes.
 template <class Space>
 void clear_impulses(const Space& space, const Array<const int>& nodes, int num_nodes, const Rows3<double>& impulse);
 

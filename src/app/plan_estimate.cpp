@@ -78,8 +78,8 @@ double count_reductions(const StepPattern& pattern, const PlanFigures& figures) 
   count += 2 + count_passes(figures);  // who touches foreign nodes; each pass; what was done
   if (!pattern.has_pairs) return count;
   if (pattern.reuses_search) ++count;  // whether the pairs of the last search still hold
-  // Largest motion, mean edge, places beside the cuts, and pairs; four plans: faces, requests, two subscriptions.
-  return count + 8 / find_steps_per_search(pattern, figures);
+  // Largest motion, mean edge, places beside the cuts, which parts are reached, and pairs.
+  return count + 5 / find_steps_per_search(pattern, figures);
 }
 
 RankSpreads find_spreads(const RanksPlan& plan, const StepPattern& pattern, const PlanFigures& figures) {

@@ -116,15 +116,21 @@ void ContactDecomposition::update(const SurfaceMotion& motion, double margin) {
   ++searches_;
   if (!parts_) parts_ = std::make_shared<AssignedParts>(exchange_.ranks());
   locate_points(motion);
-  just_rebalanced_ = is_due_;
-  if (is_due_) rebalance_points(send_contact_data_to_previous_owners());
-  const bool are_nodes_others = (is_due_ || !knows_owners_) && find_new_owners();
+  just_rebalanced_ = false;
+  bool are_nodes_others = false;
+  // A surface that goes on with the cuts of one before does not know yet whose its points are by them.
+  if (!knows_owners_ && report_.rebalances > 0) are_nodes_others = find_new_owners();
+  if (is_due_) {
+    rebalance_points(send_contact_data_to_previous_owners());
+    just_rebalanced_ = true;
+    are_nodes_others = find_new_owners() || are_nodes_others;
+  }
   if (are_nodes_others) send_nodes_to_owners();
   send_places_to_owners();
-  const bool are_told = are_faces_told_ && are_reached_ranks_told(motion, margin);
+  const bool are_told = are_faces_told_ && are_reached_parts_told(motion, margin);
   if (!are_told) {
     send_overlapping_faces(motion, margin);
-    are_reached_ranks_told(motion, margin);
+    are_reached_parts_told(motion, margin);
   }
   has_changed_ = are_nodes_others || !are_told;
   send_boxes();
@@ -241,9 +247,9 @@ void ContactDecomposition::send_places_to_owners() {
 }
 
 // (5.4) For all my faces: which ranks does the capture box reach, and do these know the face?
-bool ContactDecomposition::are_reached_ranks_told(const SurfaceMotion& motion, double margin) {
+bool ContactDecomposition::are_reached_parts_told(const SurfaceMotion& motion, double margin) {
   bound_faces(ExecSpace(), share_.bounded_faces(), motion, margin, boxes_);
-  const ReachCount count = count_reached_ranks(exchange_.ranks(), parts_->cuts().tree(), boxes_,
+  const ReachCount count = count_reached_parts(exchange_.ranks(), parts_->cuts().tree(), boxes_,
                                                static_cast<int>(share_.searched_faces.size()), margin, known_);
   reaching_faces_ = count.copies;
   return !count.any_unlisted;
@@ -251,12 +257,12 @@ bool ContactDecomposition::are_reached_ranks_told(const SurfaceMotion& motion, d
 
 // (5.5) Faces to the ranks that need them, and to those that soon may.
 void ContactDecomposition::send_overlapping_faces(const SurfaceMotion& motion, double margin) {
-  const double wide = (1 + told_margins) * margin;
+  const double wide = are_faces_told_ ? (1 + told_margins) * margin : margin;
   bound_faces(ExecSpace(), share_.bounded_faces(), motion, wide, boxes_);
   are_faces_told_ = true;
-  known_ = list_reached_ranks(exchange_.ranks(), parts_->cuts().tree(), boxes_,
+  known_ = list_reached_parts(exchange_.ranks(), parts_->cuts().tree(), boxes_,
                               static_cast<int>(share_.searched_faces.size()), wide);
-  const auto box = to_host(known_.box), part = to_host(known_.rank);
+  const auto box = to_host(known_.box), part = to_host(known_.part);
   std::vector<int> to;
   to.reserve(part.extent(0));
   for (std::size_t i = 0; i < part.extent(0); ++i) to.push_back(parts_->find_rank(part(i)));

@@ -16,12 +16,13 @@
 #include "comm/assign_parts.hpp"
 #include "comm/data_exchange.hpp"
 #include "src/contact/contact_finder.hpp"
-#include "src/contact/reached_ranks.hpp"
+#include "src/contact/reached_parts.hpp"
 
 namespace percuss {
 
 /// Margins of a search by which a box is wider, beside its own, for the choice of the ranks that are told of its face:
-/// so that faces move on for some searches before others have to be.
+/// so that faces move on for some searches before others have to be. Not the first time: where erosion redefines the
+/// surface in every other step, there is no second one.
 inline constexpr double told_margins = 2;
 
 /// A contact node as the search needs it.
@@ -84,7 +85,7 @@ class ContactDecomposition {
   bool find_new_owners();
   void send_nodes_to_owners();
   void send_places_to_owners();
-  bool are_reached_ranks_told(const SurfaceMotion& motion, double margin);
+  bool are_reached_parts_told(const SurfaceMotion& motion, double margin);
   void send_overlapping_faces(const SurfaceMotion& motion, double margin);
   void send_boxes();
 
@@ -113,7 +114,7 @@ class ContactDecomposition {
 
   // Faces likewise.
   Boxes boxes_;         // [searched faces]
-  ReachedRanks known_;  // of the searched faces: the parts whose ranks were told of each
+  ReachedParts known_;  // of the searched faces: the parts whose ranks were told of each
   ExchangePlan face_plan_;
   Array<const int> sent_faces_, received_faces_;
   std::vector<FaceTopology> faces_;

@@ -75,8 +75,8 @@ class NumberWalk {
  public:
   explicit NumberWalk(const std::vector<std::int64_t>& numbers) : numbers_(numbers) {}
 
-  /// The first place whose number is not below this one.
-  std::size_t find_first(std::int64_t number) {
+  /// Place of a number, -1 if it is not there.
+  int find(std::int64_t number) {
     std::size_t first = place_ < numbers_.size() && numbers_[place_] <= number ? place_ : 0, step = 1;
     while (first + step < numbers_.size() && numbers_[first + step] < number) {
       first += step;
@@ -86,13 +86,7 @@ class NumberWalk {
     const auto end = begin + static_cast<std::ptrdiff_t>(std::min(first + step + 1, numbers_.size()));
     place_ =
         static_cast<std::size_t>(std::lower_bound(begin + static_cast<std::ptrdiff_t>(first), end, number) - begin);
-    return place_;
-  }
-
-  /// Place of a number, -1 if it is not there.
-  int find(std::int64_t number) {
-    const std::size_t place = find_first(number);
-    return place < numbers_.size() && numbers_[place] == number ? static_cast<int>(place) : -1;
+    return place_ < numbers_.size() && numbers_[place_] == number ? static_cast<int>(place_) : -1;
   }
 
  private:

@@ -85,7 +85,7 @@ struct ContactPlanner::Visit {
   }
 };
 
-/// What a rank learns of the surface around some nodes, as RankedFinder asks for it.
+/// What a rank learns of the surface around some nodes; RankedFinder does not ask where it knows all faces already.
 struct ContactPlanner::Reach {
   const ContactPlanner& planner;
   const Places& places;

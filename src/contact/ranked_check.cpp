@@ -2,7 +2,6 @@
 // back.
 
 #include <algorithm>
-#include <numeric>
 
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/number_map.hpp"
@@ -85,13 +84,13 @@ SurfaceMotion RankedFinder::receive(const SurfaceMotion& motion, const ContactHi
   return here;
 }
 
-// (5.7) Results to the FE owners of their nodes, of those in the last receive().
+// (5.7) Results to the FE owners of their nodes, among those of a part whose histories were asked for.
 template <class Record>
-std::vector<Record> RankedFinder::send_results_to_fe_owners(std::vector<Record> records) {
+std::vector<Record> RankedFinder::send_results_to_fe_owners(const CheckPart& part, std::vector<Record> records) {
   std::vector<int> owners;
   owners.reserve(records.size());
   for (const Record& record : records) owners.push_back(ranks_.numbering.find_node_owner(record.node));
-  return send_to_partners(data_, ranks_.ranks.rank(), read_->history.request, owners, std::move(records));
+  return send_to_partners(data_, ranks_.ranks.rank(), part.history.request, owners, std::move(records));
 }
 
 int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
@@ -133,7 +132,7 @@ std::vector<RowTouch> RankedFinder::check_faces(const SurfaceMotion& motion, con
       }
     }
   }
-  std::vector<RowTouch> rows = make_row_touches(send_results_to_fe_owners(std::move(records)));
+  std::vector<RowTouch> rows = make_row_touches(send_results_to_fe_owners(*read_, std::move(records)));
   if (asked_.near > 0) select_near();
   return rows;
 }
@@ -172,8 +171,7 @@ std::vector<RowTouch> RankedFinder::make_row_touches(std::vector<TouchRecord> re
 
 std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& motion) {
   if (total_pairs_ == 0) return {};
-  read_ = &of_all_;
-  const PenetrationTable table = measure_candidates(motion_.receive(data_, read_->motion, motion), check_);
+  const PenetrationTable table = measure_candidates(motion_.receive(data_, of_all_.motion, motion), check_);
   const auto depth = to_host(table.depth), ratio = to_host(table.ratio), limit = to_host(table.limit);
   const auto size = to_host(check_.faces.size);
   const auto face = to_host(table.face);
@@ -188,7 +186,7 @@ std::vector<Penetration> RankedFinder::find_penetrations(const SurfaceMotion& mo
     records.push_back({nodes_[at(n)], {0, of.number, depth(n), ratio(n), size(face(n)), of.part, limit(n)}});
   }
   std::vector<Penetration> found;
-  for (Record& record : send_results_to_fe_owners(std::move(records))) {
+  for (Record& record : send_results_to_fe_owners(of_all_, std::move(records))) {
     record.penetration.node = find_contact_node(record.node);
     found.push_back(record.penetration);
   }

@@ -2,7 +2,6 @@
 // back.
 
 #include <algorithm>
-#include <numeric>
 
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/number_map.hpp"

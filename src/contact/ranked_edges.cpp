@@ -60,9 +60,10 @@ void RankedEdges::find_owners(const SurfaceMotion& motion) {
 void RankedEdges::send_points_to_owners(const SurfaceMotion& motion, const ContactDecomposition& decomposition) {
   const AssignedParts& parts = decomposition.parts();
   if (!parts_ || parts_->rank_of_part() != parts.rank_of_part()) parts_.emplace(ranks_.ranks, parts.rank_of_part());
-  if (decomposition.was_rebalanced() || owners_.size() != share_.edges.size()) {
+  if (decomposition.was_rebalanced() || !knows_owners_) {
     parts_->cuts().restore(parts.cuts().cuts());
     find_owners(motion);
+    knows_owners_ = true;
   }
   const Rows3<double> places("contact::edge_places", at(points_.num_points));
   place_edge_points(ExecSpace(), points_, motion.x, places);
@@ -95,11 +96,11 @@ Point3 RankedEdges::find_half_piece_of_all(const SurfaceMotion& motion) const {
 void RankedEdges::send_edges_to_reached(const SurfaceMotion& motion, const Point3& margin) {
   bound_edges(ExecSpace(), points_.ends, motion, margin, boxes_);
   ExecSpace().fence();
-  const ReachedRanks reached =
-      list_reached_ranks(ranks_.ranks, parts_->cuts().tree(), boxes_, static_cast<int>(share_.edges.size()), margin.x);
+  const ReachedParts reached =
+      list_reached_parts(ranks_.ranks, parts_->cuts().tree(), boxes_, static_cast<int>(share_.edges.size()), margin.x);
   const auto boxes = to_host(boxes_);
   const auto x = to_host(motion.x);
-  const auto box = to_host(reached.box), part = to_host(reached.rank);
+  const auto box = to_host(reached.box), part = to_host(reached.part);
   std::vector<int> to;
   std::vector<EdgeRecord> records;
   for (std::size_t i = 0; i < box.extent(0); ++i) {

@@ -55,6 +55,7 @@ class RankedEdges {
   // Edges whose home this rank is.
   EdgePoints points_;                         // ends as mesh nodes
   std::vector<int> owners_;                   // [edges] ranks in the contact decomposition
+  bool knows_owners_ = false;                 // the same on all ranks, unlike whether a rank has edges
   Boxes boxes_ = Boxes("contact::boxes", 0);  // [edges]
 
   // Edges that reached this rank, ascending in number, and their pairs.

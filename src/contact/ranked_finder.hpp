@@ -2,12 +2,12 @@
 // Search and check in the contact decomposition: steps (5.6) and (5.7) of the paper's Figure 5.
 //
 // A rank knows the nodes that it owns there, the faces that reach it, and the faces around the nodes of both, for
-// normals: its part of the surface, which it is told once and uses for many searches. A search lists the candidate
-// pairs; then the rank tells the FE owners of nodes which places and velocities, and which remembered contacts, the
-// check of these pairs reads. Until it tells them otherwise a step costs no more than these, and the touches that go
-// back: nodes and faces far from any contact are not sent at all. Where near pairs are listed, only theirs are.
+// normals: its part of the surface, which it is told once and uses for many searches, until faces reach other ranks or
+// erosion makes another surface. A search lists the candidate pairs; then the rank tells the FE owners of nodes which
+// places and velocities, and which remembered contacts, the check of these pairs reads. Until it tells them otherwise a
+// step costs no more than these, and the touches that go back: nodes and faces far from any contact are not sent at
+// all. Where near pairs are listed, only theirs are.
 
-#include "comm/merge_reduction.hpp"
 #include "src/contact/check_space.hpp"
 #include "src/contact/contact_decomposition.hpp"
 #include "src/contact/motion_copy.hpp"
@@ -61,7 +61,7 @@ class RankedFinder : public ContactFinder {
   std::vector<RowTouch> check_faces(const SurfaceMotion& motion, const ContactHistory& history);
   SurfaceMotion receive(const SurfaceMotion& motion, const ContactHistory& history);
   template <class Record>
-  std::vector<Record> send_results_to_fe_owners(std::vector<Record> records);
+  std::vector<Record> send_results_to_fe_owners(const CheckPart& part, std::vector<Record> records);
   std::vector<RowTouch> make_row_touches(std::vector<TouchRecord> records) const;
   int find_contact_node(std::int64_t number) const { return contact_nodes_.find(number); }
 

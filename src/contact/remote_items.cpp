@@ -1,5 +1,7 @@
 #include "src/contact/remote_items.hpp"
 
+#include <utility>
+
 namespace percuss {
 namespace {
 

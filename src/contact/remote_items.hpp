@@ -2,6 +2,7 @@
 // Items that a rank asks others for by number, and parts of them that it asks for again without naming them.
 
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "comm/item_exchange.hpp"
@@ -58,7 +59,7 @@ class RemoteItems {
 
 /// Sends records to partners, those of a plan and this rank itself. to: [records] rank that each goes to. Returns what
 /// is for this rank: its own in their order, then those of others by rank, as sent. Every rank of the plan calls it.
-/// Throws MpiError.
+/// Throws MpiError; std::logic_error if a record goes to a rank that is no partner.
 template <class Record>
 std::vector<Record> send_to_partners(DataExchange& data, int own_rank, const ExchangePlan& partners,
                                      const std::vector<int>& to, std::vector<Record> records) {
@@ -82,6 +83,7 @@ std::vector<Record> send_to_partners(DataExchange& data, int own_rank, const Exc
     const bool has_some = run != order.to.end() && run->rank == partner.rank;
     counts.push_back(has_some ? static_cast<int>((run++)->count) : 0);
   }
+  if (run != order.to.end()) throw std::logic_error("a record goes to a rank that is no partner");
   const std::vector<Record> received = data.exchange_sized(partners, counts, ItemExchange::arrange(order, of_others));
   records.insert(records.end(), received.begin(), received.end());
   return records;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -43,6 +45,33 @@ int count_facing(const ChunkBox& a, const ChunkBox& b, double edge) {
   return static_cast<int>(std::ceil(std::min(share(a), share(b))));
 }
 
+/// [chunks] the body of each: chunks that share nodes with one another, directly or through others.
+std::vector<int> find_bodies(std::size_t chunks, const std::vector<GraphEdge>& shared) {
+  std::vector<int> body(chunks);
+  std::iota(body.begin(), body.end(), 0);
+  const auto find = [&](int c) {
+    while (body[static_cast<std::size_t>(c)] != c) {
+      int& above = body[static_cast<std::size_t>(c)];
+      above = body[static_cast<std::size_t>(above)];
+      c = above;
+    }
+    return c;
+  };
+  for (const GraphEdge& edge : shared) {
+    const int a = find(edge.a), b = find(edge.b);
+    body[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+  }
+  for (int& b : body) b = find(b);
+  return body;
+}
+
+/// Whether METIS can add up the weights, each told from both sides, in an int.
+bool is_countable(const std::vector<GraphEdge>& edges) {
+  std::int64_t sum = 0;
+  for (const GraphEdge& edge : edges) sum += 2 * static_cast<std::int64_t>(edge.weight);
+  return sum <= std::numeric_limits<int>::max();
+}
+
 }  // namespace
 
 std::vector<GraphEdge> add_near_chunks(const std::vector<ChunkBox>& chunks, std::vector<GraphEdge> shared) {
@@ -59,6 +88,7 @@ std::vector<GraphEdge> add_near_chunks(const std::vector<ChunkBox>& chunks, std:
     return chunks[i].low[0] - 0.5 * edges[i];
   };
   std::sort(order.begin(), order.end(), [&](int a, int b) { return std::tuple(low(a), a) < std::tuple(low(b), b); });
+  const std::vector<int> bodies = find_bodies(chunks.size(), shared);
   std::vector<GraphEdge> near;
   std::vector<int> open;  // those whose boxes may reach the next along x
   std::size_t looked_at = 0;
@@ -72,19 +102,19 @@ std::vector<GraphEdge> add_near_chunks(const std::vector<ChunkBox>& chunks, std:
     if (looked_at > most_pairs * most_pairs * chunks.size()) return shared;
     for (const int other : open) {
       const auto j = static_cast<std::size_t>(other);
+      if (bodies[i] == bodies[j]) continue;
       const int facing = count_facing(chunks[i], chunks[j], 0.5 * (edges[i] + edges[j]));
       if (facing == 0) continue;
-      const GraphEdge edge{std::min(c, other), std::max(c, other), near_face_weight * facing};
-      if (!std::binary_search(shared.begin(), shared.end(), edge, comes_before)) near.push_back(edge);
+      near.push_back({std::min(c, other), std::max(c, other), near_face_weight * facing});
     }
     if (near.size() > most_pairs * chunks.size()) return shared;
     if (chunks[i].faces > 0) open.push_back(c);
   }
-  const auto middle = static_cast<std::ptrdiff_t>(shared.size());
-  shared.insert(shared.end(), near.begin(), near.end());
-  std::sort(shared.begin() + middle, shared.end(), comes_before);
-  std::inplace_merge(shared.begin(), shared.begin() + middle, shared.end(), comes_before);
-  return shared;
+  std::sort(near.begin(), near.end(), comes_before);
+  std::vector<GraphEdge> all;
+  all.reserve(shared.size() + near.size());
+  std::merge(shared.begin(), shared.end(), near.begin(), near.end(), std::back_inserter(all), comes_before);
+  return is_countable(all) ? all : shared;
 }
 
 }  // namespace percuss

@@ -20,9 +20,10 @@ struct ChunkBox {
 /// iteration of the enforcement, those of a shared node once a step.
 inline constexpr int near_face_weight = 4;
 
-/// Edges between chunks that share no node, and whose boxes lie within the length of a face of each other at time 0, by
-/// how many faces may touch there, estimated from the boxes; merged with `shared`, ascending by (a, b). Where nearly
-/// every box meets every other they say nothing: then `shared` alone.
+/// Edges between chunks of different bodies (what `shared` connects is one), whose boxes lie within the length of a
+/// face of each other at time 0, by how many faces may touch there, estimated from the boxes; merged with `shared`,
+/// ascending by (a, b). Where nearly every box meets every other, or the weights are too many to be added up, `shared`
+/// alone.
 std::vector<GraphEdge> add_near_chunks(const std::vector<ChunkBox>& chunks, std::vector<GraphEdge> shared);
 
 }  // namespace percuss

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 
 #include "kernels/contact/capture_boxes.hpp"
 #include "kernels/contact/point3.hpp"
@@ -46,16 +48,35 @@ struct FaceItem {
   double box[6];
 };
 
-class Decomposition : public testing::Test {
- protected:
-  Decomposition()
-      : world(Communicator::world()),
-        deck(parse_deck(scene, "deck.yaml")),
+constexpr double margin = 0.5 * face_edge;
+
+std::vector<Pair> find_pairs(const std::vector<NodeItem>& nodes, const std::vector<FaceItem>& faces) {
+  std::vector<Pair> pairs;
+  for (const NodeItem& node : nodes) {
+    for (const FaceItem& face : faces) {
+      bool holds = true;
+      for (int k = 0; k < 3; ++k) holds &= node.x[k] >= face.box[k] && node.x[k] <= face.box[k + 3];
+      if (holds) pairs.push_back({node.number, face.number});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+/// The sum over all ranks.
+std::int64_t add_up(std::int64_t count) {
+  MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+  return count;
+}
+
+/// The surface of a scene, and where its nodes are.
+struct Surface {
+  explicit Surface(const std::string& text)
+      : deck(parse_deck(text, "deck.yaml")),
         chunked(load_mesh(deck, world)),
         exchange(world),
         share(build_surface_share(chunked, deck, find_ties(chunked, deck, world), exchange)),
-        x("test::x", chunked.mesh.nodes.size()),
-        decomposition(world, share, ContactDeck::Rebalance::never) {
+        x("test::x", chunked.mesh.nodes.size()) {
     move_ball(0);
   }
 
@@ -66,33 +87,19 @@ class Decomposition : public testing::Test {
       store_row(x, static_cast<int>(n), {p[0] + (p[2] > 0.27 ? along : 0), p[1], p[2]});
     }
   }
+
   /// As a search does.
-  void update() {
+  void update(ContactDecomposition& decomposition) const {
     decomposition.update({x, x, 0}, margin);
-    std::int64_t faces = decomposition.reaching_faces();
-    MPI_Allreduce(MPI_IN_PLACE, &faces, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+    const std::int64_t faces = add_up(decomposition.reaching_faces());
     decomposition.note_ghost_faces(faces - share.total_searched_faces);
-    std::int64_t here = decomposition.count_reaching_here();
+    const std::int64_t here = decomposition.count_reaching_here();
     EXPECT_LE(here, static_cast<std::int64_t>(decomposition.faces().size()));
-    MPI_Allreduce(MPI_IN_PLACE, &here, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
-    EXPECT_EQ(here, faces);
+    EXPECT_EQ(add_up(here), faces);
   }
 
-  static std::vector<Pair> find_pairs(const std::vector<NodeItem>& nodes, const std::vector<FaceItem>& faces) {
-    std::vector<Pair> pairs;
-    for (const NodeItem& node : nodes) {
-      for (const FaceItem& face : faces) {
-        bool holds = true;
-        for (int k = 0; k < 3; ++k) holds &= node.x[k] >= face.box[k] && node.x[k] <= face.box[k + 3];
-        if (holds) pairs.push_back({node.number, face.number});
-      }
-    }
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
-  }
-
-  /// Those that ranks find among what they have, all together.
-  std::vector<Pair> find_pairs_of_ranks() const {
+  /// Pairs that ranks find among what they have, all together.
+  std::vector<Pair> find_pairs_of_ranks(const ContactDecomposition& decomposition) const {
     std::vector<NodeItem> nodes;
     std::vector<FaceItem> faces;
     const auto places = to_host(decomposition.places());
@@ -127,13 +134,21 @@ class Decomposition : public testing::Test {
     return find_pairs(gather_items(world, nodes), gather_items(world, faces));
   }
 
-  static constexpr double margin = 0.5 * face_edge;
-  const Communicator world;
+  const Communicator world = Communicator::world();
   const Deck deck;
   const ChunkedMesh chunked;
   UnstructuredExchange exchange;
   const SurfaceShare share;
   Rows3<double> x;
+};
+
+class Decomposition : public testing::Test, protected Surface {
+ protected:
+  Decomposition() : Surface(scene), decomposition(world, share, ContactDeck::Rebalance::never) {}
+
+  void update() { Surface::update(decomposition); }
+  std::vector<Pair> find_pairs_of_ranks() const { return Surface::find_pairs_of_ranks(decomposition); }
+
   ContactDecomposition decomposition;
 };
 
@@ -145,12 +160,18 @@ TEST_F(Decomposition, OwnersOfNodesHaveEveryFaceWhoseBoxHoldsOne) {
 
 TEST_F(Decomposition, NothingIsToldAgainUntilFacesHaveMovedOn) {
   update();
-  const std::size_t faces = decomposition.faces().size();
-  move_ball(0.3 * face_edge);
-  update();
-  EXPECT_FALSE(decomposition.has_changed());
-  EXPECT_EQ(decomposition.faces().size(), faces);
-  EXPECT_EQ(find_pairs_of_ranks(), find_all_pairs());
+  bool was_told = false;  // since the start, to ranks that wider boxes reach
+  for (int i = 1; i <= 10; ++i) {
+    const std::size_t faces = decomposition.faces().size();
+    move_ball(0.3 * i * face_edge);
+    update();
+    if (was_told) {
+      EXPECT_FALSE(decomposition.has_changed()) << i;
+      EXPECT_EQ(decomposition.faces().size(), faces) << i;
+    }
+    was_told = decomposition.has_changed();
+    EXPECT_EQ(find_pairs_of_ranks(), find_all_pairs()) << i;
+  }
 }
 
 TEST_F(Decomposition, FacesThatMoveOnReachTheRanksWhoseNodesTheyMeet) {
@@ -168,20 +189,68 @@ TEST_F(Decomposition, FacesThatMoveOnReachTheRanksWhoseNodesTheyMeet) {
   EXPECT_LT(told, 30);
 }
 
+TEST_F(Decomposition, FacesThatReachOthersAgainAreToldWiderThanTheFirstTime) {
+  update();
+  const std::int64_t at_first = add_up(static_cast<std::int64_t>(decomposition.faces().size()));
+  EXPECT_EQ(at_first, add_up(decomposition.reaching_faces()));
+  for (int i = 1; i <= 30; ++i) {
+    move_ball(0.2 * i);
+    update();
+    if (!decomposition.has_changed()) continue;
+    EXPECT_GT(add_up(static_cast<std::int64_t>(decomposition.faces().size())), add_up(decomposition.reaching_faces()));
+    return;
+  }
+  EXPECT_EQ(world.size(), 1);
+}
+
 TEST_F(Decomposition, PartsGoToTheRanksThatHaveMostOfTheirPoints) {
   update();
-  const std::vector<int>& rank_of_part = decomposition.parts().rank_of_part();
-  std::int64_t counts[3] = {0, 0, 0};  // nodes with one owner in both, with parts in order of ranks, and all
-  for (const int owner : decomposition.node_owners()) {
-    counts[0] += owner == world.rank() ? 1 : 0;
-    counts[1] += rank_of_part[static_cast<std::size_t>(world.rank())] == owner ? 1 : 0;
-    ++counts[2];
+  std::int64_t own = 0;
+  for (const int owner : decomposition.node_owners()) own += owner == world.rank() ? 1 : 0;
+  const std::int64_t all = add_up(share.nodes.count());
+  // Of how many nodes the part would be with their rank if parts went to ranks in another order: turned by one.
+  std::int64_t turned = 0;
+  for (const int owner : decomposition.node_owners()) turned += (owner + 1) % world.size() == world.rank() ? 1 : 0;
+  own = add_up(own);
+  if (world.size() > 1) {
+    EXPECT_GT(own, add_up(turned));
   }
-  MPI_Allreduce(MPI_IN_PLACE, counts, 3, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
-  EXPECT_GE(counts[0], counts[1]);
-  EXPECT_GT(3 * counts[0], counts[2]);  // seven ranks have hardly a chunk each
-  if (world.size() <= 3) {
-    EXPECT_GT(2 * counts[0], counts[2]);
+  EXPECT_GT((world.size() <= 3 ? 2 : 3) * own, all);  // seven ranks have hardly a chunk each
+}
+
+/// As erosion leaves it: of the plate a part is gone.
+const char* const shorter = R"(
+time: {end: 1}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}
+parts:
+  plate: {box: {size: [5, 1, 0.25], cells: [20, 4, 1]}, material: m}
+  ball: {sphere: {radius: 0.5, cells: 8}, at: [0.6, 0.5, 0.8], material: m}
+contact: {surfaces: all, edges: false}
+)";
+
+TEST(ContactDecomposition, ASurfaceMadeAnewGoesOnWithTheCutsAndStaysBalanced) {
+  const Communicator world = Communicator::world();
+  Surface whole(scene), left(shorter);
+  for (const auto rebalance :
+       {ContactDeck::Rebalance::never, ContactDeck::Rebalance::automatic, ContactDeck::Rebalance::always}) {
+    ContactDecomposition before(world, whole.share, rebalance);
+    whole.update(before);
+    whole.update(before);
+    ContactDecomposition after(world, left.share, rebalance);
+    after.take_over(before);
+    for (int i = 0; i < 3; ++i) {
+      left.update(after);
+      EXPECT_EQ(after.was_rebalanced(), rebalance == ContactDeck::Rebalance::always ||
+                                            (rebalance == ContactDeck::Rebalance::automatic && i == 0))
+          << i;
+      EXPECT_EQ(left.find_pairs_of_ranks(after), left.find_all_pairs()) << i;
+      if (rebalance == ContactDeck::Rebalance::never) continue;  // the cuts are those of the whole plate
+      std::int64_t most = static_cast<std::int64_t>(after.nodes().size());
+      const std::int64_t all = add_up(most);
+      MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_INT64_T, MPI_MAX, MPI_COMM_WORLD);
+      EXPECT_EQ(all, add_up(left.share.nodes.count())) << i;
+      EXPECT_LT(10 * most * world.size(), 13 * all) << i;  // even are nodes and faces together
+    }
   }
 }
 
@@ -228,6 +297,8 @@ TEST(RemoteItems, ArePartlyAskedForAndRecordsFindTheirOwners) {
     for (int i = 0; i < 23; i += 2)
       if (is_wanted_by(rank, i) && i % world.size() == world.rank()) expected.push_back(100 * rank + i);
   EXPECT_EQ(received, expected);
+  // One for a rank that is not among the partners.
+  EXPECT_THROW(send_to_partners<int>(data, -1, ExchangePlan(), {world.rank()}, {1}), std::logic_error);
 }
 
 }  // namespace

@@ -43,6 +43,20 @@ TEST(NearChunks, ThoseThatShareNodesAreTiedByTheseAlone) {
   EXPECT_EQ(edges[2].a, 1);
 }
 
+TEST(NearChunks, ThoseOfOneBodyAreNot) {
+  // A tube of four chunks in a ring, by shared nodes one body: opposite ones lie next to each other.
+  const std::vector<GraphEdge> ring{{0, 1, 9}, {1, 2, 9}, {2, 3, 9}};
+  const std::vector<ChunkBox> chunks(4, make_brick({0, 0, 0}, 4, 3, 2));
+  EXPECT_EQ(add_near_chunks(chunks, ring), ring);
+  EXPECT_EQ(add_near_chunks(chunks, {ring[0], ring[2]}).size(), 6u);  // two bodies: each of one with each of the other
+}
+
+TEST(NearChunks, WeightsThatNoIntHoldsTogetherAreLeftOut) {
+  ChunkBox large = make_brick({0, 0, 0}, 4, 3, 2);
+  large.faces = 2'000'000'000;
+  EXPECT_TRUE(add_near_chunks({large, large}, {}).empty());
+}
+
 TEST(NearChunks, ThoseWithoutSurfaceTouchNothing) {
   ChunkBox inside = make_brick({1, 1, 1}, 2, 2, 2);
   inside.faces = 0;
