@@ -77,9 +77,10 @@ double count_reductions(const StepPattern& pattern, const PlanFigures& figures) 
   if (!has_contact(pattern)) return count;
   count += 2 + count_passes(figures);  // who touches foreign nodes; each pass; what was done
   if (!pattern.has_pairs) return count;
-  if (pattern.reuses_search) ++count;  // whether the pairs of the last search still hold
-  // Largest motion, mean edge, places beside the cuts, which parts are reached, and pairs.
-  return count + 5 / find_steps_per_search(pattern, figures);
+  // A search: largest motion, places beside the cuts, which parts are reached, and pairs.
+  if (!pattern.reuses_search) return count + 4 / find_steps_per_search(pattern, figures);
+  // And whether the pairs of the last one still hold, in each step; mean edge and travel since then, in each search.
+  return count + 1 + 6 / find_steps_per_search(pattern, figures);
 }
 
 RankSpreads find_spreads(const RanksPlan& plan, const StepPattern& pattern, const PlanFigures& figures) {
