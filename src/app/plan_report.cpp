@@ -127,6 +127,11 @@ std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {
   return text + "\n\n";
 }
 
+bool can_erode(const Deck& deck) {
+  return std::any_of(deck.materials.begin(), deck.materials.end(),
+                     [](const MaterialDeck& material) { return material.failure.has_value(); });
+}
+
 std::string format_warnings(const PlannedScene& scene, const Column& column) {
   const int ranks = column.plan.ranks, empty = column.plan.mesh.partition.empty_parts;
   const RankSpreads& spreads = column.spreads;
@@ -166,6 +171,11 @@ std::string format_plan(const PlannedScene& scene, const PlanFigures& figures, c
   std::string text = format_head(scene, figures) + table.format();
   std::string warnings;
   for (const std::string& warning : scene.deck.warnings) warnings += warning + "\n";
+  if (scene.pattern.has_pairs && can_erode(scene.deck)) {
+    warnings +=
+        "warning: elements can fail (each time surfaces are made anew, which is not foretold and which ranks hardly "
+        "divide) measure a short run in which elements die\n";
+  }
   for (const Column& column : columns) warnings += format_warnings(scene, column);
   return warnings.empty() ? text : text + "\n" + warnings;
 }

@@ -1,5 +1,9 @@
 // Keys of `contact`.
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "src/deck/deck_keys.hpp"
 
 namespace percuss {
@@ -46,6 +50,27 @@ bool note_place(const Reader&, const Node& node, TieDeck& tie) {
   return true;
 }
 
+bool is_same(const Selector& a, const Selector& b) { return a.name == b.name && a.inside == b.inside; }
+
+/// Refuses a pair that an earlier one names, either way round: its friction would never act.
+bool are_different(const Reader& reader, const std::string& name, const Node& node,
+                   const std::vector<SurfacePairDeck>& pairs) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const SurfacePairDeck& one = pairs[i];
+    const bool is_repeated =
+        std::any_of(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(i), [&](const SurfacePairDeck& other) {
+          return (is_same(one.a, other.a) && is_same(one.b, other.b)) ||
+                 (is_same(one.a, other.b) && is_same(one.b, other.a));
+        });
+    if (!is_repeated) continue;
+    reader.error(node.items[i].spot,
+                 fmt::format("{}.{} names '{}' and '{}' again (the first such pair gives the friction) leave out one",
+                             name, i, one.a.name, one.b.name));
+    return false;
+  }
+  return true;
+}
+
 /// all, none or a list of pairs.
 struct SurfacesValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, ContactDeck& out) const {
@@ -56,7 +81,7 @@ struct SurfacesValue {
         reader.refuse(node, name, "all, none or at least one pair [a, b]");
         return false;
       }
-      return ListValue<PairValue>{}.read(reader, name, node, out.pairs);
+      return ListValue<PairValue>{}.read(reader, name, node, out.pairs) && are_different(reader, name, node, out.pairs);
     }
     const ChoiceValue<Surfaces> word{{{"all", Surfaces::all}, {"none", Surfaces::none}}};
     if (node.kind == Node::Kind::scalar) return word.read(reader, name, node, out.surfaces);

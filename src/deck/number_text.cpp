@@ -82,8 +82,7 @@ std::string advise(std::string_view text, const std::string& what) {
     return fmt::format("{} without separators: {}", what, s);
   if (const std::string s = mended(text, "dD", "e"); !s.empty())
     return fmt::format("{}; powers of ten take e: {}", what, s);
-  const std::size_t n = match_number(text);
-  if (n > 0) return fmt::format("{} without a unit or other text: {}", what, text.substr(0, n));
+  if (match_number(text) > 0) return what + " without a unit or other text, in the units of the deck";
   return what;
 }
 

@@ -51,7 +51,7 @@ TEST(NumberText, SaysHowToWriteItRight) {
   EXPECT_THAT(advice("1,5"), testing::HasSubstr("1.5"));
   EXPECT_THAT(advice("1_000"), testing::HasSubstr("1000"));
   EXPECT_THAT(advice("1d-3"), testing::HasSubstr("1e-3"));
-  EXPECT_THAT(advice("3.5mm"), testing::HasSubstr("without a unit or other text: 3.5"));
+  EXPECT_THAT(advice("3.5mm"), testing::HasSubstr("without a unit or other text, in the units of the deck"));
   EXPECT_EQ(advice("-.inf"), "finite");
   EXPECT_EQ(advice("steel"), "a number");
 }

@@ -171,6 +171,8 @@ std::vector<WrongDeck> at_odds() {
       {"CheckpointNever", append("output: {checkpoint: {}}"), "6:22", "neither every nor wall"},
       {"NoPairs", append("contact: {surfaces: []}"), "6:21", "at least one pair"},
       {"PairOfThree", append("contact: {surfaces: [[rod, rod, rod]]}"), "6:22", "must be a pair [a, b]"},
+      {"PairTwice", append("contact: {surfaces: [[rod, rod/x_min], {a: rod/x_min, b: rod, friction: 0.5}]}"), "6:40",
+       "contact.surfaces.1 names 'rod/x_min' and 'rod' again (the first such pair gives the friction) leave out one"},
       {"PairWithoutB", append("contact: {surfaces: [{a: rod}]}"), "6:22", "contact.surfaces.0.b is missing"},
       {"TieWithoutB", append("contact: {ties: [{a: rod}]}"), "6:18", "contact.ties.0.b is missing"},
       {"TieIsAPair", append("contact: {ties: [[rod, rod]]}"), "6:18",
