@@ -53,9 +53,9 @@ deck's name, or the name of its folder if it is called deck.yaml. A folder that 
 
 A first Ctrl-C, SIGTERM or SIGUSR1 ends the run after its step and writes what there is, with a checkpoint; a second one
 ends it at once. On ranks use `kill -USR1 PID_OF_MPIRUN`: it reaches them at once and leaves them the time they need. After
-Ctrl-C mpirun waits a second before it tells its ranks, and one more before it kills them; `--mca
-odls_base_sigkill_timeout 10` makes both ten. A folder without summary.json, or with one of an earlier run, is of a run that was killed. `output.checkpoint` of the
-deck writes checkpoints on the way.
+Ctrl-C mpirun waits a second before it tells its ranks, and one more before it kills them; `mpirun --mca
+odls_base_sigkill_timeout 10` makes both ten. A folder without summary.json, or with one of an earlier run, is of a run that
+was killed. `output.checkpoint` of the deck writes checkpoints on the way.
 
 --restart goes on from a checkpoint, on any number of ranks and threads, to the same bits as if the run had never stopped:
 in the checkpoint's folder, whose history and fields are continued, or in the empty folder of --out, where they begin
