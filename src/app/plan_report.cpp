@@ -160,6 +160,7 @@ std::string format_warnings(const PlannedScene& scene, const Column& column) {
 
 std::string format_plan(const PlannedScene& scene, const PlanFigures& figures, const std::vector<RanksPlan>& plans) {
   std::vector<Column> columns;
+  columns.reserve(plans.size());
   for (const RanksPlan& plan : plans) {
     columns.push_back({plan, find_spreads(plan, scene.pattern, figures), estimate_step(plan, scene.pattern, figures)});
   }
