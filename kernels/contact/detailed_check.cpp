@@ -46,11 +46,11 @@ KOKKOS_INLINE_FUNCTION bool has_history(const Array<const int>& history_face, in
 
 /// Flattened: a pair is checked by some fifty small functions.
 template <Thickness thickness>
-PERCUSS_FLATTEN KOKKOS_FUNCTION NodeTouches check_node_flat(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                            const FaceState& faces,
-                                                            const Array<const int>& history_face, int node,
-                                                            const NodeCandidates& candidates, int first, int last) {
-  return check_node<thickness>(surface, motion, faces, history_face, node, candidates, first, last);
+PERCUSS_FLATTEN KOKKOS_FUNCTION void check_node_flat(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                     const FaceState& faces, const Array<const int>& history_face,
+                                                     int node, const NodeCandidates& candidates, int first, int last,
+                                                     NodeTouches& accepted) {
+  check_node<thickness>(surface, motion, faces, history_face, node, candidates, first, last, accepted);
 }
 
 /// The first of the candidates first to last - 1 whose box the node meets in the step, or `last`: for most nodes, in
@@ -114,7 +114,7 @@ void check_nodes(const Space& space, const ContactSurface& surface, const Surfac
         if (first == last)
           by_node(i).count = 0;
         else
-          by_node(i) = check_node_flat<thickness>(s, m, f, h, node, own, first, last);
+          check_node_flat<thickness>(s, m, f, h, node, own, first, last, by_node(i));
       });
 }
 

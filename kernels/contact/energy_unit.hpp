@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "kernels/core/views.hpp"
+#include "kernels/core/simd.hpp"
 
 namespace percuss {
 
@@ -30,11 +30,14 @@ struct EnergyUnit {
 
   KOKKOS_INLINE_FUNCTION bool is_known() const { return per_unit > 0; }
 
-  /// Whole units of an energy, or of a difference of energies, rounded towards zero. What is no number counts as most.
-  KOKKOS_INLINE_FUNCTION std::int64_t count(double energy) const {
-    const double units = energy * per_unit;
-    const double bounded = units < most ? units : most;
-    return static_cast<std::int64_t>(bounded > -most ? bounded : -most);
+  /// Whole units of an energy, or of a difference of energies, rounded towards zero; of a pack the sum of its lanes.
+  /// What is no number counts as most.
+  template <class T>
+  KOKKOS_FORCEINLINE_FUNCTION std::int64_t count(const T& energy) const {
+    const T units = energy * T(per_unit);
+    const T bounded = select(units < T(most), units, T(most));
+    // Whole numbers below 2^53: the sum of the lanes is exact, whatever their order.
+    return static_cast<std::int64_t>(sum_lanes(truncate(select(bounded > T(-most), bounded, T(-most)))));
   }
 };
 

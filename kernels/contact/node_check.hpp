@@ -11,7 +11,7 @@ namespace percuss {
 /// Order of the faces of a node: history, then time, then least penetration, then least distance beside the face,
 /// then the face of the last step, then the face's number.
 struct TouchKey {
-  int value[6] = {0, 0, 0, 0, 0, 0};
+  int value[6];
 };
 
 KOKKOS_INLINE_FUNCTION bool operator<(const TouchKey& a, const TouchKey& b) {
@@ -142,21 +142,24 @@ KOKKOS_INLINE_FUNCTION void sort_by_face(NodeTouches& touches) {
 }
 
 /// Checks the candidate faces of a node, candidates(first) to candidates(last - 1) that are not negative.
+/// accepted: out.
 template <Thickness thickness, class Faces>
-KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, const SurfaceMotion& motion,
-                                              const FaceState& faces, const Array<const int>& history_face, int node,
-                                              const Faces& candidates, int first, int last) {
+KOKKOS_INLINE_FUNCTION void check_node(const ContactSurface& surface, const SurfaceMotion& motion,
+                                       const FaceState& faces, const Array<const int>& history_face, int node,
+                                       const Faces& candidates, int first, int last, NodeTouches& accepted) {
   const CheckedNode checked = load_checked_node(surface, motion, node);
   const KnownFaces known = load_known_faces(faces, history_face, checked);
   TouchList found;
-  for (int c = first; c < last; ++c) {
-    const int face = candidates(c);
-    Touch touch;
-    if (face >= 0 && check_pair<thickness>(surface, motion, faces, known, checked, face, touch)) found.insert(touch);
+  for (int c = first; c < last;) {
+    PairPack pairs;
+    for (; c < last && pairs.faces.count < FacePack::lanes; ++c)
+      if (const int face = candidates(c); face >= 0 && is_in_box(checked, faces.box, face))
+        add_pair<thickness>(surface, motion, faces, known, checked, face, pairs);
+    check_pairs<thickness>(surface, motion, faces, known, checked, pairs, [&](const Touch& t) { found.insert(t); });
   }
   bool decided[TouchList::capacity];
   for (int i = 0; i < found.count; ++i) decided[i] = is_ruled_out<thickness>(surface, motion, faces, checked, found, i);
-  NodeTouches accepted;
+  accepted.count = 0;
   for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
     if (decided[i]) continue;
     Touch touch = found.touch[i];
@@ -166,7 +169,6 @@ KOKKOS_INLINE_FUNCTION NodeTouches check_node(const ContactSurface& surface, con
     decide_around(surface, motion, faces, found, i, decided);
   }
   sort_by_face(accepted);
-  return accepted;
 }
 
 }  // namespace percuss

@@ -5,6 +5,7 @@
 // place), goes through it within the step (swept, at any speed), or leaves it far behind (held). A node behind a face
 // that it did not go through is not in contact with it. Nothing here depends on what other pairs exist.
 
+#include "kernels/contact/face_pack.hpp"
 #include "kernels/contact/known_faces.hpp"
 #include "kernels/contact/offset_faces.hpp"
 #include "kernels/contact/swept_root.hpp"
@@ -27,25 +28,6 @@ KOKKOS_INLINE_FUNCTION double find_reach(const Touch& touch) {
 
 /// Bounds leave this much room for round-off.
 inline constexpr double bound_slack = 1.001;
-
-/// Signed distances of the node (the origin) from the corners of a face along its normal, positive in front.
-struct PlaneRange {
-  double least = 0, most = 0;  // over the corners and both ends of the step, and so at any time between
-  double most_start = 0;       // over the corners at the start
-};
-
-KOKKOS_INLINE_FUNCTION PlaneRange find_plane_range(const FacePoints& start, const FacePoints& end,
-                                                   const Point3& normal) {
-  PlaneRange range;
-  for (int i = 0; i < 4; ++i) {
-    const double before = -dot(normal, start.corner[i]), after = -dot(normal, end.corner[i]);
-    const double low = before < after ? before : after, high = before < after ? after : before;
-    range.least = i == 0 || low < range.least ? low : range.least;
-    range.most = i == 0 || high > range.most ? high : range.most;
-    range.most_start = i == 0 || before > range.most_start ? before : range.most_start;
-  }
-  return range;
-}
 
 /// When contact begins, from the gaps at both ends of the step.
 KOKKOS_INLINE_FUNCTION double find_contact_time(const Touch& touch) {
@@ -174,57 +156,100 @@ KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const Face
   return touch.gap_start >= -find_deepest_start(touch);
 }
 
-KOKKOS_INLINE_FUNCTION Touch start_touch(int face, double size, double offset) {
-  Touch touch;
-  touch.face = face;
-  touch.size = size;
-  touch.offset = static_cast<float>(offset);
-  return touch;
+/// Candidate faces of a node that are checked together; touch is meaningful for those that are found in contact.
+struct PairPack {
+  FacePack faces;
+  Touch touch[FacePack::lanes];
+};
+
+/// Adds the pair of the node and a face whose box it meets, unless thickness keeps them apart for certain.
+template <Thickness thickness>
+KOKKOS_INLINE_FUNCTION void add_pair(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
+                                     const KnownFaces& known, const CheckedNode& node, int face, PairPack& pairs) {
+  const double offset = thickness == Thickness::of_shells ? find_offset(surface.offsets, node.node, face) : 0;
+  Touch& touch = pairs.touch[pairs.faces.count];
+  start_touch(face, faces.size(face), offset, touch);
+  if (offset > 0) {
+    find_record(surface, faces, known, touch);
+    if (is_off_slab(faces.slab(face), load_row(faces.normal, face), motion, node, offset,
+                    contact_limits::row_gap * touch.size, find_reach(touch)))
+      return;
+  }
+  if constexpr (thickness == Thickness::of_shells)
+    add_face(faces, face, load_touched_face(surface, motion, faces, node.x, node.v, face, offset), pairs.faces);
+  else
+    add_face(surface, motion, faces, face, pairs.faces);
 }
 
-/// Checks one pair; touch is meaningful if the answer is true.
+/// How a pair may still be in contact.
+enum class PairOutlook { out, swept_only, any };
+
+/// What a node goes through it is in front of at the start. Faces that only meet at an edge, as those of bricks in line
+/// do, are hit only by going through them for certain.
+KOKKOS_INLINE_FUNCTION bool starts_in_front(const FacePack& faces, int lane, double size) {
+  return faces.range.most_start[lane] > contact_limits::overlap * size;
+}
+
+/// By the plane of the face and by what node and face look at. In: FacePack::range.
 template <Thickness thickness>
-KOKKOS_INLINE_FUNCTION bool check_pair(const ContactSurface& surface, const SurfaceMotion& motion,
-                                       const FaceState& faces, const KnownFaces& known, const CheckedNode& node,
-                                       int face, Touch& touch) {
-  if (!is_in_box(node, faces.box, face)) return false;
-  const double h = faces.size(face);
-  double offset = 0, reach = contact_limits::capture * h;
-  if constexpr (thickness == Thickness::of_shells) {
-    offset = find_offset(surface.offsets, node.node, face);
-    touch = start_touch(face, h, offset);
-    if (offset > 0) {
-      find_record(surface, faces, known, touch);
-      reach = find_reach(touch);
-      if (is_off_slab(faces.slab(face), load_row(faces.normal, face), motion, node, offset, contact_limits::row_gap * h,
-                      reach))
-        return false;
-    }
-  }
-  const RelativeFace relative = load_touched_face(surface, motion, faces, node.x, node.v, face, offset);
-  const FacePoints end = find_end(relative);
-  const PlaneRange range = find_plane_range(relative.start, end, load_row(faces.normal, face));
-  if (range.least > contact_limits::row_gap * h || range.most < -reach) return false;
-  if (offset == 0) {
-    touch = start_touch(face, h, 0);
-    find_record(surface, faces, known, touch);
-  }
+KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                const FaceState& faces, const KnownFaces& known,
+                                                const CheckedNode& node, int lane, PairPack& pairs) {
+  Touch& touch = pairs.touch[lane];
+  const auto& range = pairs.faces.range;
+  if (range.least[lane] > contact_limits::row_gap * touch.size || range.most[lane] < -find_reach(touch))
+    return PairOutlook::out;
+  if (!(touch.offset > 0)) find_record(surface, faces, known, touch);
   touch.opposed = thickness == Thickness::of_shells
-                      ? looks_against(surface, motion, faces, node.node, face)
-                      : has_opposed_face(surface, faces, node.node, face, contact_limits::opposing);
-  // Faces that only meet at an edge, as those of bricks in line do, are hit only by going through them for certain.
-  const bool starts_in_front = range.most_start > contact_limits::overlap * h;
+                      ? looks_against(surface, motion, faces, node.node, touch.face)
+                      : has_opposed_face(surface, faces, node.node, touch.face, contact_limits::opposing);
+  if (touch.opposed || touch.same_face) return PairOutlook::any;
+  return starts_in_front(pairs.faces, lane, touch.size) ? PairOutlook::swept_only : PairOutlook::out;
+}
+
+/// Whether a pair is in contact. closest: at the predicted place, none where it can only be swept.
+KOKKOS_INLINE_FUNCTION bool judge_pair(const ContactSurface& surface, const FaceState& faces, const FacePoint* closest,
+                                       int lane, PairPack& pairs) {
+  Touch& touch = pairs.touch[lane];
+  const RelativeFace relative = pairs.faces.get_relative(lane);
+  const FacePoints end = pairs.faces.end[lane];
   // What is farther from the face's plane than the band at both ends of the step, and so at any time, goes through
   // nothing.
-  const bool may_sweep = starts_in_front && range.least <= bound_slack * contact_limits::new_band * h;
-  if (!touch.opposed && !touch.same_face)
+  const bool may_sweep = starts_in_front(pairs.faces, lane, touch.size) &&
+                         pairs.faces.range.least[lane] <= bound_slack * contact_limits::new_band * touch.size;
+  if (closest == nullptr)
     return may_sweep && check_swept(surface, faces, relative, end, touch) &&
-           touch.gap_start > contact_limits::overlap * h;
-  const FacePoint closest = find_closest_point(end);
-  if (check_touching(surface, faces, relative.start, end, closest, touch)) return true;
+           touch.gap_start > contact_limits::overlap * touch.size;
+  if (check_touching(surface, faces, relative.start, end, *closest, touch)) return true;
   if (may_sweep && check_swept(surface, faces, relative, end, touch)) return true;
-  return !is_surely_not_held(relative.move, closest.distance, touch) &&
+  return !is_surely_not_held(relative.move, closest->distance, touch) &&
          check_held(surface, faces, relative.start, end, touch);
+}
+
+/// Checks the pairs of a pack and calls found(touch) for those in contact, in their order.
+template <Thickness thickness, class Found>
+KOKKOS_INLINE_FUNCTION void check_pairs(const ContactSurface& surface, const SurfaceMotion& motion,
+                                        const FaceState& faces, const KnownFaces& known, const CheckedNode& node,
+                                        PairPack& pairs, const Found& found) {
+  if constexpr (thickness == Thickness::none) see_from(node.x, node.v, motion.dt, pairs.faces);
+  measure_motion(pairs.faces);
+  const int count = pairs.faces.count;
+  PairOutlook outlook[FacePack::lanes];
+  int measured = 0;
+  for (int lane = 0; lane < count; ++lane) {
+    outlook[lane] = look_at_pair<thickness>(surface, motion, faces, known, node, lane, pairs);
+    measured += outlook[lane] == PairOutlook::any ? 1 : 0;
+  }
+  constexpr int worth_a_pack = 2;  // one face is measured faster by its four triangles at once
+  ClosestPack closest;
+  if (measured >= worth_a_pack) find_closest_points(pairs.faces.end, closest);
+  for (int lane = 0; lane < count; ++lane) {
+    if (outlook[lane] == PairOutlook::out) continue;
+    FacePoint point;
+    const bool is_measured = outlook[lane] == PairOutlook::any;
+    if (is_measured) point = measured >= worth_a_pack ? closest[lane] : find_closest_point(pairs.faces.end[lane]);
+    if (judge_pair(surface, faces, is_measured ? &point : nullptr, lane, pairs)) found(pairs.touch[lane]);
+  }
 }
 
 }  // namespace percuss

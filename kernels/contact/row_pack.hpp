@@ -6,15 +6,13 @@
 // contact_row.hpp, lane by lane.
 
 #include "kernels/contact/contact_row.hpp"
+#include "kernels/contact/packed_point.hpp"
 #include "kernels/core/transpose.hpp"
 
 namespace percuss {
 
-using Packed = Pack<double>;
-using PackedPoint = Vector3<Packed>;
-
 struct alignas(64) RowPack {
-  static constexpr int lanes = pack_size<double>;
+  static constexpr int lanes = packed_lanes;
   static constexpr int bearing = row_nodes - 1;  // slots that bear: those after the first
 
   double weight[row_nodes][lanes];
@@ -46,11 +44,6 @@ struct RowPacks {
   Array<int> moved = Array<int>("contact::moved_places", 0);     // [places + 1] whether dv is not zero
   Array<int> stirred = Array<int>("contact::stirred_nodes", 0);  // [places + 1] whether an active row touches it
 };
-
-template <class Values>
-KOKKOS_FORCEINLINE_FUNCTION PackedPoint load_point(const Values& values) {
-  return {load_pack(values[0]), load_pack(values[1]), load_pack(values[2])};
-}
 
 /// The rows of `rows` at the places of the lanes.
 KOKKOS_FORCEINLINE_FUNCTION PackedPoint load_places(const Rows4<const double>& rows,

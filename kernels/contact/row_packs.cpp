@@ -90,16 +90,16 @@ KOKKOS_INLINE_FUNCTION Point3 extrapolate(const Point3& dv, const Point3& before
 /// Adds up how the rows of a pack changed. Ties are judged by themselves.
 KOKKOS_FORCEINLINE_FUNCTION void add_change(const RowPack& pack, const PackedChange& change, const PassQuery& query,
                                             PassSums& sums) {
-  alignas(64) double size[RowPack::lanes], backwards[RowPack::lanes];
-  store_pack(size, change.size);
-  store_pack(backwards, Packed(query.dt * query.dt) * change.backwards);
-  for (int lane = 0; lane < RowPack::lanes; ++lane) {
-    double& most = pack.tied[lane] > 0 ? sums.tie_change : sums.change;
-    most = size[lane] > most ? size[lane] : most;
-    sums.backwards += query.unit.count(backwards[lane]);
-    const double term = backwards[lane] < 0 ? -backwards[lane] : backwards[lane];
-    sums.largest_term = term > sums.largest_term ? term : sums.largest_term;
-  }
+  const Packed backwards = Packed(query.dt * query.dt) * change.backwards, zero(0);
+  const auto find_most = [](double most, const Packed& values) {
+    const double largest = find_largest_lane(values);
+    return largest > most ? largest : most;
+  };
+  sums.change = find_most(sums.change, choose_tied(pack, zero, change.size));
+  if (pack.ties != 0) sums.tie_change = find_most(sums.tie_change, choose_tied(pack, change.size, zero));
+  sums.backwards += query.unit.count(backwards);
+  const Packed term = select(backwards < zero, -backwards, backwards);
+  sums.largest_term = find_most(sums.largest_term, select(term > zero, term, zero));  // none of what is no number
 }
 
 /// Corrects the rows of an active pack and adds up how they changed. Flattened: a call in here would spill all

@@ -66,7 +66,7 @@ PERCUSS_FORCE_INLINE Pack<float> select(const Pack<float>::mask_type& mask, cons
                                           static_cast<__m512>(no), static_cast<__m512>(yes)));
 }
 #endif
-// GCC 12 takes the undefined vector that its own 512-bit square root starts from for a mistake (GCC bug 105593).
+// GCC 12 takes the undefined vectors that its own functions of 512 bits start from for a mistake (GCC bug 105593).
 #ifndef __clang__
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wuninitialized"
@@ -75,6 +75,20 @@ PERCUSS_FORCE_INLINE Pack<float> select(const Pack<float>::mask_type& mask, cons
 template <class Scalar, class Abi>
 PERCUSS_FORCE_INLINE std::experimental::simd<Scalar, Abi> square_root(const std::experimental::simd<Scalar, Abi>& a) {
   return std::experimental::sqrt(a);
+}
+/// Towards zero.
+template <class Scalar, class Abi>
+PERCUSS_FORCE_INLINE std::experimental::simd<Scalar, Abi> truncate(const std::experimental::simd<Scalar, Abi>& a) {
+  return std::experimental::trunc(a);
+}
+/// Sum of the lanes, in some order, and the largest of them, none of which may be NaN.
+template <class Scalar, class Abi>
+PERCUSS_FORCE_INLINE Scalar sum_lanes(const std::experimental::simd<Scalar, Abi>& a) {
+  return std::experimental::reduce(a);
+}
+template <class Scalar, class Abi>
+PERCUSS_FORCE_INLINE Scalar find_largest_lane(const std::experimental::simd<Scalar, Abi>& a) {
+  return std::experimental::hmax(a);
 }
 #ifndef __clang__
 #pragma GCC diagnostic pop
@@ -142,6 +156,9 @@ PERCUSS_FORCE_INLINE double larger(double a, double b) { return a < b ? b : a; }
 PERCUSS_FORCE_INLINE float larger(float a, float b) { return a < b ? b : a; }
 PERCUSS_FORCE_INLINE double smaller(double a, double b) { return b < a ? b : a; }
 PERCUSS_FORCE_INLINE float smaller(float a, float b) { return b < a ? b : a; }
+PERCUSS_FORCE_INLINE double truncate(double a) { return trunc(a); }
+PERCUSS_FORCE_INLINE double sum_lanes(double a) { return a; }
+PERCUSS_FORCE_INLINE double find_largest_lane(double a) { return a; }
 PERCUSS_FORCE_INLINE bool any(bool mask) { return mask; }
 
 /// 1 / a of three numbers by one division; their product must neither overflow nor underflow.

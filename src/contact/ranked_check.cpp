@@ -13,7 +13,7 @@ struct RankedFinder::TouchRecord {
   std::int64_t node = -1;     // number
   std::int64_t face = -1;     // number
   std::int64_t corners[4]{};  // numbers
-  Touch touch;
+  Touch touch{};
   double friction = 0;
   int pair = 0;
   int order = 0;  // among the touches of its node

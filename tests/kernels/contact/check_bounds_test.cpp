@@ -52,7 +52,7 @@ TEST(CheckBounds, ANodeThatGoesThroughAFaceMayMeetIt) {
 
 TEST(CheckBounds, ANodeThatIsSurelyNotHeldIsNearTheFaceAtTheEnd) {
   Touch touch;
-  touch.size = 1;
+  start_touch(0, 1, 0, touch);
   std::mt19937 random(2);
   int sure = 0, far = 0;
   for (int draw = 0; draw < num_draws; ++draw) {
@@ -75,7 +75,7 @@ TEST(CheckBounds, ANodeThatIsSurelyShallowIsNoDeeperThanAHistoryMayBe) {
   for (int draw = 0; draw < num_draws; ++draw) {
     const DrawnPair pair(random);
     Touch touch;
-    touch.size = 1;
+    start_touch(0, 1, 0, touch);
     touch.record = 0;
     for (int i = 0; i < 4; ++i) touch.weight[i] = pair.closest_end.weight[i];
     const bool is_sure = is_surely_shallow(pair.start, touch);

@@ -52,6 +52,21 @@ TEST(EnergyUnit, WhatIsTooLargeOrNoNumberCountsAsMostAndNothingCountsWithoutMagn
   }
 }
 
+TEST(EnergyUnit, OfAPackIsTheSumOfItsLanes) {
+  const EnergyUnit unit = EnergyUnit::of_largest(1);
+  const double terms[] = {0.3, -1e-7, 1e30, -1e30, std::numeric_limits<double>::quiet_NaN(), -0.0, 1e-300, 7.0 / 9};
+  constexpr int lanes = RowPack::lanes;
+  for (int shift = 0; shift < 8; ++shift) {
+    alignas(64) double values[lanes];
+    std::int64_t total = 0;
+    for (int lane = 0; lane < lanes; ++lane) {
+      values[lane] = terms[(lane + shift) % 8];
+      total += unit.count(values[lane]);
+    }
+    EXPECT_EQ(unit.count(load_pack(values)), total) << shift;
+  }
+}
+
 TEST(EnergyUnit, OfThePassBeforeSeesTermsOfAnyMagnitudeAndTheirGrowth) {
   for (const double largest : {1e-290, 1e-60, 1e-12, 1.0, 1e40}) {
     const EnergyUnit unit = EnergyUnit::after(largest);

@@ -1,4 +1,4 @@
-#include "kernels/contact/face_geometry.hpp"
+#include "kernels/contact/face_pack.hpp"
 
 #include <gtest/gtest.h>
 
@@ -95,6 +95,68 @@ TEST(FaceGeometry, FourTrianglesAtOnceAreFourOneByOneToTheBit) {
       EXPECT_EQ(closest.bary[0][k], one.x);
       EXPECT_EQ(closest.bary[1][k], one.y);
       EXPECT_EQ(closest.bary[2][k], one.z);
+    }
+  }
+}
+
+/// Faces warped, cut to triangles, drawn to a line or a point, seen from places where regions meet and from others.
+FacePoints draw_face(std::mt19937& random, int i) {
+  std::uniform_real_distribution<double> uniform(-2, 3), warp(-0.3, 0.3);
+  FacePoints face = unit_square;
+  for (Point3& corner : face.corner) corner = corner + Point3{warp(random), warp(random), warp(random)};
+  if (i % 5 == 1) face.corner[(i / 5) % 4] = face.corner[(i / 5 + 1) % 4];
+  if (i % 25 == 2) face = {{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {0, 0, 0}}};
+  if (i % 25 == 3) face.corner[1] = face.corner[2] = face.corner[3] = face.corner[0];
+  Point3 point{uniform(random), uniform(random), uniform(random)};
+  if (i % 4 == 1) point = face.corner[0];
+  if (i % 4 == 2) point = 0.5 * (face.corner[1] + face.corner[2]);
+  if (i % 4 == 3) point = find_middle(face);
+  return shift(face, point);
+}
+
+TEST(FacePack, LanesHaveTheBitsOfOneFace) {
+  constexpr int lanes = FacePack::lanes;
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const Rows3<double> normals("normals", lanes);
+  const FaceState state{normals, {}, {}};
+  for (int i = 0; i < 4000;) {
+    FacePack pack;
+    RelativeFace face[lanes];
+    const int count = 1 + i % lanes;
+    for (int lane = 0; lane < count; ++lane, ++i) {
+      face[lane].start = draw_face(random, i);
+      for (Point3& move : face[lane].move.corner) move = {uniform(random), uniform(random), uniform(random)};
+      store_row(normals, lane, find_face_normal(find_end(face[lane])));
+      add_face(state, lane, face[lane], pack);
+    }
+    measure_motion(pack);
+    ClosestPack at_start, at_end;
+    find_closest_points(pack.start, at_start);
+    find_closest_points(pack.end, at_end);
+    for (int lane = 0; lane < count; ++lane) {
+      const FacePoints start = face[lane].start, end = find_end(face[lane]);
+      const auto expect_same = [&](const FacePoint& expected, const FacePoint& got) {
+        for (int k = 0; k < 4; ++k) EXPECT_EQ(expected.weight[k], got.weight[k]);
+        EXPECT_EQ(expected.triangle, got.triangle);
+        EXPECT_EQ(expected.distance, got.distance);
+        EXPECT_EQ(expected.off, got.off);
+        EXPECT_TRUE(is_same_point(expected.normal, got.normal));
+      };
+      expect_same(find_closest_point(start), at_start[lane]);
+      expect_same(find_closest_point(end), at_end[lane]);
+      double least = 1e300, most = -1e300, most_start = -1e300;
+      for (int k = 0; k < 4; ++k) {
+        const double before = -dot(load_row(normals, lane), start.corner[k]);
+        const double after = -dot(load_row(normals, lane), end.corner[k]);
+        least = std::min({least, before, after});
+        most = std::max({most, before, after});
+        most_start = std::max(most_start, before);
+        EXPECT_TRUE(is_same_point(pack.end[lane].corner[k], end.corner[k]));
+      }
+      EXPECT_EQ(pack.range.least[lane], least);
+      EXPECT_EQ(pack.range.most[lane], most);
+      EXPECT_EQ(pack.range.most_start[lane], most_start);
     }
   }
 }

@@ -200,8 +200,7 @@ TEST(NodeCheck, TheListOfTouchesKeepsTheBestInOrderOfTheirKeys) {
   TouchList list;
   for (int i = 0; i < 40; ++i) {
     Touch t;
-    t.face = (i * 17) % 40;
-    t.size = 1;
+    start_touch((i * 17) % 40, 1, 0, t);
     list.insert(t);
   }
   ASSERT_EQ(list.count, TouchList::capacity);

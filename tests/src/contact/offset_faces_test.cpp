@@ -79,7 +79,7 @@ TEST(OffsetFaces, WhatIsOffTheSlabIsOffTheMovedFace) {
       const RelativeFace moved =
           load_touched_face(patch.check.surface, motion, patch.check.faces, node.x, node.v, face, half);
       const Point3 normal = load_row(patch.check.faces.normal, face);
-      const PlaneRange range = find_plane_range(moved.start, find_end(moved), normal);
+      const PlaneRange<double> range = find_plane_range(moved.start.corner, find_end(moved).corner, normal);
       const bool is_out = range.least > beyond || range.most < -deepest;
       const bool is_off = is_off_slab(patch.check.faces.slab(face), normal, motion, node, half, beyond, deepest);
       EXPECT_TRUE(is_out || !is_off) << "draw " << draw << " face " << face;
