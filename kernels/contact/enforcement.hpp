@@ -10,6 +10,7 @@
 
 #include "kernels/contact/energy_unit.hpp"
 #include "kernels/contact/row_system.hpp"
+#include "kernels/contact/wall_sums.hpp"
 
 namespace percuss {
 
@@ -96,6 +97,7 @@ struct RowSumMemory {
   Array<PassSums> pass = Array<PassSums>("contact::pass_sums", 0);
   Array<EnforcementSums> outcome = Array<EnforcementSums>("contact::outcome_sums", 0);
   Array<PairWork> pair = Array<PairWork>("contact::pair_sums", 0);
+  Array<WallSums> wall = Array<WallSums>("contact::wall_sums", 0);
 };
 
 template <class Space>
@@ -116,6 +118,11 @@ EnforcementSums sum_outcome(const Space& space, double dt, const RowSystem& syst
 /// Work of this rank's rows of one pair.
 template <class Space>
 PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, RowSumMemory& memory);
+
+/// Sums up the rows from first_row on that are walls'. x: [mesh nodes] at n; center: what moments are taken about.
+template <class Space>
+WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const double>& x, const Point3& center,
+                           const RowSystem& system, RowSumMemory& memory);
 
 /// Writes the history for the next step: rows that push, or that hold an overlap accepted at the start. All else is
 /// forgotten.

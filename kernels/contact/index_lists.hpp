@@ -22,6 +22,16 @@ std::remove_const_t<T> read_value(const Space& space, const Array<T>& view, int 
 template <class Space, class Predicate>
 int list_where(const Space& space, int n, const Predicate& wanted, const Array<int>& list) {
   int total = 0;
+  if (space.concurrency() == 1) {  // a scan would ask everything twice
+    Kokkos::parallel_reduce(
+        "contact::list_where", RangeOf<Space>(space, 0, 1),
+        KOKKOS_LAMBDA(int, int& place) {
+          for (int i = 0; i < n; ++i)
+            if (wanted(i)) list(place++) = i;
+        },
+        total);
+    return total;
+  }
   Kokkos::parallel_scan(
       "contact::list_where", RangeOf<Space>(space, 0, n),
       KOKKOS_LAMBDA(int i, int& place, bool final_pass) {
@@ -69,11 +79,16 @@ KOKKOS_INLINE_FUNCTION void sort_run(const Array<int>& values, int first, int la
 template <class Space>
 void group_by_key(const Space& space, int n, const Array<int>& key, const Array<int>& value, int num_keys,
                   const Array<int>& count, const Array<int>& offset, const Array<int>& grouped) {
+  const bool is_alone = space.concurrency() == 1;  // and needs no atomics
   Kokkos::parallel_for(
       "contact::group_clear", RangeOf<Space>(space, 0, num_keys), KOKKOS_LAMBDA(int k) { count(k) = 0; });
   Kokkos::parallel_for(
-      "contact::group_count", RangeOf<Space>(space, 0, n),
-      KOKKOS_LAMBDA(int i) { Kokkos::atomic_add(&count(key(i)), 1); });
+      "contact::group_count", RangeOf<Space>(space, 0, n), KOKKOS_LAMBDA(int i) {
+        if (is_alone)
+          ++count(key(i));
+        else
+          Kokkos::atomic_add(&count(key(i)), 1);
+      });
   Kokkos::parallel_scan(
       "contact::group_offset", RangeOf<Space>(space, 0, num_keys + 1),
       KOKKOS_LAMBDA(int k, int& place, bool final_pass) {
@@ -82,7 +97,7 @@ void group_by_key(const Space& space, int n, const Array<int>& key, const Array<
       });
   Kokkos::parallel_for(
       "contact::group_fill", RangeOf<Space>(space, 0, n), KOKKOS_LAMBDA(int i) {
-        const int left = Kokkos::atomic_fetch_add(&count(key(i)), -1);
+        const int left = is_alone ? count(key(i))-- : Kokkos::atomic_fetch_add(&count(key(i)), -1);
         grouped(offset(key(i) + 1) - left) = value(i);
       });
   Kokkos::parallel_for(

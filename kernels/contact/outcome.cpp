@@ -168,6 +168,27 @@ PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, Ro
 }
 
 template <class Space>
+WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const double>& x, const Point3& center,
+                           const RowSystem& system, RowSumMemory& memory) {
+  const Array<const ContactRow> rows = system.rows;
+  const Array<const int> nodes = system.nodes;
+  const Rows3<const double> places = x;
+  return sum_rows<WallSums>(space, system.num_rows - first_row, memory.wall,
+                            [rows, nodes, places, center, first_row] KOKKOS_FUNCTION(int i, WallSums& s) {
+                              const ContactRow& row = rows(first_row + i);
+                              if (row.kind != RowKind::wall) return;
+                              const Point3 j = row.force;
+                              const Point3 moment = cross(load_row(places, nodes(row.place[0])) - center, j);
+                              s.impulse[0].add(j.x);
+                              s.impulse[1].add(j.y);
+                              s.impulse[2].add(j.z);
+                              s.moment[0].add(moment.x);
+                              s.moment[1].add(moment.y);
+                              s.moment[2].add(moment.z);
+                            });
+}
+
+template <class Space>
 void write_history(const Space& space, double dt, const RowSystem& system, ContactHistory& history) {
   reserve_edge_history(history.edges, system.num_edge_rows);
   Kokkos::deep_copy(space, history.face, std::int64_t{-1});
@@ -194,11 +215,13 @@ void clear_impulses(const Space& space, const Array<const int>& nodes, int num_n
       KOKKOS_LAMBDA(int a) { store_row(out, nodes(a), Point3{}); });
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                          \
-  template void apply_impulses(const Space&, const RowSystem&, const Rows3<double>&, const Rows3<double>&); \
-  template EnforcementSums sum_outcome(const Space&, double, const RowSystem&, RowSumMemory&);              \
-  template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                      \
-  template void write_history(const Space&, double, const RowSystem&, ContactHistory&);                     \
+#define PERCUSS_INSTANTIATE(Space)                                                                                    \
+  template void apply_impulses(const Space&, const RowSystem&, const Rows3<double>&, const Rows3<double>&);           \
+  template EnforcementSums sum_outcome(const Space&, double, const RowSystem&, RowSumMemory&);                        \
+  template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                                \
+  template WallSums sum_wall_impulses(const Space&, int, const Rows3<const double>&, const Point3&, const RowSystem&, \
+                                      RowSumMemory&);                                                                 \
+  template void write_history(const Space&, double, const RowSystem&, ContactHistory&);                               \
   template void clear_impulses(const Space&, const Array<const int>&, int, const Rows3<double>&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

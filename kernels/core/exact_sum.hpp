@@ -23,6 +23,7 @@ struct ExactSum {
   std::int64_t not_finite = 0;         // how many infinities and NaNs were added
 
   KOKKOS_INLINE_FUNCTION void add(double value) {
+    if (value == 0) return;
     union {
       double number;
       std::uint64_t bits;

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "comm/phase.hpp"
-#include "kernels/core/views.hpp"
+#include "kernels/contact/point3.hpp"
+#include "kernels/contact/wall_sums.hpp"
 #include "src/contact/contact_finder.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
@@ -26,6 +27,7 @@ struct ContactMotion {
   Rows3<const double> inverse_mass;  // 1/m in each direction; 0 where a condition holds the node
   Rows3<double> impulse;             // out: contact impulse of this step [force x time], zero where there is none
   double dt = 0;                     // from n to n+1
+  Point3 center{};                   // about which moments of walls' impulses are taken
 };
 
 /// What one step's contact did, on all ranks, and the same on each. Work is positive where contact adds energy to the
@@ -47,6 +49,7 @@ struct ContactReport {
   std::int64_t deepest_node = -1;  // number of the node that has it
   double torn = 0;                 // farthest that conditions hold a tied node from its place / face edge
   std::int64_t torn_node = -1;     // number of that node
+  WallSums walls;                  // what walls gave the nodes of this rank, and of no other
 };
 
 /// Names of what work is booked by: "surfaces" where all may touch all or "a:b" for each pair of the deck, "tie:a:b"

@@ -148,6 +148,8 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
       report.stored = done.stored.round();
       report.rate = done.rate;
       book_pairs(space);
+      if (system_.num_rows > num_touches)
+        report.walls = sum_wall_impulses(space, num_touches, motion.x, motion.center, system_, sums_);
       report.residual = done.residual;
       report.deepest = done.deepest;
       report.deepest_node = done.deepest_key < 0 ? -1 : find_key_node(done.deepest_key);

@@ -18,15 +18,20 @@ KOKKOS_INLINE_FUNCTION void add_impulse(const double (&r)[3], const double (&j)[
   add(first + 5, r[0] * j[1] - r[1] * j[0]);
 }
 
-/// Merges three sums of impulse and three of its moment, impulse first, into the books.
-template <std::size_t K>
-void add_to_books(const std::array<ExactSum, K>& sums, std::size_t first, Books& books) {
+/// Merges three sums of impulse and three of its moment into the books.
+void add_to_books(const ExactSum* impulse, const ExactSum* moment, Books& books) {
   for (std::size_t k = 0; k < 3; ++k) {
-    books.impulse[k].merge(sums[first + k]);
+    books.impulse[k].merge(impulse[k]);
     books.impulse[k].normalize();
-    books.moment_impulse[k].merge(sums[first + 3 + k]);
+    books.moment_impulse[k].merge(moment[k]);
     books.moment_impulse[k].normalize();
   }
+}
+
+/// The same of sums that stand one after the other from `first` on, impulse first.
+template <std::size_t K>
+void add_to_books(const std::array<ExactSum, K>& sums, std::size_t first, Books& books) {
+  add_to_books(&sums[first], &sums[first + 3], books);
 }
 
 void add_work(const ExactSum& work, Books& books) {
@@ -107,20 +112,6 @@ void book_rest_of_work(const Model& model, ExactSums<1>& held_force_sum, const H
         add(0, -0.5 * dt * velocity(n, k) * sum);
       });
   add_work(work[0], books);
-}
-
-/// The impulses of contact between bodies cancel; what is left is the walls'. Returns this rank's share of it.
-std::array<ExactSum, 3> book_walls(const Model& model, OwnedNodeSums<6>& wall_sums, State& state) {
-  const auto x = state.x, impulse = state.impulse;
-  const Center center(model.mass_center);
-  const auto sums = wall_sums(
-      ExecSpace(), model.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 6>& sum) {
-        const double j[3] = {impulse(n, 0), impulse(n, 1), impulse(n, 2)};
-        const double r[3] = {x(n, 0) - center.at[0], x(n, 1) - center.at[1], x(n, 2) - center.at[2]};
-        add_impulse(r, j, 0, [&](int k, double value) { sum[k] += value; });
-      });
-  add_to_books(sums, 0, state.books);
-  return {sums[0], sums[1], sums[2]};
 }
 
 /// Impulses and the first half of the work of the pressure forces at n, which stand in the slots.
@@ -243,12 +234,13 @@ void Bookkeeper::archive(CheckpointArchive& archive) {
   archive.sums("books/wall_impulse", wall_impulse_);
 }
 
-void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, bool has_contact) {
+void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, const WallSums& walls) {
   book_conditions(model_, held_sums_, state, dt, dt_mean);
   book_spin_conditions(model_, held_sums_, state, dt, dt_mean);
   wall_dt_ = 0;
-  if (has_contact && !deck_.walls.empty()) {
-    wall_impulse_ = book_walls(model_, wall_sums_, state);
+  if (!deck_.walls.empty()) {
+    add_to_books(walls.impulse, walls.moment, state.books);
+    wall_impulse_ = std::to_array(walls.impulse);
     wall_dt_ = dt;
   }
   book_pressure(model_, pressure_sums_, state, dt, dt_mean);

@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include "kernels/contact/wall_sums.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint_archive.hpp"
 #include "src/step/owned_sums.hpp"
@@ -25,8 +26,8 @@ class Bookkeeper {
   void archive(CheckpointArchive& archive);
 
   /// Books the impulses of a step and the first half of the work of pressure and conditions. Call with v at n+1/2, x
-  /// and forces at n. Collective.
-  void book_impulses(State& state, double dt, double dt_mean, bool has_contact);
+  /// and forces at n. walls: this rank's share, moments about Model::mass_center. Collective.
+  void book_impulses(State& state, double dt, double dt_mean, const WallSums& walls);
 
   /// Books the second half of that work. Call with v at n+1/2 and the slots' forces at n+1.
   void book_new_forces(State& state, double dt);
@@ -45,7 +46,6 @@ class Bookkeeper {
   const Model& model_;
   ExactSums<7> held_sums_{"percuss::held_sums"};  // work, impulse, moment of impulse
   ExactSums<1> held_force_sum_{"percuss::held_force_sum"};
-  OwnedNodeSums<6> wall_sums_{"percuss::wall_sums"};      // impulse, moment of impulse
   ExactSums<7> pressure_sums_{"percuss::pressure_sums"};  // work, impulse, moment of impulse
   ExactSums<7> nodal_sums_{"percuss::nodal_sums"};        // likewise, of loads on nodes
   ExactSums<1> power_sum_{"percuss::power_sum"};

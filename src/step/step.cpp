@@ -126,7 +126,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
   if (model_.has_shells) integrate_spins(state, dt, dt_mean);
   {
     const Phase phase("percuss::book", clocks_.reduce);
-    bookkeeper_.book_impulses(state, dt, dt_mean, report_.interactions > 0);
+    bookkeeper_.book_impulses(state, dt, dt_mean, report_.walls);
   }
   if (!is_free()) {
     const Phase phase("percuss::integrate", clocks_.integrate);
@@ -203,7 +203,9 @@ void Stepper::evaluate_motions(const State& state, double dt) {
 
 void Stepper::resolve_contact(State& state, double dt) {
   if (!contact_.is_active()) return;
-  const ContactMotion motion{state.x, state.v_before, state.v, state.inverse_mass, state.impulse, dt};
+  const Vec3& center = model_.mass_center;
+  const ContactMotion motion{
+      state.x, state.v_before, state.v, state.inverse_mass, state.impulse, dt, {center[0], center[1], center[2]}};
   report_ = contact_.apply(motion);
   state.books.contact_work += report_.normal_work;
   state.books.friction_work += report_.friction_work;
