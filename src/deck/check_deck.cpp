@@ -181,6 +181,23 @@ void check_points(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
+/// Settings of contact that nothing reads as the others stand: accepted, for a switch may come and go by --set.
+void check_idle_contact(const Deck& deck, const Node& root, Reading& reading) {
+  using Enforcement = ContactDeck::Enforcement;
+  const Node* contact = root.find("contact");
+  if (contact == nullptr || contact->kind != Node::Kind::map) return;
+  const auto warn = [&](const char* key, bool is_idle, const char* why) {
+    const Node* node = contact->find(key);
+    if (node != nullptr && is_idle)
+      reading.errors.warn(node->key, fmt::format("contact.{} does nothing ({})", key, why));
+  };
+  const ContactDeck& read = deck.contact;
+  warn("penalty_scale", read.enforcement != Enforcement::penalty, "it is of contact.enforcement: penalty");
+  warn("tolerance", read.enforcement != Enforcement::kinematic, "it is of contact.enforcement: kinematic");
+  for (const char* key : {"friction", "edges", "search", "reuse_search", "rebalance"})
+    warn(key, read.surfaces == ContactDeck::Surfaces::none, "contact.surfaces is none");
+}
+
 void check_frames(const Deck& deck, const Node& root, Reading& reading) {
   constexpr double most_frames = 1e6;
   if (!deck.output.fields_every || deck.time.end / *deck.output.fields_every <= most_frames) return;
@@ -207,6 +224,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_curves(deck, reading);
   check_estimate(deck, root, reading);
   check_fluids(deck, root, reading);
+  check_idle_contact(deck, root, reading);
   check_frames(deck, root, reading);
   check_points(deck, root, reading);
 }

@@ -207,6 +207,20 @@ TEST(ReadDeck, WarnsOfAMaterialThatNoPartUses) {
               testing::ElementsAre("--set materials.spare: warning: material 'spare' is used by no part"));
 }
 
+TEST(ReadDeck, WarnsOfSettingsOfContactThatDoNothing) {
+  const auto read = [](const char* contact) { return parse(block(contact)).warnings; };
+  EXPECT_THAT(read("contact: {surfaces: all, friction: 0.2, tolerance: 1e-4}\n"), testing::IsEmpty());
+  EXPECT_THAT(read("contact: {surfaces: all, enforcement: penalty, penalty_scale: 0.2}\n"), testing::IsEmpty());
+  EXPECT_THAT(
+      read("contact: {surfaces: none, friction: 0.2, penalty_scale: 0.2}\n"),
+      testing::ElementsAre(
+          testing::HasSubstr("warning: contact.friction does nothing (contact.surfaces is none)"),
+          testing::HasSubstr("warning: contact.penalty_scale does nothing (it is of contact.enforcement: penalty)")));
+  EXPECT_THAT(read("contact: {enforcement: lagrange, tolerance: 1e-4}\n"),
+              testing::ElementsAre(testing::HasSubstr(
+                  "warning: contact.tolerance does nothing (it is of contact.enforcement: kinematic)")));
+}
+
 TEST(ReadDeck, AcceptsAByteOrderMarkWindowsLineEndsAndADocumentStart) {
   std::string text = "\xEF\xBB\xBF---\n" + block("title: Stoß\n...\n");
   for (auto i = text.find('\n'); i != std::string::npos; i = text.find('\n', i + 2)) text.replace(i, 1, "\r\n");
