@@ -6,6 +6,8 @@
 //   phi(tau) = -a . (b - a) x (c - a)
 // is zero; phi > 0 in front. Going through from front to back is a root where phi falls.
 
+#include <cstdint>
+
 #include "kernels/contact/face_geometry.hpp"
 
 namespace percuss {
@@ -18,8 +20,24 @@ KOKKOS_INLINE_FUNCTION double evaluate(const Cubic& f, double tau) {
   return ((f.c[3] * tau + f.c[2]) * tau + f.c[1]) * tau + f.c[0];
 }
 
-/// The root between lo and hi, where f changes sign once, to the last bit that bisection can tell.
+/// Takes lo and hi, between which f falls through zero, close to where Newton's steps from the secant's zero lead, if
+/// the root is there: motions of a step are small, and a cubic nearly a line.
+KOKKOS_INLINE_FUNCTION void narrow(const Cubic& f, double& lo, double& hi) {
+  constexpr int newton_steps = 3;
+  constexpr double reach = 1.0 / (std::int64_t{1} << 50);  // some times the round-off of a root near 1
+  const double at_lo = evaluate(f, lo), at_hi = evaluate(f, hi);
+  double root = lo + (hi - lo) * (at_lo / (at_lo - at_hi));
+  for (int i = 0; i < newton_steps; ++i)
+    root -= evaluate(f, root) / ((3 * f.c[3] * root + 2 * f.c[2]) * root + f.c[1]);
+  const double low = root - reach, high = root + reach;
+  if (!(low > lo && high < hi && evaluate(f, low) >= 0 && evaluate(f, high) < 0)) return;
+  lo = low;
+  hi = high;
+}
+
+/// The root between lo and hi, where f falls through zero once, to the last bit that bisection can tell.
 KOKKOS_INLINE_FUNCTION double bisect(const Cubic& f, double lo, double hi) {
+  narrow(f, lo, hi);
   constexpr int max_halvings = 60;  // an interval inside [0, 1] is then below the spacing of doubles near 1
   for (int i = 0; i < max_halvings; ++i) {
     const double middle = 0.5 * (lo + hi);

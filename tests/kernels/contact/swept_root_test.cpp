@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace percuss {
 namespace {
@@ -20,6 +22,30 @@ TEST(SweptRoot, FallingRootsOfAProductOfLinearFactorsAreItsFallingZeros) {
   ASSERT_EQ(find_falling_roots(f, root), 2);
   EXPECT_NEAR(root[0], 0.25, root_tolerance);
   EXPECT_NEAR(root[1], 0.75, root_tolerance);
+}
+
+TEST(SweptRoot, IsTheFirstNumberBehindTheZeroWhateverTheCubic) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int found = 0;
+  for (int i = 0; i < 20000; ++i) {
+    // From lines to strongly bent; every fourth falls late, next to where it turns, or very fast.
+    const double bend = std::pow(10, -8 * (1 + uniform(random)));
+    Cubic f{{uniform(random), uniform(random), bend * uniform(random), bend * uniform(random)}};
+    if (i % 4 == 1) f = {{1e-3 * uniform(random), 0, -1, uniform(random)}};
+    if (i % 4 == 2) f.c[1] *= 1e6;
+    double root[2] = {0, 0};
+    const int count = find_falling_roots(f, root);
+    for (int k = 0; k < count; ++k) {
+      EXPECT_GT(root[k], 0);
+      EXPECT_LE(root[k], 1);
+      EXPECT_LT(evaluate(f, root[k]), 0) << i;
+      const double before = std::min(std::nextafter(root[k], 0.0), root[k] - std::ldexp(1, -60));
+      EXPECT_GE(evaluate(f, before), 0) << i;
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 5000);
 }
 
 TEST(SweptRoot, ARisingZeroIsNoHit) {
