@@ -27,8 +27,7 @@ KOKKOS_INLINE_FUNCTION void narrow(const Cubic& f, double& lo, double& hi) {
   constexpr double reach = 1.0 / (std::int64_t{1} << 50);  // some times the round-off of a root near 1
   const double at_lo = evaluate(f, lo), at_hi = evaluate(f, hi);
   double root = lo + (hi - lo) * (at_lo / (at_lo - at_hi));
-  for (int i = 0; i < newton_steps; ++i)
-    root -= evaluate(f, root) / ((3 * f.c[3] * root + 2 * f.c[2]) * root + f.c[1]);
+  for (int i = 0; i < newton_steps; ++i) root -= evaluate(f, root) / ((3 * f.c[3] * root + 2 * f.c[2]) * root + f.c[1]);
   const double low = root - reach, high = root + reach;
   if (!(low > lo && high < hi && evaluate(f, low) >= 0 && evaluate(f, high) < 0)) return;
   lo = low;
