@@ -22,6 +22,7 @@ SCENES = {
     "can_crush_shells": ("inputs/can_crush_shells/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 400}),
     "square_tube_crush": ("inputs/square_tube_crush/deck.yaml", {"time.max_steps": 1000}, {"time.max_steps": 300}),
     "container_drop": ("inputs/container_drop/deck.yaml", {"time.max_steps": 200}, {"time.max_steps": 60}),
+    "rock_blast": ("inputs/rock_blast/deck.yaml", {"time.max_steps": 150}, {"time.max_steps": 40}),
     "rod_through_plates": ("inputs/rod_through_plates/deck.yaml", {"time.max_steps": 1500}, {"time.max_steps": 500}),
 }
 CONTACT = ["contact_rcb", "contact_search", "contact_check", "contact_enforce"]

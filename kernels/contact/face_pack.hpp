@@ -50,7 +50,6 @@ struct alignas(64) CornerPack {
 struct alignas(64) FacePack {
   static constexpr int lanes = packed_lanes;
   int count = 0;
-  int face[lanes] = {};
   CornerPack start{}, move{};  // at n, and by how much over the step
   double normal[3][lanes] = {};
   CornerPack end;  // at the predicted place
@@ -62,7 +61,6 @@ struct alignas(64) FacePack {
 /// Adds a face that lies as `relative`.
 KOKKOS_INLINE_FUNCTION void add_face(const FaceState& faces, int face, const RelativeFace& relative, FacePack& pack) {
   const int lane = pack.count++;
-  pack.face[lane] = face;
   for (int i = 0; i < 4; ++i) {
     pack.start.set(lane, i, relative.start.corner[i]);
     pack.move.set(lane, i, relative.move.corner[i]);
@@ -74,7 +72,6 @@ KOKKOS_INLINE_FUNCTION void add_face(const FaceState& faces, int face, const Rel
 KOKKOS_INLINE_FUNCTION void add_face(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
                                      int face, FacePack& pack) {
   const int lane = pack.count++;
-  pack.face[lane] = face;
   for (int i = 0; i < 4; ++i) {
     const int a = surface.nodes(surface.face_corners(face, i));
     pack.start.set(lane, i, load_row(motion.x, a));

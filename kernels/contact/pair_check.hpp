@@ -231,9 +231,10 @@ template <Thickness thickness, class Found>
 KOKKOS_INLINE_FUNCTION void check_pairs(const ContactSurface& surface, const SurfaceMotion& motion,
                                         const FaceState& faces, const KnownFaces& known, const CheckedNode& node,
                                         PairPack& pairs, const Found& found) {
+  const int count = pairs.faces.count;
+  if (count == 0) return;
   if constexpr (thickness == Thickness::none) see_from(node.x, node.v, motion.dt, pairs.faces);
   measure_motion(pairs.faces);
-  const int count = pairs.faces.count;
   PairOutlook outlook[FacePack::lanes];
   int measured = 0;
   for (int lane = 0; lane < count; ++lane) {
