@@ -54,6 +54,7 @@ struct ContactRow {
   double size = 0;               // h of the face or the edges
   double gap_start = 0;          // gap at n
   double reference = 0;          // overlap accepted at the start, >= 0
+  double play = 0;               // RowInputs::play
   double slide[2] = {0, 0};      // predicted tangential displacement in the step plus what sticking still owes
   double stiffness = 0;          // D of the normal: row sum of |G M^-1 G^T| [1/mass]
   double rub_stiffness = 0;      // D of both tangents
@@ -62,6 +63,12 @@ struct ContactRow {
 };
 
 KOKKOS_INLINE_FUNCTION bool is_tie(const ContactRow& row) { return row.kind == RowKind::tie; }
+
+/// The gap below which the two sides push each other, <= 0.
+KOKKOS_INLINE_FUNCTION double find_floor(const ContactRow& row) {
+  return row.reference > row.play ? -row.reference : -row.play;
+}
+
 KOKKOS_INLINE_FUNCTION int count_nodes(const ContactRow& row) { return row.count; }
 KOKKOS_INLINE_FUNCTION int count_directions(const ContactRow& row) { return row.friction > 0 ? 3 : 1; }
 KOKKOS_INLINE_FUNCTION const Point3& get_direction(const ContactRow& row, int d) {

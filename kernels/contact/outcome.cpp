@@ -36,7 +36,7 @@ KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& 
 /// conserve. gap: at n+1.
 KOKKOS_INLINE_FUNCTION double find_stored(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
                                           double gap, double dt) {
-  const double before = -row.gap_start - row.reference, after = -gap - row.reference;
+  const double floor = find_floor(row), before = floor - row.gap_start, after = floor - gap;
   double energy = before > 0 && after > 0 ? 0.5 * row.spring * before * after : 0;
   if (!(row.friction > 0)) return energy;
   const Point3 predicted = dt * find_slip_velocity(row, TouchedVelocity{at.v, row});

@@ -35,7 +35,7 @@ KOKKOS_INLINE_FUNCTION Point3 shorten(const Point3& a, double longest) {
 /// The gap wanted at n+1. None that exists may be lost below zero; penetration is recovered slowly; an overlap accepted
 /// at the start stays as it is, and what opened of it stays open.
 KOKKOS_INLINE_FUNCTION void set_target(ContactRow& row) {
-  const double floor = -row.reference;
+  const double floor = find_floor(row);
   const double recovered = row.gap_start + contact_limits::recovery * row.size;
   row.target = recovered < floor ? recovered : floor;
 }
@@ -87,6 +87,7 @@ KOKKOS_INLINE_FUNCTION void complete_row(const RowInputs& inputs, const RowNodes
     const Point3 v = find_slip_velocity(row, TouchedVelocity{at.v, row});
     for (int d = 0; d < 2; ++d) row.slide[d] = inputs.motion.dt * dot(v, row.tangent[d]);
   }
+  row.play = inputs.play;
   if (continues) continue_record(old, inputs, row);
   set_target(row);
   row.previous = row.impulse;

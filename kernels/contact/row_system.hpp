@@ -141,8 +141,11 @@ struct RowInputs {
   double impulse_scale = 1;                        // dt / last dt: the same force in this step, the first guess
   double longest_slip = contact_limits::recovery;  // that sticking takes over from earlier steps / h
   int num_pairs = 1;                               // of surfaces and ties; walls are booked after them
-  Array<const double> spring{};                    // [mesh nodes] stiffness of springs.hpp, empty without penalty
-  Array<const TieGeometry> ties{};                 // of this rank; their touches come last
+  // Sides push each other from this depth on: those that touch but for the round-off of their places are at rest to the
+  // last bit. The same in all rows: what one wants must not contradict the others beside it by however little.
+  double play = 0;
+  Array<const double> spring{};     // [mesh nodes] stiffness of springs.hpp, empty without penalty
+  Array<const TieGeometry> ties{};  // of this rank; their touches come last
 };
 
 struct RowSystem {

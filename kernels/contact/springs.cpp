@@ -5,7 +5,7 @@ namespace {
 
 /// The impulse of the springs of one row and, of the slip, what Coulomb's limit leaves.
 KOKKOS_INLINE_FUNCTION void push_row(ContactRow& row, const RowNodes& at, double dt, double dt_mean) {
-  const double depth = -row.gap_start - row.reference;
+  const double depth = find_floor(row) - row.gap_start;
   row.impulse = RowImpulse{};
   if (depth > 0) row.impulse.push = row.spring * depth * dt_mean;
   if (row.friction > 0) {
@@ -18,7 +18,7 @@ KOKKOS_INLINE_FUNCTION void push_row(ContactRow& row, const RowNodes& at, double
     for (int d = 0; d < 2; ++d) row.slide[d] = step[d] - row.impulse.rub[d] / (row.spring * dt_mean);
   }
   // What goes in by the end of the step is pushed in the next one: the contact must not be forgotten.
-  if (row.gap + row.reference < 0) row.is_caught = true;
+  if (row.gap < find_floor(row)) row.is_caught = true;
 }
 
 }  // namespace

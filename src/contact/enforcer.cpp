@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "kernels/core/host_copy.hpp"
@@ -30,6 +31,13 @@ Array<const double> find_springs(const Mesh& mesh, const SurfaceShare& share, co
   return to_view("contact::springs", springs);
 }
 
+/// RowInputs::play of a scene.
+double find_play(const Mesh& mesh) {
+  double farthest = 0;
+  for (std::size_t d = 0; d < 3; ++d) farthest = std::max({farthest, std::abs(mesh.low[d]), std::abs(mesh.high[d])});
+  return contact_limits::play * farthest;
+}
+
 }  // namespace
 
 Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls,
@@ -43,6 +51,7 @@ Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const W
       copied_(find_copies(ranks)),
       velocity_copies_(ranks.ranks, copied_),
       impulse_copies_(ranks.ranks, copied_),
+      play_(find_play(ranks.mesh)),
       spring_(find_springs(ranks.mesh, share, deck.contact)),
       pair_work_(deck.output.history_every ? name_contact_pairs(deck).size() : 0) {}
 
@@ -95,6 +104,11 @@ void Enforcer::rest(const ContactMotion& motion, ContactHistory& history) {
   remembers_ = false;
 }
 
+void Enforcer::repeat(const ContactMotion& motion) {
+  clear_last_impulse(motion);
+  last_dt_ = motion.dt;
+}
+
 template <class Space>
 SolveReport Enforcer::solve(const Space& space, double dt, double dt_mean) {
   if (deck_.enforcement == ContactDeck::Enforcement::penalty)
@@ -124,6 +138,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
                          last_dt_ > 0 ? motion.dt / last_dt_ : 1,
                          has_springs ? std::numeric_limits<double>::infinity() : contact_limits::recovery,
                          count_booked_surfaces(deck_) + static_cast<int>(deck_.ties.size()),
+                         play_,
                          spring_,
                          ties_};
   const double dt_mean = last_dt_ > 0 ? 0.5 * (last_dt_ + motion.dt) : motion.dt;

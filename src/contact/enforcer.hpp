@@ -31,6 +31,9 @@ class Enforcer {
   /// A step in which nothing touches on any rank: no impulses, nothing to remember.
   void rest(const ContactMotion& motion, ContactHistory& history);
 
+  /// A step like the last one, in which rows pushed nothing: what was remembered still is.
+  void repeat(const ContactMotion& motion);
+
   void archive(CheckpointArchive& archive);
 
   /// Work of this rank's rows since the start by name_contact_pairs().
@@ -54,6 +57,7 @@ class Enforcer {
   RowExchange exchange_;
   const SharedNodes copied_;
   NodeCopies velocity_copies_, impulse_copies_;
+  const double play_;  // RowInputs::play
   RowSystem system_;
   RowSumMemory sums_;
   Array<const double> spring_;            // [mesh nodes] of owned contact nodes; empty without penalty
