@@ -1,5 +1,6 @@
 #include "kernels/contact/detailed_check.hpp"
 
+#include "kernels/contact/index_lists.hpp"
 #include "kernels/contact/node_check.hpp"
 
 namespace percuss {
@@ -68,14 +69,18 @@ KOKKOS_INLINE_FUNCTION int find_first_near(const ContactSurface& surface, const 
 
 template <class Space>
 void update_faces(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
-                  const CandidateList& candidates, const FaceState& faces) {
+                  const CandidateList& candidates, const StillFaces& still, const FaceState& faces) {
   const ContactSurface s = surface;
   const SurfaceMotion m = motion;
   const FaceState out = faces;
+  const StillFaces seen = still;
+  const bool is_watched = still.is_watched();
   const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
   Kokkos::parallel_for(
       "contact::update_faces", RangeOf<Space>(space, 0, candidates.num_faces), KOKKOS_LAMBDA(int i) {
         const int face = list(i);
+        const auto row = [&](int k) { return k < 4 ? s.nodes(s.face_corners(face, k)) : s.face_backs(face, k - 4); };
+        if (is_watched && seen.look(m, face, is_boxed(i) != 0 ? 8 : 4, row)) return;
         // Relative to the first corner, so that nothing degrades far from the origin of the coordinates.
         const RelativeFace relative = load_relative_face(s, m, s.face_corners(face, 0), face);
         store_row(out.normal, face, find_face_normal(find_end(relative)));
@@ -95,10 +100,119 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
 
 namespace {
 
+/// Whether some face around a node has moved since the last check. Nothing is known of a particle, which has none.
+KOKKOS_INLINE_FUNCTION bool has_moved_around(const ContactSurface& surface, const StillFaces& still, int node) {
+  const int first = surface.nodes_to_faces_offset(node), last = surface.nodes_to_faces_offset(node + 1);
+  for (int j = first; j < last; ++j)
+    if (still.has_moved(surface.nodes_to_faces(j))) return true;
+  return first == last;
+}
+
+/// Marks the candidate faces around whose corners some face has moved; returns how many of them have not.
+template <class Space>
+int mark_near_moved(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+                    const StillFaces& still, const Array<int>& near_moved) {
+  const ContactSurface s = surface;
+  const StillFaces seen = still;
+  const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
+  int num_still = 0;
+  Kokkos::parallel_reduce(
+      "contact::near_moved", RangeOf<Space>(space, 0, candidates.num_faces),
+      KOKKOS_LAMBDA(int i, int& count) {
+        if (is_boxed(i) == 0) return;
+        bool has_moved = seen.has_moved(list(i));
+        for (int k = 0; k < 4 && !has_moved; ++k) has_moved = has_moved_around(s, seen, s.face_corners(list(i), k));
+        near_moved(list(i)) = has_moved ? 1 : 0;
+        count += has_moved ? 0 : 1;
+      },
+      num_still);
+  return num_still;
+}
+
+/// The nodes to be checked: those that moved, or something near them, or that remember other faces than in the last
+/// check. Returns how many, of them or of all nodes if still faces are not watched and none are listed.
+template <class Space>
+int list_checked_nodes(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+                       const Array<const int>& history_face, StillFaces& still, TouchTable& table) {
+  table.num_kept_pairs = 0;
+  if (!still.is_watched()) return candidates.num_nodes;
+  if (static_cast<int>(table.checked_at.extent(0)) < surface.num_nodes) {
+    reserve(table.checked_at, surface.num_nodes);
+    reserve(table.is_still, surface.num_nodes);
+    reserve(table.known, contact_limits::max_touches * surface.num_nodes);
+    Kokkos::deep_copy(table.checked_at, std::int64_t{-1});
+  }
+  reserve(table.near_moved, surface.num_faces);
+  reserve(table.checked, candidates.num_nodes);
+  const int num_still = mark_near_moved(space, surface, candidates, still, table.near_moved);
+  still.count_still(num_still, candidates.num_faces);
+  const ContactSurface s = surface;
+  const StillFaces seen = still;
+  const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
+  const Array<const int> history = history_face, near_moved = table.near_moved;
+  const Array<int> known = table.known, is_still = table.is_still;
+  const Array<std::int64_t> checked_at = table.checked_at;
+  const Array<int> checked = table.checked;
+  const std::int64_t now = still.now(), before = still.before();
+  Kokkos::parallel_for(
+      "contact::find_kept_nodes", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
+        const int node = nodes(i);
+        bool is_kept = checked_at(node) == before;
+        for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
+          const int record = contact_limits::max_touches * node + slot;
+          is_kept = is_kept && known(record) == history(record);
+          known(record) = history(record);
+        }
+        is_kept = is_kept && !has_moved_around(s, seen, node);
+        is_still(node) = is_kept ? 1 : 0;
+        for (int c = offset(node); is_kept && c < offset(node + 1); ++c) is_kept = near_moved(face(c)) == 0;
+        checked_at(node) = is_kept ? now : -1;
+      });
+  const int num_checked = list_where<Space>(
+      space, candidates.num_nodes, [nodes, checked_at] KOKKOS_FUNCTION(int i) { return checked_at(nodes(i)) < 0; },
+      table.checked);
+  std::int64_t checked_pairs = 0;
+  Kokkos::parallel_reduce(
+      "contact::count_checked_pairs", RangeOf<Space>(space, 0, num_checked),
+      KOKKOS_LAMBDA(int k, std::int64_t& pairs) {
+        const int node = nodes(checked(k));
+        pairs += offset(node + 1) - offset(node);
+        checked_at(node) = now;
+      },
+      checked_pairs);
+  table.num_kept_pairs = candidates.num_pairs - checked_pairs;
+  return num_checked;
+}
+
+/// What a node touched in the check before, if it and its faces lie still.
+struct StillTouches {
+  int count = -1;  // -1: the node does not lie still
+  int face[contact_limits::max_touches]{}, record[contact_limits::max_touches]{};
+
+  KOKKOS_FUNCTION explicit StillTouches(const NodeTouches* touches) {
+    if (touches == nullptr) return;
+    count = touches->count;
+    for (int i = 0; i < count; ++i) {
+      face[i] = touches->touch[i].face;
+      record[i] = touches->touch[i].record;
+    }
+  }
+
+  /// Whether these are the same: of a face that lies still, with those around it, nothing else can have changed.
+  KOKKOS_FUNCTION bool are(const NodeTouches& touches, const Array<const int>& near_moved) const {
+    if (count != touches.count) return false;
+    for (int i = 0; i < count; ++i)
+      if (face[i] != touches.touch[i].face || record[i] != touches.touch[i].record || near_moved(face[i]) != 0)
+        return false;
+    return true;
+  }
+};
+
+/// is_listed: whether TouchTable::checked names the nodes to be checked, or it is all of them.
 template <Thickness thickness, class Space>
 void check_nodes(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
                  const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
-                 const Array<NodeTouches>& by_node) {
+                 bool is_listed, int num_checked, TouchTable& table) {
   const ContactSurface s = surface;
   const SurfaceMotion m = motion;
   const FaceState f = faces;
@@ -106,16 +220,22 @@ void check_nodes(const Space& space, const ContactSurface& surface, const Surfac
   const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
   const Array<const int> with_history = candidates.with_history;
   const bool has_marks = with_history.extent(0) > 0;
-  Kokkos::parallel_for(
-      "contact::detailed_check", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
-        const int node = nodes(i);
+  const Array<NodeTouches> by_node = table.by_node;
+  const Array<const int> checked = table.checked, is_still = table.is_still, near_moved = table.near_moved;
+  Kokkos::parallel_reduce(
+      "contact::detailed_check", RangeOf<Space>(space, 0, num_checked),
+      KOKKOS_LAMBDA(int k, int& found) {
+        const int node = nodes(is_listed ? checked(k) : k);
         const NodeCandidates own{face, with_history, has_marks && !has_history(h, node)};
         const int last = offset(node + 1), first = find_first_near(s, m, f, node, own, offset(node), last);
+        const StillTouches before(is_listed && is_still(node) != 0 ? &by_node(node) : nullptr);
         if (first == last)
-          by_node(i).count = 0;
+          by_node(node).count = 0;
         else
-          check_node_flat<thickness>(s, m, f, h, node, own, first, last, by_node(i));
-      });
+          check_node_flat<thickness>(s, m, f, h, node, own, first, last, by_node(node));
+        found += before.are(by_node(node), near_moved) ? 0 : by_node(node).count;
+      },
+      table.num_new);
 }
 
 }  // namespace
@@ -123,29 +243,35 @@ void check_nodes(const Space& space, const ContactSurface& surface, const Surfac
 template <class Space>
 void find_touches(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
                   const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
-                  TouchTable& table) {
-  reserve(table.by_node, candidates.num_nodes);
+                  StillFaces& still, TouchTable& table) {
+  if (static_cast<int>(table.by_node.extent(0)) < surface.num_nodes) still.forget();
+  reserve(table.by_node, surface.num_nodes);
   reserve(table.first, candidates.num_nodes);
+  const int num_checked = list_checked_nodes(space, surface, candidates, history_face, still, table);
+  const bool is_listed = still.is_watched();
   if (surface.offsets.largest > 0)
-    check_nodes<Thickness::of_shells>(space, surface, motion, candidates, faces, history_face, table.by_node);
+    check_nodes<Thickness::of_shells>(space, surface, motion, candidates, faces, history_face, is_listed, num_checked,
+                                      table);
   else
-    check_nodes<Thickness::none>(space, surface, motion, candidates, faces, history_face, table.by_node);
+    check_nodes<Thickness::none>(space, surface, motion, candidates, faces, history_face, is_listed, num_checked,
+                                 table);
+  const Array<const int> nodes = candidates.nodes;
   const Array<NodeTouches> by_node = table.by_node;
   const Array<int> place_of_first = table.first;
   Kokkos::parallel_scan(
       "contact::first_touch", RangeOf<Space>(space, 0, candidates.num_nodes),
       KOKKOS_LAMBDA(int i, int& place, bool final_pass) {
         if (final_pass) place_of_first(i) = place;
-        place += by_node(i).count;
+        place += by_node(nodes(i)).count;
       },
       table.count);
 }
 
 #define PERCUSS_INSTANTIATE(Space)                                                                            \
   template void update_faces(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
-                             const FaceState&);                                                               \
+                             const StillFaces&, const FaceState&);                                            \
   template void find_touches(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
-                             const FaceState&, const Array<const int>&, TouchTable&);
+                             const FaceState&, const Array<const int>&, StillFaces&, TouchTable&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -147,6 +147,7 @@ void bound_edges(const Space& space, const Rows2<const int>& ends, const Surface
 template <class Space>
 std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, const EdgeQuery& query,
                              std::int64_t max_pairs, EdgeSearchScratch& scratch, EdgePairs& pairs) {
+  ++pairs.list;
   pairs.num_pairs = 0;
   pairs.num_edges = 0;
   const EdgePointNames& points = query.points;
@@ -189,23 +190,42 @@ std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, con
 
 template <class Space>
 void update_edge_boxes(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
-                       const EdgePairs& pairs, const Boxes& boxes) {
+                       const EdgePairs& pairs, StillEdges& still, const Boxes& boxes) {
   const EdgeSurface s = surface;
   const SurfaceMotion m = motion;
   const Boxes out = boxes;
+  const StillEdges seen = still;
+  const bool is_watched = still.is_watched();
   const Array<const int> list = pairs.edges;
-  Kokkos::parallel_for(
-      "contact::update_edge_boxes", RangeOf<Space>(space, 0, pairs.num_edges), KOKKOS_LAMBDA(int i) {
+  int num_still = 0;
+  Kokkos::parallel_reduce(
+      "contact::update_edge_boxes", RangeOf<Space>(space, 0, pairs.num_edges),
+      KOKKOS_LAMBDA(int i, int& count) {
         const int e = list(i);
+        if (is_watched && seen.look(m, e, 6, [&](int k) { return find_edge_node(s, e, k); })) {
+          ++count;
+          return;
+        }
         // The size h of two edges is at most the mean of their lengths.
         const double reach = 0.5 * find_edge_reach(s.ends, m.x, e) + find_edge_offset(s, e);
         bound_edge(s.ends, m, e, {reach, reach, reach}, out);
-      });
+      },
+      num_still);
+  if (is_watched) still.count_still(num_still, pairs.num_edges);
 }
+
+namespace {
+/// EdgeTouchTable::touches: the pair touches; it continues a record.
+constexpr int touching = 1, remembered = 2;
+}  // namespace
 
 template <class Space>
 void find_edge_touches(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
-                       const EdgePairs& pairs, const Boxes& boxes, const EdgeHistory& history, EdgeTouchTable& table) {
+                       const EdgePairs& pairs, const Boxes& boxes, const EdgeHistory& history, const StillEdges& still,
+                       EdgeTouchTable& table) {
+  const StillEdges seen = still;
+  const bool is_watched = still.is_watched() && table.list_of_pairs == pairs.list;
+  table.list_of_pairs = pairs.list;
   reserve(table.by_pair, pairs.num_pairs);
   reserve(table.touches, pairs.num_pairs);
   reserve(table.list, pairs.num_pairs);
@@ -216,20 +236,28 @@ void find_edge_touches(const Space& space, const EdgeSurface& surface, const Sur
   const Array<const int> a = pairs.a, b = pairs.b;
   const Array<EdgeTouch> out = table.by_pair;
   const Array<int> touches = table.touches;
-  Kokkos::parallel_for(
-      "contact::check_edges", RangeOf<Space>(space, 0, pairs.num_pairs), KOKKOS_LAMBDA(int i) {
-        touches(i) = 0;
-        if (!do_boxes_meet(box, a(i), b(i))) return;
+  Kokkos::parallel_reduce(
+      "contact::check_edges", RangeOf<Space>(space, 0, pairs.num_pairs),
+      KOKKOS_LAMBDA(int i, int& found) {
+        const bool is_still = is_watched && !seen.has_moved(a(i)) && !seen.has_moved(b(i));
+        if (!do_boxes_meet(box, a(i), b(i))) {
+          touches(i) = 0;
+          return;
+        }
         EdgeTouch touch;
         Point3 last{};
         touch.record = past.count == 0 ? -1 : find_edge_record(past, s.numbers(a(i)), s.numbers(b(i)));
+        if (is_still && touch.record < 0 && (touches(i) & remembered) == 0) return;
+        touches(i) = touch.record >= 0 ? remembered : 0;
         if (touch.record >= 0) last = load_row(past.normal, touch.record);
         if (!check_edge_pair(s, m, a(i), b(i), touch.record >= 0 ? &last : nullptr, touch)) return;
-        touches(i) = 1;
+        touches(i) |= touching;
         out(i) = touch;
-      });
+        ++found;
+      },
+      table.num_new);
   table.count = list_where<Space>(
-      space, pairs.num_pairs, [touches] KOKKOS_FUNCTION(int i) { return touches(i) != 0; }, table.list);
+      space, pairs.num_pairs, [touches] KOKKOS_FUNCTION(int i) { return (touches(i) & touching) != 0; }, table.list);
 }
 
 template <class Space>
@@ -248,7 +276,7 @@ void find_edge_depths(const Space& space, const EdgeSurface& surface, const Surf
         EdgeTouch touch;
         const double depth = find_edge_depth(s, m, a(i), b(i), touch);
         touch.gap_start = -depth;
-        touches(i) = depth > 0 ? 1 : 0;
+        touches(i) = depth > 0 ? touching : 0;
         out(i) = touch;
       });
   table.count = list_where<Space>(
@@ -262,9 +290,9 @@ void find_edge_depths(const Space& space, const EdgeSurface& surface, const Surf
   template std::int64_t find_edge_pairs(const Space&, const EdgeSurface&, const EdgeQuery&, std::int64_t,              \
                                         EdgeSearchScratch&, EdgePairs&);                                               \
   template void update_edge_boxes(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,            \
-                                  const Boxes&);                                                                       \
+                                  StillEdges&, const Boxes&);                                                          \
   template void find_edge_touches(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,            \
-                                  const Boxes&, const EdgeHistory&, EdgeTouchTable&);                                  \
+                                  const Boxes&, const EdgeHistory&, const StillEdges&, EdgeTouchTable&);               \
   template void find_edge_depths(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,             \
                                  EdgeTouchTable&);
 PERCUSS_INSTANTIATE(ExecSpace)

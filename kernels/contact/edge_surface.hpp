@@ -29,6 +29,7 @@ struct EdgeSurface {
 
 /// Pairs of edges, by (a, b), a before b.
 struct EdgePairs {
+  int list = 0;  // which list this is: another one at each search
   int num_pairs = 0;
   int num_edges = 0;                                        // edges in any pair
   Array<int> a = Array<int>("contact::edge_pair_a", 0);     // [pairs]

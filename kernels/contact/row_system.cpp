@@ -188,8 +188,8 @@ void collect_touches(const Space& space, const ContactSurface& surface, const Ca
   Kokkos::parallel_for(
       "contact::collect_touches", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
         const int node = nodes(i);
-        for (int j = 0; j < by_node(i).count; ++j) {
-          const Touch& touch = by_node(i).touch[j];
+        for (int j = 0; j < by_node(node).count; ++j) {
+          const Touch& touch = by_node(node).touch[j];
           RowTouch row = make_row_touch(touch);
           row.face = faces(touch.face);
           row.key = make_face_row_key(numbers(node), j);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "kernels/core/precision.hpp"
+#include "kernels/core/same_bits.hpp"
 #include "kernels/core/short_transpose.hpp"
 #include "kernels/core/views.hpp"
 #include "kernels/core/widen.hpp"
@@ -162,13 +163,6 @@ PERCUSS_FORCE_INLINE void fill_row(const double* from, const double* origin, flo
 #else
   for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(from[k] - origin[k]);
 #endif
-}
-
-/// Whether the bits of three numbers are those of +0. (The sign of a zero could reach the bits of the state.)
-PERCUSS_FORCE_INLINE bool is_plain_zero(const double* row) {
-  std::uint64_t bits[3];
-  std::memcpy(bits, row, sizeof bits);
-  return (bits[0] | bits[1] | bits[2]) == 0;
 }
 
 }  // namespace percuss

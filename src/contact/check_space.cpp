@@ -95,6 +95,7 @@ void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>&
     if (surface.offsets.largest > 0) check.faces.slab = Array<FaceSlab>("contact::face_slab", faces);
   }
   reserve(check.history_face, contact_limits::max_touches * surface.num_nodes);
+  check.still.forget();
 }
 
 void NearPairs::PartList::ask() {
@@ -130,24 +131,28 @@ void NearPairs::make(const ContactSurface& surface, const SurfaceMotion& motion,
 }
 
 void check_candidates(const SurfaceMotion& motion, CheckSpace& check) {
-  check.touches.count = 0;
+  check.touches.count = check.touches.num_new = 0;
   check.counts.candidates += check.candidates.num_pairs;
   check.counts.left_out += check.candidates.num_pairs - check.read_pairs().num_pairs;
+  check.still.begin(check.keeps_still, check.surface.num_faces);
   if (check.read_pairs().num_pairs == 0) return;
   run_where_it_pays(check.read_pairs().num_pairs, [&](const auto& space) {
-    update_faces(space, check.surface, motion, check.read_pairs(), check.faces);
+    update_faces(space, check.surface, motion, check.read_pairs(), check.still, check.faces);
     space.fence();
   });
   if (check.near.is_asked()) check.near.make(check.surface, motion, check.faces, check.history_face, check.candidates);
   run_where_it_pays(check.checked_pairs().num_pairs, [&](const auto& space) {
-    find_touches(space, check.surface, motion, check.checked_pairs(), check.faces, check.history_face, check.touches);
+    find_touches(space, check.surface, motion, check.checked_pairs(), check.faces, check.history_face, check.still,
+                 check.touches);
   });
+  check.counts.left_out += check.touches.num_kept_pairs;
 }
 
 PenetrationTable measure_candidates(const SurfaceMotion& motion, CheckSpace& check) {
   PenetrationTable table;
+  check.still.forget();
   run_where_it_pays(check.candidates.num_pairs, [&](const auto& space) {
-    update_faces(space, check.surface, motion, check.candidates, check.faces);
+    update_faces(space, check.surface, motion, check.candidates, StillFaces(), check.faces);
     find_penetrations(space, check.surface, motion, check.candidates, check.faces, table);
   });
   return table;

@@ -81,7 +81,7 @@ class NearPairs {
   NearScratch scratch_;
 };
 
-/// Candidate pairs of all steps so far, and how many of these were on no list of near pairs.
+/// Candidate pairs of all steps so far, and how many of these were on no list of near pairs or lay still.
 struct PairCounts {
   std::int64_t candidates = 0, left_out = 0;
 };
@@ -94,12 +94,17 @@ struct CheckSpace {
   NearPairs near;
   PairCounts counts;
   FaceState faces;
+  StillFaces still;
+  bool keeps_still = true;  // what the last check found of nodes that lie still, with all around them
   TouchTable touches;
   Array<int> history_face;  // [3 nodes] faces that pushed in the last step, -1: none, or not here
 
   const CandidateList& reachable_pairs() const { return near.reachable_pairs(candidates); }
   const CandidateList& checked_pairs() const { return near.checked_pairs(candidates); }
   const CandidateList& read_pairs() const { return near.read_pairs(candidates); }
+
+  /// Whether all that the last check found was found by the one before it as well, and lies still.
+  bool has_found_nothing_new() const { return touches.num_new == 0; }
 };
 
 /// Takes a surface into use: memory for its faces and nodes.

@@ -54,8 +54,13 @@ class ContactFinder {
   virtual void narrow(const NearWay& way) = 0;
 
   /// Checks the candidate pairs. touches: those of this rank's contact nodes, by (node, face), then those of edges
-  /// whose home this rank is, by (edge A, edge B). Returns how many these are.
+  /// whose home this rank is, by (edge A, edge B); in: those of the last check, which it may find again. Returns how
+  /// many these are.
   virtual int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) = 0;
+
+  /// Whether all that the last check found on this rank was found by the one before it as well, and lies still: as many
+  /// touches on all ranks are then the same ones.
+  virtual bool has_found_nothing_new() const = 0;
 
   /// Which of this rank's contact nodes are inside another body, among the candidate pairs, at the places of a motion
   /// with dt = 0; ascending.
@@ -90,7 +95,7 @@ struct ContactRanks {
 
 /// The finder that suits the number of ranks.
 std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,
-                                                   ContactDeck::Rebalance rebalance, ContactDeck::Search search);
+                                                   const ContactDeck& deck);
 
 /// The kernels' name of the deck's choice.
 constexpr SearchMethod find_method(ContactDeck::Search search) {

@@ -32,7 +32,7 @@ struct ContactStage::Impl {
         has_walls(!deck.walls.empty()),
         contact(deck.contact),
         bound(world, share, deck.contact.reuse_search),
-        finder(make_contact_finder(seen(), share, deck.contact.rebalance, deck.contact.search)),
+        finder(make_contact_finder(seen(), share, deck.contact)),
         enforcer(seen(), share, walls, tie_rows.geometry(), deck),
         history(make_history(share, walls)) {
     history.ties = Rows3<double>("contact::history_ties", ties.nodes.size());
@@ -48,6 +48,7 @@ struct ContactStage::Impl {
   void search_again();
   int check(const SurfaceMotion& motion);
   bool is_anything_touched(int num_touches) const;
+  bool is_repetition(int num_touches);
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
   void refuse_torn_ties(const ContactReport& report) const;
@@ -78,7 +79,9 @@ struct ContactStage::Impl {
   long searches = 0;            // steps that did
   bool is_step_counted = true;  // among these; the start is no step
   bool is_new_surface = false;  // since the last step
-  bool touched_last = false;    // whether any rank had a row in the last step
+  ContactReport last;           // of the last step
+  int touches_last = 0;         // of this rank in it
+  int same_steps = 0;           // in a row that found, on all ranks, what the step before did
   ContactClocks clocks;
   PhaseClock decomposed_at_start;  // in searches before the first step, which are in no phase
 };
@@ -120,11 +123,24 @@ bool ContactStage::Impl::is_anything_touched(int num_touches) const {
   if (has_walls || ties.any()) return true;
   if (candidates == 0) return false;
   // What touched in the last step most likely does again: then asking costs more than it saves.
-  if (ranks.size() > 1 && touched_last) return true;
+  if (ranks.size() > 1 && last.iterations > 0) return true;
   if (ranks.size() > 1)
     wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &num_touches, 1, MPI_INT, MPI_MAX, ranks.handle()); },
              "MPI_Allreduce");
   return num_touches > 0;
+}
+
+/// Whether enforcement would do what it did in the last step, on every rank: nothing, for all that touches lies still.
+/// The second such step in a row computes what is remembered from what the first one left, the third the same again.
+bool ContactStage::Impl::is_repetition(int num_touches) {
+  int is_same = finder->has_found_nothing_new() && num_touches == touches_last ? 1 : 0;
+  touches_last = num_touches;
+  const bool has_rested = last.iterations > 0 && last.interactions == 0 && !has_walls && !ties.any();
+  if (has_rested && ranks.size() > 1)
+    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &is_same, 1, MPI_INT, MPI_MIN, ranks.handle()); },
+             "MPI_Allreduce");
+  same_steps = has_rested && is_same != 0 ? same_steps + 1 : 0;
+  return same_steps > 1;
 }
 
 /// The user's id of a node, which its owner knows.
@@ -157,7 +173,7 @@ void ContactStage::Impl::redefine_surface() {
   walls = build_walls(mesh, deck, share);
   bound.redefine();
   is_new_surface = true;
-  std::unique_ptr<ContactFinder> next = make_contact_finder(seen(), share, contact.rebalance, contact.search);
+  std::unique_ptr<ContactFinder> next = make_contact_finder(seen(), share, contact);
   next->take_over(*finder);
   finder = std::move(next);
   enforcer.redefine(mesh, share, walls, tie_rows.geometry());
@@ -165,9 +181,9 @@ void ContactStage::Impl::redefine_surface() {
 }
 
 std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,
-                                                   ContactDeck::Rebalance rebalance, ContactDeck::Search search) {
-  if (ranks.ranks.size() == 1) return std::make_unique<LocalFinder>(share, find_method(search));
-  return std::make_unique<RankedFinder>(ranks, share, rebalance, find_method(search));
+                                                   const ContactDeck& deck) {
+  if (ranks.ranks.size() == 1) return std::make_unique<LocalFinder>(share, deck);
+  return std::make_unique<RankedFinder>(ranks, share, deck);
 }
 
 ContactStage::ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks)
@@ -225,18 +241,22 @@ void ContactStage::archive(CheckpointArchive& archive) {
 ContactReport ContactStage::apply(const ContactMotion& motion) {
   Impl& stage = *impl_;
   const SurfaceMotion predicted{motion.x, motion.v, motion.dt};
-  ContactReport report;
   stage.is_step_counted = false;
-  report.searched = stage.search(predicted);
-  if (report.searched) stage.count_search();
-  report.candidates = stage.candidates;
+  const bool has_searched = stage.search(predicted);
+  if (has_searched) stage.count_search();
   const int num_touches = stage.check(predicted);
   const Phase phase("percuss::contact_enforce", stage.clocks.enforce);
-  if (stage.is_anything_touched(num_touches))
+  const bool is_repetition = stage.is_repetition(num_touches);
+  ContactReport report = is_repetition ? stage.last : ContactReport{};
+  report.searched = has_searched;
+  report.candidates = stage.candidates;
+  if (is_repetition)
+    stage.enforcer.repeat(motion);
+  else if (stage.is_anything_touched(num_touches))
     stage.enforcer.enforce(motion, stage.touches, num_touches, stage.history, report);
   else
     stage.enforcer.rest(motion, stage.history);
-  stage.touched_last = report.iterations > 0;
+  stage.last = report;
   stage.refuse_torn_ties(report);
   return report;
 }
@@ -297,8 +317,9 @@ std::vector<double> ContactStage::contact_ranks() const {
 }
 
 double ContactStage::measure_penetration(Rows3<const double> x) const {
-  const auto finder =
-      make_contact_finder(impl_->seen(), impl_->share, ContactDeck::Rebalance::never, impl_->contact.search);
+  ContactDeck once = impl_->contact;
+  once.rebalance = ContactDeck::Rebalance::never;
+  const auto finder = make_contact_finder(impl_->seen(), impl_->share, once);
   return find_deepest_penetration(impl_->look_for_overlap(*finder), {x, x, 0});
 }
 

@@ -65,16 +65,18 @@ void set_edge_surface(const EdgeSurface& surface, EdgeSpace& space) {
   space.surface = surface;
   space.pairs.num_pairs = 0;
   space.pairs.num_edges = 0;
+  space.still.forget();
   const auto edges = static_cast<std::size_t>(surface.num_edges);
   if (space.boxes.extent(0) < edges) space.boxes = Boxes("contact::edge_step_boxes", edges);
 }
 
 int check_edge_pairs(const SurfaceMotion& motion, const EdgeHistory& history, EdgeSpace& space) {
-  space.touches.count = 0;
+  space.touches.count = space.touches.num_new = 0;
+  space.still.begin(space.keeps_still, space.surface.num_edges);
   if (space.pairs.num_pairs == 0) return 0;
   run_where_it_pays(space.pairs.num_pairs, [&](const auto& where) {
-    update_edge_boxes(where, space.surface, motion, space.pairs, space.boxes);
-    find_edge_touches(where, space.surface, motion, space.pairs, space.boxes, history, space.touches);
+    update_edge_boxes(where, space.surface, motion, space.pairs, space.still, space.boxes);
+    find_edge_touches(where, space.surface, motion, space.pairs, space.boxes, history, space.still, space.touches);
   });
   return space.touches.count;
 }
@@ -113,6 +115,7 @@ void append_edge_touches(const EdgeSpace& space, int count, Array<RowTouch>& tou
 std::vector<EdgePenetration> measure_edge_pairs(const SurfaceMotion& motion, EdgeSpace& space) {
   std::vector<EdgePenetration> found;
   if (space.pairs.num_pairs == 0) return found;
+  space.still.forget();
   run_where_it_pays(space.pairs.num_pairs, [&](const auto& where) {
     find_edge_depths(where, space.surface, motion, space.pairs, space.touches);
     where.fence();

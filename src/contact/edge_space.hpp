@@ -41,7 +41,12 @@ struct EdgeSpace {
   EdgeSurface surface;
   EdgePairs pairs;
   Boxes boxes = Boxes("contact::edge_step_boxes", 0);  // [edges] over the step, of those in pairs
+  StillEdges still;
+  bool keeps_still = true;  // what the last check found of pairs that lie still
   EdgeTouchTable touches;
+
+  /// Whether all that the last check found was found by the one before it as well, and lies still.
+  bool has_found_nothing_new() const { return touches.num_new == 0; }
 };
 
 /// Takes a surface into use: memory for its edges.

@@ -41,8 +41,9 @@ ContactSurface make_whole_surface(const SurfaceShare& share) {
   return make_contact_surface(lists, share);
 }
 
-LocalFinder::LocalFinder(const SurfaceShare& share, SearchMethod method) : share_(share) {
-  scratch_.method = edge_scratch_.points.method = method;
+LocalFinder::LocalFinder(const SurfaceShare& share, const ContactDeck& deck) : share_(share) {
+  scratch_.method = edge_scratch_.points.method = find_method(deck.search);
+  check_.keeps_still = edges_.keeps_still = deck.reuse_search;
   set_surface(make_whole_surface(share), list_face_numbers(share), check_);
   node_numbers_ = to_view("contact::node_numbers", share.nodes.numbers);
   boxes_ = Boxes("contact::boxes", share.searched_faces.size());
@@ -107,14 +108,23 @@ std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margi
 }
 
 int LocalFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
-  const int found = check_faces(motion, history, touches);
-  if (edges_.pairs.num_pairs == 0) return found;
-  const int of_edges = check_edge_pairs(motion, history.edges, edges_);
-  append_edge_touches(edges_, found, touches);
-  return found + of_edges;
+  const int of_faces = check_faces(motion, history);
+  const int found = of_faces + check_edge_pairs(motion, history.edges, edges_);
+  const bool has_found_the_same = has_found_nothing_new() && found == found_;
+  found_ = found;
+  if (has_found_the_same) return found;
+  if (of_faces > 0) {
+    run_where_it_pays(of_faces, [&](const auto& space) {
+      collect_touches(space, check_.surface, check_.checked_pairs(), check_.touches, check_.face_numbers, node_numbers_,
+                      touches);
+    });
+  }
+  append_edge_touches(edges_, of_faces, touches);
+  return found;
 }
 
-int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
+int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& history) {
+  check_.touches.count = check_.touches.num_new = 0;
   if (check_.candidates.num_pairs == 0) return 0;
   const CandidateList& read = check_.read_pairs();
   const Array<const int> nodes = read.nodes;
@@ -131,11 +141,6 @@ int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& 
         });
   });
   check_candidates(motion, check_);
-  if (check_.touches.count == 0) return 0;
-  run_where_it_pays(check_.touches.count, [&](const auto& space) {
-    collect_touches(space, check_.surface, check_.checked_pairs(), check_.touches, check_.face_numbers, node_numbers_,
-                    touches);
-  });
   return check_.touches.count;
 }
 

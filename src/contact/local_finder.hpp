@@ -12,11 +12,14 @@ ContactSurface make_whole_surface(const SurfaceShare& share);
 
 class LocalFinder : public ContactFinder {
  public:
-  LocalFinder(const SurfaceShare& share, SearchMethod method);
+  LocalFinder(const SurfaceShare& share, const ContactDeck& deck);
 
   std::int64_t search(const SurfaceMotion& motion, double margin) override;
   void narrow(const NearWay& way) override { check_.near.ask(way); }
   int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
+  bool has_found_nothing_new() const override {
+    return check_.has_found_nothing_new() && edges_.has_found_nothing_new();
+  }
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
   std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) override;
   std::vector<PartGap> find_gaps(const SurfaceMotion& motion) override;
@@ -31,11 +34,12 @@ class LocalFinder : public ContactFinder {
  private:
   std::int64_t search_faces(const SurfaceMotion& motion, double margin);
   std::int64_t search_edges(const SurfaceMotion& motion, double margin);
-  int check_faces(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches);
+  int check_faces(const SurfaceMotion& motion, const ContactHistory& history);
 
   const SurfaceShare& share_;
   CheckSpace check_;
   Array<const std::int64_t> node_numbers_;  // [contact nodes]
+  int found_ = 0;                           // by the last check
   Boxes boxes_;
   SearchScratch scratch_;
 

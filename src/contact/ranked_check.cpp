@@ -116,7 +116,7 @@ std::vector<RowTouch> RankedFinder::check_faces(const SurfaceMotion& motion, con
     const CandidateList& pairs = check_.checked_pairs();
     const auto nodes = to_host(pairs.nodes);
     for (int i = 0; i < pairs.num_nodes; ++i) {
-      const NodeTouches& touches = by_node(i);
+      const NodeTouches& touches = by_node(nodes(i));
       for (int j = 0; j < touches.count; ++j) {
         const FaceTopology& face = faces_[at(touches.touch[j].face)];
         const int pair = node_class(nodes(i)) * share_.num_classes + face.surface_class;

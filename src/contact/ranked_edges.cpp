@@ -22,9 +22,10 @@ struct RankedEdges::EdgeRecord {
   bool is_owned = false;
 };
 
-RankedEdges::RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, SearchMethod method)
+RankedEdges::RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, const ContactDeck& deck)
     : ranks_(ranks), share_(share) {
-  scratch_.points.method = method;
+  scratch_.points.method = find_method(deck.search);
+  space_.keeps_still = deck.reuse_search;
   if (share.total_edges == 0) return;
   exchange_.emplace(ranks.ranks);
   data_.emplace(ranks.ranks);

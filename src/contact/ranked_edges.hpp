@@ -18,7 +18,7 @@ namespace percuss {
 class RankedEdges {
  public:
   /// Collective, as are all calls; a scene without edges sends nothing. The share outlives this.
-  RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, SearchMethod method);
+  RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, const ContactDeck& deck);
 
   /// Finds the pairs for boxes widened by `margin`, by the cuts of the decomposition. Returns how many there are on all
   /// ranks. Throws RunError, on all ranks, if they are absurdly many.
@@ -26,6 +26,9 @@ class RankedEdges {
 
   /// Checks the pairs and appends the touches of edges A whose home this rank is, by (A, B), to those of faces.
   void append_touches(const SurfaceMotion& motion, const EdgeHistory& history, std::vector<RowTouch>& touches);
+
+  /// EdgeSpace::has_found_nothing_new() of this rank's pairs.
+  bool has_found_nothing_new() const { return space_.has_found_nothing_new(); }
 
   std::vector<EdgePenetration> find_penetrations(const SurfaceMotion& motion);
 

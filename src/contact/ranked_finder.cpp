@@ -53,17 +53,17 @@ void mark_read_nodes(const Space& space, const ContactSurface& surface, const Ca
 
 }  // namespace
 
-RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, ContactDeck::Rebalance rebalance,
-                           SearchMethod method)
+RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, const ContactDeck& deck)
     : ranks_(ranks),
       share_(share),
       contact_nodes_(share.nodes.numbers),
       exchange_(ranks.ranks),
       data_(ranks.ranks),
       history_data_(ranks.ranks),
-      decomposition_(ranks.ranks, share, rebalance),
-      edges_(ranks, share, method) {
-  scratch_.method = method;
+      decomposition_(ranks.ranks, share, deck.rebalance),
+      edges_(ranks, share, deck) {
+  scratch_.method = find_method(deck.search);
+  check_.keeps_still = deck.reuse_search;
 }
 
 Traffic RankedFinder::traffic() const {

@@ -18,12 +18,14 @@ namespace percuss {
 
 class RankedFinder : public ContactFinder {
  public:
-  RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, ContactDeck::Rebalance rebalance,
-               SearchMethod method);
+  RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, const ContactDeck& deck);
 
   std::int64_t search(const SurfaceMotion& motion, double margin) override;
   void narrow(const NearWay& way) override;
   int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
+  bool has_found_nothing_new() const override {
+    return check_.has_found_nothing_new() && edges_.has_found_nothing_new();
+  }
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
   std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) override {
     return edges_.find_penetrations(motion);

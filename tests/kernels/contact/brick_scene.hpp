@@ -165,14 +165,14 @@ struct CheckedScene {
 
   void check() {
     const SmallSpace space;
-    update_faces(space, surface, motion, candidates, faces);
-    find_touches(space, surface, motion, candidates, faces, history_face, touches);
+    update_faces(space, surface, motion, candidates, still, faces);
+    find_touches(space, surface, motion, candidates, faces, history_face, still, touches);
   }
 
   /// Touches of a node.
   NodeTouches at(int node) const {
     for (int i = 0; i < candidates.num_nodes; ++i)
-      if (candidates.nodes(i) == node) return touches.by_node(i);
+      if (candidates.nodes(i) == node) return touches.by_node(node);
     return {};
   }
 
@@ -184,6 +184,7 @@ struct CheckedScene {
   Array<int> history_face;
   SearchScratch scratch;
   CandidateList candidates;
+  StillFaces still;
   TouchTable touches;
 };
 

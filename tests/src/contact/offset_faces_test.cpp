@@ -62,7 +62,7 @@ struct CrookedPatch {
     store_row(x, node, Point3{1.5, 1.5, 0} + Point3{draw(1.5), draw(1.5), draw(0.8)});
     store_row(v, node, cross(spin, load_row(x, node)) + pace * draw_point(0.2));
     const SurfaceMotion motion{x, v, 1};
-    update_faces(SmallSpace(), check.surface, motion, check.candidates, check.faces);
+    update_faces(SmallSpace(), check.surface, motion, check.candidates, StillFaces(), check.faces);
     return motion;
   }
 };
@@ -104,7 +104,7 @@ TEST(OffsetFaces, TurnWithTheFaceThroughTheStep) {
         std::cos(0.3) * p + std::sin(0.3) * cross(axis, p) + (1 - std::cos(0.3)) * dot(axis, p) * axis;
     store_row(patch.v, n, turned - p);
   }
-  update_faces(SmallSpace(), patch.check.surface, motion, patch.check.candidates, patch.check.faces);
+  update_faces(SmallSpace(), patch.check.surface, motion, patch.check.candidates, StillFaces(), patch.check.faces);
   const CheckedNode node = load_checked_node(patch.check.surface, motion, CrookedPatch::node);
   for (int face = 0; face < patch.check.surface.num_faces; ++face) {
     const RelativeFace moved =

@@ -118,6 +118,21 @@ output: {fields: {every: 2e-5, write: [stress_top, contact_force]}, history: {ev
 
 TEST(Restart, OfTouchingShellsEndsInTheSameBits) { expect_same_end(touching_shells, "end: 8e-5", 25); }
 
+// Blocks and a sheet that rest on one another until another block comes down on them.
+const std::string resting_pile = R"yaml(
+time: {end: 1.6e-5}
+parts:
+  blocks: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 2]}, array: {count: [2, 1, 2], pitch: [0.1, 0.1, 0.1]}, at: [0.3, 0.7, 0], material: steel}
+  sheet: {shell_plate: {size: [0.1, 0.1], cells: [4, 4]}, at: [0.37, 0.71, 0.205], thickness: 0.01, material: steel}
+  other: {box: {size: [0.05, 0.05, 0.05], cells: [2, 2, 2]}, at: [0.39, 0.73, 0.2104], material: steel}
+materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+initial: [{part: other, velocity: [5, 0, -60]}]
+contact: {surfaces: all, friction: 0.3, edges: true}
+output: {fields: {every: 4e-6, write: [contact_force]}, history: {every: 0}}
+)yaml";
+
+TEST(Restart, WhileBodiesLieStillEndsInTheSameBits) { expect_same_end(resting_pile, "end: 1.6e-5", 3); }
+
 TEST(Restart, EndsInTheBitsOfTheRunThatWasNeverStopped) {
   const TemporaryFolder whole, parts;
   const Summary expected = run(blocks, whole.path()).summary;
