@@ -75,7 +75,8 @@ KOKKOS_INLINE_FUNCTION void sort_run(const Array<int>& values, int first, int la
   }
 }
 
-/// Groups values by key: offset [num_keys + 1], grouped [n] ascending within each key. count: scratch [num_keys].
+/// Groups values by key: offset [num_keys + 1], grouped [n] ascending within each key. Keys from num_keys on are left
+/// out. count: scratch [num_keys].
 template <class Space>
 void group_by_key(const Space& space, int n, const Array<int>& key, const Array<int>& value, int num_keys,
                   const Array<int>& count, const Array<int>& offset, const Array<int>& grouped) {
@@ -84,6 +85,7 @@ void group_by_key(const Space& space, int n, const Array<int>& key, const Array<
       "contact::group_clear", RangeOf<Space>(space, 0, num_keys), KOKKOS_LAMBDA(int k) { count(k) = 0; });
   Kokkos::parallel_for(
       "contact::group_count", RangeOf<Space>(space, 0, n), KOKKOS_LAMBDA(int i) {
+        if (key(i) >= num_keys) return;
         if (is_alone)
           ++count(key(i));
         else
@@ -97,6 +99,7 @@ void group_by_key(const Space& space, int n, const Array<int>& key, const Array<
       });
   Kokkos::parallel_for(
       "contact::group_fill", RangeOf<Space>(space, 0, n), KOKKOS_LAMBDA(int i) {
+        if (key(i) >= num_keys) return;
         const int left = is_alone ? count(key(i))-- : Kokkos::atomic_fetch_add(&count(key(i)), -1);
         grouped(offset(key(i) + 1) - left) = value(i);
       });

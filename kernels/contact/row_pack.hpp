@@ -33,13 +33,12 @@ struct alignas(64) RowPack {
   int ties;                                      // whether any row is a tie
 };
 
-/// The rows of a step in packs. Those that want something from the start come first, so that packs of others may rest.
+/// The rows of a step in packs.
 struct RowPacks {
   int count = 0;
   Array<RowPack> pack = Array<RowPack>("contact::row_packs", 0);
   Array<int> active = Array<int>("contact::active_packs", 0);    // [count] whether any row was ever to be corrected
-  Array<int> order = Array<int>("contact::pack_order", 0);       // [rows] rows that want something, then the others
-  Array<int> resting = Array<int>("contact::resting_rows", 0);   // the others
+  Array<int> order = Array<int>("contact::pack_order", 0);       // [rows] the rows of the lanes
   Rows4<double> dv = Rows4<double>("contact::extrapolated", 0);  // [places + 1] of the extrapolated iterate; last: 0
   Array<int> moved = Array<int>("contact::moved_places", 0);     // [places + 1] whether dv is not zero
   Array<int> stirred = Array<int>("contact::stirred_nodes", 0);  // [places + 1] whether an active row touches it

@@ -1,7 +1,5 @@
 #include "kernels/contact/row_packs.hpp"
 
-#include "kernels/contact/index_lists.hpp"
-
 namespace percuss {
 namespace {
 
@@ -111,19 +109,21 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION void advance_pack(RowPack& pack, const Rows4<dou
   add_change(pack, change, query, sums);
 }
 
-/// Rows that want something first, both kinds ascending.
+/// In each stretch of rows those that want something first, so that packs of others may rest; both kinds ascending. The
+/// stretches are short, so that threads share the work evenly, each of rows that have nodes in common.
 template <class Space>
 void order_rows(const Space& space, const Array<const ContactRow>& rows, int num_rows, RowPacks& packs) {
+  constexpr int stretch = 64 * RowPack::lanes;
   reserve(packs.order, num_rows);
-  reserve(packs.resting, num_rows);
-  const int wanting = list_where<Space>(
-      space, num_rows, [rows] KOKKOS_FUNCTION(int r) { return wants_something(rows(r)); }, packs.order);
-  const int resting = list_where<Space>(
-      space, num_rows, [rows] KOKKOS_FUNCTION(int r) { return !wants_something(rows(r)); }, packs.resting);
-  const Array<int> order = packs.order, others = packs.resting;
+  const Array<int> order = packs.order;
   Kokkos::parallel_for(
-      "contact::append_resting_rows", RangeOf<Space>(space, 0, resting),
-      KOKKOS_LAMBDA(int i) { order(wanting + i) = others(i); });
+      "contact::order_rows", RangeOf<Space>(space, 0, (num_rows + stretch - 1) / stretch), KOKKOS_LAMBDA(int s) {
+        const int first = s * stretch, end = first + stretch < num_rows ? first + stretch : num_rows;
+        int place = first;
+        for (const bool wanting : {true, false})
+          for (int r = first; r < end; ++r)
+            if (wants_something(rows(r)) == wanting) order(place++) = r;
+      });
 }
 
 }  // namespace

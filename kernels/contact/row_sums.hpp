@@ -20,10 +20,11 @@ Sums sum_rows(const Space& space, int n, Array<Sums>& partial, const Body& body)
   const Array<Sums> sums = partial;
   Kokkos::parallel_for(
       "contact::sum_rows", RangeOf<Space>(space, 0, blocks), KOKKOS_LAMBDA(int b) {
-        sums(b) = Sums{};
+        Sums sum{};
         const auto first = static_cast<int>(static_cast<std::int64_t>(n) * b / blocks);
         const auto last = static_cast<int>(static_cast<std::int64_t>(n) * (b + 1) / blocks);
-        for (int r = first; r < last; ++r) body(r, sums(b));
+        for (int r = first; r < last; ++r) body(r, sum);
+        sums(b) = sum;
       });
   space.fence();
   const auto on_host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), sums);

@@ -7,15 +7,17 @@
 namespace percuss {
 namespace {
 
-/// The mesh node of a slot of a touch, or -1 - k for foreign node k; walls touch their node alone.
-struct SlotNodes {
+/// The mesh node of an entry, < 0: foreign, or no entry. Walls touch their node alone.
+struct EntryNodes {
   Array<const RowTouch> touches;
-  int num_touches;
-  Array<const int> near_walls, wall_node;
+  int num_touches, num_rows;
+  Array<const int> near_walls, wall_node, remote_node;
 
-  KOKKOS_INLINE_FUNCTION int count(int r) const { return r < num_touches ? touches(r).count : 1; }
-  KOKKOS_INLINE_FUNCTION int operator()(int r, int slot) const {
-    return r < num_touches ? touches(r).node[slot] : wall_node(near_walls(r - num_touches));
+  KOKKOS_INLINE_FUNCTION int operator()(int entry) const {
+    const int r = entry / row_nodes, slot = entry % row_nodes;
+    if (r < num_touches) return slot < touches(r).count ? touches(r).node[slot] : -1;
+    if (r < num_rows) return slot == 0 ? wall_node(near_walls(r - num_touches)) : -1;
+    return remote_node(entry - num_rows * row_nodes);
   }
 };
 
@@ -41,36 +43,45 @@ int list_near_walls(const Space& space, const WallPairs& walls, const SurfaceMot
       system.near_walls);
 }
 
-/// Numbers the nodes of this rank that rows and remote entries touch.
+/// Numbers the nodes of this rank that rows and remote entries touch, in the order in which these do: a thread then
+/// moves the nodes that its rows push.
 template <class Space>
-void number_nodes(const Space& space, int num_mesh_nodes, const SlotNodes& slots, RowSystem& system) {
+void number_nodes(const Space& space, int num_mesh_nodes, const EntryNodes& entries, RowSystem& system) {
   if (static_cast<int>(system.place_of_node.extent(0)) < num_mesh_nodes) {
     reserve(system.place_of_node, num_mesh_nodes);
     Kokkos::deep_copy(space, system.place_of_node, -1);
   }
-  reserve(system.nodes, system.num_rows * row_nodes + system.num_remote);
-  const Array<int> place = system.place_of_node, nodes = system.nodes, total = system.total;
-  const Array<const int> remote = system.remote_node;
-  Kokkos::deep_copy(space, total, 0);
-  const SlotNodes touched = slots;
-  const auto claim = [place, nodes, total] KOKKOS_FUNCTION(int node) {
-    constexpr int free = -1, taken = -2;
-    if (node < 0 || Kokkos::atomic_compare_exchange(&place(node), free, taken) != free) return;
-    nodes(Kokkos::atomic_fetch_add(&total(0), 1)) = node;
-  };
+  const int num_entries = system.num_rows * row_nodes + system.num_remote;
+  reserve(system.first_entry, num_entries);
+  reserve(system.nodes, num_entries);
+  const Array<int> place = system.place_of_node, nodes = system.nodes, first = system.first_entry;
+  const EntryNodes touched = entries;
+  const bool is_alone = space.concurrency() == 1;
+  // A node's first entry has the largest of these marks.
   Kokkos::parallel_for(
-      "contact::collect_nodes", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
-        for (int slot = 0; slot < touched.count(r); ++slot) claim(touched(r, slot));
+      "contact::mark_nodes", RangeOf<Space>(space, 0, num_entries), KOKKOS_LAMBDA(int e) {
+        const int node = touched(e), mark = num_entries - e;
+        if (node < 0) return;
+        if (is_alone)
+          place(node) = place(node) < 0 ? mark : place(node);
+        else
+          Kokkos::atomic_fetch_max(&place(node), mark);
       });
+  system.num_nodes = list_where<Space>(
+      space, num_entries,
+      [touched, place, num_entries] KOKKOS_FUNCTION(int e) {
+        const int node = touched(e);
+        return node >= 0 && place(node) == num_entries - e;
+      },
+      first);
   Kokkos::parallel_for(
-      "contact::collect_remote_nodes", RangeOf<Space>(space, 0, system.num_remote),
-      KOKKOS_LAMBDA(int k) { claim(remote(k)); });
-  system.num_nodes = read_value(space, total, 0);
-  Kokkos::parallel_for(
-      "contact::number_nodes", RangeOf<Space>(space, 0, system.num_nodes),
-      KOKKOS_LAMBDA(int a) { place(nodes(a)) = a; });
+      "contact::number_nodes", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+        nodes(a) = touched(first(a));
+        place(nodes(a)) = a;
+      });
   reserve(system.remote_place, system.num_remote);
   const Array<int> remote_place = system.remote_place;
+  const Array<const int> remote = system.remote_node;
   Kokkos::parallel_for(
       "contact::place_remote_entries", RangeOf<Space>(space, 0, system.num_remote),
       KOKKOS_LAMBDA(int k) { remote_place(k) = place(remote(k)); });
@@ -107,13 +118,13 @@ void group_entries(const Space& space, RowSystem& system) {
   reserve(system.shares, num_entries + system.num_foreign);
   reserve(system.share_of_slot, num_local);
   reserve(system.share_of_remote, system.num_remote);
-  reserve(system.count, system.num_nodes + 1);
-  reserve(system.offset, system.num_nodes + 2);
+  reserve(system.count, system.num_nodes);
+  reserve(system.offset, system.num_nodes + 1);
   const Array<int> share_of_slot = system.share_of_slot, share_of_remote = system.share_of_remote;
   const Array<const ContactRow> rows = system.rows;
   const Array<int> key = system.entry_key, value = system.entry_value, place = system.place_of_node;
   const Array<const int> remote_place = system.remote_place;
-  const int nowhere = system.num_nodes;  // the key of foreign nodes and of slots not in use
+  const int nowhere = system.num_nodes;  // no key: of foreign nodes and of slots not in use
   Kokkos::parallel_for(
       "contact::list_entries", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         for (int slot = 0; slot < row_nodes; ++slot) {
@@ -128,7 +139,7 @@ void group_entries(const Space& space, RowSystem& system) {
         key(num_local + k) = remote_place(k);
         value(num_local + k) = num_local + k;
       });
-  group_by_key<Space>(space, num_entries, key, value, system.num_nodes + 1, system.count, system.offset, system.entry);
+  group_by_key<Space>(space, num_entries, key, value, system.num_nodes, system.count, system.offset, system.entry);
   const Array<int> nodes = system.nodes, entry = system.entry, offset = system.offset;
   const Array<const std::int64_t> remote_key = system.remote_key;
   Kokkos::parallel_for(
@@ -210,8 +221,8 @@ void start_rows(const Space& space, const RowInputs& inputs, const Array<const R
   const int num_ties = static_cast<int>(inputs.ties.extent(0));
   system.num_edge_rows = count_edge_touches(space, touches, num_touches - num_ties);
   system.num_rows = num_touches + list_near_walls(space, walls, inputs.motion, system);
-  const SlotNodes slots{touches, num_touches, system.near_walls, walls.node};
-  number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)), slots, system);
+  const EntryNodes entries{touches, num_touches, system.num_rows, system.near_walls, walls.node, system.remote_node};
+  number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)), entries, system);
   gather_nodes(space, inputs, system);
   for (Rows3<double>* rows : {&system.correction, &system.abs_sum}) reserve(*rows, system.num_places());
 }

@@ -155,7 +155,7 @@ struct RowSystem {
   int num_foreign = 0;    // places after these: foreign nodes, one for each entry that a row of this rank has on one
   int num_remote = 0;     // entries that rows of other ranks have on nodes of this rank
   Array<ContactRow> rows = Array<ContactRow>("contact::rows", 0);
-  Array<int> nodes = Array<int>("contact::touched_nodes", 0);      // [num_nodes] mesh nodes, in no order
+  Array<int> nodes = Array<int>("contact::touched_nodes", 0);      // [num_nodes] mesh nodes, as rows come to them
   Array<int> foreign = Array<int>("contact::foreign_entries", 0);  // [num_foreign] their entry, row * row_nodes + slot
   Array<std::int64_t> foreign_number = Array<std::int64_t>("contact::foreign_number", 0);  // [num_foreign] of the node
   RowNodes at;                                                                             // [num_nodes + num_foreign]
@@ -178,7 +178,7 @@ struct RowSystem {
   Array<int> place_of_node = Array<int>("contact::place_of_node", 0);  // [mesh nodes] -1 outside set-up
   Array<int> entry_key = Array<int>("contact::entry_key", 0), entry_value = Array<int>("contact::entry_value", 0);
   Array<int> count = Array<int>("contact::entry_count", 0);
-  Array<int> total = Array<int>("contact::row_total", 1);
+  Array<int> first_entry = Array<int>("contact::first_entry", 0);  // [num_nodes] of each node
 
   int num_places() const { return num_nodes + num_foreign; }
   int first_foreign() const { return num_rows * row_nodes + num_remote; }

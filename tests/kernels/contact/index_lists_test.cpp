@@ -20,9 +20,10 @@ TEST(IndexLists, GroupsAreSortedWithinEachKeyShortAndLong) {
     key.push_back(i % 2 == 0 ? 4 : pick(random));  // one key with more than half of all
     value.push_back((i * 1237) % 3000);
   }
-  Array<int> count("test::count", 12), offset("test::offset", 13), grouped("test::grouped", 3000);
-  group_by_key(ExecSpace(), 3000, to_array(key), to_array(value), 12, count, offset, grouped);
-  for (int k = 0; k < 12; ++k) {
+  constexpr int keys = 8;  // those above are left out
+  Array<int> count("test::count", keys), offset("test::offset", keys + 1), grouped("test::grouped", 3000);
+  group_by_key(ExecSpace(), 3000, to_array(key), to_array(value), keys, count, offset, grouped);
+  for (int k = 0; k < keys; ++k) {
     std::vector<int> expected;
     for (std::size_t i = 0; i < key.size(); ++i)
       if (key[i] == k) expected.push_back(value[i]);
