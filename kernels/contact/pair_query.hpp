@@ -25,7 +25,7 @@ struct CandidateList {
 /// Points and boxes by the names that hits give them.
 struct PointQuery {
   Rows3<const double> x;
-  Array<const int> points;       // rows of x
+  Array<const int> points;       // [points] rows of x
   Array<const int> point_names;  // [points], no name twice
   Array<const int> box_names;    // [boxes]
   int num_names = 0;             // of points

@@ -150,7 +150,8 @@ std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surf
   Kokkos::parallel_for(
       "contact::list_points", RangeOf<Space>(space, 0, n),
       KOKKOS_LAMBDA(int i) { points(i) = s.nodes(s.searched_nodes(i)); });
-  const PointQuery query{x, points, surface.searched_nodes, surface.searched_faces, surface.num_nodes};
+  const Array<const int> rows = Kokkos::subview(points, std::make_pair(0, n));  // without what is to spare
+  const PointQuery query{x, rows, surface.searched_nodes, surface.searched_faces, surface.num_nodes};
   return find_hits(space, query, boxes, NodeFaceRule{surface}, max_pairs, scratch, list);
 }
 

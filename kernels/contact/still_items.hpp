@@ -61,7 +61,7 @@ class StillItems {
     bool is_same = seen_(item) == (most_nodes + 1) * (check_ - 1) + count;
     for (int k = 0; k < count; ++k) {
       const double* const place = &motion.x(row(k), 0);
-      if (have_same_bits(place, &places_(item, 3 * k))) continue;
+      if (is_same && have_same_bits(place, &places_(item, 3 * k))) continue;
       is_same = false;
       for (int c = 0; c < 3; ++c) places_(item, 3 * k + c) = place[c];
     }
