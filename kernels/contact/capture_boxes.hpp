@@ -11,22 +11,44 @@
 
 namespace percuss {
 
-/// Box of a face over a step, at n and at its predicted place, widened by `reach`. corner(i): mesh node.
+template <class T>
+struct BoxOf {
+  Vector3<T> low, high;
+};
+
+/// Box over a step of a face with corners at `x` and predicted velocities `v`, at n and at its predicted place, widened
+/// by `reach`.
+template <class T>
+PERCUSS_FORCE_INLINE BoxOf<T> bound_corners(const FaceOf<T>& x, const FaceOf<T>& v, const T& dt, const T& reach) {
+  BoxOf<T> box{};
+  const auto add = [&](bool is_first, const T& known, const T& move, T& low, T& high) {
+    const auto is_back = move < T(0);
+    const T before = select(is_back, known + move, known), after = select(is_back, known, known + move);
+    low = is_first ? before : smaller(low, before);
+    high = is_first ? after : larger(high, after);
+  };
+  for (int i = 0; i < 4; ++i) {
+    const Vector3<T>&at = x.corner[i], move = dt * v.corner[i];
+    add(i == 0, at.x, move.x, box.low.x, box.high.x);
+    add(i == 0, at.y, move.y, box.low.y, box.high.y);
+    add(i == 0, at.z, move.z, box.low.z, box.high.z);
+  }
+  const Vector3<T> wider{reach, reach, reach};
+  return {box.low - wider, box.high + wider};
+}
+
+/// The same of one face. corner(i): mesh node; boxes: out, at `face`.
 template <class Corner>
 KOKKOS_INLINE_FUNCTION void bound_face(const SurfaceMotion& motion, const Corner& corner, double reach,
                                        const Boxes& boxes, int face) {
-  for (int axis = 0; axis < 3; ++axis) {
-    double low = 0, high = 0;
-    for (int i = 0; i < 4; ++i) {
-      const int a = corner(i);
-      const double known = motion.x(a, axis), move = motion.dt * motion.v(a, axis);
-      const double before = move < 0 ? known + move : known, after = move < 0 ? known : known + move;
-      low = i == 0 || before < low ? before : low;
-      high = i == 0 || after > high ? after : high;
-    }
-    boxes(face, axis) = low - reach;
-    boxes(face, axis + 3) = high + reach;
+  FacePoints x, v;
+  for (int i = 0; i < 4; ++i) {
+    x.corner[i] = load_row(motion.x, corner(i));
+    v.corner[i] = load_row(motion.v, corner(i));
   }
+  const BoxOf<double> box = bound_corners(x, v, motion.dt, reach);
+  boxes(face, 0) = box.low.x, boxes(face, 1) = box.low.y, boxes(face, 2) = box.low.z;
+  boxes(face, 3) = box.high.x, boxes(face, 4) = box.high.y, boxes(face, 5) = box.high.z;
 }
 
 /// Largest component of the displacement of any of `nodes` (mesh nodes) in the step.

@@ -23,8 +23,8 @@ inline constexpr double row_gap = 0.02;
 inline constexpr double capture = 0.27;
 /// Penetration of an earlier step is recovered by at most this a step; more would throw bodies apart.
 inline constexpr double recovery = 1e-4;
-/// Sides push each other from this depth on, a share of the largest coordinate in the scene: some dozen times the
-/// round-off of places.
+/// Sides push each other from this depth on, a share of the largest coordinate of the mesh at the start: some 45 times
+/// the round-off of places. What flies farther than that out of the scene has round-off that is larger.
 inline constexpr double play = 1e-14;
 /// Depths below this are round-off of a mesh that touches, not an overlap.
 inline constexpr double overlap = 1e-6;

@@ -145,6 +145,11 @@ KOKKOS_INLINE_FUNCTION void limit_rub(const ContactRow& row, RowImpulse& p) {
   p.rub[1] *= factor;
 }
 
+/// Whether the iteration begins with the row, and not only once its nodes move.
+KOKKOS_INLINE_FUNCTION bool wants_something(const ContactRow& row) {
+  return row.impulse.push > 0 || row.gap < row.target || is_tie(row);
+}
+
 /// One corrected force of the iteration: the impulse that would close the row if its neighbours followed, pushing
 /// only (but for ties), within Coulomb's limit. y: impulse to correct; u: work velocity of the correction that y and
 /// all others cause.

@@ -71,9 +71,11 @@ KOKKOS_INLINE_FUNCTION LastContact load_record(const History& history, int recor
 }
 
 /// Corners at n relative to the node and their displacement over the step relative to the node's.
-struct RelativeFace {
-  FacePoints start, move;
+template <class T>
+struct RelativeFaceOf {
+  FaceOf<T> start, move;
 };
+using RelativeFace = RelativeFaceOf<double>;
 
 KOKKOS_INLINE_FUNCTION RelativeFace load_relative_face(const ContactSurface& surface, const SurfaceMotion& motion,
                                                        const Point3& x, const Point3& v, int face) {
@@ -110,8 +112,9 @@ KOKKOS_INLINE_FUNCTION bool is_in_box(const CheckedNode& n, const Boxes& box, in
          n.low.y <= box(face, 4) && n.low.z <= box(face, 5);
 }
 
-KOKKOS_INLINE_FUNCTION FacePoints find_end(const RelativeFace& face) {
-  FacePoints end;
+template <class T>
+PERCUSS_FORCE_INLINE FaceOf<T> find_end(const RelativeFaceOf<T>& face) {
+  FaceOf<T> end;
   for (int i = 0; i < 4; ++i) end.corner[i] = face.start.corner[i] + face.move.corner[i];
   return end;
 }

@@ -1,33 +1,82 @@
 #include "kernels/contact/detailed_check.hpp"
 
 #include "kernels/contact/index_lists.hpp"
+#include "kernels/contact/listed_faces.hpp"
 #include "kernels/contact/node_check.hpp"
 
 namespace percuss {
 namespace {
 
-/// A box that meets nothing, for faces of which only the normal is read.
-KOKKOS_INLINE_FUNCTION void set_empty_box(const Boxes& boxes, int face) {
-  constexpr double beyond = 1e300;
-  for (int axis = 0; axis < 3; ++axis) {
-    boxes(face, axis) = beyond;
-    boxes(face, axis + 3) = -beyond;
+/// What else is read of them.
+struct MeasuredFaces : ListedFaces {
+  int back[4][lanes];                    // mesh nodes; behind faces that are not boxed the corners
+  alignas(64) double offset[lanes];      // of the thickness of shells
+  alignas(64) double box_offset[lanes];  // by how much more the box reaches for it
+
+  KOKKOS_INLINE_FUNCTION MeasuredFaces(const ContactSurface& surface, const Array<const int>& list,
+                                       const Array<const int>& boxed, int pack, int num_faces)
+      : ListedFaces(surface, list, boxed, pack, num_faces) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      for (int k = 0; k < 4; ++k) back[k][lane] = is_boxed[lane] ? surface.face_backs(face[lane], k) : corner[k][lane];
+      offset[lane] = find_face_offset(surface.offsets, face[lane]);
+      box_offset[lane] = find_offset_reach(offset[lane], surface.offsets.largest);
+    }
+  }
+};
+
+KOKKOS_INLINE_FUNCTION void store_box(const Boxes& boxes, int face, const Point3& low, const Point3& high) {
+  boxes(face, 0) = low.x, boxes(face, 1) = low.y, boxes(face, 2) = low.z;
+  boxes(face, 3) = high.x, boxes(face, 4) = high.y, boxes(face, 5) = high.z;
+}
+
+/// Size, box and slab of those faces that are boxed. at, velocity: of their corners; relative: the same to the first.
+KOKKOS_FORCEINLINE_FUNCTION void measure_boxed(const SurfaceOffsets& offsets, const SurfaceMotion& motion,
+                                               const MeasuredFaces& faces, const FaceOf<Packed>& at,
+                                               const FaceOf<Packed>& velocity, const RelativeFaceOf<Packed>& relative,
+                                               const PackedPoint& normal, const FaceState& out) {
+  // Distance from the middle of a face to that of the opposite side of its element.
+  const FaceOf<Packed> behind = load_corners(motion.x, faces.back);
+  PackedPoint sum = at.corner[0] - behind.corner[0];
+  for (int k = 1; k < 4; ++k) sum = sum + (at.corner[k] - behind.corner[k]);
+  const Packed offset = load_pack(faces.offset), dt(motion.dt);
+  const Packed thickness = select(offset > Packed(0), Packed(2) * offset, Packed(0.25) * norm(sum));
+  const Packed size = smaller(thickness, find_shortest_edge(relative.start));
+  const Packed reach = Packed(contact_limits::capture) * size + load_pack(faces.box_offset);
+  const BoxOf<Packed> box = bound_corners(at, velocity, dt, reach);
+  const LaneValues sizes(size);
+  const LanePoints lows(box.low), highs(box.high);
+  for (int lane = 0; lane < faces.count; ++lane) {
+    if (!faces.is_boxed[lane]) continue;
+    out.size(faces.face[lane]) = sizes[lane];
+    store_box(out.box, faces.face[lane], lows[lane], highs[lane]);
+  }
+  if (!(offsets.largest > 0)) return;
+  const FaceSlabOf<Packed> slab = find_slab(at.corner[0], dt * velocity.corner[0], relative, normal);
+  const LanePoints origin(slab.origin), move(slab.move), normal_at_start(slab.normal_at_start);
+  const LaneValues low_start(slab.low_start), high_start(slab.high_start), low_end(slab.low_end),
+      high_end(slab.high_end), turn(slab.turn);
+  for (int lane = 0; lane < faces.count; ++lane) {
+    if (!faces.is_boxed[lane]) continue;
+    out.slab(faces.face[lane]) = {origin[lane],  move[lane],     low_start[lane],       high_start[lane],
+                                  low_end[lane], high_end[lane], normal_at_start[lane], turn[lane]};
   }
 }
 
-/// Distance from the middle of a face to that of the opposite side of its element.
-KOKKOS_INLINE_FUNCTION double find_thickness(const ContactSurface& surface, const Rows3<const double>& x, int face) {
-  const double offset = find_face_offset(surface.offsets, face);
-  if (offset > 0) return 2 * offset;
-  Point3 sum{};
-  for (int i = 0; i < 4; ++i)
-    sum = sum + (load_row(x, surface.nodes(surface.face_corners(face, i))) - load_row(x, surface.face_backs(face, i)));
-  return 0.25 * norm(sum);
-}
-
-/// By how much more the box of a face reaches for the thickness of shells.
-KOKKOS_INLINE_FUNCTION double find_box_offset(const SurfaceOffsets& offsets, int face) {
-  return find_offset_reach(find_face_offset(offsets, face), offsets.largest);
+KOKKOS_FORCEINLINE_FUNCTION void measure_faces(const SurfaceOffsets& offsets, const SurfaceMotion& motion,
+                                               const MeasuredFaces& faces, const FaceState& out) {
+  const FaceOf<Packed> at = load_corners(motion.x, faces.corner), velocity = load_corners(motion.v, faces.corner);
+  // Relative to the first corner, so that nothing degrades far from the origin of the coordinates.
+  RelativeFaceOf<Packed> relative{find_relative(at), find_relative(velocity)};
+  for (int k = 0; k < 4; ++k) relative.move.corner[k] = Packed(motion.dt) * relative.move.corner[k];
+  const PackedPoint normal = find_face_normal(find_end(relative));
+  const LanePoints normals(normal);
+  for (int lane = 0; lane < faces.count; ++lane) {
+    store_row(out.normal, faces.face[lane], normals[lane]);
+    if (faces.is_boxed[lane]) continue;
+    constexpr double beyond = 1e300;  // a box that meets nothing
+    store_box(out.box, faces.face[lane], {beyond, beyond, beyond}, {-beyond, -beyond, -beyond});
+  }
+  if (faces.any_boxed) measure_boxed(offsets, motion, faces, at, velocity, relative, normal, out);
 }
 
 /// The candidate faces of a node.
@@ -76,25 +125,17 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
   const StillFaces seen = still;
   const bool is_watched = still.is_watched();
   const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
+  const int num_faces = candidates.num_faces;
   Kokkos::parallel_for(
-      "contact::update_faces", RangeOf<Space>(space, 0, candidates.num_faces), KOKKOS_LAMBDA(int i) {
-        const int face = list(i);
-        const auto row = [&](int k) { return k < 4 ? s.nodes(s.face_corners(face, k)) : s.face_backs(face, k - 4); };
-        if (is_watched && seen.look(m, face, is_boxed(i) != 0 ? 8 : 4, row)) return;
-        // Relative to the first corner, so that nothing degrades far from the origin of the coordinates.
-        const RelativeFace relative = load_relative_face(s, m, s.face_corners(face, 0), face);
-        store_row(out.normal, face, find_face_normal(find_end(relative)));
-        if (is_boxed(i) == 0) {
-          set_empty_box(out.box, face);
-          return;
+      "contact::update_faces", RangeOf<Space>(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
+        const MeasuredFaces measured(s, list, is_boxed, pack, num_faces);
+        bool has_moved = !is_watched;
+        for (int lane = 0; is_watched && lane < measured.count; ++lane) {
+          const auto row = [&](int k) { return k < 4 ? measured.corner[k][lane] : measured.back[k - 4][lane]; };
+          const bool is_still = seen.look(m, measured.face[lane], measured.is_boxed[lane] ? 8 : 4, row);
+          has_moved = has_moved || !is_still;
         }
-        const double edge = find_shortest_edge(relative.start), thickness = find_thickness(s, m.x, face);
-        out.size(face) = edge < thickness ? edge : thickness;
-        bound_face(
-            m, [&](int corner) { return s.nodes(s.face_corners(face, corner)); },
-            contact_limits::capture * out.size(face) + find_box_offset(s.offsets, face), out.box, face);
-        if (s.offsets.largest > 0)
-          out.slab(face) = find_slab(m, s.nodes(s.face_corners(face, 0)), relative, load_row(out.normal, face));
+        if (has_moved) measure_faces(s.offsets, m, measured, out);
       });
 }
 
@@ -108,25 +149,31 @@ KOKKOS_INLINE_FUNCTION bool has_moved_around(const ContactSurface& surface, cons
   return first == last;
 }
 
-/// Marks the candidate faces around whose corners some face has moved; returns how many of them have not.
+/// Candidate faces, and how many of them lie still with all around them.
+struct StillCount {
+  int still = 0, faces = 0;
+};
+
+/// Marks the candidate faces around whose corners some face has moved.
 template <class Space>
-int mark_near_moved(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
-                    const StillFaces& still, const Array<int>& near_moved) {
+StillCount mark_near_moved(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+                           const StillFaces& still, const Array<int>& near_moved) {
   const ContactSurface s = surface;
   const StillFaces seen = still;
   const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
-  int num_still = 0;
+  StillCount count;
   Kokkos::parallel_reduce(
       "contact::near_moved", RangeOf<Space>(space, 0, candidates.num_faces),
-      KOKKOS_LAMBDA(int i, int& count) {
+      KOKKOS_LAMBDA(int i, int& still_faces, int& faces) {
         if (is_boxed(i) == 0) return;
         bool has_moved = seen.has_moved(list(i));
         for (int k = 0; k < 4 && !has_moved; ++k) has_moved = has_moved_around(s, seen, s.face_corners(list(i), k));
         near_moved(list(i)) = has_moved ? 1 : 0;
-        count += has_moved ? 0 : 1;
+        still_faces += has_moved ? 0 : 1;
+        ++faces;
       },
-      num_still);
-  return num_still;
+      count.still, count.faces);
+  return count;
 }
 
 /// The nodes to be checked: those that moved, or something near them, or that remember other faces than in the last
@@ -144,8 +191,8 @@ int list_checked_nodes(const Space& space, const ContactSurface& surface, const 
   }
   reserve(table.near_moved, surface.num_faces);
   reserve(table.checked, candidates.num_nodes);
-  const int num_still = mark_near_moved(space, surface, candidates, still, table.near_moved);
-  still.count_still(num_still, candidates.num_faces);
+  const StillCount count = mark_near_moved(space, surface, candidates, still, table.near_moved);
+  still.count_still(count.still, count.faces);
   const ContactSurface s = surface;
   const StillFaces seen = still;
   const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;

@@ -217,6 +217,14 @@ void update_edge_boxes(const Space& space, const EdgeSurface& surface, const Sur
 namespace {
 /// EdgeTouchTable::touches: the pair touches; it continues a record.
 constexpr int touching = 1, remembered = 2;
+
+/// Whether two checks of a pair found the same, to the bit.
+KOKKOS_INLINE_FUNCTION bool is_same_touch(const EdgeTouch& a, const EdgeTouch& b) {
+  const double of_a[3] = {a.s, a.t, a.gap_start}, of_b[3] = {b.s, b.t, b.gap_start};
+  const double end_a[3] = {a.gap_end, a.size, 0}, end_b[3] = {b.gap_end, b.size, 0};
+  return a.record == b.record && have_same_bits(&a.normal.x, &b.normal.x) && have_same_bits(of_a, of_b) &&
+         have_same_bits(end_a, end_b);
+}
 }  // namespace
 
 template <class Space>
@@ -248,12 +256,13 @@ void find_edge_touches(const Space& space, const EdgeSurface& surface, const Sur
         Point3 last{};
         touch.record = past.count == 0 ? -1 : find_edge_record(past, s.numbers(a(i)), s.numbers(b(i)));
         if (is_still && touch.record < 0 && (touches(i) & remembered) == 0) return;
+        const bool has_touched = is_still && (touches(i) & touching) != 0;
         touches(i) = touch.record >= 0 ? remembered : 0;
         if (touch.record >= 0) last = load_row(past.normal, touch.record);
         if (!check_edge_pair(s, m, a(i), b(i), touch.record >= 0 ? &last : nullptr, touch)) return;
         touches(i) |= touching;
+        found += has_touched && is_same_touch(touch, out(i)) ? 0 : 1;
         out(i) = touch;
-        ++found;
       },
       table.num_new);
   table.count = list_where<Space>(

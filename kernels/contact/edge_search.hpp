@@ -86,7 +86,7 @@ void update_edge_boxes(const Space& space, const EdgeSurface& surface, const Sur
 /// Accepted touches, in the order of the pairs.
 struct EdgeTouchTable {
   int count = 0;
-  int num_new = 0;         // of pairs that were checked; of the others what was found before still holds
+  int num_new = 0;         // of pairs of which the check before did not find the same, at rest
   int list_of_pairs = -1;  // EdgePairs::list of the last check
   Array<EdgeTouch> by_pair = Array<EdgeTouch>("contact::edge_touches", 0);  // [pairs]
   Array<int> touches = Array<int>("contact::edge_touch_marks", 0);          // [pairs] marks of the last check

@@ -127,7 +127,7 @@ WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const 
 /// Writes the history for the next step: rows that push, or that hold an overlap accepted at the start. All else is
 /// forgotten.
 template <class Space>
-void write_history(const Space& space, double dt, const RowSystem& system, ContactHistory& history);
+void write_history(const Space& space, double dt, RowSystem& system, ContactHistory& history);
 
 /// Zeroes the impulse of the first num_nodes of a list of nodes.
 template <class Space>

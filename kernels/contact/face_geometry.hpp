@@ -8,16 +8,20 @@
 
 namespace percuss {
 
-struct FacePoints {
-  Point3 corner[4]{};
+/// Corners of a face, or of one face a lane.
+template <class T>
+struct FaceOf {
+  Vector3<T> corner[4]{};
 };
+using FacePoints = FaceOf<double>;
 
 KOKKOS_INLINE_FUNCTION Point3 find_middle(const FacePoints& face) {
   return 0.25 * ((face.corner[0] + face.corner[1]) + (face.corner[2] + face.corner[3]));
 }
 
 /// Outward unit normal: half the cross product of the diagonals, which is the exact area vector of the fan.
-KOKKOS_INLINE_FUNCTION Point3 find_face_normal(const FacePoints& face) {
+template <class T>
+PERCUSS_FORCE_INLINE Vector3<T> find_face_normal(const FaceOf<T>& face) {
   return normalize(cross(face.corner[2] - face.corner[0], face.corner[3] - face.corner[1]));
 }
 
@@ -26,14 +30,16 @@ KOKKOS_INLINE_FUNCTION bool is_same_point(const Point3& a, const Point3& b) {
 }
 
 /// Of a triangle, a corner of which stands twice, without the edge between these.
-KOKKOS_INLINE_FUNCTION double find_shortest_edge(const FacePoints& face) {
-  double shortest = 0;
+template <class T>
+PERCUSS_FORCE_INLINE T find_shortest_edge(const FaceOf<T>& face) {
+  const T zero(0);
+  T shortest = zero;
   for (int i = 0; i < 4; ++i) {
-    const Point3 edge = face.corner[(i + 1) % 4] - face.corner[i];
-    const double square = dot(edge, edge);
-    if (square > 0 && (shortest == 0 || square < shortest)) shortest = square;
+    const Vector3<T> edge = face.corner[(i + 1) % 4] - face.corner[i];
+    const T square = dot(edge, edge);
+    shortest = select(square > zero && (shortest == zero || square < shortest), square, shortest);
   }
-  return std::sqrt(shortest);
+  return square_root(shortest);
 }
 
 /// A point of a face.

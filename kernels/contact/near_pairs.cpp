@@ -1,5 +1,7 @@
 #include "kernels/contact/near_pairs.hpp"
 
+#include "kernels/contact/listed_faces.hpp"
+
 namespace percuss {
 namespace {
 
@@ -11,53 +13,105 @@ constexpr double near_slack = 1e-3;
 
 /// How near a pair can come. A node has its histories from faces that it comes near ever, and they pass from face to
 /// face by common corners: where no such way leads, a pair is unlinked and never near.
-enum Nearness { never, unlinked, with_history, linked_now, ever };
+enum Nearness : int { never, unlinked, with_history, linked_now, ever };
 
-/// Adds an axis in which a face is seen: any unit vector, or none.
-KOKKOS_INLINE_FUNCTION void set_axis(const FacePoints& face, int k, const Point3& axis, SeenFace& seen) {
+/// Faces at n as nodes see them, one a lane: their normals and two axes along them.
+struct SeenFaces {
+  static constexpr int lanes = packed_lanes, rows = 5;  // of four values in memory
+  PackedPoint origin, axis[3];
+  Packed low[3], high[3];  // least and greatest height of a corner over the origin, by axis
+  Packed capture;          // reach of the check, without thickness
+  Packed turn;             // what the sine of the angle that a normal turns by is at most; 1: no bound
+};
+
+/// Adds an axis in which faces are seen: any unit vector, or none.
+KOKKOS_FORCEINLINE_FUNCTION void set_axis(const FaceOf<Packed>& face, int k, const PackedPoint& axis, SeenFaces& seen) {
   seen.axis[k] = axis;
   for (int i = 0; i < 4; ++i) {
-    const double height = dot(axis, face.corner[i]);
-    seen.low[k] = i == 0 || height < seen.low[k] ? height : seen.low[k];
-    seen.high[k] = i == 0 || height > seen.high[k] ? height : seen.high[k];
+    const Packed height = dot(axis, face.corner[i]);
+    seen.low[k] = i == 0 ? height : smaller(seen.low[k], height);
+    seen.high[k] = i == 0 ? height : larger(seen.high[k], height);
   }
 }
 
-/// face: relative to its first corner, which is at `origin`; size: h; travel: how far each corner may move.
-KOKKOS_INLINE_FUNCTION SeenFace see_face(const Point3& origin, const FacePoints& face, double size, double travel) {
-  const Point3 a = face.corner[2] - face.corner[0], b = face.corner[3] - face.corner[1], area = cross(a, b),
-               along = (face.corner[1] - face.corner[0]) + (face.corner[2] - face.corner[3]);
-  const double whole = norm(area), length = norm(along);
-  const Point3 normal = whole > 0 ? (1 / whole) * area : Point3{}, first = length > 0 ? (1 / length) * along : Point3{};
-  SeenFace seen;
-  seen.origin = origin;
-  seen.capture = contact_limits::capture * size;
+/// size: h; travel: how far each corner may move.
+KOKKOS_FORCEINLINE_FUNCTION SeenFaces see_faces(const FaceOf<Packed>& at, const Packed& size, const Packed& travel) {
+  const FaceOf<Packed> face = find_relative(at);
+  const PackedPoint a = face.corner[2] - face.corner[0], b = face.corner[3] - face.corner[1], area = cross(a, b),
+                    along = (face.corner[1] - face.corner[0]) + (face.corner[2] - face.corner[3]);
+  const PackedPoint normal = normalize(area), first = normalize(along);
+  SeenFaces seen{};
+  seen.origin = at.corner[0];
+  seen.capture = Packed(contact_limits::capture) * size;
   set_axis(face, 0, normal, seen);
   set_axis(face, 1, first, seen);
   set_axis(face, 2, cross(normal, first), seen);
   // Each diagonal changes by twice the travel at most.
-  const double change = 2 * travel * (norm(a) + norm(b) + 2 * travel);
-  seen.turn = change < whole ? change / whole : 1;
+  const Packed whole = norm(area), change = Packed(2) * travel * (norm(a) + norm(b) + Packed(2) * travel);
+  seen.turn = select(change < whole, change / whole, Packed(1));
   return seen;
 }
 
-/// How near a pair can come while each side moves by what `capture` has for it. Without a history, a node is accepted
-/// within the capture of the face moved outward by thickness; with one, by the offset farther behind it as well.
-KOKKOS_INLINE_FUNCTION Nearness find_nearness(const SeenFace& seen, const Point3& place, double capture,
-                                              double offset) {
-  const Point3 from = place - seen.origin;
-  const double reach = capture + (1 + longest_mitre) * offset;
-  double low = 0, high = 0;  // of the face over the node
-  for (int k = 2; k >= 0; --k) {
-    const double height = dot(seen.axis[k], from);
-    low = seen.low[k] - height;
-    high = seen.high[k] - height;
-    if (low > reach || high < -reach) return never;
+/// face: by lane, -1: not to be stored.
+KOKKOS_FORCEINLINE_FUNCTION void store_seen(const SeenFaces& seen, const int (&face)[SeenFaces::lanes],
+                                            const Rows4<double>& to) {
+  const Packed values[SeenFaces::rows][4] = {{seen.origin.x, seen.origin.y, seen.origin.z, seen.capture},
+                                             {seen.axis[0].x, seen.axis[0].y, seen.axis[0].z, seen.turn},
+                                             {seen.axis[1].x, seen.axis[1].y, seen.axis[1].z, seen.low[1]},
+                                             {seen.axis[2].x, seen.axis[2].y, seen.axis[2].z, seen.high[1]},
+                                             {seen.low[0], seen.high[0], seen.low[2], seen.high[2]}};
+  for (int r = 0; r < SeenFaces::rows; ++r) {
+    alignas(64) double packs[4][SeenFaces::lanes];
+    int row[SeenFaces::lanes];
+    for (int k = 0; k < 4; ++k) store_pack(packs[k], values[r][k]);
+    for (int lane = 0; lane < SeenFaces::lanes; ++lane)
+      row[lane] = face[lane] < 0 ? -1 : SeenFaces::rows * face[lane] + r;
+    store_rows_of_four(packs, row, to.data());
   }
+}
+
+KOKKOS_FORCEINLINE_FUNCTION SeenFaces load_seen(const Rows4<const double>& from, const int (&face)[SeenFaces::lanes]) {
+  Packed values[SeenFaces::rows][4];
+  for (int r = 0; r < SeenFaces::rows; ++r) {
+    alignas(64) double packs[4][SeenFaces::lanes];
+    int row[SeenFaces::lanes];
+    for (int lane = 0; lane < SeenFaces::lanes; ++lane) row[lane] = SeenFaces::rows * face[lane] + r;
+    load_rows_of_four(from.data(), row, packs);
+    for (int k = 0; k < 4; ++k) values[r][k] = load_pack(packs[k]);
+  }
+  const auto& [first, normal, along, across, heights] = values;
+  return {{first[0], first[1], first[2]},
+          {{normal[0], normal[1], normal[2]}, {along[0], along[1], along[2]}, {across[0], across[1], across[2]}},
+          {heights[0], along[3], heights[2]},
+          {heights[1], across[3], heights[3]},
+          first[3],
+          normal[3]};
+}
+
+/// How near pairs of a node and the faces of the lanes can come while each side moves by what `approach` has for it.
+/// offset: the distance that they keep by lane. Without a history, a node is accepted within the capture of the face
+/// moved outward by thickness; with one, by the offset farther behind it as well.
+KOKKOS_FORCEINLINE_FUNCTION void find_nearness(const SeenFaces& seen, const Point3& place, double approach,
+                                               const Packed& offset, int (&nearness)[SeenFaces::lanes]) {
+  const PackedPoint from = spread_to_pack(place) - seen.origin;
+  const Packed nearer = seen.capture + Packed(approach), capture = nearer + Packed(near_slack) * (nearer + offset);
+  const Packed reach = capture + Packed(1 + longest_mitre) * offset, one(1), zero(0);
+  Packed low[3], high[3];  // of the faces over the node
+  for (int k = 0; k < 3; ++k) {
+    const Packed height = dot(seen.axis[k], from);
+    low[k] = seen.low[k] - height;
+    high[k] = seen.high[k] - height;
+  }
+  const auto is_out =
+      low[0] > reach || high[0] < -reach || low[1] > reach || high[1] < -reach || low[2] > reach || high[2] < -reach;
   // The moved face is higher by the offset along a normal that turns, and its corners by as much along it at most.
-  const double least = offset * (1 - 2 * seen.turn), most = offset * (1 + seen.turn);
-  const bool is_apart = offset > 0 && seen.turn < 0.5 && (low + least > capture || high + most < -capture);
-  return is_apart ? unlinked : ever;
+  const Packed least = offset * (one - Packed(2) * seen.turn), most = offset * (one + seen.turn);
+  const auto is_apart =
+      offset > zero && seen.turn < Packed(0.5) && (low[0] + least > capture || high[0] + most < -capture);
+  alignas(64) double found[SeenFaces::lanes];
+  const auto spread = [](int value) { return Packed(value); };
+  store_pack(found, select(is_out, spread(never), select(is_apart, spread(unlinked), spread(ever))));
+  for (int lane = 0; lane < SeenFaces::lanes; ++lane) nearness[lane] = static_cast<int>(found[lane]);
 }
 
 /// Whether the face pushed the node in the last step.
@@ -98,41 +152,54 @@ bool list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
                      double travel, double most, NearScratch& scratch, CandidateList& near) {
   reserve(scratch.count, surface.num_nodes);
   reserve(scratch.nearness, all.num_pairs);
-  reserve(scratch.seen, surface.num_faces);
+  reserve(scratch.seen, SeenFaces::rows * surface.num_faces);
   reserve(near.offset, surface.num_nodes + 1);
   const ContactSurface s = surface;
   const Rows3<const double> places = x;
   const Array<const double> size = faces.size;
   const Array<const int> history = history_face, offset = all.offset, face = all.face;
-  const Array<const int> seen_faces = all.faces, is_candidate = all.is_boxed;
+  const Array<const int> list = all.faces, is_candidate = all.is_boxed;
+  const int num_faces = all.num_faces;
   const Array<int> count = scratch.count, nearness = scratch.nearness, near_offset = near.offset;
-  const Array<SeenFace> seen = scratch.seen;
+  const Rows4<double> seen = scratch.seen;
   const double approach = approach_in_travel * travel;
   Kokkos::parallel_for(
-      "contact::see_faces", RangeOf<Space>(space, 0, all.num_faces), KOKKOS_LAMBDA(int i) {
-        if (is_candidate(i) == 0) return;
-        const int seen_face = seen_faces(i);
-        const Point3 origin = load_row(places, s.nodes(s.face_corners(seen_face, 0)));
-        FacePoints corners;
-        for (int k = 0; k < 4; ++k)
-          corners.corner[k] = load_row(places, s.nodes(s.face_corners(seen_face, k))) - origin;
-        seen(seen_face) = see_face(origin, corners, size(seen_face), travel);
+      "contact::see_faces", RangeOf<Space>(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
+        const ListedFaces listed(s, list, is_candidate, pack, num_faces);
+        if (!listed.any_boxed) return;
+        int stored[ListedFaces::lanes];
+        alignas(64) double h[ListedFaces::lanes];
+        for (int lane = 0; lane < ListedFaces::lanes; ++lane) {
+          const bool is_seen = lane < listed.count && listed.is_boxed[lane];
+          stored[lane] = is_seen ? listed.face[lane] : -1;
+          h[lane] = is_seen ? size(listed.face[lane]) : 0;
+        }
+        store_seen(see_faces(load_corners(places, listed.corner), load_pack(h), Packed(travel)), stored, seen);
       });
   Kokkos::parallel_for(
       "contact::find_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
         const int first = offset(node), last = offset(node + 1);
+        count(node) = 0;
+        if (first == last) return;
         bool any = false, any_unlinked = false;
-        const Point3 place = first < last ? load_row(places, s.nodes(node)) : Point3{};
-        for (int c = first; c < last; ++c) {
-          const SeenFace& one = seen(face(c));
-          const double capture = one.capture + approach, apart = find_offset(s.offsets, node, face(c));
-          const Nearness own = find_nearness(one, place, capture + near_slack * (capture + apart), apart);
-          nearness(c) = own != ever && is_in_history(history, node, face(c)) ? ever : own;
-          any = any || nearness(c) == ever;
-          any_unlinked = any_unlinked || nearness(c) == unlinked;
+        const Point3 place = load_row(places, s.nodes(node));
+        for (int c = first; c < last; c += SeenFaces::lanes) {
+          const int pairs = last - c < SeenFaces::lanes ? last - c : SeenFaces::lanes;
+          int one[SeenFaces::lanes], own[SeenFaces::lanes];
+          alignas(64) double apart[SeenFaces::lanes];
+          for (int lane = 0; lane < SeenFaces::lanes; ++lane) {
+            one[lane] = face(lane < pairs ? c + lane : c);
+            apart[lane] = find_offset(s.offsets, node, one[lane]);
+          }
+          find_nearness(load_seen(seen, one), place, approach, load_pack(apart), own);
+          for (int lane = 0; lane < pairs; ++lane) {
+            if (own[lane] != ever && is_in_history(history, node, one[lane])) own[lane] = ever;
+            nearness(c + lane) = own[lane];
+            any = any || own[lane] == ever;
+            any_unlinked = any_unlinked || own[lane] == unlinked;
+          }
         }
         if (any && any_unlinked) link_histories(s, face, nearness, first, last);
-        count(node) = 0;
         for (int c = first; c < last; ++c) count(node) += nearness(c) >= with_history ? 1 : 0;
       });
   Kokkos::parallel_scan(

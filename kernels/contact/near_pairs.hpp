@@ -10,20 +10,12 @@
 
 namespace percuss {
 
-/// A face at n as nodes see it: its normal and two axes along it.
-struct SeenFace {
-  Point3 origin{}, axis[3]{};
-  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};  // least and greatest height of a corner over the origin, by axis
-  double capture = 0;                              // reach of the check, without thickness
-  double turn = 0;  // what the sine of the angle that its normal turns by is at most; 1: no bound
-};
-
 /// Memory kept between lists.
 struct NearScratch {
   ConcernedScratch concerned;
-  Array<int> count = Array<int>("contact::near_count", 0);           // [contact nodes]
-  Array<SeenFace> seen = Array<SeenFace>("contact::seen_faces", 0);  // [faces]
-  Array<int> nearness = Array<int>("contact::nearness", 0);          // [pairs]
+  Array<int> count = Array<int>("contact::near_count", 0);       // [contact nodes]
+  Rows4<double> seen = Rows4<double>("contact::seen_faces", 0);  // [faces * SeenFaces::rows]
+  Array<int> nearness = Array<int>("contact::nearness", 0);      // [pairs]
 };
 
 /// Fills `near` with the pairs of `all` that the check could accept before some node, or one behind a face, is farther

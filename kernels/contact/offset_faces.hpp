@@ -83,23 +83,25 @@ KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surf
                            find_offset(surface.offsets, node, face));
 }
 
-/// The slab of a face. relative: to its first corner.
-KOKKOS_INLINE_FUNCTION FaceSlab find_slab(const SurfaceMotion& motion, int first_corner, const RelativeFace& relative,
-                                          const Point3& normal) {
-  FaceSlab slab;
-  slab.origin = load_row(motion.x, first_corner);
-  slab.move = motion.dt * load_row(motion.v, first_corner);
+/// The slab of a face. relative: to its first corner, which is at `origin` and moves by `move`; normal: at the
+/// predicted place.
+template <class T>
+PERCUSS_FORCE_INLINE FaceSlabOf<T> find_slab(const Vector3<T>& origin, const Vector3<T>& move,
+                                             const RelativeFaceOf<T>& relative, const Vector3<T>& normal) {
+  FaceSlabOf<T> slab;
+  slab.origin = origin;
+  slab.move = move;
   for (int i = 0; i < 4; ++i) {
-    const double start = dot(normal, relative.start.corner[i]);
-    const double end = start + dot(normal, relative.move.corner[i]);
-    slab.low_start = i == 0 || start < slab.low_start ? start : slab.low_start;
-    slab.high_start = i == 0 || start > slab.high_start ? start : slab.high_start;
-    slab.low_end = i == 0 || end < slab.low_end ? end : slab.low_end;
-    slab.high_end = i == 0 || end > slab.high_end ? end : slab.high_end;
+    const T start = dot(normal, relative.start.corner[i]);
+    const T end = start + dot(normal, relative.move.corner[i]);
+    slab.low_start = i == 0 ? start : smaller(slab.low_start, start);
+    slab.high_start = i == 0 ? start : larger(slab.high_start, start);
+    slab.low_end = i == 0 ? end : smaller(slab.low_end, end);
+    slab.high_end = i == 0 ? end : larger(slab.high_end, end);
   }
-  constexpr double slack = 1e-6;  // room for round-off
+  const T slack(1e-6);  // room for round-off
   slab.normal_at_start = find_face_normal(relative.start);
-  slab.turn = longest_mitre * norm(normal - slab.normal_at_start) + slack;
+  slab.turn = T(longest_mitre) * norm(normal - slab.normal_at_start) + slack;
   return slab;
 }
 

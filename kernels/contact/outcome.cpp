@@ -77,7 +77,7 @@ KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& a
   }
   const double residual = row.target > gap ? (row.target - gap) / row.size : 0;
   sums.residual = residual > sums.residual ? residual : sums.residual;
-  sums.add_depth((-row.gap_start - row.reference) / row.size, row.key);
+  sums.add_depth((find_floor(row) - row.gap_start) / row.size, row.key);
 }
 
 /// The tangential displacement that sticking owes after the step, or that stretches a spring; nothing when it slides.
@@ -118,6 +118,18 @@ KOKKOS_INLINE_FUNCTION void write_record(const ContactRow& row, const Rows3<cons
   history.reference(row.record) = row.reference;
   if (row.kind == RowKind::face && (row.impulse.push > 0 || row.reference > 0 || row.is_caught))
     history.face(row.record) = row.face;
+}
+
+/// Empties a record of a face or a wall; -1: of neither.
+KOKKOS_INLINE_FUNCTION void clear_record(int record, const ContactHistory& history) {
+  if (record < 0) return;
+  if (record < static_cast<int>(history.face.extent(0))) {
+    history.face(record) = -1;
+    return;
+  }
+  store_row(history.impulse, record, Point3{});
+  store_row(history.slip, record, Point3{});
+  history.reference(record) = 0;
 }
 
 void reserve_edge_history(EdgeHistory& history, int records) {
@@ -189,22 +201,25 @@ WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const 
 }
 
 template <class Space>
-void write_history(const Space& space, double dt, const RowSystem& system, ContactHistory& history) {
+void write_history(const Space& space, double dt, RowSystem& system, ContactHistory& history) {
   reserve_edge_history(history.edges, system.num_edge_rows);
-  Kokkos::deep_copy(space, history.face, std::int64_t{-1});
   const ContactHistory h = history;
-  const int first = static_cast<int>(h.face.extent(0)), last = static_cast<int>(h.reference.extent(0));
+  const bool is_known = system.num_written >= 0;
+  const int records = is_known ? system.num_written : static_cast<int>(h.reference.extent(0));
+  const Array<const int> old = system.written;
   Kokkos::parallel_for(
-      "contact::clear_wall_history", RangeOf<Space>(space, first, last), KOKKOS_LAMBDA(int record) {
-        store_row(h.impulse, record, Point3{});
-        store_row(h.slip, record, Point3{});
-        h.reference(record) = 0;
-      });
+      "contact::clear_history", RangeOf<Space>(space, 0, records),
+      KOKKOS_LAMBDA(int i) { clear_record(is_known ? old(i) : i, h); });
+  reserve(system.written, system.num_rows);
+  system.num_written = system.num_rows;
+  const Array<int> written = system.written;
   const Array<const ContactRow> rows = system.rows;
   const Rows3<const double> dv = system.correction;
   Kokkos::parallel_for(
-      "contact::write_history", RangeOf<Space>(space, 0, system.num_rows),
-      KOKKOS_LAMBDA(int r) { write_record(rows(r), dv, dt, h); });
+      "contact::write_history", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        write_record(rows(r), dv, dt, h);
+        written(r) = rows(r).kind == RowKind::face || rows(r).kind == RowKind::wall ? rows(r).record : -1;
+      });
 }
 
 template <class Space>
@@ -221,7 +236,7 @@ void clear_impulses(const Space& space, const Array<const int>& nodes, int num_n
   template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                                \
   template WallSums sum_wall_impulses(const Space&, int, const Rows3<const double>&, const Point3&, const RowSystem&, \
                                       RowSumMemory&);                                                                 \
-  template void write_history(const Space&, double, const RowSystem&, ContactHistory&);                               \
+  template void write_history(const Space&, double, RowSystem&, ContactHistory&);                                     \
   template void clear_impulses(const Space&, const Array<const int>&, int, const Rows3<double>&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

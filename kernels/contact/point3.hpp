@@ -13,9 +13,13 @@ using Point3 = Vector3<double>;
 KOKKOS_INLINE_FUNCTION Point3 operator-(const Point3& a) { return {-a.x, -a.y, -a.z}; }
 
 /// a / |a|; the zero vector stays zero.
-KOKKOS_INLINE_FUNCTION Point3 normalize(const Point3& a) {
-  const double length = norm(a);
-  return length > 0 ? (1 / length) * a : Point3{};
+template <class T>
+PERCUSS_FORCE_INLINE Vector3<T> normalize(const Vector3<T>& a) {
+  const T length = norm(a), zero(0), one(1);
+  const auto has_length = length > zero;
+  const T scale = one / select(has_length, length, one);
+  return {select(has_length, scale * a.x, zero), select(has_length, scale * a.y, zero),
+          select(has_length, scale * a.z, zero)};
 }
 
 /// Largest of the absolute components.

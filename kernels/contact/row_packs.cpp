@@ -57,10 +57,6 @@ KOKKOS_INLINE_FUNCTION void set_row(RowPack& pack, int lane, const ContactRow& r
   pack.row[lane] = r;
 }
 
-KOKKOS_INLINE_FUNCTION bool wants_something(const ContactRow& row) {
-  return row.impulse.push > 0 || row.gap < row.target || is_tie(row);
-}
-
 /// From now on the nodes of the pack are looked at.
 KOKKOS_INLINE_FUNCTION void stir(const RowPack& pack, const Array<int>& stirred) {
   for (const auto& places : pack.place)
@@ -112,7 +108,7 @@ PERCUSS_FLATTEN KOKKOS_FUNCTION void advance_pack(RowPack& pack, const Rows4<dou
 /// In each stretch of rows those that want something first, so that packs of others may rest; both kinds ascending. The
 /// stretches are short, so that threads share the work evenly, each of rows that have nodes in common.
 template <class Space>
-void order_rows(const Space& space, const Array<const ContactRow>& rows, int num_rows, RowPacks& packs) {
+void order_rows(const Space& space, const Array<const int>& wants, int num_rows, RowPacks& packs) {
   constexpr int stretch = 64 * RowPack::lanes;
   reserve(packs.order, num_rows);
   const Array<int> order = packs.order;
@@ -120,9 +116,9 @@ void order_rows(const Space& space, const Array<const ContactRow>& rows, int num
       "contact::order_rows", RangeOf<Space>(space, 0, (num_rows + stretch - 1) / stretch), KOKKOS_LAMBDA(int s) {
         const int first = s * stretch, end = first + stretch < num_rows ? first + stretch : num_rows;
         int place = first;
-        for (const bool wanting : {true, false})
+        for (const int wanting : {1, 0})
           for (int r = first; r < end; ++r)
-            if (wants_something(rows(r)) == wanting) order(place++) = r;
+            if (wants(r) == wanting) order(place++) = r;
       });
 }
 
@@ -133,7 +129,7 @@ void pack_rows(const Space& space, RowSystem& system) {
   RowPacks& packs = system.packs;
   const int num_rows = system.num_rows, nowhere = system.num_places();
   packs.count = (num_rows + RowPack::lanes - 1) / RowPack::lanes;
-  order_rows<Space>(space, system.rows, num_rows, packs);
+  order_rows<Space>(space, system.wants, num_rows, packs);
   reserve(packs.pack, packs.count);
   reserve(packs.active, packs.count);
   reserve(packs.dv, nowhere + 1);
@@ -148,7 +144,7 @@ void pack_rows(const Space& space, RowSystem& system) {
         if (a < nowhere) store_row(correction, a, Point3{});
       });
   const Array<const ContactRow> rows = system.rows;
-  const Array<const int> share_of_slot = system.share_of_slot;
+  const Array<const int> share_of_slot = system.share_of_slot, wants = system.wants;
   const Rows4<double> shares = system.shares;
   Kokkos::parallel_for(
       "contact::pack_rows", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
@@ -163,7 +159,7 @@ void pack_rows(const Space& space, RowSystem& system) {
           set_row(pack, lane, rows(r), r, share_of_slot);
           if (rows(r).friction > 0) pack.rubs = 1;
           if (is_tie(rows(r))) pack.ties = 1;
-          if (wants_something(rows(r))) p.active(i) = 1;
+          if (wants(r) != 0) p.active(i) = 1;
         }
         share_pack(pack, shares);
         if (p.active(i) != 0) stir(pack, p.stirred);

@@ -41,7 +41,6 @@ void build_rows(const Space& space, const RowInputs& inputs, const Array<const R
   space.fence();
   others.receive_nodes(system);
   make_rows(space, inputs, touches, num_touches, walls, history, system);
-  share_coefficients(space, system);
   others.send_coefficients(space, system);
   sum_coefficients(space, system);
   space.fence();

@@ -13,13 +13,25 @@ struct EntryNodes {
   int num_touches, num_rows;
   Array<const int> near_walls, wall_node, remote_node;
 
+  /// Of row r. -1 - k: foreign node k.
+  KOKKOS_INLINE_FUNCTION bool has_slot(int r, int slot) const {
+    return slot < (r < num_touches ? touches(r).count : 1);
+  }
+  KOKKOS_INLINE_FUNCTION int get_node(int r, int slot) const {
+    return r < num_touches ? touches(r).node[slot] : wall_node(near_walls(r - num_touches));
+  }
+
   KOKKOS_INLINE_FUNCTION int operator()(int entry) const {
     const int r = entry / row_nodes, slot = entry % row_nodes;
-    if (r < num_touches) return slot < touches(r).count ? touches(r).node[slot] : -1;
-    if (r < num_rows) return slot == 0 ? wall_node(near_walls(r - num_touches)) : -1;
-    return remote_node(entry - num_rows * row_nodes);
+    if (r >= num_rows) return remote_node(entry - num_rows * row_nodes);
+    return has_slot(r, slot) ? get_node(r, slot) : -1;
   }
 };
+
+EntryNodes list_entry_nodes(const Array<const RowTouch>& touches, int num_touches, const WallPairs& walls,
+                            const RowSystem& system) {
+  return {touches, num_touches, system.num_rows, system.near_walls, walls.node, system.remote_node};
+}
 
 /// Touches of edges come after those of faces and number their records from 0.
 template <class Space>
@@ -108,12 +120,29 @@ void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system
       });
 }
 
-/// Entries by owned node, ascending in their rows' keys: local ones ascend with the row; remote ones find their place.
+/// ContactRow::key of the rows of this rank.
+struct RowKeys {
+  Array<const RowTouch> touches;
+  int num_touches;
+  Array<const int> near_walls;
+  WallPairs walls;
+  Array<const std::int64_t> node_numbers;  // [mesh nodes]
+
+  KOKKOS_INLINE_FUNCTION std::int64_t operator()(int r) const {
+    if (r < num_touches) return touches(r).key;
+    const int p = near_walls(r - num_touches);
+    return make_wall_row_key(node_numbers(walls.node(p)), walls.wall(p));
+  }
+};
+
+/// Places of the entries, and these by owned node, ascending in their rows' keys: local ones ascend with the row;
+/// remote ones find their place.
 template <class Space>
-void group_entries(const Space& space, RowSystem& system) {
+void group_entries(const Space& space, const EntryNodes& entries, const RowKeys& keys, RowSystem& system) {
   const int num_local = system.num_rows * row_nodes, num_entries = num_local + system.num_remote;
-  reserve(system.entry_key, num_entries);
+  reserve(system.place_of_entry, num_entries);
   reserve(system.entry_value, num_entries);
+  reserve(system.foreign, system.num_foreign);
   reserve(system.entry, num_entries);
   reserve(system.shares, num_entries + system.num_foreign);
   reserve(system.share_of_slot, num_local);
@@ -121,31 +150,38 @@ void group_entries(const Space& space, RowSystem& system) {
   reserve(system.count, system.num_nodes);
   reserve(system.offset, system.num_nodes + 1);
   const Array<int> share_of_slot = system.share_of_slot, share_of_remote = system.share_of_remote;
-  const Array<const ContactRow> rows = system.rows;
-  const Array<int> key = system.entry_key, value = system.entry_value, place = system.place_of_node;
+  const Array<int> place_of_entry = system.place_of_entry, value = system.entry_value, place = system.place_of_node;
+  const Array<int> foreign = system.foreign;
   const Array<const int> remote_place = system.remote_place;
-  const int nowhere = system.num_nodes;  // no key: of foreign nodes and of slots not in use
+  const EntryNodes touched = entries;
+  const int num_nodes = system.num_nodes, nowhere = system.num_places();
   Kokkos::parallel_for(
       "contact::list_entries", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         for (int slot = 0; slot < row_nodes; ++slot) {
-          const int a = rows(r).place[slot];
-          key(r * row_nodes + slot) = a >= 0 && a < nowhere ? a : nowhere;
-          value(r * row_nodes + slot) = r * row_nodes + slot;
-          share_of_slot(r * row_nodes + slot) = -1;
+          const int e = r * row_nodes + slot;
+          value(e) = e;
+          share_of_slot(e) = -1;
+          place_of_entry(e) = nowhere;
+          if (!touched.has_slot(r, slot)) continue;
+          const int node = touched.get_node(r, slot);
+          place_of_entry(e) = node >= 0 ? place(node) : num_nodes - 1 - node;
+          if (node < 0) foreign(-1 - node) = e;
         }
       });
   Kokkos::parallel_for(
       "contact::list_remote_entries", RangeOf<Space>(space, 0, system.num_remote), KOKKOS_LAMBDA(int k) {
-        key(num_local + k) = remote_place(k);
+        place_of_entry(num_local + k) = remote_place(k);
         value(num_local + k) = num_local + k;
       });
-  group_by_key<Space>(space, num_entries, key, value, system.num_nodes, system.count, system.offset, system.entry);
+  // Of foreign nodes, and of slots not in use, there is no key.
+  group_by_key<Space>(space, num_entries, place_of_entry, value, num_nodes, system.count, system.offset, system.entry);
   const Array<int> nodes = system.nodes, entry = system.entry, offset = system.offset;
   const Array<const std::int64_t> remote_key = system.remote_key;
+  const RowKeys row_key = keys;
   Kokkos::parallel_for(
       "contact::merge_entries", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
         place(nodes(a)) = -1;  // as it was before the set-up
-        const auto get_key = [&](int e) { return e < num_local ? rows(e / row_nodes).key : remote_key(e - num_local); };
+        const auto get_key = [&](int e) { return e < num_local ? row_key(e / row_nodes) : remote_key(e - num_local); };
         int first = offset(a);
         const int last = offset(a + 1);
         while (first < last && entry(first) < num_local) ++first;
@@ -162,26 +198,23 @@ void group_entries(const Space& space, RowSystem& system) {
             share_of_remote(entry(i) - num_local) = i;
         }
       });
-  const Array<const int> foreign = system.foreign;
   const int first_foreign = system.first_foreign();
   Kokkos::parallel_for(
       "contact::place_foreign_shares", RangeOf<Space>(space, 0, system.num_foreign),
       KOKKOS_LAMBDA(int k) { share_of_slot(foreign(k)) = first_foreign + k; });
 }
 
-/// Stores values(row, slot) as the share of every slot of every row.
-template <class Space, class Values>
-void store_shares(const Space& space, const RowSystem& system, const Values& values) {
-  const Array<const ContactRow> rows = system.rows;
-  const Array<const int> share_of_slot = system.share_of_slot;
-  const Rows4<double> shares = system.shares;
-  Kokkos::parallel_for(
-      "contact::store_shares", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
-        Point3 value[row_nodes];
-        values(rows(r), value);
-        for (int slot = 0; slot < count_nodes(rows(r)); ++slot)
-          store_row(shares, share_of_slot(r * row_nodes + slot), value[slot]);
-      });
+/// Sums of the absolute coefficients of row r on its nodes.
+KOKKOS_INLINE_FUNCTION void share_coefficients(const ContactRow& row, int r, const Array<const int>& share_of_slot,
+                                               const Rows4<double>& shares) {
+  Point3 couple[3];
+  for (int d = 0; d < count_directions(row); ++d) couple[d] = find_couple(row, get_direction(row, d));
+  for (int slot = 0; slot < count_nodes(row); ++slot) {
+    Point3 sum{};
+    for (int d = 0; d < count_directions(row); ++d)
+      sum = sum + find_abs(spread_impulse(row, slot, get_direction(row, d), couple[d]));
+    store_row(shares, share_of_slot(r * row_nodes + slot), sum);
+  }
 }
 
 }  // namespace
@@ -221,8 +254,8 @@ void start_rows(const Space& space, const RowInputs& inputs, const Array<const R
   const int num_ties = static_cast<int>(inputs.ties.extent(0));
   system.num_edge_rows = count_edge_touches(space, touches, num_touches - num_ties);
   system.num_rows = num_touches + list_near_walls(space, walls, inputs.motion, system);
-  const EntryNodes entries{touches, num_touches, system.num_rows, system.near_walls, walls.node, system.remote_node};
-  number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)), entries, system);
+  number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)),
+               list_entry_nodes(touches, num_touches, walls, system), system);
   gather_nodes(space, inputs, system);
   for (Rows3<double>* rows : {&system.correction, &system.abs_sum}) reserve(*rows, system.num_places());
 }
@@ -231,57 +264,48 @@ template <class Space>
 void make_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
                const WallPairs& walls, const ContactHistory& history, RowSystem& system) {
   reserve(system.rows, system.num_rows);
-  reserve(system.foreign, system.num_foreign);
+  group_entries(space, list_entry_nodes(touches, num_touches, walls, system),
+                {touches, num_touches, system.near_walls, walls, inputs.node_numbers}, system);
   const Array<ContactRow> rows = system.rows;
-  const Array<int> place = system.place_of_node, foreign = system.foreign, near_walls = system.near_walls;
+  const Array<const int> place = system.place_of_entry, share_of_slot = system.share_of_slot;
+  const Array<int> near_walls = system.near_walls;
+  const Rows4<double> shares = system.shares;
   const Array<const RowTouch> list = touches;
   const RowNodes at = system.at;
   const RowInputs in = inputs;
   const WallPairs w = walls;
   const ContactHistory h = history;
-  const int num_nodes = system.num_nodes, num_face_records = static_cast<int>(history.face.extent(0));
+  const int num_face_records = static_cast<int>(history.face.extent(0));
   Kokkos::parallel_for(
       "contact::make_rows", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         ContactRow& row = rows(r);
         row = ContactRow{};
         if (r >= num_touches) {
-          const int p = near_walls(r - num_touches);
-          row.place[0] = place(w.node(p));
-          fill_wall_row(w, h, in, at, num_face_records, p, row);
+          row.place[0] = place(r * row_nodes);
+          fill_wall_row(w, h, in, at, num_face_records, near_walls(r - num_touches), row);
         } else {
-          for (int slot = 0; slot < list(r).count; ++slot) {
-            const int n = list(r).node[slot];
-            row.place[slot] = n >= 0 ? place(n) : num_nodes - 1 - n;
-            if (n < 0) foreign(-1 - n) = r * row_nodes + slot;
-          }
+          for (int slot = 0; slot < list(r).count; ++slot) row.place[slot] = place(r * row_nodes + slot);
           const int record = list(r).record;
           if (list(r).kind == RowKind::tie)
             fill_tie_row(in.ties(record), in, at, list(r), load_row(h.ties, record), row);
           else
             fill_touch_row(h, in, at, list(r), row);
         }
+        share_coefficients(row, r, share_of_slot, shares);
       });
-  group_entries(space, system);
-}
-
-template <class Space>
-void share_coefficients(const Space& space, const RowSystem& system) {
-  store_shares(space, system, [] KOKKOS_FUNCTION(const ContactRow& row, Point3* value) {
-    Point3 couple[3];
-    for (int d = 0; d < count_directions(row); ++d) couple[d] = find_couple(row, get_direction(row, d));
-    for (int slot = 0; slot < count_nodes(row); ++slot) {
-      value[slot] = Point3{};
-      for (int d = 0; d < count_directions(row); ++d)
-        value[slot] = value[slot] + find_abs(spread_impulse(row, slot, get_direction(row, d), couple[d]));
-    }
-  });
 }
 
 template <class Space>
 void share_impulses(const Space& space, const RowSystem& system) {
-  store_shares(space, system, [] KOKKOS_FUNCTION(const ContactRow& row, Point3* value) {
-    for (int slot = 0; slot < count_nodes(row); ++slot) value[slot] = spread_impulse(row, slot, row.force, row.couple);
-  });
+  const Array<const ContactRow> rows = system.rows;
+  const Array<const int> share_of_slot = system.share_of_slot;
+  const Rows4<double> shares = system.shares;
+  Kokkos::parallel_for(
+      "contact::share_impulses", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        const ContactRow& row = rows(r);
+        for (int slot = 0; slot < count_nodes(row); ++slot)
+          store_row(shares, share_of_slot(r * row_nodes + slot), spread_impulse(row, slot, row.force, row.couple));
+      });
 }
 
 template <class Space>
@@ -315,9 +339,11 @@ void sum_coefficients(const Space& space, RowSystem& system) {
 }
 
 template <class Space>
-void sum_stiffness(const Space& space, const RowSystem& system) {
+void sum_stiffness(const Space& space, RowSystem& system) {
   const Array<ContactRow> rows = system.rows;
   const Rows3<const double> sum = system.abs_sum, inverse_mass = system.at.inverse_mass;
+  reserve(system.wants, system.num_rows);
+  const Array<int> wants = system.wants;
   Kokkos::parallel_for(
       "contact::sum_stiffness", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         ContactRow& row = rows(r);
@@ -335,6 +361,7 @@ void sum_stiffness(const Space& space, const RowSystem& system) {
           set_tie_stiffness(row, stiffness);
         else
           set_stiffness(row, stiffness, free);
+        wants(r) = wants_something(row) ? 1 : 0;
       });
 }
 
@@ -345,12 +372,11 @@ void sum_stiffness(const Space& space, const RowSystem& system) {
                            RowSystem&);                                                                                \
   template void make_rows(const Space&, const RowInputs&, const Array<const RowTouch>&, int, const WallPairs&,         \
                           const ContactHistory&, RowSystem&);                                                          \
-  template void share_coefficients(const Space&, const RowSystem&);                                                    \
   template void share_impulses(const Space&, const RowSystem&);                                                        \
   template void get_foreign_shares(const Space&, const RowSystem&, const Rows3<double>&);                              \
   template void place_remote_shares(const Space&, const RowSystem&);                                                   \
   template void sum_coefficients(const Space&, RowSystem&);                                                            \
-  template void sum_stiffness(const Space&, const RowSystem&);
+  template void sum_stiffness(const Space&, RowSystem&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

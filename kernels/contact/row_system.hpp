@@ -172,11 +172,17 @@ struct RowSystem {
   Rows3<double> remote = Rows3<double>("contact::remote", 0);          // [num_remote] value of each remote entry
   Rows3<double> correction = Rows3<double>("contact::correction", 0);  // dv of the iterate
   Rows3<double> abs_sum = Rows3<double>("contact::abs_sum", 0);        // S
+  Array<int> wants = Array<int>("contact::wanting_rows", 0);           // [rows] wants_something() at the start
   RowPacks packs;                                                      // what the iteration works on
+  // The history records that the last step's rows of faces and walls wrote, all others are empty; -1: not known.
+  int num_written = -1;
+  Array<int> written = Array<int>("contact::written_records", 0);
   // Scratch of the set-up.
   Array<int> near_walls = Array<int>("contact::near_walls", 0);        // wall pairs in reach
   Array<int> place_of_node = Array<int>("contact::place_of_node", 0);  // [mesh nodes] -1 outside set-up
-  Array<int> entry_key = Array<int>("contact::entry_key", 0), entry_value = Array<int>("contact::entry_value", 0);
+  // [rows * row_nodes + num_remote] of its node; num_places(): a slot not in use
+  Array<int> place_of_entry = Array<int>("contact::place_of_entry", 0);
+  Array<int> entry_value = Array<int>("contact::entry_value", 0);
   Array<int> count = Array<int>("contact::entry_count", 0);
   Array<int> first_entry = Array<int>("contact::first_entry", 0);  // [num_nodes] of each node
 
@@ -218,15 +224,11 @@ template <class Space>
 void start_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
                 const WallPairs& walls, RowSystem& system);
 
-/// Makes the rows from touches and walls with their first guess from history, and the entries of the owned nodes. In:
-/// RowSystem::at of all places, remote_key.
+/// Makes the rows from touches and walls with their first guess from history, and the entries of the owned nodes; sums
+/// of absolute coefficients of each entry: RowSystem::shares. In: RowSystem::at of all places, remote_key.
 template <class Space>
 void make_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
                const WallPairs& walls, const ContactHistory& history, RowSystem& system);
-
-/// Sums of absolute coefficients of each entry: RowSystem::shares.
-template <class Space>
-void share_coefficients(const Space& space, const RowSystem& system);
 
 /// Impulse of each entry: RowSystem::shares.
 template <class Space>
@@ -244,8 +246,9 @@ void place_remote_shares(const Space& space, const RowSystem& system);
 template <class Space>
 void sum_coefficients(const Space& space, RowSystem& system);
 
-/// D of each row: sum over its nodes of |c| S / m, a bound of the row sum of |G M^-1 G^T|. In: S at all places.
+/// D of each row: sum over its nodes of |c| S / m, a bound of the row sum of |G M^-1 G^T|; RowSystem::wants. In: S at
+/// all places.
 template <class Space>
-void sum_stiffness(const Space& space, const RowSystem& system);
+void sum_stiffness(const Space& space, RowSystem& system);
 
 }  // namespace percuss

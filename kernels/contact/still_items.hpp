@@ -11,7 +11,8 @@
 
 namespace percuss {
 
-/// Items, faces or edges, of which each check notes where their nodes lie at rest. Copies share what is noted.
+/// Items, faces or edges, of which each check notes where their nodes lie at rest. A copy, as kernels make, shares what
+/// is noted of the check that has begun; the next one begins with the original.
 template <int most_nodes>
 class StillItems {
  public:

@@ -27,13 +27,15 @@ struct SurfaceOffsets {
 
 /// Where a face lies along its normal at the predicted place, by its first corner: a look at these numbers rules out
 /// nearly all pairs of a shell with itself.
-struct FaceSlab {
-  Point3 origin{}, move{};               // place of the first corner at n and its displacement over the step
-  double low_start = 0, high_start = 0;  // least and greatest height of a corner at n
-  double low_end = 0, high_end = 0;      // and at the predicted place
-  Point3 normal_at_start{};              // outward unit normal at n
-  double turn = 0;                       // bound of what its turning raises or lowers moved corners by / offset
+template <class T>
+struct FaceSlabOf {
+  Vector3<T> origin{}, move{};    // place of the first corner at n and its displacement over the step
+  T low_start{0}, high_start{0};  // least and greatest height of a corner at n
+  T low_end{0}, high_end{0};      // and at the predicted place
+  Vector3<T> normal_at_start{};   // outward unit normal at n
+  T turn{0};                      // bound of what its turning raises or lowers moved corners by / offset
 };
+using FaceSlab = FaceSlabOf<double>;
 
 /// No corner is moved by more than this times the offset: mitred at edges of up to a right angle, and by as much along
 /// the face as away from it where a shell ends.

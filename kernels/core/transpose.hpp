@@ -132,6 +132,24 @@ PERCUSS_FORCE_INLINE void load_blocks(const double* rows, const int* index, doub
 }
 
 template <int W>
+PERCUSS_FORCE_INLINE void load_narrow_blocks(const double* rows, const int* index, Pack<double> (&packs)[3]) {
+  using Raw = typename RawPack<W>::type;
+  const auto row = [&](int lane) { return rows + 3 * std::ptrdiff_t{index[lane]}; };
+  Raw block[4];
+  for (int i = 0; i < 4; ++i) {
+    const double* low = row(i);
+    if constexpr (W == 8) {
+      const double* high = row(i + 4);
+      block[i] = Raw{low[0], low[1], low[2], 0, high[0], high[1], high[2], 0};
+    } else {
+      block[i] = Raw{low[0], low[1], low[2], 0};
+    }
+  }
+  transpose_blocks<W>(block);
+  for (int k = 0; k < 3; ++k) packs[k] = Pack<double>(block[k]);
+}
+
+template <int W>
 PERCUSS_FORCE_INLINE void store_blocks(const double (&packs)[4][W], const int* index, double* rows) {
   using Raw = typename RawPack<W>::type;
   Raw block[4];
@@ -165,6 +183,24 @@ KOKKOS_FORCEINLINE_FUNCTION void load_rows_of_four(const double* rows, const int
 #endif
   for (int lane = 0; lane < W; ++lane)
     for (int k = 0; k < 4; ++k) packs[k][lane] = rows[4 * std::ptrdiff_t{index[lane]} + k];
+}
+
+/// Rows of three doubles, one a lane: packs[k][lane] = rows[3 index[lane] + k].
+template <int W>
+KOKKOS_FORCEINLINE_FUNCTION void load_rows_of_three(const double* rows, const int (&index)[W],
+                                                    Pack<double> (&packs)[3]) {
+  static_assert(W == pack_size<double>, "one row a lane");
+#ifdef PERCUSS_HAS_SIMD
+  if constexpr (W >= 4) {
+    detail::load_narrow_blocks<W>(rows, index, packs);
+    return;
+  }
+#endif
+  for (int k = 0; k < 3; ++k) {
+    alignas(64) double column[W];
+    for (int lane = 0; lane < W; ++lane) column[lane] = rows[3 * std::ptrdiff_t{index[lane]} + k];
+    packs[k] = load_pack(column);
+  }
 }
 
 /// The way back, for lanes with index >= 0: rows[4 index[lane] + k] = packs[k][lane].

@@ -148,11 +148,18 @@ void check_candidates(const SurfaceMotion& motion, CheckSpace& check) {
   check.counts.left_out += check.touches.num_kept_pairs;
 }
 
-PenetrationTable measure_candidates(const SurfaceMotion& motion, CheckSpace& check) {
-  PenetrationTable table;
-  check.still.forget();
+void measure_all_faces(const SurfaceMotion& motion, CheckSpace& check) {
+  check.still.forget();  // what is known of faces is no longer of the last check
   run_where_it_pays(check.candidates.num_pairs, [&](const auto& space) {
     update_faces(space, check.surface, motion, check.candidates, StillFaces(), check.faces);
+    space.fence();
+  });
+}
+
+PenetrationTable measure_candidates(const SurfaceMotion& motion, CheckSpace& check) {
+  PenetrationTable table;
+  measure_all_faces(motion, check);
+  run_where_it_pays(check.candidates.num_pairs, [&](const auto& space) {
     find_penetrations(space, check.surface, motion, check.candidates, check.faces, table);
   });
   return table;

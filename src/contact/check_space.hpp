@@ -110,6 +110,12 @@ struct CheckSpace {
 /// Takes a surface into use: memory for its faces and nodes.
 void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>& face_numbers, CheckSpace& check);
 
+/// No pair was checked in this step.
+inline void forget_touches(CheckSpace& check) {
+  check.touches.count = check.touches.num_new = 0;
+  check.still.forget();
+}
+
 /// Place of a face by its number; -1 if it is not here.
 KOKKOS_INLINE_FUNCTION int find_face(const Array<const std::int64_t>& numbers, std::int64_t number) {
   int first = 0, last = static_cast<int>(numbers.extent(0));
@@ -125,6 +131,9 @@ KOKKOS_INLINE_FUNCTION int find_face(const Array<const std::int64_t>& numbers, s
 
 /// The detailed check of the candidate pairs that are near (the paper's section 4.2).
 void check_candidates(const SurfaceMotion& motion, CheckSpace& check);
+
+/// Measures the faces of all candidate pairs at the places of a motion with dt = 0.
+void measure_all_faces(const SurfaceMotion& motion, CheckSpace& check);
 
 /// How deep contact nodes are inside other bodies at the places of a motion with dt = 0.
 PenetrationTable measure_candidates(const SurfaceMotion& motion, CheckSpace& check);

@@ -54,8 +54,8 @@ class ContactFinder {
   virtual void narrow(const NearWay& way) = 0;
 
   /// Checks the candidate pairs. touches: those of this rank's contact nodes, by (node, face), then those of edges
-  /// whose home this rank is, by (edge A, edge B); in: those of the last check, which it may find again. Returns how
-  /// many these are.
+  /// whose home this rank is, by (edge A, edge B); in: the same array with those of the last check as they were, where
+  /// they stay if it finds the same. Returns how many these are.
   virtual int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) = 0;
 
   /// Whether all that the last check found on this rank was found by the one before it as well, and lies still: as many

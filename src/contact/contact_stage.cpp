@@ -52,6 +52,7 @@ struct ContactStage::Impl {
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
   void refuse_torn_ties(const ContactReport& report) const;
+  void forget_last_step();
   void redefine_surface();
   HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, ties); }
 
@@ -82,6 +83,7 @@ struct ContactStage::Impl {
   ContactReport last;           // of the last step
   int touches_last = 0;         // of this rank in it
   int same_steps = 0;           // in a row that found, on all ranks, what the step before did
+  long enforcements = 0;        // steps that had to look for impulses
   ContactClocks clocks;
   PhaseClock decomposed_at_start;  // in searches before the first step, which are in no phase
 };
@@ -165,8 +167,15 @@ void ContactStage::Impl::refuse_torn_ties(const ContactReport& report) const {
       find_user_id(report.torn_node), report.torn));
 }
 
+/// What the last step did says nothing about this one.
+void ContactStage::Impl::forget_last_step() {
+  last = {};
+  touches_last = same_steps = 0;
+}
+
 /// Everything that follows from the mesh as it is now, but the history.
 void ContactStage::Impl::redefine_surface() {
+  forget_last_step();
   ties = keep_living_ties(chunks, ties_of_start, ranks);
   share = build_surface_share(chunks, deck, ties, exchange);
   tie_rows = TieRows(seen(), ties, contact);
@@ -235,7 +244,9 @@ void ContactStage::archive(CheckpointArchive& archive) {
   archive_ties(archive, stage.chunks, stage.ties, stage.history);
   stage.bound.archive(archive, find_rows_of_nodes(stage.chunks, stage.share.nodes.numbers));
   stage.enforcer.archive(archive);
-  if (archive.is_loading()) stage.search_again();
+  if (!archive.is_loading()) return;
+  stage.forget_last_step();
+  stage.search_again();
 }
 
 ContactReport ContactStage::apply(const ContactMotion& motion) {
@@ -250,12 +261,14 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   ContactReport report = is_repetition ? stage.last : ContactReport{};
   report.searched = has_searched;
   report.candidates = stage.candidates;
-  if (is_repetition)
+  if (is_repetition) {
     stage.enforcer.repeat(motion);
-  else if (stage.is_anything_touched(num_touches))
+  } else if (stage.is_anything_touched(num_touches)) {
+    ++stage.enforcements;
     stage.enforcer.enforce(motion, stage.touches, num_touches, stage.history, report);
-  else
+  } else {
     stage.enforcer.rest(motion, stage.history);
+  }
   stage.last = report;
   stage.refuse_torn_ties(report);
   return report;
@@ -285,6 +298,7 @@ std::vector<double> ContactStage::sum_pair_work() const {
 std::int64_t ContactStage::contact_nodes() const { return impl_->share.total_nodes; }
 std::int64_t ContactStage::contact_faces() const { return impl_->share.total_faces; }
 long ContactStage::searches() const { return impl_->searches; }
+long ContactStage::enforcements() const { return impl_->enforcements; }
 ContactClocks ContactStage::clocks() const {
   ContactClocks clocks = impl_->clocks;
   clocks.decomposition = impl_->finder->decomposition_clock();

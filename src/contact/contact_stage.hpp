@@ -106,7 +106,8 @@ class ContactStage {
 
   std::int64_t contact_nodes() const;  // of the whole scene
   std::int64_t contact_faces() const;
-  long searches() const;  // how many steps searched, for their contact or because erosion had redefined the surface
+  long searches() const;      // how many steps searched, for their contact or because erosion had redefined the surface
+  long enforcements() const;  // how many steps looked for impulses, though they may have found none
   DecompositionReport decomposition() const;
   SearchLoad load() const;         // of this rank
   PairCounts pair_counts() const;  // likewise

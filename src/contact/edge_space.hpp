@@ -52,6 +52,12 @@ struct EdgeSpace {
 /// Takes a surface into use: memory for its edges.
 void set_edge_surface(const EdgeSurface& surface, EdgeSpace& space);
 
+/// No pair was checked in this step.
+inline void forget_touches(EdgeSpace& space) {
+  space.touches.count = space.touches.num_new = 0;
+  space.still.forget();
+}
+
 /// The detailed check of all pairs; returns the number of touches.
 int check_edge_pairs(const SurfaceMotion& motion, const EdgeHistory& history, EdgeSpace& space);
 

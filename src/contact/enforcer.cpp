@@ -61,6 +61,7 @@ void Enforcer::redefine(const Mesh& mesh, const SurfaceShare& share, const WallP
   ties_ = ties;
   spring_ = find_springs(mesh, share, deck_);
   remembers_ = true;
+  system_.num_written = -1;
 }
 
 void Enforcer::clear_last_impulse(const ContactMotion& motion) {
@@ -89,6 +90,7 @@ void Enforcer::update_copies(const ContactMotion& motion) {
 }
 
 void Enforcer::archive(CheckpointArchive& archive) {
+  if (archive.is_loading()) system_.num_written = -1;
   archive.number("contact/last_dt", last_dt_);
   for (std::size_t p = 0; p < pair_work_.size(); ++p) {
     archive.sum(fmt::format("contact/pair_{}/normal_work", p), pair_work_[p].normal);

@@ -72,6 +72,7 @@ void LocalFinder::take_over(const ContactFinder& before) {
 }
 
 std::int64_t LocalFinder::search(const SurfaceMotion& motion, double margin) {
+  found_ = -1;  // by now the touches of the last check may have been written over
   return search_faces(motion, margin) + search_edges(motion, margin);
 }
 

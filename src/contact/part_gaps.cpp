@@ -29,11 +29,9 @@ std::vector<PartGap> measure_gaps(const SurfaceMotion& motion, CheckSpace& check
   std::vector<PartGap> found;
   if (candidates.num_pairs == 0) return found;
   Array<double> gaps("contact::gaps", 0);
-  check.still.forget();
-  run_where_it_pays(candidates.num_pairs, [&](const auto& space) {
-    update_faces(space, check.surface, motion, candidates, StillFaces(), check.faces);
-    find_gaps(space, check.surface, motion, candidates, check.faces, gaps);
-  });
+  measure_all_faces(motion, check);
+  run_where_it_pays(candidates.num_pairs,
+                    [&](const auto& space) { find_gaps(space, check.surface, motion, candidates, check.faces, gaps); });
   const auto gap = to_host(gaps);
   const auto nodes = to_host(candidates.nodes), offset = to_host(candidates.offset), face = to_host(candidates.face);
   const auto first_face = to_host(check.surface.nodes_to_faces_offset), faces = to_host(check.surface.nodes_to_faces);

@@ -104,7 +104,10 @@ int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& histo
 }
 
 std::vector<RowTouch> RankedFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& history) {
-  if (total_pairs_ == 0) return {};
+  if (total_pairs_ == 0) {
+    forget_touches(check_);
+    return {};
+  }
   check_candidates(receive(motion, history), check_);  // (5.6), second half
   std::vector<TouchRecord> records;
   records.reserve(at(check_.touches.count));

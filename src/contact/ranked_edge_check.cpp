@@ -136,7 +136,10 @@ RowTouch RankedEdges::make_row_touch(const TouchRecord& record, int& foreign) co
 
 void RankedEdges::append_touches(const SurfaceMotion& motion, const EdgeHistory& history,
                                  std::vector<RowTouch>& touches) {
-  if (total_pairs_ == 0) return;
+  if (total_pairs_ == 0) {
+    forget_touches(space_);
+    return;
+  }
   check_edge_pairs(motion_.receive(*data_, read_, motion), receive_history(history), space_);
   const std::vector<TouchRecord> records = send_home(list_touches());
   int foreign = 0;

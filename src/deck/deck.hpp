@@ -274,7 +274,7 @@ struct ContactDeck {
   Enforcement enforcement = Enforcement::kinematic;
   double tolerance = 1e-3;     // kinematic: of what is left, as a share of the largest predicted penetration
   double penalty_scale = 0.5;  // penalty: of the stiffness
-  bool reuse_search = true;    // keep candidate pairs while a guaranteed bound allows it
+  bool reuse_search = true;    // keep candidate pairs while a guaranteed bound allows it, leave out what lies still
   /// How candidate pairs are found. The pairs are the same.
   enum class Search { blocks, points_in_box };
   Search search = Search::blocks;

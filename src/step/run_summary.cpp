@@ -16,6 +16,7 @@ void fill_contact_summary(const SummedRun& run, Summary& summary) {
   if (run.steps > 0) {
     const auto steps = static_cast<double>(run.steps);
     summary.skipped.searches = 1 - static_cast<double>(run.contact.searches()) / steps;
+    summary.skipped.enforcements = 1 - static_cast<double>(run.contact.enforcements()) / steps;
     summary.skipped.rebalances = 1 - static_cast<double>(done.rebalances) / steps;
   }
   const PairCounts own = run.contact.pair_counts();

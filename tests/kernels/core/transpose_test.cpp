@@ -45,6 +45,20 @@ TEST(Transpose, PacksBecomeRecordsAgain) {
   }
 }
 
+TEST(Transpose, RowsOfThreeBecomePacks) {
+  double rows[3 * 2 * width];  // the last one ends with the memory
+  for (int i = 0; i < 3 * 2 * width; ++i) rows[i] = i + 1;
+  int index[width];
+  for (int lane = 0; lane < width; ++lane) index[lane] = (5 * lane + 2 * width - 1) % (2 * width);
+  Pack<double> packs[3];
+  load_rows_of_three(rows, index, packs);
+  for (int k = 0; k < 3; ++k) {
+    alignas(64) double row[width];
+    store_pack(row, packs[k]);
+    for (int lane = 0; lane < width; ++lane) EXPECT_EQ(row[lane], 3 * index[lane] + k + 1);
+  }
+}
+
 TEST(Transpose, SubtractRecordTouchesFourNumbersOnly) {
   alignas(64) double from[8] = {1, 2, 3, 4, 5, 6, 7, 8}, to[8] = {10, 10, 10, 10, 10, 10, 10, 10};
   subtract_record(from, to);

@@ -122,5 +122,53 @@ TEST(OffsetFaces, TurnWithTheFaceThroughTheStep) {
   }
 }
 
+void expect_same(const Point3& a, const Point3& b) {
+  EXPECT_EQ(a.x, b.x);
+  EXPECT_EQ(a.y, b.y);
+  EXPECT_EQ(a.z, b.z);
+}
+
+TEST(UpdateFaces, MeasuresFacesTogetherAsEachByItself) {
+  constexpr double half = 0.3;
+  CrookedPatch patch(half);
+  const int faces = patch.check.surface.num_faces, apart = 5;  // the last pack of faces is not full
+  patch.check.candidates.is_boxed(apart) = 0;
+  std::mt19937 random(7);
+  for (int draw = 0; draw < 50; ++draw) {
+    const SurfaceMotion motion = patch.draw(random);
+    const ContactSurface& surface = patch.check.surface;
+    const FaceState& found = patch.check.faces;
+    Boxes boxes("test::boxes", static_cast<std::size_t>(faces));
+    for (int face = 0; face < faces; ++face) {
+      const int corner = surface.face_corners(face, 0);
+      const RelativeFace relative = load_relative_face(surface, motion, corner, face);
+      const Point3 normal = find_face_normal(find_end(relative));
+      expect_same(load_row(found.normal, face), normal);
+      EXPECT_NEAR(norm(normal), 1, 1e-15);
+      if (face == apart) {
+        EXPECT_GT(found.box(face, 0), found.box(face, 3));  // which nothing meets
+        continue;
+      }
+      const double size = smaller(2 * half, find_shortest_edge(relative.start));
+      EXPECT_EQ(found.size(face), size);
+      bound_face(
+          motion, [&](int i) { return surface.nodes(surface.face_corners(face, i)); },
+          contact_limits::capture * size + find_offset_reach(half, half), boxes, face);
+      for (int side = 0; side < 6; ++side) EXPECT_EQ(found.box(face, side), boxes(face, side));
+      const int node = surface.nodes(corner);
+      const FaceSlab slab = find_slab(load_row(motion.x, node), motion.dt * load_row(motion.v, node), relative, normal);
+      const FaceSlab& stored = found.slab(face);
+      expect_same(stored.origin, slab.origin);
+      expect_same(stored.move, slab.move);
+      expect_same(stored.normal_at_start, slab.normal_at_start);
+      EXPECT_EQ(stored.low_start, slab.low_start);
+      EXPECT_EQ(stored.high_start, slab.high_start);
+      EXPECT_EQ(stored.low_end, slab.low_end);
+      EXPECT_EQ(stored.high_end, slab.high_end);
+      EXPECT_EQ(stored.turn, slab.turn);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace percuss::test

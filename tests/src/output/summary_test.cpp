@@ -98,6 +98,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "skipped.chunk_updates",
                                           "skipped.searches",
                                           "skipped.pair_checks",
+                                          "skipped.enforcements",
                                           "skipped.rebalances",
                                           "energy.initial",
                                           "energy.kinetic",

@@ -87,6 +87,48 @@ TEST(RestingContact, RestsToTheLastBit) {
   }
 }
 
+/// Bodies that touch, but for which nothing happens.
+std::string write_resting(const std::string& parts, const std::string& contact) {
+  return "time: {end: 1, max_step: 4e-5}\nparts:\n" + parts +
+         "materials: {m: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3, failure: "
+         "{principal_strain: 9}}}\ncontact: {surfaces: all, " +
+         contact + "}\n";
+}
+
+/// Whether nothing of contact is computed from the fourth step on, though all touches.
+void expect_rest(const std::string& deck) {
+  ErodingScene scene(deck);
+  PairCounts before;
+  for (int step = 0; step < 30; ++step) {
+    scene.advance();
+    if (step == 3) before = scene.scene.contact.pair_counts();
+  }
+  const ContactReport& report = scene.scene.stepper.contact_report();
+  EXPECT_EQ(report.iterations, 1);
+  EXPECT_EQ(report.interactions, 0);
+  EXPECT_LE(scene.scene.contact.enforcements(), 3);
+  const PairCounts after = scene.scene.contact.pair_counts();
+  if (after.candidates > before.candidates) {
+    EXPECT_EQ(find_share(after, before), 1);
+  }
+}
+
+TEST(RestingContact, IsLeftOutWhereFewOfTheFacesTouch) {
+  expect_rest(write_resting(R"(
+  plate: {box: {size: [0.9, 0.9, 0.1], cells: [3, 3, 1]}, material: m}
+  brick: {box: {size: [0.1, 0.1, 0.1], cells: [1, 1, 1]}, at: [0.41, 0.39, 0.1], material: m}
+)",
+                            "friction: 0.3"));
+}
+
+TEST(RestingContact, IsLeftOutWhereEdgesRememberAnOverlap) {
+  expect_rest(write_resting(R"(
+  lower: {box: {size: [0.7, 0.1, 0.1], cells: [7, 1, 1]}, material: m}
+  upper: {box: {size: [0.1, 0.7, 0.1], cells: [1, 7, 1]}, at: [0.333, -0.27, 0.098], material: m}
+)",
+                            "edges: true, overlap: accept"));
+}
+
 TEST(RestingContact, IsTheSameToTheBitWhereElementsDie) {
   ErodingScene together(write_deck("", true)), alone(write_deck("", true), Communicator(MPI_COMM_SELF)),
       all(write_deck("", false), Communicator(MPI_COMM_SELF));
