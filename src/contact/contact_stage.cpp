@@ -83,7 +83,7 @@ struct ContactStage::Impl {
   ContactReport last;           // of the last step
   int touches_last = 0;         // of this rank in it
   int same_steps = 0;           // in a row that found, on all ranks, what the step before did
-  long enforcements = 0;        // steps that had to look for impulses
+  long enforcements = 0;        // steps that looked for impulses
   ContactClocks clocks;
   PhaseClock decomposed_at_start;  // in searches before the first step, which are in no phase
 };
@@ -261,14 +261,14 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   ContactReport report = is_repetition ? stage.last : ContactReport{};
   report.searched = has_searched;
   report.candidates = stage.candidates;
-  if (is_repetition) {
+  report.enforced = false;
+  if (is_repetition)
     stage.enforcer.repeat(motion);
-  } else if (stage.is_anything_touched(num_touches)) {
-    ++stage.enforcements;
+  else if (stage.is_anything_touched(num_touches))
     stage.enforcer.enforce(motion, stage.touches, num_touches, stage.history, report);
-  } else {
+  else
     stage.enforcer.rest(motion, stage.history);
-  }
+  stage.enforcements += report.enforced ? 1 : 0;
   stage.last = report;
   stage.refuse_torn_ties(report);
   return report;

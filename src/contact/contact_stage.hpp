@@ -37,6 +37,7 @@ struct ContactReport {
   int interactions = 0;         // rows with a push, walls included, and tied nodes
   std::int64_t candidates = 0;  // candidate pairs held
   bool searched = false;        // whether the search was due
+  bool enforced = false;        // whether impulses were looked for in this step
   int iterations = 0;           // of the enforcement
   double residual = 0;          // largest penetration left over, or of a tied node from its place / face edge
   double complementarity = 0;   // lagrange: deviation from complementarity / largest closing velocity

@@ -156,6 +156,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
       apply_impulses(space, system_, motion.v, motion.impulse);
       EnforcementSums done = sum_outcome(space, motion.dt, system_, sums_);
       exchange_.reduce(done);
+      report.enforced = true;
       report.iterations = solved.iterations;
       report.converged = solved.converged;
       report.complementarity = solved.complementarity;
