@@ -28,7 +28,7 @@ struct alignas(64) PointLanes {
 /// Bit i: point i lies in `box`, its faces included or not.
 template <bool WithFaces = true>
 KOKKOS_FORCEINLINE_FUNCTION std::uint32_t find_lanes_inside(const PointLanes& points, const FloatBox& box) {
-#ifdef PERCUSS_HAS_SIMD
+#if defined(PERCUSS_HAS_SIMD) && defined(__AVX__)  // AVX-512 has it, too
   constexpr int at_most = WithFaces ? _CMP_LE_OQ : _CMP_LT_OQ, at_least = WithFaces ? _CMP_GE_OQ : _CMP_GT_OQ;
 #endif
 #if defined(PERCUSS_HAS_SIMD) && defined(__AVX512F__)
