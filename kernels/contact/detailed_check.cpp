@@ -30,10 +30,10 @@ KOKKOS_INLINE_FUNCTION void store_box(const Boxes& boxes, int face, const Point3
 }
 
 /// Size, box and slab of those faces that are boxed. at, velocity: of their corners; relative: the same to the first.
-KOKKOS_FORCEINLINE_FUNCTION void measure_boxed(const SurfaceOffsets& offsets, const SurfaceMotion& motion,
-                                               const MeasuredFaces& faces, const FaceOf<Packed>& at,
-                                               const FaceOf<Packed>& velocity, const RelativeFaceOf<Packed>& relative,
-                                               const PackedPoint& normal, const FaceState& out) {
+PERCUSS_FORCE_INLINE void measure_boxed(const SurfaceOffsets& offsets, const SurfaceMotion& motion,
+                                        const MeasuredFaces& faces, const FaceOf<Packed>& at,
+                                        const FaceOf<Packed>& velocity, const RelativeFaceOf<Packed>& relative,
+                                        const PackedPoint& normal, const FaceState& out) {
   // Distance from the middle of a face to that of the opposite side of its element.
   const FaceOf<Packed> behind = load_corners(motion.x, faces.back);
   PackedPoint sum = at.corner[0] - behind.corner[0];
@@ -62,8 +62,8 @@ KOKKOS_FORCEINLINE_FUNCTION void measure_boxed(const SurfaceOffsets& offsets, co
   }
 }
 
-KOKKOS_FORCEINLINE_FUNCTION void measure_faces(const SurfaceOffsets& offsets, const SurfaceMotion& motion,
-                                               const MeasuredFaces& faces, const FaceState& out) {
+PERCUSS_FORCE_INLINE void measure_faces(const SurfaceOffsets& offsets, const SurfaceMotion& motion,
+                                        const MeasuredFaces& faces, const FaceState& out) {
   const FaceOf<Packed> at = load_corners(motion.x, faces.corner), velocity = load_corners(motion.v, faces.corner);
   // Relative to the first corner, so that nothing degrades far from the origin of the coordinates.
   RelativeFaceOf<Packed> relative{find_relative(at), find_relative(velocity)};

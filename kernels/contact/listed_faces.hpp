@@ -3,11 +3,10 @@
 
 #include "kernels/contact/contact_state.hpp"
 #include "kernels/contact/packed_point.hpp"
-#include "kernels/contact/pair_query.hpp"
 
 namespace percuss {
 
-/// Faces of a CandidateList; lanes to spare have the first of them once more.
+/// Faces of a list; lanes to spare have the first of them once more.
 struct ListedFaces {
   static constexpr int lanes = packed_lanes;
   int count = 0;  // faces
@@ -34,15 +33,14 @@ struct ListedFaces {
 };
 
 /// Rows of node data at the corners.
-KOKKOS_FORCEINLINE_FUNCTION FaceOf<Packed> load_corners(const Rows3<const double>& rows,
-                                                        const int (&node)[4][packed_lanes]) {
+PERCUSS_FORCE_INLINE FaceOf<Packed> load_corners(const Rows3<const double>& rows, const int (&node)[4][packed_lanes]) {
   FaceOf<Packed> face;
   for (int k = 0; k < 4; ++k) face.corner[k] = load_points(rows, node[k]);
   return face;
 }
 
 /// Corners relative to the first one.
-KOKKOS_FORCEINLINE_FUNCTION FaceOf<Packed> find_relative(const FaceOf<Packed>& face) {
+PERCUSS_FORCE_INLINE FaceOf<Packed> find_relative(const FaceOf<Packed>& face) {
   FaceOf<Packed> relative;
   for (int k = 0; k < 4; ++k) relative.corner[k] = face.corner[k] - face.corner[0];
   return relative;

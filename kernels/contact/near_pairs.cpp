@@ -25,7 +25,7 @@ struct SeenFaces {
 };
 
 /// Adds an axis in which faces are seen: any unit vector, or none.
-KOKKOS_FORCEINLINE_FUNCTION void set_axis(const FaceOf<Packed>& face, int k, const PackedPoint& axis, SeenFaces& seen) {
+PERCUSS_FORCE_INLINE void set_axis(const FaceOf<Packed>& face, int k, const PackedPoint& axis, SeenFaces& seen) {
   seen.axis[k] = axis;
   for (int i = 0; i < 4; ++i) {
     const Packed height = dot(axis, face.corner[i]);
@@ -35,7 +35,7 @@ KOKKOS_FORCEINLINE_FUNCTION void set_axis(const FaceOf<Packed>& face, int k, con
 }
 
 /// size: h; travel: how far each corner may move.
-KOKKOS_FORCEINLINE_FUNCTION SeenFaces see_faces(const FaceOf<Packed>& at, const Packed& size, const Packed& travel) {
+PERCUSS_FORCE_INLINE SeenFaces see_faces(const FaceOf<Packed>& at, const Packed& size, const Packed& travel) {
   const FaceOf<Packed> face = find_relative(at);
   const PackedPoint a = face.corner[2] - face.corner[0], b = face.corner[3] - face.corner[1], area = cross(a, b),
                     along = (face.corner[1] - face.corner[0]) + (face.corner[2] - face.corner[3]);
@@ -53,8 +53,8 @@ KOKKOS_FORCEINLINE_FUNCTION SeenFaces see_faces(const FaceOf<Packed>& at, const 
 }
 
 /// face: by lane, -1: not to be stored.
-KOKKOS_FORCEINLINE_FUNCTION void store_seen(const SeenFaces& seen, const int (&face)[SeenFaces::lanes],
-                                            const Rows4<double>& to) {
+PERCUSS_FORCE_INLINE void store_seen(const SeenFaces& seen, const int (&face)[SeenFaces::lanes],
+                                     const Rows4<double>& to) {
   const Packed values[SeenFaces::rows][4] = {{seen.origin.x, seen.origin.y, seen.origin.z, seen.capture},
                                              {seen.axis[0].x, seen.axis[0].y, seen.axis[0].z, seen.turn},
                                              {seen.axis[1].x, seen.axis[1].y, seen.axis[1].z, seen.low[1]},
@@ -70,7 +70,7 @@ KOKKOS_FORCEINLINE_FUNCTION void store_seen(const SeenFaces& seen, const int (&f
   }
 }
 
-KOKKOS_FORCEINLINE_FUNCTION SeenFaces load_seen(const Rows4<const double>& from, const int (&face)[SeenFaces::lanes]) {
+PERCUSS_FORCE_INLINE SeenFaces load_seen(const Rows4<const double>& from, const int (&face)[SeenFaces::lanes]) {
   Packed values[SeenFaces::rows][4];
   for (int r = 0; r < SeenFaces::rows; ++r) {
     alignas(64) double packs[4][SeenFaces::lanes];
@@ -91,8 +91,8 @@ KOKKOS_FORCEINLINE_FUNCTION SeenFaces load_seen(const Rows4<const double>& from,
 /// How near pairs of a node and the faces of the lanes can come while each side moves by what `approach` has for it.
 /// offset: the distance that they keep by lane. Without a history, a node is accepted within the capture of the face
 /// moved outward by thickness; with one, by the offset farther behind it as well.
-KOKKOS_FORCEINLINE_FUNCTION void find_nearness(const SeenFaces& seen, const Point3& place, double approach,
-                                               const Packed& offset, int (&nearness)[SeenFaces::lanes]) {
+PERCUSS_FORCE_INLINE void find_nearness(const SeenFaces& seen, const Point3& place, double approach,
+                                        const Packed& offset, int (&nearness)[SeenFaces::lanes]) {
   const PackedPoint from = spread_to_pack(place) - seen.origin;
   const Packed nearer = seen.capture + Packed(approach), capture = nearer + Packed(near_slack) * (nearer + offset);
   const Packed reach = capture + Packed(1 + longest_mitre) * offset, one(1), zero(0);

@@ -14,7 +14,7 @@ namespace percuss {
 struct NearScratch {
   ConcernedScratch concerned;
   Array<int> count = Array<int>("contact::near_count", 0);       // [contact nodes]
-  Rows4<double> seen = Rows4<double>("contact::seen_faces", 0);  // [faces * SeenFaces::rows]
+  Rows4<double> seen = Rows4<double>("contact::seen_faces", 0);  // [5 faces] five rows a face
   Array<int> nearness = Array<int>("contact::nearness", 0);      // [pairs]
 };
 

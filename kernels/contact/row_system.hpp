@@ -174,7 +174,8 @@ struct RowSystem {
   Rows3<double> abs_sum = Rows3<double>("contact::abs_sum", 0);        // S
   Array<int> wants = Array<int>("contact::wanting_rows", 0);           // [rows] wants_something() at the start
   RowPacks packs;                                                      // what the iteration works on
-  // The history records that the last step's rows of faces and walls wrote, all others are empty; -1: not known.
+  // The history records of faces and walls that the last write_history() wrote; all others are empty (of a face: its
+  // number is -1). -1: not known.
   int num_written = -1;
   Array<int> written = Array<int>("contact::written_records", 0);
   // Scratch of the set-up.

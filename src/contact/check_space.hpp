@@ -110,7 +110,7 @@ struct CheckSpace {
 /// Takes a surface into use: memory for its faces and nodes.
 void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>& face_numbers, CheckSpace& check);
 
-/// No pair was checked in this step.
+/// No pair was checked in this step: nothing is found, and the next check has none before it to compare with.
 inline void forget_touches(CheckSpace& check) {
   check.touches.count = check.touches.num_new = 0;
   check.still.forget();

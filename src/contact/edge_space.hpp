@@ -52,7 +52,7 @@ struct EdgeSpace {
 /// Takes a surface into use: memory for its edges.
 void set_edge_surface(const EdgeSurface& surface, EdgeSpace& space);
 
-/// No pair was checked in this step.
+/// No pair was checked in this step: nothing is found, and the next check has none before it to compare with.
 inline void forget_touches(EdgeSpace& space) {
   space.touches.count = space.touches.num_new = 0;
   space.still.forget();

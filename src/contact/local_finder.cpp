@@ -125,8 +125,10 @@ int LocalFinder::check(const SurfaceMotion& motion, const ContactHistory& histor
 }
 
 int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& history) {
-  check_.touches.count = check_.touches.num_new = 0;
-  if (check_.candidates.num_pairs == 0) return 0;
+  if (check_.candidates.num_pairs == 0) {
+    forget_touches(check_);
+    return 0;
+  }
   const CandidateList& read = check_.read_pairs();
   const Array<const int> nodes = read.nodes;
   const Array<const std::int64_t> numbers = check_.face_numbers, old = history.face;

@@ -199,5 +199,44 @@ TEST(Enforcement, BothSpacesGiveTheSameBits) {
     }
 }
 
+// What a step wrote is forgotten in the next one, and what nobody knows of at once.
+TEST(WriteHistory, EmptiesWhatTheStepBeforeWrote) {
+  const SmallSpace space;
+  const int nodes = 4, wall = 3 * nodes;  // the wall's record
+  ContactHistory history = make_empty_history(nodes, 2);
+  RowSystem system;
+  system.rows = Array<ContactRow>("test::rows", 2);
+  const auto write = [&](int record, std::int64_t face, int wall_record) {
+    ContactRow &pushed = system.rows(0), &walled = system.rows(1);
+    pushed = walled = ContactRow{};
+    pushed.kind = RowKind::face;
+    pushed.record = record;
+    pushed.face = face;
+    walled.record = wall_record;
+    pushed.impulse.push = walled.impulse.push = 1;
+    pushed.force = walled.force = {1, 2, 3};
+    pushed.reference = walled.reference = 0.5;
+    system.num_rows = 2;
+    write_history(space, 1, system, history);
+  };
+  const auto expect_only = [&](int record, std::int64_t face, int wall_record) {
+    for (int r = 0; r < 3 * nodes; ++r) EXPECT_EQ(history.face(r), r == record ? face : -1) << r;
+    for (int r = wall; r < wall + 2; ++r) {
+      EXPECT_EQ(history.reference(r), r == wall_record ? 0.5 : 0) << r;
+      EXPECT_EQ(history.impulse(r, 2), r == wall_record ? 3 : 0) << r;
+    }
+  };
+  history.face(11) = 8;  // as a seed of the start, which no step wrote
+  write(4, 77, wall + 1);
+  expect_only(4, 77, wall + 1);
+  write(7, 78, wall);
+  expect_only(7, 78, wall);
+  history.face(1) = 9;
+  history.reference(wall + 1) = 2;
+  system.num_written = -1;
+  write(7, 79, wall);
+  expect_only(7, 79, wall);
+}
+
 }  // namespace
 }  // namespace percuss::test

@@ -128,12 +128,33 @@ void expect_same(const Point3& a, const Point3& b) {
   EXPECT_EQ(a.z, b.z);
 }
 
-TEST(UpdateFaces, MeasuresFacesTogetherAsEachByItself) {
-  constexpr double half = 0.3;
+/// Size of a face by its corners and, but for a shell, the distance of the middles of its two sides.
+double find_size(const CrookedPatch& patch, int face, double half, const RelativeFace& relative, bool& is_thin) {
+  const ContactSurface& surface = patch.check.surface;
+  Point3 corners{}, backs{};
+  for (int k = 0; k < 4; ++k) {
+    corners = corners + load_row(patch.x, surface.nodes(surface.face_corners(face, k)));
+    backs = backs + load_row(patch.x, surface.face_backs(face, k));
+  }
+  const double thickness = half > 0 ? 2 * half : norm(0.25 * (corners - backs));
+  const double edge = find_shortest_edge(relative.start);
+  is_thin = thickness < edge;
+  return is_thin ? thickness : edge;
+}
+
+/// Shells of half thickness `half`, or with 0 faces of solids, measured together as each by itself.
+void expect_measured(double half) {
   CrookedPatch patch(half);
-  const int faces = patch.check.surface.num_faces, apart = 5;  // the last pack of faces is not full
+  const int apart = 5, faces = patch.check.candidates.num_faces -= 1;  // the last pack of faces is not full
   patch.check.candidates.is_boxed(apart) = 0;
+  if (half == 0) {  // behind a face some nodes elsewhere in the patch
+    std::vector<std::array<int, 4>> backs;
+    for (int face = 0; face <= faces; ++face)
+      backs.push_back({face % 16, (3 * face + 1) % 16, (5 * face + 2) % 16, (7 * face + 3) % 16});
+    patch.check.surface.face_backs = to_rows("test::backs", backs);
+  }
   std::mt19937 random(7);
+  int thin = 0, thick = 0;
   for (int draw = 0; draw < 50; ++draw) {
     const SurfaceMotion motion = patch.draw(random);
     const ContactSurface& surface = patch.check.surface;
@@ -149,12 +170,15 @@ TEST(UpdateFaces, MeasuresFacesTogetherAsEachByItself) {
         EXPECT_GT(found.box(face, 0), found.box(face, 3));  // which nothing meets
         continue;
       }
-      const double size = smaller(2 * half, find_shortest_edge(relative.start));
-      EXPECT_EQ(found.size(face), size);
+      bool is_thin = false;
+      EXPECT_NEAR(found.size(face), find_size(patch, face, half, relative, is_thin), 1e-14);
+      thin += is_thin ? 1 : 0;
+      thick += is_thin ? 0 : 1;
       bound_face(
           motion, [&](int i) { return surface.nodes(surface.face_corners(face, i)); },
-          contact_limits::capture * size + find_offset_reach(half, half), boxes, face);
+          contact_limits::capture * found.size(face) + find_offset_reach(half, half), boxes, face);
       for (int side = 0; side < 6; ++side) EXPECT_EQ(found.box(face, side), boxes(face, side));
+      if (half == 0) continue;
       const int node = surface.nodes(corner);
       const FaceSlab slab = find_slab(load_row(motion.x, node), motion.dt * load_row(motion.v, node), relative, normal);
       const FaceSlab& stored = found.slab(face);
@@ -168,7 +192,13 @@ TEST(UpdateFaces, MeasuresFacesTogetherAsEachByItself) {
       EXPECT_EQ(stored.turn, slab.turn);
     }
   }
+  EXPECT_GT(thin, 50);
+  EXPECT_GT(thick, 50);
 }
+
+TEST(UpdateFaces, MeasuresShellsTogetherAsEachByItself) { expect_measured(0.45); }
+
+TEST(UpdateFaces, MeasuresFacesOfSolidsTogetherAsEachByItself) { expect_measured(0); }
 
 }  // namespace
 }  // namespace percuss::test
