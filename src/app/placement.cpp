@@ -58,7 +58,7 @@ std::string describe_crowding(const Placement& p, int rank_count) {
     return fmt::format(
         "warning: {} rank{} with {} thread{} together share the {} core{} of a machine (they take turns, and every "
         "step "
-        "waits for the slowest) start fewer ranks, or set OMP_NUM_THREADS",
+        "waits for the slowest): start fewer ranks, or set OMP_NUM_THREADS",
         p.ranks, p.ranks == 1 ? "" : "s", p.threads, p.threads == 1 ? "" : "s", p.cores, p.cores == 1 ? "" : "s");
   }
   if (p.bound_ranks > 0) {

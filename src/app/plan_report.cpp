@@ -138,19 +138,19 @@ std::string format_warnings(const PlannedScene& scene, const Column& column) {
   std::string text;
   if (empty > 0) {
     text += fmt::format(
-        "warning: {} of {} ranks would have no elements (the mesh has {} chunks, and a chunk is never divided) take "
+        "warning: {} of {} ranks would have no elements (the mesh has {} chunks, and a chunk is never divided): take "
         "fewer ranks or a finer mesh\n",
         empty, ranks, scene.chunks);
   } else if (ranks > 1 && spreads.elements.imbalance() > uneven) {
     text += fmt::format(
         "warning: on {} ranks the heaviest has {:.2f} times the mean of the elements ({:.1f} chunks a rank, and a "
-        "chunk is never divided) take fewer ranks or a finer mesh\n",
+        "chunk is never divided): take fewer ranks or a finer mesh\n",
         ranks, spreads.elements.imbalance(), spreads.chunks.mean);
   }
   if (ranks > 1 && scene.pattern.has_pairs && spreads.contact_points.mean < few_points) {
     text += fmt::format(
         "warning: on {} ranks each has only {:.0f} contact nodes and faces (below {:.0f} messages outweigh the "
-        "search) take fewer ranks or a finer mesh\n",
+        "search): take fewer ranks or a finer mesh\n",
         ranks, spreads.contact_points.mean, few_points);
   }
   return text;

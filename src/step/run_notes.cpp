@@ -38,7 +38,7 @@ std::vector<std::string> find_start_notes(const ChunkedMesh& chunked, const Mode
   for (const std::string& note : describe_added_masses(model)) notes.push_back(note);
   if (const int idle = count_idle_ranks(chunked.numbering, rank_count); idle > 0) {
     notes.push_back(
-        fmt::format("warning: {} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never divided) "
+        fmt::format("warning: {} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never divided): "
                     "start it on fewer ranks",
                     idle, rank_count, chunked.numbering.chunk_count()));
   }
