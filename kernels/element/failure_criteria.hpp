@@ -10,10 +10,10 @@ namespace percuss {
 
 /// What the criteria read of an element; of one with several points the means over them.
 struct ElementLoad {
-  Symmetric3<double> stress;   // Cauchy; the frame does not matter
-  Symmetric3<double> stretch;  // V
-  double plastic_strain = 0;   // equivalent, at n+1
-  double homologous = 0;       // (T - T room) / (T melt - T room)
+  Symmetric3<double> stress{};   // Cauchy; the frame does not matter; 0 where no limit asks for it
+  Symmetric3<double> stretch{};  // V, likewise
+  double plastic_strain = 0;     // equivalent, at n+1
+  double homologous = 0;         // (T - T room) / (T melt - T room)
 };
 
 /// ElementLoad::homologous at a temperature; 0 where the limits have none.

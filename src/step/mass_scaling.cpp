@@ -48,6 +48,7 @@ void refuse_other_laws(const Deck& deck, const Mesh& mesh, std::size_t part, con
 /// Step bound of each element at rest in its first shape.
 std::vector<double> find_element_bounds(const Model& model, const std::vector<double>& element_mass) {
   Model resting = model;
+  resting.has_shells = false;  // only hexahedra are looked at: what shells need beside follows from the scaled masses
   resting.element_mass = to_view("percuss::unscaled_mass", element_mass);
   resting.start_velocity = Rows3<double>("percuss::rest", static_cast<std::size_t>(model.node_count));
   const State state = make_initial_state(resting);

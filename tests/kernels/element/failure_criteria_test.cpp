@@ -30,7 +30,19 @@ ElementLoad stretch_to(double plastic_strain, const Tensor& stress) {
   return load;
 }
 
+/// What a load holds of which nothing was read. The compiler refuses the constant if any of it is not set.
+constexpr double sum_unread_load() {
+  ElementLoad load;
+  const auto sum = [](const Tensor& a) { return a.xx + a.yy + a.zz + a.xy + a.yz + a.zx; };
+  return sum(load.stress) + sum(load.stretch) + load.plastic_strain + load.homologous;
+}
+
 }  // namespace
+
+TEST(ElementLoad, IsZeroWhereNothingIsRead) {
+  constexpr double sum = sum_unread_load();
+  EXPECT_EQ(sum, 0);
+}
 
 TEST(LargestEigenvalue, IsThatOfATurnedDiagonal) {
   for (const Tensor& diagonal : {Tensor{3, -2, 1, 0, 0, 0}, Tensor{-5, -5, 2, 0, 0, 0}, Tensor{4, 4, -1, 0, 0, 0},

@@ -103,6 +103,20 @@ TEST(MassScaling, AStepBelowEveryBoundAddsNothing) {
   EXPECT_EQ(scene.model.added_masses.at(0).scaled, 0);
 }
 
+TEST(MassScaling, APartOfShellsBesideChangesNothing) {
+  const std::string scaled = fmt::format(", mass_scaling: {{step: {:.17g}, max_added: 0.1}}", 1.5 * find_first_bound(""));
+  const BarScene alone(scaled);
+  BarScene beside(scaled,
+                  "  sheet: {shell_plate: {size: [1, 1], cells: [2, 2]}, thickness: 0.01, at: [0, 9, 0], material: "
+                  "steel}\n");
+  ASSERT_EQ(beside.model.added_masses.size(), 1U);
+  EXPECT_EQ(beside.model.added_masses[0].added, alone.model.added_masses[0].added);
+  EXPECT_EQ(beside.model.added_masses[0].least_bound, alone.model.added_masses[0].least_bound);
+  beside.stepper.start(beside.state);
+  beside.stepper.advance(beside.state);
+  EXPECT_GT(beside.state.time, 0);
+}
+
 TEST(MassScaling, MoreThanTheLimitIsRefusedWithItsPlace) {
   const double wanted = 3 * find_first_bound("");
   try {
