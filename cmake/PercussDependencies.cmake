@@ -40,8 +40,11 @@ pkg_check_modules(muparser REQUIRED IMPORTED_TARGET muparser)
 find_library(EXODUS_LIBRARY NAMES exodusII exodus exoIIv2c REQUIRED)
 find_path(EXODUS_INCLUDE_DIR exodusII.h REQUIRED)
 add_library(percuss_exodus INTERFACE)
-target_link_libraries(percuss_exodus INTERFACE ${EXODUS_LIBRARY})
-target_include_directories(percuss_exodus SYSTEM INTERFACE ${EXODUS_INCLUDE_DIR})
+# Some of netCDF is called by itself, of the very library that Exodus brings: another one would bring another HDF5.
+find_path(NETCDF_INCLUDE_DIR netcdf.h REQUIRED)
+target_link_libraries(percuss_exodus INTERFACE
+  "-Wl,--copy-dt-needed-entries,${EXODUS_LIBRARY},--no-copy-dt-needed-entries")
+target_include_directories(percuss_exodus SYSTEM INTERFACE ${EXODUS_INCLUDE_DIR} ${NETCDF_INCLUDE_DIR})
 
 find_library(METIS_LIBRARY NAMES metis REQUIRED)
 find_path(METIS_INCLUDE_DIR metis.h REQUIRED)

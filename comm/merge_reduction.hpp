@@ -1,6 +1,7 @@
 #pragma once
 // A reduction over ranks of one struct, by a merge of its own: sums, least keys and lists in a single message.
 
+#include <span>
 #include <type_traits>
 
 #include "comm/communicator.hpp"
@@ -28,8 +29,12 @@ class MergeReduction {
   MergeReduction& operator=(const MergeReduction&) = delete;
 
   /// value: in, this rank's; out, the merge of all. Collective. Throws MpiError.
-  void operator()(const Communicator& ranks, T& value) const {
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &value, 1, type_, operation_, ranks.handle()); },
+  void operator()(const Communicator& ranks, T& value) const { (*this)(ranks, std::span<T>(&value, 1)); }
+
+  /// The same for each of several, as many on every rank, in one message.
+  void operator()(const Communicator& ranks, std::span<T> values) const {
+    const int count = static_cast<int>(values.size());
+    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, values.data(), count, type_, operation_, ranks.handle()); },
              "MPI_Allreduce");
   }
 

@@ -8,6 +8,7 @@
 #include "src/contact/contact_stage.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/mesh/surface_nodes.hpp"
+#include "src/output/safe_text.hpp"
 #include "src/step/history.hpp"
 #include "src/step/model.hpp"
 #include "src/step/state.hpp"
@@ -81,7 +82,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   scene.contact_faces = contact.contact_faces();
   scene.overlap = overlap;
   scene.contact_notes = contact.start_notes();
-  if (ranks.rank() == 0) fmt::print("{}", format_scene(scene));
+  if (ranks.rank() == 0) print_text(stdout, format_scene(scene));
   return ExitCode::done;
 }
 

@@ -172,6 +172,7 @@ struct Parser {
     run->add_flag("-f,--force", command.force, "Overwrite the results of an earlier run in that folder");
     run->add_flag("-q,--quiet", command.quiet, "No progress, no report");
     info->add_option("FILE", command.file, "The file or folder")->required()->type_name("");
+    add_external(info);
     // Fallthrough and extras: wrong words come back to us, so that we can hint at the right ones.
     app.allow_extras();
   }
@@ -228,6 +229,12 @@ struct Parser {
     sub->add_option("-s,--set", command.settings, "Change a value of the deck; lists by index from 0; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
+    add_external(sub);
+  }
+
+  void add_external(CLI::App* sub) {
+    sub->add_flag("--allow-external", command.allow_external,
+                  "Let HDF5 files (meshes, checkpoints) take data from other files");
   }
 };
 

@@ -28,6 +28,7 @@ struct Command {
   std::string restart = {};           // run: checkpoint to go on from
   bool force = false;                 // run: earlier results may be overwritten
   bool quiet = false;                 // run: no progress
+  bool allow_external = false;        // run, check, plan, info: HDF5 files may take data from other files
   std::vector<int> rank_counts = {};  // plan: numbers of ranks, each at least 1
   PlanFigures figures = {};           // plan
 };

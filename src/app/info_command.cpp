@@ -13,7 +13,10 @@
 #include "src/mesh/trial_process.hpp"
 #include "src/output/checkpoint_file.hpp"
 #include "src/output/describe_fields.hpp"
+#include "src/output/hdf5_structure.hpp"
+#include "src/output/safe_text.hpp"
 #include "src/output/summary.hpp"
+#include "src/regular_file.hpp"
 
 namespace percuss {
 namespace {
@@ -53,9 +56,24 @@ std::string describe_hdf5(const std::string& file) {
   }
 }
 
-std::string describe_folder(const std::string& folder) {
+/// Refuses what is no regular file, and HDF5 files whose links lead astray.
+void check_source(const std::string& file, hdf5::ExternalFiles external) {
+  if (const std::string kind = describe_irregular_file(file); !kind.empty())
+    throw InputError(fmt::format("{}: error: this is {}", file, kind));
+  if (!hdf5::begins_as_hdf5(file)) return;
+  try {
+    hdf5::check_structure(file, external);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: error: {}", file, error.what()));
+  }
+}
+
+std::string describe_folder(const std::string& folder, hdf5::ExternalFiles external) {
   std::string text;
   const fs::path path(folder);
+  for (const char* file : {"summary.json", "fields.vtkhdf", "checkpoint.h5"}) {
+    if (fs::exists(path / file)) check_source((path / file).string(), external);
+  }
   if (fs::exists(path / "summary.json")) text += format_summary(read_summary((path / "summary.json").string()));
   if (fs::exists(path / "fields.vtkhdf")) {
     if (!text.empty()) text += '\n';
@@ -70,10 +88,11 @@ std::string describe_folder(const std::string& folder) {
   return text;
 }
 
-std::string describe(const std::string& file) {
+std::string describe(const std::string& file, hdf5::ExternalFiles external) {
   std::error_code ignored;
   if (!fs::exists(file, ignored)) throw InputError(file + ": error: no such file");
-  if (fs::is_directory(file, ignored)) return describe_folder(file);
+  if (fs::is_directory(file, ignored)) return describe_folder(file, external);
+  check_source(file, external);
   switch (identify(file)) {
     case Content::json:
       return format_summary(read_summary(file));
@@ -103,10 +122,11 @@ std::uintmax_t find_bytes(const fs::path& path) {
 }  // namespace
 
 ExitCode info_command(const Command& command) {
-  rehearse(command.file, find_bytes(command.file), [&] { describe(command.file); });
-  std::string text = describe(command.file);
+  const auto external = command.allow_external ? hdf5::ExternalFiles::allow : hdf5::ExternalFiles::refuse;
+  rehearse(command.file, find_bytes(command.file), [&] { describe(command.file, external); });
+  std::string text = describe(command.file, external);
   if (!text.ends_with('\n')) text += '\n';
-  fmt::print("{}", text);
+  print_text(stdout, text);
   return ExitCode::done;
 }
 

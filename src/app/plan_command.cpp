@@ -5,6 +5,7 @@
 #include "src/app/read_together.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decompose.hpp"
+#include "src/output/safe_text.hpp"
 
 namespace percuss {
 namespace {
@@ -36,7 +37,7 @@ std::string make_plan(const Command& command) {
 
 ExitCode plan_command(const Command& command, const Communicator& ranks) {
   fail_together(ranks, [&] {
-    if (ranks.rank() == 0) fmt::print("{}", make_plan(command));
+    if (ranks.rank() == 0) print_text(stdout, make_plan(command));
   });
   return ExitCode::done;
 }

@@ -11,6 +11,7 @@
 #include "src/app/commands.hpp"
 #include "src/app/failure_report.hpp"
 #include "src/app/threads.hpp"
+#include "src/output/safe_text.hpp"
 
 namespace percuss {
 namespace {
@@ -84,7 +85,7 @@ ExitCode execute(int argc, char** argv, const Command& command) {
 }
 
 ExitCode print_answer(const Answer& answer) {
-  fmt::print(answer.exit_code == ExitCode::done ? stdout : stderr, "{}", answer.text);
+  print_text(answer.exit_code == ExitCode::done ? stdout : stderr, answer.text);
   return answer.exit_code;
 }
 

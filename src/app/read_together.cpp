@@ -1,6 +1,7 @@
 #include "src/app/read_together.hpp"
 
 #include "comm/agreement.hpp"
+#include "src/app/external_files.hpp"
 #include "src/app/memory_check.hpp"
 #include "src/deck/deck_text.hpp"
 #include "src/deck/read_deck.hpp"
@@ -20,6 +21,7 @@ Deck read_deck_together(const Command& command, const Communicator& ranks) {
   fail_together(ranks, [&] {
     deck = parse_deck(text, command.file, command.settings);
     check_memory(deck, memory);
+    if (ranks.rank() == 0 && !command.allow_external) refuse_external_meshes(deck);
   });
   return deck;
 }

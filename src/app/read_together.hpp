@@ -7,7 +7,8 @@
 
 namespace percuss {
 
-/// Every rank reads the deck of the command and checks that its mesh fits in memory. Collective. Throws InputError and
+/// Every rank reads the deck of the command and checks that its mesh fits in memory; rank 0 checks that its
+/// mesh files take nothing from other files, unless the command allows it. Collective. Throws InputError and
 /// SystemError, the same on all ranks.
 Deck read_deck_together(const Command& command, const Communicator& ranks);
 

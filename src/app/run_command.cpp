@@ -6,6 +6,7 @@
 
 #include "kernels/core/views.hpp"
 #include "src/app/commands.hpp"
+#include "src/app/external_files.hpp"
 #include "src/app/failure_report.hpp"
 #include "src/app/output_folder.hpp"
 #include "src/app/placement.hpp"
@@ -57,6 +58,7 @@ void prepare_folder(const Command& command, const std::string& out_dir, const Co
     fail_together(ranks, [&] {
       if (!std::filesystem::exists(command.restart))
         throw InputError(command.restart + ": error: no such file (--restart needs a checkpoint)");
+      if (ranks.rank() == 0 && !command.allow_external) refuse_external_checkpoint(command.restart);
       options.goes_on_in_place = is_same_folder(out_dir, find_restart_folder(command.restart));
       if (options.goes_on_in_place) check_folder_is_writable(out_dir);
     });

@@ -10,17 +10,40 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+/// [edges] place among the chunks of this rank of the element behind the first face.
+std::vector<std::size_t> find_chunks_of_edges(const ChunkedMesh& chunked, const std::vector<EdgeTopology>& edges) {
+  std::vector<std::int64_t> first_element;
+  for (const Chunk& chunk : chunked.chunks) first_element.push_back(chunked.numbering.first_element[at(chunk.number)]);
+  std::vector<std::size_t> chunks;
+  for (const EdgeTopology& edge : edges) {
+    const auto after = std::upper_bound(first_element.begin(), first_element.end(), edge.elements[0]);
+    chunks.push_back(static_cast<std::size_t>(after - first_element.begin()) - 1);
+  }
+  return chunks;
+}
+
+/// [chunks of this rank] sum of the sizes of its edges; negative if one is, or if they are too many for any file.
+std::vector<std::int64_t> count_rows_of_chunks(const ChunkedMesh& chunked, const std::vector<EdgeTopology>& edges,
+                                               const std::vector<std::int64_t>& sizes) {
+  constexpr std::int64_t most = std::int64_t{1} << 60;
+  const std::vector<std::size_t> chunks = find_chunks_of_edges(chunked, edges);
+  std::vector<std::int64_t> counts(chunked.chunks.size(), 0);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    std::int64_t& count = counts[chunks[e]];
+    const bool can_be = count >= 0 && sizes[e] >= 0 && sizes[e] <= most && count <= most;
+    count = can_be ? count + sizes[e] : -1;
+  }
+  return counts;
+}
+
 /// `sizes[e]` rows of each edge e, by the chunk of the element behind its first face.
 ChunkRows find_rows_of_edges(const ChunkedMesh& chunked, const std::vector<EdgeTopology>& edges,
                              const std::vector<std::int64_t>& sizes) {
-  std::vector<std::int64_t> first_element;
-  for (const Chunk& chunk : chunked.chunks) first_element.push_back(chunked.numbering.first_element[at(chunk.number)]);
+  const std::vector<std::size_t> chunks = find_chunks_of_edges(chunked, edges);
   std::vector<std::vector<int>> places(chunked.chunks.size());
   int next = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto after = std::upper_bound(first_element.begin(), first_element.end(), edges[e].elements[0]);
-    auto& of_chunk = places[static_cast<std::size_t>(after - first_element.begin()) - 1];
-    for (std::int64_t i = 0; i < sizes[e]; ++i) of_chunk.push_back(next++);
+    for (std::int64_t i = 0; i < sizes[e]; ++i) places[chunks[e]].push_back(next++);
   }
   ChunkRows rows;
   for (const std::vector<int>& of_chunk : places) {
@@ -45,6 +68,7 @@ void archive_edges(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   }
   archive.rows("contact/edges/records", find_rows_of_edges(chunked, edges, std::vector<std::int64_t>(edges.size(), 1)),
                1, std::span<std::int64_t>(counts));
+  archive.expect_rows("contact/edges/other", count_rows_of_chunks(chunked, edges, counts), 1);
   if (archive.is_loading())
     for (std::size_t e = 0; e < edges.size(); ++e)
       held.a.insert(held.a.end(), static_cast<std::size_t>(counts[e]), edges[e].number);

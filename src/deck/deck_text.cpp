@@ -10,6 +10,8 @@
 #include <memory>
 
 #include "src/error.hpp"
+#include "src/regular_file.hpp"
+#include "src/utf8.hpp"
 
 namespace percuss {
 namespace {
@@ -18,32 +20,10 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-// Bytes of the UTF-8 sequence at the start of the text; 0 if it is none (RFC 3629, section 4: overlong forms,
-// surrogates and points above U+10FFFF are none).
-std::size_t match_utf8(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
-  const unsigned a = byte(0), b = byte(1);
-  const auto tail = [&](std::size_t n) {
-    for (std::size_t i = 1; i < n; ++i) {
-      if ((byte(i) & 0xC0U) != 0x80U) return std::size_t{0};
-    }
-    return n;
-  };
-  if (a < 0x80) return 1;
-  if (a >= 0xC2 && a <= 0xDF) return tail(2);
-  if (a == 0xE0) return b >= 0xA0 ? tail(3) : 0;
-  if (a == 0xED) return b <= 0x9F ? tail(3) : 0;
-  if (a >= 0xE1 && a <= 0xEF) return tail(3);
-  if (a == 0xF0) return b >= 0x90 ? tail(4) : 0;
-  if (a >= 0xF1 && a <= 0xF3) return tail(4);
-  if (a == 0xF4) return b <= 0x8F ? tail(4) : 0;
-  return 0;
-}
-
 // What is wrong with the character at i; empty if nothing. `length` is its length in bytes.
 std::string find_fault(std::string_view text, std::size_t i, std::size_t& length) {
   const auto c = static_cast<unsigned char>(text[i]);
-  length = match_utf8(text.substr(i));
+  length = decode_utf8(text.substr(i)).bytes;
   if (c == 0) return "the file is not text (it holds a NUL byte) save the deck as UTF-8 text";
   if (length == 0)
     return fmt::format("the file is not UTF-8 text (byte 0x{:02x} does not belong) save the deck as UTF-8", c);
@@ -65,6 +45,8 @@ std::string load_deck_text(const std::string& file) {
     throw InputError(file + ": error: a folder, not a deck (perhaps " +
                      (std::filesystem::path(file) / "deck.yaml").string() + ")");
   }
+  if (const std::string kind = describe_irregular_file(file); !kind.empty())
+    throw InputError(fmt::format("{}: error: the deck is {}", file, kind));
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), &std::fclose);
   if (!stream) throw SystemError(fmt::format("{}: cannot be opened ({})", file, std::strerror(errno)));
   std::string text(largest_deck + 1, '\0');  // one more byte tells that there is more

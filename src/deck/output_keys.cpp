@@ -1,6 +1,8 @@
 // Keys of `output`.
 
 #include <charconv>
+#include <set>
+#include <string_view>
 
 #include "kernels/shell/thickness_points.hpp"
 #include "src/deck/deck_keys.hpp"
@@ -139,16 +141,13 @@ const Keys<OutputDeck>& history_keys() {
 
 bool check_history(const Reader& reader, const Node& node, OutputDeck& output) {
   if (!output.history_every) output.history_every = 0;  // the section is there: every step
-  for (std::size_t i = 0; i < output.points.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const HistoryPoint &a = output.points[i], &b = output.points[j];
-      if (a.name != b.name || names_parts(a) || names_parts(b)) continue;  // columns of parts end with their name
-      const Place place = output.points[i].place;
-      reader.error(place.line > 0 ? Spot{place, -1} : node.key,
-                   fmt::format("name '{}' is given twice in {} (columns of history.csv need different names)",
-                               output.points[i].name, reader.self()));
-      return false;
-    }
+  std::set<std::string_view> names;
+  for (const HistoryPoint& point : output.points) {
+    if (names_parts(point) || names.insert(point.name).second) continue;  // columns of parts end with their name
+    reader.error(point.place.line > 0 ? Spot{point.place, -1} : node.key,
+                 fmt::format("name '{}' is given twice in {} (columns of history.csv need different names)", point.name,
+                             reader.self()));
+    return false;
   }
   return true;
 }

@@ -7,6 +7,8 @@
 #include <map>
 
 #include "src/error.hpp"
+#include "src/mesh/exodus_coordinates.hpp"
+#include "src/output/hdf5_structure.hpp"
 
 namespace percuss {
 namespace {
@@ -78,7 +80,9 @@ std::vector<ExodusSet> read_sets(int file, ex_entity_type kind, std::int64_t cou
 }  // namespace
 
 ExodusFile::ExodusFile(const std::string& path) : container_(inspect_exodus_container(path)) {
-  ex_opts(EX_DEFAULT);  // the library prints nothing; its messages go into ours
+  if (container_.is_hdf5)
+    hdf5::check_structure(path, hdf5::ExternalFiles::allow);  // app/external_files.hpp refuses them
+  ex_opts(EX_DEFAULT);                                        // the library prints nothing; its messages go into ours
   int word_in_memory = sizeof(double), word_in_file = 0;
   float version = 0;
   file_ = ex_open(path.c_str(), EX_READ | EX_ALL_INT64_API, &word_in_memory, &word_in_file, &version);
@@ -144,11 +148,7 @@ void ExodusFile::read_blocks() {
 }
 
 std::vector<Vec3> ExodusFile::read_coordinates() const {
-  std::vector<double> x(size_of(nodes_)), y(x.size()), z(x.size());
-  check(ex_get_coord(file_, x.data(), y.data(), z.data()), "the node coordinates");
-  std::vector<Vec3> nodes(x.size());
-  for (std::size_t n = 0; n < nodes.size(); ++n) nodes[n] = {x[n], y[n], z[n]};
-  return nodes;
+  return read_exodus_coordinates(file_, std::min(dimensions_, 3), nodes_);
 }
 
 std::vector<std::int64_t> ExodusFile::read_connectivity(const ExodusBlock& block) const {

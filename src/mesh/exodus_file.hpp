@@ -42,6 +42,7 @@ class ExodusFile {
   const std::vector<ExodusSet>& node_sets() const { return node_sets_; }
   const std::vector<ExodusSet>& side_sets() const { return side_sets_; }
 
+  /// Of all nodes; 0 in directions that the mesh has not.
   std::vector<Vec3> read_coordinates() const;
   /// Node indexes, nodes_per_element for each element.
   std::vector<std::int64_t> read_connectivity(const ExodusBlock& block) const;

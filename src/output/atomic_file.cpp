@@ -82,7 +82,9 @@ void write_file_atomically(const std::string& path, std::string_view text, Durab
     ::unlink(temporary.c_str());
     throw make_io_error("write", path, error_number);
   };
-  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  // Made anew, never taken over: what stands there may be a link that leads elsewhere.
+  ::unlink(temporary.c_str());
+  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
   if (file.get() < 0) throw make_io_error("write", path, errno);
   if (!write_all(file.get(), text)) fail(errno);
   if (durability == Durability::disk && ::fsync(file.get()) != 0) fail(errno);

@@ -5,6 +5,8 @@
 // Nothing in a checkpoint depends on ranks or threads. An array lies in it chunk after chunk, and a rank brings or
 // takes the rows of the chunks that it holds; numbers are the same on every rank; exact sums are those of all ranks.
 
+#include <bit>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -34,8 +36,8 @@ ChunkRows find_owned_node_rows(const ChunkedMesh& mesh);
 ChunkRows find_rows_of_nodes(const ChunkedMesh& mesh, std::span<const std::int64_t> numbers);
 
 /// Names are unique within a checkpoint, with '/' between the stage that owns the state and what it is. Every call is
-/// collective. Throws SystemError when saving; InputError, on all ranks, when loading what is not there or has another
-/// size.
+/// collective. Throws SystemError when saving; InputError, on all ranks, when loading what is not there, has another
+/// size, or is a value that cannot be: a double that is not finite, an integer that its type does not hold.
 class CheckpointArchive {
  public:
   virtual ~CheckpointArchive() = default;
@@ -46,6 +48,14 @@ class CheckpointArchive {
   virtual void number(const std::string& name, double& value) = 0;
   virtual void number(const std::string& name, std::int64_t& value) = 0;
 
+  /// A number that is infinite where there is no limit; never NaN. In the file it is like any other.
+  void number_or_infinity(const std::string& name, double& value) {
+    auto bits = std::bit_cast<std::int64_t>(value);
+    number(name, bits);
+    value = std::bit_cast<double>(bits);
+    if (is_loading() && std::isnan(value)) refuse_value(name);
+  }
+
   /// A sum of which each rank has a share. Loaded, the whole of it is rank 0's share.
   virtual void sum(const std::string& name, ExactSum& value) = 0;
 
@@ -53,7 +63,12 @@ class CheckpointArchive {
   virtual void rows(const std::string& name, const ChunkRows& rows, int components, std::span<double> values) = 0;
   virtual void rows(const std::string& name, const ChunkRows& rows, int components, std::span<std::int64_t> values) = 0;
 
-  /// The same for a view of any shape whose memory has the rows one after the other.
+  /// For rows whose number the checkpoint itself gives, before memory is taken for them. counts: [chunks of this rank]
+  /// rows that each is to have, negative for a number that cannot be. Loading, throws InputError, on all ranks, if the
+  /// array has another number of rows.
+  virtual void expect_rows(const std::string& name, std::span<const std::int64_t> counts, int components) = 0;
+
+  /// rows() for a view of any shape whose memory has the rows one after the other.
   template <class View>
   requires Kokkos::is_view<View>::value void rows(const std::string& name, const ChunkRows& chunk_rows, int components,
                                                   const View& view) {
@@ -77,7 +92,12 @@ class CheckpointArchive {
     auto wide = static_cast<std::int64_t>(value);
     number(name, wide);
     value = static_cast<Value>(wide);
+    if (static_cast<std::int64_t>(value) != wide) refuse_value(name);
   }
+
+ protected:
+  /// Loading: what the checkpoint says under this name, on all ranks alike, cannot be. Throws InputError.
+  [[noreturn]] virtual void refuse_value(const std::string& name) const = 0;
 };
 
 }  // namespace percuss

@@ -54,8 +54,10 @@ class CheckpointWriter : public CheckpointArchive {
   void sum(const std::string& name, ExactSum& value) override;
   void rows(const std::string& name, const ChunkRows& rows, int components, std::span<double> values) override;
   void rows(const std::string& name, const ChunkRows& rows, int components, std::span<std::int64_t> values) override;
+  void expect_rows(const std::string&, std::span<const std::int64_t>, int) override {}
 
  private:
+  [[noreturn]] void refuse_value(const std::string& name) const override;
   template <class Work>
   void run_or_abandon(Work&& work);
   void create(const CheckpointHeader& header);
@@ -97,10 +99,13 @@ class CheckpointReader : public CheckpointArchive {
   void sum(const std::string& name, ExactSum& value) override;
   void rows(const std::string& name, const ChunkRows& rows, int components, std::span<double> values) override;
   void rows(const std::string& name, const ChunkRows& rows, int components, std::span<std::int64_t> values) override;
+  void expect_rows(const std::string& name, std::span<const std::int64_t> counts, int components) override;
 
  private:
+  [[noreturn]] void refuse_value(const std::string& name) const override;
   std::int64_t find_number(const std::string& name) const;
   void load();
+  void check_length(const std::string& name, std::int64_t rows, int components) const;
   template <class T>
   void read_rows(const std::string& name, const ChunkRows& rows, int components, std::span<T> values);
   template <class T>

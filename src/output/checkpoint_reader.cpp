@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <bit>
 #include <cerrno>
+#include <cmath>
+#include <type_traits>
 
 #include "src/fail_together.hpp"
 #include "src/mesh/trial_process.hpp"
@@ -12,7 +14,9 @@
 #include "src/output/checkpoint_file.hpp"
 #include "src/output/checkpoint_names.hpp"
 #include "src/output/hdf5_reading.hpp"
+#include "src/output/hdf5_structure.hpp"
 #include "src/output/sealed_file.hpp"
+#include "src/regular_file.hpp"
 
 namespace percuss {
 namespace {
@@ -53,6 +57,24 @@ void read_or_refuse(const std::string& path, const Work& work) {
   }
 }
 
+[[noreturn]] void refuse_value_of(const std::string& path, const std::string& name) {
+  refuse(path, fmt::format("the checkpoint has a value of {} that cannot be (it is damaged, or another program has "
+                           "changed it): go on from another checkpoint",
+                           name));
+}
+
+void check_structure(const std::string& path) {
+  try {
+    hdf5::check_structure(path, hdf5::ExternalFiles::allow);  // app/external_files.hpp refuses them
+  } catch (const InputError& error) {
+    refuse(path, error.what());
+  }
+}
+
+void check_source(const std::string& path) {
+  if (const std::string kind = describe_irregular_file(path); !kind.empty()) refuse(path, "the checkpoint is " + kind);
+}
+
 CheckpointHeader read_header(hid_t file, std::uint64_t bytes, const std::string& path) {
   const hdf5::Handle group = hdf5::open_group(file, names::header);
   const auto number = [&](const char* name) { return hdf5::read_whole_number(group.get(), name); };
@@ -72,6 +94,7 @@ CheckpointHeader read_header(hid_t file, std::uint64_t bytes, const std::string&
   header.nodes = number("nodes");
   header.step = number("step");
   header.time = std::bit_cast<double>(number("time_bits"));
+  if (!std::isfinite(header.time)) refuse_value_of(path, "time");
   const auto length = hdf5::read_shape(group.get(), names::deck).rows;
   const auto deck = hdf5::read_rows<std::uint8_t>(group.get(), names::deck, 0, length, bytes);
   header.deck.assign(deck.begin(), deck.end());
@@ -104,6 +127,7 @@ void read_all(hid_t group, std::uint64_t bytes) {
 
 CheckpointReader::CheckpointReader(const std::string& path, const ChunkedMesh& mesh, const Communicator& ranks)
     : path_(path), ranks_(ranks), mesh_(mesh) {
+  fail_together(ranks, [&] { check_source(path); });
   check_seal(ranks, path);
   // A seal is no signature: what it fits may still be more than HDF5 can take.
   fail_together(ranks, [&] {
@@ -118,6 +142,7 @@ CheckpointReader::CheckpointReader(const std::string& path, const ChunkedMesh& m
 
 /// The header, the numbers and the sums.
 void CheckpointReader::load() {
+  check_structure(path_);
   file_bytes_ = find_file_bytes(path_);
   file_ = open_hdf5(path_);
   header_ = read_header(file_.get(), file_bytes_, path_);
@@ -143,31 +168,50 @@ std::int64_t CheckpointReader::find_number(const std::string& name) const {
 
 void CheckpointReader::number(const std::string& name, double& value) {
   value = std::bit_cast<double>(find_number(name));
+  if (!std::isfinite(value)) refuse_value(name);
 }
 void CheckpointReader::number(const std::string& name, std::int64_t& value) { value = find_number(name); }
 
 void CheckpointReader::sum(const std::string& name, ExactSum& value) {
   const auto found = sum_places_.find(name);
   if (found == sum_places_.end()) refuse(path_, fmt::format("the checkpoint has no {} (this scene needs one)", name));
-  value = {};
-  if (ranks_.rank() != 0) return;
   const std::int64_t* words = &sums_[found->second];
   std::copy_n(words, ExactSum::limb_count, value.limb);
   value.not_finite = words[ExactSum::limb_count];
+  if (!std::isfinite(value.round())) refuse_value(name);
+  if (ranks_.rank() != 0) value = {};
+}
+
+void CheckpointReader::refuse_value(const std::string& name) const { refuse_value_of(path_, name); }
+
+void CheckpointReader::expect_rows(const std::string& name, std::span<const std::int64_t> counts, int components) {
+  // Larger ones could only add up to what the file has by an overflow.
+  const auto most = static_cast<std::int64_t>(file_bytes_);
+  fail_together(ranks_, [&] {
+    if (std::any_of(counts.begin(), counts.end(), [&](std::int64_t n) { return n < 0 || n > most; }))
+      refuse_value(name);
+  });
+  const std::int64_t all = find_first_rows(ranks_, mesh_, counts).back();
+  fail_together(ranks_, [&] { read_or_refuse(path_, [&] { check_length(name, all, components); }); });
+}
+
+/// That an array of the state has so many rows.
+void CheckpointReader::check_length(const std::string& name, std::int64_t rows, int components) const {
+  const hdf5::Handle group = hdf5::open_group(file_.get(), names::state);
+  const hdf5::Shape shape = hdf5::read_shape(group.get(), name);
+  const hsize_t expected = static_cast<hsize_t>(rows) * static_cast<hsize_t>(components);
+  if (shape.rows == expected && shape.components == 1) return;
+  refuse(path_, fmt::format("{} has {} values in the checkpoint (this scene has {})", name, shape.rows, expected));
 }
 
 /// The rows of this rank's chunks: a read for each run of chunks that follow each other.
 template <class T>
 void CheckpointReader::read_runs(const std::string& name, const std::vector<std::int64_t>& first, int components,
                                  std::vector<T>& into) const {
+  check_length(name, first.back(), components);
   const hdf5::Handle group = hdf5::open_group(file_.get(), names::state);
   const auto width = static_cast<hsize_t>(components);
   const auto start = [&](int chunk) { return static_cast<hsize_t>(first[static_cast<std::size_t>(chunk)]) * width; };
-  const hdf5::Shape shape = hdf5::read_shape(group.get(), name);
-  const hsize_t expected = static_cast<hsize_t>(first.back()) * width;
-  if (shape.rows != expected || shape.components != 1) {
-    refuse(path_, fmt::format("{} has {} values in the checkpoint (this scene has {})", name, shape.rows, expected));
-  }
   const auto& chunks = mesh_.chunks;
   for (std::size_t begin = 0, end = 0; begin < chunks.size(); begin = end) {
     for (end = begin + 1; end < chunks.size() && chunks[end].number == chunks[end - 1].number + 1;) ++end;
@@ -183,6 +227,9 @@ void CheckpointReader::read_rows(const std::string& name, const ChunkRows& rows,
   fail_together(ranks_, [&] {
     std::vector<T> read;
     read_or_refuse(path_, [&] { read_runs(name, first, components, read); });
+    if constexpr (std::is_floating_point_v<T>) {
+      if (!std::all_of(read.begin(), read.end(), [](double value) { return std::isfinite(value); })) refuse_value(name);
+    }
     if (rows.places.empty()) {
       std::copy(read.begin(), read.end(), values.begin());
       return;
@@ -203,6 +250,7 @@ void CheckpointReader::rows(const std::string& name, const ChunkRows& rows, int 
 }
 
 CheckpointHeader read_checkpoint_header(const std::string& path) {
+  check_source(path);
   check_seal(path);
   CheckpointHeader header;
   read_or_refuse(path, [&] { header = read_header(open_hdf5(path).get(), find_file_bytes(path), path); });

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <numeric>
+#include <stdexcept>
 
 #include "comm/exact_reduction.hpp"
 #include "src/output/atomic_file.hpp"
@@ -59,6 +60,10 @@ CheckpointWriter::CheckpointWriter(const std::string& path, const CheckpointHead
     : path_(path), temporary_(path + ".tmp"), ranks_(ranks), blocks_(ranks, mesh), mesh_(mesh) {
   if (ranks.size() > 1) transfer_ = hdf5::create_collective_transfer();
   run_or_abandon([&] { create(header); });
+}
+
+void CheckpointWriter::refuse_value(const std::string& name) const {
+  throw std::logic_error(fmt::format("a checkpoint refuses a value of {} that it only writes", name));
 }
 
 CheckpointWriter::~CheckpointWriter() {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace percuss::hdf5 {
@@ -18,6 +19,20 @@ Shape shape_of(hid_t dataset, const std::string& name) {
   if (rank != 1 && rank != 2) throw Error("read " + name, "it has neither one nor two dimensions");
   check(H5Sget_simple_extent_dims(space.get(), dims.data(), nullptr), "read the shape of " + name);
   return {dims[0], dims[1]};
+}
+
+/// Bytes that a value takes in the file, at least 1.
+hsize_t find_value_bytes(hid_t dataset, const std::string& name) {
+  const Handle type(check(H5Dget_type(dataset), "read " + name), H5Tclose);
+  return std::max<hsize_t>(H5Tget_size(type.get()), 1);
+}
+
+/// Length of the file that an object is in.
+hsize_t find_file_bytes(hid_t object, const std::string& name) {
+  const Handle file(check(H5Iget_file_id(object), "read " + name), H5Fclose);
+  hsize_t bytes = 0;
+  check(H5Fget_filesize(file.get(), &bytes), "read " + name);
+  return bytes;
 }
 
 constexpr std::size_t longest_text = 65536;
@@ -61,7 +76,9 @@ template <class T>
 std::vector<T> read_rows(hid_t parent, const std::string& name, hsize_t first, hsize_t rows, hsize_t file_bytes) {
   const Handle dataset = open_dataset(parent, name);
   const Shape shape = shape_of(dataset.get(), name);
-  if (first > shape.rows || rows > shape.rows - first || shape.components > 9 || rows > file_bytes)
+  if (shape.components == 0) throw Error("read " + name, "its rows are empty");
+  const hsize_t row_bytes = shape.components * find_value_bytes(dataset.get(), name);
+  if (first > shape.rows || rows > shape.rows - first || shape.components > 9 || rows > file_bytes / row_bytes)
     throw Error("read " + name, fmt::format("it has no rows {} to {}", first, first + rows));
   std::vector<T> values(rows * shape.components);
   if (values.empty()) return values;
@@ -104,6 +121,9 @@ std::vector<std::string> read_texts(hid_t parent, const std::string& name) {
   const Shape shape = shape_of(dataset.get(), name);
   const Handle type = copy_text_type(H5Dget_type(dataset.get()), shape.rows, name);
   const std::size_t length = H5Tget_size(type.get());
+  if (shape.components != 1) throw Error("read " + name, "its texts are not a list of one dimension");
+  if (shape.rows > find_file_bytes(dataset.get(), name) / length)
+    throw Error("read " + name, "the file is too short for so many texts");
   std::vector<char> bytes(shape.rows * length);
   if (!bytes.empty())
     check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read " + name);

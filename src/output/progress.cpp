@@ -92,7 +92,7 @@ void Progress::print(const ProgressState& state, std::chrono::steady_clock::time
     print_quietly(stream_, "{}\n", line);
   } else {
     line.resize(std::min(line.size(), terminal_width(stream_) - 1));  // a wrapped line could not be overwritten
-    print_quietly(stream_, "\r{}\x1b[K{}", line, closed ? "\n" : "");
+    std::fputs(fmt::format("\r{}\x1b[K{}", line, closed ? "\n" : "").c_str(), stream_);
   }
   std::fflush(stream_);
 }

@@ -9,13 +9,15 @@
 #include <string>
 #include <utility>
 
+#include "src/output/safe_text.hpp"
+
 namespace percuss {
 
 /// Prints what is only told on the way. That nobody reads it (a closed pipe, a full disk) must not end a run, so errors
-/// of the stream are ignored, where fmt::print would throw.
+/// of the stream are ignored, where fmt::print would throw. What a terminal would obey is made visible.
 template <class... Args>
 void print_quietly(std::FILE* stream, fmt::format_string<Args...> format, Args&&... args) {
-  std::fputs(fmt::format(format, std::forward<Args>(args)...).c_str(), stream);
+  std::fputs(make_printable(fmt::format(format, std::forward<Args>(args)...)).c_str(), stream);
 }
 
 struct ProgressState {

@@ -4,34 +4,12 @@
 
 #include <iterator>
 
+#include "src/output/safe_text.hpp"
+
 namespace percuss {
 namespace {
 
 using Out = std::back_insert_iterator<std::string>;
-
-// Text as an attribute value of XML. Control characters have no place in XML 1.0 at all.
-std::string escape(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return escaped;
-}
 
 std::string shape_text(std::int64_t rows, int components) {
   return components == 1 ? fmt::format("{}", rows) : fmt::format("{} {}", rows, components);
@@ -132,10 +110,10 @@ std::string make_xdmf_text(const XdmfIndex& index) {
   std::string text;
   const Out out(text);
   fmt::format_to(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<Xdmf Version=\"2.0\">\n <Domain>\n");
-  fmt::format_to(out, "  <Information Name=\"title\" Value=\"{}\"/>\n", escape(index.title));
-  fmt::format_to(out, "  <Information Name=\"units\" Value=\"{}\"/>\n", escape(index.units));
+  fmt::format_to(out, "  <Information Name=\"title\" Value=\"{}\"/>\n", escape_xml(index.title));
+  fmt::format_to(out, "  <Information Name=\"units\" Value=\"{}\"/>\n", escape_xml(index.units));
   for (std::size_t part = 0; part < index.parts.size(); ++part)
-    fmt::format_to(out, "  <Information Name=\"part {}\" Value=\"{}\"/>\n", part, escape(index.parts[part]));
+    fmt::format_to(out, "  <Information Name=\"part {}\" Value=\"{}\"/>\n", part, escape_xml(index.parts[part]));
   fmt::format_to(out, " <Grid Name=\"percuss\" GridType=\"Collection\" CollectionType=\"Temporal\">\n");
   for (std::size_t frame = 0; frame < index.times.size(); ++frame) write_frame(out, index, frame);
   fmt::format_to(out, " </Grid>\n </Domain>\n</Xdmf>\n");

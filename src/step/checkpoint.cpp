@@ -100,7 +100,7 @@ void archive_spins(CheckpointArchive& archive, const ChunkRows& nodes, const Mod
 }
 
 void archive_bound(CheckpointArchive& archive, StepBound& bound) {
-  archive.number("bound/step", bound.step);
+  archive.number_or_infinity("bound/step", bound.step);  // no element left: no bound
   archive.number("bound/element", bound.element);
   archive.number("bound/element_id", bound.element_id);
 }

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "comm/exact_reduction.hpp"
-#include "comm/merge_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/history_parts.hpp"
 #include "src/deck/make_material.hpp"
@@ -19,96 +17,6 @@
 namespace percuss {
 
 namespace {
-
-Vec3 find_center(const Mesh& mesh, const std::array<int, 8>& corners) {
-  Vec3 center{};
-  for (const int n : corners) {
-    for (std::size_t k = 0; k < 3; ++k) center[k] += mesh.nodes[static_cast<std::size_t>(n)][k] / 8;
-  }
-  return center;
-}
-
-double find_square_distance(const Vec3& a, const Vec3& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
-  return sum;
-}
-
-/// Whether an element belongs to the point's part; every element if it names none.
-std::vector<bool> find_searched_elements(const Mesh& mesh, const Deck& deck, const HistoryPoint& point) {
-  std::vector<bool> searched(mesh.elements.size(), point.part.empty());
-  if (point.part.empty()) return searched;
-  const auto part =
-      std::find_if(mesh.parts.begin(), mesh.parts.end(), [&](const MeshPart& p) { return p.name == point.part; });
-  if (part == mesh.parts.end()) {
-    throw InputError(fmt::format("{}: error: no part is called '{}' (history point '{}')", deck.where(point.place),
-                                 point.part, point.name));
-  }
-  for (std::size_t e = 0; e < searched.size(); ++e) searched[e] = mesh.element_part[e] == part - mesh.parts.begin();
-  return searched;
-}
-
-/// What is nearest to a point so far: least score first, then lowest number in the whole mesh.
-struct Nearest {
-  double score = std::numeric_limits<double>::infinity();
-  std::int64_t number = std::numeric_limits<std::int64_t>::max();
-
-  void merge(const Nearest& other) {
-    if (std::pair(other.score, other.number) < std::pair(score, number)) *this = other;
-  }
-};
-
-/// The nearest of the items searched. score(i), number(i): of item i.
-template <class Score, class Number>
-Nearest find_nearest(const std::vector<bool>& searched, const Score& score, const Number& number) {
-  Nearest nearest;
-  for (std::size_t i = 0; i < searched.size(); ++i) {
-    if (!searched[i]) continue;
-    const double s = score(i);
-    if (s < std::numeric_limits<double>::infinity()) nearest.merge({s, number(i)});
-  }
-  return nearest;
-}
-
-/// The nearest of this rank.
-Nearest find_nearest(const ChunkedMesh& chunked, const Deck& deck, const HistoryPoint& point) {
-  const Mesh& mesh = chunked.mesh;
-  const std::vector<bool> elements = find_searched_elements(mesh, deck, point);
-  const auto find_score = [&](const Vec3& place, std::int64_t id) {
-    if (point.near) return find_square_distance(*point.near, place);
-    return id == *point.id ? 0.0 : std::numeric_limits<double>::infinity();
-  };
-  if (point.is_element) {
-    return find_nearest(
-        elements, [&](std::size_t e) { return find_score(find_center(mesh, mesh.elements[e]), mesh.element_ids[e]); },
-        [&](std::size_t e) { return find_element_number(chunked, static_cast<int>(e)); });
-  }
-  std::vector<bool> nodes(mesh.nodes.size(), false);
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    if (!elements[e]) continue;
-    for (const int n : mesh.elements[e]) nodes[static_cast<std::size_t>(n)] = true;
-  }
-  return find_nearest(
-      nodes, [&](std::size_t n) { return find_score(mesh.nodes[n], mesh.node_ids[n]); },
-      [&](std::size_t n) { return mesh.node_numbers[n]; });
-}
-
-FollowedPoint find_point(const ChunkedMesh& chunked, const Deck& deck, const HistoryPoint& point) {
-  Nearest nearest = find_nearest(chunked, deck, point);
-  const Communicator ranks = find_ranks(chunked.mesh);
-  MergeReduction<Nearest>()(ranks, nearest);
-  if (nearest.score == std::numeric_limits<double>::infinity()) {
-    throw InputError(fmt::format("{}: error: no {} has the id {} (history point '{}')", deck.where(point.place),
-                                 point.is_element ? "element" : "node", point.id.value_or(0), point.name));
-  }
-  FollowedPoint found{point.name, point.is_element, nearest.number, -1};
-  if (point.is_element) {
-    found.index = find_local_element(chunked, nearest.number);
-  } else if (chunked.numbering.find_node_owner(nearest.number) == ranks.rank()) {
-    found.index = find_local_node(chunked, nearest.number);
-  }
-  return found;
-}
 
 /// Columns of a followed element that only some materials fill.
 struct ThermalColumn {
@@ -172,14 +80,6 @@ std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, 
 }
 
 }  // namespace
-
-std::vector<FollowedPoint> find_history_points(const Deck& deck, const ChunkedMesh& chunked) {
-  std::vector<FollowedPoint> points;
-  for (const HistoryPoint& p : deck.output.points) {
-    if (!names_parts(p)) points.push_back(find_point(chunked, deck, p));
-  }
-  return points;
-}
 
 History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked)
     : ranks_(find_ranks(chunked.mesh)),

@@ -106,7 +106,7 @@ void Stepper::archive(CheckpointArchive& archive) {
   archive.integer("contact/report/interactions", report_.interactions);
   archive.number("contact/report/candidates", report_.candidates);
   archive.integer("contact/report/iterations", report_.iterations);
-  archive.number("contact/report/residual", report_.residual);
+  archive.number_or_infinity("contact/report/residual", report_.residual);
   archive.integer("contact/report/converged", report_.converged);
   archive.number("contact/report/deepest", report_.deepest);
   archive.number("contact/report/deepest_node", report_.deepest_node);

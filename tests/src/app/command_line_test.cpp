@@ -29,6 +29,14 @@ TEST(CommandLine, ReadsARun) {
   EXPECT_EQ(run.out_dir, "dir");
   EXPECT_TRUE(run.force);
   EXPECT_TRUE(run.quiet);
+  EXPECT_FALSE(run.allow_external);
+}
+
+TEST(CommandLine, LetsFilesTakeDataFromOthersOnDemand) {
+  EXPECT_TRUE(command({"run", "d", "--allow-external"}).allow_external);
+  EXPECT_TRUE(command({"check", "d", "--allow-external"}).allow_external);
+  EXPECT_TRUE(command({"plan", "d", "--ranks", "2", "--allow-external"}).allow_external);
+  EXPECT_TRUE(command({"info", "mesh.e", "--allow-external"}).allow_external);
 }
 
 TEST(CommandLine, ReadsCheckInfoAndSchema) {

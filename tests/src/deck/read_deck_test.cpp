@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <numbers>
 #include <string>
 #include <variant>
@@ -230,6 +233,16 @@ TEST(ReadDeck, AcceptsAByteOrderMarkWindowsLineEndsAndADocumentStart) {
 TEST(ReadDeck, ReadsAFileAndSaysWhenThereIsNone) {
   EXPECT_THROW(read_deck("no/such/deck.yaml"), InputError);
   EXPECT_THROW(read_deck("."), InputError);
+  EXPECT_THROW(read_deck("/dev/zero"), InputError);
+  const std::string pipe = testing::TempDir() + "percuss_deck_" + std::to_string(getpid());
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  try {
+    read_deck(pipe);  // nobody writes to it
+    ADD_FAILURE() << "no refusal";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("the deck is a pipe (a regular file is needed)"));
+  }
+  std::remove(pipe.c_str());
 }
 
 TEST(ReadDeck, NamesAPlaceForLaterMessages) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <hdf5.h>
 
 #include <cstdio>
 #include <functional>
@@ -231,6 +232,26 @@ TEST(DamagedExodusFile, OnWhichALibraryCrashesIsRefused) {
     EXPECT_THAT(find_error(path), HasSubstr("the file is damaged"));
     std::remove(path.c_str());
   }
+}
+
+TEST(DamagedExodusFile, WithoutOneCoordinateForEachNodeIsRefused) {
+  const std::string good = write_exodus(make_two_cubes(), "named.exo", Container::offset64);
+  std::string bytes = read_bytes(good);
+  std::remove(good.c_str());
+  bytes.replace(bytes.find("coordx"), 6, "coordq");
+  const std::string path = write_bytes(bytes, "named.exo");
+  EXPECT_THAT(find_error(path), HasSubstr("it has neither 'coordx' nor 'coord'"));
+  std::remove(path.c_str());
+}
+
+TEST(DamagedExodusFile, WhoseGroupsLoopIsRefused) {
+  const std::string path = write_exodus(make_two_cubes(), "loop.exo", Container::netcdf4);
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  ASSERT_GE(file, 0);
+  H5Lcreate_hard(file, "/", file, "again", H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(file);
+  EXPECT_THAT(find_error(path), HasSubstr("group '/again' can be reached in more than one way"));
+  std::remove(path.c_str());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "src/error.hpp"
 #include "tests/src/mesh/exodus_writer.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
+#include "tests/src/mesh/variable_order.hpp"
 
 namespace percuss {
 namespace {
@@ -50,6 +51,25 @@ TEST_P(ExodusContainers, GiveBackWhatWasWritten) {
 INSTANTIATE_TEST_SUITE_P(All, ExodusContainers,
                          testing::Values(Container::classic, Container::offset64, Container::netcdf4,
                                          Container::netcdf4_int64));
+
+TEST_P(ExodusContainers, MayHoldAnyVariableFirst) {
+  const WrittenMesh written = make_two_cubes();
+  const std::string path = write_exodus(written, "ordered.exo", GetParam());
+  for (const std::string& variable : list_variables(path)) {
+    SCOPED_TRACE(variable);
+    ExodusMesh source;
+    source.file = copy_with_first(path, variable, path + ".first");
+    const Mesh mesh = build_mesh(make_deck({make_part_deck("p", source)}));
+    EXPECT_EQ(mesh.nodes, written.nodes);
+    EXPECT_EQ(mesh.node_ids, written.node_ids);
+    EXPECT_EQ(mesh.elements.back()[7], 11);
+    EXPECT_EQ(mesh.element_ids, written.element_ids);
+    EXPECT_THAT(mesh.node_sets.at("p/corner"), ElementsAre(0));
+    EXPECT_THAT(mesh.side_sets.at("p/sides_6"), ElementsAre(ElementFace{0, 4}, ElementFace{1, 5}));
+    std::remove(source.file.c_str());
+  }
+  std::remove(path.c_str());
+}
 
 TEST(ExodusMesh, SinglePrecisionCoordinatesAreRead) {
   WrittenMesh written = make_two_cubes();

@@ -2,13 +2,17 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <hdf5.h>
+#include <sys/stat.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 
 #include "src/error.hpp"
 #include "src/output/checkpoint_file.hpp"
+#include "src/output/sealed_file.hpp"
 #include "tests/src/output/sample_run.hpp"
 
 namespace percuss {
@@ -250,6 +254,102 @@ TEST_F(CheckpointFile, OfAnotherSceneIsRefused) {
   other.numbers.resize(other.numbers.size() + 2 * other.some.counts.size());
   EXPECT_THROW(reader.rows("chunks/some", other.some, 2, other.numbers), InputError);
   EXPECT_THROW(reader.rows("chunks/none", other.some, 2, other.numbers), InputError);
+}
+
+/// What loading says of contents that were changed before they were saved.
+template <class Spoil>
+std::string take_refusal_of(const std::string& path, const ChunkedMesh& mesh, const Spoil& spoil) {
+  Contents contents(mesh);
+  spoil(contents);
+  write(path, mesh, contents);
+  try {
+    CheckpointReader reader(path, mesh, world());
+    Contents(mesh).archive(reader);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no refusal";
+}
+
+TEST_F(CheckpointFile, WithAValueThatIsNotFiniteIsRefused) {
+  const double nan = std::nan(""), infinity = INFINITY;
+  EXPECT_EQ(take_refusal_of(path(), share_, [](Contents&) {}), "no refusal");
+  for (const double value : {nan, infinity, -infinity}) {
+    EXPECT_THAT(take_refusal_of(path(), share_, [&](Contents& c) { c.time = value; }), HasSubstr("a value of time"));
+    EXPECT_THAT(take_refusal_of(path(), share_, [&](Contents& c) { c.work.add(value); }), HasSubstr("a value of work"));
+    EXPECT_THAT(take_refusal_of(path(), share_,
+                                [&](Contents& c) {
+                                  if (world().rank() == 0) c.v(0, 2) = value;
+                                }),
+                HasSubstr("a value of nodes/deeper/v"));
+  }
+  const auto overflow = [](Contents& c) { c.work.limb[ExactSum::limb_count - 1] = std::int64_t{1} << 40; };
+  EXPECT_THAT(take_refusal_of(path(), share_, overflow), HasSubstr("a value of work"));
+}
+
+/// Numbers of which not every value can be.
+struct Limited {
+  double bound = INFINITY;
+  bool flag = true;
+  std::int64_t raw = 1;
+
+  void archive(CheckpointArchive& archive) {
+    archive.number_or_infinity("bound", bound);
+    if (archive.is_loading())
+      archive.integer("flag", flag);
+    else
+      archive.number("flag", raw);
+  }
+};
+
+TEST_F(CheckpointFile, WithANumberThatCannotBeIsRefused) {
+  const auto take = [&](Limited given) {
+    CheckpointWriter writer(path(), {}, share_, world());
+    given.archive(writer);
+    writer.finish();
+    CheckpointReader reader(path(), share_, world());
+    Limited taken;
+    taken.bound = 0;
+    taken.archive(reader);
+    return taken;
+  };
+  EXPECT_EQ(take({}).bound, INFINITY);
+  EXPECT_THROW(take({std::nan("")}), InputError);
+  EXPECT_FALSE(take({1, true, 0}).flag);
+  EXPECT_THROW(take({1, true, 2}), InputError);
+}
+
+TEST_F(CheckpointFile, CountsAreHeldAgainstTheFileBeforeMemoryIsTaken) {
+  write(path(), share_, Contents(share_));
+  CheckpointReader reader(path(), share_, world());
+  std::vector<std::int64_t> counts = Contents(share_).some.counts;
+  reader.expect_rows("chunks/some", counts, 2);
+  for (const std::int64_t wrong :
+       {std::int64_t{1}, std::int64_t{-5}, std::int64_t{300'000'000}, std::int64_t{1} << 62}) {
+    std::vector<std::int64_t> changed = counts;
+    if (world().rank() == 0) changed[0] += wrong;
+    EXPECT_THROW(reader.expect_rows("chunks/some", changed, 2), InputError) << wrong;
+  }
+}
+
+TEST_F(CheckpointFile, WhoseGroupsLoopIsRefused) {
+  write(path(), share_, Contents(share_));
+  if (world().rank() == 0) {
+    const hid_t file = H5Fopen(path().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    H5Lcreate_hard(file, "state", file, "state/nodes/again", H5P_DEFAULT, H5P_DEFAULT);
+    H5Fclose(file);
+  }
+  world().barrier();
+  seal_file(world(), path());
+  EXPECT_THAT(take_refusal(path(), share_), HasSubstr("can be reached in more than one way"));
+}
+
+TEST_F(CheckpointFile, ThatIsNoFileIsRefusedAtOnce) {
+  if (world().rank() == 0) ASSERT_EQ(::mkfifo(path().c_str(), 0600), 0);
+  world().barrier();
+  EXPECT_THAT(take_refusal(path(), share_), HasSubstr("the checkpoint is a pipe (a regular file is needed)"));
+  EXPECT_THAT(take_refusal("/dev/zero", share_), HasSubstr("a device"));
+  EXPECT_THAT(take_refusal(folder_, share_), HasSubstr("a folder"));
 }
 
 TEST_F(CheckpointFile, InAFolderThatIsNotThereIsAnErrorOfTheSystem) {

@@ -104,7 +104,8 @@ TEST(MassScaling, AStepBelowEveryBoundAddsNothing) {
 }
 
 TEST(MassScaling, APartOfShellsBesideChangesNothing) {
-  const std::string scaled = fmt::format(", mass_scaling: {{step: {:.17g}, max_added: 0.1}}", 1.5 * find_first_bound(""));
+  const std::string scaled =
+      fmt::format(", mass_scaling: {{step: {:.17g}, max_added: 0.1}}", 1.5 * find_first_bound(""));
   const BarScene alone(scaled);
   BarScene beside(scaled,
                   "  sheet: {shell_plate: {size: [1, 1], cells: [2, 2]}, thickness: 0.01, at: [0, 9, 0], material: "

@@ -1,0 +1,41 @@
+#include "src/app/external_files.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <variant>
+
+#include "src/error.hpp"
+#include "src/mesh/trial_process.hpp"
+#include "src/output/hdf5_structure.hpp"
+#include "src/regular_file.hpp"
+
+namespace percuss {
+namespace {
+
+/// Throws InputError if the file's links lead to others, or astray; its message begins with `place`.
+void refuse_external(const std::string& path, const std::string& place) {
+  if (!describe_irregular_file(path).empty() || !hdf5::begins_as_hdf5(path)) return;
+  std::error_code ignored;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, ignored);
+  try {
+    run_trial_process([&] { hdf5::check_structure(path, hdf5::ExternalFiles::refuse); }, find_patience(bytes));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", place, error.what()));
+  }
+}
+
+}  // namespace
+
+void refuse_external_meshes(const Deck& deck) {
+  for (const PartDeck& part : deck.parts) {
+    const auto* exodus = std::get_if<ExodusMesh>(&part.shape);
+    if (exodus == nullptr) continue;
+    refuse_external(exodus->file,
+                    fmt::format("{}: error: part '{}': {}", deck.where(part.place), part.name, exodus->file));
+  }
+}
+
+void refuse_external_checkpoint(const std::string& path) { refuse_external(path, path + ": error"); }
+
+}  // namespace percuss

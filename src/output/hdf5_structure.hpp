@@ -1,0 +1,22 @@
+#pragma once
+// The links of an HDF5 file, followed once before anybody reads it: libraries follow a loop of them without end, and
+// read other files of the disk where a link, a virtual dataset or external storage says so.
+
+#include <cstdint>
+#include <string>
+
+namespace percuss::hdf5 {
+
+/// Whether a file may take data from other files.
+enum class ExternalFiles { refuse, allow };
+
+/// Looks at every object of a file. Throws InputError, without the name of the file, if a group can be reached in two
+/// ways (a loop, or copies without end), if groups are nested absurdly deep, if there are more links than the file has
+/// room for, if HDF5 cannot read its structure, or if it takes data from another file and may not. Damaged files can
+/// crash HDF5: called in a trial process first (src/mesh/trial_process.hpp).
+void check_structure(const std::string& path, ExternalFiles external);
+
+/// Whether a file begins as HDF5 files do; false for what cannot be read.
+bool begins_as_hdf5(const std::string& path);
+
+}  // namespace percuss::hdf5
