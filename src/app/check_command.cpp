@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <functional>
 
 #include "src/app/commands.hpp"
 #include "src/app/read_together.hpp"
 #include "src/app/scene_report.hpp"
+#include "src/app/stage_line.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/mesh/surface_nodes.hpp"
@@ -62,16 +64,23 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
 }  // namespace
 
 ExitCode check_command(const Command& command, const Communicator& ranks) {
+  StageLine stage(stderr, ranks.rank() == 0 ? StageLine::Speaker::yes : StageLine::Speaker::no);
+  stage.show("reading the deck");
   const Deck deck = read_deck_together(command, ranks);
+  stage.show("making the mesh");
   const ChunkedMesh chunked = load_mesh(deck, ranks);
+  stage.show("looking up names and history points");
   Findings findings;
   check_selectors(chunked, deck, findings);
   findings.throw_if_any();
 
+  stage.show("building the model");
   const Model model = build_model(deck, chunked);
+  stage.show("finding contact surfaces and overlap at the start");
   ContactStage contact(chunked, deck, ranks);
   State state = make_initial_state(model);
   const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
+  stage.show("finding the first step");
   Stepper stepper(deck, chunked, model, contact);
   stepper.start(state);
 
@@ -82,6 +91,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   scene.contact_faces = contact.contact_faces();
   scene.overlap = overlap;
   scene.contact_notes = contact.start_notes();
+  stage.clear();
   if (ranks.rank() == 0) print_text(stdout, format_scene(scene));
   return ExitCode::done;
 }

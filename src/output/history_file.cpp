@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "src/output/atomic_file.hpp"
+#include "src/output/safe_text.hpp"
 
 namespace percuss {
 namespace {
@@ -42,7 +43,7 @@ void append_number(std::string& text, double value) {
 
 std::string make_heading(std::span<const std::string> columns) {
   std::string heading;
-  for (const auto& column : columns) heading += quote_heading(column) + ',';
+  for (const auto& column : columns) heading += quote_heading(make_printable(column)) + ',';
   if (!columns.empty()) heading.pop_back();
   return heading + '\n';
 }

@@ -52,8 +52,7 @@ class SearchedItems {
         throw InputError(fmt::format("{}: error: no part is called '{}' (history point '{}')", deck.where(point.place),
                                      point.part, point.name));
       }
-      for (std::size_t e = 0; e < elements.size(); ++e)
-        elements[e] = mesh.element_part[e] == part - mesh.parts.begin();
+      for (std::size_t e = 0; e < elements.size(); ++e) elements[e] = mesh.element_part[e] == part - mesh.parts.begin();
     }
     if (point.is_element) return elements;
     std::vector<bool> nodes(mesh.nodes.size(), false);

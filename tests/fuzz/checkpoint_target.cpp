@@ -8,6 +8,7 @@
 
 #include "src/error.hpp"
 #include "src/output/checkpoint_file.hpp"
+#include "src/output/hdf5_handle.hpp"
 #include "src/output/sealed_file.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/src/output/sample_run.hpp"
@@ -71,6 +72,35 @@ void read() {
   }
 }
 
+std::string take_bytes() {
+  std::ifstream in(path(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A checkpoint that HDF5 has changed behind its writer's back, without a seal.
+template <class Change>
+std::string change(const std::string& bytes, const Change& how) {
+  std::ofstream(path(), std::ios::binary | std::ios::trunc) << bytes;
+  const hdf5::Handle file(H5Fopen(path().c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  how(file.get());
+  H5Fflush(file.get(), H5F_SCOPE_LOCAL);
+  return take_bytes();
+}
+
+/// The names of the numbers as a table instead of a list.
+void make_table_of_names(hid_t file) {
+  const char* const name = "percuss_checkpoint/number_names";
+  const hdf5::Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.get(), 8);
+  const hsize_t shape[2] = {2, 4};
+  const hdf5::Handle space(H5Screate_simple(2, shape, nullptr), H5Sclose);
+  H5Ldelete(file, name, H5P_DEFAULT);
+  const hdf5::Handle set(H5Dcreate2(file, name, type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Dclose);
+  const std::string texts(64, 'n');
+  H5Dwrite(set.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data());
+}
+
 }  // namespace
 
 void try_bytes(const std::string& bytes) {
@@ -92,9 +122,13 @@ std::vector<std::string> make_seeds() {
     CheckpointWriter writer(path(), header, scene(), alone());
     archive(writer);
     writer.finish();
-    std::ifstream in(path(), std::ios::binary);
-    seeds.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+    seeds.push_back(take_bytes());
   }
+  const std::string whole = seeds.front();
+  seeds.push_back(change(
+      whole, [](hid_t file) { H5Lcreate_hard(file, "state", file, "state/nodes/again", H5P_DEFAULT, H5P_DEFAULT); }));
+  seeds.push_back(change(whole, [](hid_t file) { H5Lcreate_soft("/", file, "state/soft", H5P_DEFAULT, H5P_DEFAULT); }));
+  seeds.push_back(change(whole, make_table_of_names));
   return seeds;
 }
 

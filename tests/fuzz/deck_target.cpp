@@ -21,7 +21,7 @@ void try_bytes(const std::string& bytes) {
 }
 
 std::vector<std::string> make_seeds() {
-  std::vector<std::string> seeds{right_deck};
+  std::vector<std::string> seeds{right_deck, "title: \"a\\uFFFEb\\e[2J\"\n" + std::string(right_deck)};
   for (const WrongDeck& deck : wrong_decks()) {
     if (deck.text.size() < 20000) seeds.push_back(deck.text);  // a few are large on purpose
   }

@@ -1,5 +1,6 @@
 // Exodus II files: from bytes to the chunks of a mesh that can be run.
 
+#include <hdf5.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -10,6 +11,7 @@
 #include "tests/fuzz/target.hpp"
 #include "tests/src/mesh/exodus_writer.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
+#include "tests/src/mesh/variable_order.hpp"
 
 namespace percuss::fuzz {
 namespace {
@@ -54,6 +56,16 @@ std::vector<std::string> make_seeds() {
        {Container::classic, Container::offset64, Container::netcdf4, Container::netcdf4_int64}) {
     seeds.push_back(take_bytes(write_exodus(make_two_cubes(), "seed.exo", container)));
   }
+  const std::string looped = write_exodus(make_two_cubes(), "loop.exo", Container::netcdf4);
+  const hid_t file = H5Fopen(looped.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  H5Gclose(H5Gcreate2(file, "group", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  H5Lcreate_hard(file, "/", file, "group/up", H5P_DEFAULT, H5P_DEFAULT);
+  H5Lcreate_soft("/group", file, "soft", H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(file);
+  seeds.push_back(take_bytes(looped));
+  const std::string ordered = write_exodus(make_two_cubes(), "ordered.exo", Container::offset64);
+  seeds.push_back(take_bytes(copy_with_first(ordered, "coordx", ordered + ".first")));
+  std::remove(ordered.c_str());
   WrittenMesh plain = make_two_cubes();
   plain.node_ids.clear();
   plain.element_ids.clear();

@@ -52,9 +52,10 @@ TEST_F(PercussHostile, AMeshTakesNothingFromAnotherFileUnasked) {
   ASSERT_GE(H5Ldelete(file, "coordx", H5P_DEFAULT), 0);
   ASSERT_GE(H5Lcreate_external(other.c_str(), "/coordx", file, "coordx", H5P_DEFAULT, H5P_DEFAULT), 0);
   H5Fclose(file);
-  for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"check", mesh_deck_}, {"run", mesh_deck_, "-o", folder_.path() + "/out"},
-        {"plan", mesh_deck_, "--ranks", "2"}, {"info", mesh}}) {
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"check", mesh_deck_},
+                                                  {"run", mesh_deck_, "-o", folder_.path() + "/out"},
+                                                  {"plan", mesh_deck_, "--ranks", "2"},
+                                                  {"info", mesh}}) {
     const ProcessResult refused = run_percuss(command);
     EXPECT_EQ(refused.exit_code, 2) << command[0];
     EXPECT_THAT(refused.err, HasSubstr("link '/coordx' leads to another file")) << command[0];
