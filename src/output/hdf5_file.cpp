@@ -15,6 +15,7 @@
 
 #include "src/output/atomic_file.hpp"
 #include "src/output/first_rank.hpp"
+#include "src/output/safe_text.hpp"
 
 namespace percuss::hdf5 {
 namespace {
@@ -110,7 +111,7 @@ Handle open_durable_file(const std::string& path, const Communicator& ranks) {
 
 void end_all_ranks(const Communicator& ranks, const std::string& message) {
   std::this_thread::sleep_for(std::chrono::milliseconds(250) * std::min(ranks.rank(), 20));
-  std::fprintf(stderr, "percuss: error: %s\n", message.c_str());
+  std::fprintf(stderr, "percuss: error: %s\n", make_printable(message).c_str());
   std::fflush(nullptr);
   ranks.abort(static_cast<int>(ExitCode::system_failed));
 }

@@ -64,7 +64,8 @@ class Walk {
 
   void visit_group(hid_t group, const std::string& path, int depth) {
     if (depth > deepest)
-      throw InputError(fmt::format("its groups are nested more than {} deep, at '{}'", deepest, path));
+      throw InputError(
+          fmt::format("its groups are nested more than {} deep (at '{}'): write the file again", deepest, path));
     LinkList list{{}, most_links_};
     check(H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, collect_link, &list), "list group " + path);
     for (const Link& link : list.links) visit_link(group, link, path + "/" + link.name, depth);
@@ -80,7 +81,9 @@ class Walk {
   void note_group(hid_t group, const std::string& path) {
     if (!groups_.insert(find_address(group)).second) {
       throw InputError(fmt::format(
-          "group '{}' can be reached in more than one way (whoever follows its links may go round for ever)", path));
+          "group '{}' can be reached in more than one way (whoever follows its links may go round for ever): write the "
+          "file again",
+          path));
     }
   }
 

@@ -80,11 +80,11 @@ TEST_F(PercussHostile, PipesAndDevicesAreRefusedAtOnce) {
 
 TEST_F(PercussHostile, NoNameOrTitleReachesTheTerminalAsAnOrder) {
   WrittenMesh mesh = make_two_cubes();
-  mesh.blocks[0].name = "\x1b]0;owned\x07";
+  mesh.blocks[0].name = "a\n\x1b]0;owned\x07";
   mesh.blocks[1].name = "\xe2\x80\xaegnp";
   const ProcessResult info = run_percuss({"info", write_mesh(mesh)});
   EXPECT_EQ(info.exit_code, 0) << info.err;
-  EXPECT_THAT(info.out, HasSubstr("\\x1b]0;owned\\x07"));
+  EXPECT_THAT(info.out, HasSubstr("blocks      a \\x1b]0;owned\\x07, id 10"));
   EXPECT_THAT(info.out, HasSubstr("\\u202egnp"));
   EXPECT_EQ(info.out.find('\x1b'), std::string::npos);
   const ProcessResult check = run_percuss({"check", box_deck_, "--set", "title=\"\\e[2J\""});

@@ -36,8 +36,7 @@ std::string show_on_terminal(StageLine::Speaker speaker) {
 }
 
 TEST(StageLine, IsOverwrittenAndGoneAtTheEnd) {
-  EXPECT_EQ(show_on_terminal(StageLine::Speaker::yes),
-            "\r\x1b[Kreading ...\r\x1b[Kbuilding ...\r\x1b[K$");
+  EXPECT_EQ(show_on_terminal(StageLine::Speaker::yes), "\r\x1b[Kreading ...\r\x1b[Kbuilding ...\r\x1b[K$");
   EXPECT_EQ(show_on_terminal(StageLine::Speaker::no), "$");
 }
 
