@@ -57,7 +57,8 @@ std::vector<std::string> read_names(int file, ex_entity_type kind, std::int64_t 
   for (std::string& name : names) {
     name.resize(std::char_traits<char>::length(name.c_str()));
     // Where names are told, a line is a block or a set: a name cannot make one of its own.
-    std::replace_if(name.begin(), name.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
     name.erase(name.find_last_not_of(' ') + 1);
   }
   return names;
