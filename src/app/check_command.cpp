@@ -11,10 +11,13 @@
 #include "src/mesh/decompose.hpp"
 #include "src/mesh/surface_nodes.hpp"
 #include "src/output/safe_text.hpp"
+#include "src/output/warning_log.hpp"
 #include "src/step/history.hpp"
 #include "src/step/model.hpp"
+#include "src/step/run_notes.hpp"
 #include "src/step/state.hpp"
 #include "src/step/step.hpp"
+#include "src/step/whole_mesh.hpp"
 
 namespace percuss {
 namespace {
@@ -61,6 +64,15 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
   findings.gather([&] { find_history_points(deck, chunked); });
 }
 
+/// What a run of the scene would warn of at its start.
+std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked, const StartNotice& overlap) {
+  WarningLog log(deck.silenced);
+  log.add(deck.warnings);
+  log.add(find_start_warnings(chunked, find_ranks(chunked.mesh).size()));
+  if (overlap.is_warning()) log.add({overlap.rule, overlap.text, "", 0, 1});
+  return log.list();
+}
+
 }  // namespace
 
 ExitCode check_command(const Command& command, const Communicator& ranks) {
@@ -79,7 +91,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   stage.show("finding contact surfaces and overlap at the start");
   ContactStage contact(chunked, deck, ranks);
   State state = make_initial_state(model);
-  const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
+  const StartNotice overlap = contact.is_active() ? contact.prepare(state.x, state.v) : StartNotice{};
   stage.show("finding the first step");
   Stepper stepper(deck, chunked, model, contact);
   stepper.start(state);
@@ -89,8 +101,10 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   scene.controlling_element = describe_element(chunked, state.bound.element);
   scene.contact_nodes = contact.contact_nodes();
   scene.contact_faces = contact.contact_faces();
-  scene.overlap = overlap;
   scene.contact_notes = contact.start_notes();
+  if (!overlap.is_warning() && !overlap.text.empty())
+    scene.contact_notes.insert(scene.contact_notes.begin(), overlap.text);
+  scene.warnings = list_warnings(deck, chunked, overlap);
   stage.clear();
   if (ranks.rank() == 0) print_text(stdout, format_scene(scene));
   return ExitCode::done;
