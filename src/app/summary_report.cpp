@@ -47,6 +47,7 @@ std::string format_summary(const Summary& s) {
                                   s.precision, s.ranks, s.ranks == 1 ? "" : "s", s.threads, s.threads == 1 ? "" : "s"));
   text += line("scene", fmt::format("{} elements, {} nodes; {} contact nodes, {} contact faces", s.elements, s.nodes,
                                     s.contact_nodes, s.contact_faces));
+  if (s.status == "running") return text;  // the rest comes at its end
   text += line("time", fmt::format("{:.6g} in {} steps; step {:.4g} to {:.4g}, last {:.4g} (element {})", s.time,
                                    s.steps, s.dt.min, s.dt.max, s.dt.last, s.dt.element));
   if (s.dt.estimates > 0) {

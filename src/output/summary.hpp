@@ -34,7 +34,7 @@ struct MomentumSummary {
 };
 
 struct Summary {
-  std::string status = "failed";  // completed, failed, interrupted
+  std::string status = "failed";  // running, completed, failed, interrupted
   std::string error;              // empty unless failed
   std::string version, backend, precision = precision_name;
   int ranks = 1, threads = 1;
