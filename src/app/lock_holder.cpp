@@ -94,10 +94,9 @@ LockHolder parse_holder(const std::string& text) {
     const auto colon = line.find(": ");
     if (colon == std::string::npos) continue;
     const std::string key = line.substr(0, colon), value = line.substr(colon + 2);
-    for (const auto& [name, member] :
-         {std::pair{"host", &holder.host}, std::pair{"boot", &holder.boot},
-          std::pair{"pid_namespace", &holder.pid_namespace}, std::pair{"started", &holder.started},
-          std::pair{"command", &holder.command}}) {
+    for (const auto& [name, member] : {std::pair{"host", &holder.host}, std::pair{"boot", &holder.boot},
+                                       std::pair{"pid_namespace", &holder.pid_namespace},
+                                       std::pair{"started", &holder.started}, std::pair{"command", &holder.command}}) {
       if (key == name) *member = value;
     }
     if (key == "process") std::istringstream(value) >> holder.process;
@@ -111,8 +110,7 @@ HolderState find_state(const LockHolder& holder, double silent_s) {
   if (holder.process <= 0 || holder.boot.empty() || self.boot.empty()) return HolderState::unknown;
   if (holder.boot == self.boot) {  // the same kernel, whatever the host is called
     if (holder.pid_namespace != self.pid_namespace) return HolderState::unknown;
-    const bool is_there =
-        find_process_start(holder.process) == holder.process_start && !is_zombie(holder.process);
+    const bool is_there = find_process_start(holder.process) == holder.process_start && !is_zombie(holder.process);
     return is_there ? HolderState::running : HolderState::ended;
   }
   // Machines may share a name: it counts only if the holder has been silent since this one was started.

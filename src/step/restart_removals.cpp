@@ -54,9 +54,9 @@ std::string find_checkpoint(const RestartInPlace& restart) {
 
 std::string describe_removals(const RestartInPlace& restart, const CutStates& cut) {
   std::string text;
-  for (const std::string& part : {count_states(cut.rows, "row", "history.csv"),
-                                  count_states(cut.frames, "frame", "fields.vtkhdf"), find_summary(restart),
-                                  find_checkpoint(restart)}) {
+  for (const std::string& part :
+       {count_states(cut.rows, "row", "history.csv"), count_states(cut.frames, "frame", "fields.vtkhdf"),
+        find_summary(restart), find_checkpoint(restart)}) {
     if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
   }
   return text;

@@ -6,7 +6,9 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
+#include "src/app/lock_holder.hpp"
 #include "src/output/summary.hpp"
 #include "tests/src/app/percuss_process.hpp"
 
@@ -35,6 +37,10 @@ class PercussFolders : public testing::TestWithParam<int> {
     return arguments;
   }
   bool is_locked() const { return fs::exists(out_ + "/run.lock"); }
+  std::string read_lock() const {
+    std::ifstream file(out_ + "/run.lock");
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
 
   TemporaryFolder folder_;
   std::string deck_ = folder_.write("deck.yaml", cube), out_ = folder_.path() + "/out";
@@ -44,14 +50,13 @@ TEST_P(PercussFolders, ASecondRunIsRefusedAndNamesTheFirst) {
   std::vector<ProcessResult> others;
   std::string lock, info;
   const ProcessResult first = disturb_percuss(
-      run({}), out_ + "/history.csv",
+      run({}), out_ + "/summary.json",
       [&](int process) {
         others.push_back(run_percuss(run({}), launch()));
         others.push_back(run_percuss(run({"--force"}), launch()));
         others.push_back(run_percuss(run({"--restart", deck_, "--force"})));
         info = run_percuss({"info", out_}).out;
-        std::ifstream file(out_ + "/run.lock");
-        lock.assign(std::istreambuf_iterator<char>(file), {});
+        lock = read_lock();
         kill(process, SIGUSR1);
       },
       launch());
@@ -81,10 +86,11 @@ TEST_P(PercussFolders, AreUnlockedAtEveryEnd) {
 
 TEST_P(PercussFolders, ARunThatWasKilledGoesOnInItsFolderWithoutForce) {
   const std::string every = "output.checkpoint={wall: 1e-300}", whole = folder_.path() + "/whole";
-  interrupt_percuss(run({"--set", every}), out_ + "/checkpoint.h5", SIGKILL, launch());
+  disturb_percuss(
+      run({"--set", every}), out_ + "/checkpoint.h5",
+      [&](int) { kill(static_cast<int>(parse_holder(read_lock()).process), SIGKILL); }, launch());
   EXPECT_EQ(read_summary(out_ + "/summary.json").status, "running");
-  const ProcessResult result =
-      run_percuss({"run", deck_, "--restart", out_, "--set", "time.max_steps=2000"}, launch());
+  const ProcessResult result = run_percuss({"run", deck_, "--restart", out_, "--set", "time.max_steps=2000"}, launch());
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(count(result.err, "note: an earlier run in this folder was killed"), 1) << result.err;
   EXPECT_FALSE(is_locked());
@@ -99,8 +105,9 @@ TEST_P(PercussFolders, LoseNothingByARestartUnlessForced) {
   const std::vector<std::string> again{"run", deck_, "--restart", out_, "--set", "time.end=0.01"};
   const ProcessResult refused = run_percuss(again, launch());
   EXPECT_EQ(refused.exit_code, 2) << refused.err;
-  EXPECT_EQ(count(refused.err, "10 rows of history.csv up to t = 0.02, the summary of a run that was completed at t = 0.02"),
-            1)
+  EXPECT_EQ(
+      count(refused.err, "10 rows of history.csv up to t = 0.02, the summary of a run that was completed at t = 0.02"),
+      1)
       << refused.err;
   EXPECT_DOUBLE_EQ(read_summary(out_ + "/summary.json").time, 0.02);
   std::vector<std::string> forced = again;

@@ -97,7 +97,8 @@ TEST_F(PercussSignals, EndCommandsThatLeaveNothingBehindAtOnce) {
 bool is_in_set(int process, const std::string& set, int number) {
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
   for (std::string line; std::getline(status, line);) {
-    if (line.starts_with(set + ":")) return (std::stoull(line.substr(set.size() + 1), nullptr, 16) >> (number - 1) & 1) != 0;
+    if (line.starts_with(set + ":"))
+      return (std::stoull(line.substr(set.size() + 1), nullptr, 16) >> (number - 1) & 1) != 0;
   }
   return false;
 }
@@ -121,7 +122,7 @@ TEST_F(PercussSignals, AHangUpThatIsIgnoredStaysIgnored) {
 
 // mpirun kills its ranks soon after a signal: what is needed to go on must be there by then, and the folder must tell.
 TEST_F(PercussSignals, ARunThatIsKilledSaysSoInItsFolder) {
-  const ProcessResult result = interrupt_percuss(run(), out_ + "/history.csv", SIGKILL);
+  const ProcessResult result = interrupt_percuss(run(), out_ + "/summary.json", SIGKILL);
   EXPECT_EQ(result.exit_code, -SIGKILL);
   EXPECT_EQ(read_summary(out_ + "/summary.json").status, "running");
   const ProcessResult info = run_percuss({"info", out_});
@@ -168,12 +169,13 @@ TEST_F(PercussSignals, AStackThatIsTooSmallIsToldInsteadOfASignal) {
 
 TEST_F(PercussSignals, ThreadsThatCannotBeStartedAreToldInsteadOfASignal) {
   for (const std::string& launch : {std::string(), launch_on(2) + " env"}) {
-    const ProcessResult many = run_percuss(run(), launch.empty() ? "env OMP_NUM_THREADS=100000" : launch + " OMP_NUM_THREADS=100000");
+    const ProcessResult many =
+        run_percuss(run(), launch.empty() ? "env OMP_NUM_THREADS=100000" : launch + " OMP_NUM_THREADS=100000");
     EXPECT_EQ(many.exit_code, 4) << many.err;
-    EXPECT_EQ(count(many.err, "percuss: error: 100000 threads are too many for one rank (it can have 512)"), 1) << many.err;
+    EXPECT_EQ(count(many.err, "percuss: error: 100000 threads are too many for one rank (it can have 512)"), 1)
+        << many.err;
   }
-  const ProcessResult refused =
-      run_percuss(run(), "sh -c 'ulimit -v 3000000; exec \"$@\"' sh env OMP_NUM_THREADS=500");
+  const ProcessResult refused = run_percuss(run(), "sh -c 'ulimit -v 3000000; exec \"$@\"' sh env OMP_NUM_THREADS=500");
   EXPECT_EQ(refused.exit_code, 4) << refused.err;
   EXPECT_THAT(refused.err, HasSubstr("percuss: error: 500 threads cannot be started ("));
 }

@@ -1,4 +1,5 @@
-// A restart in the folder of its checkpoint takes nothing away that it does not compute again, unless that is asked for.
+// A restart in the folder of its checkpoint takes nothing away that it does not compute again, unless that is asked
+// for.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -82,11 +83,12 @@ TEST_F(RestartRemovals, OfAFinishedContinuationAreRefusedUnlessForced) {
   const std::string end = history();
   run({rows, frames, checkpoints, "time.end=0.04"}, "checkpoint.h5");
   EXPECT_THAT(refuse({rows, frames}, "checkpoint.h5"), HasSubstr("before the checkpoint's time"));
-  EXPECT_THAT(refuse({rows, frames}, "checkpoint_previous.h5"),
-              AllOf(HasSubstr(folder_.path() + ": error: going on from "), HasSubstr("(t = 0.03)"),
-                    HasSubstr("10 rows of history.csv up to t = 0.04"), HasSubstr("1 frame of fields.vtkhdf up to t = 0.04"),
-                    HasSubstr("the summary of a run that was completed at t = 0.04"),
-                    HasSubstr("checkpoint.h5 of t = 0.04"), HasSubstr("--out"), HasSubstr("--force")));
+  EXPECT_THAT(
+      refuse({rows, frames}, "checkpoint_previous.h5"),
+      AllOf(HasSubstr(folder_.path() + ": error: going on from "), HasSubstr("(t = 0.03)"),
+            HasSubstr("10 rows of history.csv up to t = 0.04"), HasSubstr("1 frame of fields.vtkhdf up to t = 0.04"),
+            HasSubstr("the summary of a run that was completed at t = 0.04"), HasSubstr("checkpoint.h5 of t = 0.04"),
+            HasSubstr("--out"), HasSubstr("--force")));
   EXPECT_EQ(run({rows, frames}, "checkpoint_previous.h5", Removal::allowed).summary.time, 0.03);
   EXPECT_EQ(history(), end);
 }
