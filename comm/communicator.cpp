@@ -6,11 +6,14 @@
 #include <string>
 #include <utility>
 
+#include "comm/before_abort.hpp"
+
 namespace percuss {
 
 namespace {
 
 clockid_t work_clock = CLOCK_MONOTONIC;
+std::function<void()> last_action;  // before an abort
 
 double read_work_clock() {
   timespec time{};
@@ -91,7 +94,10 @@ void Communicator::barrier() const {
 
 void Communicator::mark_profiled(bool begins) const { check_mpi(MPI_Pcontrol(begins ? 1 : 0), "MPI_Pcontrol"); }
 
+void do_before_abort(std::function<void()> action) { last_action = std::move(action); }
+
 void Communicator::abort(int exit_code) const {
+  if (const auto action = std::exchange(last_action, nullptr)) action();
   MPI_Abort(handle_, exit_code);
   std::abort();  // if MPI_Abort itself failed
 }

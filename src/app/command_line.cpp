@@ -32,9 +32,10 @@ Exit codes:
   2    the deck, a mesh or the command is wrong
   3    the run failed: an element inverted, the energy balance broke, a value is not finite
   4    the system failed: files, memory, MPI
-  130  interrupted (Ctrl-C, SIGTERM or SIGUSR1); what was computed is written, and a checkpoint to go on from
-mpirun passes these on, but after a signal to mpirun itself its own code counts: 1 of Open MPI after Ctrl-C or SIGTERM.
-Whether the run was interrupted is then told by `status` in summary.json.
+  130  interrupted (Ctrl-C, SIGTERM, SIGUSR1, SIGHUP or SIGXCPU); what was computed is written, and a checkpoint to go on
+       from; before the first step nothing is changed
+mpirun passes these on, but its own code counts after a signal to itself (1 of Open MPI after Ctrl-C or SIGTERM) and when
+a rank is killed (137 after SIGKILL). `status` in summary.json tells then: `running` is of a run that was killed.
 
 Environment:
   OMP_NUM_THREADS   threads of each rank; without it, every core that the rank may use: ranks of a machine that are not
@@ -49,17 +50,19 @@ constexpr const char* run_help = R"(
 Writes, as the deck's `output` asks, fields.vtkhdf with fields.xdmf beside it (ParaView, VisIt) and history.csv; always
 summary.json. Results go to the folder of --out; without it, to out/SCENE in the current folder, where SCENE is the
 deck's name, or the name of its folder if it is called deck.yaml. A folder that is not empty is left alone unless
---force is given, which overwrites an earlier run's files and nothing else.
+--force is given, which overwrites an earlier run's files and nothing else. A folder that another run writes into is
+refused in any case; run.lock in it names that run.
 
-A first Ctrl-C, SIGTERM or SIGUSR1 ends the run after its step and writes what there is, with a checkpoint; a second one
-ends it at once. On ranks use `kill -USR1 PID_OF_MPIRUN`: it reaches them at once and leaves them the time they need. After
+Ctrl-C, SIGTERM, SIGUSR1, SIGHUP and SIGXCPU end the run after its step; a checkpoint is written first. A second Ctrl-C ends
+it at once. On ranks use `kill -USR1 PID_OF_MPIRUN`: it reaches them at once and leaves them the time they need. After
 Ctrl-C mpirun waits a second before it tells its ranks, and one more before it kills them; `mpirun --mca
-odls_base_sigkill_timeout 10` makes both ten. A folder without summary.json, or with one of an earlier run, is of a run that
-was killed. `output.checkpoint` of the deck writes checkpoints on the way.
+odls_base_sigkill_timeout 10` makes both ten (Open MPI 4). While the run is under way summary.json says `running`; where no
+run is, that means it was killed. `output.checkpoint` of the deck writes checkpoints on the way.
 
 --restart goes on from a checkpoint, on any number of ranks and threads, to the same bits as if the run had never stopped:
 in the checkpoint's folder, whose history and fields are continued, or in the empty folder of --out, where they begin
-anew. time.end may be later than before.
+anew. time.end may be later than before. What the restart would remove and not compute again (results beyond its end) is
+told and left alone, unless --force is given.
 
 Examples:
   percuss run inputs/taylor_bar/deck.yaml
@@ -289,9 +292,38 @@ Answer explain(const CLI::ParseError& error, Parser& parser) {
   return wrong(error.what(), name);
 }
 
+constexpr const char* why_empty = "the shell variable that it was taken from is probably not set";
+
+// Before the library parses: it takes the word after "--out=" for the value, and what a value means is not its
+// business.
+std::optional<Answer> refuse_empty_argument(int argc, const char* const* argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i], before = argv[i - 1];
+    const bool is_open = word.starts_with("--") && word.find('=') + 1 == word.size();
+    if (!word.empty() && !is_open) continue;
+    const bool is_flag = before == "-q" || before == "--quiet" || before == "-f" || before == "--force";
+    const bool follows_option = word.empty() && i > 1 && before.size() > 1 && before.starts_with('-') && !is_flag;
+    if (!is_open && !follows_option)
+      return wrong(fmt::format("an argument is empty ({}): give the name of a file or folder", why_empty));
+    const std::string option = is_open ? word.substr(0, word.size() - 1) : before;
+    return wrong(fmt::format("option '{}' has an empty value ({}): give it a value, or leave the option out", option,
+                             why_empty));
+  }
+  return std::nullopt;
+}
+
+std::optional<Answer> refuse_empty_setting(const Command& command) {
+  for (const std::string& setting : command.settings) {
+    if (setting.find('=') + 1 != setting.size()) continue;
+    return wrong(fmt::format("'--set {}' gives no value ({}): write the value behind the '='", setting, why_empty));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::variant<Command, Answer> parse_command_line(int argc, const char* const* argv) {
+  if (const auto refusal = refuse_empty_argument(argc, argv)) return *refusal;
   Parser parser;
   try {
     parser.app.parse(argc, argv);
@@ -311,6 +343,7 @@ std::variant<Command, Answer> parse_command_line(int argc, const char* const* ar
   const auto extras = parser.app.remaining(true);
   if (!extras.empty()) return refuse_extra(extras.front(), *chosen->first, chosen->first->get_name());
   parser.command.kind = chosen->second;
+  if (const auto refusal = refuse_empty_setting(parser.command)) return *refusal;
   return parser.command;
 }
 

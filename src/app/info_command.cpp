@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "src/app/commands.hpp"
+#include "src/app/folder_lock.hpp"
 #include "src/app/mesh_report.hpp"
 #include "src/app/summary_report.hpp"
 #include "src/mesh/trial_process.hpp"
@@ -68,13 +69,26 @@ void check_source(const std::string& file, hdf5::ExternalFiles external) {
   }
 }
 
+/// Whether a run holds the folder, or one was killed there; empty if neither.
+std::string describe_holder_of(const std::string& folder, const std::string& status) {
+  std::string holder = describe_lock(folder);
+  if (holder.empty() && status == "running")
+    holder = "it was killed: its summary says running, and no run is under way";
+  return holder.empty() ? "" : fmt::format("{:<10}{}\n", "run", holder);
+}
+
 std::string describe_folder(const std::string& folder, hdf5::ExternalFiles external) {
-  std::string text;
+  std::string text, status;
   const fs::path path(folder);
   for (const char* file : {"summary.json", "fields.vtkhdf", "checkpoint.h5"}) {
     if (fs::exists(path / file)) check_source((path / file).string(), external);
   }
-  if (fs::exists(path / "summary.json")) text += format_summary(read_summary((path / "summary.json").string()));
+  if (fs::exists(path / "summary.json")) {
+    const Summary summary = read_summary((path / "summary.json").string());
+    text += format_summary(summary);
+    status = summary.status;
+  }
+  text = describe_holder_of(folder, status) + text;
   if (fs::exists(path / "fields.vtkhdf")) {
     if (!text.empty()) text += '\n';
     text += describe_fields_file((path / "fields.vtkhdf").string());

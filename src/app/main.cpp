@@ -1,9 +1,11 @@
 // percuss: explicit impact dynamics with parallel contact. See program.hpp.
 
 #include "src/app/program.hpp"
+#include "src/app/stop_signals.hpp"
 #include "src/app/threads.hpp"
 
 int main(int argc, char** argv) {
-  percuss::shorten_waiting(argv);
+  percuss::hold_stop_signals();
+  percuss::start_again_if_needed(argv);
   return percuss::run_program(argc, argv);
 }

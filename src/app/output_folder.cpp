@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "src/app/folder_lock.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Every file that a run writes.
+// Every file that a run writes; those that are written beside their place first have a name with ".tmp" then.
 constexpr std::array<const char*, 7> result_files{"summary.json",          "ranks.csv",   "history.csv",
                                                   "fields.vtkhdf",         "fields.xdmf", "checkpoint.h5",
                                                   "checkpoint_previous.h5"};
@@ -29,13 +30,13 @@ bool holds_results(const fs::path& folder) {
   return false;
 }
 
-void remove_results(const fs::path& folder) {
-  for (const char* file : result_files) {
-    std::error_code error;
-    fs::remove(folder / file, error);
-    if (error) throw SystemError(fmt::format("{} cannot be removed ({})", (folder / file).string(), error.message()));
-  }
+void remove_file(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw SystemError(fmt::format("{} cannot be removed ({})", file.string(), error.message()));
 }
+
+bool is_lock(const fs::path& file) { return file.filename().string().starts_with(lock_file_name); }
 
 }  // namespace
 
@@ -71,25 +72,37 @@ void check_folder_is_writable(const std::string& folder) {
   throw SystemError(fmt::format("folder {} cannot be written to ({})", folder, std::strerror(errno)));
 }
 
-void prepare_output_folder(const std::string& folder, bool force) {
+void make_output_folder(const std::string& folder) {
   std::error_code error;
   const fs::path path(folder);
   if (fs::exists(path, error) && !fs::is_directory(path, error)) {
-    throw InputError(fmt::format("{}: error: not a folder (results go to a folder) choose another with --out", folder));
+    throw InputError(
+        fmt::format("{}: error: not a folder (results go to a folder): choose another with --out", folder));
   }
   fs::create_directories(path, error);
   if (error) throw SystemError(fmt::format("folder {} cannot be made ({})", folder, error.message()));
   check_folder_is_writable(folder);
-  const bool empty = fs::is_empty(path, error);
+}
+
+void check_folder_is_empty(const std::string& folder) {
+  std::error_code error;
+  const fs::path path(folder);
+  bool is_empty = true;
+  for (fs::directory_iterator at(path, error); !error && at != fs::directory_iterator(); at.increment(error))
+    is_empty = is_empty && is_lock(at->path());
   if (error) throw SystemError(fmt::format("folder {} cannot be read ({})", folder, error.message()));
-  if (empty) return;
-  if (!force) {
-    const char* what = holds_results(path) ? "it holds the results of an earlier run" : "it is not empty";
-    throw InputError(
-        fmt::format("{}: error: {} (nothing is overwritten unasked) choose another folder with --out, or give --force",
-                    folder, what));
+  if (is_empty) return;
+  const char* what = holds_results(path) ? "it holds the results of an earlier run" : "it is not empty";
+  throw InputError(
+      fmt::format("{}: error: {} (nothing is overwritten unasked): choose another folder with --out, or give --force",
+                  folder, what));
+}
+
+void remove_results(const std::string& folder) {
+  for (const char* file : result_files) {
+    remove_file(fs::path(folder) / file);
+    remove_file(fs::path(folder) / (std::string(file) + ".tmp"));
   }
-  remove_results(path);
 }
 
 }  // namespace percuss

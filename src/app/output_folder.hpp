@@ -21,9 +21,15 @@ bool is_same_folder(const std::string& a, const std::string& b);
 /// Throws SystemError if it is not.
 void check_folder_is_writable(const std::string& folder);
 
-/// Makes the folder if it is not there. If it is not empty, throws InputError, unless `force` is true: then the files
-/// that an earlier run wrote are removed, and others stay. Throws SystemError if the folder cannot be made or written
-/// to.
-void prepare_output_folder(const std::string& folder, bool force);
+/// Makes the folder if it is not there. Throws InputError if its name is that of a file, SystemError if it cannot be
+/// made or written to.
+void make_output_folder(const std::string& folder);
+
+/// Throws InputError if anything but the lock of a run is in the folder, SystemError if it cannot be read.
+void check_folder_is_empty(const std::string& folder);
+
+/// Removes the files that an earlier run wrote, with those that it was about to replace when it was killed. Others
+/// stay. Throws SystemError.
+void remove_results(const std::string& folder);
 
 }  // namespace percuss

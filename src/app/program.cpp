@@ -10,8 +10,12 @@
 #include "comm/rendezvous.hpp"
 #include "src/app/commands.hpp"
 #include "src/app/failure_report.hpp"
+#include "src/app/stop_signals.hpp"
 #include "src/app/threads.hpp"
+#include "src/fail_together.hpp"
+#include "src/output/progress.hpp"
 #include "src/output/safe_text.hpp"
+#include "src/step/stop_request.hpp"
 
 namespace percuss {
 namespace {
@@ -39,6 +43,9 @@ ExitCode guard_on_ranks(const Communicator& ranks, const Work& work) {
   ExitCode code = ExitCode::done;
   try {
     code = work();
+  } catch (const Interruption& interruption) {  // all ranks have agreed on it
+    code = ExitCode::interrupted;
+    if (ranks.rank() == 0) print_quietly(stderr, "percuss: {}\n", interruption.what());
   } catch (...) {
     const FailureReport failure = describe_failure();
     code = failure.code;
@@ -54,8 +61,11 @@ ExitCode run_on_ranks(int argc, char** argv, const std::function<ExitCode(const 
   const MpiSession mpi(argc, argv);
   const Communicator world = Communicator::world();
   choose_threads(OwnedCommunicator::of_machine(world)->size());
-  const Kokkos::ScopeGuard kokkos;
-  return guard_on_ranks(world, [&] { return command(world); });
+  return guard_on_ranks(world, [&] {
+    fail_together(world, check_threads);
+    const Kokkos::ScopeGuard kokkos;
+    return command(world);
+  });
 }
 
 // For what needs no other rank: mpirun starts it on all of them, and one is to be heard.
@@ -97,10 +107,13 @@ int run_program(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   const ExitCode code = guard([&] {
     const auto parsed = parse_command_line(argc, argv);
+    const auto* command = std::get_if<Command>(&parsed);
+    const bool can_stop = command != nullptr && command->kind == Command::Kind::run;
+    can_stop ? take_stop_signals() : release_stop_signals();
     if (const auto* answer = std::get_if<Answer>(&parsed)) {
       return run_on_rank_0(argc, argv, [&] { return print_answer(*answer); });
     }
-    return execute(argc, argv, std::get<Command>(parsed));
+    return execute(argc, argv, *command);
   });
   return static_cast<int>(guard([&] { return finish_output(code); }));
 }

@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
+#include "comm/agreement.hpp"
+#include "comm/before_abort.hpp"
 #include "kernels/core/views.hpp"
 #include "src/app/commands.hpp"
 #include "src/app/external_files.hpp"
 #include "src/app/failure_report.hpp"
+#include "src/app/folder_lock.hpp"
 #include "src/app/output_folder.hpp"
 #include "src/app/placement.hpp"
 #include "src/app/read_together.hpp"
@@ -19,20 +22,6 @@
 
 namespace percuss {
 namespace {
-
-extern "C" void stop_on_signal(int) { request_stop(); }
-
-// The first signal asks the run to stop after its step; SA_RESETHAND lets the second one end the program. SIGUSR1 is
-// what mpirun passes on without killing its ranks a second later, and what queueing systems can be told to send.
-void install_signal_handlers() {
-  struct sigaction action = {};
-  action.sa_handler = stop_on_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  sigaction(SIGUSR1, &action, nullptr);
-}
 
 void report(const RunResult& result, const std::string& out_dir, const Deck& deck) {
   const Summary& s = result.summary;
@@ -54,45 +43,54 @@ std::string choose_folder(const Command& command) {
   return command.restart.empty() ? default_output_folder(command.file) : find_restart_folder(command.restart);
 }
 
-// The folder is made and looked at before the mesh is built, and emptied only when the scene is known to be sound.
-void prepare_folder(const Command& command, const std::string& out_dir, const Communicator& ranks,
-                    RunOptions& options) {
+void check_restart(const Command& command, const std::string& out_dir, RunOptions& options) {
+  if (command.restart.empty()) return;
+  if (!std::filesystem::exists(command.restart))
+    throw InputError(command.restart + ": error: no such file (--restart needs a checkpoint)");
+  options.goes_on_in_place = is_same_folder(out_dir, find_restart_folder(command.restart));
+}
+
+/// Rank 0 makes and locks the folder, and looks into it; before the mesh is built. It is emptied only when the scene is
+/// known to be sound. Whichever rank ends all ranks at once also removes the lock. Collective.
+std::unique_ptr<FolderLock> prepare_folder(const Command& command, const std::string& out_dir,
+                                           const Communicator& ranks, RunOptions& options) {
   options.out_dir = out_dir;
   options.restart = command.restart;
-  if (!command.restart.empty()) {
-    fail_together(ranks, [&] {
-      if (!std::filesystem::exists(command.restart))
-        throw InputError(command.restart + ": error: no such file (--restart needs a checkpoint)");
-      if (ranks.rank() == 0 && !command.allow_external) refuse_external_checkpoint(command.restart);
-      options.goes_on_in_place = is_same_folder(out_dir, find_restart_folder(command.restart));
-      if (options.goes_on_in_place) check_folder_is_writable(out_dir);
-    });
-    if (options.goes_on_in_place) return;
-  }
-  if (command.force) {
-    options.prepare_output = [out_dir] { prepare_output_folder(out_dir, true); };
-    return;
-  }
+  options.may_remove_results = command.force;
   fail_together(ranks, [&] {
-    if (ranks.rank() == 0) prepare_output_folder(out_dir, false);
+    check_restart(command, out_dir, options);
+    if (ranks.rank() == 0 && !command.restart.empty() && !command.allow_external)
+      refuse_external_checkpoint(command.restart);
   });
+  std::unique_ptr<FolderLock> lock;
+  fail_together(ranks, [&] {
+    if (ranks.rank() != 0) return;
+    make_output_folder(out_dir);
+    lock = std::make_unique<FolderLock>(out_dir);
+    if (!command.force && !options.goes_on_in_place) check_folder_is_empty(out_dir);
+  });
+  const std::string text = broadcast_text(ranks, lock ? lock->text() : "", 0);
+  do_before_abort([path = out_dir + "/" + lock_file_name, text] { remove_lock(path, text); });
+  if (command.force && !options.goes_on_in_place) options.prepare_output = [out_dir] { remove_results(out_dir); };
+  return lock;
 }
 
 }  // namespace
 
 ExitCode run_command(Command command, const Communicator& ranks) {
+  stop_if_requested(ranks, "before the deck was read");
   command.restart = find_checkpoint(command.restart);
   const bool speaks = ranks.rank() == 0;
   const Deck deck = read_deck_together(command, ranks);
   const std::string out_dir = choose_folder(command);
   RunOptions options;
-  prepare_folder(command, out_dir, ranks, options);
+  const std::unique_ptr<FolderLock> lock = prepare_folder(command, out_dir, ranks, options);
+  if (lock && !command.quiet && !lock->note().empty()) print_quietly(stderr, "{}\n", lock->note());
   options.end_all_ranks = [&] { ranks.abort(static_cast<int>(tell(describe_failure()))); };
   options.progress = command.quiet ? Progress::Style::quiet : Progress::choose_style(stderr);
   const Placement placement = find_placement(ranks, ExecSpace().concurrency());
   if (const auto crowding = describe_crowding(placement, ranks.size())) options.warnings.push_back(*crowding);
   choose_work_clock(are_cores_shared(placement) ? WorkClock::thread : WorkClock::usual);
-  install_signal_handlers();
   const RunResult result = run_scene(deck, options);
   if (speaks && !command.quiet) report(result, out_dir, deck);
   return result.exit_code;

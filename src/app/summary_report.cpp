@@ -32,6 +32,12 @@ std::string format_phases(const Summary& summary) {
   return text.empty() ? "" : line("phases", text);
 }
 
+std::string format_warnings(const Summary& s) {
+  std::string text;
+  for (const Warning& warning : s.warnings) text += format_warning(warning) + "\n";
+  return s.warnings.empty() ? text : text + count_warnings(s.warnings) + "\n";
+}
+
 }  // namespace
 
 std::string format_eroded(const Summary& s) {
@@ -49,6 +55,7 @@ std::string format_summary(const Summary& s) {
                                   s.precision, s.ranks, s.ranks == 1 ? "" : "s", s.threads, s.threads == 1 ? "" : "s"));
   text += line("scene", fmt::format("{} elements, {} nodes; {} contact nodes, {} contact faces", s.elements, s.nodes,
                                     s.contact_nodes, s.contact_faces));
+  if (s.status == "running") return text + format_warnings(s);  // the rest comes at its end
   text += line("time", fmt::format("{:.6g} in {} steps; step {:.4g} to {:.4g}, last {:.4g} (element {})", s.time,
                                    s.steps, s.dt.min, s.dt.max, s.dt.last, s.dt.element));
   if (s.dt.estimates > 0) {
@@ -68,9 +75,7 @@ std::string format_summary(const Summary& s) {
                                        s.momentum.linear[0], s.momentum.linear[1], s.momentum.linear[2],
                                        s.momentum.linear_error, s.momentum.angular_error));
   if (s.eroded.elements > 0) text += line("eroded", format_eroded(s));
-  text += line("state", "hash " + s.state_hash);
-  for (const Warning& warning : s.warnings) text += format_warning(warning) + "\n";
-  return s.warnings.empty() ? text : text + count_warnings(s.warnings) + "\n";
+  return text + line("state", "hash " + s.state_hash) + format_warnings(s);
 }
 
 }  // namespace percuss

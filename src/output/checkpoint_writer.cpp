@@ -128,7 +128,6 @@ void CheckpointWriter::write_header(const CheckpointHeader& header) {
   };
   long_text(names::deck, header.deck);
   long_text(names::warnings, header.warnings);
-  trim();
 }
 
 /// The groups of a path, each within the one before it.
@@ -167,7 +166,6 @@ void CheckpointWriter::write_rows(const std::string& name, const ChunkRows& rows
     make_groups(path.substr(0, path.rfind('/')));
     const hid_t file_type = std::is_same_v<T, double> ? H5T_IEEE_F64LE : H5T_STD_I64LE;
     hdf5::write_dataset(file_.get(), path, file_type, block, hdf5::memory_type<T>(), written.data());
-    trim();
   });
 }
 
@@ -217,11 +215,13 @@ void CheckpointWriter::write_numbers() {
   trim();
 }
 
-// As in VtkhdfFile: HDF5 does not tell how long a file is that several ranks write, but a flush cuts it to its data.
+// Behind all that was reserved before: what is too much goes in trim().
 void CheckpointWriter::reserve(std::uint64_t bytes) {
   run_on_first_rank(ranks_, [&] { disk_.reserve(disk_.size(), bytes); });
 }
 
+// As in VtkhdfFile: HDF5 does not tell how long a file is that several ranks write, but a flush cuts it to its data.
+// Once, at the end: a flush takes a dozen messages between ranks, and whoever stops a run may not wait for them.
 void CheckpointWriter::trim() {
   flushing_ = true;
   check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flush the file");

@@ -66,6 +66,22 @@ std::string find_problem(hid_t root, const EarlierFrames& kept, std::span<const 
   return "";
 }
 
+LaterStates read_later_frames(const std::string& path, hsize_t frames) {
+  const hdf5::QuietErrors quiet;
+  const hdf5::Handle file = open_file(path, H5F_ACC_RDONLY);
+  const hdf5::Handle root = hdf5::open_group(file.get(), "VTKHDF");
+  const hsize_t bytes = find_file_bytes(path);
+  const std::int64_t all = hdf5::read_whole_number(hdf5::open_group(root.get(), "Steps").get(), "NSteps");
+  if (all <= static_cast<std::int64_t>(frames)) return {};
+  const hsize_t count = static_cast<hsize_t>(all) - frames;
+  const std::vector<double> times = hdf5::read_rows<double>(root.get(), "Steps/Values", frames, count, bytes);
+  const std::vector<std::int64_t> steps =
+      hdf5::read_rows<std::int64_t>(file.get(), "percuss/step", frames, count, bytes);
+  LaterStates later;
+  for (std::size_t i = 0; i < times.size() && i < steps.size(); ++i) later.push_back({times[i], steps[i]});
+  return later;
+}
+
 void cut_all(hid_t root, hid_t own, const EarlierFrames& kept) {
   const auto cut = [](hid_t parent, const std::string& name, hsize_t rows) { hdf5::Table(parent, name).cut(rows); };
   const hdf5::Handle steps = hdf5::open_group(root, "Steps");
@@ -110,6 +126,19 @@ std::vector<double> check_fields_file(const std::string& path, const EarlierFram
                                       std::span<const std::string> fields) {
   rehearse(path, find_file_bytes(path), [&] { read_times(path, kept, fields); });
   return read_times(path, kept, fields);
+}
+
+LaterStates find_later_frames(const std::string& path, std::int64_t frames) {
+  if (find_file_bytes(path) == 0) return {};
+  const auto first = static_cast<hsize_t>(std::max<std::int64_t>(frames, 0));
+  LaterStates later;
+  try {
+    rehearse(path, find_file_bytes(path), [&] { read_later_frames(path, first); });
+    later = read_later_frames(path, first);
+  } catch (const hdf5::Error&) {  // no fields file of percuss
+  } catch (const InputError&) {   // nor one that the library can read
+  }
+  return later;
 }
 
 void cut_fields_file(const std::string& path, const EarlierFrames& kept) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/output/hdf5_handle.hpp"
+#include "src/output/later_states.hpp"
 
 namespace percuss {
 
@@ -20,6 +21,10 @@ struct EarlierFrames {
 /// read. By one process.
 std::vector<double> check_fields_file(const std::string& path, const EarlierFrames& kept,
                                       std::span<const std::string> fields);
+
+/// The complete frames of a fields file behind the first `frames`. None of a file that is not there or that cannot be
+/// read. By one process.
+LaterStates find_later_frames(const std::string& path, std::int64_t frames);
 
 /// Cuts off the frames that are not kept; does nothing if there are none. Throws SystemError. By one process, while
 /// no other has the file open for writing.

@@ -71,6 +71,26 @@ void check_history_file(const std::string& path, std::span<const std::string> co
     refuse("it has not the rows that the checkpoint counts on");
 }
 
+LaterStates find_later_rows(const std::string& path, std::int64_t bytes) {
+  LaterStates rows;
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  if (bytes > 0) {
+    file.seekg(bytes);
+  } else {
+    std::getline(file, line);  // the heading
+  }
+  while (std::getline(file, line) && !file.eof()) {  // what does not end is no row
+    SavedState row;
+    const char* const end = line.data() + line.size();
+    const auto time = std::from_chars(line.data(), end, row.time);
+    if (time.ec != std::errc() || time.ptr == end || *time.ptr != ',') break;
+    if (std::from_chars(time.ptr + 1, end, row.step).ec != std::errc()) break;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
 HistoryFile::HistoryFile(const std::string& path, std::span<const std::string> columns)
     : path_(path), columns_(columns.size()), file_(std::fopen(path.c_str(), "wbe")) {
   if (file_ == nullptr) throw make_io_error("write", path_, errno);

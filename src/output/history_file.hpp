@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "src/output/later_states.hpp"
+
 namespace percuss {
 
 class HistoryFile {
@@ -31,6 +33,9 @@ class HistoryFile {
   /// with the last row that fitted.
   void flush();
 
+  /// Of the file, with all rows that were flushed [byte].
+  std::int64_t length() const { return written_; }
+
   /// flush(), and waits until the disk has it. Returns the length of the file [byte]. Throws SystemError.
   std::int64_t sync();
 
@@ -46,6 +51,10 @@ class HistoryFile {
 /// Throws InputError if the first `bytes` of a history file are not the heading of these columns with whole rows after
 /// it, SystemError if it cannot be read.
 void check_history_file(const std::string& path, std::span<const std::string> columns, std::int64_t bytes);
+
+/// The rows behind the first `bytes` of a history file whose first columns are time and step; all of its rows if
+/// `bytes` is not above zero. None of a file that is not there or that holds something else.
+LaterStates find_later_rows(const std::string& path, std::int64_t bytes);
 
 /// The shortest text that reads back to the same double: whole numbers without a decimal point, nan, inf, -inf.
 std::string format_number(double value);

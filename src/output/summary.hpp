@@ -36,7 +36,7 @@ struct MomentumSummary {
 };
 
 struct Summary {
-  std::string status = "failed";  // completed, failed, interrupted
+  std::string status = "failed";  // running, completed, failed, interrupted
   std::string error;              // empty unless failed
   std::vector<Warning> warnings;  // in the order in which they were found; rank 0
   std::string version, backend, precision = precision_name;

@@ -195,10 +195,18 @@ void History::write(const Model& model, const State& state, const AuditResult& a
   });
 }
 
-std::int64_t History::sync() {
+void History::sync() {
+  fail_together(ranks_, [&] {
+    if (file_) file_->sync();
+  });
+}
+
+std::int64_t History::find_length() {
   std::int64_t bytes = 0;
   fail_together(ranks_, [&] {
-    if (file_) bytes = file_->sync();
+    if (!file_) return;
+    file_->flush();
+    bytes = file_->length();
   });
   wait_mpi([&] { return MPI_Bcast(&bytes, 1, MPI_INT64_T, 0, ranks_.handle()); }, "MPI_Bcast");
   return bytes;

@@ -43,8 +43,10 @@ class History {
              const Vec3& wall_force, const std::vector<double>& pair_work);
   /// Collective; throws likewise.
   void flush();
-  /// Waits until the disk has all rows; returns the length of the file [byte]. Collective; throws likewise.
-  std::int64_t sync();
+  /// flush(), and the length of the file then [byte]. Collective; throws likewise.
+  std::int64_t find_length();
+  /// Waits until the disk has all rows. Collective; throws likewise.
+  void sync();
 
  private:
   void gather_points(const Model& model, const State& state, std::vector<double>& row) const;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <csignal>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -14,12 +14,14 @@
 #include "src/contact/contact_stage.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decompose.hpp"
+#include "src/output/first_rank.hpp"
 #include "src/output/warning_log.hpp"
 #include "src/step/audit.hpp"
 #include "src/step/checkpoint.hpp"
 #include "src/step/erosion.hpp"
 #include "src/step/mass_scaling.hpp"
 #include "src/step/phases.hpp"
+#include "src/step/restart_removals.hpp"
 #include "src/step/run_checkpoints.hpp"
 #include "src/step/run_checks.hpp"
 #include "src/step/run_notes.hpp"
@@ -27,14 +29,13 @@
 #include "src/step/run_summary.hpp"
 #include "src/step/run_totals.hpp"
 #include "src/step/step.hpp"
+#include "src/step/stop_request.hpp"
 #include "src/step/turned_corners.hpp"
 #include "src/step/whole_mesh.hpp"
 
 namespace percuss {
 
 namespace {
-
-volatile std::sig_atomic_t stop_requested = 0;
 
 /// Energy and momentum are judged at least this often, also without output.
 constexpr long steps_between_audits = 500;
@@ -59,12 +60,14 @@ class Run {
   void restart();
   void restore_warnings(const CheckpointHeader& header);
   void open_files();
+  void check_removals() const;
   bool is_finished() const;
   void loop();
   void advance();
   void erode();
   void observe();
   void observe_last();
+  void save_interrupted();
   void look_at_corners();
   void audit();
   void note_contact();
@@ -73,8 +76,11 @@ class Run {
   StepWishes find_wishes() const;
   void archive(CheckpointArchive& archive);
   std::string write_run_warnings() const;
+  void save_checkpoint();
   void write_checkpoint();
+  void announce();
   long steps_done() const { return state_.step - start_step_; }
+  Summary make_summary(const std::string& status, const std::string& error) const;
   void finish(const std::string& status, const std::string& error);
   SummedRun summed() const {
     return {chunked_, model_, state_, stepper_, contact_, audited_, steps_done(), compute_seconds() - compute_start_};
@@ -108,7 +114,8 @@ class Run {
   std::size_t input_warnings_ = 0;        // of log_: those that a restart finds again
   Clock::time_point loop_start_;
   double compute_start_ = 0;  // compute_seconds() when the clocks of the phases began
-  Summary summary_;
+  Summary summary_;           // what is noted on the way
+  Summary result_;            // at the end
 };
 
 Run::Run(const Deck& deck, const RunOptions& options)
@@ -124,6 +131,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       audit_(model_),
       output_(deck, chunked_, model_, contact_, options.out_dir),
       checkpoints_(deck, options.out_dir) {
+  stop_if_requested(ranks_, "after contact was made");
   progress_.emplace(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet);
   log_.add(find_start_warnings(chunked_, ranks_.size()));
   input_warnings_ = log_.list().size();
@@ -133,6 +141,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
   } else {
     restart();
   }
+  stop_if_requested(ranks_, "before the first step");
   open_files();  // last: to close a file that several ranks write takes all of them, should one fail alone
   summary_.setup_s = find_seconds(setup_start_);
 }
@@ -141,14 +150,16 @@ Run::Run(const Deck& deck, const RunOptions& options)
 ChunkedMesh Run::load_scene() {
   log_.add(deck_.warnings);
   log_.add(options_.warnings);
-  return load_mesh(deck_, ranks_);
+  ChunkedMesh chunked = load_mesh(deck_, ranks_);
+  stop_if_requested(ranks_, "after the mesh was made");
+  return chunked;
 }
 
 void Run::begin() {
   if (contact_.is_active()) say_or_warn(contact_.prepare(state_.x, state_.v));
   say(contact_.start_notes());
   compute_start_ = compute_seconds();
-  stepper_.start(state_, {stop_requested != 0, false});
+  stepper_.start(state_);
   erode();
   first_dt_ = state_.next_dt;
   limiting_element_id_ = state_.bound.element_id;
@@ -208,6 +219,7 @@ void Run::open_files() {
   }
   if (options_.goes_on_in_place) {
     output_.check_earlier();
+    run_on_first_rank(ranks_, [&] { check_removals(); });
     output_.go_on();
     return;
   }
@@ -215,6 +227,16 @@ void Run::open_files() {
     if (ranks_.rank() == 0 && options_.prepare_output) options_.prepare_output();
   });
   output_.create();
+}
+
+/// A run that goes on in place cuts off what lies behind its checkpoint.
+void Run::check_removals() const {
+  RestartInPlace restart{options_.out_dir, options_.restart, {state_.time, state_.step}, {deck_.time.end, 0}};
+  restart.end.step = deck_.time.max_steps.value_or(std::numeric_limits<std::int64_t>::max());
+  const std::string removals = describe_removals(restart, output_.find_cut_states(restart.from, restart.end));
+  if (removals.empty()) return;
+  if (!options_.may_remove_results) throw InputError(refuse_removals(restart, removals));
+  say({"note: removed, since --force is given: " + removals});
 }
 
 bool Run::is_finished() const {
@@ -231,8 +253,11 @@ void Run::loop() {
   }
   while (!is_finished() && !stepper_.is_stop_agreed()) advance();
   // The checkpoint goes before the last row and frame, which a run that goes on does not have.
-  const bool is_interrupted = !is_finished();
-  if (checkpoints_.step() != state_.step && (is_interrupted || checkpoints_.are_wanted())) write_checkpoint();
+  if (!is_finished()) {
+    save_interrupted();
+  } else if (checkpoints_.step() != state_.step && checkpoints_.are_wanted()) {
+    write_checkpoint();
+  }
   observe_last();
 }
 
@@ -248,8 +273,9 @@ void Run::advance() {
   check_step_made();
   erode();
   observe();
+  if (stepper_.is_stop_agreed()) return;  // then the checkpoint goes before all else
   if (stepper_.is_checkpoint_agreed() || checkpoints_.is_due(state_.time)) write_checkpoint();
-  if (!is_finished() && !stepper_.is_stop_agreed()) progress_->report(find_progress());  // finish() has the last word
+  if (!is_finished()) progress_->report(find_progress());  // finish() has the last word
 }
 
 /// Where elements have died, everything else follows before the state is looked at.
@@ -268,8 +294,8 @@ void Run::erode() {
 
 StepWishes Run::find_wishes() const {
   StepWishes wishes;
-  wishes.stop = stop_requested != 0;
-  wishes.checkpoint = ranks_.rank() == 0 && checkpoints_.is_clock_due();
+  wishes.stop = is_stop_requested();
+  wishes.checkpoint = is_checkpoint_requested() || (ranks_.rank() == 0 && checkpoints_.is_clock_due());
   return wishes;
 }
 
@@ -301,6 +327,18 @@ void Run::observe() {
 void Run::look_at_corners() {
   const std::vector<std::int64_t> counts = count_turned_corners(chunked_, model_, state_);
   for (const Warning& warning : describe_turned_corners(counts, chunked_.mesh.parts, state_.time)) log_.renew(warning);
+}
+
+/// Whoever interrupts a run may end it by force a second later: what is needed to go on comes first, then what tells
+/// that it was interrupted, and only then all other output and the wait for the disk.
+void Run::save_interrupted() {
+  if (checkpoints_.step() != state_.step) save_checkpoint();
+  audit();
+  const Summary summary = make_summary("interrupted", "");
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() == 0 && !options_.out_dir.empty()) write_summary(options_.out_dir + "/summary.json", summary);
+  });
+  output_.sync();
 }
 
 /// The same of the last state, due or not.
@@ -340,12 +378,18 @@ std::string Run::write_run_warnings() const {
 }
 
 void Run::write_checkpoint() {
+  output_.sync();
+  save_checkpoint();
+}
+
+void Run::save_checkpoint() {
   if (options_.out_dir.empty()) return;
   const Phase phase("percuss::output", stepper_.clocks().output);
-  output_.sync();
+  output_.note_lengths();
   CheckpointHeader header = make_checkpoint_header(deck_, chunked_, model_, state_);
   header.warnings = broadcast_text(ranks_, write_run_warnings(), 0);
   checkpoints_.write(header, chunked_, ranks_, state_, [&](CheckpointArchive& to) { archive(to); });
+  forget_checkpoint_request();
 }
 
 ProgressState Run::find_progress() const {
@@ -358,22 +402,41 @@ ProgressState Run::find_progress() const {
           state_.books.eroded_elements};
 }
 
+/// A folder whose summary says "running" and that no run holds is of a run that was killed. Collective.
+void Run::announce() {
+  Summary summary = summary_;
+  summary.status = "running";
+  summary.warnings = log_.list();
+  fill_scene(summed(), summary);
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() == 0 && !options_.out_dir.empty()) write_summary(options_.out_dir + "/summary.json", summary);
+  });
+}
+
+/// Collective.
+Summary Run::make_summary(const std::string& status, const std::string& error) const {
+  Summary summary = summary_;
+  summary.status = status;
+  summary.error = error;
+  summary.dt.last = state_.dt;
+  summary.dt.element = limiting_element_id_;
+  summary.loop_s = find_seconds(loop_start_);
+  summary.warnings = log_.list();
+  fill_summary(summed(), summary);
+  return summary;
+}
+
 /// Collective.
 void Run::finish(const std::string& status, const std::string& error) {
-  summary_.status = status;
-  summary_.error = error;
-  summary_.dt.last = state_.dt;
-  summary_.dt.element = limiting_element_id_;
-  summary_.loop_s = find_seconds(loop_start_);
   const std::vector<RankRow> rows = gather_rows(ranks_, make_rank_row(summed()));
-  fill_summary(summed(), summary_);
+  result_ = make_summary(status, error);
   progress_->finish(find_progress());
-  log_.add(find_end_warnings(summary_));
-  summary_.warnings = log_.list();
+  log_.add(find_end_warnings(result_));
+  result_.warnings = log_.list();
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || options_.out_dir.empty()) return;
     write_ranks(options_.out_dir + "/ranks.csv", rows);
-    write_summary(options_.out_dir + "/summary.json", summary_);
+    write_summary(options_.out_dir + "/summary.json", result_);
   });
 }
 
@@ -405,12 +468,13 @@ void Run::fail(const std::exception& error) {
   if (!speaks() || options_.out_dir.empty()) return;
   print_quietly(stderr, "results: {}\n", options_.out_dir);
   if (const std::string hint = checkpoints_.describe(); !hint.empty()) say({hint});
-  if (const std::string hint = describe_warnings(summary_, options_.out_dir); !hint.empty()) say({hint});
+  if (const std::string hint = describe_warnings(result_, options_.out_dir); !hint.empty()) say({hint});
 }
 
 RunResult Run::operator()() {
   loop_start_ = Clock::now();
   try {
+    announce();
     ranks_.mark_profiled(true);
     loop();
     ranks_.mark_profiled(false);
@@ -421,17 +485,15 @@ RunResult Run::operator()() {
   }
   const bool interrupted = stepper_.is_stop_agreed() && !is_finished();
   finish(interrupted ? "interrupted" : "completed", "");
-  return {interrupted ? ExitCode::interrupted : ExitCode::done, summary_, checkpoints_.path()};
+  return {interrupted ? ExitCode::interrupted : ExitCode::done, result_, checkpoints_.path()};
 }
 
 }  // namespace
 
-void request_stop() { stop_requested = 1; }
-
 RunResult run_scene(const Deck& deck, const RunOptions& options) {
   Run run(deck, options);
   const RunResult result = run();
-  stop_requested = 0;  // the next run of this process starts afresh
+  forget_stop_request();
   return result;
 }
 

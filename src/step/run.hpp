@@ -9,14 +9,16 @@
 #include "src/error.hpp"
 #include "src/output/progress.hpp"
 #include "src/output/summary.hpp"
+#include "src/step/stop_request.hpp"
 
 namespace percuss {
 
 struct RunOptions {
   std::string out_dir;  // exists; empty: write no files at all (tests, studies)
   Progress::Style progress = Progress::Style::quiet;
-  std::string restart = {};       // checkpoint to go on from; empty: the run begins at time 0
-  bool goes_on_in_place = false;  // with it: out_dir holds the files of the run that wrote it, which are continued
+  std::string restart = {};         // checkpoint to go on from; empty: the run begins at time 0
+  bool goes_on_in_place = false;    // with it: out_dir holds the files of the run that wrote it, which are continued
+  bool may_remove_results = false;  // with that: also if the files hold what this run does not write again
   std::function<void()> prepare_output = {};  // called once set-up has succeeded, before the first file is made; rank 0
   // Called in the handler of an error that this rank alone has met, while the others wait for it; ends all of them.
   std::function<void()> end_all_ranks = {};
@@ -29,15 +31,12 @@ struct RunResult {
   std::string checkpoint;  // the last one written, or gone on from; empty: none
 };
 
-/// Asks the run in progress to stop after its step, on all ranks if one is asked; async-signal-safe. run_scene installs
-/// nothing: main does.
-void request_stop();
-
 /// Runs a scene to its end on all ranks of the program; rank 0 writes and speaks. Files in out_dir: fields, history and
-/// summary as the deck asks, checkpoints when they are due and when the run is stopped; once the loop has begun the
-/// summary is written in any case, with status and error. A restart that is refused has changed no file.
-/// Collective: deck and options are the same on every rank, and so is the result. Throws InputError, RunError,
-/// SystemError, the same on all ranks; what was written before stays.
+/// summary as the deck asks, checkpoints when they are due and when the run is stopped. The summary is there from the
+/// first step on, then with status "running", and written again at the end in any case. A restart that is refused has
+/// changed no file. Collective: deck and options are the same on every rank, and so is the result. Throws InputError,
+/// RunError, SystemError and, where a stop is asked for before the first file is made, Interruption, the same on all
+/// ranks; what was written before stays.
 RunResult run_scene(const Deck& deck, const RunOptions& options);
 
 }  // namespace percuss

@@ -1,14 +1,34 @@
 #include "src/step/run_output.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "src/output/fields_restart.hpp"
+
 namespace percuss {
+
+namespace {
+
+/// Leaves those that a run from `from` to `end` does not write again.
+LaterStates keep_lost(LaterStates states, const SavedState& from, const SavedState& end, bool is_thinned) {
+  const auto is_written_again = [&](const SavedState& s) {
+    if (s.time > end.time * (1 + same_time) || s.step > end.step) return false;
+    if (s.time < from.time * (1 - same_time)) return false;
+    // The last state of a run that was stopped is in the checkpoint, whatever is due.
+    return !is_thinned || s.time <= from.time * (1 + same_time);
+  };
+  states.erase(std::remove_if(states.begin(), states.end(), is_written_again), states.end());
+  return states;
+}
+
+}  // namespace
 
 void Schedule::archive(CheckpointArchive& archive, const std::string& name, double time) {
   double period = period_.value_or(-1), next = next_;
   archive.number(name + "/period", period);
   archive.number(name + "/next", next);
   if (!archive.is_loading()) return;
+  is_thinned_ = period_ && period >= 0 && *period_ > period;
   if (period_ && *period_ == period) {
     next_ = next;
   } else {
@@ -34,6 +54,18 @@ void RunOutput::create() {
 void RunOutput::check_earlier() const {
   if (wants_rows() && history_bytes_ != no_file) History::check(directory_, deck_, chunked_, history_bytes_);
   if (wants_frames() && frame_count_ != no_file) Frames::check(directory_, deck_, chunked_, model_, frame_count_);
+}
+
+CutStates RunOutput::find_cut_states(const SavedState& from, const SavedState& end) const {
+  CutStates cut;
+  if (wants_rows()) {
+    cut.rows = keep_lost(find_later_rows(directory_ + "/history.csv", history_bytes_), from, end, rows_.is_thinned());
+  }
+  if (wants_frames()) {
+    cut.frames =
+        keep_lost(find_later_frames(directory_ + "/fields.vtkhdf", frame_count_), from, end, frames_due_.is_thinned());
+  }
+  return cut;
 }
 
 void RunOutput::go_on() {
@@ -67,9 +99,13 @@ void RunOutput::advance(double time) {
   frames_due_.advance(time);
 }
 
-void RunOutput::sync() {
-  history_bytes_ = history_ ? history_->sync() : no_file;
+void RunOutput::note_lengths() {
+  history_bytes_ = history_ ? history_->find_length() : no_file;
   frame_count_ = frames_ ? frames_->count() : no_file;
+}
+
+void RunOutput::sync() {
+  if (history_) history_->sync();
   if (frames_) frames_->sync();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "src/contact/contact_stage.hpp"
+#include "src/output/later_states.hpp"
 #include "src/step/frames.hpp"
 #include "src/step/history.hpp"
 
@@ -20,6 +21,8 @@ class Schedule {
     if (period_ && *period_ > 0) next_ = *period_ * (std::floor(time / *period_ * (1 + 1e-12)) + 1);
   }
   bool is_set() const { return period_.has_value(); }
+  /// After archive() has loaded: whether less is due than in the run before.
+  bool is_thinned() const { return is_thinned_; }
 
   /// Goes on with what another run of the same period has; `time` is where.
   void archive(CheckpointArchive& archive, const std::string& name, double time);
@@ -27,6 +30,12 @@ class Schedule {
  private:
   std::optional<double> period_;
   double next_ = 0;
+  bool is_thinned_ = false;
+};
+
+/// What a run that goes on in a folder cuts off its files, and does not write again.
+struct CutStates {
+  LaterStates rows, frames;
 };
 
 /// All calls are collective.
@@ -43,6 +52,10 @@ class RunOutput {
   /// nothing.
   void check_earlier() const;
 
+  /// After archive() has loaded: what go_on() would remove for good, if the checkpoint is of `from` and the run ends at
+  /// `end` (of its step the largest number). By rank 0 alone; changes nothing.
+  CutStates find_cut_states(const SavedState& from, const SavedState& end) const;
+
   /// Goes on with them. What the run did not write before begins here.
   void go_on();
 
@@ -54,7 +67,9 @@ class RunOutput {
   void write_frame(const State& state);
   void advance(double time);
 
-  /// Waits until the disk has all and notes how long the files are: call before saving.
+  /// Hands all to the system and notes how long the files are: call before saving.
+  void note_lengths();
+  /// Waits until the disk has all.
   void sync();
   /// Schedules and the lengths of the files. time: of the state.
   void archive(CheckpointArchive& archive, double time);

@@ -10,8 +10,6 @@ namespace {
 
 void fill_contact_summary(const SummedRun& run, Summary& summary) {
   if (!run.contact.is_active()) return;
-  summary.contact_nodes = run.contact.contact_nodes();
-  summary.contact_faces = run.contact.contact_faces();
   const DecompositionReport done = run.contact.decomposition();
   if (run.steps > 0) {
     const auto steps = static_cast<double>(run.steps);
@@ -48,17 +46,25 @@ void fill_messages(const SummedRun& run, Summary& summary) {
 
 }  // namespace
 
-void fill_summary(const SummedRun& run, Summary& summary) {
-  const Communicator& ranks = run.model.ranks;
+void fill_scene(const SummedRun& run, Summary& summary) {
   const Numbering& numbering = run.chunked.numbering;
   summary.version = PERCUSS_VERSION;
   summary.backend = ExecSpace::name();
-  summary.ranks = ranks.size();
+  summary.ranks = run.model.ranks.size();
   summary.threads = ExecSpace().concurrency();
   summary.elements = numbering.element_count();
   summary.nodes = numbering.node_count();
   summary.steps = run.state.step;
   summary.time = run.state.time;
+  if (!run.contact.is_active()) return;
+  summary.contact_nodes = run.contact.contact_nodes();
+  summary.contact_faces = run.contact.contact_faces();
+}
+
+void fill_summary(const SummedRun& run, Summary& summary) {
+  const Communicator& ranks = run.model.ranks;
+  const Numbering& numbering = run.chunked.numbering;
+  fill_scene(run, summary);
   const StepEstimateReport estimates = run.stepper.step_estimates();
   summary.dt.estimate = run.stepper.estimates_steps() ? "global" : "element";
   summary.dt.estimates = estimates.count;

@@ -20,6 +20,9 @@ struct SummedRun {
   double compute_s = 0;        // CPU seconds of this rank's work since the loop began
 };
 
+/// Fills in the program, the size of the scene, and step and time of the state. Collective.
+void fill_scene(const SummedRun& run, Summary& summary);
+
 /// Fills in all but status, error, set-up time and what the loop notes as it goes: steps' lengths, loop_s, which must
 /// be there. Collective.
 void fill_summary(const SummedRun& run, Summary& summary);

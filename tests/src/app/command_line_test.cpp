@@ -119,6 +119,31 @@ TEST(CommandLine, HintsAtWhatWasMeant) {
   EXPECT_THAT(answer({"run", "d", "--set"}).text, HasSubstr("has no value"));
 }
 
+TEST(CommandLine, RefusesEmptyValuesSinceAShellVariableMayNotBeSet) {
+  const std::vector<std::pair<std::vector<const char*>, const char*>> empty = {
+      {{"run", "d", "--restart", "", "--force"}, "option '--restart' has an empty value"},
+      {{"run", "d", "--restart="}, "option '--restart' has an empty value"},
+      {{"run", "--out=", "d"}, "option '--out' has an empty value"},
+      {{"run", "d", "-r", ""}, "option '-r' has an empty value"},
+      {{"run", "d", "-o", ""}, "option '-o' has an empty value"},
+      {{"run", "d", "--set", ""}, "option '--set' has an empty value"},
+      {{"run", "d", "--set", "time.end="}, "'--set time.end=' gives no value"},
+      {{"check", "d", "--set=time.end="}, "'--set time.end=' gives no value"},
+      {{"plan", "d", "--ranks", ""}, "option '--ranks' has an empty value"},
+      {{"plan", "d", "--ranks", "2", "--latency", ""}, "option '--latency' has an empty value"},
+      {{"run", ""}, "an argument is empty"},
+      {{"run", "--force", ""}, "an argument is empty"},
+      {{"info", ""}, "an argument is empty"}};
+  for (const auto& [arguments, text] : empty) {
+    const auto parsed = parse(arguments);
+    ASSERT_TRUE(std::holds_alternative<Answer>(parsed)) << text;
+    EXPECT_EQ(std::get<Answer>(parsed).exit_code, ExitCode::wrong_input);
+    EXPECT_THAT(std::get<Answer>(parsed).text, HasSubstr(text));
+    EXPECT_THAT(std::get<Answer>(parsed).text, HasSubstr("shell variable"));
+  }
+  EXPECT_THAT(command({"run", "d", "--set", "a=b="}).settings, testing::ElementsAre("a=b="));
+}
+
 TEST(CommandLine, AnswersEveryMistakeWithExitCodeTwo) {
   const std::vector<std::vector<const char*>> mistakes = {{"rnu"},
                                                           {"run"},

@@ -35,7 +35,7 @@ class PercussFaults : public testing::TestWithParam<int> {
   /// A run, once it is under way, loses its folder by `lose` and is stopped, for which it writes a checkpoint.
   ProcessResult stop_without_folder(const std::function<void()>& lose) const {
     return disturb_percuss(
-        {"run", deck_, "-o", out_, "--set", "output.checkpoint.wall=1e300"}, out_ + "/history.csv",
+        {"run", deck_, "-o", out_, "--set", "output.checkpoint.wall=1e300"}, out_ + "/summary.json",
         [&](int process) {
           lose();
           kill(process, GetParam() == 1 ? SIGINT : SIGUSR1);  // mpirun leaves its ranks only a second after SIGINT

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "src/app/memory_check.hpp"
 #include "src/app/output_folder.hpp"
@@ -69,22 +71,27 @@ TEST(OutputFolder, IsNamedAfterTheScene) {
   EXPECT_EQ(default_output_folder("deck.yaml"), "out/" + here);
 }
 
-TEST(OutputFolder, IsMadeAndTakenWhenItIsEmpty) {
+TEST(OutputFolder, IsMadeAndTakenWhenItHoldsNothingButALock) {
   const TemporaryFolder folder;
-  prepare_output_folder(folder.path() + "/a/b", false);
-  EXPECT_TRUE(std::filesystem::is_directory(folder.path() + "/a/b"));
-  EXPECT_NO_THROW(prepare_output_folder(folder.path() + "/a/b", false));
+  const std::string made = folder.path() + "/a/b";
+  make_output_folder(made);
+  EXPECT_TRUE(std::filesystem::is_directory(made));
+  EXPECT_NO_THROW(make_output_folder(made));
+  folder.write("a/b/run.lock", "");
+  EXPECT_NO_THROW(check_folder_is_empty(made));
+  folder.write("a/b/summary.json.tmp", "");
+  EXPECT_THROW(check_folder_is_empty(made), InputError);
+  EXPECT_THROW(make_output_folder(folder.write("file", "")), InputError);
 }
 
-TEST(OutputFolder, LosesOnlyResultsAndOnlyWhenForced) {
+TEST(OutputFolder, LosesOnlyResultsAndWhatWasToReplaceThem) {
   const TemporaryFolder folder;
-  folder.write("summary.json", "{}");
-  folder.write("picture.png", "");
-  EXPECT_THROW(prepare_output_folder(folder.path(), false), InputError);
-  EXPECT_TRUE(std::filesystem::exists(folder.path() + "/summary.json"));
-  prepare_output_folder(folder.path(), true);
-  EXPECT_FALSE(std::filesystem::exists(folder.path() + "/summary.json"));
-  EXPECT_TRUE(std::filesystem::exists(folder.path() + "/picture.png"));
+  for (const char* file : {"summary.json", "checkpoint.h5.tmp", "fields.xdmf.tmp", "picture.png", "run.lock"})
+    folder.write(file, "");
+  remove_results(folder.path());
+  std::vector<std::string> left;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) left.push_back(entry.path().filename());
+  EXPECT_THAT(left, testing::UnorderedElementsAre("picture.png", "run.lock"));
 }
 
 TEST(MemoryCheck, LetsPassWhatFits) {

@@ -50,6 +50,14 @@ RunResult run(const std::string& deck, const std::string& folder, const std::str
   return run_scene(parse_deck(deck, "deck.yaml"), options);
 }
 
+/// The run is asked to stop as its first file is made, and makes one step.
+RunResult run_and_stop(const std::string& deck, const std::string& folder) {
+  RunOptions options;
+  options.out_dir = folder;
+  options.prepare_output = request_stop;
+  return run_scene(parse_deck(deck, "deck.yaml"), options);
+}
+
 std::string take_refusal(const std::string& deck, const std::string& folder, const std::string& restart) {
   try {
     run(deck, folder, restart);
@@ -206,8 +214,7 @@ TEST(Restart, AStoppedRunLeavesACheckpointAndIsInterrupted) {
   const TemporaryFolder whole, parts;
   const std::string rarely = change(blocks, "history: {every: 0}", "history: {every: 3e-4}");
   const Summary expected = run(rarely, whole.path()).summary;
-  request_stop();
-  const RunResult stop = run(rarely, parts.path());
+  const RunResult stop = run_and_stop(rarely, parts.path());
   EXPECT_EQ(stop.exit_code, ExitCode::interrupted);
   EXPECT_EQ(stop.checkpoint, parts.path() + checkpoint_name);
   EXPECT_EQ(run(rarely, parts.path(), stop.checkpoint).summary.state_hash, expected.state_hash);
