@@ -19,6 +19,8 @@
 
 namespace percuss {
 
+struct StartOverlap;
+
 /// The motion of one step as the stage sees it; one row a mesh node.
 struct ContactMotion {
   Rows3<const double> x;             // position at n
@@ -85,6 +87,9 @@ class ContactStage {
 
   /// What else there is to say of the start: a line for each tie; after prepare() one of the smallest gaps.
   const std::vector<std::string>& start_notes() const;
+
+  /// What prepare() found, of all ranks; empty before it.
+  const StartOverlap& start_overlap() const;
 
   /// What the stage remembers from step to step. Loaded, the last search is done again, so that what is counted of it
   /// is the same; then prepare() must not be called. Collective.
