@@ -38,9 +38,11 @@ void report(const RunResult& result, const std::string& out_dir, const std::stri
                 s.status, s.time, s.steps, s.setup_s + s.loop_s, s.grind_ns, 100 * s.energy.error);
   if (s.eroded.elements > 0) print_quietly(stderr, "eroded: {}\n", format_eroded(s));
   print_quietly(stderr, "results: {}\n", out_dir);
-  if (result.exit_code != ExitCode::interrupted) return;
-  print_quietly(stderr, "checkpoint: {}; to go on: percuss run {} --restart {}\n", result.checkpoint, deck,
-                result.checkpoint);
+  if (result.exit_code == ExitCode::interrupted) {
+    print_quietly(stderr, "checkpoint: {}; to go on: percuss run {} --restart {}\n", result.checkpoint, deck,
+                  result.checkpoint);
+  }
+  if (!s.warnings.empty()) print_quietly(stderr, "{}\n", describe_warnings(s, out_dir));
 }
 
 std::string choose_folder(const Command& command) {
@@ -77,17 +79,13 @@ ExitCode run_command(Command command, const Communicator& ranks) {
   command.restart = find_checkpoint(command.restart);
   const bool speaks = ranks.rank() == 0;
   const Deck deck = read_deck_together(command, ranks);
-  if (speaks) {
-    for (const std::string& warning : deck.warnings) print_quietly(stderr, "{}\n", warning);
-  }
   const std::string out_dir = choose_folder(command);
   RunOptions options;
   prepare_folder(command, out_dir, ranks, options);
   options.end_all_ranks = [&] { ranks.abort(static_cast<int>(tell(describe_failure()))); };
   options.progress = command.quiet ? Progress::Style::quiet : Progress::choose_style(stderr);
   const Placement placement = find_placement(ranks, ExecSpace().concurrency());
-  const std::string crowding = describe_crowding(placement, ranks.size());
-  if (speaks && !command.quiet && !crowding.empty()) print_quietly(stderr, "{}\n", crowding);
+  if (const auto crowding = describe_crowding(placement, ranks.size())) options.warnings.push_back(*crowding);
   choose_work_clock(are_cores_shared(placement) ? WorkClock::thread : WorkClock::usual);
   install_signal_handlers();
   const RunResult result = run_scene(deck, options);

@@ -9,6 +9,7 @@
 #include "comm/agreement.hpp"
 #include "comm/exact_reduction.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/output/warning_log.hpp"
 #include "src/step/whole_mesh.hpp"
 
 namespace percuss {
@@ -56,7 +57,6 @@ std::string format_contact(const SceneReport& scene) {
   }
   if (!scene.deck.walls.empty()) text += "; " + count(scene.deck.walls.size(), "wall", "walls");
   std::string lines = line("contact", text);
-  if (!scene.overlap.empty()) lines += line("", scene.overlap);
   for (const std::string& note : scene.contact_notes) lines += line("", note);
   return lines;
 }
@@ -145,7 +145,6 @@ SceneReport describe_scene(const Deck& deck, const ChunkedMesh& chunked) {
   scene.bodies = count_bodies(chunked.mesh, ranks);
   scene.low = chunked.mesh.low;
   scene.high = chunked.mesh.high;
-  scene.mesh_warnings = chunked.mesh.warnings;
   return scene;
 }
 
@@ -162,13 +161,10 @@ std::string format_scene(const SceneReport& scene) {
   if (!deck.units.empty()) text += line("units", deck.units);
   text += format_parts(scene) + format_size(scene.low, scene.high) + format_contact(scene) + format_loads(deck) +
           format_output(deck) + format_step(scene);
-  for (const std::string& warning : deck.warnings) text += warning + "\n";
-  for (const std::string& warning : scene.mesh_warnings) text += "warning: " + warning + "\n";
-  const std::size_t warnings =
-      deck.warnings.size() + scene.mesh_warnings.size() + (scene.overlap.starts_with("warning: ") ? 1 : 0);
-  return text + (warnings == 0 ? "The deck and its meshes are right.\n"
-                               : fmt::format("The deck and its meshes can be run; {}.\n",
-                                             count(warnings, "warning", "warnings")));
+  for (const Warning& warning : scene.warnings) text += format_warning(warning) + "\n";
+  return text + (scene.warnings.empty() ? "The deck and its meshes are right.\n"
+                                        : fmt::format("The deck and its meshes can be run; {}.\n",
+                                                      count_warnings(scene.warnings)));
 }
 
 }  // namespace percuss
