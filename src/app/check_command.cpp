@@ -5,6 +5,7 @@
 #include "src/app/commands.hpp"
 #include "src/app/read_together.hpp"
 #include "src/app/scene_report.hpp"
+#include "src/checks/rules.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/mesh/surface_nodes.hpp"
@@ -61,12 +62,13 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
   findings.gather([&] { find_history_points(deck, chunked); });
 }
 
-/// What a run of the scene would warn of at its start.
-std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked, const StartNotice& overlap) {
-  WarningLog log(deck.silenced);
-  log.add(deck.warnings);
+/// What a run of the scene would warn of at its start. Collective.
+std::vector<Warning> list_warnings(const CheckedScene& scene, const ChunkedMesh& chunked) {
+  WarningLog log(scene.deck.silenced);
+  log.add(scene.deck.warnings);
   log.add(find_start_warnings(chunked, find_ranks(chunked.mesh).size()));
-  if (overlap.is_warning()) log.add({overlap.rule, overlap.text, "", 0, 1});
+  log.add(check_input(scene));
+  log.add(check_start(scene));
   return log.list();
 }
 
@@ -82,7 +84,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   const Model model = build_model(deck, chunked);
   ContactStage contact(chunked, deck, ranks);
   State state = make_initial_state(model);
-  const StartNotice overlap = contact.is_active() ? contact.prepare(state.x, state.v) : StartNotice{};
+  const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
   Stepper stepper(deck, chunked, model, contact);
   stepper.start(state);
 
@@ -92,9 +94,9 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   scene.contact_nodes = contact.contact_nodes();
   scene.contact_faces = contact.contact_faces();
   scene.contact_notes = contact.start_notes();
-  if (!overlap.is_warning() && !overlap.text.empty())
-    scene.contact_notes.insert(scene.contact_notes.begin(), overlap.text);
-  scene.warnings = list_warnings(deck, chunked, overlap);
+  if (!overlap.empty()) scene.contact_notes.insert(scene.contact_notes.begin(), overlap);
+  const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
+  scene.warnings = list_warnings({deck, &measures, &contact.start_overlap(), state.next_dt}, chunked);
   if (ranks.rank() == 0) fmt::print("{}", format_scene(scene));
   return ExitCode::done;
 }

@@ -162,9 +162,9 @@ std::string format_scene(const SceneReport& scene) {
   text += format_parts(scene) + format_size(scene.low, scene.high) + format_contact(scene) + format_loads(deck) +
           format_output(deck) + format_step(scene);
   for (const Warning& warning : scene.warnings) text += format_warning(warning) + "\n";
-  return text + (scene.warnings.empty() ? "The deck and its meshes are right.\n"
-                                        : fmt::format("The deck and its meshes can be run; {}.\n",
-                                                      count_warnings(scene.warnings)));
+  return text + (scene.warnings.empty()
+                     ? "The deck and its meshes are right.\n"
+                     : fmt::format("The deck and its meshes can be run; {}.\n", count_warnings(scene.warnings)));
 }
 
 }  // namespace percuss

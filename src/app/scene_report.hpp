@@ -21,10 +21,10 @@ struct SceneReport {
   const Deck& deck;
   std::vector<PartReport> parts = {};
   std::int64_t elements = 0, nodes = 0, bodies = 0;
-  Vec3 low{}, high{};                           // box of all nodes [length]
-  std::vector<Warning> warnings = {};           // of everything; on rank 0
-  double first_step = 0;                        // time unit of the deck
-  std::string controlling_element = {};         // that limits it, in words
+  Vec3 low{}, high{};                    // box of all nodes [length]
+  std::vector<Warning> warnings = {};    // of everything; on rank 0
+  double first_step = 0;                 // time unit of the deck
+  std::string controlling_element = {};  // that limits it, in words
   std::int64_t contact_nodes = 0, contact_faces = 0;
   std::vector<std::string> contact_notes = {};  // what contact says of the start
 };

@@ -14,7 +14,7 @@
 
 namespace percuss {
 
-/// A scene that can be run. What is not known yet is null or 0; rules that need it then find nothing.
+/// A scene that can be run. What is not known yet is null or 0.
 struct CheckedScene {
   const Deck& deck;
   const SceneMeasures* measures = nullptr;  // of the mesh

@@ -25,7 +25,6 @@ double find_contact_size(const CheckedScene& scene, const PartOverlap& overlap) 
 std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
   constexpr double most = 0.2;  // of an element or a thickness: round-off and chords of curved meshes are far less
   std::vector<Warning> warnings;
-  if (scene.overlap == nullptr) return warnings;
   const bool is_pushed = scene.deck.contact.overlap == ContactDeck::Overlap::push_out;
   for (const PartOverlap& overlap : scene.overlap->parts) {
     if (overlap.other < 0) continue;
@@ -46,7 +45,6 @@ std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
 std::vector<Warning> check_behind_wall(const CheckedScene& scene) {
   constexpr double most = 0.2;  // of an element
   std::vector<Warning> warnings;
-  if (scene.overlap == nullptr) return warnings;
   for (const PartOverlap& overlap : scene.overlap->parts) {
     if (overlap.other >= 0) continue;
     const double edge = scene.measures->parts[static_cast<std::size_t>(overlap.part)].shortest_edge;

@@ -23,7 +23,6 @@ double find_distance(const Vec3& point, const Vec3& low, const Vec3& high) {
 std::vector<Warning> check_end_time(const CheckedScene& scene) {
   constexpr double least = 5, most = 1e8;  // steps
   const TimeDeck& time = scene.deck.time;
-  if (scene.first_step <= 0) return {};
   double steps = time.end / scene.first_step;
   if (time.max_steps) steps = std::min(steps, static_cast<double>(*time.max_steps));
   if (time.max_steps ? steps <= most : steps >= least && steps <= most) return {};
@@ -45,7 +44,7 @@ std::vector<Warning> check_step_scale(const CheckedScene& scene) {
                 fmt::format("time.step_scale is {:g} (the run takes {:.0f} times as many steps as with 0.9, "
                             "which is stable): raise it",
                             time.step_scale, 0.9 / time.step_scale)));
-  if (time.max_step && scene.first_step > 0 && *time.max_step < least * scene.first_step)
+  if (time.max_step && *time.max_step < least * scene.first_step)
     warnings.push_back(
         warn_at(scene.deck, "step_scale", "time.max_step",
                 fmt::format("time.max_step is {:g} (the elements allow more than ten times that): raise it or "

@@ -11,16 +11,23 @@ namespace percuss {
 
 /// A rule by its name; a deck silences it by `silence`.
 struct CheckRule {
+  /// What must be known of the scene: CheckedScene::deck, measures too, or all of it.
+  enum class Needs { deck, mesh, start };
+
   std::string name;
   std::vector<Warning> (*check)(const CheckedScene& scene);
-  bool needs_mesh = false;  // CheckedScene::measures must be there
+  Needs needs = Needs::deck;
 };
 
 /// All of them, by subject.
 const std::vector<CheckRule>& check_rules();
 
-/// What the rules find, in the order of the table. Without a mesh the rules that need one are passed over.
-std::vector<Warning> check_scene(const CheckedScene& scene);
+/// What the rules on the deck find, and, where scene.measures is known, those on the mesh: in the order of the table,
+/// what the deck silences included.
+std::vector<Warning> check_input(const CheckedScene& scene);
+
+/// What the rules on the state at the start find, of which check_input() knows nothing. All of the scene is known.
+std::vector<Warning> check_start(const CheckedScene& scene);
 
 // Units (unit_rules.cpp)
 std::vector<Warning> check_unit_system(const CheckedScene& scene);

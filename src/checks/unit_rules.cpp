@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "src/checks/rules.hpp"
 #include "src/checks/unit_systems.hpp"
@@ -9,23 +10,16 @@
 namespace percuss {
 namespace {
 
-std::string join_names(const std::vector<UnitSystem>& systems) {
+std::string join_names(const std::vector<Units>& systems) {
   std::string names;
-  for (const UnitSystem& system : systems) names += (names.empty() ? "" : " or ") + system.name;
+  for (const Units& system : systems) names += (names.empty() ? "" : " or ") + system.text();
   return names;
 }
 
-/// The units that a deck without units must be meant in, and those that it names; empty: nothing is known.
-std::vector<UnitSystem> find_units(const Deck& deck) {
-  if (const UnitSystem* named = find_named_units(deck)) return {*named};
-  return is_dimensionless(deck) ? std::vector<UnitSystem>{} : find_plausible_units(deck);
-}
-
-/// Whether a length, or whatever `scale` converts to SI, lies outside a range in each of the systems.
-template <class Scale>
-bool is_outside(double value, const std::vector<UnitSystem>& systems, double least, double most, const Scale& scale) {
-  return !systems.empty() && std::all_of(systems.begin(), systems.end(), [&](const UnitSystem& units) {
-    const double si = value * scale(units);
+/// Whether a quantity is outside a range of SI in each of the systems; false if there is none.
+bool is_outside(double value, const Dimension& quantity, const std::vector<Units>& systems, double least, double most) {
+  return !systems.empty() && std::all_of(systems.begin(), systems.end(), [&](const Units& units) {
+    const double si = value * units.in_si(quantity);
     return si < least || si > most;
   });
 }
@@ -34,7 +28,7 @@ bool is_outside(double value, const std::vector<UnitSystem>& systems, double lea
 
 std::vector<Warning> check_unit_system(const CheckedScene& scene) {
   const Deck& deck = scene.deck;
-  if (find_named_units(deck) != nullptr || is_dimensionless(deck) || !find_plausible_units(deck).empty()) return {};
+  if (!deck.units.empty() || is_dimensionless(deck) || !find_plausible_units(deck).empty()) return {};
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : deck.materials) {
     Deck alone;
@@ -54,62 +48,62 @@ std::vector<Warning> check_unit_system(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_density(const CheckedScene& scene) {
-  const UnitSystem* units = find_named_units(scene.deck);
+  const auto units = find_units(scene.deck.units);
   std::vector<Warning> warnings;
-  if (units == nullptr) return warnings;
+  if (!units) return warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
-    const double density = material.density * units->density();
+    const double density = material.density * units->in_si(dimensions::density);
     if (density >= least_density && density <= largest_density) continue;
     warnings.push_back(
         warn_at(scene.deck, "density", "materials." + material.name + ".density",
                 fmt::format("density {:g} of material '{}' is {:.3g} kg/m3 in {} (materials have {:g} to {:g}): check "
                             "it and units",
-                            material.density, material.name, density, units->name, least_density, largest_density)));
+                            material.density, material.name, density, units->text(), least_density, largest_density)));
   }
   return warnings;
 }
 
 std::vector<Warning> check_wave_speed(const CheckedScene& scene) {
-  const UnitSystem* units = find_named_units(scene.deck);
+  const auto units = find_units(scene.deck.units);
   std::vector<Warning> warnings;
-  if (units == nullptr) return warnings;
+  if (!units) return warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
-    const double speed = find_wave_speed(material) * units->speed();
+    const double speed = find_wave_speed(material) * units->in_si(dimensions::velocity);
     if (speed >= least_wave_speed && speed <= largest_wave_speed) continue;
     warnings.push_back(warn_at(
         scene.deck, "wave_speed", "materials." + material.name,
         fmt::format("waves in material '{}' run at {:.3g} m/s (solids have {:g} to {:g}; its density is {:g}, its "
                     "stiffness {:g} in {}): check both and units",
                     material.name, speed, least_wave_speed, largest_wave_speed, material.density,
-                    find_stiffness(material), units->name)));
+                    find_stiffness(material), units->text())));
   }
   return warnings;
 }
 
 std::vector<Warning> check_scene_size(const CheckedScene& scene) {
   constexpr double least = 5e-4, most = 1e4;  // [m] smaller than grains of sand, larger than what waves reach in a run
-  const std::vector<UnitSystem> systems = find_units(scene.deck);
+  const std::vector<Units> systems = find_meant_units(scene.deck);
   double size = 0;
   for (std::size_t k = 0; k < 3; ++k) size = std::max(size, scene.measures->high[k] - scene.measures->low[k]);
-  if (!is_outside(size, systems, least, most, [](const UnitSystem& units) { return units.length; })) return {};
+  if (!is_outside(size, dimensions::length, systems, least, most)) return {};
   return {warn_at(scene.deck, "scene_size", "parts",
                   fmt::format("the whole scene is {:.3g} long, which is {:.3g} m (the materials are in {}): check the "
                               "unit of lengths",
-                              size, size * systems.front().length, join_names(systems)))};
+                              size, size * systems.front().length.in_si, join_names(systems)))};
 }
 
 std::vector<Warning> check_gravity_size(const CheckedScene& scene) {
   constexpr double least = 0.1, most = 5000;  // [m/s2] a small moon, a centrifuge at 500 times the earth's gravity
-  const std::vector<UnitSystem> systems = find_units(scene.deck);
+  const std::vector<Units> systems = find_meant_units(scene.deck);
   const Vec3& g = scene.deck.gravity;
   const double size = std::hypot(g[0], g[1], g[2]);
   if (size == 0) return {};
-  if (!is_outside(size, systems, least, most, [](const UnitSystem& units) { return units.acceleration(); })) return {};
+  if (!is_outside(size, dimensions::acceleration, systems, least, most)) return {};
   return {warn_at(scene.deck, "gravity_size", "loads.gravity",
                   fmt::format("gravity is {:g}, which is {:.3g} m/s2 in {} (the earth's is 9.81 m/s2, here {:.4g}): "
                               "check it and units",
-                              size, size * systems.front().acceleration(), join_names(systems),
-                              9.81 / systems.front().acceleration()))};
+                              size, size * systems.front().in_si(dimensions::acceleration), join_names(systems),
+                              9.81 / systems.front().in_si(dimensions::acceleration)))};
 }
 
 }  // namespace percuss

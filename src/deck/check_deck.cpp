@@ -33,7 +33,8 @@ void check_materials(const Deck& deck, const Node& root, Reading& reading) {
   const Node* materials = root.find("materials");
   for (const std::string& name : known) {
     if (used.count(name) == 0)
-      reading.errors.warn(materials->find(name)->key, "unused_material", fmt::format("material '{}' is used by no part", name));
+      reading.errors.warn(materials->find(name)->key, "unused_material",
+                          fmt::format("material '{}' is used by no part", name));
   }
 }
 

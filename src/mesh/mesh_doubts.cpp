@@ -55,10 +55,12 @@ void warn_of_slivers(const PartMesh& mesh, std::size_t element_count, std::vecto
   while (slivers <= most && slivers < heights.size() && heights[slivers] < gap_ratio * heights[slivers - 1]) ++slivers;
   if (middle < sliver_ratio * least || slivers > most || slivers == heights.size()) return;
   warnings.push_back(
-      {"sliver_element", fmt::format("element {} is a sliver: {:.3g} across, the median element {:.3g}{} (the step of the whole scene is "
-                  "no longer than it allows, about 1/{:.0f} of what the median element does): repair the mesh there",
-                  id_of(mesh.element_ids, element), least, middle,
-                  slivers > 1 ? fmt::format(" ({} elements are like it)", slivers) : "", middle / least), "", 0, 1});
+      {"sliver_element",
+       fmt::format("element {} is a sliver: {:.3g} across, the median element {:.3g}{} (the step of the whole scene is "
+                   "no longer than it allows, about 1/{:.0f} of what the median element does): repair the mesh there",
+                   id_of(mesh.element_ids, element), least, middle,
+                   slivers > 1 ? fmt::format(" ({} elements are like it)", slivers) : "", middle / least),
+       "", 0, 1});
 }
 
 /// An edge of a shell, and whether the shell goes along it from its lower node to its higher.
@@ -147,10 +149,13 @@ void warn_of_turned_shells(const PartMesh& mesh, std::size_t element_count, std:
     names += fmt::format("{}{}", i > 0 ? ", " : "", id_of(mesh.element_ids, at(turned[i])));
   if (turned.size() > most_named) names += ", ...";
   warnings.push_back(
-      {"shell_normals", fmt::format("{} shell{} turned against {} neighbours, with normals to the other side: element{} {} (their top is "
-                  "the others' bottom, for pressures, side sets and stresses): turn them over",
-                  turned.size(), turned.size() == 1 ? " is" : "s are", turned.size() == 1 ? "its" : "their",
-                  turned.size() == 1 ? "" : "s", names), "", 0, 1});
+      {"shell_normals",
+       fmt::format(
+           "{} shell{} turned against {} neighbours, with normals to the other side: element{} {} (their top is "
+           "the others' bottom, for pressures, side sets and stresses): turn them over",
+           turned.size(), turned.size() == 1 ? " is" : "s are", turned.size() == 1 ? "its" : "their",
+           turned.size() == 1 ? "" : "s", names),
+       "", 0, 1});
 }
 
 }  // namespace

@@ -175,8 +175,9 @@ TEST(PercussRun, IsSilentWhenItIsToldTo) {
 
 /// Two warnings: one of the deck, one of the start.
 const std::vector<std::string> doubtful = {
-    "--set", "materials.spare={model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}", "--set",
-    "parts.cube.at=[0, 0, -5]", "--set", "initial=[]"};
+    "--set", "materials.spare={model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}",
+    "--set", "parts.cube.at=[0, 0, -5]",
+    "--set", "initial=[]"};
 
 ProcessResult run_doubtful(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "run");
@@ -215,12 +216,12 @@ TEST(PercussRun, CountsItsWarningsInItsLastLine) {
 TEST(PercussRun, KeepsItsWarningsOverARestart) {
   const TemporaryFolder folder;
   const std::string file = folder.write("deck.yaml", cube), out = folder.path() + "/out";
-  ASSERT_EQ(run_doubtful({file, "--quiet", "--out", out, "--set", "time.end=0.25", "--set",
-                          "output.checkpoint={every: 0.25}"})
+  ASSERT_EQ(run_doubtful(
+                {file, "--quiet", "--out", out, "--set", "time.end=0.25", "--set", "output.checkpoint={every: 0.25}"})
                 .exit_code,
             0);
-  const ProcessResult result = run_doubtful(
-      {file, "--quiet", "--restart", out + "/checkpoint.h5", "--set", "output.checkpoint={every: 0.25}"});
+  const ProcessResult result =
+      run_doubtful({file, "--quiet", "--restart", out + "/checkpoint.h5", "--set", "output.checkpoint={every: 0.25}"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(count(result.err, "warning: "), 1) << result.err;  // of the deck, which is read again
   const std::vector<Warning> warnings = read_summary(out + "/summary.json").warnings;

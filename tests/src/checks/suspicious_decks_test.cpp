@@ -11,7 +11,7 @@
 #include "src/deck/read_deck.hpp"
 #include "src/deck/warning_rules.hpp"
 #include "src/mesh/decompose.hpp"
-#include "src/step/start_checks.hpp"
+#include "src/step/model.hpp"
 #include "src/step/state.hpp"
 #include "src/step/step.hpp"
 
@@ -29,8 +29,11 @@ std::vector<Warning> check(const std::string& text) {
   if (contact.is_active()) contact.prepare(state.x, state.v);
   Stepper stepper(deck, chunked, model, contact);
   stepper.start(state);
-  std::vector<Warning> warnings = check_start(deck, chunked, model, contact, state.next_dt);
-  warnings.insert(warnings.end(), deck.warnings.begin(), deck.warnings.end());
+  const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
+  const CheckedScene scene{deck, &measures, &contact.start_overlap(), state.next_dt};
+  std::vector<Warning> warnings = deck.warnings;
+  for (const auto& found : {check_input(scene), check_start(scene)})
+    warnings.insert(warnings.end(), found.begin(), found.end());
   return warnings;
 }
 

@@ -209,9 +209,9 @@ std::vector<std::string> format_all(const std::vector<Warning>& warnings) {
 TEST(ReadDeck, WarnsOfAMaterialThatNoPartUses) {
   const Deck deck =
       parse(block(""), {"materials.spare={model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}"});
-  EXPECT_THAT(format_all(deck.warnings),
-              testing::ElementsAre(
-                  "--set materials.spare: warning: material 'spare' is used by no part [unused_material]"));
+  EXPECT_THAT(
+      format_all(deck.warnings),
+      testing::ElementsAre("--set materials.spare: warning: material 'spare' is used by no part [unused_material]"));
 }
 
 TEST(ReadDeck, WarnsOfSettingsOfContactThatDoNothing) {

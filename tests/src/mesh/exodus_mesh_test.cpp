@@ -108,8 +108,9 @@ TEST(ExodusMesh, UnusedNodesAreDroppedWithAWarning) {
   EXPECT_EQ(mesh.nodes.size(), 12U);
   EXPECT_EQ(mesh.node_ids[4], 18);
   EXPECT_THAT(mesh.node_sets.at("p/corner"), ElementsAre(0, 11));
-  EXPECT_THAT(mesh.warnings, ElementsAre(AllOf(Field(&Warning::rule, "unused_nodes"), Field(&Warning::place, "part 'p'"),
-                                               tells("3 nodes belong to no element"), tells("node 15"))));
+  EXPECT_THAT(mesh.warnings,
+              ElementsAre(AllOf(Field(&Warning::rule, "unused_nodes"), Field(&Warning::place, "part 'p'"),
+                                tells("3 nodes belong to no element"), tells("node 15"))));
 }
 
 TEST(ExodusMesh, EmptyBlocksAndSetsDoNoHarm) {
@@ -147,7 +148,8 @@ TEST(ExodusMesh, AFlatCornerIsWarnedOf) {
   WrittenMesh written = make_two_cubes();
   written.nodes[11] = {5.0 / 3, 1.0 / 3, 2.0 / 3};  // corner 8 of the second cube, in the plane of its three neighbours
   const Mesh mesh = read(written);
-  EXPECT_THAT(mesh.warnings, ElementsAre(AllOf(Field(&Warning::rule, "flat_corner"), tells("corner without volume"), tells("element 102"))));
+  EXPECT_THAT(mesh.warnings, ElementsAre(AllOf(Field(&Warning::rule, "flat_corner"), tells("corner without volume"),
+                                               tells("element 102"))));
 }
 
 TEST(ExodusMesh, CanBeCopiedAndMovedLikeAnyPart) {

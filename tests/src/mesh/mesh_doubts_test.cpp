@@ -64,10 +64,10 @@ TEST(MeshDoubts, AreNoneOfEvenAndOfGradedMeshes) {
 
 TEST(MeshDoubts, NameTheThinnestOfAFewSlivers) {
   for (const bool solid : {false, true}) {
-    EXPECT_THAT(
-        find_doubts(squeeze_first_column(make_sheet(4, solid), 0.025)),
-        ElementsAre(HasSubstr("sliver_element: element 101 is a sliver: 0.025 across, the median element 1 (4 elements are "
-                              "like it) (the step of the whole scene is no longer than it allows, about 1/40 of what")));
+    EXPECT_THAT(find_doubts(squeeze_first_column(make_sheet(4, solid), 0.025)),
+                ElementsAre(HasSubstr(
+                    "sliver_element: element 101 is a sliver: 0.025 across, the median element 1 (4 elements are "
+                    "like it) (the step of the whole scene is no longer than it allows, about 1/40 of what")));
   }
 }
 
