@@ -38,9 +38,10 @@ void add_range(const Curve& curve, bool is_velocity, double end, double& low, do
   }
 }
 
-/// The first piece of a run in which `touches(from, to)`.
+/// The first piece of a run in which `touches(from, to)`, looked for only if it does so in the run as a whole.
 template <class Touches>
 double find_first(double end, const Touches& touches) {
+  if (!touches(0, end)) return -1;
   for (int i = 0; i < pieces; ++i) {
     if (touches(end * i / pieces, end * (i + 1) / pieces)) return end * i / pieces;
   }
@@ -60,22 +61,23 @@ Flight::Flight(const CheckedScene& scene, std::size_t part) {
   }
   velocity_low_ = measures.velocity_low;
   velocity_high_ = measures.velocity_high;
-  bool is_held = false;
-  for (const ConditionDeck& condition : deck.conditions) {
-    const std::vector<std::size_t> parts = find_named_parts(deck, condition.where);
-    if (std::find(parts.begin(), parts.end(), part) == parts.end()) continue;
-    is_held = true;
-    if (condition.kind == ConditionDeck::Kind::fixed || condition.kind == ConditionDeck::Kind::symmetry) continue;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool is_velocity = condition.kind == ConditionDeck::Kind::velocity;
-      if (condition.active[k])
-        add_range(condition.value[k], is_velocity, deck.time.end, driven_.low[k], driven_.high[k]);
-    }
-  }
-  if (!is_held) gravity_ = deck.gravity;
+  gravity_ = deck.gravity;
   const Vec3 range = subtract(velocity_high_, velocity_low_);
-  is_free_ = !is_held && dot(range, range) <= 1e-12 * measures.speed * measures.speed;
-  moves_ = measures.speed > 0 || dot(gravity_, gravity_) > 0 || find_size(driven_) > 0;
+  is_uniform_ = dot(range, range) <= 1e-12 * measures.speed * measures.speed;
+}
+
+void Flight::add(const ConditionDeck& condition, double end) {
+  is_held_ = true;
+  gravity_ = {};
+  if (condition.kind == ConditionDeck::Kind::fixed || condition.kind == ConditionDeck::Kind::symmetry) return;
+  const bool is_velocity = condition.kind == ConditionDeck::Kind::velocity;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (condition.active[k]) add_range(condition.value[k], is_velocity, end, driven_.low[k], driven_.high[k]);
+  }
+}
+
+bool Flight::moves() const {
+  return velocity_low_ != Vec3{} || velocity_high_ != Vec3{} || gravity_ != Vec3{} || find_size(driven_) > 0;
 }
 
 Flight::Box Flight::find_box(double time) const {
@@ -88,11 +90,23 @@ Flight::Box Flight::find_box(double time) const {
   return box;
 }
 
-Flight::Box Flight::find_box(double from, double to) const { return join(find_box(from), find_box(to)); }
+Flight::Box Flight::find_box(double from, double to) const {
+  Box box = join(find_box(from), find_box(to));
+  for (std::size_t k = 0; k < 3; ++k) {  // the top of a throw
+    const double rise = std::abs(gravity_[k]) * (to - from) * (to - from) / 8;
+    box.low[k] -= gravity_[k] > 0 ? rise : 0;
+    box.high[k] += gravity_[k] < 0 ? rise : 0;
+  }
+  return box;
+}
 
 std::vector<Flight> find_flights(const CheckedScene& scene) {
   std::vector<Flight> flights;
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) flights.emplace_back(scene, p);
+  for (const ConditionDeck& condition : scene.deck.conditions) {
+    for (const std::size_t p : find_named_parts(scene.deck, condition.where))
+      flights[p].add(condition, scene.deck.time.end);
+  }
   return flights;
 }
 

@@ -10,28 +10,32 @@ namespace percuss {
 /// The box of a part over time.
 class Flight {
  public:
-  Flight(const CheckedScene& scene, std::size_t part);
-
   struct Box {
     Vec3 low, high;
   };
 
+  /// A part without conditions.
+  Flight(const CheckedScene& scene, std::size_t part);
+
+  /// A condition that names the part.
+  void add(const ConditionDeck& condition, double end);
+
   /// All places of the part between two times, half its thickness included.
   Box find_box(double from, double to) const;
 
-  /// Whether the part has a velocity of its own, the same for all nodes, or gravity, and no condition holds it.
-  bool is_free() const { return is_free_; }
+  /// Whether no condition holds the part and all its nodes have one velocity.
+  bool is_free() const { return !is_held_ && is_uniform_; }
 
   /// Whether it moves at all.
-  bool moves() const { return moves_; }
+  bool moves() const;
 
  private:
   Box find_box(double time) const;
 
   Box start_;
-  Vec3 velocity_low_, velocity_high_, gravity_{};
+  Vec3 velocity_low_, velocity_high_, gravity_;
   Box driven_{};  // range of the displacement that conditions prescribe
-  bool is_free_ = false, moves_ = false;
+  bool is_held_ = false, is_uniform_ = false;
 };
 
 /// All parts of a scene.

@@ -9,28 +9,38 @@
 namespace percuss {
 namespace {
 
-bool names(const Deck& deck, const Selector& where, std::size_t part) {
-  const std::vector<std::size_t> parts = find_named_parts(deck, where);
-  return std::find(parts.begin(), parts.end(), part) != parts.end();
+/// Parts by their number that something holds for.
+using Marks = std::vector<bool>;
+
+void mark(const Deck& deck, const Selector& where, Marks& marks) {
+  for (const std::size_t p : find_named_parts(deck, where)) marks[p] = true;
 }
 
 template <class Entries>
-bool any_names(const Deck& deck, const Entries& entries, std::size_t part) {
-  return std::any_of(entries.begin(), entries.end(), [&](const auto& entry) { return names(deck, entry.where, part); });
+Marks mark_named(const Deck& deck, const Entries& entries) {
+  Marks marks(deck.parts.size(), false);
+  for (const auto& entry : entries) mark(deck, entry.where, marks);
+  return marks;
 }
 
-/// Whether a part has someone to touch, by the deck: a surface, a tie, a wall.
-bool has_contact(const Deck& deck, std::size_t part) {
-  const auto touches = [&](const auto& pair) { return names(deck, pair.a, part) || names(deck, pair.b, part); };
+/// The parts that have someone to touch, by the deck: a surface or a tie.
+Marks mark_touching(const Deck& deck) {
   const ContactDeck& contact = deck.contact;
-  return (contact.surfaces == ContactDeck::Surfaces::all && deck.parts.size() > 1) ||
-         std::any_of(contact.pairs.begin(), contact.pairs.end(), touches) ||
-         std::any_of(contact.ties.begin(), contact.ties.end(), touches);
+  Marks marks(deck.parts.size(), contact.surfaces == ContactDeck::Surfaces::all && deck.parts.size() > 1);
+  const auto mark_both = [&](const auto& pair) {
+    mark(deck, pair.a, marks);
+    mark(deck, pair.b, marks);
+  };
+  std::for_each(contact.pairs.begin(), contact.pairs.end(), mark_both);
+  std::for_each(contact.ties.begin(), contact.ties.end(), mark_both);
+  return marks;
 }
 
-bool has_wall(const Deck& deck, const WallDeck& wall, std::size_t part) {
-  return wall.nodes.empty() || std::any_of(wall.nodes.begin(), wall.nodes.end(),
-                                           [&](const Selector& where) { return names(deck, where, part); });
+/// The parts that a wall stops.
+Marks mark_stopped(const Deck& deck, const WallDeck& wall) {
+  Marks marks(deck.parts.size(), wall.nodes.empty());
+  for (const Selector& where : wall.nodes) mark(deck, where, marks);
+  return marks;
 }
 
 /// Whether a material sets things in motion by itself: a gas, an explosive, whatever has an energy at the start.
@@ -80,18 +90,33 @@ std::vector<Meeting> find_meetings(const CheckedScene& scene, std::size_t most) 
   return meetings;
 }
 
-/// When a part can first touch another one or a wall, up to a time; below 0: never.
-double find_first_meeting(const CheckedScene& scene, const std::vector<Flight>& flights, std::size_t part, double end) {
-  double first = -1;
-  const auto take = [&](double time) { first = time < 0 || (first >= 0 && first <= time) ? first : time; };
-  for (std::size_t other = 0; other < flights.size() && first != 0; ++other) {
-    if (other != part) take(find_meeting(flights[part], flights[other], end));
+/// When bodies can first touch each other or walls.
+class FirstMeetings {
+ public:
+  explicit FirstMeetings(const CheckedScene& scene) : deck_(scene.deck), flights_(find_flights(scene)) {
+    for (const WallDeck& wall : deck_.walls) stopped_.push_back(mark_stopped(deck_, wall));
   }
-  for (const WallDeck& wall : scene.deck.walls) {
-    if (has_wall(scene.deck, wall, part)) take(find_meeting(flights[part], wall, end));
+
+  const Flight& flight(std::size_t part) const { return flights_[part]; }
+
+  /// Of a part, up to a time; below 0: never.
+  double find(std::size_t part, double end) const {
+    double first = -1;
+    const auto take = [&](double time) { first = time < 0 || (first >= 0 && first <= time) ? first : time; };
+    for (std::size_t other = 0; other < flights_.size() && first != 0; ++other) {
+      if (other != part) take(find_meeting(flights_[part], flights_[other], end));
+    }
+    for (std::size_t w = 0; w < deck_.walls.size(); ++w) {
+      if (stopped_[w][part]) take(find_meeting(flights_[part], deck_.walls[w], end));
+    }
+    return first;
   }
-  return first;
-}
+
+ private:
+  const Deck& deck_;
+  std::vector<Flight> flights_;
+  std::vector<Marks> stopped_;  // by wall
+};
 
 }  // namespace
 
@@ -106,11 +131,11 @@ std::vector<Warning> check_idle_parts(const CheckedScene& scene) {
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
   if (!has_motion(scene) || deck.gravity != Vec3{}) return warnings;
+  const Marks held = mark_named(deck, deck.conditions), pressed = mark_named(deck, deck.pressures),
+              loaded = mark_named(deck, deck.nodal_loads), touching = mark_touching(deck);
   for (std::size_t p = 0; p < deck.parts.size(); ++p) {
-    const bool is_used = scene.measures->parts[p].speed > 0 || any_names(deck, deck.conditions, p) ||
-                         any_names(deck, deck.pressures, p) || any_names(deck, deck.nodal_loads, p) ||
-                         has_contact(deck, p) || is_energetic(find_material(deck, deck.parts[p]));
-    if (is_used) continue;
+    if (scene.measures->parts[p].speed > 0 || held[p] || pressed[p] || loaded[p] || touching[p]) continue;
+    if (is_energetic(find_material(deck, deck.parts[p]))) continue;
     warnings.push_back(
         warn_at(deck, "idle_part", "parts." + deck.parts[p].name,
                 fmt::format("part '{}' stays as it is (it has no velocity, condition, load or contact): add "
@@ -125,15 +150,14 @@ std::vector<Warning> check_unreached_bodies(const CheckedScene& scene) {
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
   if (deck.parts.size() < 2 && deck.walls.empty()) return warnings;
-  const std::vector<Flight> flights = find_flights(scene);
-  for (std::size_t p = 0; p < flights.size(); ++p) {
-    const bool can_touch = has_contact(deck, p) || !deck.walls.empty();
-    if (!can_touch || !flights[p].is_free() || !flights[p].moves() || any_names(deck, deck.pressures, p) ||
-        any_names(deck, deck.nodal_loads, p))
-      continue;
-    if (find_first_meeting(scene, flights, p, deck.time.end) >= 0) continue;
-    const double later = find_first_meeting(scene, flights, p, longer * deck.time.end);
-    const std::string name = deck.parts[p].name;
+  const FirstMeetings meetings(scene);
+  const Marks pressed = mark_named(deck, deck.pressures), loaded = mark_named(deck, deck.nodal_loads),
+              touching = mark_touching(deck);
+  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
+    const bool is_known = meetings.flight(p).is_free() && meetings.flight(p).moves() && !pressed[p] && !loaded[p];
+    if (!is_known || (!touching[p] && deck.walls.empty()) || meetings.find(p, deck.time.end) >= 0) continue;
+    const double later = meetings.find(p, longer * deck.time.end);
+    const std::string& name = deck.parts[p].name;
     const std::string text =
         later < 0 ? fmt::format(
                         "part '{}' moves away from all other bodies and walls (it will not touch any): check its "
@@ -163,9 +187,10 @@ std::vector<Warning> check_missing_contact(const CheckedScene& scene) {
     }
   }
   if (deck.contact.surfaces != ContactDeck::Surfaces::pairs) return warnings;
+  const Marks touching = mark_touching(deck);
   for (const Meeting& meeting : find_meetings(scene, deck.parts.size())) {
     for (const auto& [part, other] : {std::pair(meeting.a, meeting.b), std::pair(meeting.b, meeting.a)}) {
-      if (has_contact(deck, part)) continue;
+      if (touching[part]) continue;
       warnings.push_back(
           warn_at(deck, "no_contact", "contact.surfaces",
                   fmt::format("part '{}' is in no pair of contact.surfaces and passes through part '{}' (from "

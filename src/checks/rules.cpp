@@ -7,11 +7,24 @@ namespace {
 
 using Needs = CheckRule::Needs;
 
+/// The first warnings of a rule, and one that stands for the others.
+std::vector<Warning> shorten(std::vector<Warning> warnings, const Deck& deck) {
+  constexpr std::size_t most = 5;
+  if (warnings.size() <= most + 1) return warnings;
+  const std::size_t others = warnings.size() - most;
+  warnings.resize(most);
+  warnings.push_back(
+      {warnings.front().rule,
+       fmt::format("{} more places are like the {} above (they are not listed): look at those first", others, most),
+       deck.file, 0, 1});
+  return warnings;
+}
+
 std::vector<Warning> apply(const CheckedScene& scene, Needs needs) {
   std::vector<Warning> warnings;
   for (const CheckRule& rule : check_rules()) {
     if (rule.needs != needs) continue;
-    for (Warning& warning : rule.check(scene)) warnings.push_back(std::move(warning));
+    for (Warning& warning : shorten(rule.check(scene), scene.deck)) warnings.push_back(std::move(warning));
   }
   return warnings;
 }

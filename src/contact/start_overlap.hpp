@@ -22,7 +22,6 @@ struct PartOverlap {
 struct StartOverlap {
   std::int64_t nodes = 0;          // contact nodes inside another body or behind a wall
   std::int64_t too_deep = 0;       // of these, deeper than contact can hold
-  std::int64_t behind_walls = 0;   // of these, as deep behind a wall, which holds them all the same
   double deepest = 0;              // [length]
   std::int64_t deepest_node = -1;  // number of the node, lowest of equals
   std::vector<PartOverlap> parts;  // by (part, other)

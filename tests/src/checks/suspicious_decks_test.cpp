@@ -5,12 +5,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
 
 #include "src/checks/rules.hpp"
 #include "src/deck/read_deck.hpp"
 #include "src/deck/warning_rules.hpp"
 #include "src/mesh/decompose.hpp"
+#include "src/output/warning_log.hpp"
 #include "src/step/model.hpp"
 #include "src/step/state.hpp"
 #include "src/step/step.hpp"
@@ -85,6 +87,31 @@ TEST(CheckRules, HaveNamesThatADeckCanSilence) {
   std::set<std::string> known;
   for (const WarningRule& rule : warning_rules()) EXPECT_TRUE(known.insert(rule.name).second) << rule.name;
   for (const CheckRule& rule : check_rules()) EXPECT_EQ(known.count(rule.name), 1U) << rule.name;
+}
+
+/// The rows of docs/checks.md: "| `rule` | what it looks for |".
+std::multiset<std::string> list_documented() {
+  std::ifstream page(PERCUSS_SOURCE_DIR "/docs/checks.md");
+  std::multiset<std::string> rows;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("| `")) rows.insert(line.substr(0, line.find('|', line.find("` | ") + 4) + 1));
+  }
+  return rows;
+}
+
+TEST(CheckRules, AreDocumentedOnceEach) {
+  std::multiset<std::string> expected;
+  for (const WarningRule& rule : warning_rules())
+    expected.insert(fmt::format("| `{}` | {} |", rule.name, rule.looks_for));
+  EXPECT_EQ(list_documented(), expected);
+}
+
+TEST(CheckRules, AreSilencedByTheDeck) {
+  const Deck deck = parse_deck("silence: [friction, part_size]\n" + sound_deck, "deck.yaml");
+  WarningLog log(deck.silenced);
+  for (const char* rule : {"friction", "density"}) log.add({rule, "", "", 0, 1});
+  ASSERT_EQ(log.list().size(), 1U);
+  EXPECT_EQ(log.list().front().rule, "density");
 }
 
 TEST(CheckRules, ReadAsAProblemItsReasonAndWhatToDo) {
