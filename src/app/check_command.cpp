@@ -96,7 +96,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   scene.contact_notes = contact.start_notes();
   if (!overlap.empty()) scene.contact_notes.insert(scene.contact_notes.begin(), overlap);
   const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
-  scene.warnings = list_warnings({deck, &measures, &contact.start_overlap(), state.next_dt}, chunked);
+  scene.warnings = list_warnings({deck, &measures, &contact.start_overlap(), state.bound.step}, chunked);
   if (ranks.rank() == 0) fmt::print("{}", format_scene(scene));
   return ExitCode::done;
 }

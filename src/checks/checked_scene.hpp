@@ -19,7 +19,7 @@ struct CheckedScene {
   const Deck& deck;
   const SceneMeasures* measures = nullptr;  // of the mesh
   const StartOverlap* overlap = nullptr;    // of a scene with contact or walls, at time 0
-  double first_step = 0;                    // [time]
+  double stable_step = 0;                   // smallest bound of an element, without step_scale [time]
 };
 
 /// A warning at the key of a path such as "parts.rod.thickness", or at what is around it where the deck leaves it out.

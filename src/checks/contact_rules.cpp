@@ -1,6 +1,7 @@
 // Overlap at the start, walls, friction and ties.
 
 #include <algorithm>
+#include <utility>
 
 #include "src/checks/rules.hpp"
 
@@ -20,24 +21,50 @@ double find_contact_size(const CheckedScene& scene, const PartOverlap& overlap) 
   return size;
 }
 
+/// Overlaps between parts, each pair once, its first part the one with the lower number.
+std::vector<PartOverlap> list_pairs(const StartOverlap& found) {
+  std::vector<PartOverlap> pairs;
+  for (PartOverlap overlap : found.parts) {
+    if (overlap.other < 0) continue;  // a wall
+    if (overlap.other < overlap.part) std::swap(overlap.part, overlap.other);
+    const auto same = std::find_if(pairs.begin(), pairs.end(), [&](const PartOverlap& pair) {
+      return pair.part == overlap.part && pair.other == overlap.other;
+    });
+    if (same == pairs.end()) {
+      pairs.push_back(overlap);
+    } else {
+      same->nodes += overlap.nodes;
+      same->deepest = std::max(same->deepest, overlap.deepest);
+    }
+  }
+  return pairs;
+}
+
+/// The key to look at: the thickness of the thicker shell of the two, or the first part.
+std::string find_overlap_path(const Deck& deck, const PartOverlap& pair) {
+  const PartDeck& a = deck.parts[static_cast<std::size_t>(pair.part)];
+  const PartDeck& b = deck.parts[static_cast<std::size_t>(pair.other)];
+  if (!a.thickness && !b.thickness) return "parts." + a.name;
+  return "parts." + (a.thickness.value_or(0) < b.thickness.value_or(0) ? b : a).name + ".thickness";
+}
+
 }  // namespace
 
 std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
   constexpr double most = 0.2;  // of an element or a thickness: round-off and chords of curved meshes are far less
   std::vector<Warning> warnings;
   const bool is_pushed = scene.deck.contact.overlap == ContactDeck::Overlap::push_out;
-  for (const PartOverlap& overlap : scene.overlap->parts) {
-    if (overlap.other < 0) continue;
-    const double size = find_contact_size(scene, overlap);
-    if (overlap.deepest <= most * size) continue;
+  for (const PartOverlap& pair : list_pairs(*scene.overlap)) {
+    const double size = find_contact_size(scene, pair);
+    if (pair.deepest <= most * size) continue;
     warnings.push_back(warn_at(
-        scene.deck, "deep_overlap", "parts." + name_part(scene.deck, overlap.part),
+        scene.deck, "deep_overlap", find_overlap_path(scene.deck, pair),
         fmt::format(
-            "{} nodes of part '{}' begin inside part '{}', up to {:.3g} deep, {:.2g} of an element or thickness "
-            "({}): move the parts apart, or check the thickness",
-            overlap.nodes, name_part(scene.deck, overlap.part), name_part(scene.deck, overlap.other), overlap.deepest,
-            overlap.deepest / size,
-            is_pushed ? "pushing them out adds energy" : "contact does not act until they part")));
+            "parts '{}' and '{}' overlap at the start by {:.3g}, {:.2g} of an element or thickness, at {} node{} "
+            "({}): move them apart or check the thickness",
+            name_part(scene.deck, pair.part), name_part(scene.deck, pair.other), pair.deepest, pair.deepest / size,
+            pair.nodes, pair.nodes == 1 ? "" : "s",
+            is_pushed ? "pushing so much out adds energy" : "contact does not undo it")));
   }
   return warnings;
 }

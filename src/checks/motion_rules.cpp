@@ -118,6 +118,18 @@ class FirstMeetings {
   std::vector<Marks> stopped_;  // by wall
 };
 
+/// later: when the part would touch something; below 0: never.
+std::string describe_flight(const std::string& part, double end, double later) {
+  if (later < 0)
+    return fmt::format(
+        "part '{}' flies clear of all other bodies and walls (even a run 100 times as long would not bring them "
+        "together): check its velocity and its place",
+        part);
+  return fmt::format(
+      "part '{}' touches nothing before time.end = {:g} (it needs until about {:.2g}): run longer, or start closer",
+      part, end, later);
+}
+
 }  // namespace
 
 std::vector<Warning> check_still_scene(const CheckedScene& scene) {
@@ -158,15 +170,7 @@ std::vector<Warning> check_unreached_bodies(const CheckedScene& scene) {
     if (!is_known || (!touching[p] && deck.walls.empty()) || meetings.find(p, deck.time.end) >= 0) continue;
     const double later = meetings.find(p, longer * deck.time.end);
     const std::string& name = deck.parts[p].name;
-    const std::string text =
-        later < 0 ? fmt::format(
-                        "part '{}' moves away from all other bodies and walls (it will not touch any): check its "
-                        "velocity and its place",
-                        name)
-                  : fmt::format(
-                        "part '{}' touches nothing before time.end = {:g} (it needs until about {:.2g}): run longer, "
-                        "or start closer",
-                        name, deck.time.end, later);
+    const std::string text = describe_flight(name, deck.time.end, later);
     warnings.push_back(warn_at(deck, "unreached_body", "parts." + name, text));
   }
   return warnings;

@@ -23,15 +23,18 @@ double find_distance(const Vec3& point, const Vec3& low, const Vec3& high) {
 std::vector<Warning> check_end_time(const CheckedScene& scene) {
   constexpr double least = 5, most = 1e8;  // steps
   const TimeDeck& time = scene.deck.time;
-  double steps = time.end / scene.first_step;
+  double step = time.step_scale * scene.stable_step;
+  if (time.max_step) step = std::min(step, *time.max_step);
+  double steps = time.end / step;
   if (time.max_steps) steps = std::min(steps, static_cast<double>(*time.max_steps));
-  if (time.max_steps ? steps <= most : steps >= least && steps <= most) return {};
-  const char* why = steps < least ? "a wave crosses no element in so few" : "a run makes some millions of them a day";
+  const bool is_short = steps < least && !time.max_steps;
+  if (!is_short && steps <= most) return {};
   return {
       warn_at(scene.deck, "end_time", "time.end",
               fmt::format("time.end = {:g} takes about {:.2g} steps of {:.2g} ({}): check its unit and those of the "
                           "materials",
-                          time.end, std::ceil(steps), scene.first_step, why))};
+                          time.end, std::ceil(steps), step,
+                          is_short ? "a wave crosses no element in so few" : "they take weeks"))};
 }
 
 std::vector<Warning> check_step_scale(const CheckedScene& scene) {
@@ -44,12 +47,12 @@ std::vector<Warning> check_step_scale(const CheckedScene& scene) {
                 fmt::format("time.step_scale is {:g} (the run takes {:.0f} times as many steps as with 0.9, "
                             "which is stable): raise it",
                             time.step_scale, 0.9 / time.step_scale)));
-  if (time.max_step && *time.max_step < least * scene.first_step)
+  if (time.max_step && *time.max_step < least * scene.stable_step)
     warnings.push_back(
         warn_at(scene.deck, "step_scale", "time.max_step",
-                fmt::format("time.max_step is {:g} (the elements allow more than ten times that): raise it or "
-                            "leave it out",
-                            *time.max_step)));
+                fmt::format("time.max_step is {:g} (elements are stable up to {:.2g}): raise it or leave it "
+                            "out",
+                            *time.max_step, scene.stable_step)));
   return warnings;
 }
 

@@ -23,6 +23,7 @@ struct PartMeasures {
 
   std::int64_t elements() const { return solids + shells; }
   double extent() const;  // longest edge of its box [length]
+  friend bool operator==(const PartMeasures&, const PartMeasures&) = default;
 };
 
 /// The nodes of an entry of `initial`.
@@ -34,6 +35,7 @@ struct InitialMeasures {
   std::int64_t moving = 0;       // of these, nodes that it gives a velocity that is not zero
   std::int64_t stopped = 0;      // of these, nodes that a condition keeps from moving so
   int condition = no_condition;  // the first entry of `conditions` that does
+  friend bool operator==(const InitialMeasures&, const InitialMeasures&) = default;
 };
 
 struct SceneMeasures {

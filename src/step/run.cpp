@@ -154,7 +154,7 @@ void Run::begin() {
   say(contact_.start_notes());
   compute_start_ = compute_seconds();
   stepper_.start(state_, {stop_requested != 0, false});
-  log_.add(check_start({deck_, &measures_, &contact_.start_overlap(), state_.next_dt}));
+  log_.add(check_start({deck_, &measures_, &contact_.start_overlap(), state_.bound.step}));
   erode();
   first_dt_ = state_.next_dt;
   limiting_element_id_ = state_.bound.element_id;

@@ -13,6 +13,13 @@ const std::string aluminium_in_mm =
 const std::pair<std::string, std::string> steel_in_mm{"density: 7850, youngs_modulus: 210e9",
                                                       "density: 7.85e-9, youngs_modulus: 210e3"};
 
+const std::pair<std::string, std::string> no_sheet{
+    "  sheet: {shell_plate: {size: [0.1, 0.1], cells: [5, 5]}, at: [0, 0, -0.004], thickness: 0.002, material: "
+    "aluminium}\n",
+    ""};
+const std::pair<std::string, std::string> no_sheet_condition{"  - {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}\n",
+                                                             ""};
+
 std::vector<SuspiciousDeck> unit_decks() {
   return {
       {"DensityInTonnesPerCubicMillimetre",
@@ -111,8 +118,8 @@ std::vector<SuspiciousDeck> material_decks() {
       {"MassScalingWithoutBound",
        "mass_scaling",
        "max_added: 3",
-       {{"2.0e-4}", "2.0e-4, mass_scaling: {step: 1e-9, max_added: 3}}"}},
-       {{"2.0e-4}", "2.0e-4, mass_scaling: {step: 1e-9, max_added: 0.1}}"}}},
+       {no_sheet, no_sheet_condition, {"2.0e-4}", "2.0e-4, mass_scaling: {step: 1e-9, max_added: 3}}"}},
+       {no_sheet, no_sheet_condition, {"2.0e-4}", "2.0e-4, mass_scaling: {step: 1e-9, max_added: 0.1}}"}}},
       {"MaterialOfNoPart", "unused_material", "steel: {", {{"material: steel", "material: aluminium"}}, {}},
       {"FluidHeldByItsHourglassControl",
        "fluid_hourglass",
