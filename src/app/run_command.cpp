@@ -11,6 +11,7 @@
 #include "src/app/placement.hpp"
 #include "src/app/read_together.hpp"
 #include "src/app/summary_report.hpp"
+#include "src/deck/units.hpp"
 #include "src/fail_together.hpp"
 #include "src/output/progress.hpp"
 #include "src/step/run.hpp"
@@ -32,14 +33,16 @@ void install_signal_handlers() {
   sigaction(SIGUSR1, &action, nullptr);
 }
 
-void report(const RunResult& result, const std::string& out_dir, const std::string& deck) {
+void report(const RunResult& result, const std::string& out_dir, const Deck& deck) {
   const Summary& s = result.summary;
-  print_quietly(stderr, "{}: t = {:.6g} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.2g} %\n",
-                s.status, s.time, s.steps, s.setup_s + s.loop_s, s.grind_ns, 100 * s.energy.error);
+  print_quietly(stderr,
+                "{}: t = {:.6g}{} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.2g} %\n",
+                s.status, s.time, unit_suffix(deck.units, dimensions::time), s.steps, s.setup_s + s.loop_s, s.grind_ns,
+                100 * s.energy.error);
   if (s.eroded.elements > 0) print_quietly(stderr, "eroded: {}\n", format_eroded(s));
   print_quietly(stderr, "results: {}\n", out_dir);
   if (result.exit_code == ExitCode::interrupted) {
-    print_quietly(stderr, "checkpoint: {}; to go on: percuss run {} --restart {}\n", result.checkpoint, deck,
+    print_quietly(stderr, "checkpoint: {}; to go on: percuss run {} --restart {}\n", result.checkpoint, deck.file,
                   result.checkpoint);
   }
   if (!s.warnings.empty()) print_quietly(stderr, "{}\n", describe_warnings(s, out_dir));
@@ -89,7 +92,7 @@ ExitCode run_command(Command command, const Communicator& ranks) {
   choose_work_clock(are_cores_shared(placement) ? WorkClock::thread : WorkClock::usual);
   install_signal_handlers();
   const RunResult result = run_scene(deck, options);
-  if (speaks && !command.quiet) report(result, out_dir, command.file);
+  if (speaks && !command.quiet) report(result, out_dir, deck);
   return result.exit_code;
 }
 
