@@ -7,6 +7,7 @@
 #include "src/app/read_together.hpp"
 #include "src/app/scene_report.hpp"
 #include "src/app/stage_line.hpp"
+#include "src/checks/rules.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/mesh/surface_nodes.hpp"
@@ -64,12 +65,13 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
   findings.gather([&] { find_history_points(deck, chunked); });
 }
 
-/// What a run of the scene would warn of at its start.
-std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked, const StartNotice& overlap) {
-  WarningLog log(deck.silenced);
-  log.add(deck.warnings);
+/// What a run of the scene would warn of at its start. Collective.
+std::vector<Warning> list_warnings(const CheckedScene& scene, const ChunkedMesh& chunked) {
+  WarningLog log(scene.deck.silenced);
+  log.add(scene.deck.warnings);
   log.add(find_start_warnings(chunked, find_ranks(chunked.mesh).size()));
-  if (overlap.is_warning()) log.add({overlap.rule, overlap.text, "", 0, 1});
+  log.add(check_input(scene));
+  log.add(check_start(scene));
   return log.list();
 }
 
@@ -91,7 +93,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   stage.show("finding contact surfaces and overlap at the start");
   ContactStage contact(chunked, deck, ranks);
   State state = make_initial_state(model);
-  const StartNotice overlap = contact.is_active() ? contact.prepare(state.x, state.v) : StartNotice{};
+  const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
   stage.show("finding the first step");
   Stepper stepper(deck, chunked, model, contact);
   stepper.start(state);
@@ -102,9 +104,10 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   scene.contact_nodes = contact.contact_nodes();
   scene.contact_faces = contact.contact_faces();
   scene.contact_notes = contact.start_notes();
-  if (!overlap.is_warning() && !overlap.text.empty())
-    scene.contact_notes.insert(scene.contact_notes.begin(), overlap.text);
-  scene.warnings = list_warnings(deck, chunked, overlap);
+  if (!overlap.empty()) scene.contact_notes.insert(scene.contact_notes.begin(), overlap);
+  stage.show("looking for suspicious input");
+  const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
+  scene.warnings = list_warnings({deck, &measures, &contact.start_overlap(), state.bound.step}, chunked);
   stage.clear();
   if (ranks.rank() == 0) print_text(stdout, format_scene(scene));
   return ExitCode::done;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "src/checks/rules.hpp"
 #include "src/output/warning_log.hpp"
 
 namespace percuss {
@@ -161,6 +162,7 @@ void warn_of_column(const PlannedScene& scene, const Column& column, WarningLog&
 std::string format_warnings(const PlannedScene& scene, const std::vector<Column>& columns) {
   WarningLog log(scene.deck.silenced);
   log.add(scene.deck.warnings);
+  log.add(check_input({scene.deck, nullptr, nullptr, 0}));
   if (scene.pattern.has_pairs && can_erode(scene.deck)) {
     log.add(warn("plan_without_erosion",
                  "elements can fail (each time surfaces are made anew, which is not predicted and which ranks hardly "

@@ -75,6 +75,7 @@ struct ContactStage::Impl {
   Enforcer enforcer;
   ContactHistory history;
   std::vector<std::string> start_notes;
+  StartOverlap start_overlap;
   Array<RowTouch> touches = Array<RowTouch>("contact::row_touches", 0);
   std::int64_t candidates = 0;  // of the last search, on all ranks
   long searches = 0;            // steps that did
@@ -203,17 +204,20 @@ bool ContactStage::is_active() const { return impl_->is_active; }
 
 const std::vector<std::string>& ContactStage::start_notes() const { return impl_->start_notes; }
 
-StartNotice ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) {
+std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
   // The finder of the run: its first step searches anew, but the decomposition is made here and seen in the first
   // frame.
   const ContactDeck::Overlap overlap = stage.contact.overlap;
-  const StartOverlap found = seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, overlap, stage.history);
+  stage.start_overlap = seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, overlap, stage.history);
+  const StartOverlap& found = stage.start_overlap;
   if (const std::string gaps = describe_gaps(found.gaps, stage.mesh); !gaps.empty()) stage.start_notes.push_back(gaps);
   stage.decomposed_at_start = stage.finder->decomposition_clock();
   const std::int64_t deepest = found.deepest_node < 0 ? -1 : stage.find_user_id(found.deepest_node);
   return describe_overlap(found, overlap, stage.mesh, deepest);
 }
+
+const StartOverlap& ContactStage::start_overlap() const { return impl_->start_overlap; }
 
 void ContactStage::restore_surface() {
   Impl& stage = *impl_;

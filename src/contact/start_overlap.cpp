@@ -95,8 +95,8 @@ EdgeHistory seed_edges(const std::vector<EdgePenetration>& penetrations, bool ac
 
 /// The counts of all ranks, and the deepest node of any.
 void reduce(const Communicator& ranks, StartOverlap& found) {
-  std::int64_t counts[4] = {found.nodes, found.too_deep, found.edge_pairs, found.behind_walls};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 4, MPI_INT64_T, MPI_SUM, ranks.handle()); },
+  std::int64_t counts[3] = {found.nodes, found.too_deep, found.edge_pairs};
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 3, MPI_INT64_T, MPI_SUM, ranks.handle()); },
            "MPI_Allreduce");
   const double own = found.deepest;
   double deepest[2] = {found.deepest, found.deepest_edges};
@@ -114,7 +114,6 @@ void reduce(const Communicator& ranks, StartOverlap& found) {
   found.nodes = counts[0];
   found.too_deep = counts[1];
   found.edge_pairs = counts[2];
-  found.behind_walls = counts[3];
   found.deepest_node = node == none ? -1 : node;
 }
 
@@ -152,7 +151,6 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
     const auto place = std::lower_bound(nodes.mesh_nodes.begin(), nodes.mesh_nodes.end(), host.node(p));
     note(found, nodes, static_cast<int>(place - nodes.mesh_nodes.begin()), -1 - host.wall(p), host.depth(p), true);
     reference(first + p) = accept ? host.depth(p) : 0;
-    if (host.depth(p) > contact_limits::history_depth * host.size(p)) ++found.behind_walls;
   }
   if (search.share.total_searched_faces > 0) {
     history.edges = seed_edges(search.finder.find_edge_penetrations(motion), accept, found);

@@ -4,7 +4,6 @@
 #include "src/contact/carried_history.hpp"
 #include "src/contact/contact_finder.hpp"
 #include "src/contact/reuse_bound.hpp"
-#include "src/contact/start_notice.hpp"
 
 namespace percuss {
 
@@ -23,7 +22,6 @@ struct PartOverlap {
 struct StartOverlap {
   std::int64_t nodes = 0;          // contact nodes inside another body or behind a wall
   std::int64_t too_deep = 0;       // of these, deeper than contact can hold
-  std::int64_t behind_walls = 0;   // of these, as deep behind a wall, which holds them all the same
   double deepest = 0;              // [length]
   std::int64_t deepest_node = -1;  // number of the node, lowest of equals
   std::vector<PartOverlap> parts;  // by (part, other)
@@ -52,9 +50,9 @@ struct SurfaceChange {
   const HistoryOwners& now;
 };
 
-/// What was found and what becomes of it; a warning where it is hardly meant, without text if there is none.
+/// What was found and what becomes of it; empty if there is none. Warnings of it are those of src/checks.
 /// deepest_id: the user's of deepest_node.
-StartNotice describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
+std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
                              std::int64_t deepest_id);
 
 /// Of overlap at the places of `motion`, whose dt is 0, takes into the history what a new node or a new face has, as

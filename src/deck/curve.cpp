@@ -20,6 +20,7 @@ class Curve::Function {
   virtual ~Function() = default;
   virtual double at(double t) const = 0;
   virtual bool is_constant() const { return false; }
+  virtual std::vector<std::pair<double, double>> rows() const { return {}; }
 };
 
 namespace {
@@ -52,6 +53,8 @@ class TableFunction final : public Curve::Function {
     return std::all_of(points_.begin(), points_.end(),
                        [&](const auto& p) { return p.second == points_.front().second; });
   }
+
+  std::vector<std::pair<double, double>> rows() const override { return points_; }
 
  private:
   std::vector<std::pair<double, double>> points_;
@@ -173,5 +176,9 @@ Curve Curve::expression(const std::string& text) {
 double Curve::operator()(double t) const { return function_ ? function_->at(t) : 0.0; }
 
 bool Curve::is_constant() const { return !function_ || function_->is_constant(); }
+
+std::vector<std::pair<double, double>> Curve::rows() const {
+  return function_ ? function_->rows() : std::vector<std::pair<double, double>>{};
+}
 
 }  // namespace percuss

@@ -28,6 +28,9 @@ class Curve {
   /// Whether the curve is the same at all times.
   bool is_constant() const;
 
+  /// The rows of a table; none of other kinds.
+  std::vector<std::pair<double, double>> rows() const;
+
   class Function;
 
  private:

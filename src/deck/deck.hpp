@@ -14,18 +14,12 @@
 #include <vector>
 
 #include "src/deck/curve.hpp"
+#include "src/deck/key_places.hpp"
 #include "src/warning.hpp"
 
 namespace percuss {
 
 using Vec3 = std::array<double, 3>;
-
-/// A place in the deck, both counted from 1; 0 if there is none (a default). A value of --set has line -1 for the first
-/// of them, -2 for the second.
-struct Place {
-  int line = 0;
-  int column = 0;
-};
 
 // --- meshes that percuss generates; all in local coordinates, then array, rotate and `at` are applied in this order
 
@@ -359,6 +353,7 @@ struct Deck {
   AuditDeck audit;
   std::vector<std::string> motion_values;  // "time.step_scale = 0.9": all that the motion depends on (deck_values.hpp)
   std::vector<std::string> overrides;      // left sides of the --set arguments
+  KeyPlaces places;                        // of its keys
   std::vector<Warning> warnings;           // of the deck alone; what is silenced is still among them
   std::set<std::string> silenced;          // rules whose warnings nobody wants to see (src/output/warning_log.hpp)
 

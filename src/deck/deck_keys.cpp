@@ -3,6 +3,7 @@
 #include "src/deck/deck_keys.hpp"
 #include "src/deck/read_deck.hpp"
 #include "src/deck/units.hpp"
+#include "src/deck/warning_rules.hpp"
 
 namespace percuss {
 namespace {
@@ -117,6 +118,37 @@ const Keys<Deck>& load_keys() {
   return keys;
 }
 
+/// Names of rules, each of which a warning may have.
+struct RulesValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, Deck& out) const {
+    if (!reader.expect(node, Node::Kind::list, name, takes())) return false;
+    const std::vector<std::string> known = list_names();
+    bool good = true;
+    for (const Node& item : node.items) {
+      if (item.broken) {
+        good = false;
+      } else if (item.kind != Node::Kind::scalar || std::find(known.begin(), known.end(), item.text) == known.end()) {
+        const std::string near = item.kind == Node::Kind::scalar ? nearest_name(item.text, known) : "";
+        const std::string hint = near.empty() ? "docs/checks.md lists them" : "did you mean '" + near + "'?";
+        reader.error(item.spot, fmt::format("{} names {} (no warning has this rule): {}", name, describe(item), hint));
+        good = false;
+      } else {
+        out.silenced.insert(item.text);
+      }
+    }
+    return good;
+  }
+  std::string takes() const { return "a list of rules"; }
+  Form form() const { return list_form(word_form(list_names())); }
+
+ private:
+  static std::vector<std::string> list_names() {
+    std::vector<std::string> names;
+    for (const WarningRule& rule : warning_rules()) names.push_back(rule.name);
+    return names;
+  }
+};
+
 void list_keys(const Form& form, const std::string& path, std::vector<DeckKey>& out) {
   if (form.listed_as) return;
   for (const FormKey& key : form.keys) {
@@ -157,6 +189,7 @@ const Keys<Deck>& deck_keys() {
   static const Keys<Deck> keys = {
       may("title", &Deck::title, TextValue{}),
       may("units", &Deck::units, UnitsValue{}),
+      group<Deck>("silence", RulesValue{}),
       need("time", &Deck::time, time_value()),
       need("parts", &Deck::parts, NamedMapValue<PartDeck, PartValue>{"part", {}}),
       need("materials", &Deck::materials, NamedMapValue<MaterialDeck, MaterialValue>{"material", {}}),

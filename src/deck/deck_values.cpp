@@ -11,8 +11,15 @@
 namespace percuss {
 namespace {
 
-constexpr std::array<const char*, 8> free_to_change{
-    "title", "units", "output", "audit", "time.end", "time.max_steps", "time.collapse_ratio", "contact.rebalance"};
+constexpr std::array<const char*, 9> free_to_change{"title",
+                                                    "units",
+                                                    "silence",
+                                                    "output",
+                                                    "audit",
+                                                    "time.end",
+                                                    "time.max_steps",
+                                                    "time.collapse_ratio",
+                                                    "contact.rebalance"};
 
 bool is_free(const std::string& path) {
   if (path.starts_with("parts.") && path.ends_with(".exodus.file")) return true;

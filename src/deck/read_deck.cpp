@@ -47,6 +47,7 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   check_deck(deck, root, reading);
   reading.errors.throw_if_any();
   deck.motion_values = list_motion_values(root);
+  deck.places = KeyPlaces(root);
   deck.warnings = reading.errors.warnings();
   return deck;
 }

@@ -11,6 +11,7 @@
 
 #include "comm/agreement.hpp"
 #include "comm/rendezvous.hpp"
+#include "src/checks/rules.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decompose.hpp"
@@ -54,7 +55,6 @@ class Run {
   bool speaks() const { return ranks_.rank() == 0 && options_.progress != Progress::Style::quiet; }
   void say(const std::vector<std::string>& lines) const;
   void tell(const Warning& warning);
-  void say_or_warn(const StartNotice& notice);
   ChunkedMesh load_scene();
   void begin();
   void restart();
@@ -107,8 +107,9 @@ class Run {
   long audited_step_ = -1;
   RunOutput output_;
   RunCheckpoints checkpoints_;
-  bool is_state_whole_ = true;  // false while a step is made
-  long start_step_ = 0;         // where this run began
+  const SceneMeasures measures_;  // at time 0
+  bool is_state_whole_ = true;    // false while a step is made
+  long start_step_ = 0;           // where this run began
   double first_dt_ = 0;
   std::int64_t limiting_element_id_ = 0;  // bounded the last step
   std::size_t input_warnings_ = 0;        // of log_: those that a restart finds again
@@ -130,10 +131,12 @@ Run::Run(const Deck& deck, const RunOptions& options)
       erosion_(deck, chunked_, model_, contact_),
       audit_(model_),
       output_(deck, chunked_, model_, contact_, options.out_dir),
-      checkpoints_(deck, options.out_dir) {
+      checkpoints_(deck, options.out_dir),
+      measures_(measure_scene(deck, chunked_, model_.start_velocity)) {
   stop_if_requested(ranks_, "after contact was made");
   progress_.emplace(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet);
   log_.add(find_start_warnings(chunked_, ranks_.size()));
+  log_.add(check_input({deck_, &measures_, nullptr, 0}));
   input_warnings_ = log_.list().size();
   say(describe_added_masses(model_));
   if (options.restart.empty()) {
@@ -156,10 +159,13 @@ ChunkedMesh Run::load_scene() {
 }
 
 void Run::begin() {
-  if (contact_.is_active()) say_or_warn(contact_.prepare(state_.x, state_.v));
+  if (contact_.is_active()) {
+    if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
+  }
   say(contact_.start_notes());
   compute_start_ = compute_seconds();
   stepper_.start(state_);
+  log_.add(check_start({deck_, &measures_, &contact_.start_overlap(), state_.bound.step}));
   erode();
   first_dt_ = state_.next_dt;
   limiting_element_id_ = state_.bound.element_id;
@@ -194,14 +200,6 @@ void Run::tell(const Warning& warning) {
   if (ranks_.rank() != 0) return;
   if (progress_) progress_->clear();
   print_quietly(stderr, "{}\n", format_warning(warning));
-}
-
-void Run::say_or_warn(const StartNotice& notice) {
-  if (notice.is_warning()) {
-    log_.add({notice.rule, notice.text, "", state_.time, 1});
-  } else if (!notice.text.empty()) {
-    say({notice.text});
-  }
 }
 
 /// What the run warned of before its checkpoint and is not found again.

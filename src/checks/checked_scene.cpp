@@ -1,0 +1,53 @@
+#include "src/checks/checked_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "src/deck/make_material.hpp"
+
+namespace percuss {
+
+std::string find_shape_path(const PartDeck& part) {
+  constexpr const char* names[] = {"box",        "cylinder",     "tube",           "sphere", "shell_plate",
+                                   "shell_tube", "shell_sphere", "shell_box_tube", "exodus"};
+  static_assert(std::variant_size_v<Shape> == std::size(names), "every shape has its key");
+  return fmt::format("parts.{}.{}", part.name, names[part.shape.index()]);
+}
+
+std::vector<std::size_t> find_named_parts(const Deck& deck, const Selector& selector) {
+  const std::string name = selector.name.substr(0, selector.name.find('/'));
+  const auto part =
+      std::find_if(deck.parts.begin(), deck.parts.end(), [&](const PartDeck& p) { return p.name == name; });
+  if (part != deck.parts.end()) return {static_cast<std::size_t>(part - deck.parts.begin())};
+  std::vector<std::size_t> all(deck.parts.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
+bool is_driven(const Deck& deck, const PartDeck& part) {
+  std::array<bool, 3> held{};
+  for (const ConditionDeck& condition : deck.conditions) {
+    if (condition.where.name != part.name || condition.where.inside) continue;
+    for (std::size_t k = 0; k < 3; ++k) held[k] = held[k] || condition.active[k];
+  }
+  return held[0] && held[1] && held[2];
+}
+
+const MaterialDeck& find_material(const Deck& deck, const PartDeck& part) {
+  return *std::find_if(deck.materials.begin(), deck.materials.end(),
+                       [&](const MaterialDeck& material) { return material.name == part.material; });
+}
+
+double find_wave_speed(const MaterialDeck& material) {
+  const LameConstants moduli = find_moduli(material);
+  return std::sqrt((moduli.lambda + 2 * moduli.mu) / material.density);
+}
+
+double find_stiffness(const MaterialDeck& material) {
+  const LameConstants moduli = find_moduli(material);
+  if (!(moduli.mu > 0)) return moduli.lambda;
+  return moduli.mu * (3 * moduli.lambda + 2 * moduli.mu) / (moduli.lambda + moduli.mu);
+}
+
+}  // namespace percuss

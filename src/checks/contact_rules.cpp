@@ -1,0 +1,125 @@
+// Overlap at the start, walls, friction and ties.
+
+#include <algorithm>
+#include <utility>
+
+#include "src/checks/rules.hpp"
+
+namespace percuss {
+namespace {
+
+const std::string& name_part(const Deck& deck, int part) { return deck.parts[static_cast<std::size_t>(part)].name; }
+
+/// What an overlap is to be compared with: the shortest edge of either part, or the thickness of shells.
+double find_contact_size(const CheckedScene& scene, const PartOverlap& overlap) {
+  double size = scene.measures->parts[static_cast<std::size_t>(overlap.part)].shortest_edge;
+  for (const int part : {overlap.part, overlap.other}) {
+    const auto p = static_cast<std::size_t>(part);
+    size = std::min(size, scene.measures->parts[p].shortest_edge);
+    if (scene.deck.parts[p].thickness) size = std::min(size, *scene.deck.parts[p].thickness);
+  }
+  return size;
+}
+
+/// Overlaps between parts, each pair once, its first part the one with the lower number.
+std::vector<PartOverlap> list_pairs(const StartOverlap& found) {
+  std::vector<PartOverlap> pairs;
+  for (PartOverlap overlap : found.parts) {
+    if (overlap.other < 0) continue;  // a wall
+    if (overlap.other < overlap.part) std::swap(overlap.part, overlap.other);
+    const auto same = std::find_if(pairs.begin(), pairs.end(), [&](const PartOverlap& pair) {
+      return pair.part == overlap.part && pair.other == overlap.other;
+    });
+    if (same == pairs.end()) {
+      pairs.push_back(overlap);
+    } else {
+      same->nodes += overlap.nodes;
+      same->deepest = std::max(same->deepest, overlap.deepest);
+    }
+  }
+  return pairs;
+}
+
+/// The key to look at: the thickness of the thicker shell of the two, or the first part.
+std::string find_overlap_path(const Deck& deck, const PartOverlap& pair) {
+  const PartDeck& a = deck.parts[static_cast<std::size_t>(pair.part)];
+  const PartDeck& b = deck.parts[static_cast<std::size_t>(pair.other)];
+  if (!a.thickness && !b.thickness) return "parts." + a.name;
+  return "parts." + (a.thickness.value_or(0) < b.thickness.value_or(0) ? b : a).name + ".thickness";
+}
+
+}  // namespace
+
+std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
+  constexpr double most = 0.2;  // of an element or a thickness: round-off and chords of curved meshes are far less
+  std::vector<Warning> warnings;
+  const bool is_pushed = scene.deck.contact.overlap == ContactDeck::Overlap::push_out;
+  for (const PartOverlap& pair : list_pairs(*scene.overlap)) {
+    const double size = find_contact_size(scene, pair);
+    if (pair.deepest <= most * size) continue;
+    warnings.push_back(warn_at(
+        scene.deck, "deep_overlap", find_overlap_path(scene.deck, pair),
+        fmt::format(
+            "parts '{}' and '{}' overlap at the start by {:.3g}, {:.2g} of an element or thickness, at {} node{} "
+            "({}): move them apart or check the thickness",
+            name_part(scene.deck, pair.part), name_part(scene.deck, pair.other), pair.deepest, pair.deepest / size,
+            pair.nodes, pair.nodes == 1 ? "" : "s",
+            is_pushed ? "pushing so much out adds energy" : "contact does not undo it")));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_behind_wall(const CheckedScene& scene) {
+  constexpr double most = 0.2;  // of an element
+  std::vector<Warning> warnings;
+  for (const PartOverlap& overlap : scene.overlap->parts) {
+    if (overlap.other >= 0) continue;
+    const double edge = scene.measures->parts[static_cast<std::size_t>(overlap.part)].shortest_edge;
+    if (overlap.deepest <= most * edge) continue;
+    warnings.push_back(warn_at(
+        scene.deck, "behind_wall", join_path("walls", static_cast<std::size_t>(-1 - overlap.other)),
+        fmt::format("{} nodes of part '{}' begin behind this wall, up to {:.3g} deep, {:.2g} of an element (its "
+                    "normal points to the side where bodies live): turn the normal or move the part",
+                    overlap.nodes, name_part(scene.deck, overlap.part), overlap.deepest, overlap.deepest / edge)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_friction(const CheckedScene& scene) {
+  constexpr double most = 2;  // rubber on a rough road has 1.5
+  std::vector<Warning> warnings;
+  const auto check = [&](double friction, const std::string& path) {
+    if (friction <= most) return;
+    warnings.push_back(
+        warn_at(scene.deck, "friction", path + ".friction",
+                fmt::format("the coefficient of friction is {:g} (dry metals have 0.1 to 0.8, rubber up to "
+                            "1.5): check it",
+                            friction)));
+  };
+  const ContactDeck& contact = scene.deck.contact;
+  check(contact.friction, "contact");
+  for (std::size_t i = 0; i < contact.pairs.size(); ++i)
+    check(contact.pairs[i].friction.value_or(0), join_path("contact.surfaces", i));
+  for (std::size_t i = 0; i < scene.deck.walls.size(); ++i) check(scene.deck.walls[i].friction, join_path("walls", i));
+  return warnings;
+}
+
+std::vector<Warning> check_tie_distance(const CheckedScene& scene) {
+  constexpr double most = 1;  // of an edge: nodes of the second layer would be tied
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < scene.deck.contact.ties.size(); ++i) {
+    const TieDeck& tie = scene.deck.contact.ties[i];
+    double edge = 0;
+    for (const std::size_t p : find_named_parts(scene.deck, tie.b))
+      edge = std::max(edge, scene.measures->parts[p].shortest_edge);
+    if (!tie.distance || *tie.distance <= most * edge) continue;
+    warnings.push_back(
+        warn_at(scene.deck, "tie_distance", join_path("contact.ties", i) + ".distance",
+                fmt::format("the tie reaches {:g}, elements there are {:.3g} (nodes that do not lie on the "
+                            "surface are tied, too): lower the distance",
+                            *tie.distance, edge)));
+  }
+  return warnings;
+}
+
+}  // namespace percuss

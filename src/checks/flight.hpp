@@ -1,0 +1,51 @@
+#pragma once
+// Where parts can be during a run if nothing stops them: boxes that fly at the velocities of the start.
+
+#include <vector>
+
+#include "src/checks/checked_scene.hpp"
+
+namespace percuss {
+
+/// The box of a part over time.
+class Flight {
+ public:
+  struct Box {
+    Vec3 low, high;
+  };
+
+  /// A part without conditions.
+  Flight(const CheckedScene& scene, std::size_t part);
+
+  /// A condition that names the part.
+  void add(const ConditionDeck& condition, double end);
+
+  /// All places of the part between two times, half its thickness included.
+  Box find_box(double from, double to) const;
+
+  /// Whether no condition holds the part and all its nodes have one velocity.
+  bool is_free() const { return !is_held_ && is_uniform_; }
+
+  /// Whether it moves at all.
+  bool moves() const;
+
+ private:
+  Box find_box(double time) const;
+
+  Box start_;
+  Vec3 velocity_low_, velocity_high_, gravity_;
+  Box driven_{};  // range of the displacement that conditions prescribe
+  bool is_held_ = false, is_uniform_ = false;
+};
+
+/// All parts of a scene.
+std::vector<Flight> find_flights(const CheckedScene& scene);
+
+/// The first time up to `end` at which the boxes of two parts can touch, to a margin of their smaller size; below 0:
+/// never.
+double find_meeting(const Flight& a, const Flight& b, double end);
+
+/// The same of a part and a wall.
+double find_meeting(const Flight& part, const WallDeck& wall, double end);
+
+}  // namespace percuss

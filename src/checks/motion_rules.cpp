@@ -1,0 +1,208 @@
+// What moves nothing, and bodies that meet nothing or pass through each other.
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/checks/flight.hpp"
+#include "src/checks/rules.hpp"
+
+namespace percuss {
+namespace {
+
+/// Parts by their number that something holds for.
+using Marks = std::vector<bool>;
+
+void mark(const Deck& deck, const Selector& where, Marks& marks) {
+  for (const std::size_t p : find_named_parts(deck, where)) marks[p] = true;
+}
+
+template <class Entries>
+Marks mark_named(const Deck& deck, const Entries& entries) {
+  Marks marks(deck.parts.size(), false);
+  for (const auto& entry : entries) mark(deck, entry.where, marks);
+  return marks;
+}
+
+/// The parts that have someone to touch, by the deck: a surface or a tie.
+Marks mark_touching(const Deck& deck) {
+  const ContactDeck& contact = deck.contact;
+  Marks marks(deck.parts.size(), contact.surfaces == ContactDeck::Surfaces::all && deck.parts.size() > 1);
+  const auto mark_both = [&](const auto& pair) {
+    mark(deck, pair.a, marks);
+    mark(deck, pair.b, marks);
+  };
+  std::for_each(contact.pairs.begin(), contact.pairs.end(), mark_both);
+  std::for_each(contact.ties.begin(), contact.ties.end(), mark_both);
+  return marks;
+}
+
+/// The parts that a wall stops.
+Marks mark_stopped(const Deck& deck, const WallDeck& wall) {
+  Marks marks(deck.parts.size(), wall.nodes.empty());
+  for (const Selector& where : wall.nodes) mark(deck, where, marks);
+  return marks;
+}
+
+/// Whether a material sets things in motion by itself: a gas, an explosive, whatever has an energy at the start.
+bool is_energetic(const MaterialDeck& material) {
+  if (!material.equation_of_state) return false;
+  const auto& numbers = material.equation_of_state->numbers;
+  return std::any_of(numbers.begin(), numbers.end(), [](const auto& number) {
+    return (number.first == "start_energy" || number.first == "energy" || number.first == "c0") && number.second != 0;
+  });
+}
+
+bool is_moving(const Curve& curve) { return !curve.is_constant() || curve(0) != 0; }
+
+/// Whether a condition moves a node.
+bool is_driving(const ConditionDeck& condition) {
+  return (condition.kind == ConditionDeck::Kind::velocity || condition.kind == ConditionDeck::Kind::displacement) &&
+         std::any_of(condition.value.begin(), condition.value.end(), is_moving);
+}
+
+bool has_motion(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  const bool spins = std::any_of(scene.measures->parts.begin(), scene.measures->parts.end(),
+                                 [](const PartMeasures& part) { return part.speed > 0; });
+  return spins || deck.gravity != Vec3{} || !deck.pressures.empty() || !deck.nodal_loads.empty() ||
+         deck.contact.overlap == ContactDeck::Overlap::push_out ||
+         std::any_of(deck.conditions.begin(), deck.conditions.end(), is_driving) ||
+         std::any_of(deck.parts.begin(), deck.parts.end(),
+                     [&](const PartDeck& part) { return is_energetic(find_material(deck, part)); });
+}
+
+/// Pairs of parts that can meet before the end, the first of them the one that moves; a few.
+struct Meeting {
+  std::size_t a, b;
+  double time;
+};
+
+std::vector<Meeting> find_meetings(const CheckedScene& scene, std::size_t most) {
+  const std::vector<Flight> flights = find_flights(scene);
+  std::vector<Meeting> meetings;
+  for (std::size_t a = 0; a < flights.size(); ++a) {
+    for (std::size_t b = a + 1; b < flights.size() && meetings.size() < most; ++b) {
+      if (!flights[a].moves() && !flights[b].moves()) continue;
+      const double time = find_meeting(flights[a], flights[b], scene.deck.time.end);
+      if (time >= 0) meetings.push_back(flights[a].moves() ? Meeting{a, b, time} : Meeting{b, a, time});
+    }
+  }
+  return meetings;
+}
+
+/// When bodies can first touch each other or walls.
+class FirstMeetings {
+ public:
+  explicit FirstMeetings(const CheckedScene& scene) : deck_(scene.deck), flights_(find_flights(scene)) {
+    for (const WallDeck& wall : deck_.walls) stopped_.push_back(mark_stopped(deck_, wall));
+  }
+
+  const Flight& flight(std::size_t part) const { return flights_[part]; }
+
+  /// Of a part, up to a time; below 0: never.
+  double find(std::size_t part, double end) const {
+    double first = -1;
+    const auto take = [&](double time) { first = time < 0 || (first >= 0 && first <= time) ? first : time; };
+    for (std::size_t other = 0; other < flights_.size() && first != 0; ++other) {
+      if (other != part) take(find_meeting(flights_[part], flights_[other], end));
+    }
+    for (std::size_t w = 0; w < deck_.walls.size(); ++w) {
+      if (stopped_[w][part]) take(find_meeting(flights_[part], deck_.walls[w], end));
+    }
+    return first;
+  }
+
+ private:
+  const Deck& deck_;
+  std::vector<Flight> flights_;
+  std::vector<Marks> stopped_;  // by wall
+};
+
+/// later: when the part would touch something; below 0: never.
+std::string describe_flight(const std::string& part, double end, double later) {
+  if (later < 0)
+    return fmt::format(
+        "part '{}' flies clear of all other bodies and walls (even a run 100 times as long would not bring them "
+        "together): check its velocity and its place",
+        part);
+  return fmt::format(
+      "part '{}' touches nothing before time.end = {:g} (it needs until about {:.2g}): run longer, or start closer",
+      part, end, later);
+}
+
+}  // namespace
+
+std::vector<Warning> check_still_scene(const CheckedScene& scene) {
+  if (has_motion(scene)) return {};
+  return {warn_at(scene.deck, "still_scene", "time.end",
+                  "nothing moves in this run (no velocity, load, gravity or prescribed motion is given): add what is "
+                  "missing, such as initial")};
+}
+
+std::vector<Warning> check_idle_parts(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  if (!has_motion(scene) || deck.gravity != Vec3{}) return warnings;
+  const Marks held = mark_named(deck, deck.conditions), pressed = mark_named(deck, deck.pressures),
+              loaded = mark_named(deck, deck.nodal_loads), touching = mark_touching(deck);
+  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
+    if (scene.measures->parts[p].speed > 0 || held[p] || pressed[p] || loaded[p] || touching[p]) continue;
+    if (is_energetic(find_material(deck, deck.parts[p]))) continue;
+    warnings.push_back(
+        warn_at(deck, "idle_part", "parts." + deck.parts[p].name,
+                fmt::format("part '{}' stays as it is (it has no velocity, condition, load or contact): add "
+                            "one, or remove the part",
+                            deck.parts[p].name)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_unreached_bodies(const CheckedScene& scene) {
+  constexpr double longer = 100;  // times of the run, in which a body is followed to say when it would arrive
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  if (deck.parts.size() < 2 && deck.walls.empty()) return warnings;
+  const FirstMeetings meetings(scene);
+  const Marks pressed = mark_named(deck, deck.pressures), loaded = mark_named(deck, deck.nodal_loads),
+              touching = mark_touching(deck);
+  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
+    const bool is_known = meetings.flight(p).is_free() && meetings.flight(p).moves() && !pressed[p] && !loaded[p];
+    if (!is_known || (!touching[p] && deck.walls.empty()) || meetings.find(p, deck.time.end) >= 0) continue;
+    const double later = meetings.find(p, longer * deck.time.end);
+    const std::string& name = deck.parts[p].name;
+    const std::string text = describe_flight(name, deck.time.end, later);
+    warnings.push_back(warn_at(deck, "unreached_body", "parts." + name, text));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_missing_contact(const CheckedScene& scene) {
+  constexpr std::size_t most = 1;  // one pair says it all
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  if (deck.parts.size() < 2) return warnings;
+  if (deck.contact.surfaces == ContactDeck::Surfaces::none && deck.contact.ties.empty()) {
+    for (const Meeting& meeting : find_meetings(scene, most)) {
+      warnings.push_back(
+          warn_at(deck, "no_contact", deck.places.has("contact") ? "contact" : "parts",
+                  fmt::format("parts '{}' and '{}' pass through each other (from t = {:.2g} on, contact is "
+                              "off): add contact: {{surfaces: all}}",
+                              deck.parts[meeting.a].name, deck.parts[meeting.b].name, meeting.time)));
+    }
+  }
+  if (deck.contact.surfaces != ContactDeck::Surfaces::pairs) return warnings;
+  const Marks touching = mark_touching(deck);
+  for (const Meeting& meeting : find_meetings(scene, deck.parts.size())) {
+    for (const auto& [part, other] : {std::pair(meeting.a, meeting.b), std::pair(meeting.b, meeting.a)}) {
+      if (touching[part]) continue;
+      warnings.push_back(
+          warn_at(deck, "no_contact", "contact.surfaces",
+                  fmt::format("part '{}' is in no pair of contact.surfaces and passes through part '{}' (from "
+                              "t = {:.2g} on): add a pair",
+                              deck.parts[part].name, deck.parts[other].name, meeting.time)));
+    }
+  }
+  return warnings;
+}
+
+}  // namespace percuss

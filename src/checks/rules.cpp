@@ -1,0 +1,86 @@
+#include "src/checks/rules.hpp"
+
+#include <utility>
+
+namespace percuss {
+namespace {
+
+using Needs = CheckRule::Needs;
+
+/// The first warnings of a rule, and one that stands for the others.
+std::vector<Warning> shorten(std::vector<Warning> warnings, const Deck& deck) {
+  constexpr std::size_t most = 5;
+  if (warnings.size() <= most + 1) return warnings;
+  const std::size_t others = warnings.size() - most;
+  warnings.resize(most);
+  warnings.push_back(
+      {warnings.front().rule,
+       fmt::format("{} more places are like the {} above (they are not listed): look at those first", others, most),
+       deck.file, 0, 1});
+  return warnings;
+}
+
+std::vector<Warning> apply(const CheckedScene& scene, Needs needs) {
+  std::vector<Warning> warnings;
+  for (const CheckRule& rule : check_rules()) {
+    if (rule.needs != needs) continue;
+    for (Warning& warning : shorten(rule.check(scene), scene.deck)) warnings.push_back(std::move(warning));
+  }
+  return warnings;
+}
+
+}  // namespace
+
+const std::vector<CheckRule>& check_rules() {
+  static const std::vector<CheckRule> rules = {
+      {"unit_system", check_unit_system},
+      {"density", check_density},
+      {"wave_speed", check_wave_speed},
+      {"scene_size", check_scene_size, Needs::mesh},
+      {"gravity_size", check_gravity_size},
+      {"yield_stress", check_yield_stress},
+      {"hardening_modulus", check_hardening},
+      {"failure_strain", check_failure_strain},
+      {"viscosity", check_viscosity},
+      {"mass_scaling", check_mass_scaling},
+      {"part_size", check_part_size, Needs::mesh},
+      {"shell_thickness", check_shell_thickness, Needs::mesh},
+      {"single_layer", check_single_layer, Needs::mesh},
+      {"duplicate_part", check_duplicate_parts, Needs::mesh},
+      {"enclosed_part", check_enclosed_parts, Needs::mesh},
+      {"angle_in_radians", check_angles},
+      {"stopped_velocity", check_stopped_velocity, Needs::mesh},
+      {"unused_velocity", check_unused_velocity, Needs::mesh},
+      {"fast_velocity", check_fast_velocity, Needs::mesh},
+      {"prescribed_speed", check_prescribed_speed},
+      {"curve_end", check_curve_end},
+      {"pressure_size", check_pressure_size},
+      {"gravity_direction", check_gravity_direction},
+      {"still_scene", check_still_scene, Needs::mesh},
+      {"idle_part", check_idle_parts, Needs::mesh},
+      {"unreached_body", check_unreached_bodies, Needs::mesh},
+      {"no_contact", check_missing_contact, Needs::mesh},
+      {"deep_overlap", check_deep_overlap, Needs::start},
+      {"behind_wall", check_behind_wall, Needs::start},
+      {"friction", check_friction},
+      {"tie_distance", check_tie_distance, Needs::mesh},
+      {"end_time", check_end_time, Needs::start},
+      {"step_scale", check_step_scale, Needs::start},
+      {"output_interval", check_output_interval},
+      {"output_count", check_output_count},
+      {"history_point", check_history_points, Needs::mesh},
+      {"audit_limit", check_audit_limits},
+  };
+  return rules;
+}
+
+std::vector<Warning> check_input(const CheckedScene& scene) {
+  std::vector<Warning> warnings = apply(scene, Needs::deck);
+  if (scene.measures == nullptr) return warnings;
+  for (Warning& warning : apply(scene, Needs::mesh)) warnings.push_back(std::move(warning));
+  return warnings;
+}
+
+std::vector<Warning> check_start(const CheckedScene& scene) { return apply(scene, Needs::start); }
+
+}  // namespace percuss

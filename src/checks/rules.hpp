@@ -1,0 +1,83 @@
+#pragma once
+// The rules on suspicious input: a scene can be run and is yet hardly meant so. Pure functions from a scene to
+// warnings; docs/checks.md says what each looks for, from which limit on and why.
+
+#include <string>
+#include <vector>
+
+#include "src/checks/checked_scene.hpp"
+
+namespace percuss {
+
+/// A rule by its name; a deck silences it by `silence`.
+struct CheckRule {
+  /// What must be known of the scene: CheckedScene::deck, measures too, or all of it.
+  enum class Needs { deck, mesh, start };
+
+  std::string name;
+  std::vector<Warning> (*check)(const CheckedScene& scene);
+  Needs needs = Needs::deck;
+};
+
+/// All of them, by subject.
+const std::vector<CheckRule>& check_rules();
+
+/// What the rules on the deck find, and, where scene.measures is known, those on the mesh: in the order of the table,
+/// what the deck silences included.
+std::vector<Warning> check_input(const CheckedScene& scene);
+
+/// What the rules on the state at the start find, of which check_input() knows nothing. All of the scene is known.
+std::vector<Warning> check_start(const CheckedScene& scene);
+
+// Units (unit_rules.cpp)
+std::vector<Warning> check_unit_system(const CheckedScene& scene);
+std::vector<Warning> check_density(const CheckedScene& scene);
+std::vector<Warning> check_wave_speed(const CheckedScene& scene);
+std::vector<Warning> check_scene_size(const CheckedScene& scene);
+std::vector<Warning> check_gravity_size(const CheckedScene& scene);
+
+// Materials and numerical settings (material_rules.cpp)
+std::vector<Warning> check_yield_stress(const CheckedScene& scene);
+std::vector<Warning> check_hardening(const CheckedScene& scene);
+std::vector<Warning> check_failure_strain(const CheckedScene& scene);
+std::vector<Warning> check_viscosity(const CheckedScene& scene);
+std::vector<Warning> check_mass_scaling(const CheckedScene& scene);
+
+// Sizes and places of parts (size_rules.cpp)
+std::vector<Warning> check_part_size(const CheckedScene& scene);
+std::vector<Warning> check_shell_thickness(const CheckedScene& scene);
+std::vector<Warning> check_single_layer(const CheckedScene& scene);
+std::vector<Warning> check_duplicate_parts(const CheckedScene& scene);
+std::vector<Warning> check_enclosed_parts(const CheckedScene& scene);
+std::vector<Warning> check_angles(const CheckedScene& scene);
+
+// Velocities, conditions and loads (condition_rules.cpp)
+std::vector<Warning> check_stopped_velocity(const CheckedScene& scene);
+std::vector<Warning> check_unused_velocity(const CheckedScene& scene);
+std::vector<Warning> check_fast_velocity(const CheckedScene& scene);
+std::vector<Warning> check_prescribed_speed(const CheckedScene& scene);
+std::vector<Warning> check_curve_end(const CheckedScene& scene);
+std::vector<Warning> check_pressure_size(const CheckedScene& scene);
+std::vector<Warning> check_gravity_direction(const CheckedScene& scene);
+
+// Who moves and who meets whom (motion_rules.cpp)
+std::vector<Warning> check_still_scene(const CheckedScene& scene);
+std::vector<Warning> check_idle_parts(const CheckedScene& scene);
+std::vector<Warning> check_unreached_bodies(const CheckedScene& scene);
+std::vector<Warning> check_missing_contact(const CheckedScene& scene);
+
+// Contact (contact_rules.cpp)
+std::vector<Warning> check_deep_overlap(const CheckedScene& scene);
+std::vector<Warning> check_behind_wall(const CheckedScene& scene);
+std::vector<Warning> check_friction(const CheckedScene& scene);
+std::vector<Warning> check_tie_distance(const CheckedScene& scene);
+
+// Time and output (output_rules.cpp)
+std::vector<Warning> check_end_time(const CheckedScene& scene);
+std::vector<Warning> check_step_scale(const CheckedScene& scene);
+std::vector<Warning> check_output_interval(const CheckedScene& scene);
+std::vector<Warning> check_output_count(const CheckedScene& scene);
+std::vector<Warning> check_history_points(const CheckedScene& scene);
+std::vector<Warning> check_audit_limits(const CheckedScene& scene);
+
+}  // namespace percuss

@@ -1,0 +1,232 @@
+#include "src/checks/scene_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/mesh/hex_geometry.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// A part before anything was found.
+PartMeasures make_empty() {
+  PartMeasures empty;
+  empty.low = empty.velocity_low = {infinity, infinity, infinity};
+  empty.high = empty.velocity_high = {-infinity, -infinity, -infinity};
+  empty.shortest_edge = infinity;
+  return empty;
+}
+
+void widen(const Vec3& value, Vec3& low, Vec3& high) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    low[k] = std::min(low[k], value[k]);
+    high[k] = std::max(high[k], value[k]);
+  }
+}
+
+double find_shortest_edge(const Mesh& mesh, const std::array<int, 8>& corners) {
+  constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  double shortest = infinity;
+  for (const auto& [a, b] : edges) {
+    const int from = corners[at(a)], to = corners[at(b)];
+    if (from == to) continue;  // of a shell, or of a triangle
+    const Vec3 edge = subtract(mesh.nodes[at(from)], mesh.nodes[at(to)]);
+    shortest = std::min(shortest, dot(edge, edge));
+  }
+  return std::sqrt(shortest);
+}
+
+/// Two faces of a hexahedron that lie opposite to each other, and the edge between them.
+struct Direction {
+  int low, high, corner;
+};
+
+/// The one direction in which both faces of a hexahedron are on the surface: that across a sheet. None of a bar, which
+/// has two, or of a block.
+const Direction* find_layer_direction(std::uint8_t exterior) {
+  static constexpr Direction directions[3] = {{3, 1, 1}, {0, 2, 3}, {4, 5, 4}};
+  const Direction* found = nullptr;
+  for (const Direction& direction : directions) {
+    if ((exterior >> direction.low & 1) == 0 || (exterior >> direction.high & 1) == 0) continue;
+    if (found != nullptr) return nullptr;
+    found = &direction;
+  }
+  return found;
+}
+
+void measure_layer(const Mesh& mesh, std::size_t element, PartMeasures& part) {
+  const Direction* across = find_layer_direction(mesh.exterior[element]);
+  if (across == nullptr) return;
+  const std::array<int, 8>& corners = mesh.elements[element];
+  ++part.single_layer;
+  part.layer_thickness = std::max(
+      part.layer_thickness, find_distance(mesh.nodes[at(corners[0])], mesh.nodes[at(corners[at(across->corner)])]));
+}
+
+void measure_elements(const Mesh& mesh, std::vector<PartMeasures>& parts) {
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    PartMeasures& part = parts[at(mesh.element_part[e])];
+    const std::array<int, 8>& corners = mesh.elements[e];
+    part.shortest_edge = std::min(part.shortest_edge, find_shortest_edge(mesh, corners));
+    if (is_shell(corners)) {
+      ++part.shells;
+    } else {
+      ++part.solids;
+      measure_layer(mesh, e, part);
+    }
+  }
+}
+
+/// Velocities at time 0 on the host.
+using Velocities = decltype(to_host(Rows3<double>()));
+
+Vec3 find_velocity(const Velocities& velocities, int node) {
+  return {velocities(node, 0), velocities(node, 1), velocities(node, 2)};
+}
+
+void measure_nodes(const Mesh& mesh, const Velocities& velocities, std::vector<PartMeasures>& parts) {
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    PartMeasures& part = parts[p];
+    for (const int node : mesh.node_sets.at(mesh.parts[p].name)) {
+      const Vec3 velocity = find_velocity(velocities, node);
+      widen(mesh.nodes[at(node)], part.low, part.high);
+      widen(velocity, part.velocity_low, part.velocity_high);
+      part.speed = std::max(part.speed, dot(velocity, velocity));
+    }
+    part.speed = std::sqrt(part.speed);
+  }
+}
+
+/// Which nodes of this rank's share it counts in sums over all nodes.
+std::vector<bool> find_owned(const ChunkedMesh& chunked) {
+  const int rank = chunked.mesh.ranks ? chunked.mesh.ranks->rank() : 0;
+  std::vector<bool> owned(chunked.mesh.nodes.size(), true);
+  if (!chunked.mesh.ranks || chunked.mesh.ranks->size() == 1) return owned;
+  NodeOwners owners(chunked.numbering);
+  for (std::size_t n = 0; n < owned.size(); ++n) owned[n] = owners.find(chunked.mesh.node_numbers[n]) == rank;
+  return owned;
+}
+
+/// Counts of the entries of `initial` on this rank's nodes.
+class InitialCounts {
+ public:
+  InitialCounts(const Deck& deck, const ChunkedMesh& chunked, const Velocities& velocities)
+      : deck_(deck), mesh_(chunked.mesh), velocities_(velocities), owned_(find_owned(chunked)) {}
+
+  std::vector<InitialMeasures> operator()() {
+    std::vector<InitialMeasures> entries(deck_.initial.size());
+    if (entries.empty()) return entries;
+    find_governing(entries);
+    find_stopping();
+    for (std::size_t n = 0; n < mesh_.nodes.size(); ++n) {
+      if (!owned_[n] || governing_[n] < 0) continue;
+      InitialMeasures& entry = entries[at(governing_[n])];
+      ++entry.governed;
+      if (find_velocity(velocities_, static_cast<int>(n)) == Vec3{}) continue;
+      ++entry.moving;
+      if (stopping_[n] == InitialMeasures::no_condition) continue;
+      ++entry.stopped;
+      entry.condition = std::min(entry.condition, stopping_[n]);
+    }
+    return entries;
+  }
+
+ private:
+  void find_governing(std::vector<InitialMeasures>& entries) {
+    governing_.assign(mesh_.nodes.size(), -1);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      for (const int node : select_nodes(mesh_, deck_, deck_.initial[i].where)) {
+        governing_[at(node)] = static_cast<int>(i);
+        entries[i].selected += owned_[at(node)] ? 1 : 0;
+      }
+    }
+  }
+
+  /// The first condition that keeps each node from its velocity at the start, by more than a share of its speed.
+  void find_stopping() {
+    constexpr double share = 0.5;
+    stopping_.assign(mesh_.nodes.size(), InitialMeasures::no_condition);
+    for (std::size_t c = 0; c < deck_.conditions.size(); ++c) {
+      const ConditionDeck& condition = deck_.conditions[c];
+      if (condition.kind == ConditionDeck::Kind::displacement) continue;
+      for (const int node : select_nodes(mesh_, deck_, condition.where)) {
+        const Vec3 velocity = find_velocity(velocities_, node);
+        const double least = share * std::sqrt(dot(velocity, velocity));
+        for (std::size_t k = 0; k < 3 && stopping_[at(node)] == InitialMeasures::no_condition; ++k) {
+          const double held = condition.kind == ConditionDeck::Kind::velocity ? condition.value[k](0) : 0;
+          if (condition.active[k] && least > 0 && std::abs(velocity[k] - held) > least)
+            stopping_[at(node)] = static_cast<int>(c);
+        }
+      }
+    }
+  }
+
+  const Deck& deck_;
+  const Mesh& mesh_;
+  const Velocities& velocities_;
+  std::vector<bool> owned_;
+  std::vector<int> governing_, stopping_;  // [nodes] entries of initial and conditions
+};
+
+void reduce(const Communicator& ranks, MPI_Op operation, MPI_Datatype type, void* values, std::size_t count) {
+  wait_mpi(
+      [&] { return MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(count), type, operation, ranks.handle()); },
+      "MPI_Allreduce");
+}
+
+/// The counts of all ranks, and the least and the largest of any.
+void reduce(const Communicator& ranks, SceneMeasures& scene) {
+  std::vector<std::int64_t> counts;
+  std::vector<double> largest;
+  const auto list = [&](const auto& count, const auto& value) {
+    for (PartMeasures& part : scene.parts) {
+      for (std::int64_t* c : {&part.solids, &part.shells, &part.single_layer}) count(*c);
+      value(part.shortest_edge, -1);
+      value(part.layer_thickness, 1);
+      value(part.speed, 1);
+      for (std::size_t k = 0; k < 3; ++k) {
+        value(part.low[k], -1);
+        value(part.high[k], 1);
+        value(part.velocity_low[k], -1);
+        value(part.velocity_high[k], 1);
+      }
+    }
+    for (InitialMeasures& entry : scene.initial) {
+      for (std::int64_t* c : {&entry.selected, &entry.governed, &entry.moving, &entry.stopped}) count(*c);
+    }
+  };
+  list([&](std::int64_t c) { counts.push_back(c); }, [&](double x, double sign) { largest.push_back(sign * x); });
+  reduce(ranks, MPI_SUM, MPI_INT64_T, counts.data(), counts.size());
+  reduce(ranks, MPI_MAX, MPI_DOUBLE, largest.data(), largest.size());
+  auto c = counts.begin();
+  auto x = largest.begin();
+  list([&](std::int64_t& out) { out = *c++; }, [&](double& out, double sign) { out = sign * *x++; });
+  std::vector<int> conditions;  // the first of all ranks
+  for (const InitialMeasures& entry : scene.initial) conditions.push_back(entry.condition);
+  reduce(ranks, MPI_MIN, MPI_INT, conditions.data(), conditions.size());
+  for (std::size_t i = 0; i < conditions.size(); ++i) scene.initial[i].condition = conditions[i];
+}
+
+}  // namespace
+
+double PartMeasures::extent() const { return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
+
+SceneMeasures measure_scene(const Deck& deck, const ChunkedMesh& chunked, const Rows3<double>& start_velocity) {
+  const Mesh& mesh = chunked.mesh;
+  const auto velocities = to_host(start_velocity);
+  SceneMeasures scene{std::vector<PartMeasures>(mesh.parts.size(), make_empty()), {}, mesh.low, mesh.high};
+  measure_elements(mesh, scene.parts);
+  measure_nodes(mesh, velocities, scene.parts);
+  scene.initial = InitialCounts(deck, chunked, velocities)();
+  if (mesh.ranks && mesh.ranks->size() > 1) reduce(*mesh.ranks, scene);
+  return scene;
+}
+
+}  // namespace percuss

@@ -1,0 +1,51 @@
+#pragma once
+// What the rules need to know of a mesh: sizes, velocities and held nodes by part, of all ranks together.
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "kernels/core/views.hpp"
+#include "src/deck/deck.hpp"
+#include "src/mesh/ordering.hpp"
+
+namespace percuss {
+
+/// A part at time 0, of all ranks together.
+struct PartMeasures {
+  Vec3 low{}, high{};                    // box of its nodes [length]
+  Vec3 velocity_low{}, velocity_high{};  // range of each component over its nodes [length / time]
+  double speed = 0;                      // of its fastest node [length / time]
+  double shortest_edge = 0;              // of its elements [length]
+  std::int64_t solids = 0, shells = 0;   // elements
+  std::int64_t single_layer = 0;         // solids with just two opposite faces on the surface, as a sheet has
+  double layer_thickness = 0;            // largest distance of these faces [length]
+
+  std::int64_t elements() const { return solids + shells; }
+  double extent() const;  // longest edge of its box [length]
+  friend bool operator==(const PartMeasures&, const PartMeasures&) = default;
+};
+
+/// The nodes of an entry of `initial`.
+struct InitialMeasures {
+  static constexpr int no_condition = std::numeric_limits<int>::max();
+
+  std::int64_t selected = 0;     // nodes that it names
+  std::int64_t governed = 0;     // of these, nodes that no later entry names
+  std::int64_t moving = 0;       // of these, nodes that it gives a velocity that is not zero
+  std::int64_t stopped = 0;      // of these, nodes that a condition keeps from moving so
+  int condition = no_condition;  // the first entry of `conditions` that does
+  friend bool operator==(const InitialMeasures&, const InitialMeasures&) = default;
+};
+
+struct SceneMeasures {
+  std::vector<PartMeasures> parts;       // as Deck::parts
+  std::vector<InitialMeasures> initial;  // as Deck::initial
+  Vec3 low{}, high{};                    // box of all nodes [length]
+};
+
+/// Measures a mesh; each rank its share. start_velocity: [nodes of the share] at time 0 [length / time]. The same on
+/// all ranks. Collective over the mesh's ranks. Throws InputError as select_nodes(), MpiError.
+SceneMeasures measure_scene(const Deck& deck, const ChunkedMesh& chunked, const Rows3<double>& start_velocity);
+
+}  // namespace percuss

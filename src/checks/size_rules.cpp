@@ -1,0 +1,192 @@
+// Parts whose sizes and places do not go with each other.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "src/checks/rules.hpp"
+
+namespace percuss {
+namespace {
+
+/// Longest edge of the box of one copy of a part [length].
+double find_copy_extent(const PartDeck& part, const PartMeasures& measures) {
+  if (!part.array) return measures.extent();
+  double extent = measures.extent();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double copies = std::abs(part.array->pitch[k]) * (part.array->count[k] - 1);
+    extent = std::min(extent, std::max(measures.extent() - copies, std::abs(part.array->pitch[k])));
+  }
+  return extent;
+}
+
+/// The edges of the box of a part, ascending [length].
+Vec3 sort_edges(const PartMeasures& part) {
+  Vec3 edges{};
+  for (std::size_t k = 0; k < 3; ++k) edges[k] = part.high[k] - part.low[k];
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+bool are_alike(const PartMeasures& a, const PartMeasures& b) {
+  constexpr double share = 1e-6;  // of the size: beyond round-off of how they were placed
+  if (a.solids != b.solids || a.shells != b.shells) return false;
+  const double margin = share * a.extent();
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(a.low[k] - b.low[k]) > margin || std::abs(a.high[k] - b.high[k]) > margin) return false;
+  }
+  return true;
+}
+
+bool is_turned(const PartDeck& part) {
+  return std::any_of(part.rotate.begin(), part.rotate.end(), [](const Rotation& turn) { return turn.degrees != 0; });
+}
+
+/// Whether the box of a part lies deep inside another one, which is a solid box or ball.
+bool is_enclosed(const PartMeasures& inner, const PartDeck& part, const PartMeasures& outer) {
+  if (part.array) return false;
+  const bool is_box = std::holds_alternative<BoxShape>(part.shape) && !is_turned(part);
+  const auto* sphere = std::get_if<SphereShape>(&part.shape);
+  double square = 0;  // of the distance of the farthest corner from the middle
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (inner.low[k] <= outer.low[k] || inner.high[k] >= outer.high[k]) return false;
+    const double middle = 0.5 * (outer.low[k] + outer.high[k]);
+    const double farthest = std::max(middle - inner.low[k], inner.high[k] - middle);
+    square += farthest * farthest;
+  }
+  return is_box || (sphere != nullptr && square < sphere->radius * sphere->radius);
+}
+
+/// Of `rotate`, without the turn that `axis` comes to.
+std::size_t count_listed_turns(const Deck& deck, const PartDeck& part) {
+  std::size_t listed = 0;
+  while (deck.places.has(join_path("parts." + part.name + ".rotate", listed))) ++listed;
+  return std::min(listed, part.rotate.size());
+}
+
+}  // namespace
+
+std::vector<Warning> check_part_size(const CheckedScene& scene) {
+  constexpr double most = 100;
+  const std::vector<PartDeck>& parts = scene.deck.parts;
+  std::vector<std::pair<double, std::size_t>> sizes;
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    sizes.emplace_back(find_copy_extent(parts[p], scene.measures->parts[p]), p);
+  std::sort(sizes.begin(), sizes.end());
+  const auto& [small, smallest] = sizes.front();
+  const auto& [large, largest] = sizes.back();
+  if (!(large > most * small)) return {};
+  // The odd one is what is farther from most: the largest where the middle is closer to the smallest.
+  const double middle = sizes[(sizes.size() - 1) / 2].first;
+  const std::size_t odd = large * small > middle * middle ? largest : smallest;
+  return {warn_at(scene.deck, "part_size", find_shape_path(parts[odd]),
+                  fmt::format("part '{}' is {:.3g} long, part '{}' {:.3g} ({:.0f} times more): check that all lengths "
+                              "are in one unit",
+                              parts[smallest].name, small, parts[largest].name, large, large / small))};
+}
+
+std::vector<Warning> check_shell_thickness(const CheckedScene& scene) {
+  constexpr double most = 0.5;    // of the shorter edge of the surface: no shell theory holds beyond
+  constexpr double least = 3e-5;  // of the longest: a household foil is thicker
+  std::vector<Warning> warnings;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    if (!part.thickness) continue;
+    const Vec3 edges = sort_edges(scene.measures->parts[p]);
+    const bool is_thick = *part.thickness > most * edges[1];
+    if (!is_thick && *part.thickness >= least * edges[2]) continue;
+    const std::string fault = is_thick
+                                  ? fmt::format("is more than half of its width {:.3g}", edges[1])
+                                  : fmt::format("is {:.1g} of its length {:.3g}", *part.thickness / edges[2], edges[2]);
+    warnings.push_back(
+        warn_at(scene.deck, "shell_thickness", "parts." + part.name + ".thickness",
+                fmt::format("the thickness {:g} of part '{}' {} (shells are thin, and sheets thicker than "
+                            "foil): check its unit",
+                            *part.thickness, part.name, fault)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_single_layer(const CheckedScene& scene) {
+  constexpr double least_share = 0.9;   // of the elements: those of ribs and rims have other sides
+  constexpr double least_slender = 10;  // width over thickness: a thicker block hardly bends
+  constexpr std::int64_t least_elements = 9;
+  std::vector<Warning> warnings;
+  if (scene.deck.elements.integration == ElementDeck::Integration::full) return warnings;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    const PartMeasures& measures = scene.measures->parts[p];
+    const double share = static_cast<double>(measures.single_layer) / static_cast<double>(measures.elements());
+    const bool is_sheet = measures.single_layer >= least_elements && share >= least_share &&
+                          sort_edges(measures)[1] > least_slender * measures.layer_thickness;
+    if (!is_sheet || is_driven(scene.deck, part)) continue;
+    warnings.push_back(
+        warn_at(scene.deck, "single_layer", find_shape_path(part),
+                fmt::format("part '{}' has one solid element through its thickness {:.3g} (one point has "
+                            "neither bending stress nor yield in bending): take 3 or more, or shells",
+                            part.name, measures.layer_thickness)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_duplicate_parts(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (std::size_t p = 1; p < scene.deck.parts.size(); ++p) {
+    const auto& parts = scene.measures->parts;
+    const auto same = std::find_if(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(p),
+                                   [&](const PartMeasures& other) { return are_alike(other, parts[p]); });
+    if (same == parts.begin() + static_cast<std::ptrdiff_t>(p)) continue;
+    const PartDeck& first = scene.deck.parts[static_cast<std::size_t>(same - parts.begin())];
+    warnings.push_back(warn_at(scene.deck, "duplicate_part", "parts." + scene.deck.parts[p].name,
+                               fmt::format("part '{}' lies where part '{}' does and has as many elements (its mass is "
+                                           "there twice): move or remove one of them",
+                                           scene.deck.parts[p].name, first.name)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_enclosed_parts(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (std::size_t inner = 0; inner < scene.deck.parts.size(); ++inner) {
+    const PartDeck& part = scene.deck.parts[inner];
+    if (part.array) continue;
+    for (std::size_t outer = 0; outer < scene.deck.parts.size(); ++outer) {
+      const PartMeasures& a = scene.measures->parts[inner];
+      const PartMeasures& b = scene.measures->parts[outer];
+      if (inner == outer || are_alike(a, b) || !is_enclosed(a, scene.deck.parts[outer], b)) continue;
+      warnings.push_back(
+          warn_at(scene.deck, "enclosed_part", "parts." + part.name,
+                  fmt::format("part '{}' lies inside the solid part '{}' (contact finds no faces there, and "
+                              "the mass is there twice): move one of them",
+                              part.name, scene.deck.parts[outer].name)));
+    }
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_angles(const CheckedScene& scene) {
+  constexpr double eighth = std::numbers::pi / 4, margin = 2e-4;  // 1.5708 has four digits
+  const auto is_radians = [](double angle) {
+    const double turns = std::abs(angle) / eighth;
+    return angle != 0 && turns < 8.5 && std::abs(turns - std::round(turns)) < margin && std::round(turns) > 0;
+  };
+  std::vector<Warning> warnings;
+  const auto check = [&](double angle, const std::string& path) {
+    if (!is_radians(angle)) return;
+    warnings.push_back(warn_at(scene.deck, "angle_in_radians", path,
+                               fmt::format("the angle {:g} looks like radians (it is taken in degrees): write {:g}",
+                                           angle, std::round(angle / eighth) * 45)));
+  };
+  for (const PartDeck& part : scene.deck.parts) {
+    const std::string path = "parts." + part.name;
+    const std::size_t listed = count_listed_turns(scene.deck, part), first = part.rotate.size() - listed;
+    for (std::size_t i = 0; i < listed; ++i)
+      check(part.rotate[first + i].degrees, join_path(path + ".rotate", i) + ".angle");
+    if (const auto* tube = std::get_if<TubeShape>(&part.shape)) check(tube->arc, path + ".tube.arc");
+    if (const auto* tube = std::get_if<ShellTubeShape>(&part.shape)) check(tube->arc, path + ".shell_tube.arc");
+  }
+  return warnings;
+}
+
+}  // namespace percuss

@@ -1,0 +1,55 @@
+#include "src/checks/unit_systems.hpp"
+
+#include <algorithm>
+
+#include "src/checks/checked_scene.hpp"
+
+namespace percuss {
+namespace {
+
+std::vector<const MaterialDeck*> list_used_materials(const Deck& deck) {
+  std::vector<const MaterialDeck*> used;
+  for (const MaterialDeck& material : deck.materials) {
+    const auto uses = [&](const PartDeck& part) { return part.material == material.name; };
+    if (std::any_of(deck.parts.begin(), deck.parts.end(), uses)) used.push_back(&material);
+  }
+  return used;
+}
+
+}  // namespace
+
+bool is_plausible(const MaterialDeck& material, const Units& units) {
+  const double density = material.density * units.in_si(dimensions::density);
+  const double speed = find_wave_speed(material) * units.in_si(dimensions::velocity);
+  return density >= least_density && density <= largest_density && speed >= least_wave_speed &&
+         speed <= largest_wave_speed;
+}
+
+std::vector<Units> find_plausible_units(const Deck& deck) {
+  const std::vector<const MaterialDeck*> used = list_used_materials(deck);
+  std::vector<Units> plausible;
+  for (const std::string& name : list_unit_systems()) {
+    const Units units = find_units(name).value();
+    if (std::all_of(used.begin(), used.end(),
+                    [&](const MaterialDeck* material) { return is_plausible(*material, units); }))
+      plausible.push_back(units);
+  }
+  return plausible;
+}
+
+bool is_dimensionless(const Deck& deck) {
+  constexpr double least = 0.01, most_density = 100, most_stiffness = 1e6;
+  return deck.units.empty() &&
+         std::all_of(deck.materials.begin(), deck.materials.end(), [&](const MaterialDeck& material) {
+           const double stiffness = find_stiffness(material);
+           return material.density >= least && material.density <= most_density && stiffness >= least &&
+                  stiffness <= most_stiffness;
+         });
+}
+
+std::vector<Units> find_meant_units(const Deck& deck) {
+  if (const auto named = find_units(deck.units)) return {*named};
+  return is_dimensionless(deck) ? std::vector<Units>{} : find_plausible_units(deck);
+}
+
+}  // namespace percuss

@@ -1,0 +1,28 @@
+#pragma once
+// Systems of units in which a deck can be meant, by what its numbers would be in SI.
+
+#include <vector>
+
+#include "src/deck/deck.hpp"
+#include "src/deck/units.hpp"
+
+namespace percuss {
+
+/// Densities and wave speeds of materials that a run may hold, in SI: from a gas at a thousandth of an atmosphere to
+/// osmium, from soft foam to diamond.
+inline constexpr double least_density = 1e-3, largest_density = 23000;
+inline constexpr double least_wave_speed = 10, largest_wave_speed = 20000;
+
+/// Whether a material is one that exists if the deck is meant in these units.
+bool is_plausible(const MaterialDeck& material, const Units& units);
+
+/// The usual systems in which all materials that parts use are plausible.
+std::vector<Units> find_plausible_units(const Deck& deck);
+
+/// Whether the deck seems to have no units on purpose: it names none, and its densities and moduli are near 1.
+bool is_dimensionless(const Deck& deck);
+
+/// The units that the deck names, or else all in which it can be meant; none of a dimensionless deck.
+std::vector<Units> find_meant_units(const Deck& deck);
+
+}  // namespace percuss

@@ -1,0 +1,36 @@
+#pragma once
+// Where the keys of a deck stand, for messages about values that are right alone and doubtful together.
+
+#include <map>
+#include <string>
+
+namespace percuss {
+
+struct Node;
+
+/// A place in the deck, both counted from 1; 0 if there is none (a default). A value of --set has line -1 for the first
+/// of them, -2 for the second.
+struct Place {
+  int line = 0;
+  int column = 0;
+};
+
+/// The places of keys by their paths: "parts.rod.box.size", "conditions.0.nodes". Items of lists are counted from 0.
+class KeyPlaces {
+ public:
+  KeyPlaces() = default;
+  explicit KeyPlaces(const Node& root);
+
+  /// Of the key, or, where the deck does not give it, of the closest map or list around it that the deck gives.
+  Place find(std::string path) const;
+
+  /// Whether the deck gives the key.
+  bool has(const std::string& path) const { return places_.count(path) > 0; }
+
+ private:
+  void note(const std::string& path, const Node& node);
+
+  std::map<std::string, Place> places_;
+};
+
+}  // namespace percuss

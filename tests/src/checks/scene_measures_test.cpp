@@ -1,0 +1,72 @@
+// What the rules know of a mesh is the same on any number of ranks, and right.
+
+#include "src/checks/scene_measures.hpp"
+
+#include <gtest/gtest.h>
+
+#include "src/deck/read_deck.hpp"
+#include "src/mesh/decompose.hpp"
+#include "src/step/model.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr const char* text = R"(
+time: {end: 1}
+parts:
+  plate: {box: {size: [2, 3, 0.1], cells: [20, 30, 1]}, material: m}
+  bar:   {box: {size: [8, 0.1, 0.1], cells: [80, 1, 1]}, at: [0, 5, 0], material: m}
+  sheet: {shell_plate: {size: [2, 2], cells: [16, 16]}, at: [0, 0, 1], thickness: 0.01, material: m}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}
+initial:
+  - {velocity: [0, 0, 1]}
+  - {part: sheet, velocity: [3, 4, 0]}
+  - {nodes: bar/x_min, velocity: [0, 0, 2]}
+conditions:
+  - {nodes: bar, fixed: [x]}
+  - {nodes: plate, fixed: [z]}
+  - {nodes: plate/x_min, fixed: [x, z]}
+)";
+
+SceneMeasures measure(const Communicator& ranks) {
+  const Deck deck = parse_deck(text, "deck.yaml");
+  const ChunkedMesh chunked = load_mesh(deck, ranks);
+  return measure_scene(deck, chunked, build_model(deck, chunked).start_velocity);
+}
+
+TEST(SceneMeasures, AreThoseOfOneRankOnAnyNumber) {
+  const SceneMeasures together = measure(Communicator::world()), alone = measure(Communicator(MPI_COMM_SELF));
+  ASSERT_EQ(together.parts.size(), alone.parts.size());
+  for (std::size_t p = 0; p < alone.parts.size(); ++p) EXPECT_EQ(together.parts[p], alone.parts[p]) << p;
+  EXPECT_EQ(together.initial, alone.initial);
+  EXPECT_EQ(together.low, alone.low);
+  EXPECT_EQ(together.high, alone.high);
+}
+
+TEST(SceneMeasures, SayHowLargeAndHowThickPartsAre) {
+  const std::vector<PartMeasures> parts = measure(Communicator::world()).parts;
+  ASSERT_EQ(parts.size(), 3U);
+  EXPECT_EQ(parts[0].solids, 600);
+  EXPECT_EQ(parts[0].single_layer, 600);
+  EXPECT_NEAR(parts[0].layer_thickness, 0.1, 1e-15);
+  EXPECT_NEAR(parts[0].extent(), 3, 1e-15);
+  EXPECT_NEAR(parts[0].shortest_edge, 0.1, 1e-14);
+  EXPECT_EQ(parts[1].single_layer, 0);  // a bar, not a sheet
+  EXPECT_EQ(parts[2].shells, 256);
+  EXPECT_EQ(parts[2].speed, 5);
+}
+
+TEST(SceneMeasures, CountNodesThatMoveAndThatAreStopped) {
+  const std::vector<InitialMeasures> initial = measure(Communicator::world()).initial;
+  ASSERT_EQ(initial.size(), 3U);
+  EXPECT_EQ(initial[0].selected, 21 * 31 * 2 + 81 * 4 + 17 * 17);
+  EXPECT_EQ(initial[0].governed, 21 * 31 * 2 + 80 * 4);
+  EXPECT_EQ(initial[0].stopped, 21 * 31 * 2);
+  EXPECT_EQ(initial[0].condition, 1);
+  EXPECT_EQ(initial[1].stopped, 0);
+  EXPECT_EQ(initial[2].governed, 4);
+  EXPECT_EQ(initial[2].condition, InitialMeasures::no_condition);
+}
+
+}  // namespace
+}  // namespace percuss

@@ -1,0 +1,120 @@
+// Velocities, conditions and loads.
+
+#include "tests/src/checks/suspicious_decks.hpp"
+
+namespace percuss {
+namespace {
+
+const std::string last_condition = "  - {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}\n";
+const std::string velocity = "{part: block, velocity: [0, 0, -20]}";
+const std::string gravity = "loads: {gravity: [0, 0, -9.81]}\n";
+
+std::pair<std::string, std::string> add_condition(const std::string& condition) {
+  return {last_condition, last_condition + "  - " + condition + "\n"};
+}
+
+std::pair<std::string, std::string> add_pressure(const std::string& value) {
+  return {gravity, "loads: {gravity: [0, 0, -9.81], pressure: [{faces: plate/z_max, value: " + value + "}]}\n"};
+}
+
+std::vector<SuspiciousDeck> velocity_decks() {
+  return {
+      {"FixedBodyWithAVelocity",
+       "stopped_velocity",
+       velocity,
+       {add_condition("{nodes: block, fixed: [x, y, z]}")},
+       {add_condition("{nodes: block, fixed: [x, y]}")}},
+      {"FixedSideWithAVelocity",
+       "stopped_velocity",
+       "{nodes: plate/x_min, velocity: [5",
+       {{velocity, velocity + ", {nodes: plate/x_min, velocity: [5, 0, 0]}"}},
+       {{velocity, velocity + ", {nodes: plate, velocity: [0, 0, 5]}"}}},
+      {"VelocityAcrossASymmetryPlane",
+       "stopped_velocity",
+       velocity,
+       {add_condition("{nodes: block, symmetry: z}")},
+       {add_condition("{nodes: block/x_min, symmetry: x}")}},
+      {"VelocityOfNodesThatAreDriven",
+       "stopped_velocity",
+       velocity,
+       {add_condition("{nodes: block, velocity: {z: -5}}")},
+       {add_condition("{nodes: block, velocity: {z: -20}}")}},
+      {"VelocityThatAnotherEntryReplaces",
+       "unused_velocity",
+       velocity,
+       {{velocity, velocity + ", {velocity: [0, 0, -5]}"}},
+       {{velocity, velocity + ", {nodes: plate, velocity: [0, 0, -5]}"}}},
+      {"VelocityInMillimetresPerSecond",
+       "fast_velocity",
+       "{part: block, velocity: [0, 0, -20000]",
+       {{"-20]", "-20000]"}},
+       {{"-20]", "-2000]"}}},
+      {"SpinInTurnsPerMinute",
+       "fast_velocity",
+       "{part: block, angular_velocity",
+       {{"velocity: [0, 0, -20]", "angular_velocity: [0, 0, 1e6]"}},
+       {{"velocity: [0, 0, -20]", "angular_velocity: [0, 0, 1e4]"}}},
+      {"UpwardVelocity", "unreached_body", "block: {", {{"-20]", "20]"}}, {{"-20]", "-10]"}}},
+      {"RunThatEndsBeforeTheImpact", "unreached_body", "block: {", {{"2.0e-4", "4.0e-6"}}, {{"2.0e-4", "6.0e-5"}}},
+      {"BlockThatStartsFarAway", "unreached_body", "block: {", {{"0.0111", "1.0"}}, {{"0.0111", "0.0135"}}},
+      {"BlockThatFliesPast",
+       "unreached_body",
+       "block: {",
+       {{"at: [0.04,", "at: [0.2,"}, {"point: [0, 0, -0.01], normal: z, friction: 0.2", "normal: z, nodes: plate"}},
+       {{"at: [0.04,", "at: [0.09,"}}},
+      {"NoVelocityAtAll",
+       "still_scene",
+       "end: 2.0e-4",
+       {{"initial: [" + velocity + "]\n", ""}, {gravity, ""}},
+       {{"initial: [" + velocity + "]\n", ""}}},
+      {"SheetThatNothingTouches",
+       "idle_part",
+       "sheet: {",
+       {{last_condition, ""},
+        {gravity, ""},
+        {"walls: [{point: [0, 0, -0.01], normal: z, friction: 0.2}]\n", ""},
+        {"surfaces: all", "surfaces: [[block, plate]]"}},
+       {{gravity, ""}, {"surfaces: all", "surfaces: [[block, plate]]"}}},
+  };
+}
+
+std::vector<SuspiciousDeck> load_decks() {
+  return {
+      {"PrescribedVelocityInMillimetres",
+       "prescribed_speed",
+       "z: -15000",
+       {add_condition("{nodes: block/z_max, velocity: {z: -15000}}")},
+       {add_condition("{nodes: block/z_max, velocity: {z: -1500}}")}},
+      {"PrescribedDisplacementInMillimetres",
+       "prescribed_speed",
+       "z: {table: [[0, 0], [1e-4, -5]]}",
+       {add_condition("{nodes: block/z_max, displacement: {z: {table: [[0, 0], [1e-4, -5]]}}}")},
+       {add_condition("{nodes: block/z_max, displacement: {z: {table: [[0, 0], [1e-4, -0.05]]}}}")}},
+      {"PressureThatIsCutOff",
+       "curve_end",
+       "value: {table",
+       {add_pressure("{table: [[0, 0], [1e-5, 2e6], [2e-5, 1e6]]}")},
+       {add_pressure("{table: [[0, 0], [1e-5, 2e6], [2e-5, 0]]}")}},
+      {"VelocityThatIsCutOff",
+       "curve_end",
+       "x: {table",
+       {add_condition("{nodes: plate/x_max, velocity: {x: {table: [[0, 0], [1e-5, 3], [2e-5, 1]]}}}")},
+       {add_condition("{nodes: plate/x_max, velocity: {x: {table: [[0, 0], [1e-5, 3]]}}}")}},
+      {"PressureInWrongUnits", "pressure_size", "value: 200e9", {add_pressure("200e9")}, {add_pressure("2e9")}},
+      {"GravityUpwards",
+       "gravity_direction",
+       "gravity: [0, 0, 9.81]",
+       {{"-9.81", "9.81"}},
+       {{"0, 0, -9.81", "9.81, 0, 0"}}},
+  };
+}
+
+}  // namespace
+
+std::vector<SuspiciousDeck> suspicious_conditions() {
+  std::vector<SuspiciousDeck> all = velocity_decks();
+  for (const SuspiciousDeck& deck : load_decks()) all.push_back(deck);
+  return all;
+}
+
+}  // namespace percuss

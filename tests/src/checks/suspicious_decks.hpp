@@ -1,0 +1,35 @@
+#pragma once
+// Decks with one mistake each that can be run all the same: what rule tells it, and where. Beside each a deck that
+// comes near the limit of the rule and is left alone.
+
+#include <string>
+#include <vector>
+
+namespace percuss {
+
+/// Texts replaced in a deck, in order; each must be there.
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
+struct SuspiciousDeck {
+  std::string name;   // CamelCase: the test's name
+  std::string rule;   // that warns
+  std::string place;  // the text at whose beginning the warning points
+  Changes mistake;    // of sound_deck
+  Changes near;       // of sound_deck: nearly the same, and no warning of the rule
+};
+
+/// A block that falls on a plate, with a sheet and a wall below. No rule finds anything in it.
+extern const std::string sound_deck;
+
+/// sound_deck with changes. Throws std::logic_error if a text is not there.
+std::string change(const Changes& changes);
+
+std::vector<SuspiciousDeck> suspicious_units();       // units and materials
+std::vector<SuspiciousDeck> suspicious_parts();       // sizes, places, contact
+std::vector<SuspiciousDeck> suspicious_conditions();  // velocities, conditions and loads
+std::vector<SuspiciousDeck> suspicious_output();      // time, output and settings
+
+/// All of them.
+std::vector<SuspiciousDeck> suspicious_decks();
+
+}  // namespace percuss

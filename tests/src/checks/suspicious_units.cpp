@@ -1,0 +1,143 @@
+// Units and materials.
+
+#include "tests/src/checks/suspicious_decks.hpp"
+
+namespace percuss {
+namespace {
+
+const std::pair<std::string, std::string> no_units{"units: m, kg, s\n", ""};
+const std::string aluminium =
+    "density: 2700, youngs_modulus: 70e9, poissons_ratio: 0.33, yield_stress: 120e6, hardening_modulus: 400e6";
+const std::string aluminium_in_mm =
+    "density: 2.7e-9, youngs_modulus: 70e3, poissons_ratio: 0.33, yield_stress: 120, hardening_modulus: 400";
+const std::pair<std::string, std::string> steel_in_mm{"density: 7850, youngs_modulus: 210e9",
+                                                      "density: 7.85e-9, youngs_modulus: 210e3"};
+
+const std::pair<std::string, std::string> no_sheet{
+    "  sheet: {shell_plate: {size: [0.1, 0.1], cells: [5, 5]}, at: [0, 0, -0.004], thickness: 0.002, material: "
+    "aluminium}\n",
+    ""};
+const std::pair<std::string, std::string> no_sheet_condition{"  - {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}\n",
+                                                             ""};
+
+std::vector<SuspiciousDeck> unit_decks() {
+  return {
+      {"DensityInTonnesPerCubicMillimetre",
+       "unit_system",
+       "density: 7.85e-9",
+       {no_units, {"7850", "7.85e-9"}},
+       {no_units}},
+      {"ModulusInGigapascal",
+       "unit_system",
+       "density: 7850",
+       {no_units, {"210e9", "210"}},
+       {no_units, {"210e9", "2e9"}}},
+      {"MaterialsInTwoSystems",
+       "unit_system",
+       "materials:",
+       {no_units, steel_in_mm},
+       {no_units, steel_in_mm, {aluminium, aluminium_in_mm}}},
+      {"DensityOfAnotherSystem", "density", "density: 7.85e-9", {{"7850", "7.85e-9"}}, {{"7850", "1.2"}}},
+      {"DensityAThousandTimesTooLarge", "density", "density: 7850e3", {{"7850", "7850e3"}}, {{"7850", "22600"}}},
+      {"ModulusInGigapascalBesideNamedUnits", "wave_speed", "steel: {", {{"210e9", "210"}}, {{"210e9", "1e6"}}},
+      {"ModulusInMegapascal", "wave_speed", "steel: {", {{"210e9", "210e3"}}, {{"210e9", "2e9"}}},
+      {"DensityInGramsPerCubicCentimetre", "wave_speed", "steel: {", {{"7850", "7.85"}}, {{"7850", "785"}}},
+      {"ModulusAThousandTimesTooLarge", "wave_speed", "aluminium: {", {{"70e9", "70e12"}}, {{"70e9", "700e9"}}},
+      {"LengthsInMetresBesideMillimetres",
+       "scene_size",
+       "parts:",
+       {{"m, kg, s", "mm, t, s"}, steel_in_mm, {aluminium, aluminium_in_mm}},
+       {{"m, kg, s", "cm, g, us"},
+        {"density: 7850, youngs_modulus: 210e9", "density: 7.85, youngs_modulus: 2.1"},
+        {aluminium,
+         "density: 2.7, youngs_modulus: 0.7, poissons_ratio: 0.33, yield_stress: 1.2e-3, hardening_modulus: 4e-3"}}},
+      {"LengthsInMetresOfADeckWithoutUnits",
+       "scene_size",
+       "parts:",
+       {no_units, steel_in_mm, {aluminium, aluminium_in_mm}},
+       {no_units}},
+      {"GravityInMillimetres", "gravity_size", "gravity: [0, 0, -9810]", {{"-9.81", "-9810"}}, {{"-9.81", "-981"}}},
+      {"GravityInMetresPerMillisecond",
+       "gravity_size",
+       "gravity: [0, 0, -9.81e-3]",
+       {{"-9.81", "-9.81e-3"}},
+       {{"-9.81", "-1.62"}}},
+  };
+}
+
+std::vector<SuspiciousDeck> material_decks() {
+  const std::string start = "elements: {";
+  return {
+      {"YieldStressInMegapascal", "yield_stress", "yield_stress: 120,", {{"120e6", "120"}}, {{"120e6", "120e3"}}},
+      {"YieldStressAboveATenthOfTheModulus",
+       "yield_stress",
+       "yield_stress: 120e9",
+       {{"120e6", "120e9"}},
+       {{"120e6", "2e9"}}},
+      {"YieldStressOfJohnsonAndCookInMegapascal",
+       "yield_stress",
+       "a: 806,",
+       {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
+         "johnson_cook, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3, a: 806, b: 614e6, n: 0.2, "
+         "melt_temperature: 1500, specific_heat: 460"}},
+       {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
+         "johnson_cook, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3, a: 806e6, b: 614e6, n: 0.2, "
+         "melt_temperature: 1500, specific_heat: 460"}}},
+      {"YieldStressOfATableInMegapascal",
+       "yield_stress",
+       "hardening: [[0, 120]",
+       {{"j2_plasticity", "tabulated_plasticity"},
+        {"yield_stress: 120e6, hardening_modulus: 400e6", "hardening: [[0, 120], [0.1, 160]]"}},
+       {{"j2_plasticity", "tabulated_plasticity"},
+        {"yield_stress: 120e6, hardening_modulus: 400e6", "hardening: [[0, 120e6], [0.1, 160e6]]"}}},
+      {"HardeningModulusOfTheModulus",
+       "hardening_modulus",
+       "hardening_modulus: 70e9",
+       {{"400e6", "70e9"}},
+       {{"400e6", "10e9"}}},
+      {"FailureStrainInPercent",
+       "failure_strain",
+       "plastic_strain: 20",
+       {{"400e6}", "400e6, failure: {plastic_strain: 20}}"}},
+       {{"400e6}", "400e6, failure: {plastic_strain: 2}}"}}},
+      {"LinearViscosityOfSix",
+       "viscosity",
+       "linear: 6",
+       {{"initial:", start + "bulk_viscosity: {linear: 6}}\ninitial:"}},
+       {{"initial:", start + "bulk_viscosity: {linear: 0.3}}\ninitial:"}}},
+      {"QuadraticViscosityOfAHundred",
+       "viscosity",
+       "quadratic: 120",
+       {{"initial:", start + "bulk_viscosity: {quadratic: 120}}\ninitial:"}},
+       {{"initial:", start + "bulk_viscosity: {quadratic: 4}}\ninitial:"}}},
+      {"HourglassCoefficientOfAHalf",
+       "viscosity",
+       "coefficient: 0.5",
+       {{"initial:", start + "hourglass: {kind: viscous, coefficient: 0.5}}\ninitial:"}},
+       {{"initial:", start + "hourglass: {kind: viscous, coefficient: 0.1}}\ninitial:"}}},
+      {"MassScalingWithoutBound",
+       "mass_scaling",
+       "max_added: 3",
+       {no_sheet, no_sheet_condition, {"2.0e-4}", "2.0e-4, mass_scaling: {step: 1e-9, max_added: 3}}"}},
+       {no_sheet, no_sheet_condition, {"2.0e-4}", "2.0e-4, mass_scaling: {step: 1e-9, max_added: 0.1}}"}}},
+      {"MaterialOfNoPart", "unused_material", "steel: {", {{"material: steel", "material: aluminium"}}, {}},
+      {"FluidHeldByItsHourglassControl",
+       "fluid_hourglass",
+       "steel: {",
+       {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
+         "fluid, density: 1000, equation_of_state: {kind: linear, bulk_modulus: 2e9}"}},
+       {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
+         "fluid, density: 1000, equation_of_state: {kind: linear, bulk_modulus: 2e9}"},
+        {"initial:", start + "hourglass: viscous}\ninitial:"}}},
+  };
+}
+
+}  // namespace
+
+std::vector<SuspiciousDeck> suspicious_units() {
+  std::vector<SuspiciousDeck> all = unit_decks();
+  for (const SuspiciousDeck& deck : material_decks()) all.push_back(deck);
+  return all;
+}
+
+}  // namespace percuss
