@@ -33,6 +33,8 @@ def run_deck(percuss, deck, work, limit):
     result.seconds = time.monotonic() - begin
     summary, history = folder / "out" / "summary.json", folder / "out" / "history.csv"
     result.summary = json.loads(summary.read_text()) if summary.exists() else {}
+    if result.summary.get("status") == "running":  # it was killed
+        result.summary = {}
     result.history = read_history(history) if history.exists() else {}
     shutil.rmtree(folder)
     return result

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <ctime>
 #include <optional>
+#include <system_error>
 
 #include "src/app/lock_holder.hpp"
 #include "src/output/atomic_file.hpp"
@@ -93,7 +94,13 @@ FolderLock::FolderLock(const std::string& folder)
                       path_, path_, path_, removal_suffix));
     judge_other();
   }
-  heartbeat_ = std::thread([this] { show_life(); });
+  try {
+    heartbeat_ = std::thread([this] { show_life(); });
+  } catch (const std::system_error& error) {
+    remove_lock(path_, text_);
+    throw SystemError(fmt::format("a thread cannot be started ({}): raise the limits of the shell (ulimit -u, ulimit -v)",
+                                  error.code().message()));
+  }
 }
 
 FolderLock::~FolderLock() {

@@ -81,6 +81,7 @@ TEST_P(PercussFaults, MemoryThatIsRefusedEndsTheRunWithOneMessage) {
   EXPECT_EQ(result.exit_code, 4) << result.err;
   EXPECT_EQ(count(result.err, "percuss: error: "), 1) << result.err;
   EXPECT_THAT(result.err, HasSubstr("percuss: error: memory is exhausted (the scene is too large for this machine)"));
+  EXPECT_FALSE(fs::exists(out_ + "/run.lock"));
 }
 #endif
 
