@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "src/output/progress.hpp"
+
 namespace percuss {
 namespace {
 
@@ -108,6 +110,15 @@ void add_time_rows(PlanTable& table, double reductions) {
   table.add("parallel efficiency [%]", "{:.1f}", [](const Column& c) { return 100 * c.step.efficiency; });
 }
 
+std::string format_run_time(double seconds) {
+  return seconds < 60 ? fmt::format("{:.2g} s", seconds) : format_duration(seconds);
+}
+
+void add_run_rows(PlanTable& table, double steps) {
+  table.add("run time", "{}", [=](const Column& c) { return format_run_time(steps * c.step.step()); });
+  table.add("core hours", "{:.3g}", [=](const Column& c) { return c.plan.ranks * steps * c.step.step() / 3600; });
+}
+
 std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {
   const Deck& deck = scene.deck;
   std::string text = fmt::format("deck     {}{}\n", deck.file, deck.title.empty() ? "" : ": " + deck.title);
@@ -115,6 +126,8 @@ std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {
   if (scene.pattern.has_pairs) {
     text += fmt::format("; {} contact nodes, {} contact faces", scene.contact_nodes, scene.contact_faces);
   }
+  text += fmt::format("\ntime     0 to {:g}; first step {:.4g}, {:.0f} steps of this length", deck.time.end,
+                      scene.first_step, count_steps(deck.time, scene.first_step));
   text += fmt::format("\nassumed  {:g} ns an element, latency {:g} s, bandwidth {:g} byte/s", figures.element_ns,
                       figures.latency, figures.bandwidth);
   if (scene.pattern.has_pairs || scene.pattern.has_walls) {
@@ -169,6 +182,7 @@ std::string format_plan(const PlannedScene& scene, const PlanFigures& figures, c
   add_mesh_rows(table);
   if (scene.pattern.has_pairs) add_contact_rows(table);
   add_time_rows(table, count_reductions(scene.pattern, figures));
+  add_run_rows(table, count_steps(scene.deck.time, scene.first_step));
   std::string text = format_head(scene, figures) + table.format();
   std::string warnings;
   for (const std::string& warning : scene.deck.warnings) warnings += warning + "\n";
