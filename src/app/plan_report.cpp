@@ -110,13 +110,17 @@ void add_time_rows(PlanTable& table, double reductions) {
   table.add("parallel efficiency [%]", "{:.1f}", [](const Column& c) { return 100 * c.step.efficiency; });
 }
 
-std::string format_run_time(double seconds) {
-  return seconds < 60 ? fmt::format("{:.2g} s", seconds) : format_duration(seconds);
+std::string format_run_time(double seconds) { return seconds < 1 ? "< 1 s" : format_duration(seconds); }
+
+std::string format_core_hours(double hours) {
+  if (hours < 0.01) return "< 0.01";
+  return hours < 100 ? fmt::format("{:.2f}", hours) : fmt::format("{:.0f}", hours);
 }
 
 void add_run_rows(PlanTable& table, double steps) {
   table.add("run time", "{}", [=](const Column& c) { return format_run_time(steps * c.step.step()); });
-  table.add("core hours", "{:.3g}", [=](const Column& c) { return c.plan.ranks * steps * c.step.step() / 3600; });
+  table.add("core hours", "{}",
+            [=](const Column& c) { return format_core_hours(c.plan.ranks * steps * c.step.step() / 3600); });
 }
 
 std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {

@@ -102,9 +102,15 @@ TEST(PlanReport, TellsRunTimeAndCoreHours) {
   const std::string text = planned.format();
   EXPECT_THAT(text, HasSubstr("\ntime     0 to 1; first step 0.25, 4 steps of this length\n"));
   EXPECT_THAT(text, testing::ContainsRegex("\nrun time +34 min 08 s +17 min 20 s\n"));
-  EXPECT_THAT(text, testing::ContainsRegex("\ncore hours +0.569 +0.578\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("\ncore hours +0.57 +0.58\n"));
   planned.figures.element_ns = 1e6;
-  EXPECT_THAT(planned.format(), testing::ContainsRegex("\nrun time +2 s +17 s\n"));
+  EXPECT_THAT(planned.format(), testing::ContainsRegex("\nrun time +2 s +17 s\ncore hours +< 0.01 +< 0.01\n"));
+  planned.figures.element_ns = 1e9 * 3600;
+  planned.figures.latency = 0;
+  EXPECT_THAT(planned.format(),
+              testing::ContainsRegex("\nrun time +2048 h 00 min +1024 h 00 min\ncore hours +2048 +2048\n"));
+  planned.figures.element_ns = 1;
+  EXPECT_THAT(planned.format(), testing::ContainsRegex("\nrun time +< 1 s +< 1 s\ncore hours +< 0.01 +< 0.01\n"));
 }
 
 TEST(PlanReport, WarnsOfRanksWithoutElements) {
