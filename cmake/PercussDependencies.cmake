@@ -1,4 +1,4 @@
-# Everything percuss links, found once. scripts/install_dependencies installs all of it on Debian 12.
+# Everything percuss links, found once. scripts/install_dependencies installs all of it on Debian 12 and 13.
 
 # The Kokkos that scripts/install_dependencies built is only a hint: CMAKE_PREFIX_PATH and Kokkos_ROOT win.
 set(_percuss_kind "")
@@ -19,18 +19,25 @@ if(NOT _percuss_backend_upper IN_LIST Kokkos_DEVICES)
     "PERCUSS_BACKEND is ${PERCUSS_BACKEND}, which this Kokkos (${Kokkos_DIR}) was not built for (it has ${Kokkos_DEVICES}). "
     "Choose another back end or run scripts/install_dependencies.")
 endif()
-# Kokkos Kernels comes from where that Kokkos is: those of another version would not compile with it.
+# Kokkos Kernels comes from where that Kokkos is: those of another version would not compile with it. In an installed
+# Trilinos it tells no version, and belongs to the Kokkos beside it.
 find_package(KokkosKernels QUIET HINTS "${Kokkos_DIR}/../../.." "${_percuss_kokkos}")
 string(REGEX MATCH "^[0-9]+\\.[0-9]+" _percuss_kokkos_minor "${Kokkos_VERSION}")
 string(REGEX MATCH "^[0-9]+\\.[0-9]+" _percuss_kernels_minor "${KokkosKernels_VERSION}")
-if(NOT KokkosKernels_FOUND OR NOT _percuss_kokkos_minor VERSION_EQUAL _percuss_kernels_minor)
+if(NOT KokkosKernels_FOUND OR (KokkosKernels_VERSION AND NOT _percuss_kokkos_minor VERSION_EQUAL _percuss_kernels_minor))
   message(FATAL_ERROR "no Kokkos Kernels ${_percuss_kokkos_minor} beside Kokkos ${Kokkos_VERSION} in '${Kokkos_DIR}' (found "
     "'${KokkosKernels_VERSION}' in '${KokkosKernels_DIR}'). Install it there, or name it with -DKokkosKernels_DIR=...")
+endif()
+if(NOT TARGET Kokkos::kokkoskernels) # Trilinos' name of it
+  add_library(Kokkos::kokkoskernels ALIAS KokkosKernels::all_libs)
 endif()
 find_package(MPI REQUIRED COMPONENTS CXX C)
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 REQUIRED COMPONENTS C)
 find_package(yaml-cpp REQUIRED)
+if(NOT TARGET yaml-cpp::yaml-cpp) # before yaml-cpp 0.8
+  add_library(yaml-cpp::yaml-cpp ALIAS yaml-cpp)
+endif()
 find_package(fmt REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)

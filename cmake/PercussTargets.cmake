@@ -61,11 +61,19 @@ endfunction()
 # Everything that tests of label unit run, to be built without the rest. Elsewhere: add_dependencies(unit_tests PROGRAM).
 add_custom_target(unit_tests)
 
+# percuss_add_test_library(name SOURCES a.cpp ... LINK lib ...): what several tests share, compiled once.
+function(percuss_add_test_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC percuss_options ${arg_LINK} Kokkos::kokkos GTest::gtest GTest::gmock)
+  percuss_reuse_headers(${name} percuss_test_headers)
+endfunction()
+
 # percuss_add_test(name LABEL unit SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable and its ctest entry.
 function(percuss_add_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
-  add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/test_main.cpp)
-  target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} percuss_comm Kokkos::kokkos GTest::gtest GTest::gmock)
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} percuss_test_main)
   percuss_reuse_headers(${name} percuss_test_headers)
   if(arg_LABEL STREQUAL unit)
     add_dependencies(unit_tests ${name})
@@ -92,8 +100,8 @@ endif()
 # mpirun, with one ctest entry for each number of ranks, label mpi. Up to two ranks run two threads each.
 function(percuss_add_mpi_test name)
   cmake_parse_arguments(arg "" "" "RANKS;SOURCES;LINK" ${ARGN})
-  add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/mpi_test_main.cpp)
-  target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} percuss_comm Kokkos::kokkos GTest::gtest GTest::gmock)
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} percuss_mpi_test_main)
   percuss_reuse_headers(${name} percuss_test_headers)
   foreach(ranks IN LISTS arg_RANKS)
     set(threads 1)

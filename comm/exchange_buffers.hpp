@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/core/host_mirror.hpp"
 #include "kernels/core/views.hpp"
 
 namespace percuss {
@@ -15,7 +16,7 @@ namespace percuss {
 using RowItem = std::array<double, 3>;
 
 /// The rows of a host view as items.
-inline std::span<RowItem> as_items(const Rows3<double>::HostMirror& rows) {
+inline std::span<RowItem> as_items(const HostMirror<Rows3<double>>& rows) {
   return {reinterpret_cast<RowItem*>(rows.data()), rows.extent(0)};
 }
 

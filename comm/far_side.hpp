@@ -11,6 +11,7 @@
 #include "comm/communicator.hpp"
 #include "comm/cut_tree.hpp"
 #include "comm/rcb_points.hpp"
+#include "kernels/core/host_mirror.hpp"
 
 namespace percuss {
 
@@ -49,7 +50,7 @@ class TravellingPoints {
   void make_room(std::size_t count);
 
   RcbPoints points_;
-  Records::HostMirror sent_;  // under way
+  HostMirror<Records> sent_;  // under way
   MPI_Request request_ = MPI_REQUEST_NULL;
   Array<int> leaving_;  // [room] ascending, leaving_count_ of them
   int leaving_count_ = 0;

@@ -8,6 +8,7 @@
 
 #include "comm/data_exchange.hpp"
 #include "comm/halo_plan.hpp"
+#include "kernels/core/host_mirror.hpp"
 #include "kernels/core/views.hpp"
 
 namespace percuss {
@@ -31,7 +32,7 @@ class HaloSwap {
   int first_remote_slot_;
   Array<int> send_slots_;
   Rows3<double> send_values_, remote_values_;               // remote_values_: the remote part of slot_values
-  Rows3<double>::HostMirror send_buffer_, receive_buffer_;  // the same two where kernels run on host memory
+  HostMirror<Rows3<double>> send_buffer_, receive_buffer_;  // the same two where kernels run on host memory
   DataExchange data_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "comm/data_exchange.hpp"
 #include "comm/shared_nodes.hpp"
+#include "kernels/core/host_mirror.hpp"
 #include "kernels/core/views.hpp"
 
 namespace percuss {
@@ -38,7 +39,7 @@ class NodeCopies {
   ExchangePlan exchange_;
   Array<int> send_nodes_, receive_nodes_;
   Rows3<double> send_values_, receive_values_;
-  Rows3<double>::HostMirror send_buffer_, receive_buffer_;
+  HostMirror<Rows3<double>> send_buffer_, receive_buffer_;
   DataExchange data_;
 };
 

@@ -1,6 +1,5 @@
 #include "kernels/contact/coupled_rows.hpp"
 
-#include <KokkosKernels_SparseUtils.hpp>
 #include <KokkosSparse_CrsMatrix.hpp>
 #include <KokkosSparse_spgemm.hpp>
 
@@ -94,6 +93,23 @@ Coefficients list_coefficients(const std::vector<CoupledRow>& rows, const NodeNu
   return list;
 }
 
+template <class T, class View>
+std::vector<T> list_values(const View& view) {
+  const auto host = to_host(view);
+  return {host.data(), host.data() + host.extent(0)};
+}
+
+/// The matrix with the columns of each row ascending. Transposing twice is what every version of Kokkos Kernels allows:
+/// where its own sort is found, and whether it is public, depends on the version.
+Matrix sort_columns(const Matrix& a) {
+  MatrixRows rows;
+  rows.offset = list_values<int>(a.graph.row_map);
+  rows.column = list_values<int>(a.graph.entries);
+  rows.value = list_values<double>(a.values);
+  const int num_columns = a.numCols();
+  return transpose(transpose(rows, num_columns), rows.num_rows()).make("contact::A", num_columns);
+}
+
 Matrix multiply(const Matrix& a, const Matrix& b) {
   KokkosKernels::Experimental::KokkosKernelsHandle<int, int, double, ExecSpace, MemSpace, MemSpace> handle;
   handle.create_spgemm_handle(KokkosSparse::SPGEMM_KK);
@@ -101,8 +117,7 @@ Matrix multiply(const Matrix& a, const Matrix& b) {
   KokkosSparse::spgemm_symbolic(handle, a, false, b, false, c);
   KokkosSparse::spgemm_numeric(handle, a, false, b, false, c);
   handle.destroy_spgemm_handle();
-  KokkosKernels::Impl::sort_crs_matrix(c);  // sums over a row have one order
-  return c;
+  return sort_columns(c);  // sums over a row have one order
 }
 
 }  // namespace

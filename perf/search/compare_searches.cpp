@@ -5,6 +5,7 @@
 // "kept": the order of the last search serves, as it nearly always does in a run; "ordered": a new order is made.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>

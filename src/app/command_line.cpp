@@ -43,7 +43,7 @@ Environment:
   OMP_PROC_BIND     how OpenMP binds threads to cores; without it, not at all
   OMP_WAIT_POLICY   how threads wait; without it, they spin for some 20 microseconds and then sleep
 
-`percuss COMMAND --help` tells more about a command; docs/deck.md describes the deck.
+`percuss help COMMAND` or `percuss COMMAND --help` tells more about a command; `percuss version` prints the version. docs/deck.md describes the deck.
 )";
 
 constexpr const char* run_help = R"(
@@ -83,8 +83,8 @@ Examples:
 
 constexpr const char* plan_help = R"(
 Finds on one process, without mpirun, how the scene would be divided among ranks: elements and contact surfaces of each
-rank, what they send each other, memory, and from a few figures of the machine the time of a step and the parallel
-efficiency. A column for each number of ranks; docs/plan.md tells what every line means. Runs nothing and writes no file;
+rank, what they send each other, memory, and from a few figures of the machine the time of a step, the parallel
+efficiency, the run time and the core hours. A column for each number of ranks; docs/plan.md tells what every line means. Runs nothing and writes no file;
 takes memory for the whole mesh.
 
 Examples:
@@ -265,8 +265,8 @@ Answer refuse_extra(const std::string& extra, const CLI::App& app, const std::st
     return wrong(fmt::format("unknown option '{}'{}", name, name_hint(name, known)), command);
   }
   if (command.empty()) {
-    return wrong(
-        fmt::format("unknown command '{}'{}", extra, name_hint(extra, {"run", "check", "plan", "info", "schema"})));
+    return wrong(fmt::format("unknown command '{}'{}", extra,
+                             name_hint(extra, {"run", "check", "plan", "info", "schema", "help", "version"})));
   }
   const char* takes = command == "schema" ? "none" : "one file";
   return wrong(fmt::format("'{}' is one argument too many (percuss {} takes {})", extra, command, takes), command);
@@ -320,11 +320,31 @@ std::optional<Answer> refuse_empty_setting(const Command& command) {
   return std::nullopt;
 }
 
+/// Answers `help`, `help COMMAND` and `version`, which stand for options; nothing for other words. They are no commands
+/// of the library, which would then take a deck of such a name for one.
+std::optional<Answer> answer_word(const std::vector<std::string>& words, const Parser& parser) {
+  if (words.empty() || (words[0] != "help" && words[0] != "version")) return std::nullopt;
+  const bool is_help = words[0] == "help";
+  if (words.size() > (is_help ? 2 : 1)) {
+    return wrong(fmt::format("'{}' is one argument too many (percuss {})", words.back(),
+                             is_help ? "help takes one command" : "version takes none"));
+  }
+  if (!is_help) return Answer{describe_version(), ExitCode::done};
+  if (words.size() == 1 || words[1] == "help" || words[1] == "version" || words[1].starts_with('-')) {
+    return Answer{parser.app.help(), ExitCode::done};
+  }
+  const auto named =
+      parser.app.get_subcommands([&](const CLI::App* command) { return command->get_name() == words[1]; });
+  if (named.empty()) return refuse_extra(words[1], parser.app, "");
+  return Answer{named.front()->help("percuss"), ExitCode::done};
+}
+
 }  // namespace
 
 std::variant<Command, Answer> parse_command_line(int argc, const char* const* argv) {
   if (const auto refusal = refuse_empty_argument(argc, argv)) return *refusal;
   Parser parser;
+  if (auto answer = answer_word({argv + std::min(argc, 1), argv + argc}, parser)) return *std::move(answer);
   try {
     parser.app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

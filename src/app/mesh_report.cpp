@@ -1,6 +1,7 @@
 #include "src/app/mesh_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

@@ -3,12 +3,25 @@
 #include "src/app/commands.hpp"
 #include "src/app/plan_report.hpp"
 #include "src/app/read_together.hpp"
+#include "src/contact/contact_stage.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/output/safe_text.hpp"
+#include "src/step/model.hpp"
+#include "src/step/state.hpp"
+#include "src/step/step.hpp"
 
 namespace percuss {
 namespace {
+
+/// First time step of the scene, as `check` finds it [time unit of the deck].
+double find_first_step(const Deck& deck, const ChunkedMesh& whole, const Communicator& self) {
+  const Model model = build_model(deck, whole);
+  ContactStage contact(whole, deck, self);
+  State state = make_initial_state(model);
+  Stepper(deck, whole, model, contact).start(state);
+  return state.next_dt;
+}
 
 std::string make_plan(const Command& command) {
   const Communicator self(MPI_COMM_SELF);
@@ -29,6 +42,7 @@ std::string make_plan(const Command& command) {
                            numbering.chunk_count(),
                            contact.nodes(),
                            contact.faces(),
+                           find_first_step(deck, whole, self),
                            find_step_pattern(deck, contact)};
   return format_plan(scene, command.figures, plans);
 }

@@ -71,6 +71,11 @@ StepPattern find_step_pattern(const Deck& deck, const ContactPlanner& contact) {
   return {deck.gravity != Vec3{}, contact.points() > 0, !deck.walls.empty(), deck.contact.reuse_search, has_shells};
 }
 
+double count_steps(const TimeDeck& time, double first_step) {
+  const double to_end = std::ceil(time.end / first_step);
+  return time.max_steps ? std::min(to_end, static_cast<double>(*time.max_steps)) : to_end;
+}
+
 double count_reductions(const StepPattern& pattern, const PlanFigures& figures) {
   double count = 1;                  // the step, failures and stops
   if (pattern.has_gravity) ++count;  // momentum

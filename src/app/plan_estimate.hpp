@@ -49,6 +49,9 @@ struct StepEstimate {
   double step() const { return computing + halo + contact + reductions; }
 };
 
+/// Steps to the end of the deck, if all are as long as the first one [time unit of the deck], or what max_steps allows.
+double count_steps(const TimeDeck& time, double first_step);
+
 /// Reductions over all ranks in a step, a mean over the steps between two searches.
 double count_reductions(const StepPattern& pattern, const PlanFigures& figures);
 

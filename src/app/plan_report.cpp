@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "src/checks/rules.hpp"
+#include "src/output/progress.hpp"
 #include "src/output/warning_log.hpp"
 
 namespace percuss {
@@ -111,6 +112,19 @@ void add_time_rows(PlanTable& table, double reductions) {
   table.add("parallel efficiency [%]", "{:.1f}", [](const Column& c) { return 100 * c.step.efficiency; });
 }
 
+std::string format_run_time(double seconds) { return seconds < 1 ? "< 1 s" : format_duration(seconds); }
+
+std::string format_core_hours(double hours) {
+  if (hours < 0.01) return "< 0.01";
+  return hours < 100 ? fmt::format("{:.2f}", hours) : fmt::format("{:.0f}", hours);
+}
+
+void add_run_rows(PlanTable& table, double steps) {
+  table.add("run time", "{}", [=](const Column& c) { return format_run_time(steps * c.step.step()); });
+  table.add("core hours", "{}",
+            [=](const Column& c) { return format_core_hours(c.plan.ranks * steps * c.step.step() / 3600); });
+}
+
 std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {
   const Deck& deck = scene.deck;
   std::string text = fmt::format("deck     {}{}\n", deck.file, deck.title.empty() ? "" : ": " + deck.title);
@@ -118,6 +132,8 @@ std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {
   if (scene.pattern.has_pairs) {
     text += fmt::format("; {} contact nodes, {} contact faces", scene.contact_nodes, scene.contact_faces);
   }
+  text += fmt::format("\ntime     0 to {:g}; first step {:.4g}, {:.0f} steps of this length", deck.time.end,
+                      scene.first_step, count_steps(deck.time, scene.first_step));
   text += fmt::format("\nassumed  {:g} ns an element, latency {:g} s, bandwidth {:g} byte/s", figures.element_ns,
                       figures.latency, figures.bandwidth);
   if (scene.pattern.has_pairs || scene.pattern.has_walls) {
@@ -187,6 +203,7 @@ std::string format_plan(const PlannedScene& scene, const PlanFigures& figures, c
   add_mesh_rows(table);
   if (scene.pattern.has_pairs) add_contact_rows(table);
   add_time_rows(table, count_reductions(scene.pattern, figures));
+  add_run_rows(table, count_steps(scene.deck.time, scene.first_step));
   std::string text = format_head(scene, figures) + table.format();
   const std::string warnings = format_warnings(scene, columns);
   return warnings.empty() ? text : text + "\n" + warnings;

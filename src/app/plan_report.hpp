@@ -12,6 +12,7 @@ namespace percuss {
 struct PlannedScene {
   const Deck& deck;
   std::int64_t elements = 0, nodes = 0, chunks = 0, contact_nodes = 0, contact_faces = 0;
+  double first_step = 0;  // time unit of the deck, above zero
   StepPattern pattern;
 };
 

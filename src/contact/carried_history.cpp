@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/host_mirror.hpp"
 #include "src/contact/edge_records.hpp"
 #include "src/contact/gather_items.hpp"
 #include "src/contact/number_map.hpp"
@@ -41,10 +42,10 @@ struct HostHistory {
     Kokkos::deep_copy(history.ties, ties);
   }
 
-  Array<std::int64_t>::HostMirror face;
-  Rows3<double>::HostMirror impulse, slip;
-  Array<double>::HostMirror reference;
-  Rows3<double>::HostMirror ties;
+  HostMirror<Array<std::int64_t>> face;
+  HostMirror<Rows3<double>> impulse, slip;
+  HostMirror<Array<double>> reference;
+  HostMirror<Rows3<double>> ties;
 };
 
 void carry_nodes(const HostHistory& old, const HistoryOwners& before, const HistoryOwners& now, HostHistory& out) {

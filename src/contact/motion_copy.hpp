@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/core/host_mirror.hpp"
 #include "src/contact/contact_finder.hpp"
 #include "src/contact/remote_items.hpp"
 
@@ -47,7 +48,7 @@ class MotionCopy {
   RemoteItems nodes_;
   Array<Item> sent_ = Array<Item>("contact::sent_motion", 0);
   Array<Item> received_ = Array<Item>("contact::received_motion", 0);
-  Array<Item>::HostMirror send_buffer_, receive_buffer_;
+  HostMirror<Array<Item>> send_buffer_, receive_buffer_;
   Rows3<double> x_ = Rows3<double>("contact::check_x", 0), v_ = Rows3<double>("contact::check_v", 0);
 };
 

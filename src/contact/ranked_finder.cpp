@@ -39,13 +39,13 @@ void mark_read_nodes(const Space& space, const ContactSurface& surface, const Ca
       "contact::clear_wanted", RangeOf<Space>(space, 0, s.num_nodes), KOKKOS_LAMBDA(int n) { is_wanted(n) = 0; });
   Kokkos::parallel_for(
       "contact::want_nodes", RangeOf<Space>(space, 0, pairs.num_nodes),
-      KOKKOS_LAMBDA(int i) { Kokkos::atomic_assign(&is_wanted(nodes(i)), 1); });
+      KOKKOS_LAMBDA(int i) { Kokkos::atomic_fetch_or(&is_wanted(nodes(i)), 1); });
   Kokkos::parallel_for(
       "contact::want_corners", RangeOf<Space>(space, 0, pairs.num_faces), KOKKOS_LAMBDA(int i) {
         const int f = faces(i);
         for (int c = 0; c < 4; ++c) {
-          Kokkos::atomic_assign(&is_wanted(s.face_corners(f, c)), 1);
-          if (is_boxed(i) != 0) Kokkos::atomic_assign(&is_wanted(s.face_backs(f, c)), 1);
+          Kokkos::atomic_fetch_or(&is_wanted(s.face_corners(f, c)), 1);
+          if (is_boxed(i) != 0) Kokkos::atomic_fetch_or(&is_wanted(s.face_backs(f, c)), 1);
         }
       });
   space.fence();

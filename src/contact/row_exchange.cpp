@@ -4,6 +4,7 @@
 
 #include "comm/item_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/host_mirror.hpp"
 
 namespace percuss {
 namespace {
@@ -73,7 +74,7 @@ void RowExchange::receive_nodes(RowSystem& system) {
   const auto spring = to_host(system.at.spring);
   const bool has_springs = spring.extent(0) > 0;
   std::vector<ForeignData> send(at(system.num_remote));
-  std::vector<Rows3<double>::HostMirror> hosts;
+  std::vector<HostMirror<Rows3<double>>> hosts;
   for (const Rows3<double>* view : rows) hosts.push_back(to_host(*view));
   for (std::size_t k = 0; k < send.size(); ++k) {
     const auto a = at(place(k));

@@ -7,6 +7,7 @@
 // key: the tables in *_keys.cpp.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <limits>

@@ -26,15 +26,6 @@ double share_done(const ProgressState& state) {
   return std::min(1.0, state.time / state.end_time);
 }
 
-// 45 s, 12 min 05 s, 3 h 07 min
-std::string format_duration(double time) {
-  if (!std::isfinite(time)) return "?";
-  const auto whole = static_cast<long long>(std::min(time, 1e9) + 0.5);
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
-}
-
 std::size_t terminal_width(std::FILE* stream) {
   winsize size{};
   const bool known = ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
@@ -42,6 +33,14 @@ std::size_t terminal_width(std::FILE* stream) {
 }
 
 }  // namespace
+
+std::string format_duration(double time) {
+  if (!std::isfinite(time)) return "?";
+  const auto whole = static_cast<long long>(std::min(time, 1e9) + 0.5);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
 
 Progress::Style Progress::choose_style(std::FILE* stream) {
   return ::isatty(::fileno(stream)) == 1 ? Style::live : Style::plain;

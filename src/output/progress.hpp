@@ -20,6 +20,9 @@ void print_quietly(std::FILE* stream, fmt::format_string<Args...> format, Args&&
   std::fputs(make_printable(fmt::format(format, std::forward<Args>(args)...)).c_str(), stream);
 }
 
+/// "45 s", "12 min 05 s", "3 h 07 min"; "?" for what is not finite. time: [s]
+std::string format_duration(double time);
+
 struct ProgressState {
   long step = 0;
   double time = 0, end_time = 0, dt = 0;

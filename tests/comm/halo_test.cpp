@@ -11,6 +11,7 @@
 #include "comm/halo_plan.hpp"
 #include "comm/halo_swap.hpp"
 #include "comm/node_copies.hpp"
+#include "kernels/core/host_mirror.hpp"
 #include "tests/comm/random_numbers.hpp"
 
 namespace percuss::test {
@@ -98,7 +99,7 @@ Rows3<double> fill_slots(const RankPart& part, const HaloPlan& plan) {
   return values;
 }
 
-double add_slots(const SlotLists& lists, const Rows3<double>::HostMirror& values, std::size_t node, int direction) {
+double add_slots(const SlotLists& lists, const HostMirror<Rows3<double>>& values, std::size_t node, int direction) {
   double sum = 0;
   for (int s = lists.first[node]; s < lists.first[node + 1]; ++s) {
     sum += values(lists.slots[static_cast<std::size_t>(s)], direction);

@@ -100,6 +100,32 @@ TEST(CommandLine, TellsItsVersion) {
   EXPECT_THAT(answer({"--version"}).text, HasSubstr("percuss " PERCUSS_VERSION));
 }
 
+TEST(CommandLine, HelpsAndTellsItsVersionByWordsToo) {
+  EXPECT_EQ(answer({"help"}).exit_code, ExitCode::done);
+  EXPECT_EQ(answer({"help"}).text, answer({"--help"}).text);
+  EXPECT_EQ(answer({"version"}).exit_code, ExitCode::done);
+  EXPECT_EQ(answer({"version"}).text, answer({"--version"}).text);
+  for (const char* name : {"run", "check", "plan", "info", "schema"}) {
+    EXPECT_EQ(answer({"help", name}).exit_code, ExitCode::done) << name;
+    EXPECT_EQ(answer({"help", name}).text, answer({name, "--help"}).text) << name;
+  }
+  for (const char* word : {"help", "version", "--help"}) {
+    EXPECT_EQ(answer({"help", word}).text, answer({"--help"}).text) << word;
+  }
+  EXPECT_THAT(answer({"help"}).text, HasSubstr("`percuss help COMMAND`"));
+}
+
+TEST(CommandLine, RefusesHelpOfWhatIsNoCommand) {
+  EXPECT_EQ(answer({"help", "rnu"}).exit_code, ExitCode::wrong_input);
+  EXPECT_THAT(answer({"help", "rnu"}).text, HasSubstr("unknown command 'rnu' (did you mean 'run'?)"));
+  EXPECT_THAT(answer({"hlep"}).text, HasSubstr("unknown command 'hlep' (did you mean 'help'?)"));
+  EXPECT_THAT(answer({"help", "run", "deck.yaml"}).text,
+              HasSubstr("'deck.yaml' is one argument too many (percuss help takes one command)"));
+  EXPECT_THAT(answer({"version", "2"}).text, HasSubstr("'2' is one argument too many (percuss version takes none)"));
+  EXPECT_EQ(answer({"version", "2"}).exit_code, ExitCode::wrong_input);
+  EXPECT_EQ(command({"run", "help"}).file, "help") << "a deck may have any name";
+}
+
 TEST(CommandLine, HelpsWhenNothingIsAsked) {
   EXPECT_EQ(answer({}).exit_code, ExitCode::wrong_input);
   EXPECT_THAT(answer({}).text, HasSubstr("Usage: percuss"));
@@ -107,7 +133,7 @@ TEST(CommandLine, HelpsWhenNothingIsAsked) {
 
 TEST(CommandLine, HintsAtWhatWasMeant) {
   EXPECT_THAT(answer({"rnu", "deck.yaml"}).text, HasSubstr("unknown command 'rnu' (did you mean 'run'?)"));
-  EXPECT_THAT(answer({"simulate"}).text, HasSubstr("(known: run, check, plan, info, schema)"));
+  EXPECT_THAT(answer({"simulate"}).text, HasSubstr("(known: run, check, plan, info, schema, help, version)"));
   EXPECT_THAT(answer({"run", "d", "--ouT", "x"}).text, HasSubstr("unknown option '--ouT' (did you mean '--out'?)"));
   EXPECT_THAT(answer({"--hepl"}).text, HasSubstr("unknown option '--hepl' (did you mean '--help'?)"));
   EXPECT_THAT(answer({"run"}).text, HasSubstr("percuss run needs a deck"));

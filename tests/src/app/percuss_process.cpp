@@ -79,7 +79,7 @@ ProcessResult interrupt_percuss(const std::vector<std::string>& arguments, const
 
 std::string launch_on(int ranks) {
   return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 "
-         "OMP_NUM_THREADS=1 " PERCUSS_MPIEXEC " --oversubscribe --bind-to none -n " +
+         "OMP_NUM_THREADS=1 " PERCUSS_MPIEXEC " " +
          std::to_string(ranks);
 }
 

@@ -102,6 +102,9 @@ TEST(PercussPlan, TellsTheDivisionOverManyRanksAndWritesNoFile) {
   EXPECT_THAT(result.out, HasSubstr("Two blocks fly"));
   EXPECT_THAT(result.out, HasSubstr("576 elements in 9 chunks"));
   EXPECT_THAT(result.out, HasSubstr("elements a rank, mean        576.0   192.0\n"));
+  const std::string check = run_percuss({"check", file}).out, steps = check.substr(check.find("first step "), 15);
+  EXPECT_THAT(result.out, HasSubstr(steps)) << check;
+  EXPECT_THAT(result.out, HasSubstr("\ncore hours "));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
   EXPECT_EQ(run_percuss({"plan", file, "--ranks", "1,3"}, launch_on(2)).out, result.out);
 }

@@ -34,7 +34,7 @@ struct Planned {
   std::string format() const {
     const Numbering& numbering = whole.numbering;
     return format_plan({deck, numbering.element_count(), numbering.node_count(), numbering.chunk_count(),
-                        contact.nodes(), contact.faces(), find_step_pattern(deck, contact)},
+                        contact.nodes(), contact.faces(), first_step, find_step_pattern(deck, contact)},
                        figures, plans);
   }
 
@@ -45,6 +45,7 @@ struct Planned {
   ContactPlanner contact;
   std::vector<RanksPlan> plans;
   PlanFigures figures;
+  double first_step = 0.25;
 };
 
 TEST(PlanEstimate, AddsUpComputingMessagesAndReductions) {
@@ -81,6 +82,35 @@ TEST(PlanReport, HasAColumnForEachNumberOfRanks) {
   EXPECT_THAT(text, testing::ContainsRegex("\nparallel efficiency .%. +100.0 "));
   EXPECT_EQ(text.find("contact points"), std::string::npos);
   EXPECT_EQ(text.find("warning"), std::string::npos);
+}
+
+TEST(PlanEstimate, CountsTheStepsToTheEnd) {
+  TimeDeck time;
+  time.end = 1;
+  EXPECT_EQ(count_steps(time, 0.25), 4);
+  EXPECT_EQ(count_steps(time, 0.3), 4);
+  time.max_steps = 3;
+  EXPECT_EQ(count_steps(time, 0.25), 3);
+  time.max_steps = 9;
+  EXPECT_EQ(count_steps(time, 0.25), 4);
+}
+
+// 512 elements of 1 s are 512 s a step on one core; on two a step takes half of it and 4 s for two messages.
+TEST(PlanReport, TellsRunTimeAndCoreHours) {
+  Planned planned(bar, {1, 2});
+  planned.figures = {.latency = 2, .bandwidth = 1e30, .element_ns = 1e9};
+  const std::string text = planned.format();
+  EXPECT_THAT(text, HasSubstr("\ntime     0 to 1; first step 0.25, 4 steps of this length\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("\nrun time +34 min 08 s +17 min 20 s\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("\ncore hours +0.57 +0.58\n"));
+  planned.figures.element_ns = 1e6;
+  EXPECT_THAT(planned.format(), testing::ContainsRegex("\nrun time +2 s +17 s\ncore hours +< 0.01 +< 0.01\n"));
+  planned.figures.element_ns = 1e9 * 3600;
+  planned.figures.latency = 0;
+  EXPECT_THAT(planned.format(),
+              testing::ContainsRegex("\nrun time +2048 h 00 min +1024 h 00 min\ncore hours +2048 +2048\n"));
+  planned.figures.element_ns = 1;
+  EXPECT_THAT(planned.format(), testing::ContainsRegex("\nrun time +< 1 s +< 1 s\ncore hours +< 0.01 +< 0.01\n"));
 }
 
 TEST(PlanReport, WarnsOfRanksWithoutElements) {
