@@ -14,7 +14,6 @@
 #include "src/step/run_notes.hpp"
 #include "src/step/state.hpp"
 #include "src/step/step.hpp"
-#include "src/step/whole_mesh.hpp"
 
 namespace percuss {
 namespace {
@@ -65,7 +64,7 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
 std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked, const StartNotice& overlap) {
   WarningLog log(deck.silenced);
   log.add(deck.warnings);
-  log.add(find_start_warnings(chunked, find_ranks(chunked.mesh).size()));
+  log.add(find_start_warnings(deck, chunked));
   if (overlap.is_warning()) log.add({overlap.rule, overlap.text, "", 0, 1});
   return log.list();
 }

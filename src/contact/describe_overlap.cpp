@@ -54,20 +54,28 @@ std::string describe_nodes(const StartOverlap& found, const char* treatment, con
   return line;
 }
 
+/// Of contacts as deep as the deepest. What is too deep is not pushed, and says nothing of the others' depth.
+double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overlap) {
+  if (overlap == ContactDeck::Overlap::accept || found.too_deep > 0) return 0;
+  return static_cast<double>(found.nodes) * found.deepest * found.deepest +
+         static_cast<double>(found.edge_pairs) * found.deepest_edges * found.deepest_edges;
+}
+
 }  // namespace
 
 StartNotice describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
                              std::int64_t deepest_id) {
   if (found.nodes == 0 && found.edge_pairs == 0) return {};
+  const double pushed = find_pushed_square(found, overlap);
   const char* const treatment =
       overlap == ContactDeck::Overlap::accept ? "accepted as the reference" : "pushed out slowly";
   const std::string edges = fmt::format("{} pair{} of edges overlap{}", found.edge_pairs,
                                         found.edge_pairs == 1 ? "" : "s", found.edge_pairs == 1 ? "s" : "");
   if (found.nodes == 0)
-    return {fmt::format("{} at the start, deepest {:.4g}: {}", edges, found.deepest_edges, treatment), ""};
+    return {fmt::format("{} at the start, deepest {:.4g}: {}", edges, found.deepest_edges, treatment), "", pushed};
   const std::string nodes = describe_nodes(found, treatment, mesh, deepest_id);
-  if (found.edge_pairs == 0) return {nodes, find_rule(found)};
-  return {fmt::format("{}; {} too, deepest {:.4g}", nodes, edges, found.deepest_edges), find_rule(found)};
+  if (found.edge_pairs == 0) return {nodes, find_rule(found), pushed};
+  return {fmt::format("{}; {} too, deepest {:.4g}", nodes, edges, found.deepest_edges), find_rule(found), pushed};
 }
 
 }  // namespace percuss

@@ -9,6 +9,7 @@ namespace percuss {
 struct StartNotice {
   std::string text;  // empty: there is nothing to say
   std::string rule;
+  double pushed_square = 0;  // bound of the sum of the squares of the depths that contact is to push out [length^2]
 
   bool is_warning() const { return !rule.empty(); }
 };

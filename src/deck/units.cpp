@@ -18,9 +18,9 @@ struct KnownUnit {
 };
 
 constexpr std::array lengths{
-    KnownUnit{"m", "m", 1},         KnownUnit{"mm", "mm", 1e-3},         KnownUnit{"cm", "cm", 1e-2},
+    KnownUnit{"m", "m", 1},           KnownUnit{"mm", "mm", 1e-3},           KnownUnit{"cm", "cm", 1e-2},
     KnownUnit{"um", "\u00b5m", 1e-6}, KnownUnit{"\u00b5m", "\u00b5m", 1e-6}, KnownUnit{"km", "km", 1e3},
-    KnownUnit{"in", "in", inch},    KnownUnit{"ft", "ft", foot},
+    KnownUnit{"in", "in", inch},      KnownUnit{"ft", "ft", foot},
 };
 constexpr std::array masses{
     KnownUnit{"kg", "kg", 1},
@@ -33,10 +33,8 @@ constexpr std::array masses{
     KnownUnit{"slug", "slug", pound_force / foot},
 };
 constexpr std::array times{
-    KnownUnit{"s", "s", 1},
-    KnownUnit{"ms", "ms", 1e-3},
-    KnownUnit{"us", "\u00b5s", 1e-6},
-    KnownUnit{"\u00b5s", "\u00b5s", 1e-6},
+    KnownUnit{"s", "s", 1},           KnownUnit{"ms", "ms", 1e-3},
+    KnownUnit{"us", "\u00b5s", 1e-6}, KnownUnit{"\u00b5s", "\u00b5s", 1e-6},
     KnownUnit{"ns", "ns", 1e-9},
 };
 constexpr std::array temperatures{std::string_view("K"), std::string_view("C")};
@@ -58,15 +56,15 @@ constexpr std::array named_units{
     NamedUnit{dimensions::stress, "psf", pound_force / (foot * foot), false},
     NamedUnit{dimensions::energy, "J", 1, true},
     NamedUnit{dimensions::energy, "erg", 1e-7, false},
-    NamedUnit{dimensions::energy, "in\u00b7lbf", pound_force * inch, false},
-    NamedUnit{dimensions::energy, "ft\u00b7lbf", pound_force * foot, false},
+    NamedUnit{dimensions::energy, "in\u00b7lbf", pound_force* inch, false},
+    NamedUnit{dimensions::energy, "ft\u00b7lbf", pound_force* foot, false},
 };
 
 struct Prefix {
   std::string_view name;
   double factor;
 };
-constexpr std::array prefixes{Prefix{"", 1},     Prefix{"k", 1e3},       Prefix{"M", 1e6},  Prefix{"G", 1e9},
+constexpr std::array prefixes{Prefix{"", 1},     Prefix{"k", 1e3},  Prefix{"M", 1e6},       Prefix{"G", 1e9},
                               Prefix{"T", 1e12}, Prefix{"m", 1e-3}, Prefix{"\u00b5", 1e-6}, Prefix{"n", 1e-9}};
 
 /// Products of powers of ten are not exact.
@@ -160,7 +158,8 @@ std::optional<Units> find_units(std::string_view text) {
   if (text == "SI") text = "m, kg, s";
   const std::vector<std::string> items = split_at_commas(text);
   if (items.size() < 3 || items.size() > 4) return std::nullopt;
-  const auto length = find_unit(lengths, items[0]), mass = find_unit(masses, items[1]), time = find_unit(times, items[2]);
+  const auto length = find_unit(lengths, items[0]), mass = find_unit(masses, items[1]),
+             time = find_unit(times, items[2]);
   if (!length || !mass || !time) return std::nullopt;
   if (items.size() == 3) return Units{*length, *mass, *time, ""};
   if (std::find(temperatures.begin(), temperatures.end(), items[3]) == temperatures.end()) return std::nullopt;
@@ -168,8 +167,8 @@ std::optional<Units> find_units(std::string_view text) {
 }
 
 std::vector<std::string> list_unit_systems() {
-  return {"m, kg, s",  "mm, t, s",  "mm, kg, ms",       "mm, g, ms",   "mm, kg, s",
-          "cm, g, us", "cm, g, s",  "in, lbf s2/in, s", "ft, slug, s"};
+  return {"m, kg, s",  "mm, t, s", "mm, kg, ms",       "mm, g, ms",  "mm, kg, s",
+          "cm, g, us", "cm, g, s", "in, lbf s2/in, s", "ft, slug, s"};
 }
 
 std::string list_base_units() {

@@ -36,8 +36,8 @@ struct Units {
   /// What one of a quantity is in SI: 1e9 of stress in mm, kg, ms.
   double in_si(const Dimension& quantity) const;
 
-  /// The unit of a quantity: "GPa" of stress in mm, kg, ms, "psi" in in, lbf s2/in, s; a product of the base units where
-  /// nothing shorter is usual.
+  /// The unit of a quantity: "GPa" of stress in mm, kg, ms, "psi" in in, lbf s2/in, s; a product of the base units
+  /// where nothing shorter is usual.
   std::string name_of(const Dimension& quantity) const;
 };
 

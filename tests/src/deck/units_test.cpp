@@ -31,8 +31,8 @@ TEST(Units, FollowFromLengthMassAndTime) {
   EXPECT_THAT(name_units("mm, kg, ms"), ElementsAre("kN", "GPa", "J", "mm/ms", "kg/mm\u00b3"));
   EXPECT_THAT(name_units("mm, g, ms"), ElementsAre("N", "MPa", "mJ", "mm/ms", "g/mm\u00b3"));
   EXPECT_THAT(name_units("mm, kg, s"), ElementsAre("mN", "kPa", "\u00b5J", "mm/s", "kg/mm\u00b3"));
-  EXPECT_THAT(name_units("cm, g, us"),
-              ElementsAre("g\u00b7cm/\u00b5s\u00b2", "Mbar", "g\u00b7cm\u00b2/\u00b5s\u00b2", "cm/\u00b5s", "g/cm\u00b3"));
+  EXPECT_THAT(name_units("cm, g, us"), ElementsAre("g\u00b7cm/\u00b5s\u00b2", "Mbar", "g\u00b7cm\u00b2/\u00b5s\u00b2",
+                                                   "cm/\u00b5s", "g/cm\u00b3"));
   EXPECT_THAT(name_units("cm, g, s"), ElementsAre("dyn", "g/(cm\u00b7s\u00b2)", "erg", "cm/s", "g/cm\u00b3"));
   EXPECT_THAT(name_units("in, lbf s2/in, s"),
               ElementsAre("lbf", "psi", "in\u00b7lbf", "in/s", "(lbf\u00b7s\u00b2/in)/in\u00b3"));
@@ -58,8 +58,8 @@ TEST(Units, MayBeSpelledInSeveralWays) {
 }
 
 TEST(Units, AreUnknownInOtherWordsAndInAnotherOrder) {
-  for (const char* text : {"", "inch and pound", "m kg s", "m, kg", "kg, m, s", "mm, kg, ms, s", "furlong, kg, s", "m,,s",
-                           "m, kg, s, C, K", ",,", "consistent", "lbf s\xc2"})
+  for (const char* text : {"", "inch and pound", "m kg s", "m, kg", "kg, m, s", "mm, kg, ms, s", "furlong, kg, s",
+                           "m,,s", "m, kg, s, C, K", ",,", "consistent", "lbf s\xc2"})
     EXPECT_FALSE(find_units(text)) << text;
 }
 
@@ -68,8 +68,9 @@ TEST(Units, OfADeckThatAreNotKnownAreRefusedWithThoseThatAre) {
     parse_deck("units: inch and pound\ntime: {end: 1}\n", "deck.yaml");
     ADD_FAILURE() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("deck.yaml:1:8: error: units is 'inch and pound' (must be a length, a mass and a "
-                                        "time, such as 'm, kg, s', 'mm, t, s', 'mm, kg, ms', "));
+    EXPECT_THAT(error.what(),
+                HasSubstr("deck.yaml:1:8: error: units is 'inch and pound' (must be a length, a mass and a "
+                          "time, such as 'm, kg, s', 'mm, t, s', 'mm, kg, ms', "));
     EXPECT_THAT(error.what(), HasSubstr("in ft; kg t"));
   }
 }
