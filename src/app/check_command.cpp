@@ -18,7 +18,6 @@
 #include "src/step/run_notes.hpp"
 #include "src/step/state.hpp"
 #include "src/step/step.hpp"
-#include "src/step/whole_mesh.hpp"
 
 namespace percuss {
 namespace {
@@ -69,7 +68,7 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
 std::vector<Warning> list_warnings(const CheckedScene& scene, const ChunkedMesh& chunked) {
   WarningLog log(scene.deck.silenced);
   log.add(scene.deck.warnings);
-  log.add(find_start_warnings(chunked, find_ranks(chunked.mesh).size()));
+  log.add(find_start_warnings(scene.deck, chunked));
   log.add(check_input(scene));
   log.add(check_start(scene));
   return log.list();

@@ -43,6 +43,13 @@ std::string describe_nodes(const StartOverlap& found, const char* treatment, con
 
 }  // namespace
 
+// As many contacts as overlap, as deep as the deepest. What is too deep is not pushed, and says nothing of the others' depth.
+double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overlap) {
+  if (overlap == ContactDeck::Overlap::accept || found.too_deep > 0) return 0;
+  return static_cast<double>(found.nodes) * found.deepest * found.deepest +
+         static_cast<double>(found.edge_pairs) * found.deepest_edges * found.deepest_edges;
+}
+
 std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
                              std::int64_t deepest_id) {
   if (found.nodes == 0 && found.edge_pairs == 0) return "";

@@ -55,6 +55,9 @@ struct SurfaceChange {
 std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
                              std::int64_t deepest_id);
 
+/// Bound of the sum of the squares of the depths that contact is to push out [length^2]; 0 where overlap is accepted.
+double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overlap);
+
 /// Of overlap at the places of `motion`, whose dt is 0, takes into the history what a new node or a new face has, as
 /// seed_history() does. What the surfaces before had is as it was. Looks at the candidate pairs that the finder has.
 /// Collective.

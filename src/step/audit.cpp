@@ -133,6 +133,7 @@ Audit::Totals Audit::sum_all(const State& state) {
 void Audit::note_start(const State& state, const Totals& totals, double held) {
   if (started_) return;
   started_ = true;
+  start_half_steps_ = totals[S::half_steps];
   initial_energy_ =
       held - totals[S::external] - totals[S::potential] - state.books.contact_work - state.books.friction_work;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -183,6 +184,7 @@ MomentumSummary Audit::balance_momentum(const Totals& totals) {
 void Audit::archive(CheckpointArchive& archive) {
   archive.integer("audit/started", started_);
   archive.number("audit/initial_energy", initial_energy_);
+  archive.number("audit/start_half_steps", start_half_steps_);
   archive.number("audit/largest_energy", largest_energy_);
   archive.numbers("audit/initial_momentum", initial_momentum_);
   archive.numbers("audit/initial_moment", initial_moment_);

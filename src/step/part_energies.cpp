@@ -98,7 +98,29 @@ class DeadElements {
   decltype(to_host(Array<double>())) work_, mass_;
 };
 
+/// Adds the work of a chunk to the sums of its part.
+void add_work(const decltype(to_host(Rows3<double>()))& work, const std::optional<DeadElements>& dead, int chunk,
+              ExactSum* part) {
+  for (int k = 0; k < 3; ++k)
+    part[P::internal + k].add(work(static_cast<std::size_t>(chunk), static_cast<std::size_t>(k)));
+  if (dead) dead->take_out(chunk, part);
+}
+
 }  // namespace
+
+std::vector<PartEnergy> sum_part_energies(const ChunkedMesh& chunked, const Model& model, const State& state) {
+  const auto work = to_host(state.results.work);
+  std::optional<DeadElements> dead;
+  if (chunked.mesh.eroded.any) dead.emplace(chunked, model, state);
+  std::vector<ExactSum> sums(P::count * chunked.mesh.parts.size());
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c)
+    add_work(work, dead, static_cast<int>(c), &sums[P::count * static_cast<std::size_t>(chunked.chunks[c].part)]);
+  sum_over_ranks(model.ranks, sums);
+  std::vector<PartEnergy> parts;
+  for (std::size_t p = 0; p < chunked.mesh.parts.size(); ++p)
+    parts.push_back({sums[P::count * p + P::internal].round(), sums[P::count * p + P::internal + 1].round()});
+  return parts;
+}
 
 std::vector<BookedPart> find_booked_parts(const Deck& deck) {
   std::vector<BookedPart> parts;
@@ -147,12 +169,9 @@ std::vector<ExactSum> PartEnergies::sum_parts(const Model& model, const State& s
     ExactSum* const part = &sums[P::count * static_cast<std::size_t>(part_of_chunk_[i])];
     part[P::kinetic].add(of_nodes(i, NodeSum::kinetic));
     part[P::kinetic].add(of_nodes(i, NodeSum::rotation));
-    for (int k = 0; k < 3; ++k) {
-      part[P::internal + k].add(work(chunks_[i], k));
-      part[P::momentum + k].add(of_nodes(i, NodeSum::momentum + k));
-    }
+    for (int k = 0; k < 3; ++k) part[P::momentum + k].add(of_nodes(i, NodeSum::momentum + k));
     part[P::mass].add(of_nodes(i, NodeSum::mass));
-    if (dead) dead->take_out(chunks_[i], part);
+    add_work(work, dead, chunks_[i], part);
   }
   return sums;
 }

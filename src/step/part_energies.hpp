@@ -25,6 +25,14 @@ std::vector<BookedPart> find_booked_parts(const Deck& deck);
 /// Headings of the columns, part after part.
 std::vector<std::string> name_columns(const std::vector<BookedPart>& parts);
 
+/// What a part holds, without what its dead elements took [energy].
+struct PartEnergy {
+  double internal = 0, hourglass = 0;
+};
+
+/// [Mesh::parts] of all ranks, the same bits on any number of them. Collective.
+std::vector<PartEnergy> sum_part_energies(const ChunkedMesh& chunked, const Model& model, const State& state);
+
 class PartEnergies {
  public:
   /// chunked outlives this.

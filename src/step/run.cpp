@@ -13,6 +13,7 @@
 #include "comm/rendezvous.hpp"
 #include "src/checks/rules.hpp"
 #include "src/contact/contact_stage.hpp"
+#include "src/contact/start_overlap.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/output/first_rank.hpp"
@@ -81,6 +82,7 @@ class Run {
   void announce();
   long steps_done() const { return state_.step - start_step_; }
   Summary make_summary(const std::string& status, const std::string& error) const;
+  EnergyScales find_scales() const;
   void finish(const std::string& status, const std::string& error);
   SummedRun summed() const {
     return {chunked_, model_, state_, stepper_, contact_, audited_, steps_done(), compute_seconds() - compute_start_};
@@ -111,6 +113,8 @@ class Run {
   bool is_state_whole_ = true;    // false while a step is made
   long start_step_ = 0;           // where this run began
   double first_dt_ = 0;
+  double pushed_square_ = 0;              // find_pushed_square() of the start
+  double accepted_depth_ = -1;            // deepest contact node / face edge in the first step; negative: none was made
   std::int64_t limiting_element_id_ = 0;  // bounded the last step
   std::size_t input_warnings_ = 0;        // of log_: those that a restart finds again
   Clock::time_point loop_start_;
@@ -135,7 +139,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       measures_(measure_scene(deck, chunked_, model_.start_velocity)) {
   stop_if_requested(ranks_, "after contact was made");
   progress_.emplace(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet);
-  log_.add(find_start_warnings(chunked_, ranks_.size()));
+  log_.add(find_start_warnings(deck_, chunked_));
   log_.add(check_input({deck_, &measures_, nullptr, 0}));
   input_warnings_ = log_.list().size();
   say(describe_added_masses(model_));
@@ -161,6 +165,7 @@ ChunkedMesh Run::load_scene() {
 void Run::begin() {
   if (contact_.is_active()) {
     if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
+    pushed_square_ = find_pushed_square(contact_.start_overlap(), deck_.contact.overlap);
   }
   say(contact_.start_notes());
   compute_start_ = compute_seconds();
@@ -298,7 +303,9 @@ StepWishes Run::find_wishes() const {
 }
 
 void Run::note_contact() {
-  if (!stepper_.contact_report().converged) log_.add(describe_unconverged(state_.time));
+  const ContactReport& report = stepper_.contact_report();
+  if (accepted_depth_ < 0) accepted_depth_ = report.deepest;
+  log_.add(find_step_warnings(report, accepted_depth_, state_.time));
 }
 
 void Run::audit() {
@@ -362,6 +369,8 @@ void Run::archive(CheckpointArchive& archive) {
   audit_.archive(archive);
   output_.archive(archive, state_.time);
   archive.number("run/first_dt", first_dt_);
+  archive.number("run/pushed_square", pushed_square_);
+  archive.number("run/accepted_depth", accepted_depth_);
   archive.number("run/dt_min", summary_.dt.min);
   archive.number("run/dt_max", summary_.dt.max);
   archive.number("run/limiting_element_id", limiting_element_id_);
@@ -424,12 +433,28 @@ Summary Run::make_summary(const std::string& status, const std::string& error) c
   return summary;
 }
 
+/// Contact that pushes nodes of mass m out by g in steps of dt compresses elements on both sides, at most as stiff as
+/// springs of m / dt^2 each, which is (m / 2) / dt^2 for the two in series. What else it may give holds the forces that
+/// were there at the start.
+EnergyScales Run::find_scales() const {
+  const auto nodes = static_cast<double>(chunked_.numbering.node_count());
+  const double steps = static_cast<double>(state_.step), node_mass = model_.total_mass / nodes;
+  EnergyScales scales;
+  scales.largest = audit_.largest_energy();
+  scales.resolved = find_resolved_energy(chunked_, model_, steps > 0 ? state_.time / steps : 0);
+  scales.stored = stepper_.contact_report().stored;
+  scales.granted = audit_.start_half_steps();
+  if (pushed_square_ > 0) scales.granted += 0.25 * node_mass * pushed_square_ / (first_dt_ * first_dt_);
+  return scales;
+}
+
 /// Collective.
 void Run::finish(const std::string& status, const std::string& error) {
   const std::vector<RankRow> rows = gather_rows(ranks_, make_rank_row(summed()));
   result_ = make_summary(status, error);
   progress_->finish(find_progress());
-  log_.add(find_end_warnings(result_));
+  const EnergyScales scales = find_scales();
+  log_.add(find_end_warnings(result_, scales, find_hourglassed_parts(chunked_, model_, state_, scales), deck_.units));
   result_.warnings = log_.list();
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || options_.out_dir.empty()) return;

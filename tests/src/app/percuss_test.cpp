@@ -52,6 +52,20 @@ TEST(PercussCheck, ShowsWarnings) {
   EXPECT_THAT(result.out, testing::EndsWith("The deck and its meshes can be run; 1 warning.\n"));
 }
 
+TEST(PercussCheck, RefusesASceneThatCoordinatesDoNotResolveAsARunDoes) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", cube);
+  std::vector<std::string> arguments = {"check", file, "--set", "parts.cube.at=[1e13, 0, 0]"};
+  for (int i = 0; i < 2; ++i) {
+    const ProcessResult result = run_percuss(arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments[0];
+    EXPECT_THAT(result.err, HasSubstr("error: coordinates as large as 1e+13 resolve ")) << arguments[0];
+    EXPECT_THAT(result.err, HasSubstr("move the scene to the origin with `at` of its parts")) << arguments[0];
+    arguments[0] = "run";
+    arguments.insert(arguments.end(), {"--out", folder.path() + "/out"});
+  }
+}
+
 TEST(PercussCheck, TellsEverySelectionThatFindsNothing) {
   const TemporaryFolder folder;
   const std::string empty = "{inside: [[8, 8, 8], [9, 9, 9]]}";
