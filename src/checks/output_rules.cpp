@@ -38,7 +38,7 @@ std::vector<Warning> check_end_time(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_step_scale(const CheckedScene& scene) {
-  constexpr double least = 0.1;
+  constexpr double least = 0.1, least_limit = 0.02;  // a limit is lowered to see fast events step by step
   std::vector<Warning> warnings;
   const TimeDeck& time = scene.deck.time;
   if (time.step_scale < least)
@@ -47,7 +47,7 @@ std::vector<Warning> check_step_scale(const CheckedScene& scene) {
                 fmt::format("time.step_scale is {:g} (the run takes {:.0f} times as many steps as with 0.9, "
                             "which is stable): raise it",
                             time.step_scale, 0.9 / time.step_scale)));
-  if (time.max_step && *time.max_step < least * scene.stable_step)
+  if (time.max_step && *time.max_step < least_limit * scene.stable_step)
     warnings.push_back(
         warn_at(scene.deck, "step_scale", "time.max_step",
                 fmt::format("time.max_step is {:g} (elements are stable up to {:.2g}): raise it or leave it "
