@@ -69,6 +69,12 @@ function(percuss_add_test_library name)
   percuss_reuse_headers(${name} percuss_test_headers)
 endfunction()
 
+# Long tests start first (ctest's COST), so that none is left alone at the end while a core idles.
+set(PERCUSS_COST_slow 1000)
+set(PERCUSS_COST_verification 100)
+set(PERCUSS_COST_mpi 10)
+set(PERCUSS_COST_unit 1)
+
 # percuss_add_test(name LABEL unit SOURCES a_test.cpp ... LINK lib ...): a GoogleTest executable and its ctest entry.
 function(percuss_add_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
@@ -79,7 +85,8 @@ function(percuss_add_test name)
     add_dependencies(unit_tests ${name})
   endif()
   add_test(NAME ${name} COMMAND ${name})
-  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABEL}" ENVIRONMENT "OMP_NUM_THREADS=2;OMP_PROC_BIND=false;OMP_WAIT_POLICY=passive")
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABEL}" COST ${PERCUSS_COST_${arg_LABEL}}
+    ENVIRONMENT "OMP_NUM_THREADS=2;OMP_PROC_BIND=false;OMP_WAIT_POLICY=passive")
 endfunction()
 
 # How tests start MPI. Ranks share cores, so none is bound, and ranks and threads that wait make way for others. Open MPI
@@ -110,7 +117,7 @@ function(percuss_add_mpi_test name)
     endif()
     add_test(NAME ${name}_on_${ranks}_ranks COMMAND
       ${MPIEXEC_EXECUTABLE} ${PERCUSS_MPI_FLAGS} ${MPIEXEC_NUMPROC_FLAG} ${ranks} ${MPIEXEC_PREFLAGS} $<TARGET_FILE:${name}>)
-    set_tests_properties(${name}_on_${ranks}_ranks PROPERTIES LABELS mpi TIMEOUT 120 PROCESSORS ${ranks}
+    set_tests_properties(${name}_on_${ranks}_ranks PROPERTIES LABELS mpi COST ${PERCUSS_COST_mpi} TIMEOUT 120 PROCESSORS ${ranks}
       ENVIRONMENT "${PERCUSS_MPI_ENVIRONMENT};OMP_NUM_THREADS=${threads}")
   endforeach()
 endfunction()
