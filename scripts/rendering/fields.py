@@ -14,7 +14,8 @@ class NotAFieldsFile(Exception):
 
 
 class FieldsFile:
-    """One fields.vtkhdf. Attributes: times [s], title, units, part_names, hexahedra [elements][8], part [elements].
+    """One fields.vtkhdf. Attributes: times, title, units, part_names, walls [walls][6] (a point and the unit normal of each),
+    hexahedra [elements][8], part [elements].
 
     The four corners of a shell stand twice, so that its faces 4 and 5 are its two surfaces."""
 
@@ -44,6 +45,7 @@ class FieldsFile:
         self.part_names = [name.decode("utf-8", "replace") for name in own["part_names"][:]]
         self.title = _text(own.attrs["title"])
         self.units = _text(own.attrs["units"])
+        self.walls = own["walls"][:] if "walls" in own else np.empty((0, 6))  # files of older versions have none
 
     def names(self):
         """Names of the fields that a surface can be coloured by, with the place (node or element) of each."""
@@ -52,6 +54,11 @@ class FieldsFile:
         found = {name: "node" for name in steps["PointDataOffsets"] if name not in fixed}
         found.update({name: "element" for name in steps["CellDataOffsets"] if name not in fixed})
         return found
+
+    def unit_of(self, name):
+        """The unit of a field as the file has it; empty if it has none, or the deck's units have no known names."""
+        group = "PointData" if self.names()[name] == "node" else "CellData"
+        return _text(self.root[f"{group}/{name}"].attrs.get("unit", ""))
 
     def positions(self, frame):
         first = int(self.root["Steps/PointOffsets"][frame])

@@ -21,8 +21,9 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from .camera import VIEW_ANGLE
+from .camera import narrow_view
 from .colors import rgb
+from .walls import make_wall_actor
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 VTK_FONT_FILE = 4  # a constant of VTK that its Python modules do not name
@@ -119,9 +120,13 @@ class Scene:
         self.renderer.SetSSAOKernelSize(32)
         self.renderer.SSAOBlurOn()
 
-    def look(self, position, target, up, sample):
+    def add_wall(self, corners, seen_from_behind):
+        self.renderer.AddActor(make_wall_actor(corners, seen_from_behind, 0.6 * self.scale))
+
+    def look(self, position, target, up, zoom, sample):
+        """sample: points [n][3] of all that is drawn."""
         camera = self.renderer.GetActiveCamera()
-        camera.SetViewAngle(VIEW_ANGLE)
+        camera.SetViewAngle(narrow_view(zoom))
         camera.SetPosition(*position)
         camera.SetFocalPoint(*target)
         camera.SetViewUp(*up)
@@ -129,11 +134,12 @@ class Scene:
         near = max(depth.min() * 0.8, 1e-3 * depth.max())
         camera.SetClippingRange(near, depth.max() * 1.2)
 
-    def add_color_bar(self, lut, title):
+    def add_color_bar(self, lut, title, labels, note):
+        """labels: how many numbers the bar has. note: a line below it."""
         bar = vtkScalarBarActor()
         bar.SetLookupTable(lut)
         bar.SetTitle("")
-        bar.SetNumberOfLabels(5)
+        bar.SetNumberOfLabels(labels)
         bar.SetLabelFormat(" %.4g")
         bar.UnconstrainedFontSizeOn()
         bar.SetBarRatio(0.22)
@@ -144,6 +150,8 @@ class Scene:
         # VTK would centre the title over the bar, where a long one runs out of the picture.
         lines = [part for line in title.split("\n") for part in textwrap.wrap(line, 18)]
         self.add_text("\n".join(lines), 0.975, 0.79, 0.026, right=True)
+        if note:
+            self.add_text(note, 0.975, 0.21, 0.02, right=True)
 
     def add_text(self, text, x, y, points, right=False, color=INK, bold=False):
         actor = vtkTextActor()
