@@ -28,7 +28,7 @@ def format_time(time, end, units):
     if unit != "s":
         return f"t = {time:.4g} {unit}".rstrip()
     size, prefix = _choose_prefix(end)
-    digits = max(0, 3 - math.floor(math.log10(max(end / size, 1e-30))) - 1)
+    digits = max(0, 2 - math.floor(math.log10(end / size))) if end > 0 else 2
     return f"t = {time / size:.{digits}f} {prefix}s"
 
 
