@@ -32,6 +32,11 @@ class Bar(unittest.TestCase):
         self.check((0, 200), (0, 200, 5))
         self.check((7850, 7950), (7850, 7950, 5))
 
+    def test_follows_what_one_element_in_a_thousand_has(self):
+        strain = np.zeros(2000)
+        strain[:2] = 0.02, 0.03
+        self.check(find_ends([np.zeros(2000), strain]), (0, 0.03, 7))
+
     def test_begins_at_zero_where_that_is_near_and_is_centred_between_signs(self):
         self.check((10, 100), (0, 100, 5))
         self.check((-100, -10), (-100, 0, 5))
