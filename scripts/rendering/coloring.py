@@ -53,15 +53,15 @@ class Coloring:
         if ends and (ends[0] < low or ends[1] > high):
             self.note = f"data: {ends[0] * self.factor:.3g} to {ends[1] * self.factor:.3g}"
 
-    def choose_values(self, frame, nodes, faces, owners):
-        """'node' with a number for each of `nodes`, or 'element' with one for each face: its element's, or, of a category
-        of nodes, which has nothing in between, the highest of its corners'."""
+    def choose_values(self, frame, skin):
+        """'node' with a number for each point of the skin, or 'element' with one for each polygon: its element's, or, of a
+        category of nodes, the highest of its corners'."""
         values = self.fields.values(self.name, frame) * self.factor
         if self.place == "element":
-            return "element", values[owners]
+            return "element", values[skin.owners]
         if self.categories:
-            return "element", values[faces].max(axis=1)
-        return "node", values[nodes]
+            return "element", skin.highest_of_corners(values)
+        return "node", skin.at_points(values)
 
     def legend(self):
         """[(number of the colour, name)] of what is drawn; of bodies and chunks there are too many to name."""

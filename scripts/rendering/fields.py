@@ -5,9 +5,6 @@ import os
 import h5py
 import numpy as np
 
-# Corners of the faces of a hexahedron, outward by the right-hand rule; the order of docs/output.md.
-HEX_FACES = np.array([[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [0, 4, 7, 3], [0, 3, 2, 1], [4, 5, 6, 7]])
-
 
 class NotAFieldsFile(Exception):
     """The file is missing, damaged or of another program; str() is a message for the user."""
@@ -98,15 +95,3 @@ def to_scalar(values):
         return np.linalg.norm(values, axis=1)
     xx, yy, zz, xy, yz, zx = values.T
     return np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * (xy**2 + yz**2 + zx**2))
-
-
-def exterior_faces(hexahedra, kept):
-    """Faces that belong to one of the kept elements only, and shells: their corners [faces][4], their elements [faces]."""
-    elements = np.flatnonzero(kept)
-    shells = elements[hexahedra[elements, 0] == hexahedra[elements, 4]]
-    elements = elements[hexahedra[elements, 0] != hexahedra[elements, 4]]
-    corners = hexahedra[elements][:, HEX_FACES].reshape(-1, 4)
-    owners = np.repeat(elements, 6)
-    _, first, count = np.unique(np.sort(corners, axis=1), axis=0, return_index=True, return_counts=True)
-    single = np.sort(first[count == 1])
-    return np.concatenate([corners[single], hexahedra[shells][:, :4]]), np.concatenate([owners[single], shells])

@@ -9,9 +9,10 @@ from PIL import Image
 from . import colors
 from .camera import place_camera, sample_positions
 from .coloring import Coloring
-from .fields import FieldsFile, exterior_faces
+from .fields import FieldsFile
 from .scene import Scene, Surface
 from .selection import BadChoice, choose_elements
+from .skin import Skin
 from .units import format_time
 from .walls import span_wall
 
@@ -24,10 +25,9 @@ MARGINS = (0.03, 0.13, 0.05, 0.09)  # left, right (colour bar), bottom, top (tit
 def render(arguments):
     fields = FieldsFile(arguments.dir)
     frames = choose_frames(fields, arguments.frame)
-    kept = choose_elements(fields, arguments)
+    kept, cut = choose_elements(fields, arguments)
     coloring = Coloring(fields, arguments, kept, frames)
-    faces, owners = exterior_faces(fields.hexahedra, kept)
-    surface = Surface(faces)
+    surface = Surface(Skin(fields.hexahedra, kept, cut))
     scene = make_scene(fields, arguments, surface, coloring)
     clock = scene.add_text("", 0.03, 0.035, 0.03)
     folder = arguments.out or os.path.dirname(os.path.abspath(fields.path))
@@ -39,10 +39,9 @@ def render(arguments):
         now = kept & fields.alive(frame)
         if not np.array_equal(now, alive):
             alive = now
-            faces, owners = exterior_faces(fields.hexahedra, alive)
-            surface.choose(faces)
+            surface.choose(Skin(fields.hexahedra, alive, cut))
         surface.move(fields.positions(frame))
-        surface.color(*coloring.choose_values(frame, surface.nodes, faces, owners))
+        surface.color(*coloring.choose_values(frame, surface.skin))
         clock.SetInput(format_time(fields.times[frame], fields.times[-1], fields.units))
         image = Image.fromarray(scene.draw()).resize(arguments.size, Image.Resampling.LANCZOS)
         path = os.path.join(folder, f"frame_{frame:04d}.png")
@@ -70,14 +69,15 @@ def make_scene(fields, arguments, surface, coloring):
     edges = arguments.edges == "on" or (
         arguments.edges == "auto" and surface.mesh.GetNumberOfPolys() <= MOST_FACES_WITH_EDGES)
     scene = Scene(surface, coloring.lut, arguments.size, 1 if arguments.fast else 2, edges)
-    points = sample_positions(fields, surface.nodes, range(len(fields.times)) if arguments.focus == "run" else [0])
+    nodes = surface.skin.nodes()
+    points = sample_positions(fields, nodes, range(len(fields.times)) if arguments.focus == "run" else [0])
     aspect = arguments.size[0] / arguments.size[1]
     position, target, up = place_camera(points, *arguments.view, aspect, MARGINS, arguments.look_at)
     plates = [] if arguments.no_walls else add_walls(scene, fields.walls, points, position)
     scene.look(position, target, up, arguments.zoom, np.concatenate([points, *plates]))
     if not arguments.fast:
         start = fields.positions(0)
-        diagonal = np.linalg.norm(np.ptp(start[surface.nodes], axis=0))
+        diagonal = np.linalg.norm(np.ptp(start[nodes], axis=0))
         cell = np.median(np.linalg.norm(start[fields.hexahedra[:, 0]] - start[fields.hexahedra[:, 6]], axis=1)) / 3**0.5
         scene.shade(diagonal, cell)
     scene.add_text(fields.title, 0.03, 0.93, 0.034)

@@ -28,35 +28,33 @@ from .walls import make_wall_actor
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 VTK_FONT_FILE = 4  # a constant of VTK that its Python modules do not name
 INK = rgb("#2b2f36")
+VEIL = 0.7  # opacity of the white behind texts
 SMOOTH_BELOW = 35.0  # degrees between faces: round bodies look round, edges of blocks stay sharp
 
 
 class Surface:
-    """The exterior faces of the mesh as polygons whose points move from frame to frame."""
+    """The polygons of a skin, whose points move from frame to frame."""
 
-    def __init__(self, faces):
+    def __init__(self, skin):
         self.points = vtkPoints()
         self.mesh = vtkPolyData()
         self.mesh.SetPoints(self.points)
-        self.choose(faces)
+        self.choose(skin)
 
-    def choose(self, faces):
-        """Other faces of the same mesh; they have neither places nor colours until they are given some."""
-        self.nodes, corners = np.unique(faces, return_inverse=True)
+    def choose(self, skin):
+        """Another skin of the same mesh; it has neither places nor colours until it is given some."""
+        self.skin = skin
         cells = vtkCellArray()
-        stands = np.ones((len(faces), 4), dtype=bool)
-        stands[:, 3] = faces[:, 3] != faces[:, 2]  # a triangle's last corner stands for a fourth
-        offsets = np.concatenate(([0], np.cumsum(stands.sum(axis=1)))).astype(np.int64)
-        cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=1),
-                      numpy_to_vtkIdTypeArray(corners.reshape(-1, 4)[stands].astype(np.int64), deep=1))
+        cells.SetData(numpy_to_vtkIdTypeArray(skin.offsets, deep=1),
+                      numpy_to_vtkIdTypeArray(skin.corners.astype(np.int64), deep=1))
         self.mesh.SetPolys(cells)
 
     def move(self, positions):
-        self.points.SetData(numpy_to_vtk(np.ascontiguousarray(positions[self.nodes]), deep=1))
+        self.points.SetData(numpy_to_vtk(np.ascontiguousarray(self.skin.at_points(positions)), deep=1))
         self.mesh.Modified()
 
     def color(self, place, values):
-        """values: one number a node of `nodes` or a face."""
+        """values: one number a point or a polygon of the skin."""
         data = self.mesh.GetPointData() if place == "node" else self.mesh.GetCellData()
         data.SetScalars(numpy_to_vtk(np.ascontiguousarray(values, dtype=float), deep=1))
 
@@ -144,6 +142,9 @@ class Scene:
         bar.UnconstrainedFontSizeOn()
         bar.SetBarRatio(0.22)
         self._set_font(bar.GetLabelTextProperty(), 0.023)
+        bar.DrawBackgroundOn()  # bodies may lie behind it where the scene is magnified
+        bar.GetBackgroundProperty().SetColor(1, 1, 1)
+        bar.GetBackgroundProperty().SetOpacity(VEIL)
         bar.SetPosition(0.885, 0.27)
         bar.SetPosition2(0.1, 0.5)
         self.renderer.AddActor2D(bar)
@@ -159,6 +160,8 @@ class Scene:
         self._set_font(actor.GetTextProperty(), points)
         actor.GetTextProperty().SetColor(*color)
         actor.GetTextProperty().SetBold(bold)
+        actor.GetTextProperty().SetBackgroundColor(1, 1, 1)
+        actor.GetTextProperty().SetBackgroundOpacity(VEIL)
         if right:
             actor.GetTextProperty().SetJustificationToRight()
         actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()

@@ -14,7 +14,8 @@ except ImportError as error:
 
 sys.path.insert(0, sys.argv.pop())
 from rendering.ranges import choose_bar, find_ends  # noqa: E402
-from rendering.selection import faces_camera  # noqa: E402
+from rendering.selection import Cut, faces_camera  # noqa: E402
+from rendering.skin import Skin  # noqa: E402
 from rendering.units import choose_unit, format_time  # noqa: E402
 
 
@@ -84,8 +85,77 @@ class Units(unittest.TestCase):
         self.assertEqual(format_time(0, 0, "m, kg, s"), "t = 0.00 s")
 
 
-class Cut(unittest.TestCase):
-    def test_takes_away_the_side_of_the_camera(self):
+class Box:
+    """A mesh of cells of 0.5 x 1 x 1 from the origin, 2 x 3 x 2 of them, and a shell across it at y = 4, as FieldsFile has it."""
+
+    def __init__(self):
+        z, y, x = np.meshgrid(np.arange(3), np.arange(4), np.arange(3), indexing="ij")
+        nodes = np.column_stack([0.5 * x.ravel(), y.ravel(), z.ravel()])
+        first = np.array([i + 3 * j + 12 * k for k in range(2) for j in range(3) for i in range(2)])
+        self.hexahedra = first[:, None] + [0, 1, 4, 3, 12, 13, 16, 15]
+        shell = len(nodes) + np.array([[0, 1, 2, 3] * 2])
+        self.nodes = np.vstack([nodes, [[0, 4, 0], [1, 4, 0], [1, 4, 1], [0, 4, 1]]])
+        self.hexahedra = np.vstack([self.hexahedra, shell])
+        self.elements = len(self.hexahedra)
+
+    def positions(self, frame):
+        return self.nodes
+
+
+def polygons(skin, points):
+    return [points[skin.corners[a:b]] for a, b in zip(skin.offsets, skin.offsets[1:])]
+
+
+def area_vectors(faces):
+    return np.array([sum(np.cross(f[i] - f[0], f[i + 1] - f[0]) for i in range(1, len(f) - 1)) / 2 for f in faces])
+
+
+class SkinOfACutMesh(unittest.TestCase):
+    def skin(self, clip, solids=True, shells=False):
+        self.box = Box()
+        drawn = np.full(self.box.elements, solids)
+        drawn[-1] = shells
+        cut = Cut(self.box, clip, (0, 0)) if clip else None
+        return Skin(self.box.hexahedra, drawn & cut.keeps if cut else drawn, cut)
+
+    def volume(self, skin, points):
+        faces = polygons(skin, points)
+        return sum(area @ face[0] for area, face in zip(area_vectors(faces), faces)) / 3
+
+    def test_is_closed_outward_and_holds_the_volume_that_stays(self):
+        for clip, volume in ((None, 6), (("+", 0, 0.3), 1.8), (("-", 0, 0.3), 4.2), (("+", 1, 1.0), 2), (("-", 1, 1.0), 4),
+                             (("+", 2, 1.9), 5.7), (("-", 2, 2.0), 0)):
+            skin = self.skin(clip)
+            points = skin.at_points(self.box.nodes)
+            np.testing.assert_allclose(area_vectors(polygons(skin, points)).reshape(-1, 3).sum(axis=0), 0, atol=1e-12)
+            self.assertAlmostEqual(self.volume(skin, points), volume, msg=str(clip))
+
+    def test_stays_in_the_material_as_it_deforms(self):
+        skin = self.skin(("+", 0, 0.3))
+        turned = self.box.nodes @ np.array([[0, 1, 0.5], [-2, 0, 0], [0, 0, 1]])  # determinant 2
+        self.assertAlmostEqual(self.volume(skin, skin.at_points(turned)), 2 * 1.8)
+
+    def test_has_a_section_for_each_element_that_is_cut(self):
+        skin = self.skin(("+", 0, 0.3))
+        faces = polygons(skin, skin.at_points(self.box.nodes))
+        sections = [owner for owner, face in zip(skin.owners, faces) if np.allclose(face[:, 0], 0.3)]
+        self.assertEqual(sorted(sections), [0, 2, 4, 6, 8, 10])
+
+    def test_of_shells_ends_at_the_plane(self):
+        skin = self.skin(("+", 0, 0.3), solids=False, shells=True)
+        areas = area_vectors(polygons(skin, skin.at_points(self.box.nodes)))
+        self.assertAlmostEqual(np.linalg.norm(areas, axis=1).sum(), 0.3)
+
+    def test_takes_numbers_of_nodes_from_the_nearer_end(self):
+        skin = self.skin(("+", 0, 0.3))
+        highest = skin.highest_of_corners(np.where(self.box.nodes[:, 0] > 0.4, 7, 1))
+        faces = polygons(skin, skin.at_points(self.box.nodes))
+        for value, face in zip(highest, faces):  # 0.3 is nearer to 0.5 than to 0
+            self.assertEqual(value, 7 if face[:, 0].max() > 0.2 else 1)
+
+
+class SideOfACut(unittest.TestCase):
+    def test_is_that_of_the_camera(self):
         self.assertTrue(faces_camera(0, (0, 0)))
         self.assertFalse(faces_camera(0, (180, 0)))
         self.assertFalse(faces_camera(1, (-90, 10)))
@@ -93,7 +163,7 @@ class Cut(unittest.TestCase):
         self.assertTrue(faces_camera(2, (30, 20)))
         self.assertFalse(faces_camera(2, (30, -20)))
 
-    def test_takes_away_what_lies_above_where_the_camera_looks_along_it(self):
+    def test_is_above_where_the_camera_looks_along_it(self):
         self.assertTrue(faces_camera(0, (-90, 10)))
         self.assertTrue(faces_camera(0, (90, 10)))
         self.assertTrue(faces_camera(2, (30, 0)))
