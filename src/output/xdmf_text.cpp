@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <iterator>
 
 namespace percuss {
@@ -50,36 +51,53 @@ void write_dataset(Out out, const XdmfIndex& index, const Dataset& data) {
                  shape_text(data.rows, data.components), data.number, data.bytes, index.file, data.path);
 }
 
-// Some rows of a dataset.
-void write_slab(Out out, const XdmfIndex& index, const Dataset& data, std::int64_t first, std::int64_t rows) {
-  fmt::format_to(out, "\n    <DataItem ItemType=\"HyperSlab\" Dimensions=\"{}\">\n", shape_text(rows, data.components));
+// Rows of a dataset, and one component of them or all (-1).
+struct Slab {
+  std::int64_t first, rows;
+  int component = -1;
+};
+
+void write_slab(Out out, const XdmfIndex& index, const Dataset& data, const Slab& slab) {
+  const bool one = slab.component >= 0;
+  fmt::format_to(out, "\n    <DataItem ItemType=\"HyperSlab\" Dimensions=\"{}\">\n",
+                 one ? fmt::format("{} 1", slab.rows) : shape_text(slab.rows, data.components));
   if (data.components == 1) {
-    fmt::format_to(out, "     <DataItem Dimensions=\"3 1\" Format=\"XML\">{} 1 {}</DataItem>\n     ", first, rows);
+    fmt::format_to(out, "     <DataItem Dimensions=\"3 1\" Format=\"XML\">{} 1 {}</DataItem>\n     ", slab.first,
+                   slab.rows);
   } else {
-    fmt::format_to(out, "     <DataItem Dimensions=\"3 2\" Format=\"XML\">{} 0 1 1 {} {}</DataItem>\n     ", first,
-                   rows, data.components);
+    fmt::format_to(out, "     <DataItem Dimensions=\"3 2\" Format=\"XML\">{} {} 1 1 {} {}</DataItem>\n     ",
+                   slab.first, one ? slab.component : 0, slab.rows, one ? 1 : data.components);
   }
   write_dataset(out, index, data);
   fmt::format_to(out, "\n    </DataItem>");
 }
 
-// Of which rows a grid is made, and what the names of its fields end with.
+// Which rows a grid has, and whether its fields are for people: names with units, tensors by component.
 struct Grid {
   MeshExtent rows;
-  bool with_units = false;
+  bool for_people = false;
 };
 
+constexpr std::array tensor_components{"xx", "yy", "zz", "xy", "yz", "zx"};
+
+constexpr const char* positions_name = "Points";  // no field has this name
+
+std::string path_of(const XdmfField& field) {
+  if (field.name == positions_name) return positions_name;
+  return fmt::format("{}/{}", field.place == FieldPlace::node ? "PointData" : "CellData", field.name);
+}
+
 // The rows of a grid in one frame, within a dataset that holds those of all nodes or elements in all frames.
-void write_frame_rows(Out out, const XdmfIndex& index, const Grid& grid, const XdmfField& field,
-                      const std::string& path, std::size_t frame) {
+// component: the only one that is wanted; -1: all.
+void write_frame_rows(Out out, const XdmfIndex& index, const Grid& grid, const XdmfField& field, std::size_t frame,
+                      int component = -1) {
   const bool on_nodes = field.place == FieldPlace::node;
   const std::int64_t all = on_nodes ? index.mesh.nodes : index.mesh.elements;
   const std::int64_t first = on_nodes ? grid.rows.first_node : grid.rows.first_element;
   const std::int64_t rows = on_nodes ? grid.rows.nodes : grid.rows.elements;
-  write_slab(out, index,
-             {"VTKHDF/" + path, field.bytes == 1 ? "UChar" : "Float", field.bytes, field.components,
-              static_cast<std::int64_t>(index.times.size()) * all},
-             static_cast<std::int64_t>(frame) * all + first, rows);
+  const Dataset data{"VTKHDF/" + path_of(field), field.bytes == 1 ? "UChar" : "Float", field.bytes, field.components,
+                     static_cast<std::int64_t>(index.times.size()) * all};
+  write_slab(out, index, data, {static_cast<std::int64_t>(frame) * all + first, rows, component});
 }
 
 // Six components are a matrix, not a Tensor6, whose order in XDMF (xx, xy, xz, yy, yz, zz) is another one.
@@ -92,21 +110,17 @@ void open_attribute(Out out, const std::string& name, int components, FieldPlace
                  place == FieldPlace::node ? "Node" : "Cell");
 }
 
-std::string path_of(const std::string& name, FieldPlace place) {
-  return fmt::format("{}/{}", place == FieldPlace::node ? "PointData" : "CellData", name);
-}
-
 // Whole numbers that all frames share.
 void write_ids(Out out, const XdmfIndex& index, const Grid& grid, const std::string& name, FieldPlace place) {
   open_attribute(out, name, 1, place);
   const bool on_nodes = place == FieldPlace::node;
   const std::int64_t all = on_nodes ? index.mesh.nodes : index.mesh.elements;
   const std::int64_t rows = on_nodes ? grid.rows.nodes : grid.rows.elements;
-  const Dataset ids{"VTKHDF/" + path_of(name, place), "Int", 8, 1, all};
+  const Dataset ids{"VTKHDF/" + path_of({name, place}), "Int", 8, 1, all};
   if (rows == all) {
     write_dataset(out, index, ids);
   } else {
-    write_slab(out, index, ids, on_nodes ? grid.rows.first_node : grid.rows.first_element, rows);
+    write_slab(out, index, ids, {on_nodes ? grid.rows.first_node : grid.rows.first_element, rows});
   }
   fmt::format_to(out, "</Attribute>\n");
 }
@@ -126,8 +140,25 @@ void write_topology(Out out, const XdmfIndex& index, const Grid& grid) {
   // reuse for the next frame, and complain that the points have no such name.
   const auto count = [mixed](const MeshExtent& e) { return e.corners() + (mixed ? e.elements : 0); };
   write_slab(out, index, {mixed ? "percuss/xdmf_topology" : "VTKHDF/Connectivity", "Int", 8, 1, count(index.mesh)},
-             rows.first_corner + (mixed ? rows.first_element : 0), count(rows));
+             {rows.first_corner + (mixed ? rows.first_element : 0), count(rows)});
   fmt::format_to(out, "</Topology>\n");
+}
+
+void write_field(Out out, const XdmfIndex& index, const Grid& grid, const XdmfField& field, std::size_t frame) {
+  const std::string unit = grid.for_people && !field.unit.empty() ? fmt::format(" [{}]", field.unit) : "";
+  if (!grid.for_people || field.components != 6) {
+    open_attribute(out, field.name + unit, field.components, field.place);
+    write_frame_rows(out, index, grid, field, frame);
+    fmt::format_to(out, "</Attribute>\n");
+    return;
+  }
+  // ParaView 6.1 takes a matrix of all elements for one long tuple.
+  for (int c = 0; c < 6; ++c) {
+    open_attribute(out, fmt::format("{}_{}{}", field.name, tensor_components[static_cast<std::size_t>(c)], unit), 1,
+                   field.place);
+    write_frame_rows(out, index, grid, field, frame, c);
+    fmt::format_to(out, "</Attribute>\n");
+  }
 }
 
 void write_frame(Out out, const XdmfIndex& index, const Grid& grid, std::size_t frame) {
@@ -135,15 +166,9 @@ void write_frame(Out out, const XdmfIndex& index, const Grid& grid, std::size_t 
                  index.times[frame]);
   write_topology(out, index, grid);
   fmt::format_to(out, "   <Geometry GeometryType=\"XYZ\">");
-  write_frame_rows(out, index, grid, {"Points", FieldPlace::node, 3}, "Points", frame);
+  write_frame_rows(out, index, grid, {positions_name, FieldPlace::node, 3}, frame);
   fmt::format_to(out, "</Geometry>\n");
-  for (const auto& field : index.fields) {
-    const bool unit = grid.with_units && !field.unit.empty();
-    open_attribute(out, unit ? fmt::format("{} [{}]", field.name, field.unit) : field.name, field.components,
-                   field.place);
-    write_frame_rows(out, index, grid, field, path_of(field.name, field.place), frame);
-    fmt::format_to(out, "</Attribute>\n");
-  }
+  for (const auto& field : index.fields) write_field(out, index, grid, field, frame);
   write_ids(out, index, grid, "node_id", FieldPlace::node);
   write_ids(out, index, grid, "element_id", FieldPlace::element);
   write_ids(out, index, grid, "part", FieldPlace::element);
