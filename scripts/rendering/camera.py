@@ -23,9 +23,10 @@ def sample_positions(fields, nodes, frames, limit=400_000):
     return samples[np.isfinite(samples).all(axis=1)]
 
 
-def place_camera(points, azimuth, elevation, aspect, zoom, margins):
+def place_camera(points, azimuth, elevation, aspect, margins, look_at=None):
     """The position of the camera, the point it looks at, and its up direction.
 
+    With look_at [3] the camera keeps its direction and its distance from the scene and has this point in the middle.
     points: what shall be in view [n][3]; half a per mille of them may stick out on each side. margins: shares of the picture
     to leave free at left, right, bottom, top. Each side of the view is a plane through the camera: for the one at the right
     p.right - t p.forward <= c.right - t c.forward for all points p; the two of an axis give its place and the distance.
@@ -44,6 +45,13 @@ def place_camera(points, azimuth, elevation, aspect, zoom, margins):
     # The middle of what is left free when the other axis decides the distance.
     place = [(high + hs * nearest - low - ls * nearest) / 2 for high, low, hs, ls in found]
     middle = float(np.median(depth))
-    camera_depth = middle - (middle - nearest) / zoom
-    position = place[0] * right + place[1] * up + camera_depth * forward
-    return position, position + (middle - camera_depth) * forward, up
+    if look_at is not None:
+        target = np.asarray(look_at, dtype=float)
+        return target - (middle - nearest) * forward, target, up
+    position = place[0] * right + place[1] * up + nearest * forward
+    return position, position + (middle - nearest) * forward, up
+
+
+def narrow_view(zoom):
+    """The vertical view angle in degrees in which things are `zoom` times as large as in VIEW_ANGLE."""
+    return 2 * math.degrees(math.atan(math.tan(math.radians(VIEW_ANGLE) / 2) / zoom))

@@ -5,16 +5,14 @@ import os
 import h5py
 import numpy as np
 
-# Corners of the faces of a hexahedron, outward by the right-hand rule; the order of docs/output.md.
-HEX_FACES = np.array([[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [0, 4, 7, 3], [0, 3, 2, 1], [4, 5, 6, 7]])
-
 
 class NotAFieldsFile(Exception):
     """The file is missing, damaged or of another program; str() is a message for the user."""
 
 
 class FieldsFile:
-    """One fields.vtkhdf. Attributes: times [s], title, units, part_names, hexahedra [elements][8], part [elements].
+    """One fields.vtkhdf. Attributes: times, title, units, part_names, walls [walls][6] (a point and the unit normal of each),
+    hexahedra [elements][8], part [elements].
 
     The four corners of a shell stand twice, so that its faces 4 and 5 are its two surfaces."""
 
@@ -44,6 +42,7 @@ class FieldsFile:
         self.part_names = [name.decode("utf-8", "replace") for name in own["part_names"][:]]
         self.title = _text(own.attrs["title"])
         self.units = _text(own.attrs["units"])
+        self.walls = own["walls"][:] if "walls" in own else np.empty((0, 6))  # files of older versions have none
 
     def names(self):
         """Names of the fields that a surface can be coloured by, with the place (node or element) of each."""
@@ -52,6 +51,11 @@ class FieldsFile:
         found = {name: "node" for name in steps["PointDataOffsets"] if name not in fixed}
         found.update({name: "element" for name in steps["CellDataOffsets"] if name not in fixed})
         return found
+
+    def unit_of(self, name):
+        """The unit of a field as the file has it; empty if it has none, or the deck's units have no known names."""
+        group = "PointData" if self.names()[name] == "node" else "CellData"
+        return _text(self.root[f"{group}/{name}"].attrs.get("unit", ""))
 
     def positions(self, frame):
         first = int(self.root["Steps/PointOffsets"][frame])
@@ -91,15 +95,3 @@ def to_scalar(values):
         return np.linalg.norm(values, axis=1)
     xx, yy, zz, xy, yz, zx = values.T
     return np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * (xy**2 + yz**2 + zx**2))
-
-
-def exterior_faces(hexahedra, kept):
-    """Faces that belong to one of the kept elements only, and shells: their corners [faces][4], their elements [faces]."""
-    elements = np.flatnonzero(kept)
-    shells = elements[hexahedra[elements, 0] == hexahedra[elements, 4]]
-    elements = elements[hexahedra[elements, 0] != hexahedra[elements, 4]]
-    corners = hexahedra[elements][:, HEX_FACES].reshape(-1, 4)
-    owners = np.repeat(elements, 6)
-    _, first, count = np.unique(np.sort(corners, axis=1), axis=0, return_index=True, return_counts=True)
-    single = np.sort(first[count == 1])
-    return np.concatenate([corners[single], hexahedra[shells][:, :4]]), np.concatenate([owners[single], shells])

@@ -21,41 +21,40 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from .camera import VIEW_ANGLE
+from .camera import narrow_view
 from .colors import rgb
+from .walls import make_wall_actor
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 VTK_FONT_FILE = 4  # a constant of VTK that its Python modules do not name
 INK = rgb("#2b2f36")
+VEIL = 0.7  # opacity of the white behind texts
 SMOOTH_BELOW = 35.0  # degrees between faces: round bodies look round, edges of blocks stay sharp
 
 
 class Surface:
-    """The exterior faces of the mesh as polygons whose points move from frame to frame."""
+    """The polygons of a skin, whose points move from frame to frame."""
 
-    def __init__(self, faces):
+    def __init__(self, skin):
         self.points = vtkPoints()
         self.mesh = vtkPolyData()
         self.mesh.SetPoints(self.points)
-        self.choose(faces)
+        self.choose(skin)
 
-    def choose(self, faces):
-        """Other faces of the same mesh; they have neither places nor colours until they are given some."""
-        self.nodes, corners = np.unique(faces, return_inverse=True)
+    def choose(self, skin):
+        """Another skin of the same mesh; it has neither places nor colours until it is given some."""
+        self.skin = skin
         cells = vtkCellArray()
-        stands = np.ones((len(faces), 4), dtype=bool)
-        stands[:, 3] = faces[:, 3] != faces[:, 2]  # a triangle's last corner stands for a fourth
-        offsets = np.concatenate(([0], np.cumsum(stands.sum(axis=1)))).astype(np.int64)
-        cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=1),
-                      numpy_to_vtkIdTypeArray(corners.reshape(-1, 4)[stands].astype(np.int64), deep=1))
+        cells.SetData(numpy_to_vtkIdTypeArray(skin.offsets, deep=1),
+                      numpy_to_vtkIdTypeArray(skin.corners.astype(np.int64), deep=1))
         self.mesh.SetPolys(cells)
 
     def move(self, positions):
-        self.points.SetData(numpy_to_vtk(np.ascontiguousarray(positions[self.nodes]), deep=1))
+        self.points.SetData(numpy_to_vtk(np.ascontiguousarray(self.skin.at_points(positions)), deep=1))
         self.mesh.Modified()
 
     def color(self, place, values):
-        """values: one number a node of `nodes` or a face."""
+        """values: one number a point or a polygon of the skin."""
         data = self.mesh.GetPointData() if place == "node" else self.mesh.GetCellData()
         data.SetScalars(numpy_to_vtk(np.ascontiguousarray(values, dtype=float), deep=1))
 
@@ -119,9 +118,13 @@ class Scene:
         self.renderer.SetSSAOKernelSize(32)
         self.renderer.SSAOBlurOn()
 
-    def look(self, position, target, up, sample):
+    def add_wall(self, corners, seen_from_behind):
+        self.renderer.AddActor(make_wall_actor(corners, seen_from_behind, 0.6 * self.scale))
+
+    def look(self, position, target, up, zoom, sample):
+        """sample: points [n][3] of all that is drawn."""
         camera = self.renderer.GetActiveCamera()
-        camera.SetViewAngle(VIEW_ANGLE)
+        camera.SetViewAngle(narrow_view(zoom))
         camera.SetPosition(*position)
         camera.SetFocalPoint(*target)
         camera.SetViewUp(*up)
@@ -129,21 +132,27 @@ class Scene:
         near = max(depth.min() * 0.8, 1e-3 * depth.max())
         camera.SetClippingRange(near, depth.max() * 1.2)
 
-    def add_color_bar(self, lut, title):
+    def add_color_bar(self, lut, title, labels, note):
+        """labels: how many numbers the bar has. note: a line below it."""
         bar = vtkScalarBarActor()
         bar.SetLookupTable(lut)
         bar.SetTitle("")
-        bar.SetNumberOfLabels(5)
+        bar.SetNumberOfLabels(labels)
         bar.SetLabelFormat(" %.4g")
         bar.UnconstrainedFontSizeOn()
         bar.SetBarRatio(0.22)
         self._set_font(bar.GetLabelTextProperty(), 0.023)
+        bar.DrawBackgroundOn()  # bodies may lie behind it where the scene is magnified
+        bar.GetBackgroundProperty().SetColor(1, 1, 1)
+        bar.GetBackgroundProperty().SetOpacity(VEIL)
         bar.SetPosition(0.885, 0.27)
         bar.SetPosition2(0.1, 0.5)
         self.renderer.AddActor2D(bar)
         # VTK would centre the title over the bar, where a long one runs out of the picture.
         lines = [part for line in title.split("\n") for part in textwrap.wrap(line, 18)]
         self.add_text("\n".join(lines), 0.975, 0.79, 0.026, right=True)
+        if note:
+            self.add_text(note, 0.975, 0.21, 0.02, right=True)
 
     def add_text(self, text, x, y, points, right=False, color=INK, bold=False):
         actor = vtkTextActor()
@@ -151,6 +160,8 @@ class Scene:
         self._set_font(actor.GetTextProperty(), points)
         actor.GetTextProperty().SetColor(*color)
         actor.GetTextProperty().SetBold(bold)
+        actor.GetTextProperty().SetBackgroundColor(1, 1, 1)
+        actor.GetTextProperty().SetBackgroundOpacity(VEIL)
         if right:
             actor.GetTextProperty().SetJustificationToRight()
         actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()

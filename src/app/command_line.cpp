@@ -47,8 +47,8 @@ Environment:
 )";
 
 constexpr const char* run_help = R"(
-Writes, as the deck's `output` asks, fields.vtkhdf with fields.xdmf beside it (ParaView, VisIt) and history.csv; always
-summary.json. Results go to the folder of --out; without it, to out/SCENE in the current folder, where SCENE is the
+Writes, as the deck's `output` asks, fields.vtkhdf with fields.xdmf2 (ParaView) and fields.xdmf (VisIt) beside it and
+history.csv; always summary.json. Results go to the folder of --out; without it, to out/SCENE in the current folder, where SCENE is the
 deck's name, or the name of its folder if it is called deck.yaml. A folder that is not empty is left alone unless
 --force is given, which overwrites an earlier run's files and nothing else. A folder that another run writes into is
 refused in any case; run.lock in it names that run.

@@ -70,8 +70,11 @@ std::string Description::describe_mesh() const {
   std::string text = fmt::format("{}: fields of a percuss run, {}\n", path, format_bytes(bytes));
   if (!title.empty()) text += fmt::format("title:   {}\n", title);
   if (!units.empty()) text += fmt::format("units:   {}\n", units);
-  return text + fmt::format("mesh:    {} elements, {} nodes, {} part{} ({})\n", elements, nodes, parts.size(),
-                            parts.size() == 1 ? "" : "s", fmt::join(parts, ", "));
+  text += fmt::format("mesh:    {} elements, {} nodes, {} part{} ({})\n", elements, nodes, parts.size(),
+                      parts.size() == 1 ? "" : "s", fmt::join(parts, ", "));
+  if (check(H5Lexists(own.get(), "walls", H5P_DEFAULT), "look for walls") > 0)
+    text += fmt::format("walls:   {}\n", hdf5::read_shape(own.get(), "walls").rows);
+  return text;
 }
 
 std::string Description::describe_frames() const {
@@ -80,6 +83,13 @@ std::string Description::describe_frames() const {
   const auto steps = read_rows<std::int64_t>(own.get(), "step", 0, frames, bytes);
   return fmt::format("frames:  {}, time {} to {}, step {} to {}\n", frames, times.front(), times.back(), steps.front(),
                      steps.back());
+}
+
+// " [m/s]", or nothing: the deck's units may have no known names, and files of older versions say none.
+std::string read_unit(hid_t root, const std::string& dataset) {
+  const Handle open(check(H5Dopen2(root, dataset.c_str(), H5P_DEFAULT), "open " + dataset), H5Dclose);
+  const bool there = check(H5Aexists(open.get(), "unit"), "read the unit of " + dataset) > 0;
+  return there ? fmt::format(" [{}]", hdf5::read_text(open.get(), "unit")) : "";
 }
 
 std::string Description::describe_fields(const std::string& group, const char* place, hsize_t items) const {
@@ -95,7 +105,7 @@ std::string Description::describe_fields(const std::string& group, const char* p
       const auto values = read_rows<double>(root.get(), dataset, static_cast<hsize_t>(first), items, bytes);
       range = describe_range(values, components);
     }
-    text += fmt::format("  {:<28} {:<8} {}  {}\n", name, place, components, range);
+    text += fmt::format("  {:<28} {:<8} {}  {}{}\n", name, place, components, range, read_unit(root.get(), dataset));
   }
   return text;
 }

@@ -7,6 +7,7 @@
 
 #include "comm/agreement.hpp"
 #include "src/output/atomic_file.hpp"
+#include "src/output/field_units.hpp"
 #include "src/output/fields_restart.hpp"
 #include "src/output/first_rank.hpp"
 #include "src/output/hdf5_handle.hpp"
@@ -23,20 +24,16 @@ XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options, c
   index.file = "fields.vtkhdf";
   index.title = options.title;
   index.units = options.units;
+  index.walls = options.walls;
   for (const auto& part : chunked.mesh.parts) index.parts.push_back(part.name);
-  index.nodes = chunked.numbering.node_count();
-  index.elements = chunked.numbering.element_count();
-  std::int64_t counts[2] = {0, 0};
-  for (const auto& corners : chunked.mesh.elements) {
-    counts[0] += is_shell(corners) ? 1 : 0;
-    counts[1] += is_triangle(corners) ? 1 : 0;
-  }
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, ranks.handle()); },
-           "MPI_Allreduce");
-  index.shells = counts[0];
-  index.triangles = counts[1];
+  index.extents = find_part_extents(chunked, ranks);
+  index.mesh = join_extents(index.extents);
   return index;
 }
+
+// The index by parts has a text for every part and frame. It is replaced when the frames are this share more than it
+// has, so that all that is written of it in a run is some ten times its length.
+constexpr std::size_t frames_per_new_one = 16;
 
 EarlierFrames find_kept(const ChunkedMesh& chunked, std::int64_t frames) {
   return {static_cast<hsize_t>(frames), static_cast<hsize_t>(chunked.numbering.node_count()),
@@ -50,18 +47,21 @@ struct FieldsFile::Impl {
        const Communicator& all_ranks)
       : ranks(all_ranks),
         xdmf_path(directory + "/fields.xdmf"),
+        parts_path(directory + "/fields.xdmf2"),
         initial(chunked.mesh.nodes),
         elements(chunked.mesh.elements.size()),
         precision(options.precision),
         index(make_index(chunked, options, all_ranks)),
         file(directory + "/fields.vtkhdf", chunked, options, all_ranks) {
     write_index();
+    write_parts_index();
   }
 
   Impl(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
        const Communicator& all_ranks, std::vector<double> times)
       : ranks(all_ranks),
         xdmf_path(directory + "/fields.xdmf"),
+        parts_path(directory + "/fields.xdmf2"),
         initial(chunked.mesh.nodes),
         elements(chunked.mesh.elements.size()),
         precision(options.precision),
@@ -71,23 +71,37 @@ struct FieldsFile::Impl {
   }
 
   void write_index() const;
+  void write_parts_index();
+  void write_parts_index_if_due();
   std::vector<FieldData> complete_fields(std::span<const double> positions, std::span<const FieldData> given);
   void check_fields(std::span<const FieldData> fields) const;
   void remember_fields(std::span<const FieldData> fields);
 
   Communicator ranks;
-  std::string xdmf_path;
+  std::string xdmf_path, parts_path;
   std::vector<Vec3> initial;         // [local nodes] positions of the mesh
   std::size_t elements;              // local ones
   std::vector<double> displacement;  // of the frame being written, [local nodes][3]
   FieldPrecision precision;
   XdmfIndex index;
+  std::size_t frames_in_parts_index = 0;
   VtkhdfFile file;
 };
 
 // Rank 0 writes the text for all.
 void FieldsFile::Impl::write_index() const {
   run_on_first_rank(ranks, [&] { write_file_atomically(xdmf_path, make_xdmf_text(index), Durability::system); });
+}
+
+void FieldsFile::Impl::write_parts_index() {
+  run_on_first_rank(ranks,
+                    [&] { write_file_atomically(parts_path, make_xdmf_text_by_parts(index), Durability::system); });
+  frames_in_parts_index = index.times.size();
+}
+
+void FieldsFile::Impl::write_parts_index_if_due() {
+  const std::size_t frames = index.times.size();
+  if (frames - frames_in_parts_index > frames_in_parts_index / frames_per_new_one) write_parts_index();
 }
 
 // The fields of a frame with the displacement, which is put first unless it was given.
@@ -121,7 +135,8 @@ void FieldsFile::Impl::remember_fields(std::span<const FieldData> fields) {
   const int bytes = precision == FieldPrecision::float32 ? 4 : 8;
   index.fields.clear();
   for (const auto& field : fields)
-    index.fields.push_back({field.name, field.place, field.components, field.number == FieldNumber::byte ? 1 : bytes});
+    index.fields.push_back({field.name, field.place, field.components, field.number == FieldNumber::byte ? 1 : bytes,
+                            name_field_unit(field.name, index.units)});
 }
 
 FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
@@ -177,6 +192,7 @@ void FieldsFile::write_frame(double time, long step, std::span<const double> pos
   impl_->remember_fields(all);
   impl_->index.times.push_back(time);
   impl_->write_index();
+  impl_->write_parts_index_if_due();
 }
 
 void FieldsFile::close() {
@@ -184,6 +200,8 @@ void FieldsFile::close() {
   const hdf5::QuietErrors quiet;
   const auto impl = std::move(impl_);
   impl->file.close();
+  const bool has_written = !impl->index.fields.empty();  // else it goes on with a file and has added nothing
+  if (has_written && impl->frames_in_parts_index < impl->index.times.size()) impl->write_parts_index();
 }
 
 }  // namespace percuss

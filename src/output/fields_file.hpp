@@ -1,6 +1,6 @@
 #pragma once
 // fields.vtkhdf: the fields of a run over time, one HDF5 file in VTK's UnstructuredGrid layout (version 2, temporal),
-// and an .xdmf beside it over the same datasets. docs/output.md lists every dataset.
+// and two indexes in XDMF beside it over the same datasets. docs/output.md lists every dataset.
 //
 // The cells are stored once, the positions of the nodes at every frame. Displacement is always among the fields. All
 // ranks write the file together; it is the same whatever their number, nodes and elements in ascending global number.
@@ -33,15 +33,23 @@ struct FieldData {
 /// How real fields are stored; positions and times are always float64.
 enum class FieldPrecision { float64, float32 };
 
+/// A rigid plane; bodies live on the side to which the unit normal points.
+struct WallPlane {
+  Vec3 point{};  // [length]
+  Vec3 normal{};
+};
+
 struct FieldsOptions {
   std::string title;  // of the deck
-  std::string units;  // of the deck: "m, kg, s"; scripts/render derives the units of fields from it
+  std::string units;  // of the deck: "m, kg, s"; units of fields follow from it (src/output/field_units.hpp)
   FieldPrecision precision = FieldPrecision::float64;
+  std::vector<WallPlane> walls{};  // for pictures
 };
 
 class FieldsFile {
  public:
-  /// Creates DIR/fields.vtkhdf and DIR/fields.xdmf (old ones are replaced) with the mesh: cells, ids, part numbers.
+  /// Creates DIR/fields.vtkhdf, DIR/fields.xdmf and DIR/fields.xdmf2 (old ones are replaced) with the mesh: cells, ids,
+  /// part numbers.
   /// `chunked` is this rank's share of the mesh. Collective over `ranks`, as everything below, the destructor included.
   /// Throws SystemError with the path and the reason, on all ranks alike.
   FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,

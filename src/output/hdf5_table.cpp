@@ -91,6 +91,13 @@ void write_dataset(hid_t parent, const std::string& name, hid_t file_type, const
   write_rows(dataset.get(), name, 0, block, 1, memory_type, values);
 }
 
+void write_rows_once(hid_t parent, const std::string& name, const RowBlock& block, int components,
+                     std::span<const double> values) {
+  const Handle space = create_space(make_extent(block.all, components));
+  const Handle dataset = create_dataset(parent, name, H5T_IEEE_F64LE, space.get(), H5P_DEFAULT);
+  write_rows(dataset.get(), name, 0, block, components, H5T_NATIVE_DOUBLE, values.data());
+}
+
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values) {
   const hsize_t count = values.size();
   const Handle space(check(count == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr), "write " + name),
@@ -112,6 +119,10 @@ void write_texts(hid_t parent, const std::string& name, std::span<const std::str
     std::copy(texts[i].begin(), texts[i].end(), padded.begin() + static_cast<std::ptrdiff_t>(i * length));
   const Handle type = create_text_type(length);
   write_dataset(parent, name, type.get(), block, type.get(), padded.data() + block.first * length);
+}
+
+void Table::note_unit(const std::string& unit) {
+  if (!unit.empty()) write_attribute(dataset_.get(), "unit", unit);
 }
 
 Table::Table(hid_t parent, const std::string& name, hid_t file_type, int components, hsize_t rows_at_once)

@@ -40,9 +40,11 @@ struct RowBlock {
 /// A group below `parent`.
 Handle create_group(hid_t parent, const std::string& name);
 
-/// A one-dimensional dataset that is written once. values: [block.count].
+/// A dataset that is written once. values: [block.count] numbers; or [block.count][components], row by row.
 void write_dataset(hid_t parent, const std::string& name, hid_t file_type, const RowBlock& block, hid_t memory_type,
                    const void* values);
+void write_rows_once(hid_t parent, const std::string& name, const RowBlock& block, int components,
+                     std::span<const double> values);
 
 /// Attributes: whole numbers (one or several) and text of fixed length.
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
@@ -62,6 +64,9 @@ class Table {
   Table(hid_t parent, const std::string& name);
 
   int components() const { return components_; }
+
+  /// Says what its numbers are in, as the attribute `unit`; nothing if that is empty.
+  void note_unit(const std::string& unit);
 
   /// Cuts off all rows from row `rows` on. In a file that this process alone has open.
   void cut(hsize_t rows);

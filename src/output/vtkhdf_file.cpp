@@ -85,6 +85,15 @@ std::vector<std::int64_t> list_mixed_topology(const Cells& cells) {
   return topology;
 }
 
+// Whether the cells of all ranks are of more than one kind.
+bool has_several_kinds(const Communicator& ranks, const Cells& cells) {
+  std::array<int, 3> kinds{};  // whether there are any of each
+  for (const std::uint8_t type : cells.types) kinds[type == vtk_triangle ? 0 : type == vtk_quad ? 1 : 2] = 1;
+  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, kinds.data(), 3, MPI_INT, MPI_MAX, ranks.handle()); },
+           "MPI_Allreduce");
+  return kinds[0] + kinds[1] + kinds[2] > 1;
+}
+
 // What a rank writes of a dataset to which each rank brings some rows, rank after rank.
 hdf5::RowBlock join_blocks(const Communicator& ranks, std::size_t count, hid_t transfer) {
   std::uint64_t all = count, first = count;
@@ -96,11 +105,11 @@ hdf5::RowBlock join_blocks(const Communicator& ranks, std::size_t count, hid_t t
 
 }  // namespace
 
-VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, FieldPrecision precision,
+VtkhdfFile::VtkhdfFile(Unopened, const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
                        const Communicator& ranks)
     : path_(path),
       ranks_(ranks),
-      precision_(precision),
+      options_(options),
       nodes_(static_cast<hsize_t>(chunked.numbering.node_count())),
       elements_(static_cast<hsize_t>(chunked.numbering.element_count())),
       node_rows_(ranks, find_owned_nodes(chunked, ranks), chunked.mesh.node_numbers, chunked.numbering.node_count()),
@@ -111,9 +120,9 @@ VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, Fiel
 
 VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
                        const Communicator& ranks)
-    : VtkhdfFile(path, chunked, options.precision, ranks) {
+    : VtkhdfFile(Unopened{}, path, chunked, options, ranks) {
   try {
-    run_or_abandon("create", [&] { create(chunked.mesh, options); });
+    run_or_abandon("create", [&] { create(chunked.mesh); });
   } catch (...) {
     if (ranks_.rank() == 0) ::unlink(path_.c_str());
     throw;
@@ -122,7 +131,7 @@ VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, cons
 
 VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
                        const Communicator& ranks, std::int64_t frames)
-    : VtkhdfFile(path, chunked, options.precision, ranks) {
+    : VtkhdfFile(Unopened{}, path, chunked, options, ranks) {
   run_or_abandon("open", [&] { open(frames); });
 }
 
@@ -154,15 +163,16 @@ void VtkhdfFile::fail(const char* action, const hdf5::Error& error) {
   throw SystemError(message);
 }
 
-void VtkhdfFile::create(const Mesh& mesh, const FieldsOptions& options) {
+void VtkhdfFile::create(const Mesh& mesh) {
   file_ = hdf5::create_durable_file(path_, ranks_);
   run_on_first_rank(ranks_, [&] {
     disk_ = DiskReservation(path_);
     disk_.reserve(0, metadata_bytes_of_file + nodes_ * mesh_bytes_per_node + elements_ * mesh_bytes_per_element);
   });
   tables_.create_groups(file_.get());
-  write_mesh(mesh, options);
-  tables_.create_steps(nodes_);
+  write_mesh(mesh);
+  write_scene(mesh);
+  tables_.create_steps(nodes_, options_.units);
   flush();
   trim();
 }
@@ -209,12 +219,12 @@ void VtkhdfFile::write_cells(const Mesh& mesh) {
   block.all += 1;
   block.count = offsets.size();
   write_numbers(tables_.root, "Offsets", block, offsets);
-  if (ids.all == 4 * elements_ || ids.all == 8 * elements_) return;  // XDMF needs no more for one kind
+  if (!has_several_kinds(ranks_, cells)) return;  // XDMF needs no more for one
   const std::vector<std::int64_t> mixed = list_mixed_topology(cells);
   write_numbers(tables_.own, "xdmf_topology", join_blocks(ranks_, mixed.size(), transfer), mixed);
 }
 
-void VtkhdfFile::write_mesh(const Mesh& mesh, const FieldsOptions& options) {
+void VtkhdfFile::write_mesh(const Mesh& mesh) {
   const auto write_count = [&](const char* name, hsize_t count) {
     write_numbers(tables_.root, name, make_block_of_first_rank(1), std::array{static_cast<std::int64_t>(count)});
   };
@@ -225,12 +235,22 @@ void VtkhdfFile::write_mesh(const Mesh& mesh, const FieldsOptions& options) {
   write_items("element_id", FieldPlace::element, mesh.element_ids);
   write_items("part", FieldPlace::element,
               std::vector<std::int64_t>(mesh.element_part.begin(), mesh.element_part.end()));
+}
 
+// What VTK does not know.
+void VtkhdfFile::write_scene(const Mesh& mesh) {
   std::vector<std::string> names;
   for (const auto& part : mesh.parts) names.push_back(part.name);
   hdf5::write_texts(tables_.own.get(), "part_names", names, make_block_of_first_rank(names.size()));
-  hdf5::write_attribute(tables_.own.get(), "title", options.title);
-  hdf5::write_attribute(tables_.own.get(), "units", options.units);
+  hdf5::write_attribute(tables_.own.get(), "title", options_.title);
+  hdf5::write_attribute(tables_.own.get(), "units", options_.units);
+  if (options_.walls.empty()) return;
+  std::vector<double> walls;  // a point and the normal of each
+  for (const auto& [point, normal] : options_.walls) {
+    walls.insert(walls.end(), point.begin(), point.end());
+    walls.insert(walls.end(), normal.begin(), normal.end());
+  }
+  hdf5::write_rows_once(tables_.own.get(), "walls", make_block_of_first_rank(options_.walls.size()), 6, walls);
 }
 
 void VtkhdfFile::open(std::int64_t frames) {
@@ -253,7 +273,7 @@ void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const do
   if (!file_) throw SystemError(fmt::format("cannot write '{}' (it was given up after an error)", path_));
   run_or_abandon("write", [&] {
     if (frames_ == 0)
-      tables_.create_fields(fields, precision_, nodes_, elements_);
+      tables_.create_fields(fields, options_, nodes_, elements_);
     else if (tables_.fields.empty())
       tables_.open_fields(fields);
     reserve(frame_bytes(fields));

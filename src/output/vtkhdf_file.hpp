@@ -46,14 +46,17 @@ class VtkhdfFile {
   void close();
 
  private:
-  VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, FieldPrecision precision, const Communicator& ranks);
+  struct Unopened {};
+  VtkhdfFile(Unopened, const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
+             const Communicator& ranks);
 
   template <class Work>
   void run_or_abandon(const char* action, Work&& work);
   [[noreturn]] void fail(const char* action, const hdf5::Error& error);
-  void create(const Mesh& mesh, const FieldsOptions& options);
+  void create(const Mesh& mesh);
   void write_cells(const Mesh& mesh);
-  void write_mesh(const Mesh& mesh, const FieldsOptions& options);
+  void write_mesh(const Mesh& mesh);
+  void write_scene(const Mesh& mesh);
   void open(std::int64_t frames);
   hdf5::RowBlock make_block(FieldPlace place, int rows = 1) const;
   hdf5::RowBlock make_block_of_first_rank(hsize_t rows) const;
@@ -75,7 +78,7 @@ class VtkhdfFile {
 
   std::string path_;
   Communicator ranks_;
-  FieldPrecision precision_;
+  FieldsOptions options_;
   hsize_t nodes_, elements_;  // of the whole mesh
   RowBlocks node_rows_, element_rows_;
   hdf5::Handle transfer_;  // collective; none: one rank

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "src/output/field_units.hpp"
 #include "src/output/hdf5_reading.hpp"
 
 namespace percuss {
@@ -48,12 +49,14 @@ void VtkhdfTables::add_constants(const Make& make) {
   }
 }
 
-void VtkhdfTables::create_steps(hsize_t nodes) {
+void VtkhdfTables::create_steps(hsize_t nodes, const std::string& units) {
   hdf5::write_attribute(steps.get(), "NSteps", std::array<std::int64_t, 1>{0});
   points.emplace(root.get(), "Points", H5T_IEEE_F64LE, 3, nodes);
   times.emplace(steps.get(), "Values", H5T_IEEE_F64LE, 1, steps_at_once);
   point_offsets.emplace(steps.get(), "PointOffsets", H5T_STD_I64LE, 1, steps_at_once);
   step_numbers.emplace(own.get(), "step", H5T_STD_I64LE, 1, steps_at_once);
+  points->note_unit(name_field_unit("points", units));
+  times->note_unit(name_field_unit("time", units));
   add_constants(
       [](hid_t group, const char* name) { return hdf5::Table(group, name, H5T_STD_I64LE, 1, steps_at_once); });
 }
@@ -83,9 +86,9 @@ void VtkhdfTables::open_fields(std::span<const FieldData> described) {
   }
 }
 
-void VtkhdfTables::create_fields(std::span<const FieldData> described, FieldPrecision precision, hsize_t nodes,
+void VtkhdfTables::create_fields(std::span<const FieldData> described, const FieldsOptions& options, hsize_t nodes,
                                  hsize_t elements) {
-  const hid_t real = precision == FieldPrecision::float32 ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
+  const hid_t real = options.precision == FieldPrecision::float32 ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
   for (const auto& field : described) {
     const hid_t type = field.number == FieldNumber::byte ? H5T_STD_U8LE : real;
     const bool on_nodes = field.place == FieldPlace::node;
@@ -94,6 +97,7 @@ void VtkhdfTables::create_fields(std::span<const FieldData> described, FieldPrec
     fields.push_back({field.place,
                       hdf5::Table(group.get(), field.name, type, field.components, on_nodes ? nodes : elements),
                       hdf5::Table(offsets.get(), field.name, H5T_STD_I64LE, 1, steps_at_once)});
+    fields.back().values.note_unit(name_field_unit(field.name, options.units));
   }
 }
 

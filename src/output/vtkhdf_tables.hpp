@@ -34,10 +34,11 @@ struct VtkhdfTables {
   void create_groups(hid_t file);
 
   /// Makes the tables of the steps, empty. nodes: of the whole mesh, rows of Points that a frame brings.
-  void create_steps(hsize_t nodes);
+  void create_steps(hsize_t nodes, const std::string& units);
 
   /// Makes the tables of the fields, empty. nodes, elements: of the whole mesh.
-  void create_fields(std::span<const FieldData> described, FieldPrecision precision, hsize_t nodes, hsize_t elements);
+  void create_fields(std::span<const FieldData> described, const FieldsOptions& options, hsize_t nodes,
+                     hsize_t elements);
 
   /// Opens what create_groups() and create_steps() made.
   void open(hid_t file);

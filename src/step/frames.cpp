@@ -29,6 +29,12 @@ std::vector<std::string> list_fields(const Deck& deck, const Model& model) {
   return fields;
 }
 
+FieldsOptions make_options(const Deck& deck) {
+  FieldsOptions options{.title = deck.title, .units = deck.units};
+  for (const WallDeck& wall : deck.walls) options.walls.push_back({wall.point, wall.normal});
+  return options;
+}
+
 }  // namespace
 
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
@@ -36,7 +42,7 @@ Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh
     : model_(model),
       contact_(contact),
       names_(list_fields(deck, model)),
-      file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, model.ranks) {
+      file_(directory, chunked, make_options(deck), model.ranks) {
   note_constant_fields(chunked);
 }
 
@@ -45,7 +51,7 @@ Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh
     : model_(model),
       contact_(contact),
       names_(list_fields(deck, model)),
-      file_(directory, chunked, FieldsOptions{.title = deck.title, .units = deck.units}, model.ranks, frames, names_),
+      file_(directory, chunked, make_options(deck), model.ranks, frames, names_),
       count_(frames) {
   note_constant_fields(chunked);
 }

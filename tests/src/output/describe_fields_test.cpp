@@ -51,7 +51,8 @@ TEST(DescribeFields, TellsMeshFramesAndTheRangeOfEveryField) {
   EXPECT_THAT(text, HasSubstr("mesh:    16 elements, 54 nodes, 2 parts (left, right <&\"> one)\n"));
   EXPECT_THAT(text, HasSubstr("frames:  3, time 0 to 0.2, step 0 to 20\n"));
   // stress of the last frame: 200 + element + 0.1 component
-  EXPECT_THAT(text, HasSubstr("  stress                       element  6  200 to 215.5\n"));
+  EXPECT_THAT(text, HasSubstr("  stress                       element  6  200 to 215.5 [Pa]\n"));
+  EXPECT_THAT(text, HasSubstr("walls:   1\n"));
   EXPECT_THAT(text, HasSubstr("  node_id                      node     1  947 to 1000\n"));
   EXPECT_THAT(text, HasSubstr("  velocity                     node     3  magnitude "));
 }
@@ -71,7 +72,7 @@ TEST(DescribeFields, CountsWhatIsNotFinite) {
   const auto fields = data.fields();
   file.write_frame(0, 0, data.positions, fields);
   file.close();
-  EXPECT_THAT(describe_fields_file(folder.file("fields.vtkhdf")), HasSubstr("4 to 4, 1 not finite\n"));
+  EXPECT_THAT(describe_fields_file(folder.file("fields.vtkhdf")), HasSubstr("4 to 4, 1 not finite [Pa]\n"));
 }
 
 TEST(DescribeFields, RefusesOtherFilesAsWrongInput) {

@@ -91,6 +91,56 @@ TEST(FieldsFile, StoresShellsAsQuadrilaterals) {
   EXPECT_THAT(read_text(folder.file("fields.xdmf")), HasSubstr("TopologyType=\"Mixed\""));
 }
 
+TEST(FieldsFile, KeepsTheKindsOfElementsForXdmfWhateverTheirNumbers) {
+  Mesh mesh =
+      sample::make_mesh();  // of 16 elements: eight corners and three have a mean of four if three are hexahedra
+  mesh.elements.resize(5);
+  mesh.element_ids.resize(5);
+  mesh.element_part.resize(5);
+  for (std::size_t e = 1; e < 5; ++e) {
+    const auto h = mesh.elements[e];
+    mesh.elements[e] = make_shell({h[0], h[1], h[2], h[2]});
+  }
+  ASSERT_TRUE(is_triangle(mesh.elements[4]));
+  ChunkedMesh chunked;
+  chunked.numbering = {{0, 5}, {0, static_cast<std::int64_t>(mesh.nodes.size())}, {0}};
+  chunked.chunks = {{0, 5, 0, 0}};
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) mesh.node_numbers.push_back(static_cast<std::int64_t>(n));
+  mesh.parts.resize(1);
+  chunked.mesh = mesh;
+  const TemporaryFolder folder;
+  FieldsFile file(folder.path(), chunked, sample::options(), Communicator(MPI_COMM_SELF));
+  file.close();
+  EXPECT_THAT(Hdf5FileView(folder.file("fields.vtkhdf")).shape("percuss/xdmf_topology"), ElementsAre(8 + 4 * 3 + 5));
+}
+
+TEST(FieldsFile, SaysTheUnitOfEveryFieldWhereTheDeckNamesKnownOnes) {
+  const TemporaryFolder folder;
+  write_run(folder, sample::make_mesh());
+  const Hdf5FileView file(folder.file("fields.vtkhdf"));
+  EXPECT_EQ(file.text_attribute("VTKHDF/Points", "unit"), "m");
+  EXPECT_EQ(file.text_attribute("VTKHDF/Steps/Values", "unit"), "s");
+  EXPECT_EQ(file.text_attribute("VTKHDF/PointData/velocity", "unit"), "m/s");
+  EXPECT_EQ(file.text_attribute("VTKHDF/CellData/stress", "unit"), "Pa");
+  EXPECT_FALSE(file.has_attribute("VTKHDF/CellData/flag", "unit"));
+  const TemporaryFolder other;
+  write_run(other, sample::make_mesh(), {"", "inch and pound", FieldPrecision::float64});
+  EXPECT_FALSE(Hdf5FileView(other.file("fields.vtkhdf")).has_attribute("VTKHDF/PointData/velocity", "unit"));
+}
+
+TEST(FieldsFile, KeepsTheRigidWalls) {
+  const TemporaryFolder folder;
+  FieldsOptions options = sample::options();
+  options.walls = {{{1, 2, 3}, {0, 0, 1}}, {{4, 5, 6}, {-1, 0, 0}}};
+  write_run(folder, sample::make_mesh(), options);
+  const Hdf5FileView file(folder.file("fields.vtkhdf"));
+  EXPECT_THAT(file.shape("percuss/walls"), ElementsAre(2, 6));
+  EXPECT_THAT(file.numbers("percuss/walls"), ElementsAre(1, 2, 3, 0, 0, 1, 4, 5, 6, -1, 0, 0));
+  const TemporaryFolder without;
+  write_run(without, sample::make_mesh(), {"", "", FieldPrecision::float64});
+  EXPECT_FALSE(Hdf5FileView(without.file("fields.vtkhdf")).has("percuss/walls"));
+}
+
 TEST(FieldsFile, StoresTheCellsOnceAndSendsEveryStepBackToThem) {
   const TemporaryFolder folder;
   const Mesh mesh = sample::make_mesh();
@@ -260,6 +310,49 @@ TEST(FieldsXdmf, ListsEveryFrameWithItsTimeAndEscapesNames) {
   EXPECT_THAT(text, HasSubstr("<Time Value=\"0.1\"/>"));
   EXPECT_THAT(text, HasSubstr("Value=\"right &lt;&amp;&quot;&gt; one\""));
   EXPECT_FALSE(std::filesystem::exists(folder.file("fields.xdmf.tmp")));
+}
+
+TEST(FieldsXdmf, SaysUnitsAndWallsBesideTheFields) {
+  const TemporaryFolder folder;
+  write_run(folder, sample::make_mesh());
+  const std::string text = read_text(folder.file("fields.xdmf"));
+  EXPECT_THAT(text, HasSubstr("<Information Name=\"unit of velocity\" Value=\"m/s\"/>"));
+  EXPECT_THAT(text, HasSubstr("<Information Name=\"wall 0\" Value=\"point 0 0 -1, normal 0 0 1\"/>"));
+  EXPECT_THAT(text, HasSubstr("<Attribute Name=\"velocity\"")) << "names are those of the datasets";
+}
+
+// read_with_vtk.py compares every number of the index by parts.
+TEST(FieldsXdmf, GivesEachPartABlockWithItsNameAndEachFieldItsUnit) {
+  const TemporaryFolder folder;
+  write_run(folder, sample::make_mesh());
+  const std::string text = read_text(folder.file("fields.xdmf2"));
+  EXPECT_THAT(text, HasSubstr("<Grid Name=\"left\" GridType=\"Collection\" CollectionType=\"Temporal\">"));
+  EXPECT_THAT(text, HasSubstr("<Attribute Name=\"velocity [m/s]\""));
+  EXPECT_THAT(text, HasSubstr("<Attribute Name=\"flag\""));
+}
+
+TEST(FieldsXdmf, LetsTheIndexByPartsFallBehindByASixteenthAtMost) {
+  const TemporaryFolder folder;
+  const Mesh mesh = sample::make_mesh(1);
+  FieldsFile file = sample::create_file(folder.path(), mesh);
+  const auto count_frames = [&] {
+    const std::string text = read_text(folder.file("fields.xdmf2"));
+    std::size_t found = 0;
+    for (std::size_t at = 0; (at = text.find("<Time ", at)) != std::string::npos; ++at) ++found;
+    return found / mesh.parts.size();
+  };
+  std::size_t texts = 0, before = 0;
+  for (std::size_t frame = 1; frame <= 200; ++frame) {
+    sample::write_frame(file, mesh, static_cast<int>(frame));
+    const std::size_t there = count_frames();
+    ASSERT_GE(there + there / 16, frame);
+    texts += there != before ? 1 : 0;
+    before = there;
+  }
+  EXPECT_LT(texts, 70u) << "it is not replaced with every frame";
+  EXPECT_LT(before, 200u);
+  file.close();
+  EXPECT_EQ(count_frames(), 200u);
 }
 
 }  // namespace

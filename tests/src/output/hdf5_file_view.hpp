@@ -59,6 +59,10 @@ class Hdf5FileView {
     return dims;
   }
 
+  bool has_attribute(const std::string& object, const std::string& name) const {
+    return H5Aexists_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+  }
+
   std::vector<double> numbers(const std::string& name) const { return read<double>(name, H5T_NATIVE_DOUBLE); }
   std::vector<long> whole_numbers(const std::string& name) const { return read<long>(name, H5T_NATIVE_LONG); }
 

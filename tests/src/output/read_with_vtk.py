@@ -79,11 +79,8 @@ class FirstStepInVtk(unittest.TestCase):
             np.testing.assert_array_equal(vtk_to_numpy(data.GetArray(name)), values, err_msg=name)
 
 
-class EveryStepThroughXdmf(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.domain = xml.parse(os.path.join(FOLDER, "fields.xdmf")).getroot().find("Domain")
-        cls.steps = cls.domain.find("Grid").findall("Grid")
+class Xdmf(unittest.TestCase):
+    """What the two indexes have in common."""
 
     def resolve(self, item):
         """The numbers that a DataItem means."""
@@ -101,6 +98,13 @@ class EveryStepThroughXdmf(unittest.TestCase):
         self.assertEqual(values.dtype.itemsize, int(item.get("Precision")))
         self.assertEqual(values.dtype.kind, {"Float": "f", "Int": "i", "UChar": "u"}[item.get("NumberType")])
         return values
+
+
+class EveryStepThroughXdmf(Xdmf):
+    @classmethod
+    def setUpClass(cls):
+        cls.domain = xml.parse(os.path.join(FOLDER, "fields.xdmf")).getroot().find("Domain")
+        cls.steps = cls.domain.find("Grid").findall("Grid")
 
     def test_lists_every_time(self):
         times = [float(step.find("Time").get("Value")) for step in self.steps]
@@ -128,6 +132,47 @@ class EveryStepThroughXdmf(unittest.TestCase):
         self.assertEqual(words["title"], "A sample & its <title>")
         self.assertEqual(words["units"], "m, kg, s")
         self.assertEqual(words["part 1"], 'right <&"> one')
+
+
+class EveryPartThroughXdmf2(Xdmf):
+    @classmethod
+    def setUpClass(cls):
+        domain = xml.parse(os.path.join(FOLDER, "fields.xdmf2")).getroot().find("Domain")
+        cls.scene = domain.find("Grid")
+        cls.parts = cls.scene.findall("Grid")
+
+    def test_has_a_block_for_each_part_with_its_name_and_every_time(self):
+        self.assertEqual(self.scene.get("CollectionType"), "Spatial")
+        self.assertEqual([part.get("Name") for part in self.parts], ["left", 'right <&"> one'])
+        for part in self.parts:
+            self.assertEqual(part.get("CollectionType"), "Temporal")
+            times = [float(step.find("Time").get("Value")) for step in part.findall("Grid")]
+            self.assertEqual(times, [time_of(frame) for frame in range(FRAMES)])
+
+    def test_has_every_number_of_the_part_in_every_frame(self):
+        units = {"displacement": "m", "velocity": "m/s", "von_mises": "Pa"}
+        units.update({f"stress_{axes}": "Pa" for axes in ("xx", "yy", "zz", "xy", "yz", "zx")})
+        for number, part in enumerate(self.parts):
+            for frame, step in enumerate(part.findall("Grid")):
+                wanted = {name: np.split(values, 2)[number] for name, values in expected(frame).items()}
+                stress = wanted.pop("stress")
+                wanted.update({f"stress_{axes}": stress[:, [c]] for c, axes in enumerate(("xx", "yy", "zz", "xy", "yz", "zx"))})
+                points = self.resolve(step.find("Geometry/DataItem"))
+                np.testing.assert_array_equal(points, wanted.pop("points"))
+                found = {a.get("Name"): a for a in step.findall("Attribute")}
+                names = {name: name + (f" [{units[name]}]" if name in units else "") for name in wanted}
+                self.assertEqual(set(found), set(names.values()))
+                for name, values in wanted.items():
+                    np.testing.assert_array_equal(self.resolve(found[names[name]].find("DataItem")), values, err_msg=name)
+
+    def test_has_the_cells_by_the_nodes_of_the_part(self):
+        for part in self.parts:
+            for step in part.findall("Grid"):
+                topology = step.find("Topology")
+                corners = self.resolve(topology.find("DataItem")).reshape(-1, 8) - int(topology.get("BaseOffset", 0))
+                self.assertEqual(len(corners), int(topology.get("NumberOfElements")))
+                x = reference_nodes()[: (CELLS + 1) ** 3]
+                np.testing.assert_array_equal(x[corners[:, 6]] - x[corners[:, 0]], np.ones((CELLS**3, 3)))
 
 
 def shape_of(item):

@@ -22,8 +22,17 @@ if not (shutil.which("xvfb-run") and shutil.which("xauth")) and not os.environ.g
     print("skipped: no display and no Xvfb; scripts/install_dependencies --render installs one")
     sys.exit(77)
 
+if shutil.which("xvfb-run") and "PERCUSS_RENDER_REEXECUTED" not in os.environ:
+    # One virtual display for all pictures; the first test lets scripts/render make its own.
+    os.environ["PERCUSS_RENDER_REEXECUTED"] = "display"
+    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 64x64x24 -nolisten tcp", sys.executable, "-B", *sys.argv])
 SCRIPT, FOLDER = sys.argv[1:3]
 del sys.argv[1:3]
+
+
+def is_dark_red(picture):
+    """Where the colour is near that of the high end of the default map."""
+    return (picture[..., 0] < 120) & (picture[..., 0] > picture[..., 1] + 20)
 
 
 class Render(unittest.TestCase):
@@ -31,16 +40,36 @@ class Render(unittest.TestCase):
         self.out = tempfile.TemporaryDirectory()
         self.addCleanup(self.out.cleanup)
 
-    def render(self, *arguments):
-        return subprocess.run([SCRIPT, FOLDER, "--out", self.out.name, "--size", "320x180", "--fast", *arguments],
-                              capture_output=True, text=True, timeout=120)
+    def render(self, *arguments, folder=FOLDER, walls=False, env=None):
+        if not walls:
+            arguments = (*arguments, "--no-walls")
+        return subprocess.run([SCRIPT, folder, "--out", self.out.name, "--size", "320x180", "--fast", *arguments],
+                              capture_output=True, text=True, timeout=120, env=env)
+
+    def draw(self, *arguments, frame=0, **options):
+        """The picture of one frame, without colour bar and legend."""
+        done = self.render("--frame", str(frame), "--edges", "off", *arguments, **options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.picture(f"frame_{frame:04d}.png")[:, :270]
+
+    def change_stress(self, change):
+        """A copy of the sample whose von Mises stress is change(frame, elements)."""
+        folder = os.path.join(self.out.name, "changed")
+        shutil.copytree(FOLDER, folder)
+        with h5py.File(os.path.join(folder, "fields.vtkhdf"), "r+") as file:
+            elements = int(file["VTKHDF/NumberOfCells"][0])
+            for frame in range(3):
+                file["VTKHDF/CellData/von_mises"][frame * elements : (frame + 1) * elements] = change(
+                    frame, np.arange(elements))
+        return folder
 
     def picture(self, name):
         with Image.open(os.path.join(self.out.name, name)) as image:
             return np.asarray(image.convert("RGB")).astype(int)
 
     def test_makes_every_frame_and_an_animation_that_move(self):
-        done = self.render()
+        alone = {name: value for name, value in os.environ.items() if name != "PERCUSS_RENDER_REEXECUTED"}
+        done = self.render(env=alone)
         self.assertEqual(done.returncode, 0, done.stderr)
         frames = [self.picture(f"frame_{i:04d}.png") for i in range(3)]
         for frame in frames:
@@ -59,9 +88,7 @@ class Render(unittest.TestCase):
             nodes = int(file["VTKHDF/NumberOfPoints"][0])
             file["VTKHDF/PointData/contact_rank"] = np.repeat([-1.0, 1.0], nodes // 2)  # the left cube has none
             file["VTKHDF/Steps/PointDataOffsets/contact_rank"] = np.zeros(3, dtype=int)
-        done = subprocess.run([SCRIPT, folder, "--out", self.out.name, "--size", "320x180", "--fast", "--edges", "off",
-                               "--field", "contact_rank", "--frame", "0", "--view", "-90:10"],
-                              capture_output=True, text=True, timeout=120)
+        done = self.render("--edges", "off", "--field", "contact_rank", "--frame", "0", "--view", "-90:10", folder=folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         picture = self.picture("frame_0000.png")
         self.assertTrue((picture[:, 270:].max(axis=2) - picture[:, 270:].min(axis=2) > 20).any(), "there is a legend")
@@ -92,6 +119,88 @@ class Render(unittest.TestCase):
         done = self.render("--part-colors", "--frame", "0", "--clip", "x=5")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertFalse(reddish(), "the right cube is gone")
+
+    def test_cuts_away_the_side_that_hides_the_inside(self):
+        folder = self.change_stress(lambda frame, element: element // 2 % 2)  # 1 in the half with y > 1
+        for view, half in (("-90:10", "--clip=y=1"), ("90:10", "--clip=-y=1")):
+            picture = self.draw("--field", "von_mises", "--view", view, half, folder=folder)
+            self.assertTrue(is_dark_red(picture).any(), "the other half is in view")
+        for view, half in (("90:10", "--clip=y=1"), ("-90:10", "--clip=+y=1")):
+            picture = self.draw("--field", "von_mises", "--view", view, half, folder=folder)
+            self.assertFalse(is_dark_red(picture).any(), "only the half with zeros is left")
+
+    def test_shows_what_one_element_alone_has(self):
+        folder = self.change_stress(lambda frame, element: np.where(element == 13, 0.03, 0))
+        picture = self.draw("--field", "von_mises", folder=folder)
+        self.assertTrue(is_dark_red(picture).any(), "its colour is that of the end of the bar")
+
+    def test_has_one_range_for_all_frames_drawn(self):
+        folder = self.change_stress(lambda frame, element: np.where(element == 13, 0.01 * (1 + 9 * frame), 0))
+        self.assertTrue(is_dark_red(self.draw("--field", "von_mises", folder=folder)).any(), "alone it has its own")
+        self.assertEqual(self.render("--field", "von_mises", folder=folder).returncode, 0)
+        first, last = (self.picture(f"frame_{frame:04d}.png") for frame in (0, 2))
+        np.testing.assert_array_equal(first[:, 285:], last[:, 285:], "the bar")
+        self.assertFalse(is_dark_red(first[:, :270]).any())
+        self.assertTrue(is_dark_red(last[:, :270]).any())
+
+    def test_takes_a_range_that_is_given(self):
+        folder = self.change_stress(lambda frame, element: np.where(element == 13, 0.03, 0))
+        picture = self.draw("--field", "von_mises", "--range", "0:1", folder=folder)
+        self.assertFalse(is_dark_red(picture).any())
+
+    def test_draws_the_parts_that_are_named(self):
+        def blueish(picture):
+            return (picture[..., 2] > picture[..., 0] + 15).any()
+
+        def reddish(picture):
+            return (picture[..., 0] > picture[..., 2] + 40).any()
+
+        left = self.draw("--part-colors", "--part", "left")
+        self.assertTrue(blueish(left) and not reddish(left))
+        right = self.draw("--part-colors", "--part", 'right <&"> one')
+        self.assertTrue(reddish(right) and not blueish(right))
+        both = self.draw("--part-colors", "--part", 'left,right <&"> one')
+        self.assertTrue(reddish(both) and blueish(both))
+        done = self.render("--part", "middle")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there is no part 'middle'", done.stderr)
+        self.assertIn('it has left, right <&"> one', done.stderr)
+
+    def test_looks_at_a_point_as_large_as_asked_for(self):
+        def columns(*arguments):
+            drawn = self.draw("--part", "left", "--view", "-90:0", *arguments).min(axis=2) < 250
+            return np.flatnonzero(drawn[30:160].any(axis=0))
+
+        middle = ("--look-at", "1:1:1")
+        small, large = columns(*middle, "--zoom", "0.25"), columns(*middle, "--zoom", "0.5")
+        self.assertAlmostEqual(len(large) / len(small), 2, delta=0.1)
+        self.assertAlmostEqual(large.mean(), 160, delta=1.5)  # the middle of the whole picture
+        self.assertLess(columns("--look-at", "2:1:1", "--zoom", "0.5").mean(), 160 - len(large) / 4)
+
+    def test_draws_rigid_walls(self):
+        def covered(picture):
+            return (picture.min(axis=2) < 250).mean()
+
+        without, front = self.draw("--view", "-50:22"), self.draw("--view", "-50:22", walls=True)
+        self.assertGreater(covered(front), covered(without) + 0.1)
+        behind = self.draw("--view", "-50:-22", "--part-colors", walls=True)
+        self.assertTrue((behind[..., 2] > behind[..., 0] + 10).any(), "bodies are seen through a wall before them")
+
+    def test_says_that_paraview_has_removed_vtk(self):
+        fakes = os.path.join(self.out.name, "fakes")
+        os.mkdir(fakes)
+        with open(os.path.join(fakes, "h5py.py"), "w", encoding="utf-8") as file:
+            file.write("raise ImportError('gone')\n")
+        for status in ("installed", "not-installed"):
+            with open(os.path.join(fakes, "dpkg-query"), "w", encoding="utf-8") as file:
+                file.write(f"#!/bin/sh\nprintf {status}\n")
+            os.chmod(file.name, 0o755)
+            environment = dict(os.environ, PYTHONPATH=fakes, PATH=fakes + ":" + os.environ["PATH"],
+                               PERCUSS_RENDER_REEXECUTED="python")
+            done = subprocess.run([SCRIPT, FOLDER], capture_output=True, text=True, timeout=120, env=environment)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("run scripts/install_dependencies --render", done.stderr)
+            self.assertEqual("removes the package python3-paraview" in done.stderr, status == "installed")
 
     def test_names_the_fields_there_are_when_one_is_unknown(self):
         done = self.render("--field", "temperature")

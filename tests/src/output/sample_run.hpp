@@ -123,7 +123,9 @@ inline void write_frame(FieldsFile& file, const Mesh& mesh, int frame) {
   file.write_frame(time_of(frame), step_of(frame), data.positions, fields);
 }
 
-inline FieldsOptions options() { return {"A sample & its <title>", "m, kg, s", FieldPrecision::float64}; }
+inline FieldsOptions options() {
+  return {"A sample & its <title>", "m, kg, s", FieldPrecision::float64, {{{0, 0, -1}, {0, 0, 1}}}};
+}
 
 /// A fields file that one rank writes.
 inline FieldsFile create_file(const std::string& folder, const Mesh& mesh, const FieldsOptions& how = options()) {
