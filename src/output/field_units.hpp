@@ -5,10 +5,9 @@
 
 namespace percuss {
 
-/// The unit of a field of fields.vtkhdf: "m/s" of velocity in metres, kilograms and seconds; stresses in "Pa" with its
-/// prefix where the system has one ("GPa" in mm, kg, ms), else in words ("kg/(cm·s²)"). `points` are the positions,
-/// `time` that of a frame. Empty for a field without dimension, for one that is unknown, and where `units` are not one
-/// name each of a known length, mass and time, in any order.
+/// The unit of a field of fields.vtkhdf by src/deck/units.hpp: "m/s" of velocity in m, kg, s, "GPa" of stress in mm, kg,
+/// ms. `points` are the positions, `time` that of a frame. Empty for a field without dimension, for one that is unknown,
+/// and where the deck names no units.
 std::string name_field_unit(const std::string& field, const std::string& units);
 
 }  // namespace percuss
