@@ -327,9 +327,8 @@ ProgressState Run::find_progress() const {
           state_.books.eroded_elements};
 }
 
-/// Contact that pushes nodes of mass m out by g in steps of dt compresses elements on both sides, at most as stiff as
-/// springs of m / dt^2 each, which is (m / 2) / dt^2 for the two in series. What else it may give holds the forces that
-/// were there at the start.
+/// Contact that pushes nodes of mass m out by g in steps of dt compresses elements, or springs of its own, at most as
+/// stiff as m / dt^2. What else it may give holds the forces that were there at the start.
 EnergyScales Run::find_scales() const {
   const auto nodes = static_cast<double>(chunked_.numbering.node_count());
   const double steps = static_cast<double>(state_.step), node_mass = model_.total_mass / nodes;
@@ -339,7 +338,7 @@ EnergyScales Run::find_scales() const {
   scales.stored = stepper_.contact_report().stored;
   scales.granted = audit_.start_half_steps();
   if (warnings_.pushed_square() > 0)
-    scales.granted += 0.25 * node_mass * warnings_.pushed_square() / (first_dt_ * first_dt_);
+    scales.granted += 0.5 * node_mass * warnings_.pushed_square() / (first_dt_ * first_dt_);
   return scales;
 }
 
