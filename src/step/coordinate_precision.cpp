@@ -26,9 +26,9 @@ constexpr double largest_spacing = 1e-3;
 constexpr double largest_spacing_of_contact = epsilon * contact_limits::new_band / contact_limits::play;
 
 struct WorstElement {
-  double spacing = 0;          // over its shortest edge
-  double coordinate = 0;       // the largest that counts for it
-  std::int64_t number = -1;    // in the whole mesh
+  double spacing = 0;        // over its shortest edge
+  double coordinate = 0;     // the largest that counts for it
+  std::int64_t number = -1;  // in the whole mesh
   int part = 0;
 };
 
@@ -79,7 +79,8 @@ WorstElement find_worst(const ChunkedMesh& chunked, bool in_contact) {
   double largest = own.spacing;
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
            "MPI_Allreduce");
-  std::int64_t number = own.spacing == largest && own.number >= 0 ? own.number : std::numeric_limits<std::int64_t>::max();
+  std::int64_t number =
+      own.spacing == largest && own.number >= 0 ? own.number : std::numeric_limits<std::int64_t>::max();
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &number, 1, MPI_INT64_T, MPI_MIN, ranks.handle()); },
            "MPI_Allreduce");
   double figures[2] = {own.number == number ? own.coordinate : 0, own.number == number ? double(own.part) : 0};
@@ -102,17 +103,16 @@ std::vector<Warning> check_coordinate_precision(const Deck& deck, const ChunkedM
   if (worst.spacing <= noted_spacing) return {};
   const std::string element = name_there(chunked, worst.number);
   const double limit = in_contact ? largest_spacing_of_contact : largest_spacing;
-  const std::string problem =
-      fmt::format("coordinates as large as {:.6g} resolve {:.2g} of the shortest edge of {}", worst.coordinate,
-                  worst.spacing, element);
+  const std::string problem = fmt::format("coordinates as large as {:.6g} resolve {:.2g} of the shortest edge of {}",
+                                          worst.coordinate, worst.spacing, element);
   const char* const remedy = "move the scene to the origin with `at` of its parts, which moves meshes of files, too";
   const std::string place = deck.where(deck.parts.at(static_cast<std::size_t>(worst.part)).place);
   if (worst.spacing > limit) {
     throw InputError(fmt::format("{}: error: {} ({} needs {:.2g}): {}", place, problem,
                                  in_contact ? "contact" : "a run", limit, remedy));
   }
-  return {{"coordinate_precision",
-           fmt::format("{} (strains below that are round-off): {}", problem, remedy), place, 0, 1}};
+  return {
+      {"coordinate_precision", fmt::format("{} (strains below that are round-off): {}", problem, remedy), place, 0, 1}};
 }
 
 }  // namespace percuss

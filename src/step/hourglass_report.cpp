@@ -56,8 +56,8 @@ MovedCorners find_corners(const ChunkedMesh& chunked, const Places& x, int eleme
   return corners;
 }
 
-/// Square of the displacement in the modes that a mean gradient does not see; of a shell, whose corners are named twice,
-/// that of its one mode counts in all.
+/// Square of the displacement in the modes that a mean gradient does not see; of a shell, whose corners are named
+/// twice, that of its one mode counts in all.
 double find_hourglass_square(const std::array<Vec3, 8>& by) {
   static constexpr int modes[4][8] = {{1, -1, 1, -1, 1, -1, 1, -1},  // xi eta
                                       {1, 1, -1, -1, -1, -1, 1, 1},  // eta zeta
@@ -76,8 +76,8 @@ double find_hourglass_square(const std::array<Vec3, 8>& by) {
 
 /// In the words of the rank that has the chunk. Collective.
 std::string describe_worst_element(const ChunkedMesh& chunked, const Model& model, const State& state, int chunk) {
-  const auto own = std::find_if(chunked.chunks.begin(), chunked.chunks.end(),
-                                [&](const Chunk& c) { return c.number == chunk; });
+  const auto own =
+      std::find_if(chunked.chunks.begin(), chunked.chunks.end(), [&](const Chunk& c) { return c.number == chunk; });
   std::string text;
   if (own != chunked.chunks.end()) {
     const auto x = to_host(state.x);

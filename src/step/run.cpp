@@ -9,7 +9,6 @@
 #include <memory>
 #include <optional>
 
-#include "comm/agreement.hpp"
 #include "comm/rendezvous.hpp"
 #include "src/checks/rules.hpp"
 #include "src/contact/contact_stage.hpp"
@@ -17,7 +16,6 @@
 #include "src/fail_together.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/output/first_rank.hpp"
-#include "src/output/warning_log.hpp"
 #include "src/step/audit.hpp"
 #include "src/step/checkpoint.hpp"
 #include "src/step/erosion.hpp"
@@ -30,6 +28,7 @@
 #include "src/step/run_output.hpp"
 #include "src/step/run_summary.hpp"
 #include "src/step/run_totals.hpp"
+#include "src/step/run_warnings.hpp"
 #include "src/step/step.hpp"
 #include "src/step/stop_request.hpp"
 #include "src/step/turned_corners.hpp"
@@ -55,11 +54,9 @@ class Run {
  private:
   bool speaks() const { return ranks_.rank() == 0 && options_.progress != Progress::Style::quiet; }
   void say(const std::vector<std::string>& lines) const;
-  void tell(const Warning& warning);
   ChunkedMesh load_scene();
   void begin();
   void restart();
-  void restore_warnings(const CheckpointHeader& header);
   void open_files();
   void check_removals() const;
   bool is_finished() const;
@@ -76,7 +73,6 @@ class Run {
   CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }
   StepWishes find_wishes() const;
   void archive(CheckpointArchive& archive);
-  std::string write_run_warnings() const;
   void save_checkpoint();
   void write_checkpoint();
   void announce();
@@ -96,7 +92,7 @@ class Run {
   Clock::time_point setup_start_ = Clock::now();
   const Communicator ranks_ = Communicator::world();
   std::optional<Progress> progress_;  // once the scene is read
-  WarningLog log_;
+  RunWarnings warnings_;
   Rendezvous rendezvous_{ranks_};
   ChunkedMesh chunked_;
   Model model_;
@@ -113,10 +109,7 @@ class Run {
   bool is_state_whole_ = true;    // false while a step is made
   long start_step_ = 0;           // where this run began
   double first_dt_ = 0;
-  double pushed_square_ = 0;              // find_pushed_square() of the start
-  double accepted_depth_ = -1;            // deepest contact node / face edge in the first step; negative: none was made
   std::int64_t limiting_element_id_ = 0;  // bounded the last step
-  std::size_t input_warnings_ = 0;        // of log_: those that a restart finds again
   Clock::time_point loop_start_;
   double compute_start_ = 0;  // compute_seconds() when the clocks of the phases began
   Summary summary_;           // what is noted on the way
@@ -126,7 +119,7 @@ class Run {
 Run::Run(const Deck& deck, const RunOptions& options)
     : deck_(deck),
       options_(options),
-      log_(deck.silenced, [this](const Warning& warning) { tell(warning); }),
+      warnings_(deck.silenced, ranks_),
       chunked_(load_scene()),
       model_(build_model(deck, chunked_)),
       contact_(chunked_, deck, ranks_),
@@ -139,9 +132,10 @@ Run::Run(const Deck& deck, const RunOptions& options)
       measures_(measure_scene(deck, chunked_, model_.start_velocity)) {
   stop_if_requested(ranks_, "after contact was made");
   progress_.emplace(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet);
-  log_.add(find_start_warnings(deck_, chunked_));
-  log_.add(check_input({deck_, &measures_, nullptr, 0}));
-  input_warnings_ = log_.list().size();
+  warnings_.print_over(*progress_);
+  warnings_.add(find_start_warnings(deck_, chunked_));
+  warnings_.add(check_input({deck_, &measures_, nullptr, 0}));
+  warnings_.end_input();
   say(describe_added_masses(model_));
   if (options.restart.empty()) {
     begin();
@@ -155,8 +149,8 @@ Run::Run(const Deck& deck, const RunOptions& options)
 
 /// Tells what is known before the mesh, which may be refused. Of the members above the mesh only.
 ChunkedMesh Run::load_scene() {
-  log_.add(deck_.warnings);
-  log_.add(options_.warnings);
+  warnings_.add(deck_.warnings);
+  warnings_.add(options_.warnings);
   ChunkedMesh chunked = load_mesh(deck_, ranks_);
   stop_if_requested(ranks_, "after the mesh was made");
   return chunked;
@@ -165,12 +159,12 @@ ChunkedMesh Run::load_scene() {
 void Run::begin() {
   if (contact_.is_active()) {
     if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
-    pushed_square_ = find_pushed_square(contact_.start_overlap(), deck_.contact.overlap);
+    warnings_.note_pushed(find_pushed_square(contact_.start_overlap(), deck_.contact.overlap));
   }
   say(contact_.start_notes());
   compute_start_ = compute_seconds();
   stepper_.start(state_);
-  log_.add(check_start({deck_, &measures_, &contact_.start_overlap(), state_.bound.step}));
+  warnings_.add(check_start({deck_, &measures_, &contact_.start_overlap(), state_.bound.step}));
   erode();
   first_dt_ = state_.next_dt;
   limiting_element_id_ = state_.bound.element_id;
@@ -182,7 +176,7 @@ void Run::restart() {
   check_checkpoint_header(options_.restart, reader.header(), make_checkpoint_header(deck_, chunked_, model_, state_),
                           deck_);
   archive(reader);
-  restore_warnings(reader.header());
+  warnings_.restore(reader.header(), options_.restart);
   if (deck_.time.end < state_.time * (1 - 1e-12)) {
     throw InputError(fmt::format("{}: error: time.end is {:g}, before the checkpoint's time {:g} (a run goes forward)",
                                  deck_.file, deck_.time.end, state_.time));
@@ -198,22 +192,6 @@ void Run::restart() {
 void Run::say(const std::vector<std::string>& lines) const {
   if (!speaks()) return;
   for (const std::string& line : lines) print_quietly(stderr, "{}\n", line);
-}
-
-/// Warnings are rank 0's to tell, and never hidden.
-void Run::tell(const Warning& warning) {
-  if (ranks_.rank() != 0) return;
-  if (progress_) progress_->clear();
-  print_quietly(stderr, "{}\n", format_warning(warning));
-}
-
-/// What the run warned of before its checkpoint and is not found again.
-void Run::restore_warnings(const CheckpointHeader& header) {
-  try {
-    log_.restore(read_warnings(header.warnings));
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: error: the warnings in it cannot be read ({})", options_.restart, error.what()));
-  }
 }
 
 void Run::open_files() {
@@ -302,11 +280,7 @@ StepWishes Run::find_wishes() const {
   return wishes;
 }
 
-void Run::note_contact() {
-  const ContactReport& report = stepper_.contact_report();
-  if (accepted_depth_ < 0) accepted_depth_ = report.deepest;
-  log_.add(find_step_warnings(report, accepted_depth_, state_.time));
-}
+void Run::note_contact() { warnings_.note_step(stepper_.contact_report(), state_.time); }
 
 void Run::audit() {
   if (audited_step_ == state_.step) return;
@@ -331,7 +305,7 @@ void Run::observe() {
 
 void Run::look_at_corners() {
   const std::vector<std::int64_t> counts = count_turned_corners(chunked_, model_, state_);
-  for (const Warning& warning : describe_turned_corners(counts, chunked_.mesh.parts, state_.time)) log_.renew(warning);
+  warnings_.renew(describe_turned_corners(counts, chunked_.mesh.parts, state_.time));
 }
 
 /// Whoever interrupts a run may end it by force a second later: what is needed to go on comes first, then what tells
@@ -369,19 +343,12 @@ void Run::archive(CheckpointArchive& archive) {
   audit_.archive(archive);
   output_.archive(archive, state_.time);
   archive.number("run/first_dt", first_dt_);
-  archive.number("run/pushed_square", pushed_square_);
-  archive.number("run/accepted_depth", accepted_depth_);
   archive.number("run/dt_min", summary_.dt.min);
   archive.number("run/dt_max", summary_.dt.max);
   archive.number("run/limiting_element_id", limiting_element_id_);
   archive.integer("run/audited_step", audited_step_);
   audited_.archive(archive);
-}
-
-/// All but those that a restart finds again.
-std::string Run::write_run_warnings() const {
-  const auto first = log_.list().begin() + static_cast<std::ptrdiff_t>(input_warnings_);
-  return write_warnings({first, log_.list().end()});
+  warnings_.archive(archive);
 }
 
 void Run::write_checkpoint() {
@@ -394,7 +361,7 @@ void Run::save_checkpoint() {
   const Phase phase("percuss::output", stepper_.clocks().output);
   output_.note_lengths();
   CheckpointHeader header = make_checkpoint_header(deck_, chunked_, model_, state_);
-  header.warnings = broadcast_text(ranks_, write_run_warnings(), 0);
+  header.warnings = warnings_.write();
   checkpoints_.write(header, chunked_, ranks_, state_, [&](CheckpointArchive& to) { archive(to); });
   forget_checkpoint_request();
 }
@@ -413,7 +380,7 @@ ProgressState Run::find_progress() const {
 void Run::announce() {
   Summary summary = summary_;
   summary.status = "running";
-  summary.warnings = log_.list();
+  summary.warnings = warnings_.list();
   fill_scene(summed(), summary);
   fail_together(ranks_, [&] {
     if (ranks_.rank() == 0 && !options_.out_dir.empty()) write_summary(options_.out_dir + "/summary.json", summary);
@@ -428,14 +395,13 @@ Summary Run::make_summary(const std::string& status, const std::string& error) c
   summary.dt.last = state_.dt;
   summary.dt.element = limiting_element_id_;
   summary.loop_s = find_seconds(loop_start_);
-  summary.warnings = log_.list();
+  summary.warnings = warnings_.list();
   fill_summary(summed(), summary);
   return summary;
 }
 
-/// Contact that pushes nodes of mass m out by g in steps of dt compresses elements on both sides, at most as stiff as
-/// springs of m / dt^2 each, which is (m / 2) / dt^2 for the two in series. What else it may give holds the forces that
-/// were there at the start.
+/// Contact that pushes nodes of mass m out by g in steps of dt compresses elements, or springs of its own, at most as
+/// stiff as m / dt^2. What else it may give holds the forces that were there at the start.
 EnergyScales Run::find_scales() const {
   const auto nodes = static_cast<double>(chunked_.numbering.node_count());
   const double steps = static_cast<double>(state_.step), node_mass = model_.total_mass / nodes;
@@ -444,7 +410,8 @@ EnergyScales Run::find_scales() const {
   scales.resolved = find_resolved_energy(chunked_, model_, steps > 0 ? state_.time / steps : 0);
   scales.stored = stepper_.contact_report().stored;
   scales.granted = audit_.start_half_steps();
-  if (pushed_square_ > 0) scales.granted += 0.25 * node_mass * pushed_square_ / (first_dt_ * first_dt_);
+  if (warnings_.pushed_square() > 0)
+    scales.granted += 0.5 * node_mass * warnings_.pushed_square() / (first_dt_ * first_dt_);
   return scales;
 }
 
@@ -454,8 +421,9 @@ void Run::finish(const std::string& status, const std::string& error) {
   result_ = make_summary(status, error);
   progress_->finish(find_progress());
   const EnergyScales scales = find_scales();
-  log_.add(find_end_warnings(result_, scales, find_hourglassed_parts(chunked_, model_, state_, scales), deck_.units));
-  result_.warnings = log_.list();
+  warnings_.add(
+      find_end_warnings(result_, scales, find_hourglassed_parts(chunked_, model_, state_, scales), deck_.units));
+  result_.warnings = warnings_.list();
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || options_.out_dir.empty()) return;
     write_ranks(options_.out_dir + "/ranks.csv", rows);

@@ -19,7 +19,8 @@ std::vector<std::string> list_rules(const Outcome& outcome) {
   return rules;
 }
 
-const std::string steel = "materials: {s: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n";
+const std::string steel =
+    "materials: {s: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n";
 
 TEST(FalseWarnings, AreNotGivenOfRoundOffBetweenBodiesAtRest) {
   // An overlap that is accepted: contact works at the round-off of places, for want of anything else to do.
@@ -37,7 +38,8 @@ TEST(FalseWarnings, AreNotGivenOfRoundOffBetweenBodiesAtRest) {
 }
 
 TEST(FalseWarnings, AreNotGivenOfATieThatIsLoadedAtOnce) {
-  // A gas that is tied to a cold one: the tie halves the first half step of the pressure, whose work is in no store yet.
+  // A gas that is tied to a cold one: the tie halves the first half step of the pressure, whose work is in no store
+  // yet.
   const std::string tied =
       "time: {end: 1.0e-6, max_step: 1.0e-6}\n"
       "parts:\n"

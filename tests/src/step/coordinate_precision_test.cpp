@@ -18,13 +18,14 @@ using testing::IsEmpty;
 
 /// Two cubes of elements of 1e-3 at `place` and its neighbourhood.
 std::vector<Warning> check(const std::string& place, const std::string& contact) {
-  const Deck deck = parse_deck("time: {end: 1}\nparts:\n  a: {box: {size: [3e-3, 3e-3, 3e-3], cells: [3, 3, 3]}, at: [" +
-                                   place + ", 0, 0], material: m}\n" +
-                                   "  b: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: m}\n"
-                                   "materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}\n"
-                                   "contact: {surfaces: " +
-                                   contact + "}\n",
-                               "deck.yaml");
+  const Deck deck =
+      parse_deck("time: {end: 1}\nparts:\n  a: {box: {size: [3e-3, 3e-3, 3e-3], cells: [3, 3, 3]}, at: [" + place +
+                     ", 0, 0], material: m}\n" +
+                     "  b: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, material: m}\n"
+                     "materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}}\n"
+                     "contact: {surfaces: " +
+                     contact + "}\n",
+                 "deck.yaml");
   return check_coordinate_precision(deck, load_mesh(deck, Communicator::world()));
 }
 
@@ -39,8 +40,9 @@ TEST(CoordinatePrecision, IsToldWhereRoundOffIsAMillionthOfAnElement) {
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_EQ(warnings[0].rule, "coordinate_precision");
     EXPECT_EQ(warnings[0].place, "deck.yaml:3:3");
-    EXPECT_THAT(warnings[0].text, AllOf(HasSubstr("coordinates as large as 1e+07 resolve 2.2e-06 of the shortest edge of"),
-                                        HasSubstr("of part 'a'"), HasSubstr("`at`")));
+    EXPECT_THAT(warnings[0].text,
+                AllOf(HasSubstr("coordinates as large as 1e+07 resolve 2.2e-06 of the shortest edge of"),
+                      HasSubstr("of part 'a'"), HasSubstr("`at`")));
   }
 }
 
@@ -49,8 +51,7 @@ TEST(CoordinatePrecision, IsAnErrorWhereContactCannotTellSides) {
   EXPECT_THAT([] { check("1e9", "all"); },
               testing::ThrowsMessage<InputError>(AllOf(HasSubstr("deck.yaml:3:3: error: coordinates as large as 1e+09"),
                                                        HasSubstr("contact needs 2.2e-05"), HasSubstr("`at`"))));
-  EXPECT_THAT([] { check("1e10", "none"); },
-              testing::ThrowsMessage<InputError>(HasSubstr("a run needs 0.001")));
+  EXPECT_THAT([] { check("1e10", "none"); }, testing::ThrowsMessage<InputError>(HasSubstr("a run needs 0.001")));
 }
 
 TEST(CoordinatePrecision, OfElementsThatAreLargeWhereTheyAreIsEnough) {

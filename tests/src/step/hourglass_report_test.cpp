@@ -29,8 +29,7 @@ contact: {surfaces: none}
 TEST(HourglassedParts, AreNamedWithTheElementWhereMostOfItIs) {
   Scene scene(corner_and_bar);
   scene.run(6);
-  const std::vector<PartHourglass> parts =
-      find_hourglassed_parts(scene.chunked, scene.model, scene.state, 0.1, 0);
+  const std::vector<PartHourglass> parts = find_hourglassed_parts(scene.chunked, scene.model, scene.state, 0.1, 0);
   ASSERT_EQ(parts.size(), 1U);
   EXPECT_EQ(parts[0].part, "block");
   EXPECT_GT(parts[0].hourglass, 0.1 * parts[0].internal);
