@@ -65,9 +65,10 @@ std::vector<Warning> check_stopped_velocity(const CheckedScene& scene) {
     const Place holding = scene.deck.places.find(join_path("conditions", static_cast<std::size_t>(entry.condition)));
     warnings.push_back(warn_at(
         scene.deck, "stopped_velocity", join_path("initial", i),
-        fmt::format("{} of {} nodes with this velocity are held in its direction (by the condition at {}): drop one of "
-                    "both",
-                    entry.stopped, entry.moving, scene.deck.where(holding))));
+        fmt::format(
+            "{} of {} nodes with this velocity are held in its direction (by the condition at {}): remove one of "
+            "them",
+            entry.stopped, entry.moving, scene.deck.where(holding))));
   }
   return warnings;
 }
@@ -98,7 +99,7 @@ std::vector<Warning> check_fast_velocity(const CheckedScene& scene) {
     if (speed <= (state ? most_of_state : most_of_solid) * wave) continue;
     const char* why = state ? "light-gas guns reach 2" : "such a shock needs an equation of state";
     warnings.push_back(warn_at(scene.deck, "fast_velocity", find_initial_path(scene.deck, p),
-                               fmt::format("part '{}' starts at {:.4g}, {:.2g} times the wave speed {:.4g} of material "
+                               fmt::format("part '{}' starts at {:.4g}, {:.3g} times the wave speed {:.4g} of material "
                                            "'{}' ({}): check the unit of the velocity",
                                            part.name, speed, speed / wave, wave, material.name, why)));
   }
@@ -135,8 +136,8 @@ std::vector<Warning> check_curve_end(const CheckedScene& scene) {
     if (!is_cut_off(rows, deck.time.end)) return;
     warnings.push_back(
         warn_at(deck, "curve_end", path,
-                fmt::format("the table ends at t = {:g} in full course, the run at {:g} (its last value, {:g}, "
-                            "is held): extend it, or end it flat or at 0",
+                fmt::format("the table ends at t = {:g}, the run at {:g} (its last value, {:g}, is held from there "
+                            "on): extend it, or end it flat or at 0",
                             rows.back().first, deck.time.end, rows.back().second)));
   };
   for (std::size_t c = 0; c < deck.conditions.size(); ++c) {
@@ -167,7 +168,7 @@ std::vector<Warning> check_pressure_size(const CheckedScene& scene) {
     if (largest <= most * stiffness) continue;
     warnings.push_back(
         warn_at(scene.deck, "pressure_size", join_path("loads.pressure", i) + ".value",
-                fmt::format("the pressure reaches {:.3g}, {:.2g} times the stiffness {:.3g} of what it acts "
+                fmt::format("the pressure reaches {:.3g}, {:.3g} times the stiffness {:.3g} of what it acts "
                             "on (solids are crushed long before): check its unit",
                             largest, largest / stiffness, stiffness)));
   }

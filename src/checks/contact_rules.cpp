@@ -57,14 +57,14 @@ std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
   for (const PartOverlap& pair : list_pairs(*scene.overlap)) {
     const double size = find_contact_size(scene, pair);
     if (pair.deepest <= most * size) continue;
-    warnings.push_back(warn_at(
-        scene.deck, "deep_overlap", find_overlap_path(scene.deck, pair),
-        fmt::format(
-            "parts '{}' and '{}' overlap at the start by {:.3g}, {:.2g} of an element or thickness, at {} node{} "
-            "({}): move them apart or check the thickness",
-            name_part(scene.deck, pair.part), name_part(scene.deck, pair.other), pair.deepest, pair.deepest / size,
-            pair.nodes, pair.nodes == 1 ? "" : "s",
-            is_pushed ? "pushing so much out adds energy" : "contact does not undo it")));
+    warnings.push_back(
+        warn_at(scene.deck, "deep_overlap", find_overlap_path(scene.deck, pair),
+                fmt::format("parts '{}' and '{}' overlap at the start by {:.3g}, {:.3g} times an element edge or "
+                            "thickness, at {} node{} "
+                            "({}): move them apart or check the thickness",
+                            name_part(scene.deck, pair.part), name_part(scene.deck, pair.other), pair.deepest,
+                            pair.deepest / size, pair.nodes, pair.nodes == 1 ? "" : "s",
+                            is_pushed ? "pushing so much out adds energy" : "contact does not undo it")));
   }
   return warnings;
 }
@@ -78,9 +78,10 @@ std::vector<Warning> check_behind_wall(const CheckedScene& scene) {
     if (overlap.deepest <= most * edge) continue;
     warnings.push_back(warn_at(
         scene.deck, "behind_wall", join_path("walls", static_cast<std::size_t>(-1 - overlap.other)),
-        fmt::format("{} nodes of part '{}' begin behind this wall, up to {:.3g} deep, {:.2g} of an element (its "
-                    "normal points to the side where bodies live): turn the normal or move the part",
-                    overlap.nodes, name_part(scene.deck, overlap.part), overlap.deepest, overlap.deepest / edge)));
+        fmt::format(
+            "{} nodes of part '{}' begin behind this wall, up to {:.3g} deep, {:.3g} times an element edge (its "
+            "normal points to the side where bodies live): turn the normal or move the part",
+            overlap.nodes, name_part(scene.deck, overlap.part), overlap.deepest, overlap.deepest / edge)));
   }
   return warnings;
 }

@@ -8,7 +8,7 @@
 namespace percuss {
 namespace {
 
-/// Pieces of a run; between their ends boxes are joined, so that nothing is missed.
+/// Pieces of a run, in which distances change along straight lines.
 constexpr int pieces = 256;
 
 /// Share of a part's size to which boxes are told apart.
@@ -16,15 +16,6 @@ constexpr double margin = 0.05;
 
 double find_size(const Flight::Box& box) {
   return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
-}
-
-Flight::Box join(const Flight::Box& a, const Flight::Box& b) {
-  Flight::Box both = a;
-  for (std::size_t k = 0; k < 3; ++k) {
-    both.low[k] = std::min(both.low[k], b.low[k]);
-    both.high[k] = std::max(both.high[k], b.high[k]);
-  }
-  return both;
 }
 
 /// Adds the range of the displacement that a curve of velocity, or of displacement, leads to by `end`.
@@ -90,16 +81,6 @@ Flight::Box Flight::find_box(double time) const {
   return box;
 }
 
-Flight::Box Flight::find_box(double from, double to) const {
-  Box box = join(find_box(from), find_box(to));
-  for (std::size_t k = 0; k < 3; ++k) {  // the top of a throw
-    const double rise = std::abs(gravity_[k]) * (to - from) * (to - from) / 8;
-    box.low[k] -= gravity_[k] > 0 ? rise : 0;
-    box.high[k] += gravity_[k] < 0 ? rise : 0;
-  }
-  return box;
-}
-
 std::vector<Flight> find_flights(const CheckedScene& scene) {
   std::vector<Flight> flights;
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) flights.emplace_back(scene, p);
@@ -111,24 +92,32 @@ std::vector<Flight> find_flights(const CheckedScene& scene) {
 }
 
 double find_meeting(const Flight& a, const Flight& b, double end) {
-  const double gap = margin * std::min(find_size(a.find_box(0, 0)), find_size(b.find_box(0, 0)));
+  const double gap = margin * std::min(find_size(a.find_box(0)), find_size(b.find_box(0)));
+  const Vec3 pull = subtract(a.gravity(), b.gravity());
   return find_first(end, [&](double from, double to) {
-    const Flight::Box one = a.find_box(from, to), other = b.find_box(from, to);
+    const Flight::Box one[] = {a.find_box(from), a.find_box(to)}, other[] = {b.find_box(from), b.find_box(to)};
     for (std::size_t k = 0; k < 3; ++k) {
-      if (one.low[k] > other.high[k] + gap || other.low[k] > one.high[k] + gap) return false;
+      const double bend = std::abs(pull[k]) * (to - from) * (to - from) / 8;
+      const double above = std::min(one[0].low[k] - other[0].high[k], one[1].low[k] - other[1].high[k]);
+      const double below = std::min(other[0].low[k] - one[0].high[k], other[1].low[k] - one[1].high[k]);
+      if (above > gap + bend || below > gap + bend) return false;
     }
     return true;
   });
 }
 
 double find_meeting(const Flight& part, const WallDeck& wall, double end) {
-  const double gap = margin * find_size(part.find_box(0, 0));
-  return find_first(end, [&](double from, double to) {
-    const Flight::Box box = part.find_box(from, to);
+  const double gap = margin * find_size(part.find_box(0));
+  const auto find_height = [&](double time) {
+    const Flight::Box box = part.find_box(time);
     double height = 0;  // of the corner that is closest to the wall
     for (std::size_t k = 0; k < 3; ++k)
       height += wall.normal[k] * ((wall.normal[k] > 0 ? box.low[k] : box.high[k]) - wall.point[k]);
-    return height <= gap;
+    return height;
+  };
+  return find_first(end, [&](double from, double to) {
+    const double bend = std::abs(dot(part.gravity(), wall.normal)) * (to - from) * (to - from) / 8;
+    return std::min(find_height(from), find_height(to)) <= gap + bend;
   });
 }
 

@@ -20,8 +20,10 @@ class Flight {
   /// A condition that names the part.
   void add(const ConditionDeck& condition, double end);
 
-  /// All places of the part between two times, half its thickness included.
-  Box find_box(double from, double to) const;
+  /// Where the part is, half its thickness included.
+  Box find_box(double time) const;
+
+  const Vec3& gravity() const { return gravity_; }
 
   /// Whether no condition holds the part and all its nodes have one velocity.
   bool is_free() const { return !is_held_ && is_uniform_; }
@@ -30,8 +32,6 @@ class Flight {
   bool moves() const;
 
  private:
-  Box find_box(double time) const;
-
   Box start_;
   Vec3 velocity_low_, velocity_high_, gravity_;
   Box driven_{};  // range of the displacement that conditions prescribe

@@ -31,9 +31,9 @@ std::vector<Warning> check_end_time(const CheckedScene& scene) {
   if (!is_short && steps <= most) return {};
   return {
       warn_at(scene.deck, "end_time", "time.end",
-              fmt::format("time.end = {:g} takes about {:.2g} steps of {:.2g} ({}): check its unit and those of the "
+              fmt::format("time.end = {:g} takes about {:.2g} step{} of {:.2g} ({}): check its unit and those of the "
                           "materials",
-                          time.end, std::ceil(steps), step,
+                          time.end, std::ceil(steps), steps <= 1 ? "" : "s", step,
                           is_short ? "a wave crosses no element in so few" : "they take weeks"))};
 }
 

@@ -100,7 +100,7 @@ std::vector<Warning> check_gravity_size(const CheckedScene& scene) {
   if (size == 0) return {};
   if (!is_outside(size, dimensions::acceleration, systems, least, most)) return {};
   return {warn_at(scene.deck, "gravity_size", "loads.gravity",
-                  fmt::format("gravity is {:g}, which is {:.3g} m/s2 in {} (the earth's is 9.81 m/s2, here {:.4g}): "
+                  fmt::format("gravity is {:g}, which is {:.4g} m/s2 in {} (the earth's is 9.81 m/s2, here {:.4g}): "
                               "check it and units",
                               size, size * systems.front().in_si(dimensions::acceleration), join_names(systems),
                               9.81 / systems.front().in_si(dimensions::acceleration)))};

@@ -2,7 +2,9 @@
 // Decks with one mistake each that can be run all the same: what rule tells it, and where. Beside each a deck that
 // comes near the limit of the rule and is left alone.
 
+#include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace percuss {
@@ -17,6 +19,9 @@ struct SuspiciousDeck {
   Changes mistake;    // of sound_deck
   Changes near;       // of sound_deck: nearly the same, and no warning of the rule
 };
+
+/// How a failed test calls it.
+inline void PrintTo(const SuspiciousDeck& deck, std::ostream* out) { *out << deck.name; }
 
 /// A block that falls on a plate, with a sheet and a wall below. No rule finds anything in it.
 extern const std::string sound_deck;

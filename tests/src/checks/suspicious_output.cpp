@@ -8,7 +8,11 @@ std::vector<SuspiciousDeck> suspicious_output() {
   const std::string end = "2.0e-4}";
   return {
       {"EndInSecondsOfMicroseconds", "end_time", "end: 2.0e-10", {{"2.0e-4", "2.0e-10"}}, {{"2.0e-4", "2.0e-5"}}},
-      {"EndInMicroseconds", "end_time", "end: 200", {{"2.0e-4", "200"}}, {{"2.0e-4", "2"}}},
+      {"EndInMicroseconds",
+       "end_time",
+       "end: 200",
+       {{"2.0e-4", "200"}, {"fields: {every: 1e-5}", "fields: {every: 1}"}},
+       {{"2.0e-4", "2"}}},
       {"StepScaleOfAHundredth",
        "step_scale",
        "step_scale: 0.01",
