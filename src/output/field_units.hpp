@@ -1,14 +1,12 @@
 #pragma once
-// Units of what a run writes, from the deck's `units: m, kg, s`.
+// Units of what a run writes, from those of the deck (src/deck/units.hpp).
 
 #include <string>
 
 namespace percuss {
 
-/// The unit of a field of fields.vtkhdf: "m/s" of velocity in metres, kilograms and seconds; stresses in "Pa" with its
-/// prefix where the system has one ("GPa" in mm, kg, ms), else in words ("kg/(cm·s²)"). `points` are the positions,
-/// `time` that of a frame. Empty for a field without dimension, for one that is unknown, and where `units` are not one
-/// name each of a known length, mass and time, in any order.
+/// The unit of a field of fields.vtkhdf: "m/s" of velocity where `units` are "m, kg, s". `Points` are the positions,
+/// `time` that of a frame. Empty for a field without dimension, for one that is unknown, and where `units` are unknown.
 std::string name_field_unit(const std::string& field, const std::string& units);
 
 }  // namespace percuss
