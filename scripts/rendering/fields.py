@@ -11,7 +11,7 @@ class NotAFieldsFile(Exception):
 
 
 class FieldsFile:
-    """One fields.vtkhdf. Attributes: times, title, units, part_names, walls [walls][6] (a point and the unit normal of each),
+    """One fields.vtkhdf. Attributes: times, time_unit, title, part_names, walls [walls][6] (a point and the unit normal of each),
     hexahedra [elements][8], part [elements].
 
     The four corners of a shell stand twice, so that its faces 4 and 5 are its two surfaces."""
@@ -41,8 +41,8 @@ class FieldsFile:
         self.part = root["CellData/part"][:]
         self.part_names = [name.decode("utf-8", "replace") for name in own["part_names"][:]]
         self.title = _text(own.attrs["title"])
-        self.units = _text(own.attrs["units"])
-        self.walls = own["walls"][:] if "walls" in own else np.empty((0, 6))  # files of older versions have none
+        self.time_unit = _text(root["Steps/Values"].attrs.get("unit", ""))  # files of older versions have none
+        self.walls = own["walls"][:] if "walls" in own else np.empty((0, 6))
 
     def names(self):
         """Names of the fields that a surface can be coloured by, with the place (node or element) of each."""

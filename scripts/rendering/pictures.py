@@ -42,7 +42,7 @@ def render(arguments):
             surface.choose(Skin(fields.hexahedra, alive, cut))
         surface.move(fields.positions(frame))
         surface.color(*coloring.choose_values(frame, surface.skin))
-        clock.SetInput(format_time(fields.times[frame], fields.times[-1], fields.units))
+        clock.SetInput(format_time(fields.times[frame], fields.times[-1], fields.time_unit))
         image = Image.fromarray(scene.draw()).resize(arguments.size, Image.Resampling.LANCZOS)
         path = os.path.join(folder, f"frame_{frame:04d}.png")
         image.save(path)

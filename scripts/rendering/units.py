@@ -1,9 +1,7 @@
-"""Units: what stands behind a number on a picture. percuss writes the unit of a field into the file."""
+"""Units: what stands behind a number on a picture. percuss writes the units of fields and times into the file."""
 
 import math
-import re
 
-TIMES = ("s", "ms", "us", "\u00b5s", "ns", "min")
 PREFIXES = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n")]
 PREFIXED = ("Pa", "N")  # units that take a prefix to suit the numbers; others stay as the deck has them
 
@@ -16,15 +14,8 @@ def choose_unit(unit, largest):
     return prefix + unit, 1.0 / size
 
 
-def time_unit(units):
-    """The unit of time among the words of the deck's units; empty if there is none, or more than one."""
-    found = [word for word in re.split(r"[,;\s]+", units) if word in TIMES]
-    return found[0] if len(found) == 1 else ""
-
-
-def format_time(time, end, units):
-    """The time of a frame, in a unit that suits the whole run when the deck's is seconds."""
-    unit = time_unit(units)
+def format_time(time, end, unit):
+    """The time of a frame, in a unit that suits the whole run when that of the file is seconds."""
     if unit != "s":
         return f"t = {time:.4g} {unit}".rstrip()
     size, prefix = _choose_prefix(end)

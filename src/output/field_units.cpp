@@ -1,6 +1,7 @@
 #include "src/output/field_units.hpp"
 
-#include <optional>
+#include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "src/deck/units.hpp"
@@ -8,28 +9,35 @@
 namespace percuss {
 namespace {
 
-bool is_stress(std::string_view field) {
-  return field == "pressure" || field == "von_mises" || field == "internal_energy" || field == "stress" ||
-         field.starts_with("stress_");
-}
+struct FieldDimension {
+  std::string_view field;
+  Dimension dimension;
+};
 
-std::optional<Dimension> find_dimension(std::string_view field) {
-  if (field == "points" || field == "displacement" || field == "thickness") return dimensions::length;
-  if (field == "time") return dimensions::time;
-  if (field == "mass") return dimensions::mass;
-  if (field == "velocity") return dimensions::velocity;
-  if (field == "contact_force") return dimensions::force;
-  if (is_stress(field)) return dimensions::stress;
-  return std::nullopt;
-}
+constexpr std::array field_dimensions{
+    FieldDimension{"time", dimensions::time},
+    FieldDimension{"Points", dimensions::length},
+    FieldDimension{"displacement", dimensions::length},
+    FieldDimension{"thickness", dimensions::length},
+    FieldDimension{"velocity", dimensions::velocity},
+    FieldDimension{"mass", dimensions::mass},
+    FieldDimension{"contact_force", dimensions::force},
+    FieldDimension{"stress", dimensions::stress},
+    FieldDimension{"pressure", dimensions::stress},
+    FieldDimension{"von_mises", dimensions::stress},
+    FieldDimension{"internal_energy", dimensions::stress},  // per volume
+};
 
 }  // namespace
 
 std::string name_field_unit(const std::string& field, const std::string& units) {
-  const std::optional<Units> system = find_units(units);
-  const std::optional<Dimension> dimension = find_dimension(field);
-  if (system && field == "temperature") return system->temperature;
-  return system && dimension ? system->name_of(*dimension) : "";
+  const auto system = find_units(units);
+  if (!system) return "";
+  if (field == "temperature") return system->temperature;
+  const std::string_view name = field.starts_with("stress_") ? "stress" : std::string_view(field);
+  const auto* found = std::find_if(field_dimensions.begin(), field_dimensions.end(),
+                                   [name](const FieldDimension& f) { return f.field == name; });
+  return found == field_dimensions.end() ? "" : system->name_of(found->dimension);
 }
 
 }  // namespace percuss

@@ -55,7 +55,7 @@ void VtkhdfTables::create_steps(hsize_t nodes, const std::string& units) {
   times.emplace(steps.get(), "Values", H5T_IEEE_F64LE, 1, steps_at_once);
   point_offsets.emplace(steps.get(), "PointOffsets", H5T_STD_I64LE, 1, steps_at_once);
   step_numbers.emplace(own.get(), "step", H5T_STD_I64LE, 1, steps_at_once);
-  points->note_unit(name_field_unit("points", units));
+  points->note_unit(name_field_unit("Points", units));
   times->note_unit(name_field_unit("time", units));
   add_constants(
       [](hid_t group, const char* name) { return hdf5::Table(group, name, H5T_STD_I64LE, 1, steps_at_once); });

@@ -50,10 +50,10 @@ void write_slab(Out out, const XdmfIndex& index, const Dataset& data, const Slab
   fmt::format_to(out, "\n    </DataItem>");
 }
 
-// Which rows a grid has, and whether its fields are for people: names with units, tensors by component.
+// Which rows a grid has, and whether its fields are labelled: names with units, tensors by component.
 struct Grid {
   MeshExtent rows;
-  bool for_people = false;
+  bool labelled = false;
 };
 
 constexpr std::array tensor_components{"xx", "yy", "zz", "xy", "yz", "zx"};
@@ -123,8 +123,8 @@ void write_topology(Out out, const XdmfIndex& index, const Grid& grid) {
 }
 
 void write_field(Out out, const XdmfIndex& index, const Grid& grid, const XdmfField& field, std::size_t frame) {
-  const std::string unit = grid.for_people && !field.unit.empty() ? fmt::format(" [{}]", field.unit) : "";
-  if (!grid.for_people || field.components != 6) {
+  const std::string unit = grid.labelled && !field.unit.empty() ? fmt::format(" [{}]", field.unit) : "";
+  if (!grid.labelled || field.components != 6) {
     open_attribute(out, field.name + unit, field.components, field.place);
     write_frame_rows(out, index, grid, field, frame);
     fmt::format_to(out, "</Attribute>\n");

@@ -78,11 +78,10 @@ class Units(unittest.TestCase):
         self.assertEqual(choose_unit("", 5000), ("", 1))
 
     def test_of_time_are_shown_where_one_is_named(self):
-        self.assertEqual(format_time(0.002, 0.005, "m, kg, s"), "t = 2.00 ms")
-        self.assertEqual(format_time(2, 5, "mm, kg, ms"), "t = 2 ms")
-        self.assertEqual(format_time(0.05, 1, "inch and pound"), "t = 0.05")
+        self.assertEqual(format_time(0.002, 0.005, "s"), "t = 2.00 ms")
+        self.assertEqual(format_time(2, 5, "ms"), "t = 2 ms")
         self.assertEqual(format_time(0.05, 1, ""), "t = 0.05")
-        self.assertEqual(format_time(0, 0, "m, kg, s"), "t = 0.00 s")
+        self.assertEqual(format_time(0, 0, "s"), "t = 0.00 s")
 
 
 class Box:
