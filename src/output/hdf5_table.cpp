@@ -43,6 +43,7 @@ Handle create_dataset(hid_t parent, const std::string& name, hid_t type, hid_t s
 // Writes a block of the rows of a dataset that begin at row `start`.
 void write_rows(hid_t dataset, const std::string& name, hsize_t start, const RowBlock& block, int components,
                 hid_t type, const void* values) {
+  if (block.record != nullptr) block.record->add(dataset, start + block.first, block.count, type, values);
   if (block.all == 0) return;
   const std::string action = fmt::format("write dataset {}", name);
   const Handle in_file(check(H5Dget_space(dataset), action), H5Sclose);
@@ -72,8 +73,9 @@ void write_attribute(hid_t object, const std::string& name, hid_t file_type, hid
   const bool exists = check(H5Aexists(object, name.c_str()), action) > 0;
   const hid_t id = exists ? H5Aopen(object, name.c_str(), H5P_DEFAULT)
                           : H5Acreate2(object, name.c_str(), file_type, space, H5P_DEFAULT, H5P_DEFAULT);
-  const Handle attribute(check(id, action), H5Aclose);
+  Handle attribute(check(id, action), H5Aclose);
   check(H5Awrite(attribute.get(), memory, data), action);
+  check(attribute.reset(), action);
 }
 
 }  // namespace
@@ -87,8 +89,9 @@ Handle create_group(hid_t parent, const std::string& name) {
 void write_dataset(hid_t parent, const std::string& name, hid_t file_type, const RowBlock& block, hid_t memory_type,
                    const void* values) {
   const Handle space = create_space(make_extent(block.all, 1));
-  const Handle dataset = create_dataset(parent, name, file_type, space.get(), H5P_DEFAULT);
+  Handle dataset = create_dataset(parent, name, file_type, space.get(), H5P_DEFAULT);
   write_rows(dataset.get(), name, 0, block, 1, memory_type, values);
+  check(dataset.reset(), fmt::format("close dataset {}", name));
 }
 
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values) {

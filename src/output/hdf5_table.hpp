@@ -9,6 +9,7 @@
 #include <string>
 
 #include "src/output/hdf5_handle.hpp"
+#include "src/output/write_record.hpp"
 
 namespace percuss::hdf5 {
 
@@ -35,6 +36,7 @@ struct RowBlock {
   hsize_t first = 0;
   hsize_t count = 0;
   hid_t transfer = H5P_DEFAULT;  // collective where several ranks write
+  WriteRecord* record = nullptr;  // notes what was written, to be compared with what is read back
 };
 
 /// A group below `parent`.
