@@ -186,4 +186,6 @@ void FieldsFile::close() {
   impl->file.close();
 }
 
+bool FieldsFile::is_in_place() const { return !impl_ || impl_->file.is_in_place(); }
+
 }  // namespace percuss

@@ -158,14 +158,13 @@ void HistoryFile::compare() const {
                   path_));
 }
 
-std::int64_t HistoryFile::sync() {
+void HistoryFile::sync() {
   flush();
   file_.check_place();
   file_.sync();
   compare();
   compared_ = written_;
   hash_ = empty_hash;
-  return written_;
 }
 
 void HistoryFile::close() {

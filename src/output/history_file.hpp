@@ -33,15 +33,15 @@ class HistoryFile {
   /// with the last row that fitted. A file that was removed or replaced meanwhile is such an error, too.
   void flush();
 
-  /// flush(), waits until the disk has it, and reads back and compares what is new since the last time. Returns the
-  /// length of the file [byte]. Throws SystemError.
-  std::int64_t sync();
+  /// flush(), waits until the disk has it, and reads back and compares what is new since the last time. Throws
+  /// SystemError.
+  void sync();
 
   /// sync(), and closes the file. Throws SystemError.
   void close();
 
-  /// Length of the file with all rows [byte].
-  std::int64_t bytes() const { return written_ + static_cast<std::int64_t>(pending_.size()); }
+  /// Of the file, with all rows that were flushed [byte].
+  std::int64_t length() const { return written_; }
 
   /// Whether the path still leads to this file.
   bool is_in_place() const { return file_.is_in_place(); }

@@ -295,10 +295,18 @@ void History::write(const Model& model, const State& state, const AuditResult& a
   });
 }
 
-std::int64_t History::sync() {
+void History::sync() {
+  fail_together(ranks_, [&] {
+    if (file_) file_->sync();
+  });
+}
+
+std::int64_t History::find_length() {
   std::int64_t bytes = 0;
   fail_together(ranks_, [&] {
-    if (file_) bytes = file_->sync();
+    if (!file_) return;
+    file_->flush();
+    bytes = file_->length();
   });
   wait_mpi([&] { return MPI_Bcast(&bytes, 1, MPI_INT64_T, 0, ranks_.handle()); }, "MPI_Bcast");
   return bytes;
@@ -308,6 +316,18 @@ void History::flush() {
   fail_together(ranks_, [&] {
     if (file_) file_->flush();
   });
+}
+
+void History::close() {
+  fail_together(ranks_, [&] {
+    if (file_) file_->close();
+  });
+}
+
+bool History::is_in_place() const {
+  int in_place = !file_ || file_->is_in_place() ? 1 : 0;
+  wait_mpi([&] { return MPI_Bcast(&in_place, 1, MPI_INT, 0, ranks_.handle()); }, "MPI_Bcast");
+  return in_place != 0;
 }
 
 }  // namespace percuss

@@ -13,6 +13,7 @@
 #include "src/contact/contact_stage.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decompose.hpp"
+#include "src/output/first_rank.hpp"
 #include "src/step/audit.hpp"
 #include "src/step/checkpoint.hpp"
 #include "src/step/erosion.hpp"
@@ -52,6 +53,7 @@ class Run {
   void begin();
   void restart();
   void open_files();
+  void open_results();
   bool is_finished() const;
   void loop();
   void advance();
@@ -65,6 +67,7 @@ class Run {
   CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }
   StepWishes find_wishes() const;
   void archive(CheckpointArchive& archive);
+  void save_checkpoint();
   void write_checkpoint();
   long steps_done() const { return state_.step - start_step_; }
   void finish(const std::string& status, const std::string& error);
@@ -162,6 +165,11 @@ void Run::say(const std::vector<std::string>& lines) const {
 }
 
 void Run::open_files() {
+  open_results();
+  run_on_first_rank(ranks_, [&] { checkpoints_.remove_unfinished(); });
+}
+
+void Run::open_results() {
   if (!options_.out_dir.empty() && deck_.output.history_every) {
     find_history_points(deck_, chunked_);  // an unknown id is told before earlier results go
   }
@@ -294,9 +302,14 @@ void Run::archive(CheckpointArchive& archive) {
 }
 
 void Run::write_checkpoint() {
+  output_.sync();
+  save_checkpoint();
+}
+
+void Run::save_checkpoint() {
   if (options_.out_dir.empty()) return;
   const Phase phase("percuss::output", stepper_.clocks().output);
-  output_.sync();
+  output_.note_lengths();
   checkpoints_.write(make_checkpoint_header(deck_, chunked_, model_, state_), chunked_, ranks_, state_,
                      [&](CheckpointArchive& to) { archive(to); });
 }
@@ -349,6 +362,8 @@ void Run::fail(const std::exception& error) {
   }
   try {
     if (dynamic_cast<const RunError*>(&error) != nullptr) write_failed_state();
+    // The state is sound where files were taken away: from a checkpoint the run can go on in another folder.
+    if (is_state_whole_ && !output_.are_files_in_place()) save_checkpoint();
     finish("failed", error.what());
     output_.close();
   } catch (const std::exception& second) {  // a full disk must not hide why the run failed, and is told once

@@ -67,9 +67,13 @@ void RunOutput::advance(double time) {
   frames_due_.advance(time);
 }
 
-void RunOutput::sync() {
-  history_bytes_ = history_ ? history_->sync() : no_file;
+void RunOutput::note_lengths() {
+  history_bytes_ = history_ ? history_->find_length() : no_file;
   frame_count_ = frames_ ? frames_->count() : no_file;
+}
+
+void RunOutput::sync() {
+  if (history_) history_->sync();
   if (frames_) frames_->sync();
 }
 
@@ -84,7 +88,12 @@ void RunOutput::archive(CheckpointArchive& archive, double time) {
 
 void RunOutput::close() {
   if (frames_) frames_->close();
-  if (history_) history_->flush();
+  if (history_) history_->close();
+}
+
+bool RunOutput::are_files_in_place() const {
+  const bool rows = !history_ || history_->is_in_place(), frames = !frames_ || frames_->is_in_place();
+  return rows && frames;
 }
 
 }  // namespace percuss

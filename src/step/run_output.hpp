@@ -54,12 +54,17 @@ class RunOutput {
   void write_frame(const State& state);
   void advance(double time);
 
-  /// Waits until the disk has all and notes how long the files are: call before saving.
+  /// Hands all to the system and notes how long the files are: call before saving.
+  void note_lengths();
+  /// Waits until the disk has all.
   void sync();
   /// Schedules and the lengths of the files. time: of the state.
   void archive(CheckpointArchive& archive, double time);
 
   void close();
+
+  /// Whether the files still have their names: not if somebody removed or replaced one.
+  bool are_files_in_place() const;
 
  private:
   static constexpr std::int64_t no_file = -1;
