@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 
 #include "src/output/posix_file.hpp"
 
@@ -59,10 +60,14 @@ SystemError make_io_error(std::string_view action, const std::string& path, int 
 
 void write_file_atomically(const std::string& path, std::string_view text, Durability durability) {
   const std::string temporary = path + ".tmp";
-  PosixFile file(temporary, O_WRONLY | O_CREAT | O_TRUNC, path);
+  PosixFile file(temporary, O_RDWR | O_CREAT | O_TRUNC, path);
   try {
     file.write(text.data(), 0, static_cast<std::int64_t>(text.size()));
     if (durability == Durability::disk) file.sync();
+    std::string found(text.size(), '\0');
+    file.read(found.data(), 0, std::ssize(found));
+    if (found != text || file.size() != std::ssize(found))
+      throw SystemError(fmt::format("cannot write '{}' (read back, it is not what was written): check the disk", path));
     file.close();
     if (std::rename(temporary.c_str(), path.c_str()) != 0) throw make_io_error("write", path, errno);
   } catch (const SystemError&) {

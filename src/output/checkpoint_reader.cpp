@@ -69,6 +69,8 @@ CheckpointHeader read_header(hid_t file, std::uint64_t bytes, const std::string&
   header.title = text("title");
   header.mesh = text("mesh");
   header.written = text("written");
+  if (check(H5Aexists(group.get(), names::content), "look for the hash of the content") > 0)
+    header.content = text(names::content);
   header.elements = number("elements");
   header.nodes = number("nodes");
   header.step = number("step");
@@ -79,13 +81,10 @@ CheckpointHeader read_header(hid_t file, std::uint64_t bytes, const std::string&
   return header;
 }
 
-/// Reads all that the file holds. Its hash must be the one that the writer found in memory; checkpoints of older
-/// versions have none.
-void check_content(hid_t file, std::uint64_t bytes, const std::string& path) {
+/// Reads all that the file holds; its hash must be the one that the writer found in memory.
+void check_content(const CheckpointHeader& header, hid_t file, std::uint64_t bytes, const std::string& path) {
   const std::uint64_t found = hdf5::find_content(hdf5::open_group(file, "/").get(), bytes);
-  const hdf5::Handle group = hdf5::open_group(file, names::header);
-  if (check(H5Aexists(group.get(), names::content), "look for the hash of the content") == 0) return;
-  if (hdf5::read_text(group.get(), names::content) != fmt::format("{:016x}", found))
+  if (!header.content.empty() && header.content != fmt::format("{:016x}", found))
     refuse(path, "the checkpoint is damaged (its content is not the state that was saved): use an older one");
 }
 
@@ -98,14 +97,14 @@ CheckpointReader::CheckpointReader(const std::string& path, const ChunkedMesh& m
   fail_together(ranks, [&] {
     const auto read = [&] {
       load();
-      check_content(file_.get(), file_bytes_, path_);
+      check_content(header_, file_.get(), file_bytes_, path_);
     };
     if (ranks.rank() == 0) rehearse(path_, find_file_bytes(path_), read);
   });
   fail_together(ranks, [&] {
     read_or_refuse(path_, [&] {
       load();
-      if (ranks.rank() == 0) check_content(file_.get(), file_bytes_, path_);
+      if (ranks.rank() == 0) check_content(header_, file_.get(), file_bytes_, path_);
     });
   });
 }
@@ -205,7 +204,7 @@ CheckpointHeader read_unsealed_header(const std::string& path) {
 CheckpointHeader read_checkpoint_header(const std::string& path) {
   check_seal(path);
   const CheckpointHeader header = read_unsealed_header(path);
-  read_or_refuse(path, [&] { check_content(open_hdf5(path).get(), find_file_bytes(path), path); });
+  read_or_refuse(path, [&] { check_content(header, open_hdf5(path).get(), find_file_bytes(path), path); });
   return header;
 }
 

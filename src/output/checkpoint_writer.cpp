@@ -225,7 +225,8 @@ void CheckpointWriter::write_numbers() {
   texts(names::sum_names, sum_names_);
   write_once<std::int64_t>(group + names::sums, sums_);
   const hdf5::Handle header(check(H5Gopen2(file_.get(), names::header, H5P_DEFAULT), "open group"), H5Gclose);
-  hdf5::write_attribute(header.get(), names::content, fmt::format("{:016x}", record_.find_content(ranks_)));
+  header_.content = fmt::format("{:016x}", record_.find_content(ranks_));
+  hdf5::write_attribute(header.get(), names::content, header_.content);
   trim();
 }
 

@@ -18,9 +18,9 @@
 namespace percuss::hdf5 {
 namespace {
 
-// HDF5 closes what is open when the program ends, and when MPI ends if MPI ran when HDF5 started. It crashes there where
-// it meets a file that it could not write (HDF5 1.10); every other file is closed by who opened it. So both are kept
-// from it, before anybody can start HDF5 or MPI, in every program that writes such files.
+// HDF5 closes what is open when the program ends, and when MPI ends if MPI ran when HDF5 started. It crashes there
+// where it meets a file that it could not write (HDF5 1.10); every other file is closed by who opened it. So both are
+// kept from it, before anybody can start HDF5 or MPI, in every program that writes such files.
 bool leave_open_at_exit() noexcept { return H5dont_atexit() >= 0 && H5open() >= 0; }
 [[maybe_unused]] const bool leaves_open_at_exit = leave_open_at_exit();
 

@@ -35,7 +35,7 @@ struct RowBlock {
   hsize_t all = 0;
   hsize_t first = 0;
   hsize_t count = 0;
-  hid_t transfer = H5P_DEFAULT;  // collective where several ranks write
+  hid_t transfer = H5P_DEFAULT;   // collective where several ranks write
   WriteRecord* record = nullptr;  // notes what was written, to be compared with what is read back
 };
 

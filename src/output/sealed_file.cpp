@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "kernels/core/mix_bits.hpp"
@@ -79,16 +80,26 @@ std::string say_what_to_do(const std::string& path) {
   return "there is no older one beside it: begin the run again";
 }
 
-Seal read_seal(const std::string& path) {
+std::optional<Seal> find_seal(const std::string& path) {
   const PosixFile file(path, O_RDONLY);
-  const std::int64_t size = file.size();
+  const std::int64_t bytes = file.size() - static_cast<std::int64_t>(sizeof(Seal));
+  if (bytes < 0) return std::nullopt;
   Seal seal;
-  if (size >= static_cast<std::int64_t>(sizeof seal)) {
-    file.read(&seal, size - static_cast<std::int64_t>(sizeof seal), sizeof seal);
-    if (seal.mark == magic && seal.own == hash_seal(seal) &&
-        seal.bytes == size - static_cast<std::int64_t>(sizeof seal))
-      return seal;
-  }
+  file.read(&seal, bytes, sizeof seal);
+  if (seal.mark != magic || seal.own != hash_seal(seal) || seal.bytes != bytes) return std::nullopt;
+  return seal;
+}
+
+/// Of a file that was just sealed.
+void check_whole(const std::string& path, const Seal& seal) {
+  const auto found = find_seal(path);
+  if (found && found->hash == seal.hash) return;
+  throw SystemError(
+      fmt::format("cannot write '{}' (read back, it does not end with what was written): check the disk", path));
+}
+
+Seal read_seal(const std::string& path) {
+  if (const auto seal = find_seal(path)) return *seal;
   throw InputError(fmt::format("{}: error: not a checkpoint, or not a whole one (it does not end as checkpoints do) {}",
                                path, say_what_to_do(path)));
 }
@@ -114,6 +125,7 @@ void seal_file(const Communicator& ranks, const std::string& path) {
     file.write(&seal, bytes, sizeof seal);
     file.sync();
     file.close();
+    check_whole(path, seal);
   });
 }
 

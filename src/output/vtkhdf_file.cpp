@@ -320,7 +320,7 @@ void VtkhdfFile::compare() {
       record_.compare(file.get());
       const hdf5::Handle steps = hdf5::open_group(file.get(), "VTKHDF/Steps");
       if (hdf5::read_whole_number(steps.get(), "NSteps") != frames_)
-        throw hdf5::Error("count the frames of the file", "it has lost some");
+        throw hdf5::Error("read back the number of frames", "it is not what was written");
     } catch (const hdf5::Error& error) {
       throw SystemError(make_message("write", error));
     }
@@ -357,6 +357,7 @@ void VtkhdfFile::sync() {
     disk_.file().check_place();
     disk_.file().sync();
   });
+  compare();
 }
 
 void VtkhdfFile::close() {
@@ -366,7 +367,6 @@ void VtkhdfFile::close() {
     tables_.release();
     check(file_.reset(), "close the file");
     sync();
-    compare();
   });
 }
 

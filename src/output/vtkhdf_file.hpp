@@ -39,7 +39,7 @@ class VtkhdfFile {
   void append_frame(double time, std::int64_t step, std::span<const double> positions,
                     std::span<const FieldData> fields);
 
-  /// Waits until the disk has the frames written so far. Throws SystemError.
+  /// Waits until the disk has the frames written so far, and looks whether all are there. Throws SystemError.
   void sync();
 
   /// Waits for the disk, closes and looks whether all frames are there. Throws SystemError.

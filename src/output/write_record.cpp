@@ -31,7 +31,9 @@ std::uint64_t hash_units(const void* data, std::uint64_t first, std::size_t coun
 std::uint64_t hash_rows(const void* data, std::size_t number_bytes, hsize_t numbers_per_row, hsize_t first,
                         hsize_t rows) {
   const auto at = [&](std::size_t per_number) { return first * numbers_per_row * per_number; };
-  const auto count = [&](std::size_t per_number) { return static_cast<std::size_t>(rows * numbers_per_row) * per_number; };
+  const auto count = [&](std::size_t per_number) {
+    return static_cast<std::size_t>(rows * numbers_per_row) * per_number;
+  };
   if (number_bytes == 8) return hash_units<std::uint64_t>(data, at(1), count(1));
   if (number_bytes == 4) return hash_units<std::uint32_t>(data, at(1), count(1));
   return hash_units<std::uint8_t>(data, at(number_bytes), count(number_bytes));
@@ -148,8 +150,7 @@ std::uint64_t find_content(hid_t group, std::uint64_t file_bytes) {
     const Layout layout = find_layout(object.get(), action);
     if (layout.numbers_per_row > 9 || layout.number_bytes > 65536 || layout.rows > file_bytes)
       throw Error(action, "it has more values than the file");
-    sum += hash_dataset(find_path(object.get()), layout.rows,
-                        read_hash(object.get(), layout, 0, layout.rows, action));
+    sum += hash_dataset(find_path(object.get()), layout.rows, read_hash(object.get(), layout, 0, layout.rows, action));
   }
   return sum;
 }

@@ -4,7 +4,7 @@
 //   FAULT_FOLDER  absolute path of the folder; only calls on files below it count
 //   FAULT_CALL    number of the call that fails, from 0; without it none does
 //   FAULT_KIND    once: it fails with EIO; always: it and all after it fail with ENOSPC; kill: the process is killed
-//                 in the middle of it
+//                 in the middle of it; lose: a write is not done, and told as done
 //   FAULT_RANK    the MPI rank that is to fail; without it the program has one
 //   FAULT_REPORT  a file for the report: "N FUNCTION PATH" of the call that failed, or "N calls" at the end of a
 //                 program in which none was to fail
@@ -29,7 +29,7 @@
 
 namespace {
 
-enum class Kind { none, once, always, kill };
+enum class Kind { none, once, always, kill, lose };
 
 std::string read_environment(const char* name) {
   const char* value = std::getenv(name);
@@ -55,7 +55,7 @@ struct Plan {
     const std::string number = read_environment("FAULT_CALL"), name = read_environment("FAULT_KIND");
     if (number.empty()) return;
     call = std::stol(number);
-    kind = name == "once" ? Kind::once : name == "always" ? Kind::always : Kind::kill;
+    kind = name == "once" ? Kind::once : name == "always" ? Kind::always : name == "lose" ? Kind::lose : Kind::kill;
   }
 };
 
@@ -84,7 +84,7 @@ std::string find_path(int descriptor) {
   return length <= 0 ? "" : std::string(path, static_cast<std::size_t>(length));
 }
 
-enum class Fate { succeeds, fails, dies };
+enum class Fate { succeeds, fails, dies, is_lost };
 
 /// What becomes of this call.
 Fate meet(const char* function, const std::string& path) {
@@ -93,7 +93,7 @@ Fate meet(const char* function, const std::string& path) {
   if (plan().kind == Kind::none) return Fate::succeeds;
   if (number == plan().call) {
     report(std::to_string(number) + " " + function + " " + path + "\n");
-    return plan().kind == Kind::kill ? Fate::dies : Fate::fails;
+    return plan().kind == Kind::kill ? Fate::dies : plan().kind == Kind::lose ? Fate::is_lost : Fate::fails;
   }
   return plan().kind == Kind::always && number > plan().call ? Fate::fails : Fate::succeeds;
 }
@@ -105,12 +105,14 @@ Function find_next(const char* symbol) {
   return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, symbol));
 }
 
-/// Calls real(), fails, or does half() of the work and dies.
-template <class Real, class Half>
-auto follow(const char* function, const std::string& path, const Real& real, const Half& half) {
+/// Calls real(), fails, does half() of the work and dies, or answers lost().
+template <class Real, class Half, class Lost>
+auto follow(const char* function, const std::string& path, const Real& real, const Half& half, const Lost& lost) {
   switch (meet(function, path)) {
     case Fate::succeeds:
       return real();
+    case Fate::is_lost:
+      return lost();
     case Fate::dies:
       half();
       ::kill(::getpid(), SIGKILL);
@@ -124,7 +126,14 @@ auto follow(const char* function, const std::string& path, const Real& real, con
 
 template <class Real>
 auto follow(const char* function, const std::string& path, const Real& real) {
-  return follow(function, path, real, [] {});
+  return follow(
+      function, path, real, [] {}, real);  // no write, which cannot be lost
+}
+
+ssize_t count_bytes(const iovec* pieces, int count) {
+  std::size_t bytes = 0;
+  for (int i = 0; i < count; ++i) bytes += pieces[i].iov_len;
+  return static_cast<ssize_t>(bytes);
 }
 
 using Pwrite = ssize_t (*)(int, const void*, std::size_t, off_t);
@@ -137,14 +146,14 @@ ssize_t follow_pwrite(const char* symbol, int file, const void* data, std::size_
   const auto next = find_next<Pwrite>(symbol);
   return follow(
       symbol, find_path(file), [&] { return next(file, data, size, offset); },
-      [&] { next(file, data, size / 2, offset); });
+      [&] { next(file, data, size / 2, offset); }, [&] { return static_cast<ssize_t>(size); });
 }
 
 ssize_t follow_pwritev(const char* symbol, int file, const iovec* pieces, int count, off_t offset) {
   const auto next = find_next<Pwritev>(symbol);
   return follow(
       symbol, find_path(file), [&] { return next(file, pieces, count, offset); },
-      [&] { next(file, pieces, count / 2, offset); });
+      [&] { next(file, pieces, count / 2, offset); }, [&] { return count_bytes(pieces, count); });
 }
 
 int follow_truncate(const char* symbol, int file, off_t size) {
@@ -207,7 +216,8 @@ int close(int file) { return follow_close(file); }
 ssize_t write(int file, const void* data, std::size_t size) {
   const auto next = find_next<ssize_t (*)(int, const void*, std::size_t)>("write");
   return follow(
-      "write", find_path(file), [&] { return next(file, data, size); }, [&] { next(file, data, size / 2); });
+      "write", find_path(file), [&] { return next(file, data, size); }, [&] { next(file, data, size / 2); },
+      [&] { return static_cast<ssize_t>(size); });
 }
 ssize_t pwrite(int file, const void* data, std::size_t size, off_t offset) {
   return follow_pwrite("pwrite", file, data, size, offset);
@@ -218,7 +228,8 @@ ssize_t pwrite64(int file, const void* data, std::size_t size, off_t offset) {
 ssize_t writev(int file, const iovec* pieces, int count) {
   const auto next = find_next<ssize_t (*)(int, const iovec*, int)>("writev");
   return follow(
-      "writev", find_path(file), [&] { return next(file, pieces, count); }, [&] { next(file, pieces, count / 2); });
+      "writev", find_path(file), [&] { return next(file, pieces, count); }, [&] { next(file, pieces, count / 2); },
+      [&] { return count_bytes(pieces, count); });
 }
 ssize_t pwritev(int file, const iovec* pieces, int count, off_t offset) {
   return follow_pwritev("pwritev", file, pieces, count, offset);
@@ -235,7 +246,9 @@ int fdatasync(int file) {
 }
 int ftruncate(int file, off_t size) noexcept { return follow_truncate("ftruncate", file, size); }
 int ftruncate64(int file, off_t size) noexcept { return follow_truncate("ftruncate64", file, size); }
-int posix_fallocate(int file, off_t offset, off_t size) { return follow_reserve("posix_fallocate", file, offset, size); }
+int posix_fallocate(int file, off_t offset, off_t size) {
+  return follow_reserve("posix_fallocate", file, offset, size);
+}
 int posix_fallocate64(int file, off_t offset, off_t size) {
   return follow_reserve("posix_fallocate64", file, offset, size);
 }
