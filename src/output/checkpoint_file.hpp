@@ -28,6 +28,7 @@ struct CheckpointHeader {
   std::string title;      // of the deck
   std::string deck;       // its values on which the motion depends, a line each
   std::string mesh;       // hash of the mesh
+  std::string warnings;   // that the run has given (write_warnings())
   std::string written;    // UTC
   std::string content;    // hash of all that was given, 16 digits; empty: of a percuss that did not write it
   std::int64_t elements = 0, nodes = 0, step = 0;

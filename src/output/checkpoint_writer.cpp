@@ -117,7 +117,7 @@ void CheckpointWriter::create() {
 }
 
 void CheckpointWriter::write_header() {
-  reserve(metadata_bytes + header_.deck.size());
+  reserve(2 * metadata_bytes + header_.deck.size() + header_.warnings.size());
   const hdf5::Handle group(check(H5Gopen2(file_.get(), names::header, H5P_DEFAULT), "open group"), H5Gclose);
   const auto number = [&](const char* name, std::int64_t value) {
     hdf5::write_attribute(group.get(), name, std::array<std::int64_t, 1>{value});
@@ -135,8 +135,12 @@ void CheckpointWriter::write_header() {
   text("title", header_.title);
   text("mesh", header_.mesh);
   text("written", header_.written);
-  const auto* deck = reinterpret_cast<const std::uint8_t*>(header_.deck.data());
-  write_once<std::uint8_t>(std::string(names::header) + "/" + names::deck, {deck, header_.deck.size()});
+  const auto long_text = [&](const char* name, const std::string& value) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(value.data());
+    write_once<std::uint8_t>(std::string(names::header) + "/" + name, {bytes, value.size()});
+  };
+  long_text(names::deck, header_.deck);
+  long_text(names::warnings, header_.warnings);
   trim();
 }
 
