@@ -16,13 +16,13 @@ enum class Durability { system, disk };
 /// the new one whole. Throws SystemError with path and reason; the old file then stays as it was.
 void write_file_atomically(const std::string& path, std::string_view text, Durability durability);
 
-/// Waits until the disk holds the names in the folder of a file: a rename is there only then.
+/// Waits until the disk holds the names in the folder of a file: a rename is there only then. Throws SystemError.
 void sync_folder_of(const std::string& path);
 
-/// "cannot ACTION 'PATH' (REASON) SUGGESTION" for an errno of the system.
+/// "cannot ACTION 'PATH' (REASON): SUGGESTION" for an errno of the system.
 SystemError make_io_error(std::string_view action, const std::string& path, int error_number);
 
-/// What a user can do about an errno ("free some space, ..."); empty if nothing is known.
+/// What a user can do about an errno (": free some space, ..."); empty if nothing is known.
 std::string suggest_for_errno(int error_number);
 
 }  // namespace percuss

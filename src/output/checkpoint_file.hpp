@@ -2,7 +2,9 @@
 // checkpoint.h5: the state of a run, from which it goes on to the same bits on any number of ranks (docs/output.md).
 //
 // An HDF5 file with an array for each piece of state, chunk after chunk, and a seal behind it. It is written beside its
-// place and renamed when the disk has it; the one before becomes checkpoint_previous.h5.
+// place, read back and compared with the state in memory, and renamed when the disk has it; the one before becomes
+// checkpoint_previous.h5. A hash of all that was given is an attribute of the header: readers compare it with what they
+// find.
 
 #include <cstdint>
 #include <map>
@@ -28,12 +30,18 @@ struct CheckpointHeader {
   std::string mesh;       // hash of the mesh
   std::string warnings;   // that the run has given (write_warnings())
   std::string written;    // UTC
+  std::string content;    // hash of all that was given, 16 digits; empty: of a percuss that did not write it
   std::int64_t elements = 0, nodes = 0, step = 0;
   double time = 0;
+
+  bool operator==(const CheckpointHeader&) const = default;
 };
 
 /// The checkpoint before the one at `path`: checkpoint_previous.h5.
 std::string find_previous_checkpoint(const std::string& path);
+
+/// Removes what a run that was killed while it wrote the checkpoint at `path` may have left beside it. By one process.
+void remove_unfinished_checkpoint(const std::string& path);
 
 class CheckpointWriter : public CheckpointArchive {
  public:
@@ -45,7 +53,8 @@ class CheckpointWriter : public CheckpointArchive {
   CheckpointWriter(const CheckpointWriter&) = delete;
   CheckpointWriter& operator=(const CheckpointWriter&) = delete;
 
-  /// Completes the file, waits for the disk and puts it in its place. Throws SystemError; what was there then stays.
+  /// Completes the file, reads it back and compares it with what was given, seals it, waits for the disk and puts it in
+  /// its place. Throws SystemError; what was there then stays.
   void finish();
 
   bool is_loading() const override { return false; }
@@ -61,8 +70,8 @@ class CheckpointWriter : public CheckpointArchive {
   [[noreturn]] void refuse_value(const std::string& name) const override;
   template <class Work>
   void run_or_abandon(Work&& work);
-  void create(const CheckpointHeader& header);
-  void write_header(const CheckpointHeader& header);
+  void create();
+  void write_header();
   void write_numbers();
   void reserve(std::uint64_t bytes);
   void trim();
@@ -71,9 +80,15 @@ class CheckpointWriter : public CheckpointArchive {
   template <class T>
   void write_once(const std::string& name, std::span<const T> values);
   void make_groups(const std::string& path);
+  hdf5::RowBlock make_block_of_first_rank(hsize_t count);
+  std::string make_message(const hdf5::Error& error) const;
+  void compare() const;
+  void put_in_place() const;
   void abandon();
+  void remove_temporary() const;
 
   std::string path_, temporary_;
+  CheckpointHeader header_;
   Communicator ranks_;
   ChunkBlocks blocks_;
   const ChunkedMesh& mesh_;
@@ -82,7 +97,7 @@ class CheckpointWriter : public CheckpointArchive {
   std::set<std::string> groups_;
   std::vector<std::string> number_names_, sum_names_;
   std::vector<std::int64_t> numbers_, sums_;  // bits; limbs
-  bool flushing_ = false;
+  hdf5::WriteRecord record_;
 };
 
 class CheckpointReader : public CheckpointArchive {
@@ -123,6 +138,9 @@ class CheckpointReader : public CheckpointArchive {
   std::map<std::string, std::size_t> sum_places_;
   std::vector<std::int64_t> sums_;
 };
+
+/// The header of a file that has no seal yet, by this process alone. Throws InputError, SystemError.
+CheckpointHeader read_unsealed_header(const std::string& path);
 
 /// The header of a checkpoint whose seal holds, by this process alone. Throws InputError, SystemError.
 CheckpointHeader read_checkpoint_header(const std::string& path);

@@ -10,6 +10,7 @@ inline constexpr std::int64_t format = 3;
 
 inline constexpr const char* header = "percuss_checkpoint";  // group whose attributes are the header
 inline constexpr const char* state = "state";                // group of the arrays
+inline constexpr const char* content = "content";            // attribute: hash of the content, 16 digits
 inline constexpr const char* deck = "deck";                  // datasets of the header's group
 inline constexpr const char* warnings = "warnings";
 inline constexpr const char* number_names = "number_names";

@@ -16,6 +16,7 @@
 #include "src/output/hdf5_reading.hpp"
 #include "src/output/hdf5_structure.hpp"
 #include "src/output/sealed_file.hpp"
+#include "src/output/write_record.hpp"
 #include "src/regular_file.hpp"
 
 namespace percuss {
@@ -90,6 +91,8 @@ CheckpointHeader read_header(hid_t file, std::uint64_t bytes, const std::string&
   header.title = text("title");
   header.mesh = text("mesh");
   header.written = text("written");
+  if (check(H5Aexists(group.get(), names::content), "look for the hash of the content") > 0)
+    header.content = text(names::content);
   header.elements = number("elements");
   header.nodes = number("nodes");
   header.step = number("step");
@@ -105,26 +108,11 @@ CheckpointHeader read_header(hid_t file, std::uint64_t bytes, const std::string&
   return header;
 }
 
-/// Reads all rows of all datasets of a group and of the groups in it, and keeps none.
-void read_all(hid_t group, std::uint64_t bytes) {
-  constexpr hsize_t at_once = 1 << 20;
-  for (const std::string& name : hdf5::list_names(group, ".")) {
-    const hdf5::Handle object(check(H5Oopen(group, name.c_str(), H5P_DEFAULT), "open " + name), H5Oclose);
-    if (H5Iget_type(object.get()) == H5I_GROUP) {
-      read_all(object.get(), bytes);
-      continue;
-    }
-    const hdf5::Handle type(check(H5Dget_type(object.get()), "read " + name), H5Tclose);
-    const bool is_integer = H5Tget_class(type.get()) == H5T_INTEGER;
-    const hsize_t all = hdf5::read_shape(group, name).rows;
-    for (hsize_t row = 0; row < all; row += at_once) {
-      const hsize_t rows = std::min(at_once, all - row);
-      if (is_integer)
-        hdf5::read_rows<std::int64_t>(group, name, row, rows, bytes);
-      else
-        hdf5::read_rows<double>(group, name, row, rows, bytes);
-    }
-  }
+/// Reads all that the file holds; its hash must be the one that the writer found in memory.
+void check_content(const CheckpointHeader& header, hid_t file, std::uint64_t bytes, const std::string& path) {
+  const std::uint64_t found = hdf5::find_content(hdf5::open_group(file, "/").get(), bytes);
+  if (!header.content.empty() && header.content != fmt::format("{:016x}", found))
+    refuse(path, "the checkpoint is damaged (its content is not the state that was saved): use an older one");
 }
 
 }  // namespace
@@ -137,11 +125,16 @@ CheckpointReader::CheckpointReader(const std::string& path, const ChunkedMesh& m
   fail_together(ranks, [&] {
     const auto read = [&] {
       load();
-      read_all(hdf5::open_group(file_.get(), names::state).get(), file_bytes_);
+      check_content(header_, file_.get(), file_bytes_, path_);
     };
     if (ranks.rank() == 0) rehearse(path_, find_file_bytes(path_), read);
   });
-  fail_together(ranks, [&] { read_or_refuse(path_, [&] { load(); }); });
+  fail_together(ranks, [&] {
+    read_or_refuse(path_, [&] {
+      load();
+      if (ranks.rank() == 0) check_content(header_, file_.get(), file_bytes_, path_);
+    });
+  });
 }
 
 /// The header, the numbers and the sums.
@@ -253,11 +246,17 @@ void CheckpointReader::rows(const std::string& name, const ChunkRows& rows, int 
   read_rows(name, rows, components, values);
 }
 
+CheckpointHeader read_unsealed_header(const std::string& path) {
+  CheckpointHeader header;
+  read_or_refuse(path, [&] { header = read_header(open_hdf5(path).get(), find_file_bytes(path), path); });
+  return header;
+}
+
 CheckpointHeader read_checkpoint_header(const std::string& path) {
   check_source(path);
   check_seal(path);
-  CheckpointHeader header;
-  read_or_refuse(path, [&] { header = read_header(open_hdf5(path).get(), find_file_bytes(path), path); });
+  const CheckpointHeader header = read_unsealed_header(path);
+  read_or_refuse(path, [&] { check_content(header, open_hdf5(path).get(), find_file_bytes(path), path); });
   return header;
 }
 

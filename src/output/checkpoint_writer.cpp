@@ -24,6 +24,7 @@ using hdf5::check;
 
 // More than a dataset's header, a group and its index take; the file gives back what is left.
 constexpr std::uint64_t metadata_bytes = std::uint64_t{64} << 10;
+constexpr std::size_t longest_title = 1000;  // bytes
 
 /// [local rows][components] in the order of the chunks.
 template <class T>
@@ -46,6 +47,7 @@ void keep_as_previous(const std::string& path) {
   const bool linked = ::link(path.c_str(), link.c_str()) == 0;
   if (std::rename(linked ? link.c_str() : path.c_str(), previous.c_str()) != 0)
     throw make_io_error("write", previous, errno);
+  ::unlink(link.c_str());  // it stays if both are names of one file, after a kill between the two renames
 }
 
 }  // namespace
@@ -55,11 +57,17 @@ std::string find_previous_checkpoint(const std::string& path) {
   return (dot == std::string::npos ? path : path.substr(0, dot)) + "_previous.h5";
 }
 
+void remove_unfinished_checkpoint(const std::string& path) {
+  ::unlink((path + ".tmp").c_str());
+  ::unlink((find_previous_checkpoint(path) + ".tmp").c_str());
+}
+
 CheckpointWriter::CheckpointWriter(const std::string& path, const CheckpointHeader& header, const ChunkedMesh& mesh,
                                    const Communicator& ranks)
-    : path_(path), temporary_(path + ".tmp"), ranks_(ranks), blocks_(ranks, mesh), mesh_(mesh) {
+    : path_(path), temporary_(path + ".tmp"), header_(header), ranks_(ranks), blocks_(ranks, mesh), mesh_(mesh) {
+  header_.title = header.title.substr(0, longest_title);
   if (ranks.size() > 1) transfer_ = hdf5::create_collective_transfer();
-  run_or_abandon([&] { create(header); });
+  run_or_abandon([&] { create(); });
 }
 
 void CheckpointWriter::refuse_value(const std::string& name) const {
@@ -79,32 +87,42 @@ void CheckpointWriter::run_or_abandon(Work&& work) {
   try {
     work();
   } catch (const hdf5::Error& error) {
-    const std::string message = fmt::format("cannot write '{}' ({}; while HDF5 was to {}){}", path_, error.reason,
-                                            error.what(), suggest_for_errno(error.error_number));
-    if (ranks_.size() > 1) hdf5::end_all_ranks(ranks_, message);
+    if (ranks_.size() > 1) hdf5::end_all_ranks(ranks_, make_message(error));
     abandon();
-    throw SystemError(message);
+    throw SystemError(make_message(error));
   } catch (const SystemError&) {  // agreed on by all ranks
     abandon();
     throw;
   }
 }
 
-void CheckpointWriter::abandon() {
-  hdf5::turn_to_memory(file_, ranks_);
-  hdf5::close_abandoned(file_, flushing_ ? hdf5::Failure::in_a_flush : hdf5::Failure::elsewhere);
-  if (ranks_.rank() == 0) ::unlink(temporary_.c_str());
+std::string CheckpointWriter::make_message(const hdf5::Error& error) const {
+  return fmt::format("cannot write '{}' ({}; while HDF5 was to {}){}", path_, error.reason, error.what(),
+                     suggest_for_errno(error.error_number));
 }
 
-void CheckpointWriter::create(const CheckpointHeader& header) {
+void CheckpointWriter::abandon() {
+  hdf5::turn_away(file_, ranks_);
+  file_.release();
+  remove_temporary();
+}
+
+// Its room on the disk is given back at once, though HDF5 keeps it open.
+void CheckpointWriter::remove_temporary() const {
+  if (ranks_.rank() != 0) return;
+  ::truncate(temporary_.c_str(), 0);
+  ::unlink(temporary_.c_str());
+}
+
+void CheckpointWriter::create() {
   file_ = hdf5::create_durable_file(temporary_, ranks_);
   run_on_first_rank(ranks_, [&] { disk_ = DiskReservation(temporary_); });
   make_groups(names::header);
-  write_header(header);
+  write_header();
 }
 
-void CheckpointWriter::write_header(const CheckpointHeader& header) {
-  reserve(2 * metadata_bytes + header.deck.size() + header.warnings.size());
+void CheckpointWriter::write_header() {
+  reserve(2 * metadata_bytes + header_.deck.size() + header_.warnings.size());
   const hdf5::Handle group(check(H5Gopen2(file_.get(), names::header, H5P_DEFAULT), "open group"), H5Gclose);
   const auto number = [&](const char* name, std::int64_t value) {
     hdf5::write_attribute(group.get(), name, std::array<std::int64_t, 1>{value});
@@ -113,21 +131,21 @@ void CheckpointWriter::write_header(const CheckpointHeader& header) {
     hdf5::write_attribute(group.get(), name, value);
   };
   number("format", names::format);
-  number("elements", header.elements);
-  number("nodes", header.nodes);
-  number("step", header.step);
-  number("time_bits", std::bit_cast<std::int64_t>(header.time));
-  text("version", header.version);
-  text("precision", header.precision);
-  text("title", header.title.substr(0, 1000));
-  text("mesh", header.mesh);
-  text("written", header.written);
+  number("elements", header_.elements);
+  number("nodes", header_.nodes);
+  number("step", header_.step);
+  number("time_bits", std::bit_cast<std::int64_t>(header_.time));
+  text("version", header_.version);
+  text("precision", header_.precision);
+  text("title", header_.title);
+  text("mesh", header_.mesh);
+  text("written", header_.written);
   const auto long_text = [&](const char* name, const std::string& value) {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(value.data());
     write_once<std::uint8_t>(std::string(names::header) + "/" + name, {bytes, value.size()});
   };
-  long_text(names::deck, header.deck);
-  long_text(names::warnings, header.warnings);
+  long_text(names::deck, header_.deck);
+  long_text(names::warnings, header_.warnings);
 }
 
 /// The groups of a path, each within the one before it.
@@ -139,14 +157,17 @@ void CheckpointWriter::make_groups(const std::string& path) {
   }
 }
 
+hdf5::RowBlock CheckpointWriter::make_block_of_first_rank(hsize_t count) {
+  const bool first = ranks_.rank() == 0;
+  return {count, first ? 0 : count, first ? count : 0, transfer_ ? transfer_.get() : H5P_DEFAULT, &record_};
+}
+
 /// Rank 0 writes values that all have.
 template <class T>
 void CheckpointWriter::write_once(const std::string& name, std::span<const T> values) {
-  const bool first = ranks_.rank() == 0;
-  const hsize_t count = values.size();
-  const hdf5::RowBlock block{count, first ? 0 : count, first ? count : 0, transfer_ ? transfer_.get() : H5P_DEFAULT};
   const hid_t file_type = sizeof(T) == 1 ? H5T_STD_U8LE : H5T_STD_I64LE;
-  hdf5::write_dataset(file_.get(), name, file_type, block, hdf5::memory_type<T>(), values.data());
+  hdf5::write_dataset(file_.get(), name, file_type, make_block_of_first_rank(values.size()), hdf5::memory_type<T>(),
+                      values.data());
 }
 
 template <class T>
@@ -160,6 +181,7 @@ void CheckpointWriter::write_rows(const std::string& name, const ChunkRows& rows
       blocks_.gather(first, components, own.first(static_cast<std::size_t>(own_rows * components)));
   hdf5::RowBlock block = blocks_.block(first, components);
   if (transfer_) block.transfer = transfer_.get();
+  block.record = &record_;
   run_or_abandon([&] {
     const std::string path = std::string(names::state) + "/" + name;
     reserve(metadata_bytes + block.all * sizeof(T));
@@ -197,10 +219,7 @@ void CheckpointWriter::sum(const std::string& name, ExactSum& value) {
 void CheckpointWriter::write_numbers() {
   const std::string group = std::string(names::header) + "/";
   const auto texts = [&](const char* name, const std::vector<std::string>& values) {
-    const bool first = ranks_.rank() == 0;
-    const hsize_t count = values.size();
-    hdf5::write_texts(file_.get(), group + name, values,
-                      {count, first ? 0 : count, first ? count : 0, transfer_ ? transfer_.get() : H5P_DEFAULT});
+    hdf5::write_texts(file_.get(), group + name, values, make_block_of_first_rank(values.size()));
   };
   std::uint64_t longest = 1;
   for (const auto* list : {&number_names_, &sum_names_}) {
@@ -212,20 +231,21 @@ void CheckpointWriter::write_numbers() {
   write_once<std::int64_t>(group + names::numbers, numbers_);
   texts(names::sum_names, sum_names_);
   write_once<std::int64_t>(group + names::sums, sums_);
+  const hdf5::Handle header(check(H5Gopen2(file_.get(), names::header, H5P_DEFAULT), "open group"), H5Gclose);
+  header_.content = fmt::format("{:016x}", record_.find_content(ranks_));
+  hdf5::write_attribute(header.get(), names::content, header_.content);
   trim();
 }
 
 // Behind all that was reserved before: what is too much goes in trim().
 void CheckpointWriter::reserve(std::uint64_t bytes) {
-  run_on_first_rank(ranks_, [&] { disk_.reserve(disk_.size(), bytes); });
+  run_on_first_rank(ranks_, [&] { disk_.reserve(static_cast<std::uint64_t>(disk_.file().size()), bytes); });
 }
 
 // As in VtkhdfFile: HDF5 does not tell how long a file is that several ranks write, but a flush cuts it to its data.
 // Once, at the end: a flush takes a dozen messages between ranks, and whoever stops a run may not wait for them.
 void CheckpointWriter::trim() {
-  flushing_ = true;
   check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flush the file");
-  flushing_ = false;
   if (ranks_.size() > 1) {
     run_on_first_rank(ranks_, [&] { disk_.trim_if_unused(); });
     return;
@@ -235,20 +255,40 @@ void CheckpointWriter::trim() {
   disk_.trim(bytes);
 }
 
+/// What a restart would read must be what the state in memory is.
+void CheckpointWriter::compare() const {
+  const hdf5::QuietErrors quiet;
+  ranks_.barrier();  // all have closed it
+  fail_together(ranks_, [&] {
+    try {
+      record_.compare(hdf5::open_to_compare(temporary_).get());
+    } catch (const hdf5::Error& error) {
+      throw SystemError(make_message(error));
+    }
+    if (ranks_.rank() == 0 && read_unsealed_header(temporary_) != header_)
+      throw SystemError(fmt::format("cannot write '{}' (its header, read back, is not what was written){}", path_,
+                                    suggest_for_errno(EIO)));
+  });
+}
+
+void CheckpointWriter::put_in_place() const {
+  disk_.file().check_place();
+  keep_as_previous(path_);
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw make_io_error("write", path_, errno);
+  sync_folder_of(path_);
+}
+
 void CheckpointWriter::finish() {
   run_or_abandon([&] {
     write_numbers();
     check(file_.reset(), "close the file");
   });
   try {
+    compare();
     seal_file(ranks_, temporary_);
-    run_on_first_rank(ranks_, [&] {
-      keep_as_previous(path_);
-      if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw make_io_error("write", path_, errno);
-      sync_folder_of(path_);
-    });
+    run_on_first_rank(ranks_, [&] { put_in_place(); });
   } catch (const std::exception&) {
-    if (ranks_.rank() == 0) ::unlink(temporary_.c_str());
+    remove_temporary();
     throw;
   }
 }

@@ -204,4 +204,6 @@ void FieldsFile::close() {
   if (has_written && impl->frames_in_parts_index < impl->index.times.size()) impl->write_parts_index();
 }
 
+bool FieldsFile::is_in_place() const { return !impl_ || impl_->file.is_in_place(); }
+
 }  // namespace percuss

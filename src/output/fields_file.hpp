@@ -80,8 +80,12 @@ class FieldsFile {
   /// Waits until the disk has the frames written so far. Throws SystemError.
   void sync();
 
-  /// Waits until the disk has all and closes the file; errors are thrown here rather than lost in the destructor.
+  /// Waits until the disk has all, closes the file and looks whether all frames are in it; errors are thrown here
+  /// rather than lost in the destructor.
   void close();
+
+  /// Whether the file still has its name, as rank 0 sees it: not if somebody removed or replaced it.
+  bool is_in_place() const;
 
  private:
   struct Impl;

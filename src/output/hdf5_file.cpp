@@ -9,7 +9,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <thread>
 
@@ -19,6 +18,12 @@
 
 namespace percuss::hdf5 {
 namespace {
+
+// HDF5 closes what is open when the program ends, and when MPI ends if MPI ran when HDF5 started. It crashes there
+// where it meets a file that it could not write (HDF5 1.10); every other file is closed by who opened it. So both are
+// kept from it, before anybody can start HDF5 or MPI, in every program that writes such files.
+bool leave_open_at_exit() noexcept { return H5dont_atexit() >= 0 && H5open() >= 0; }
+[[maybe_unused]] const bool leaves_open_at_exit = leave_open_at_exit();
 
 // A B-tree node of the chunk index holds 2 k entries. A node that does not split is only ever added to, which lets a
 // file survive a crash between any two writes of its metadata; so only every 512th frame of a field has such a weak
@@ -40,9 +45,11 @@ void keep_metadata_until_flush(hid_t file, const std::string& action) {
 
 Handle create_access(const Communicator& ranks, const std::string& action) {
   Handle access(check(H5Pcreate(H5P_FILE_ACCESS), action), H5Pclose);
-  // No lock, so that ParaView can look at a run that goes on; no chunk cache: frames go to the system as they come.
+  // No lock, so that ParaView can look at a run that goes on. No chunk cache and no sieve buffer: data go to the system
+  // as they come, and the call that brings them tells of a failure; what a buffer held back could only fail later.
   check(H5Pset_file_locking(access.get(), false, true), action);
   check(H5Pset_cache(access.get(), 0, 1, 0, 1.0), action);
+  check(H5Pset_sieve_buf_size(access.get(), 0), action);
   if (ranks.size() > 1) check(H5Pset_fapl_mpio(access.get(), ranks.handle(), MPI_INFO_NULL), action);
   return access;
 }
@@ -68,17 +75,22 @@ void agree_that_all_reach(const std::string& path, const Communicator& ranks) {
 }
 
 // Each rank goes on with a file of its own. One that cannot would leave the others waiting when the file is closed.
-void turn_to_memory(MPI_File& file, int memory, const Communicator& ranks) {
+void turn_to_memory(MPI_File& file, const Communicator& ranks) {
+  const int memory = ::memfd_create("abandoned", MFD_CLOEXEC);
   const std::string path = fmt::format("/proc/self/fd/{}", memory);
   MPI_File_close(&file);
   if (MPI_File_open(MPI_COMM_SELF, path.c_str(), MPI_MODE_RDWR, MPI_INFO_NULL, &file) != MPI_SUCCESS)
     ranks.abort(static_cast<int>(ExitCode::system_failed));
+  ::close(memory);
 }
 
-// Ends the program, with the exit code that it has, before the functions that were registered earlier have their turn.
-void end_before_hdf5(int exit_code, void*) {
-  std::fflush(nullptr);
-  ::_exit(exit_code);
+// The duplicate stays open: the system must not give the file's number to another one, which HDF5 would then take for
+// this one.
+void turn_to_null(int descriptor) {
+  const int null = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (null < 0 || ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0) < 0) return;
+  ::dup2(null, descriptor);
+  ::close(null);
 }
 
 }  // namespace
@@ -125,25 +137,14 @@ Handle create_collective_transfer() {
   return transfer;
 }
 
-void turn_to_memory(const Handle& file, const Communicator& ranks) {
+void turn_away(const Handle& file, const Communicator& ranks) {
   void* handle = nullptr;
   if (!file || H5Fget_vfd_handle(file.get(), H5P_DEFAULT, &handle) < 0) return;
-  const int memory = ::memfd_create("abandoned", MFD_CLOEXEC);
   if (ranks.size() > 1) {
-    turn_to_memory(*static_cast<MPI_File*>(handle), memory, ranks);
-  } else if (memory >= 0) {
-    ::dup2(memory, *static_cast<int*>(handle));
+    turn_to_memory(*static_cast<MPI_File*>(handle), ranks);
+  } else {
+    turn_to_null(*static_cast<int*>(handle));
   }
-  if (memory >= 0) ::close(memory);
-}
-
-void close_abandoned(Handle& file, Failure failure) {
-  if (failure == Failure::elsewhere) {
-    file.reset();
-    return;
-  }
-  file.release();
-  ::on_exit(end_before_hdf5, nullptr);
 }
 
 }  // namespace percuss::hdf5

@@ -25,16 +25,9 @@ Handle open_durable_file(const std::string& path, const Communicator& ranks);
 /// How several ranks write data: all of them at once.
 Handle create_collective_transfer();
 
-// --- giving a file up, in this order; what is open within it is closed between the two
-
-/// From now on what HDF5 writes to the file goes to memory. After a failed write it must not reach the disk: it would
-/// refer to data that are not there. Collective.
-void turn_to_memory(const Handle& file, const Communicator& ranks);
-
-enum class Failure { in_a_flush, elsewhere };
-
-/// Closes the file. After a failed flush HDF5 1.10 can neither close it nor end with the program without a crash: then
-/// the file stays open, and the program will end, with its own exit code, before HDF5 has its turn.
-void close_abandoned(Handle& file, Failure failure);
+/// Before a file is given up: from now on what HDF5 writes to it goes nowhere. After a failed write it must not reach
+/// the disk: it would refer to data that are not there. What is open within the file is closed after this, but not the
+/// file itself (Handle::release()): HDF5 1.10 cannot close one that it could not flush. Collective.
+void turn_away(const Handle& file, const Communicator& ranks);
 
 }  // namespace percuss::hdf5

@@ -34,6 +34,13 @@ Handle create_space(const Extent& extent) {
           H5Sclose};
 }
 
+// Without the time of its creation, so that two runs of one scene leave the same bytes.
+Handle create_properties(const std::string& name) {
+  Handle properties(check(H5Pcreate(H5P_DATASET_CREATE), "create dataset " + name), H5Pclose);
+  check(H5Pset_obj_track_times(properties.get(), false), "create dataset " + name);
+  return properties;
+}
+
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space, hid_t properties) {
   return {check(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
                 fmt::format("create dataset {}", name)),
@@ -43,6 +50,7 @@ Handle create_dataset(hid_t parent, const std::string& name, hid_t type, hid_t s
 // Writes a block of the rows of a dataset that begin at row `start`.
 void write_rows(hid_t dataset, const std::string& name, hsize_t start, const RowBlock& block, int components,
                 hid_t type, const void* values) {
+  if (block.record != nullptr) block.record->add(dataset, start + block.first, block.count, type, values);
   if (block.all == 0) return;
   const std::string action = fmt::format("write dataset {}", name);
   const Handle in_file(check(H5Dget_space(dataset), action), H5Sclose);
@@ -72,8 +80,9 @@ void write_attribute(hid_t object, const std::string& name, hid_t file_type, hid
   const bool exists = check(H5Aexists(object, name.c_str()), action) > 0;
   const hid_t id = exists ? H5Aopen(object, name.c_str(), H5P_DEFAULT)
                           : H5Acreate2(object, name.c_str(), file_type, space, H5P_DEFAULT, H5P_DEFAULT);
-  const Handle attribute(check(id, action), H5Aclose);
+  Handle attribute(check(id, action), H5Aclose);
   check(H5Awrite(attribute.get(), memory, data), action);
+  check(attribute.reset(), action);
 }
 
 }  // namespace
@@ -87,8 +96,9 @@ Handle create_group(hid_t parent, const std::string& name) {
 void write_dataset(hid_t parent, const std::string& name, hid_t file_type, const RowBlock& block, hid_t memory_type,
                    const void* values) {
   const Handle space = create_space(make_extent(block.all, 1));
-  const Handle dataset = create_dataset(parent, name, file_type, space.get(), H5P_DEFAULT);
+  Handle dataset = create_dataset(parent, name, file_type, space.get(), create_properties(name).get());
   write_rows(dataset.get(), name, 0, block, 1, memory_type, values);
+  check(dataset.reset(), fmt::format("close dataset {}", name));
 }
 
 void write_rows_once(hid_t parent, const std::string& name, const RowBlock& block, int components,
@@ -131,7 +141,7 @@ Table::Table(hid_t parent, const std::string& name, hid_t file_type, int compone
   const std::array<hsize_t, 2> unlimited{H5S_UNLIMITED, none.dims[1]};
   const Handle space(check(H5Screate_simple(none.rank, none.dims.data(), unlimited.data()), "create dataset " + name),
                      H5Sclose);
-  const Handle properties(check(H5Pcreate(H5P_DATASET_CREATE), "create dataset " + name), H5Pclose);
+  const Handle properties = create_properties(name);
   row_bytes_ = H5Tget_size(file_type) * none.dims[1];
   chunk_rows_ = choose_chunk_rows(rows_at_once, row_bytes_);
   const std::array<hsize_t, 2> chunk{chunk_rows_, none.dims[1]};

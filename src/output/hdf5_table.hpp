@@ -9,6 +9,7 @@
 #include <string>
 
 #include "src/output/hdf5_handle.hpp"
+#include "src/output/write_record.hpp"
 
 namespace percuss::hdf5 {
 
@@ -34,7 +35,8 @@ struct RowBlock {
   hsize_t all = 0;
   hsize_t first = 0;
   hsize_t count = 0;
-  hid_t transfer = H5P_DEFAULT;  // collective where several ranks write
+  hid_t transfer = H5P_DEFAULT;   // collective where several ranks write
+  WriteRecord* record = nullptr;  // notes what was written, to be compared with what is read back
 };
 
 /// A group below `parent`.

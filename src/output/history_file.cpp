@@ -1,22 +1,25 @@
 #include "src/output/history_file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include <algorithm>
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
 
-#include "src/output/atomic_file.hpp"
+#include "src/error.hpp"
 #include "src/output/safe_text.hpp"
 
 namespace percuss {
 namespace {
 
 constexpr std::size_t pending_limit = std::size_t{64} << 10;  // bytes kept back, to write rows many at a time
+constexpr std::int64_t largest_read = 1 << 20;                // bytes
 constexpr auto longest_wait = std::chrono::seconds(1);        // so that others can watch, and a kill loses little
 
 // A heading with a comma, a quote or a line break is quoted as RFC 4180 says.
@@ -46,6 +49,14 @@ std::string make_heading(std::span<const std::string> columns) {
   for (const auto& column : columns) heading += quote_heading(make_printable(column)) + ',';
   if (!columns.empty()) heading.pop_back();
   return heading + '\n';
+}
+
+constexpr std::uint64_t empty_hash = 0xcbf29ce484222325ull;
+
+/// FNV-1a (Fowler, Noll and Vo), which goes on byte by byte.
+std::uint64_t add_to_hash(std::uint64_t hash, std::string_view bytes) {
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ull;
+  return hash;
 }
 
 }  // namespace
@@ -92,36 +103,23 @@ LaterStates find_later_rows(const std::string& path, std::int64_t bytes) {
 }
 
 HistoryFile::HistoryFile(const std::string& path, std::span<const std::string> columns)
-    : path_(path), columns_(columns.size()), file_(std::fopen(path.c_str(), "wbe")) {
-  if (file_ == nullptr) throw make_io_error("write", path_, errno);
-  std::setvbuf(file_, nullptr, _IONBF, 0);  // pending_ is the buffer: it knows where rows end
+    : path_(path), columns_(columns.size()), file_(path, O_RDWR | O_CREAT | O_TRUNC), hash_(empty_hash) {
   pending_ = make_heading(columns);
-  try {
-    flush();
-  } catch (...) {
-    std::fclose(file_);
-    throw;
-  }
+  flush();
 }
 
 HistoryFile::HistoryFile(const std::string& path, std::span<const std::string> columns, std::int64_t bytes)
-    : path_(path), columns_(columns.size()), written_(bytes) {
+    : path_(path), columns_(columns.size()), written_(bytes), compared_(bytes), hash_(empty_hash) {
   check_history_file(path, columns, bytes);
-  file_ = std::fopen(path.c_str(), "r+be");
-  if (file_ == nullptr) throw make_io_error("write", path_, errno);
-  std::setvbuf(file_, nullptr, _IONBF, 0);
-  if (::ftruncate(::fileno(file_), bytes) == 0 && std::fseek(file_, 0, SEEK_END) == 0) return;
-  const int error_number = errno;
-  std::fclose(file_);
-  throw make_io_error("write", path_, error_number);
+  file_ = PosixFile(path, O_RDWR);
+  file_.truncate(bytes);
 }
 
 HistoryFile::~HistoryFile() {
   try {
-    flush();
-  } catch (...) {  // a destructor has nobody to tell
+    if (is_open_) flush();
+  } catch (const SystemError&) {  // a destructor has nobody to tell
   }
-  std::fclose(file_);
 }
 
 void HistoryFile::write_row(std::span<const double> values) {
@@ -140,25 +138,61 @@ void HistoryFile::write_row(std::span<const double> values) {
 void HistoryFile::flush() {
   flushed_ = std::chrono::steady_clock::now();
   if (pending_.empty()) return;
-  const std::size_t written = std::fwrite(pending_.data(), 1, pending_.size(), file_);
-  if (written == pending_.size()) {
-    written_ += static_cast<long long>(written);
-    pending_.clear();
-    return;
+  const std::string rows = std::exchange(pending_, "");  // one message, no second try on a full disk
+  try {
+    file_.check_place();
+    file_.write(rows.data(), written_, std::ssize(rows));
+  } catch (const SystemError&) {
+    cut_to_last_row(rows);
+    throw;
   }
-  const int error_number = errno;
-  // Cut off the row that fitted in part only, and forget the rest: one message, no second try on a full disk.
-  const auto last_row_end = std::string_view(pending_).substr(0, written).rfind('\n');
-  written_ += last_row_end == std::string::npos ? 0 : static_cast<long long>(last_row_end + 1);
-  [[maybe_unused]] const int cut = ::ftruncate(::fileno(file_), written_);
-  pending_.clear();
-  throw make_io_error("write", path_, error_number);
+  written_ += std::ssize(rows);
+  hash_ = add_to_hash(hash_, rows);
 }
 
-std::int64_t HistoryFile::sync() {
+/// After a write that failed: keeps those of its rows that are in the file as a whole.
+void HistoryFile::cut_to_last_row(std::string_view rows) {
+  try {
+    const auto there = std::clamp<std::int64_t>(file_.size() - written_, 0, std::ssize(rows));
+    const auto end = rows.substr(0, static_cast<std::size_t>(there)).rfind('\n');
+    const std::string_view whole = rows.substr(0, end == std::string_view::npos ? 0 : end + 1);
+    written_ += std::ssize(whole);
+    hash_ = add_to_hash(hash_, whole);
+    file_.truncate(written_);
+  } catch (const SystemError&) {  // the first error is the one to tell
+  }
+}
+
+/// What a reader finds behind compared_ must be what was written there.
+void HistoryFile::compare() const {
+  std::uint64_t found = empty_hash;
+  std::string part;
+  for (std::int64_t at = compared_; at < written_; at += std::ssize(part)) {
+    part.resize(static_cast<std::size_t>(std::min<std::int64_t>(written_ - at, largest_read)));
+    file_.read(part.data(), at, std::ssize(part));
+    found = add_to_hash(found, part);
+  }
+  if (found == hash_ && file_.size() == written_) return;
+  throw SystemError(
+      fmt::format("cannot write '{}' (read back, it does not hold the rows that were written): check the disk, and "
+                  "that no other program writes to the file",
+                  path_));
+}
+
+void HistoryFile::sync() {
   flush();
-  if (::fsync(::fileno(file_)) != 0) throw make_io_error("write", path_, errno);
-  return written_;
+  file_.check_place();
+  file_.sync();
+  compare();
+  compared_ = written_;
+  hash_ = empty_hash;
+}
+
+void HistoryFile::close() {
+  if (!is_open_) return;
+  is_open_ = false;
+  sync();
+  file_.close();
 }
 
 }  // namespace percuss

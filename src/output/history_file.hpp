@@ -3,13 +3,13 @@
 
 #include <chrono>
 #include <cstdint>
-#include <cstdio>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "src/output/later_states.hpp"
-
+#include "src/output/posix_file.hpp"
 namespace percuss {
 
 class HistoryFile {
@@ -19,7 +19,7 @@ class HistoryFile {
   /// Goes on with a file of an earlier run behind its first `bytes`, and cuts off what lies there. Throws what
   /// check_history_file() throws, which is asked first.
   HistoryFile(const std::string& path, std::span<const std::string> columns, std::int64_t bytes);
-  /// Flushes and closes; an error is lost here, so flush() first.
+  /// Flushes and closes; an error is lost here, so close() first.
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
   HistoryFile& operator=(const HistoryFile&) = delete;
@@ -30,21 +30,33 @@ class HistoryFile {
   void write_row(std::span<const double> values);
 
   /// Hands all rows to the system, so that they survive the end of the process. Throws SystemError; the file then ends
-  /// with the last row that fitted.
+  /// with the last row that fitted. A file that was removed or replaced meanwhile is such an error, too.
   void flush();
+
+  /// flush(), waits until the disk has it, and reads back and compares what is new since the last time. Throws
+  /// SystemError.
+  void sync();
+
+  /// sync(), and closes the file. Throws SystemError.
+  void close();
 
   /// Of the file, with all rows that were flushed [byte].
   std::int64_t length() const { return written_; }
 
-  /// flush(), and waits until the disk has it. Returns the length of the file [byte]. Throws SystemError.
-  std::int64_t sync();
+  /// Whether the path still leads to this file.
+  bool is_in_place() const { return file_.is_in_place(); }
 
  private:
+  void cut_to_last_row(std::string_view rows);
+  void compare() const;
+
   std::string path_;
   std::size_t columns_ = 0;
-  std::FILE* file_ = nullptr;
-  std::string pending_;    // whole rows that are not in the file yet
-  long long written_ = 0;  // bytes
+  PosixFile file_;
+  bool is_open_ = true;
+  std::string pending_;                      // whole rows that are not in the file yet
+  std::int64_t written_ = 0, compared_ = 0;  // bytes; of which read back
+  std::uint64_t hash_;                       // of those between the two
   std::chrono::steady_clock::time_point flushed_;
 };
 

@@ -2,19 +2,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
+#include <optional>
 #include <vector>
 
+#include "kernels/core/mix_bits.hpp"
 #include "src/fail_together.hpp"
-#include "src/output/atomic_file.hpp"
 #include "src/output/checkpoint_file.hpp"
+#include "src/output/posix_file.hpp"
 
 namespace percuss {
 namespace {
@@ -29,15 +28,8 @@ struct Seal {
   std::uint64_t own = 0;   // of the three above
 };
 
-std::uint64_t mix(std::uint64_t h) {  // the finaliser of SplitMix64 (Steele et al. 2014)
-  h += 0x9e3779b97f4a7c15ull;
-  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
-  h = (h ^ (h >> 27)) * 0x94d049bb133111ebull;
-  return h ^ (h >> 31);
-}
-
 std::uint64_t hash_seal(const Seal& seal) {
-  return mix(mix(mix(seal.mark) ^ static_cast<std::uint64_t>(seal.bytes)) ^ seal.hash);
+  return mix_bits(mix_bits(mix_bits(seal.mark) ^ static_cast<std::uint64_t>(seal.bytes)) ^ seal.hash);
 }
 
 /// Of a block, zeros behind its end. Every step can be undone, so that a change of one word always shows; four lanes,
@@ -48,59 +40,15 @@ std::uint64_t hash_block(const std::vector<std::uint64_t>& words, std::int64_t i
     std::uint64_t& h = lane[i % 4];
     h = std::rotl((h ^ words[i]) * 0x9ddfea08eb382d69ull, 29);
   }
-  std::uint64_t h = mix(static_cast<std::uint64_t>(index));
-  for (const std::uint64_t l : lane) h = mix(h ^ l);
+  std::uint64_t h = mix_bits(static_cast<std::uint64_t>(index));
+  for (const std::uint64_t l : lane) h = mix_bits(h ^ l);
   return h;
 }
-
-class File {
- public:
-  File(const std::string& path, int flags) : path_(path), descriptor_(::open(path.c_str(), flags | O_CLOEXEC)) {
-    if (descriptor_ < 0) throw make_io_error("open", path, errno);
-  }
-  ~File() { ::close(descriptor_); }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-
-  std::int64_t size() const {
-    struct stat status {};
-    if (::fstat(descriptor_, &status) != 0) throw make_io_error("read", path_, errno);
-    return status.st_size;
-  }
-
-  void read(void* into, std::int64_t offset, std::int64_t count) const {
-    auto* at = static_cast<char*>(into);
-    while (count > 0) {
-      const ssize_t got = ::pread(descriptor_, at, static_cast<std::size_t>(count), offset);
-      if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) throw make_io_error("read", path_, got == 0 ? EIO : errno);
-      at += got, offset += got, count -= got;
-    }
-  }
-
-  void write(const void* from, std::int64_t offset, std::int64_t count) const {
-    const auto* at = static_cast<const char*>(from);
-    while (count > 0) {
-      const ssize_t done = ::pwrite(descriptor_, at, static_cast<std::size_t>(count), offset);
-      if (done < 0 && errno == EINTR) continue;
-      if (done <= 0) throw make_io_error("write", path_, done == 0 ? ENOSPC : errno);
-      at += done, offset += done, count -= done;
-    }
-  }
-
-  void sync() const {
-    if (::fsync(descriptor_) != 0) throw make_io_error("write", path_, errno);
-  }
-
- private:
-  std::string path_;
-  int descriptor_;
-};
 
 std::int64_t count_blocks(std::int64_t bytes) { return (bytes + block_bytes - 1) / block_bytes; }
 
 /// The share of blocks [first, end) in the hash of the first `bytes` bytes; shares add up.
-std::uint64_t hash_blocks(const File& file, std::int64_t bytes, std::int64_t first, std::int64_t end) {
+std::uint64_t hash_blocks(const PosixFile& file, std::int64_t bytes, std::int64_t first, std::int64_t end) {
   std::vector<std::uint64_t> words(block_bytes / 8);
   std::uint64_t sum = 0;
   for (std::int64_t b = first; b < end; ++b) {
@@ -116,7 +64,7 @@ std::uint64_t hash_share(const Communicator& ranks, const std::string& path, std
   const std::int64_t blocks = count_blocks(bytes);
   std::uint64_t hash = 0;
   fail_together(ranks, [&] {
-    hash = hash_blocks(File(path, O_RDONLY), bytes, blocks * ranks.rank() / ranks.size(),
+    hash = hash_blocks(PosixFile(path, O_RDONLY), bytes, blocks * ranks.rank() / ranks.size(),
                        blocks * (ranks.rank() + 1) / ranks.size());
   });
   if (ranks.size() > 1) {
@@ -132,16 +80,26 @@ std::string say_what_to_do(const std::string& path) {
   return "there is no older one beside it: begin the run again";
 }
 
-Seal read_seal(const std::string& path) {
-  const File file(path, O_RDONLY);
-  const std::int64_t size = file.size();
+std::optional<Seal> find_seal(const std::string& path) {
+  const PosixFile file(path, O_RDONLY);
+  const std::int64_t bytes = file.size() - static_cast<std::int64_t>(sizeof(Seal));
+  if (bytes < 0) return std::nullopt;
   Seal seal;
-  if (size >= static_cast<std::int64_t>(sizeof seal)) {
-    file.read(&seal, size - static_cast<std::int64_t>(sizeof seal), sizeof seal);
-    if (seal.mark == magic && seal.own == hash_seal(seal) &&
-        seal.bytes == size - static_cast<std::int64_t>(sizeof seal))
-      return seal;
-  }
+  file.read(&seal, bytes, sizeof seal);
+  if (seal.mark != magic || seal.own != hash_seal(seal) || seal.bytes != bytes) return std::nullopt;
+  return seal;
+}
+
+/// Of a file that was just sealed.
+void check_whole(const std::string& path, const Seal& seal) {
+  const auto found = find_seal(path);
+  if (found && found->hash == seal.hash) return;
+  throw SystemError(
+      fmt::format("cannot write '{}' (read back, it does not end with what was written): check the disk", path));
+}
+
+Seal read_seal(const std::string& path) {
+  if (const auto seal = find_seal(path)) return *seal;
   throw InputError(fmt::format("{}: error: not a checkpoint, or not a whole one (it does not end as checkpoints do) {}",
                                path, say_what_to_do(path)));
 }
@@ -156,16 +114,18 @@ void compare(const std::string& path, const Seal& seal, std::uint64_t hash) {
 
 void seal_file(const Communicator& ranks, const std::string& path) {
   std::int64_t bytes = 0;
-  fail_together(ranks, [&] { bytes = File(path, O_RDONLY).size(); });
+  fail_together(ranks, [&] { bytes = PosixFile(path, O_RDONLY).size(); });
   Seal seal;
   seal.bytes = bytes;
   seal.hash = hash_share(ranks, path, bytes);
   seal.own = hash_seal(seal);
   fail_together(ranks, [&] {
     if (ranks.rank() != 0) return;
-    const File file(path, O_RDWR);
+    PosixFile file(path, O_RDWR);
     file.write(&seal, bytes, sizeof seal);
     file.sync();
+    file.close();
+    check_whole(path, seal);
   });
 }
 
@@ -177,7 +137,7 @@ void check_seal(const Communicator& ranks, const std::string& path) {
 
 void check_seal(const std::string& path) {
   const Seal seal = read_seal(path);
-  compare(path, seal, hash_blocks(File(path, O_RDONLY), seal.bytes, 0, count_blocks(seal.bytes)));
+  compare(path, seal, hash_blocks(PosixFile(path, O_RDONLY), seal.bytes, 0, count_blocks(seal.bytes)));
 }
 
 }  // namespace percuss

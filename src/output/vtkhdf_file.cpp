@@ -9,6 +9,7 @@
 #include "src/output/atomic_file.hpp"
 #include "src/output/first_rank.hpp"
 #include "src/output/hdf5_file.hpp"
+#include "src/output/hdf5_reading.hpp"
 
 namespace percuss {
 namespace {
@@ -155,9 +156,13 @@ void VtkhdfFile::run_or_abandon(const char* action, Work&& work) {
   }
 }
 
+std::string VtkhdfFile::make_message(const char* action, const hdf5::Error& error) const {
+  return fmt::format("cannot {} '{}' ({}; while HDF5 was to {}){}", action, path_, error.reason, error.what(),
+                     suggest_for_errno(error.error_number));
+}
+
 void VtkhdfFile::fail(const char* action, const hdf5::Error& error) {
-  const std::string message = fmt::format("cannot {} '{}' ({}; while HDF5 was to {}){}", action, path_, error.reason,
-                                          error.what(), suggest_for_errno(error.error_number));
+  const std::string message = make_message(action, error);
   if (ranks_.size() > 1) hdf5::end_all_ranks(ranks_, message);
   abandon();
   throw SystemError(message);
@@ -174,18 +179,26 @@ void VtkhdfFile::create(const Mesh& mesh) {
   write_scene(mesh);
   tables_.create_steps(nodes_, options_.units);
   flush();
+  compare();
   trim();
 }
 
-hdf5::RowBlock VtkhdfFile::make_block(FieldPlace place, int rows) const {
+hdf5::RowBlock VtkhdfFile::make_block(FieldPlace place, int rows) {
   hdf5::RowBlock block = (place == FieldPlace::node ? node_rows_ : element_rows_).block(rows);
   if (transfer_) block.transfer = transfer_.get();
+  block.record = &record_;
   return block;
 }
 
-hdf5::RowBlock VtkhdfFile::make_block_of_first_rank(hsize_t rows) const {
+hdf5::RowBlock VtkhdfFile::make_block_of_first_rank(hsize_t rows) {
   const bool first = ranks_.rank() == 0;
-  return {rows, first ? 0 : rows, first ? rows : 0, transfer_ ? transfer_.get() : H5P_DEFAULT};
+  return {rows, first ? 0 : rows, first ? rows : 0, transfer_ ? transfer_.get() : H5P_DEFAULT, &record_};
+}
+
+hdf5::RowBlock VtkhdfFile::make_block_of_all(std::size_t count) {
+  hdf5::RowBlock block = join_blocks(ranks_, count, transfer_ ? transfer_.get() : H5P_DEFAULT);
+  block.record = &record_;
+  return block;
 }
 
 void VtkhdfFile::write_numbers(const hdf5::Handle& group, const std::string& name, const hdf5::RowBlock& block,
@@ -203,8 +216,7 @@ void VtkhdfFile::write_items(const std::string& name, FieldPlace place, std::spa
 void VtkhdfFile::write_cells(const Mesh& mesh) {
   const auto corners = flatten_connectivity(mesh);
   const Cells cells = list_cells(element_rows_.gather(std::span<const std::int64_t>(corners), 8));
-  const hid_t transfer = transfer_ ? transfer_.get() : H5P_DEFAULT;
-  const hdf5::RowBlock ids = join_blocks(ranks_, cells.corners.size(), transfer);
+  const hdf5::RowBlock ids = make_block_of_all(cells.corners.size());
   write_numbers(tables_.root, "NumberOfConnectivityIds", make_block_of_first_rank(1),
                 std::array{static_cast<std::int64_t>(ids.all)});
   write_numbers(tables_.root, "Connectivity", ids, cells.corners);
@@ -221,7 +233,7 @@ void VtkhdfFile::write_cells(const Mesh& mesh) {
   write_numbers(tables_.root, "Offsets", block, offsets);
   if (!has_several_kinds(ranks_, cells)) return;  // XDMF needs no more for one
   const std::vector<std::int64_t> mixed = list_mixed_topology(cells);
-  write_numbers(tables_.own, "xdmf_topology", join_blocks(ranks_, mixed.size(), transfer), mixed);
+  write_numbers(tables_.own, "xdmf_topology", make_block_of_all(mixed.size()), mixed);
 }
 
 void VtkhdfFile::write_mesh(const Mesh& mesh) {
@@ -279,6 +291,7 @@ void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const do
     reserve(frame_bytes(fields));
     append_rows(time, step, positions, fields);
     flush();
+    compare();
     // Only now does the frame exist for a reader.
     hdf5::write_attribute(tables_.steps.get(), "NSteps", std::array<std::int64_t, 1>{frames_ + 1});
     flush();
@@ -316,10 +329,23 @@ void VtkhdfFile::append_rows(double time, std::int64_t step, std::span<const dou
   append_one(*tables_.times, time);
 }
 
-void VtkhdfFile::flush() {
-  flushing_ = true;
-  check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flush the file");
-  flushing_ = false;
+void VtkhdfFile::flush() { check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flush the file"); }
+
+// What a reader finds must be what was written since this was called last, behind the frames of which the file tells.
+void VtkhdfFile::compare() {
+  ranks_.barrier();  // all have flushed it
+  fail_together(ranks_, [&] {
+    try {
+      const hdf5::Handle file = hdf5::open_to_compare(path_);
+      record_.compare(file.get());
+      const hdf5::Handle steps = hdf5::open_group(file.get(), "VTKHDF/Steps");
+      if (hdf5::read_whole_number(steps.get(), "NSteps") != frames_)
+        throw hdf5::Error("read back the number of frames", "it is not what was written");
+    } catch (const hdf5::Error& error) {
+      throw SystemError(make_message("write", error));
+    }
+  });
+  record_.clear();
 }
 
 hsize_t VtkhdfFile::file_bytes() const {
@@ -334,7 +360,7 @@ void VtkhdfFile::reserve(hsize_t bytes) {
   if (ranks_.size() == 1) {
     disk_.reserve(file_bytes(), bytes);
   } else {
-    run_on_first_rank(ranks_, [&] { disk_.reserve(disk_.size(), bytes); });
+    run_on_first_rank(ranks_, [&] { disk_.reserve(static_cast<std::uint64_t>(disk_.file().size()), bytes); });
   }
 }
 
@@ -347,7 +373,11 @@ void VtkhdfFile::trim() {
 }
 
 void VtkhdfFile::sync() {
-  run_on_first_rank(ranks_, [&] { disk_.sync(); });
+  run_on_first_rank(ranks_, [&] {
+    disk_.file().check_place();
+    disk_.file().sync();
+  });
+  compare();
 }
 
 void VtkhdfFile::close() {
@@ -356,14 +386,20 @@ void VtkhdfFile::close() {
     flush();
     tables_.release();
     check(file_.reset(), "close the file");
-    run_on_first_rank(ranks_, [&] { disk_.sync(); });
+    sync();
   });
 }
 
+bool VtkhdfFile::is_in_place() const {
+  int in_place = ranks_.rank() == 0 && disk_.file().is_in_place() ? 1 : 0;
+  wait_mpi([&] { return MPI_Bcast(&in_place, 1, MPI_INT, 0, ranks_.handle()); }, "MPI_Bcast");
+  return in_place != 0;
+}
+
 void VtkhdfFile::abandon() {
-  hdf5::turn_to_memory(file_, ranks_);
+  hdf5::turn_away(file_, ranks_);
   tables_.release();
-  hdf5::close_abandoned(file_, flushing_ ? hdf5::Failure::in_a_flush : hdf5::Failure::elsewhere);
+  file_.release();
 }
 
 }  // namespace percuss

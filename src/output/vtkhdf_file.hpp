@@ -33,17 +33,20 @@ class VtkhdfFile {
   VtkhdfFile(const VtkhdfFile&) = delete;
   VtkhdfFile& operator=(const VtkhdfFile&) = delete;
 
-  /// Appends a frame (local rows): room is reserved, data are written and flushed, then the number of steps, which is
-  /// what shows the frame to readers. The first frame creates the fields. Throws SystemError; the file then keeps the
-  /// frames before and takes no more.
+  /// Appends a frame (local rows): room is reserved, data are written, flushed, read back and compared, then the number
+  /// of steps is written, which is what shows the frame to readers. The first frame creates the fields. Throws
+  /// SystemError; the file then keeps the frames before and takes no more.
   void append_frame(double time, std::int64_t step, std::span<const double> positions,
                     std::span<const FieldData> fields);
 
-  /// Waits until the disk has the frames written so far. Throws SystemError.
+  /// Waits until the disk has the frames written so far, and looks whether all are there. Throws SystemError.
   void sync();
 
-  /// Waits for the disk and closes. Throws SystemError.
+  /// Waits for the disk, closes and looks whether all frames are there. Throws SystemError.
   void close();
+
+  /// Whether the path still leads to this file, as rank 0 sees it.
+  bool is_in_place() const;
 
  private:
   struct Unopened {};
@@ -53,13 +56,15 @@ class VtkhdfFile {
   template <class Work>
   void run_or_abandon(const char* action, Work&& work);
   [[noreturn]] void fail(const char* action, const hdf5::Error& error);
+  std::string make_message(const char* action, const hdf5::Error& error) const;
   void create(const Mesh& mesh);
   void write_cells(const Mesh& mesh);
   void write_mesh(const Mesh& mesh);
   void write_scene(const Mesh& mesh);
   void open(std::int64_t frames);
-  hdf5::RowBlock make_block(FieldPlace place, int rows = 1) const;
-  hdf5::RowBlock make_block_of_first_rank(hsize_t rows) const;
+  hdf5::RowBlock make_block(FieldPlace place, int rows = 1);
+  hdf5::RowBlock make_block_of_first_rank(hsize_t rows);
+  hdf5::RowBlock make_block_of_all(std::size_t count);
   void write_numbers(const hdf5::Handle& group, const std::string& name, const hdf5::RowBlock& block,
                      std::span<const std::int64_t> values);
   void write_items(const std::string& name, FieldPlace place, std::span<const std::int64_t> values);
@@ -74,6 +79,7 @@ class VtkhdfFile {
   void reserve(hsize_t bytes);
   void trim();
   void flush();
+  void compare();
   void abandon();
 
   std::string path_;
@@ -83,8 +89,8 @@ class VtkhdfFile {
   RowBlocks node_rows_, element_rows_;
   hdf5::Handle transfer_;  // collective; none: one rank
   std::int64_t frames_ = 0;
-  bool flushing_ = false;  // stays true if that failed
-  DiskReservation disk_;   // rank 0's
+  hdf5::WriteRecord record_;  // of what was written since compare()
+  DiskReservation disk_;      // rank 0's
   hdf5::Handle file_;
   VtkhdfTables tables_;
 };

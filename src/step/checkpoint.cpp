@@ -10,6 +10,7 @@
 
 #include "comm/node_copies.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/mix_bits.hpp"
 #include "src/deck/deck_values.hpp"
 #include "src/error.hpp"
 #include "src/step/archive_lives.hpp"
@@ -19,13 +20,6 @@ namespace percuss {
 namespace {
 
 constexpr std::size_t lanes = pack_size<Real>;
-
-std::uint64_t mix(std::uint64_t h) {  // the finaliser of SplitMix64 (Steele et al. 2014)
-  h += 0x9e3779b97f4a7c15ull;
-  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
-  h = (h ^ (h >> 27)) * 0x94d049bb133111ebull;
-  return h ^ (h >> 31);
-}
 
 /// Calls visit(scalars of a record, whether the lane only repeats the element before, first scalar) for every lane of
 /// this rank's packs: lanes behind the last element of a chunk repeat that one.
@@ -120,17 +114,17 @@ std::string hash_mesh(const ChunkedMesh& chunked, const Communicator& ranks) {
   std::uint64_t sum = 0;
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     if (!owns_node(chunked, static_cast<int>(n))) continue;
-    std::uint64_t h = mix(static_cast<std::uint64_t>(mesh.node_numbers[n]));
-    h = mix(h ^ static_cast<std::uint64_t>(mesh.node_ids[n]));
-    for (const double x : mesh.nodes[n]) h = mix(h ^ std::bit_cast<std::uint64_t>(x));
+    std::uint64_t h = mix_bits(static_cast<std::uint64_t>(mesh.node_numbers[n]));
+    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.node_ids[n]));
+    for (const double x : mesh.nodes[n]) h = mix_bits(h ^ std::bit_cast<std::uint64_t>(x));
     sum += h;
   }
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    std::uint64_t h = mix(~static_cast<std::uint64_t>(find_element_number(chunked, static_cast<int>(e))));
-    h = mix(h ^ static_cast<std::uint64_t>(mesh.element_ids[e]));
-    h = mix(h ^ static_cast<std::uint64_t>(mesh.element_part[e]));
+    std::uint64_t h = mix_bits(~static_cast<std::uint64_t>(find_element_number(chunked, static_cast<int>(e))));
+    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.element_ids[e]));
+    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.element_part[e]));
     for (const int n : mesh.elements[e]) {
-      h = mix(h ^ static_cast<std::uint64_t>(mesh.node_numbers[static_cast<std::size_t>(n)]));
+      h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.node_numbers[static_cast<std::size_t>(n)]));
     }
     sum += h;
   }

@@ -30,6 +30,8 @@ class Frames {
   /// Waits until the disk has the frames written so far.
   void sync() { file_.sync(); }
   void close() { file_.close(); }
+  /// Whether the file still has its name: not if somebody removed or replaced it.
+  bool is_in_place() const { return file_.is_in_place(); }
   /// In the file.
   std::int64_t count() const { return count_; }
 

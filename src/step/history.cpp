@@ -218,4 +218,16 @@ void History::flush() {
   });
 }
 
+void History::close() {
+  fail_together(ranks_, [&] {
+    if (file_) file_->close();
+  });
+}
+
+bool History::is_in_place() const {
+  int in_place = !file_ || file_->is_in_place() ? 1 : 0;
+  wait_mpi([&] { return MPI_Bcast(&in_place, 1, MPI_INT, 0, ranks_.handle()); }, "MPI_Bcast");
+  return in_place != 0;
+}
+
 }  // namespace percuss

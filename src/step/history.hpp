@@ -43,10 +43,14 @@ class History {
              const Vec3& wall_force, const std::vector<double>& pair_work);
   /// Collective; throws likewise.
   void flush();
-  /// flush(), and the length of the file then [byte]. Collective; throws likewise.
+  /// Hands all rows to the system and returns the length of the file [byte]. Collective; throws likewise.
   std::int64_t find_length();
   /// Waits until the disk has all rows. Collective; throws likewise.
   void sync();
+  /// The same, and closes the file. Collective; throws likewise.
+  void close();
+  /// Whether the file still has its name: not if somebody removed or replaced it. Collective.
+  bool is_in_place() const;
 
  private:
   void gather_points(const Model& model, const State& state, std::vector<double>& row) const;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "comm/exact_reduction.hpp"
+#include "kernels/core/mix_bits.hpp"
 #include "kernels/element/elastic_operator.hpp"
 #include "src/step/lanczos.hpp"
 
@@ -14,16 +15,9 @@ constexpr double margin = 0.04;
 /// Chunks with bounds above so many times the trial step count with these: (1 / 2.5)^2 is far from the eigenvalue.
 constexpr double coarse_ratio = 2.5;
 
-KOKKOS_INLINE_FUNCTION std::uint64_t mix(std::uint64_t h) {  // the finaliser of SplitMix64 (Steele et al. 2014)
-  h += 0x9e3779b97f4a7c15ull;
-  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
-  h = (h ^ (h >> 27)) * 0x94d049bb133111ebull;
-  return h ^ (h >> 31);
-}
-
 /// Nearly normal: the sum of four uniform numbers from one of 64 random bits, less its mean.
 KOKKOS_INLINE_FUNCTION double find_random(std::uint64_t key) {
-  const std::uint64_t bits = mix(key);
+  const std::uint64_t bits = mix_bits(key);
   double sum = 0;
   for (int i = 0; i < 4; ++i) sum += static_cast<double>(bits >> (16 * i) & 0xffff);
   return sum / 65535.0 - 2;

@@ -59,6 +59,7 @@ class Run {
   void restart();
   void open_files();
   void check_removals() const;
+  void open_results();
   bool is_finished() const;
   void loop();
   void advance();
@@ -195,6 +196,11 @@ void Run::say(const std::vector<std::string>& lines) const {
 }
 
 void Run::open_files() {
+  open_results();
+  run_on_first_rank(ranks_, [&] { checkpoints_.remove_unfinished(); });
+}
+
+void Run::open_results() {
   if (!options_.out_dir.empty() && deck_.output.history_every) {
     find_history_points(deck_, chunked_);  // an unknown id is told before earlier results go
   }
@@ -450,6 +456,8 @@ void Run::fail(const std::exception& error) {
   }
   try {
     if (dynamic_cast<const RunError*>(&error) != nullptr) write_failed_state();
+    // The state is sound where files were taken away: from a checkpoint the run can go on in another folder.
+    if (is_state_whole_ && !output_.are_files_in_place()) save_checkpoint();
     finish("failed", error.what());
     output_.close();
   } catch (const std::exception& second) {  // a full disk must not hide why the run failed, and is told once

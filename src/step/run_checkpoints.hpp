@@ -25,6 +25,8 @@ class RunCheckpoints {
   long step() const { return step_; }
   const std::string& path() const { return path_; }
 
+  /// Removes what a run that was killed while it wrote one has left of it. By one rank.
+  void remove_unfinished() const { remove_unfinished_checkpoint(file_); }
   /// The run begins at `time`, without one.
   void begin(double time) { due_.advance(time); }
   /// Takes the file at `path`, of this state, for the last one: a run that is restarted calls it.

@@ -120,7 +120,12 @@ void RunOutput::archive(CheckpointArchive& archive, double time) {
 
 void RunOutput::close() {
   if (frames_) frames_->close();
-  if (history_) history_->flush();
+  if (history_) history_->close();
+}
+
+bool RunOutput::are_files_in_place() const {
+  const bool rows = !history_ || history_->is_in_place(), frames = !frames_ || frames_->is_in_place();
+  return rows && frames;
 }
 
 }  // namespace percuss

@@ -76,6 +76,9 @@ class RunOutput {
 
   void close();
 
+  /// Whether the files still have their names: not if somebody removed or replaced one.
+  bool are_files_in_place() const;
+
  private:
   static constexpr std::int64_t no_file = -1;
 

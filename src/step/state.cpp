@@ -1,6 +1,7 @@
 #include "src/step/state.hpp"
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/mix_bits.hpp"
 #include "kernels/shell/shell_failure.hpp"
 #include "src/step/streamed_view.hpp"
 
@@ -98,13 +99,6 @@ void start_shells(const Model& model, const Array<Real>& elements) {
       });
 }
 
-KOKKOS_INLINE_FUNCTION std::uint64_t mix(std::uint64_t h) {  // the finaliser of SplitMix64 (Steele et al. 2014)
-  h += 0x9e3779b97f4a7c15ull;
-  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
-  h = (h ^ (h >> 27)) * 0x94d049bb133111ebull;
-  return h ^ (h >> 31);
-}
-
 KOKKOS_INLINE_FUNCTION std::uint64_t find_bits(double value) {
   union {
     double d;
@@ -198,9 +192,9 @@ std::uint64_t hash_nodes(const Model& model, const State& state) {
       "percuss::hash_nodes", Range(ExecSpace(), 0, owned.count),
       KOKKOS_LAMBDA(const int c, std::uint64_t& sum) {
         for (int n = owned.first(c); n < owned.end(c); ++n) {
-          std::uint64_t h = mix(static_cast<std::uint64_t>(numbers(n)));
-          for (int k = 0; k < 3; ++k) h = mix(mix(h ^ find_bits(x(n, k))) ^ find_bits(v(n, k)));
-          for (int k = 0; has_shells && k < 3; ++k) h = mix(h ^ find_bits(w(n, k)));
+          std::uint64_t h = mix_bits(static_cast<std::uint64_t>(numbers(n)));
+          for (int k = 0; k < 3; ++k) h = mix_bits(mix_bits(h ^ find_bits(x(n, k))) ^ find_bits(v(n, k)));
+          for (int k = 0; has_shells && k < 3; ++k) h = mix_bits(h ^ find_bits(w(n, k)));
           sum += h;  // integers: any order gives the same sum
         }
       },
@@ -211,9 +205,9 @@ std::uint64_t hash_nodes(const Model& model, const State& state) {
 /// What an element that can fail has come to; nothing of one that is as it was.
 KOKKOS_INLINE_FUNCTION std::uint64_t mix_life(const ElementLives& lives, int lane, std::uint64_t h) {
   if (lives.steps_left(lane) != ElementLives::whole)
-    h = mix(h ^ static_cast<std::uint64_t>(lives.steps_left(lane) + 1));
-  if (lives.damage(lane) > 0) h = mix(h ^ find_bits(lives.damage(lane)));
-  if (lives.time_at_yield(lane) > 0) h = mix(h ^ find_bits(lives.time_at_yield(lane)));
+    h = mix_bits(h ^ static_cast<std::uint64_t>(lives.steps_left(lane) + 1));
+  if (lives.damage(lane) > 0) h = mix_bits(h ^ find_bits(lives.damage(lane)));
+  if (lives.time_at_yield(lane) > 0) h = mix_bits(h ^ find_bits(lives.time_at_yield(lane)));
   return h;
 }
 
@@ -221,7 +215,7 @@ KOKKOS_INLINE_FUNCTION std::uint64_t mix_life(const ElementLives& lives, int lan
 KOKKOS_INLINE_FUNCTION std::uint64_t mix_layers(double* rows, int points, std::uint64_t h) {
   for (int p = 0; p < points; ++p) {
     const auto left = static_cast<int>(find_layer_life(rows, p)[LayerLives::left * pack_size<double>]);
-    if (left != ElementLives::whole) h = mix(h ^ static_cast<std::uint64_t>(points * (left + 1) + p));
+    if (left != ElementLives::whole) h = mix_bits(h ^ static_cast<std::uint64_t>(points * (left + 1) + p));
   }
   return h;
 }
@@ -240,13 +234,13 @@ std::uint64_t hash_elements(const Model& model, const State& state) {
         for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
           const int size = chunks.record_size(c);
           const Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
-          std::uint64_t h = mix(~static_cast<std::uint64_t>(first_numbers(c) + i));
+          std::uint64_t h = mix_bits(~static_cast<std::uint64_t>(first_numbers(c) + i));
           const int lane = failing.find_pack(c) < 0 ? -1 : failing.find_pack(c) * width + i;
           if (lane >= 0) h = mix_life(lives, lane, h);
           if (lane >= 0 && is_shell(chunks, c))
             h = mix_layers(find_layer_lives(lives, failing, c, chunks.points(c), i), chunks.points(c), h);
           const bool is_dead = lane >= 0 && lives.steps_left(lane) == 0;
-          for (int s = 0; s < size && !is_dead; ++s) h = mix(h ^ find_bits(record[s * width]));
+          for (int s = 0; s < size && !is_dead; ++s) h = mix_bits(h ^ find_bits(record[s * width]));
           sum += h;
         }
       },
@@ -260,7 +254,7 @@ std::uint64_t hash_state(const Model& model, const State& state) {
   std::uint64_t sums[2] = {hash_nodes(model, state), hash_elements(model, state)};
   wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_UINT64_T, MPI_SUM, model.ranks.handle()); },
            "MPI_Allreduce");
-  return mix(sums[0]) + sums[1];
+  return mix_bits(sums[0]) + sums[1];
 }
 
 }  // namespace percuss

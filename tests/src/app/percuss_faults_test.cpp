@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "src/output/checkpoint_file.hpp"
 #include "src/output/summary.hpp"
@@ -54,8 +56,8 @@ TEST_P(PercussFaults, AFolderThatBecomesAFileEndsTheRunWithOneMessage) {
   });
   EXPECT_EQ(result.exit_code, 4) << result.err;
   EXPECT_EQ(count(result.err, "percuss: error: "), 1) << result.err;
-  EXPECT_THAT(result.err, HasSubstr(out_ + "/checkpoint.h5"));
-  EXPECT_EQ(count(result.err, "--restart"), 0) << result.err;  // there is none
+  EXPECT_THAT(result.err, HasSubstr("cannot write '" + out_ + "/"));
+  EXPECT_EQ(count(result.err, "percuss run"), 0) << result.err;  // there is none
   EXPECT_GT(fs::file_size(folder_.path() + "/moved/history.csv"), 0);
 }
 
@@ -63,7 +65,87 @@ TEST_P(PercussFaults, AFolderThatIsRemovedEndsTheRunWithOneMessage) {
   const ProcessResult result = stop_without_folder([&] { fs::remove_all(out_); });
   EXPECT_EQ(result.exit_code, 4) << result.err;
   EXPECT_EQ(count(result.err, "percuss: error: "), 1) << result.err;
-  EXPECT_THAT(result.err, HasSubstr(out_ + "/checkpoint.h5"));
+  EXPECT_THAT(result.err, HasSubstr("cannot write '" + out_ + "/"));
+}
+
+// A frame is written every step, and rows within a second.
+TEST_P(PercussFaults, AFileThatIsTakenAwayStopsTheRunWithACheckpoint) {
+  for (const std::string file : {"history.csv", "fields.vtkhdf"}) {
+    for (const bool replaced : {false, true}) {
+      SCOPED_TRACE(file + (replaced ? " replaced" : " removed"));
+      const std::string path = out_ + "/" + file;
+      const ProcessResult result = disturb_percuss(
+          {"run", deck_, "-o", out_, "--force", "--set", "output.checkpoint.wall=1e300", "--set",
+           "output.fields.every=0.1", "--set", "time.end=1e5"},
+          out_ + "/fields.xdmf",
+          [&](int) {
+            fs::rename(path, path + ".moved");
+            if (replaced) std::ofstream(path) << "mine";
+          },
+          launch());
+      EXPECT_EQ(result.exit_code, 4) << result.err;
+      EXPECT_EQ(count(result.err, "percuss: error: "), 1) << result.err;
+      EXPECT_THAT(result.err,
+                  HasSubstr("cannot write '" + path + "' (it was removed or replaced while the run wrote it)"));
+      EXPECT_THAT(result.err, HasSubstr("--restart " + out_ + "/checkpoint.h5"));
+      EXPECT_EQ(fs::exists(path), replaced);
+      if (replaced) {
+        EXPECT_EQ(fs::file_size(path), 4);
+      }
+      const std::string step = std::to_string(read_checkpoint_header(out_ + "/checkpoint.h5").step + 2);
+      const ProcessResult again = run_percuss({"run", deck_, "-o", out_ + "_again", "--force", "--restart",
+                                               out_ + "/checkpoint.h5", "--set", "time.max_steps=" + step});
+      EXPECT_EQ(again.exit_code, 0) << again.err;
+      fs::remove_all(out_);
+    }
+  }
+}
+
+TEST_P(PercussFaults, AFileSizeLimitEndsTheRunWithItsReason) {
+  for (const char* limit : {"1", "16", "300", "2000"}) {  // below the first bytes of a file, and within each of them
+    SCOPED_TRACE(limit);
+    const ProcessResult result = run_percuss({"run", deck_, "-o", out_, "--force", "--set", "output.fields.every=0.1",
+                                              "--set", "time.end=1e5", "--set", "time.max_steps=3"},
+                                             launch() + " sh -c 'ulimit -f " + limit + "; exec \"$@\"' sh");
+    EXPECT_EQ(result.exit_code, 4) << result.err;
+    EXPECT_EQ(count(result.err, "percuss: error: "), 1) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("File too large): raise the limit on file sizes (ulimit -f)"));
+    EXPECT_EQ(count(result.err, "Signal"), 0) << result.err;
+  }
+}
+
+// In a mount of its own, which takes rights that not everybody has.
+TEST_P(PercussFaults, AFullDiskEndsTheRunWithItsReasonAndASoundCheckpoint) {
+  const std::string disk = folder_.path() + "/disk";
+  fs::create_directory(disk);
+  const std::string mount = "mount -t tmpfs -o size=1800k none '" + disk + "'";
+  if (std::system(("unshare -m sh -c \"" + mount + "\" 2>/dev/null").c_str()) != 0)
+    GTEST_SKIP() << "no file system can be mounted here";
+  const std::string out = disk + "/out", look = folder_.path() + "/info";
+  const ProcessResult result =
+      run_percuss({"run", deck_, "-o", out, "--set", "output.fields.every=0.1", "--set", "time.end=1e5"},
+                  "unshare -m sh -c '"
+                  "mount -t tmpfs -o size=1800k none " +
+                      disk + " && { " + launch() + " \"$@\"; code=$?; \"$1\" info " + out + "/checkpoint.h5 >" + look +
+                      "; exit $code; }' sh");
+  EXPECT_EQ(result.exit_code, 4) << result.err;
+  EXPECT_EQ(count(result.err, "percuss: error: "), 1) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("No space left on device): free some space"));
+  std::ifstream info(look);
+  EXPECT_THAT(std::string(std::istreambuf_iterator<char>(info), {}), HasSubstr("whole and undamaged"));
+}
+
+TEST_P(PercussFaults, WhatAKilledRunLeftOfACheckpointIsRemoved) {
+  ASSERT_EQ(run_percuss({"run", deck_, "-o", out_, "--set", "time.max_steps=3"}, launch()).exit_code, 0);
+  for (const char* name : {"checkpoint.h5.tmp", "checkpoint_previous.h5.tmp"})
+    std::ofstream(out_ + "/" + name) << "half";
+  ASSERT_EQ(run_percuss(
+                {"run", deck_, "--restart", out_, "--set", "time.max_steps=4", "--set", "output.checkpoint.wall=1e300"},
+                launch())
+                .exit_code,
+            0);
+  EXPECT_FALSE(fs::exists(out_ + "/checkpoint.h5.tmp"));
+  EXPECT_FALSE(fs::exists(out_ + "/checkpoint_previous.h5.tmp"));
 }
 
 TEST_P(PercussFaults, CheckpointsByTheClockAreAgreedOn) {

@@ -11,7 +11,9 @@ namespace percuss::sample {
 
 class Hdf5FileView {
  public:
-  explicit Hdf5FileView(const std::string& path) : file_(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {}
+  /// As another program sees it, also if this one has the file open: HDF5 shares what it has in memory between openings
+  /// by one driver, and percuss writes by others.
+  explicit Hdf5FileView(const std::string& path) : path_(path), file_(open(path, H5Pset_fapl_stdio)) {}
   ~Hdf5FileView() {
     if (file_ >= 0) H5Fclose(file_);
   }
@@ -23,8 +25,10 @@ class Hdf5FileView {
 
   /// Where the file ends by what it says itself.
   hsize_t end_of_data() const {
+    const hid_t file = open(path_, H5Pset_fapl_sec2);  // others do not tell
     haddr_t end = 0;
-    EXPECT_GE(H5Fget_eoa(file_, &end), 0);
+    EXPECT_GE(H5Fget_eoa(file, &end), 0);
+    H5Fclose(file);
     return end;
   }
 
@@ -112,6 +116,15 @@ class Hdf5FileView {
   }
 
  private:
+  static hid_t open(const std::string& path, herr_t (*set_driver)(hid_t)) {
+    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+    set_driver(access);
+    H5Pset_file_locking(access, false, true);
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
+    H5Pclose(access);
+    return file;
+  }
+
   template <class T>
   std::vector<T> read(const std::string& name, hid_t type) const {
     const hid_t set = H5Dopen2(file_, name.c_str(), H5P_DEFAULT), space = H5Dget_space(set);
@@ -122,6 +135,7 @@ class Hdf5FileView {
     return values;
   }
 
+  std::string path_;
   hid_t file_;
 };
 

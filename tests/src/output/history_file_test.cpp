@@ -111,7 +111,7 @@ TEST(HistoryFile, TellsOnceThatTheDiskIsFull) {
     HistoryFile file("/dev/full", columns);
     FAIL() << "a heading went to a full disk";
   } catch (const SystemError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("cannot write '/dev/full' (No space left on device); free some space"));
+    EXPECT_THAT(error.what(), HasSubstr("cannot write '/dev/full' (No space left on device): free some space"));
   }
 }
 
