@@ -98,8 +98,9 @@ FolderLock::FolderLock(const std::string& folder)
     heartbeat_ = std::thread([this] { show_life(); });
   } catch (const std::system_error& error) {
     remove_lock(path_, text_);
-    throw SystemError(fmt::format("a thread cannot be started ({}): raise the limits of the shell (ulimit -u, ulimit -v)",
-                                  error.code().message()));
+    throw SystemError(
+        fmt::format("a thread cannot be started ({}): raise the limits of the shell (ulimit -u, ulimit -v)",
+                    error.code().message()));
   }
 }
 

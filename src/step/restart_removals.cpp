@@ -65,8 +65,7 @@ std::string describe_removals(const RestartInPlace& restart, const CutStates& cu
 std::string refuse_removals(const RestartInPlace& restart, const std::string& removals) {
   return fmt::format(
       "{}: error: going on from {} (t = {:.6g}) would remove results that this run does not compute again ({}): choose "
-      "another folder with --out, let the run go at least as far with output as dense (time.end, time.max_steps, "
-      "output), or give --force",
+      "another folder with --out, give a later time.end or more output as the earlier run had it, or give --force",
       restart.folder, restart.checkpoint, restart.from.time, removals);
 }
 
