@@ -76,20 +76,17 @@ std::vector<Warning> check_output_count(const CheckedScene& scene) {
   constexpr double most_frames = 1e4, most_rows = 1e7, most_checkpoints = 1e4;
   const OutputDeck& output = scene.deck.output;
   std::vector<Warning> warnings;
-  const auto check = [&](const std::optional<double>& every, const std::string& section, double most,
-                         const char* what) {
+  const auto check = [&](const std::optional<double>& every, const std::string& section, double most, const char* why) {
     if (!every || !(*every > 0)) return;
     const double count = scene.deck.time.end / *every;
     if (count <= most * (1 + 1e-9)) return;
-    warnings.push_back(
-        warn_at(scene.deck, "output_count", "output." + section + ".every",
-                fmt::format("output.{}.every = {:g} writes {:.3g} {} (they fill the disk, and nobody looks at "
-                            "more than {:g}): take a longer interval",
-                            section, *every, count, what, most)));
+    warnings.push_back(warn_at(
+        scene.deck, "output_count", "output." + section + ".every",
+        fmt::format("output.{}.every = {:g} writes {:.3g} {}: take a longer interval", section, *every, count, why)));
   };
-  check(output.fields_every, "fields", most_frames, "frames");
-  check(output.history_every, "history", most_rows, "rows");
-  check(output.checkpoint_every, "checkpoint", most_checkpoints, "checkpoints");
+  check(output.fields_every, "fields", most_frames, "frames (they fill the disk, and nobody looks at so many)");
+  check(output.history_every, "history", most_rows, "rows (they fill the disk, and no program plots so many)");
+  check(output.checkpoint_every, "checkpoint", most_checkpoints, "checkpoints (the run waits for each of them)");
   return warnings;
 }
 

@@ -54,8 +54,22 @@ const std::vector<WarningRule>& warning_rules() {
       {"flat_corner", "element with a corner without volume"},
       {"sliver_element", "a few elements far thinner than the others"},
       {"shell_normals", "shells turned against their neighbours"},
-      {"file_ids", "ids of a mesh file that cannot be kept"},
+      {"file_ids", "ids of a mesh file that are not positive and different"},
+      {"raised_ids", "ids of a mesh file that an earlier part uses"},
       {"unused_nodes", "nodes of a mesh file without an element"},
+      {"coordinate_precision", "coordinates too far from the origin for the elements"},
+      // ranks and runs (src/app, src/step)
+      {"idle_ranks", "ranks without elements"},
+      {"crowded_cores", "more threads than cores"},
+      {"uneven_ranks", "ranks with many more elements than the mean"},
+      {"few_contact_points", "ranks with too few contact nodes and faces to be worth it"},
+      {"plan_without_erosion", "plan of a scene whose elements can fail"},
+      {"unconverged_contact", "contact enforcement that does not converge"},
+      {"deep_penetration", "contact nodes deep in a face during the run"},
+      {"inverted_corners", "elements with a negative Jacobian at a corner"},
+      {"contact_energy", "energy that contact gives"},
+      {"hourglass_energy", "hourglass modes with much of the internal energy"},
+      {"energy_error", "energy balance that is off at the end"},
   };
   return rules;
 }
