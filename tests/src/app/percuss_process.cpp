@@ -78,7 +78,8 @@ ProcessResult interrupt_percuss(const std::vector<std::string>& arguments, const
 }
 
 std::string launch_on(int ranks) {
-  return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_btl=^tcp "
+  return "env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_mpi_yield_when_idle=1 "
+         "OMPI_MCA_btl=^tcp "
          "OMP_NUM_THREADS=1 " PERCUSS_MPIEXEC " " +
          std::to_string(ranks);
 }
