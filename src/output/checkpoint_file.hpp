@@ -15,6 +15,7 @@
 
 #include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint_archive.hpp"
+#include "src/output/checkpoint_place.hpp"
 #include "src/output/chunk_blocks.hpp"
 #include "src/output/disk_reservation.hpp"
 #include "src/output/hdf5_handle.hpp"
@@ -36,12 +37,6 @@ struct CheckpointHeader {
 
   bool operator==(const CheckpointHeader&) const = default;
 };
-
-/// The checkpoint before the one at `path`: checkpoint_previous.h5.
-std::string find_previous_checkpoint(const std::string& path);
-
-/// Removes what a run that was killed while it wrote the checkpoint at `path` may have left beside it. By one process.
-void remove_unfinished_checkpoint(const std::string& path);
 
 class CheckpointWriter : public CheckpointArchive {
  public:
@@ -83,7 +78,6 @@ class CheckpointWriter : public CheckpointArchive {
   hdf5::RowBlock make_block_of_first_rank(hsize_t count);
   std::string make_message(const hdf5::Error& error) const;
   void compare() const;
-  void put_in_place() const;
   void abandon();
   void remove_temporary() const;
 

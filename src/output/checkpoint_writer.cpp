@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cerrno>
-#include <cstdio>
 #include <numeric>
 #include <stdexcept>
 
@@ -12,6 +11,7 @@
 #include "src/output/atomic_file.hpp"
 #include "src/output/checkpoint_file.hpp"
 #include "src/output/checkpoint_names.hpp"
+#include "src/output/checkpoint_place.hpp"
 #include "src/output/first_rank.hpp"
 #include "src/output/hdf5_file.hpp"
 #include "src/output/sealed_file.hpp"
@@ -38,29 +38,7 @@ std::vector<T> put_in_order(const ChunkRows& rows, int components, std::span<con
   return ordered;
 }
 
-// The older checkpoint gets a second name, so that there is one under the first name at any time; where the file system
-// has no second names, it is renamed.
-void keep_as_previous(const std::string& path) {
-  if (::access(path.c_str(), F_OK) != 0) return;
-  const std::string previous = find_previous_checkpoint(path), link = previous + ".tmp";
-  ::unlink(link.c_str());
-  const bool linked = ::link(path.c_str(), link.c_str()) == 0;
-  if (std::rename(linked ? link.c_str() : path.c_str(), previous.c_str()) != 0)
-    throw make_io_error("write", previous, errno);
-  ::unlink(link.c_str());  // it stays if both are names of one file, after a kill between the two renames
-}
-
 }  // namespace
-
-std::string find_previous_checkpoint(const std::string& path) {
-  const auto dot = path.rfind(".h5");
-  return (dot == std::string::npos ? path : path.substr(0, dot)) + "_previous.h5";
-}
-
-void remove_unfinished_checkpoint(const std::string& path) {
-  ::unlink((path + ".tmp").c_str());
-  ::unlink((find_previous_checkpoint(path) + ".tmp").c_str());
-}
 
 CheckpointWriter::CheckpointWriter(const std::string& path, const CheckpointHeader& header, const ChunkedMesh& mesh,
                                    const Communicator& ranks)
@@ -271,13 +249,6 @@ void CheckpointWriter::compare() const {
   });
 }
 
-void CheckpointWriter::put_in_place() const {
-  disk_.file().check_place();
-  keep_as_previous(path_);
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) throw make_io_error("write", path_, errno);
-  sync_folder_of(path_);
-}
-
 void CheckpointWriter::finish() {
   run_or_abandon([&] {
     write_numbers();
@@ -286,7 +257,10 @@ void CheckpointWriter::finish() {
   try {
     compare();
     seal_file(ranks_, temporary_);
-    run_on_first_rank(ranks_, [&] { put_in_place(); });
+    run_on_first_rank(ranks_, [&] {
+      disk_.file().check_place();
+      replace_checkpoint(temporary_, path_);
+    });
   } catch (const std::exception&) {
     remove_temporary();
     throw;

@@ -12,7 +12,7 @@
 
 #include "kernels/core/mix_bits.hpp"
 #include "src/fail_together.hpp"
-#include "src/output/checkpoint_file.hpp"
+#include "src/output/checkpoint_place.hpp"
 #include "src/output/posix_file.hpp"
 
 namespace percuss {

@@ -12,7 +12,7 @@
 namespace percuss::hdf5 {
 namespace {
 
-constexpr hsize_t largest_read = hsize_t{16} << 20;  // bytes
+constexpr hsize_t largest_read = hsize_t{1} << 20;  // bytes: stays in the cache of a core
 
 /// The share of some numbers of `Unit`'s size in the hash of a dataset. first: place of the first one.
 template <class Unit>

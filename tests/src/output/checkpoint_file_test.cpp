@@ -194,6 +194,39 @@ TEST_F(CheckpointFile, InAFolderThatOneRankLacksFailsOnAll) {
   EXPECT_FALSE(std::filesystem::exists(path() + ".tmp"));
 }
 
+// A seal is no proof: it is found from the file, and fits one that holds another state, too.
+TEST_F(CheckpointFile, WithOtherNumbersThanThoseOfTheStateIsRefusedThoughItsSealFits) {
+  write(path(), share_, Contents(share_));
+  world().barrier();
+  if (world().rank() == 0) {
+    const hid_t file = H5Fopen(path().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    const hid_t dataset = H5Dopen2(file, "state/nodes/x", H5P_DEFAULT);
+    std::vector<double> x(3 * mesh_.nodes.size());
+    H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, x.data());
+    std::swap(x[4], x[7]);  // a sum alone would not see it
+    EXPECT_GE(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, x.data()), 0);
+    H5Dclose(dataset);
+    EXPECT_GE(H5Fclose(file), 0);
+  }
+  world().barrier();
+  seal_file(world(), path());
+  EXPECT_THAT(take_refusal(path(), share_), HasSubstr("its content is not the state that was saved"));
+  EXPECT_THROW(describe_checkpoint(path()), InputError);
+}
+
+TEST_F(CheckpointFile, HasAHashOfItsContentThatDoesNotDependOnRanks) {
+  write(path(), share_, Contents(share_));
+  const std::string content = read_checkpoint_header(path()).content;
+  EXPECT_EQ(content.size(), 16);
+  if (world().rank() != 0) return;
+  const ChunkedMesh whole = sample::cut_layers(mesh_);
+  CheckpointHeader header = read_checkpoint_header(path());
+  CheckpointWriter alone(folder_ + "/alone.h5", header, whole, Communicator(MPI_COMM_SELF));
+  Contents(whole).archive(alone);
+  alone.finish();
+  EXPECT_EQ(read_checkpoint_header(folder_ + "/alone.h5").content, content);
+}
+
 TEST_F(CheckpointFile, CutOffAnywhereIsRefused) {
   write(path(), share_, Contents(share_));
   const auto size = std::filesystem::file_size(path());

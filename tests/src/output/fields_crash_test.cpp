@@ -22,7 +22,7 @@
 
 namespace {
 
-enum class Fault { none, kill, fail };
+enum class Fault { none, kill, fail, lose };
 Fault fault = Fault::none;
 int writes_left = 0;  // until the fault
 int writes_seen = 0;
@@ -44,6 +44,10 @@ ssize_t write_or_fail(const char* symbol, int file, const void* data, std::size_
     if (fault == Fault::kill) {
       if (size > 1) real(file, data, size / 2, offset);  // the write under way may be half done
       ::kill(::getpid(), SIGKILL);
+    }
+    if (fault == Fault::lose) {  // told as done
+      fault = Fault::none;
+      return static_cast<ssize_t>(size);
     }
     errno = EIO;
     return -1;
@@ -166,6 +170,31 @@ TEST(FieldsFileInACrash, KeepsTheFramesBeforeAndTheExitCodeWhicheverWriteFails) 
     ASSERT_EQ(WEXITSTATUS(status), 4);
     expect_good_frames(folder.file("fields.vtkhdf"), mesh, good_frames);
   }
+}
+
+TEST(FieldsFileOnADiskThatLosesWrites, TellsOfEachThatIsMissing) {
+  const Mesh mesh = sample::make_mesh();
+  const int writes = count_writes_of_a_frame(mesh);
+  int told = 0;
+  for (int n = 0; n < writes; ++n) {
+    SCOPED_TRACE("lost write " + std::to_string(n));
+    const TemporaryFolder folder;
+    FieldsFile file = sample::create_file(folder.path(), mesh);
+    for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
+    fault = Fault::lose;
+    writes_left = n;
+    try {
+      sample::write_frame(file, mesh, good_frames);
+      fault = Fault::none;
+      file.close();
+      expect_good_frames(folder.file("fields.vtkhdf"), mesh, good_frames + 1);
+    } catch (const SystemError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("read"));
+      ++told;
+    }
+    fault = Fault::none;
+  }
+  EXPECT_GT(told, writes / 2);
 }
 
 TEST(FieldsFileOnAFullDisk, FailsBeforeAFrameIsHalfWrittenAndKeepsTheOthers) {
