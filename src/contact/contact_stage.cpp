@@ -6,13 +6,13 @@
 #include <array>
 
 #include "comm/exact_reduction.hpp"
-#include "src/contact/carried_history.hpp"
-#include "src/contact/contact_checkpoint.hpp"
-#include "src/contact/enforcer.hpp"
-#include "src/contact/local_finder.hpp"
-#include "src/contact/ranked_finder.hpp"
-#include "src/contact/start_overlap.hpp"
-#include "src/contact/tie_rows.hpp"
+#include "src/contact/enforcement/enforcer.hpp"
+#include "src/contact/history/carried_history.hpp"
+#include "src/contact/history/contact_checkpoint.hpp"
+#include "src/contact/search/local_finder.hpp"
+#include "src/contact/search/ranked_finder.hpp"
+#include "src/contact/start/start_overlap.hpp"
+#include "src/contact/ties/tie_rows.hpp"
 #include "src/error.hpp"
 
 namespace percuss {

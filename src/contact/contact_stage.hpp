@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "comm/phase.hpp"
-#include "kernels/contact/point3.hpp"
-#include "kernels/contact/wall_sums.hpp"
-#include "src/contact/contact_finder.hpp"
+#include "kernels/contact/geometry/point3.hpp"
+#include "kernels/contact/rows/wall_sums.hpp"
+#include "src/contact/search/contact_finder.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint_archive.hpp"

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "comm/exact_reduction.hpp"
+#include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/failure.hpp"
-#include "src/contact/gather_items.hpp"
 #include "src/step/whole_mesh.hpp"
 
 namespace percuss {

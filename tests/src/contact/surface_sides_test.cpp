@@ -1,4 +1,4 @@
-#include "src/contact/surface_sides.hpp"
+#include "src/contact/surface/surface_sides.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,68 @@
+#pragma once
+// Overlap between surfaces: what a scene starts with, and what an audit finds.
+
+#include "src/contact/history/carried_history.hpp"
+#include "src/contact/search/contact_finder.hpp"
+#include "src/contact/search/reuse_bound.hpp"
+
+namespace percuss {
+
+/// An empty history.
+ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls);
+
+/// Overlap between two parts, or of a part with a wall.
+struct PartOverlap {
+  int part = 0;            // of the nodes
+  int other = 0;           // of the faces; -1 - w: wall w
+  std::int64_t nodes = 0;  // contact nodes of `part` inside `other`
+  double deepest = 0;      // [length]
+};
+
+/// Overlap at the start: what was found, on all ranks, and taken into the history.
+struct StartOverlap {
+  std::int64_t nodes = 0;          // contact nodes inside another body or behind a wall
+  std::int64_t too_deep = 0;       // of these, deeper than contact can hold
+  std::int64_t behind_walls = 0;   // of these, as deep behind a wall, which holds them all the same
+  double deepest = 0;              // [length]
+  std::int64_t deepest_node = -1;  // number of the node, lowest of equals
+  std::vector<PartOverlap> parts;  // by (part, other)
+  std::int64_t edge_pairs = 0;     // pairs of edges inside one another
+  double deepest_edges = 0;        // [length]
+  std::vector<PartGap> gaps;       // of parts within reach of each other
+};
+
+/// What looks for overlap: a finder of its own, so that the search of the steps is not disturbed.
+struct OverlapSearch {
+  const Communicator& ranks;
+  const SurfaceShare& share;
+  const WallPairs& walls;
+  const ReuseBound& bound;
+  ContactFinder& finder;
+};
+
+/// Finds overlap at the places of `motion`, whose dt is 0, and writes it to the history: as accepted reference, or to
+/// be pushed out. Collective.
+StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                          ContactHistory& history);
+
+/// The surface before and after erosion has redefined it.
+struct SurfaceChange {
+  const HistoryOwners& before;
+  const HistoryOwners& now;
+};
+
+/// What was found and what becomes of it, in a line that begins with "warning: " where it is hardly meant; empty if
+/// there is none. deepest_id: the user's of deepest_node.
+std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
+                             std::int64_t deepest_id);
+
+/// Of overlap at the places of `motion`, whose dt is 0, takes into the history what a new node or a new face has, as
+/// seed_history() does. What the surfaces before had is as it was. Looks at the candidate pairs that the finder has.
+/// Collective.
+void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                 const SurfaceChange& change, ContactHistory& history);
+
+/// Deepest penetration / shortest edge, faces and walls, on any rank. Collective.
+double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion);
+
+}  // namespace percuss
