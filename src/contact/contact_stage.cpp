@@ -9,10 +9,11 @@
 #include "src/contact/enforcement/enforcer.hpp"
 #include "src/contact/history/carried_history.hpp"
 #include "src/contact/history/contact_checkpoint.hpp"
-#include "src/contact/search/local_finder.hpp"
-#include "src/contact/search/ranked_finder.hpp"
+#include "src/contact/search/contact_finder.hpp"
+#include "src/contact/start/part_gaps.hpp"
 #include "src/contact/start/start_overlap.hpp"
 #include "src/contact/ties/tie_rows.hpp"
+#include "src/contact/ties/ties.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -187,12 +188,6 @@ void ContactStage::Impl::redefine_surface() {
   finder = std::move(next);
   enforcer.redefine(mesh, share, walls, tie_rows.geometry());
   candidates = 0;
-}
-
-std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,
-                                                   const ContactDeck& deck) {
-  if (ranks.ranks.size() == 1) return std::make_unique<LocalFinder>(share, deck);
-  return std::make_unique<RankedFinder>(ranks, share, deck);
 }
 
 ContactStage::ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks)

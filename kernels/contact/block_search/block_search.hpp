@@ -58,7 +58,7 @@ struct BlockScratch {
 /// its query, ascending. Where few are others, the order goes on instead of being made anew.
 void identify(const std::vector<std::int64_t>& points, const std::vector<std::int64_t>& boxes, BlockScratch& scratch);
 
-/// find_hits() of points_in_box.hpp by blocks.
+/// find_hits() of pair_search.hpp by blocks.
 template <class Space, class Rule>
 std::int64_t find_hits_in_blocks(const Space& space, const PointQuery& query, const Boxes& boxes, const Rule& rule,
                                  std::int64_t max_pairs, BlockScratch& scratch, CandidateList& list);

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "kernels/contact/search/point_order.hpp"
-#include "kernels/core/lane_mask.hpp"
+#include "kernels/contact/surface/lane_mask.hpp"
+#include "kernels/core/same_bits.hpp"
 
 namespace percuss {
 namespace {

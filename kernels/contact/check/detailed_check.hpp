@@ -4,7 +4,7 @@
 #include "kernels/contact/check/still_items.hpp"
 #include "kernels/contact/check/touch.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
-#include "kernels/contact/search/points_in_box.hpp"
+#include "kernels/contact/surface/pair_query.hpp"
 
 namespace percuss {
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "kernels/contact/enforcement/cone_problem.hpp"
+#include "kernels/core/counting_sort.hpp"
 #include "kernels/core/host_copy.hpp"
 
 namespace percuss {
@@ -33,19 +34,20 @@ struct MatrixRows {
 
 /// The transpose, its columns ascending.
 MatrixRows transpose(const MatrixRows& a, int num_columns) {
+  struct Entry {
+    int row = 0;
+    double value = 0;
+  };
+  auto by_column = collect_buckets<Entry>(at(num_columns), [&](auto&& put) {
+    for (int r = 0; r < a.num_rows(); ++r)
+      for (int i = a.offset[at(r)]; i < a.offset[at(r) + 1]; ++i) put(at(a.column[at(i)]), Entry{r, a.value[at(i)]});
+  });
   MatrixRows t;
-  t.offset.assign(at(num_columns) + 1, 0);
-  for (const int c : a.column) ++t.offset[at(c) + 1];
-  for (std::size_t c = 1; c < t.offset.size(); ++c) t.offset[c] += t.offset[c - 1];
-  t.column.resize(a.column.size());
-  t.value.resize(a.value.size());
-  std::vector<int> next = t.offset;
-  for (int r = 0; r < a.num_rows(); ++r)
-    for (int i = a.offset[at(r)]; i < a.offset[at(r) + 1]; ++i) {
-      const std::size_t place = at(next[at(a.column[at(i)])]++);
-      t.column[place] = r;
-      t.value[place] = a.value[at(i)];
-    }
+  t.offset = std::move(by_column.first);
+  for (const Entry& entry : by_column.items) {
+    t.column.push_back(entry.row);
+    t.value.push_back(entry.value);
+  }
   return t;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 // The passes of the iteration over packs of rows (row_pack.hpp) and over the nodes that they touch.
 
-#include "kernels/contact/enforcement/enforcement.hpp"
+#include "kernels/contact/rows/pass_sums.hpp"
+#include "kernels/contact/rows/row_system.hpp"
 
 namespace percuss {
 

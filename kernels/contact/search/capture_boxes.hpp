@@ -6,38 +6,13 @@
 // motion and margin, a pair that the check could accept is in the list: a guarantee, not a guess.
 
 #include "kernels/contact/surface/contact_state.hpp"
+#include "kernels/contact/surface/edge_surface.hpp"
 #include "kernels/core/exact_sum.hpp"
 #include "kernels/core/small_space.hpp"
 
 namespace percuss {
 
-template <class T>
-struct BoxOf {
-  Vector3<T> low, high;
-};
-
-/// Box over a step of a face with corners at `x` and predicted velocities `v`, at n and at its predicted place, widened
-/// by `reach`.
-template <class T>
-PERCUSS_FORCE_INLINE BoxOf<T> bound_corners(const FaceOf<T>& x, const FaceOf<T>& v, const T& dt, const T& reach) {
-  BoxOf<T> box{};
-  const auto add = [&](bool is_first, const T& known, const T& move, T& low, T& high) {
-    const auto is_back = move < T(0);
-    const T before = select(is_back, known + move, known), after = select(is_back, known, known + move);
-    low = is_first ? before : smaller(low, before);
-    high = is_first ? after : larger(high, after);
-  };
-  for (int i = 0; i < 4; ++i) {
-    const Vector3<T>&at = x.corner[i], move = dt * v.corner[i];
-    add(i == 0, at.x, move.x, box.low.x, box.high.x);
-    add(i == 0, at.y, move.y, box.low.y, box.high.y);
-    add(i == 0, at.z, move.z, box.low.z, box.high.z);
-  }
-  const Vector3<T> wider{reach, reach, reach};
-  return {box.low - wider, box.high + wider};
-}
-
-/// The same of one face. corner(i): mesh node; boxes: out, at `face`.
+/// The box of bound_corners() of one face. corner(i): mesh node; boxes: out, at `face`.
 template <class Corner>
 KOKKOS_INLINE_FUNCTION void bound_face(const SurfaceMotion& motion, const Corner& corner, double reach,
                                        const Boxes& boxes, int face) {
@@ -49,6 +24,29 @@ KOKKOS_INLINE_FUNCTION void bound_face(const SurfaceMotion& motion, const Corner
   const BoxOf<double> box = bound_corners(x, v, motion.dt, reach);
   boxes(face, 0) = box.low.x, boxes(face, 1) = box.low.y, boxes(face, 2) = box.low.z;
   boxes(face, 3) = box.high.x, boxes(face, 4) = box.high.y, boxes(face, 5) = box.high.z;
+}
+
+/// No pair is accepted that is farther apart: the size h of an edge is at most its length.
+KOKKOS_INLINE_FUNCTION double find_edge_reach(const Rows2<const int>& ends, const Rows3<const double>& x, int edge) {
+  return contact_limits::capture * norm(load_row(x, ends(edge, 1)) - load_row(x, ends(edge, 0)));
+}
+
+/// Box of an edge over the step.
+KOKKOS_INLINE_FUNCTION void bound_edge(const Rows2<const int>& ends, const SurfaceMotion& motion, int edge,
+                                       const Point3& reach, const Boxes& boxes) {
+  const double wider[3] = {reach.x, reach.y, reach.z};
+  for (int axis = 0; axis < 3; ++axis) {
+    double low = 0, high = 0;
+    for (int i = 0; i < 2; ++i) {
+      const int a = ends(edge, i);
+      const double known = motion.x(a, axis), move = motion.dt * motion.v(a, axis);
+      const double before = move < 0 ? known + move : known, after = move < 0 ? known : known + move;
+      low = i == 0 || before < low ? before : low;
+      high = i == 0 || after > high ? after : high;
+    }
+    boxes(edge, axis) = low - wider[axis];
+    boxes(edge, axis + 3) = high + wider[axis];
+  }
 }
 
 /// Largest component of the displacement of any of `nodes` (mesh nodes) in the step.

@@ -1,12 +1,11 @@
 #pragma once
-// Which feature edges come near which, and their check: the location phase and the detailed check of edge pairs.
+// Which feature edges come near which: the location phase of edge pairs.
 //
 // Points-in-box again: an edge is seen as points, the middles of equal pieces, and captures in a box. Pieces are of
 // about the same length on all edges of a scene, so that one long edge does not widen the boxes of all others.
 
-#include "kernels/contact/check/edge_check.hpp"
-#include "kernels/contact/check/still_items.hpp"
-#include "kernels/contact/search/points_in_box.hpp"
+#include "kernels/contact/search/capture_boxes.hpp"
+#include "kernels/contact/search/pair_search.hpp"
 
 namespace percuss {
 
@@ -76,33 +75,5 @@ struct EdgeQuery {
 template <class Space>
 std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, const EdgeQuery& query,
                              std::int64_t max_pairs, EdgeSearchScratch& scratch, EdgePairs& pairs);
-
-/// Boxes of the edges in pairs over the step, each widened by half the reach of the check; those of still edges stand.
-/// Counts the still ones.
-template <class Space>
-void update_edge_boxes(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
-                       const EdgePairs& pairs, StillEdges& still, const Boxes& boxes);
-
-/// Accepted touches, in the order of the pairs.
-struct EdgeTouchTable {
-  int count = 0;
-  int num_new = 0;         // of pairs of which the check before did not find the same, at rest
-  int list_of_pairs = -1;  // EdgePairs::list of the last check
-  Array<EdgeTouch> by_pair = Array<EdgeTouch>("contact::edge_touches", 0);  // [pairs]
-  Array<int> touches = Array<int>("contact::edge_touch_marks", 0);          // [pairs] marks of the last check
-  Array<int> list = Array<int>("contact::touching_edge_pairs", 0);          // [count] pairs, ascending
-};
-
-/// Checks every pair but those that lie still and remember nothing. history: of the last step; only its names, marks
-/// and normals are read. still: as update_edge_boxes() has left it.
-template <class Space>
-void find_edge_touches(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
-                       const EdgePairs& pairs, const Boxes& boxes, const EdgeHistory& history, const StillEdges& still,
-                       EdgeTouchTable& table);
-
-/// Depth of every pair at the places of a motion with dt = 0, as gap_start of the table's touches.
-template <class Space>
-void find_edge_depths(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
-                      const EdgePairs& pairs, EdgeTouchTable& table);
 
 }  // namespace percuss

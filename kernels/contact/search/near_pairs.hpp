@@ -6,7 +6,7 @@
 // from a face than the reach of the check, in some direction, stays so while neither moves by more than its part of
 // what is left: a guarantee, as that of capture_boxes.hpp, by a shorter way and in directions of the face's own.
 
-#include "kernels/contact/search/points_in_box.hpp"
+#include "kernels/contact/search/pair_search.hpp"
 
 namespace percuss {
 

@@ -1,19 +1,10 @@
 #pragma once
 // Points ranked along an axis: a stable radix sort of their coordinates, the same for any number of threads.
 
-#include <bit>
-
+#include "kernels/core/same_bits.hpp"
 #include "kernels/core/small_space.hpp"
 
 namespace percuss {
-
-/// Order-preserving map from doubles to unsigned integers (-0 and +0 are the same).
-KOKKOS_INLINE_FUNCTION std::uint64_t make_sort_key(double value) {
-  const double normal = value + 0.0;  // -0 becomes +0
-  const auto bits = std::bit_cast<std::uint64_t>(normal);
-  const std::uint64_t sign = std::uint64_t{1} << 63;
-  return (bits & sign) != 0 ? ~bits : bits | sign;
-}
 
 /// Scratch memory of rank_points().
 struct SortScratch {

@@ -3,27 +3,16 @@
 //
 // The nodes are ranked along each axis once: three lists and three ranks. For each box a binary search finds its
 // run in each list; the shortest run is walked and the other two axes are tested by rank. With the counts by node
-// that is 7 words a node; time n log n and a walk. Exact in double: the oracle of block_search.hpp, which is faster.
+// that is 7 words a node; time n log n and a walk. Exact in double. pair_search.hpp chooses between this and the search
+// by blocks.
 
-#include "kernels/contact/block_search/block_search.hpp"
 #include "kernels/contact/search/point_order.hpp"
+#include "kernels/contact/surface/pair_query.hpp"
 
 namespace percuss {
 
-/// How pairs are found: the list is the same.
-enum class SearchMethod { blocks, points_in_box };
-
-/// Memory of list_concerned().
-struct ConcernedScratch {
-  Array<int> mark = Array<int>("contact::mark", 0);
-  Array<int> read_nodes = Array<int>("contact::read_nodes", 0);
-};
-
-/// How to search, and memory kept between searches.
-struct SearchScratch {
-  SearchMethod method = SearchMethod::blocks;
-  BlockScratch blocks;
-  Array<int> points = Array<int>("contact::points", 0);  // [searched nodes] mesh node
+/// Memory kept between searches.
+struct RankedListScratch {
   Array<int> order[3] = {Array<int>("contact::order_x", 0), Array<int>("contact::order_y", 0),
                          Array<int>("contact::order_z", 0)};
   Array<int> rank[3] = {Array<int>("contact::rank_x", 0), Array<int>("contact::rank_y", 0),
@@ -32,26 +21,11 @@ struct SearchScratch {
   Array<int> hit_node = Array<int>("contact::hit_node", 0), hit_face = Array<int>("contact::hit_face", 0);
   Array<std::int64_t> total = Array<std::int64_t>("contact::hit_total", 1);
   Array<int> count = Array<int>("contact::count", 0);
-  ConcernedScratch concerned;
 };
 
-/// Finds all pairs of a point and a box that holds it and is not ruled out; as find_points_in_boxes(). Rule:
-/// NodeFaceRule or EdgePairRule, called with both names.
+/// find_hits() of pair_search.hpp by ranked lists.
 template <class Space, class Rule>
-std::int64_t find_hits(const Space& space, const PointQuery& query, const Boxes& boxes, const Rule& rule,
-                       std::int64_t max_pairs, SearchScratch& scratch, CandidateList& list);
-
-/// Finds all pairs of a searched node and a searched face whose box holds the node, that may touch (pair table) and do
-/// not share an element. boxes: [searched faces]; x: [mesh nodes][3]. Fills offset, face, num_pairs of the list and
-/// returns the number of pairs; if that is above max_pairs the list is not filled.
-template <class Space>
-std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
-                                  const Boxes& boxes, std::int64_t max_pairs, SearchScratch& scratch,
-                                  CandidateList& list);
-
-/// Lists the nodes that have candidates and the faces that their check reads: candidates, the faces around these and
-/// the nodes' own faces.
-template <class Space>
-void list_concerned(const Space& space, const ContactSurface& surface, ConcernedScratch& scratch, CandidateList& list);
+std::int64_t find_hits_in_lists(const Space& space, const PointQuery& query, const Boxes& boxes, const Rule& rule,
+                                std::int64_t max_pairs, RankedListScratch& scratch, CandidateList& list);
 
 }  // namespace percuss

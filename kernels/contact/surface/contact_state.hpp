@@ -1,6 +1,7 @@
 #pragma once
 // What the detailed check reads besides the surface: the motion of the step, the faces' normals and sizes, history.
 
+#include "kernels/contact/geometry/boxes.hpp"
 #include "kernels/contact/geometry/contact_limits.hpp"
 #include "kernels/contact/geometry/face_geometry.hpp"
 #include "kernels/contact/surface/contact_surface.hpp"
@@ -13,9 +14,6 @@ struct SurfaceMotion {
   Rows3<const double> v;  // velocity predicted from n to n+1
   double dt = 0;
 };
-
-/// Boxes [n][6]: lowest x, y, z, highest x, y, z; both ends belong to the box.
-using Boxes = Kokkos::View<double* [6], Kokkos::LayoutRight, MemSpace>;
 
 /// Geometry of faces in this step: normals of those listed in CandidateList::faces, the rest of those that are boxed.
 struct FaceState {

@@ -5,7 +5,7 @@
 // Two of them can cross while no node reaches any face. An edge is named by its place in these lists, which is in the
 // order of edge numbers, so that every choice by order is the same on any rank.
 
-#include "kernels/contact/search/capture_boxes.hpp"
+#include "kernels/core/views.hpp"
 
 namespace percuss {
 

@@ -3,7 +3,7 @@
 
 #include "kernels/contact/surface/contact_state.hpp"
 #include "kernels/contact/surface/edge_surface.hpp"
-#include "kernels/core/lane_mask.hpp"
+#include "kernels/contact/surface/lane_mask.hpp"
 #include "kernels/core/prefetch.hpp"
 
 namespace percuss {

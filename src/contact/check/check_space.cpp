@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "kernels/core/counting_sort.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/surface/face_corners.hpp"
 #include "src/contact/surface/surface_sides.hpp"
@@ -9,36 +10,27 @@
 namespace percuss {
 namespace {
 
-NodeFaces list_node_faces(const std::vector<std::array<int, 4>>& corners, std::size_t num_nodes) {
-  NodeFaces result;
-  result.offset.assign(num_nodes + 1, 0);
-  const auto is_listed = [](const std::array<int, 4>& face, std::size_t i) {
-    return face[i] >= 0 && !is_repeated(face, i);
-  };
-  for (const auto& face : corners)
-    for (std::size_t i = 0; i < 4; ++i)
-      if (is_listed(face, i)) ++result.offset[static_cast<std::size_t>(face[i]) + 1];
-  for (std::size_t n = 0; n < num_nodes; ++n) result.offset[n + 1] += result.offset[n];
-  std::vector<int> next(result.offset.begin(), result.offset.end() - 1);
-  result.faces.resize(static_cast<std::size_t>(result.offset.back()));
-  for (std::size_t f = 0; f < corners.size(); ++f)
-    for (std::size_t i = 0; i < 4; ++i)
-      if (is_listed(corners[f], i))
-        result.faces[static_cast<std::size_t>(next[static_cast<std::size_t>(corners[f][i])]++)] = static_cast<int>(f);
-  return result;
+/// Faces around each node.
+Buckets list_node_faces(const std::vector<std::array<int, 4>>& corners, std::size_t num_nodes) {
+  return collect_buckets<int>(num_nodes, [&](auto&& put) {
+    for (std::size_t f = 0; f < corners.size(); ++f)
+      for (std::size_t i = 0; i < 4; ++i)
+        if (corners[f][i] >= 0 && !is_repeated(corners[f], i))
+          put(static_cast<std::size_t>(corners[f][i]), static_cast<int>(f));
+  });
 }
 
 /// Half the thickness of each node: that of the thickest shell around it.
-std::vector<double> find_node_offsets(const NodeFaces& node_faces, const std::vector<double>& face_offset) {
-  std::vector<double> offset(node_faces.offset.size() - 1, 0);
+std::vector<double> find_node_offsets(const Buckets& node_faces, const std::vector<double>& face_offset) {
+  std::vector<double> offset(node_faces.first.size() - 1, 0);
   for (std::size_t n = 0; n < offset.size(); ++n)
-    for (int f = node_faces.offset[n]; f < node_faces.offset[n + 1]; ++f)
+    for (int f = node_faces.first[n]; f < node_faces.first[n + 1]; ++f)
       offset[n] =
-          std::max(offset[n], face_offset[static_cast<std::size_t>(node_faces.faces[static_cast<std::size_t>(f)])]);
+          std::max(offset[n], face_offset[static_cast<std::size_t>(node_faces.items[static_cast<std::size_t>(f)])]);
   return offset;
 }
 
-SurfaceOffsets make_offsets(const SurfaceLists& lists, const NodeFaces& node_faces, double largest) {
+SurfaceOffsets make_offsets(const SurfaceLists& lists, const Buckets& node_faces, double largest) {
   const SideRings rings = find_side_rings(lists.corners, lists.face_offset, node_faces);
   return {largest,
           to_view("contact::face_offset", lists.face_offset),
@@ -49,11 +41,11 @@ SurfaceOffsets make_offsets(const SurfaceLists& lists, const NodeFaces& node_fac
 }
 
 /// The body of each node is that of its faces; -1 for nodes of no face here.
-std::vector<int> find_node_bodies(const NodeFaces& node_faces, const std::vector<int>& face_body) {
-  std::vector<int> body(node_faces.offset.size() - 1, -1);
+std::vector<int> find_node_bodies(const Buckets& node_faces, const std::vector<int>& face_body) {
+  std::vector<int> body(node_faces.first.size() - 1, -1);
   for (std::size_t n = 0; n < body.size(); ++n) {
-    if (node_faces.offset[n] == node_faces.offset[n + 1]) continue;
-    body[n] = face_body[static_cast<std::size_t>(node_faces.faces[static_cast<std::size_t>(node_faces.offset[n])])];
+    if (node_faces.first[n] == node_faces.first[n + 1]) continue;
+    body[n] = face_body[static_cast<std::size_t>(node_faces.items[static_cast<std::size_t>(node_faces.first[n])])];
   }
   return body;
 }
@@ -61,13 +53,13 @@ std::vector<int> find_node_bodies(const NodeFaces& node_faces, const std::vector
 }  // namespace
 
 ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShare& share) {
-  const NodeFaces node_faces = list_node_faces(lists.corners, lists.nodes.size());
+  const Buckets node_faces = list_node_faces(lists.corners, lists.nodes.size());
   ContactSurface surface;
   surface.num_nodes = static_cast<int>(lists.nodes.size());
   surface.num_faces = static_cast<int>(lists.corners.size());
   surface.nodes = to_view("contact::surface_nodes", lists.nodes);
-  surface.nodes_to_faces_offset = to_view("contact::nodes_to_faces_offset", node_faces.offset);
-  surface.nodes_to_faces = to_view("contact::nodes_to_faces", node_faces.faces);
+  surface.nodes_to_faces_offset = to_view("contact::nodes_to_faces_offset", node_faces.first);
+  surface.nodes_to_faces = to_view("contact::nodes_to_faces", node_faces.items);
   surface.face_corners = to_rows("contact::face_corners", lists.corners);
   surface.face_backs = to_rows("contact::face_backs", lists.backs);
   surface.face_body = to_view("contact::face_body", lists.face_body);
@@ -163,6 +155,40 @@ PenetrationTable measure_candidates(const SurfaceMotion& motion, CheckSpace& che
     find_penetrations(space, check.surface, motion, check.candidates, check.faces, table);
   });
   return table;
+}
+
+void add_gap(const PartGap& more, std::vector<PartGap>& gaps) {
+  const auto is_before = [](const PartGap& a, const PartGap& b) {
+    return a.part != b.part ? a.part < b.part : a.other < b.other;
+  };
+  const auto place = std::lower_bound(gaps.begin(), gaps.end(), more, is_before);
+  if (place == gaps.end() || is_before(more, *place))
+    gaps.insert(place, more);
+  else
+    place->gap = std::min(place->gap, more.gap);
+}
+
+std::vector<PartGap> measure_gaps(const SurfaceMotion& motion, CheckSpace& check, const std::vector<int>& face_part) {
+  const CandidateList& candidates = check.candidates;
+  std::vector<PartGap> found;
+  if (candidates.num_pairs == 0) return found;
+  Array<double> gaps("contact::gaps", 0);
+  measure_all_faces(motion, check);
+  run_where_it_pays(candidates.num_pairs,
+                    [&](const auto& space) { find_gaps(space, check.surface, motion, candidates, check.faces, gaps); });
+  const auto gap = to_host(gaps);
+  const auto nodes = to_host(candidates.nodes), offset = to_host(candidates.offset), face = to_host(candidates.face);
+  const auto first_face = to_host(check.surface.nodes_to_faces_offset), faces = to_host(check.surface.nodes_to_faces);
+  const auto part_of = [&](int f) { return face_part[static_cast<std::size_t>(f)]; };
+  for (int i = 0; i < candidates.num_nodes; ++i) {
+    const int node = nodes(i), part = part_of(faces(first_face(node)));
+    for (int c = offset(node); c < offset(node + 1); ++c) {
+      if (gap(c) < 0) continue;
+      const int other = part_of(face(c));
+      add_gap({std::min(part, other), std::max(part, other), gap(c)}, found);
+    }
+  }
+  return found;
 }
 
 }  // namespace percuss

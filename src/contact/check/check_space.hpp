@@ -138,4 +138,16 @@ void measure_all_faces(const SurfaceMotion& motion, CheckSpace& check);
 /// How deep contact nodes are inside other bodies at the places of a motion with dt = 0.
 PenetrationTable measure_candidates(const SurfaceMotion& motion, CheckSpace& check);
 
+/// The gap between two parts, or two bodies of one part: from a contact node to the closest face.
+struct PartGap {
+  int part = 0, other = 0;  // part <= other
+  double gap = 0;           // [length]; 0: they touch
+};
+
+/// Adds to gaps, by (part, other), of which the smallest of each two parts is kept.
+void add_gap(const PartGap& more, std::vector<PartGap>& gaps);
+
+/// The smallest gaps of the candidate pairs, by (part, other). face_part: [faces]. motion: with dt = 0.
+std::vector<PartGap> measure_gaps(const SurfaceMotion& motion, CheckSpace& check, const std::vector<int>& face_part);
+
 }  // namespace percuss

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "kernels/contact/check/edge_touches.hpp"
 #include "kernels/contact/rows/row_system.hpp"
 #include "kernels/contact/search/edge_search.hpp"
 #include "src/contact/surface/surface_share.hpp"

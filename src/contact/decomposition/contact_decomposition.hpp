@@ -16,7 +16,7 @@
 #include "comm/assign_parts.hpp"
 #include "comm/data_exchange.hpp"
 #include "src/contact/decomposition/reached_parts.hpp"
-#include "src/contact/search/contact_finder.hpp"
+#include "src/contact/surface/surface_share.hpp"
 
 namespace percuss {
 
@@ -30,6 +30,15 @@ struct NodeRecord {
   std::int64_t number = -1;
   int surface_class = 0;
   int faces = 0;  // around it, searched or not
+};
+
+/// What the contact decomposition did so far; the same on every rank.
+struct DecompositionReport {
+  long rebalances = 0;
+  double imbalance = 1;          // of nodes and faces after the last rebalance: max over mean
+  double worst_imbalance = 1;    // after any rebalance
+  double rounds_per_cut = 0;     // of reduction, mean over the cuts of all rebalances but the first
+  std::int64_t ghost_faces = 0;  // copies of faces on ranks that do not own them, at the last search, all ranks
 };
 
 class ContactDecomposition {

@@ -8,8 +8,10 @@
 
 #include "comm/node_copies.hpp"
 #include "kernels/contact/enforcement/row_solution.hpp"
-#include "src/contact/contact_stage.hpp"
+#include "src/contact/enforcement/contact_report.hpp"
 #include "src/contact/enforcement/row_exchange.hpp"
+#include "src/contact/surface/surface_share.hpp"
+#include "src/output/checkpoint_archive.hpp"
 
 namespace percuss {
 

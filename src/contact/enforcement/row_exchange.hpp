@@ -8,7 +8,7 @@
 #include "comm/merge_reduction.hpp"
 #include "kernels/contact/enforcement/coupled_rows.hpp"
 #include "kernels/contact/enforcement/enforcement.hpp"
-#include "src/contact/search/contact_finder.hpp"
+#include "src/contact/surface/contact_ranks.hpp"
 
 namespace percuss {
 

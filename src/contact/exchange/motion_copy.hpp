@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/contact/surface/contact_state.hpp"
 #include "src/contact/exchange/remote_items.hpp"
-#include "src/contact/search/contact_finder.hpp"
+#include "src/contact/surface/contact_ranks.hpp"
 
 namespace percuss {
 

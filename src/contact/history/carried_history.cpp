@@ -6,7 +6,6 @@
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/history/edge_records.hpp"
-#include "src/contact/start/start_overlap.hpp"
 #include "src/contact/surface/number_map.hpp"
 
 namespace percuss {
@@ -175,6 +174,16 @@ EdgeHistory carry_edges(const Communicator& ranks, const EdgeHistory& old, const
 }
 
 }  // namespace
+
+ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls) {
+  const auto faces = std::size_t{contact_limits::max_touches} * static_cast<std::size_t>(share.nodes.count());
+  const std::size_t records = faces + walls.node.extent(0);
+  ContactHistory history{
+      Array<std::int64_t>("contact::history_face", faces), Rows3<double>("contact::history_impulse", records),
+      Rows3<double>("contact::history_slip", records), Array<double>("contact::history_reference", records)};
+  Kokkos::deep_copy(history.face, std::int64_t{-1});
+  return history;
+}
 
 HistoryOwners list_history_owners(const ChunkedMesh& chunked, const SurfaceShare& share, const WallPairs& walls,
                                   const TiedSurfaces& ties) {

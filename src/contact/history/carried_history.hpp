@@ -16,6 +16,9 @@ struct HistoryOwners {
   std::vector<EdgeTopology> edges;       // whose home this rank is, ascending
 };
 
+/// An empty history.
+ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls);
+
 HistoryOwners list_history_owners(const ChunkedMesh& chunked, const SurfaceShare& share, const WallPairs& walls,
                                   const TiedSurfaces& ties);
 

@@ -8,8 +8,10 @@
 
 #include "comm/data_exchange.hpp"
 #include "comm/phase.hpp"
+#include "src/contact/check/check_space.hpp"
 #include "src/contact/check/edge_space.hpp"
-#include "src/contact/start/part_gaps.hpp"
+#include "src/contact/decomposition/contact_decomposition.hpp"
+#include "src/contact/surface/contact_ranks.hpp"
 #include "src/contact/surface/surface_share.hpp"
 
 namespace percuss {
@@ -23,15 +25,6 @@ struct Penetration {
   double size = 0;         // h of the face
   int part = 0;            // of the face
   double limit = 0;        // depth up to which contact can hold it [length]
-};
-
-/// What the contact decomposition did so far; the same on every rank.
-struct DecompositionReport {
-  long rebalances = 0;
-  double imbalance = 1;          // of nodes and faces after the last rebalance: max over mean
-  double worst_imbalance = 1;    // after any rebalance
-  double rounds_per_cut = 0;     // of reduction, mean over the cuts of all rebalances but the first
-  std::int64_t ghost_faces = 0;  // copies of faces on ranks that do not own them, at the last search, all ranks
 };
 
 /// What a rank searched last.
@@ -84,13 +77,6 @@ class ContactFinder {
   /// Of a search, what went into the decomposition: steps (5.1) to (5.5).
   virtual PhaseClock decomposition_clock() const = 0;
   virtual Traffic traffic() const = 0;
-};
-
-/// How the contact stage sees the ranks.
-struct ContactRanks {
-  const Communicator& ranks;
-  const Numbering& numbering;
-  const Mesh& mesh;
 };
 
 /// The finder that suits the number of ranks.

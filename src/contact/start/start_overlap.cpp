@@ -120,16 +120,6 @@ void reduce(const Communicator& ranks, StartOverlap& found) {
 
 }  // namespace
 
-ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls) {
-  const auto faces = std::size_t{contact_limits::max_touches} * static_cast<std::size_t>(share.nodes.count());
-  const std::size_t records = faces + walls.node.extent(0);
-  ContactHistory history{
-      Array<std::int64_t>("contact::history_face", faces), Rows3<double>("contact::history_impulse", records),
-      Rows3<double>("contact::history_slip", records), Array<double>("contact::history_reference", records)};
-  Kokkos::deep_copy(history.face, std::int64_t{-1});
-  return history;
-}
-
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
                           ContactHistory& history) {
   const auto history_face = to_host(history.face);

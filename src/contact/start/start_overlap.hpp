@@ -7,9 +7,6 @@
 
 namespace percuss {
 
-/// An empty history.
-ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls);
-
 /// Overlap between two parts, or of a part with a wall.
 struct PartOverlap {
   int part = 0;            // of the nodes

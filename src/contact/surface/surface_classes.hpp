@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "src/contact/ties/ties.hpp"
+#include "src/contact/surface/tied_surfaces.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/mesh.hpp"
 

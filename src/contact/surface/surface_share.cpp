@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "comm/item_exchange.hpp"
+#include "kernels/core/counting_sort.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "src/contact/buckets.hpp"
 #include "src/contact/surface/face_corners.hpp"
 #include "src/contact/surface/face_springs.hpp"
 #include "src/contact/surface/surface_classes.hpp"

@@ -9,7 +9,7 @@
 #include "kernels/contact/rows/row_system.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
 #include "src/contact/surface/feature_edges.hpp"
-#include "src/contact/ties/ties.hpp"
+#include "src/contact/surface/tied_surfaces.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
 

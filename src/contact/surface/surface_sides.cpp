@@ -27,7 +27,7 @@ int find_neighbor(const Corners& face, int node, Way way) {
 /// The walk around one node.
 class Walk {
  public:
-  Walk(const std::vector<Corners>& corners, const std::vector<double>& offset, const NodeFaces& node_faces, int node)
+  Walk(const std::vector<Corners>& corners, const std::vector<double>& offset, const Buckets& node_faces, int node)
       : corners_(corners), offset_(offset), node_faces_(node_faces), node_(node) {}
 
   /// Appends the faces on the side of `face`, onward from its edge to the next corner, then back from the other.
@@ -58,8 +58,8 @@ class Walk {
   /// The faces of other elements that have the edge from the node to `other`.
   std::vector<int> list_across(int face, int other) const {
     std::vector<int> across;
-    for (int i = node_faces_.offset[at(node_)]; i < node_faces_.offset[at(node_) + 1]; ++i) {
-      const int candidate = node_faces_.faces[at(i)];
+    for (int i = node_faces_.first[at(node_)]; i < node_faces_.first[at(node_) + 1]; ++i) {
+      const int candidate = node_faces_.items[at(i)];
       const Corners& corners = corners_[at(candidate)];
       const bool has_edge =
           find_neighbor(corners, node_, Way::onward) == other || find_neighbor(corners, node_, Way::back) == other;
@@ -88,14 +88,14 @@ class Walk {
 
   const std::vector<Corners>& corners_;
   const std::vector<double>& offset_;
-  const NodeFaces& node_faces_;
+  const Buckets& node_faces_;
   int node_;
 };
 
 }  // namespace
 
 SideRings find_side_rings(const std::vector<std::array<int, 4>>& corners, const std::vector<double>& offset,
-                          const NodeFaces& node_faces) {
+                          const Buckets& node_faces) {
   SideRings rings;
   rings.first.push_back(0);
   std::vector<int> ring;
@@ -106,8 +106,8 @@ SideRings find_side_rings(const std::vector<std::array<int, 4>>& corners, const 
       if (node >= 0 && offset[at(f)] > 0) {
         is_open = Walk(corners, offset, node_faces, node).list_ring(f, ring);
       } else if (node >= 0) {
-        for (int i = node_faces.offset[at(node)]; i < node_faces.offset[at(node) + 1]; ++i) {
-          const int other = node_faces.faces[at(i)];
+        for (int i = node_faces.first[at(node)]; i < node_faces.first[at(node) + 1]; ++i) {
+          const int other = node_faces.items[at(i)];
           if (other != f && offset[at(other)] == 0) ring.push_back(other);
         }
       }

@@ -7,12 +7,9 @@
 #include <array>
 #include <vector>
 
-namespace percuss {
+#include "kernels/core/counting_sort.hpp"
 
-/// Faces around each node, ascending, as offsets and a list.
-struct NodeFaces {
-  std::vector<int> offset, faces;
-};
+namespace percuss {
 
 /// By face and corner (4 f + i): the other faces around the corner on the side of face f.
 struct SideRings {
@@ -23,7 +20,8 @@ struct SideRings {
 
 /// corners: [faces][4] places of nodes, outward; -1: not here, then the rings of the face are short. offset: [faces]
 /// half the thickness of shells, 0 of solids, of whose faces all around a node belong together.
+/// node_faces: faces around each node, ascending.
 SideRings find_side_rings(const std::vector<std::array<int, 4>>& corners, const std::vector<double>& offset,
-                          const NodeFaces& node_faces);
+                          const Buckets& node_faces);
 
 }  // namespace percuss

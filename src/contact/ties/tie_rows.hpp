@@ -1,8 +1,9 @@
 #pragma once
 // The rows of tied nodes, the same in every step: made once, given to the enforcement after those of the check.
 
-#include "src/contact/search/contact_finder.hpp"
-#include "src/contact/ties/ties.hpp"
+#include "kernels/contact/rows/row_system.hpp"
+#include "src/contact/surface/contact_ranks.hpp"
+#include "src/contact/surface/tied_surfaces.hpp"
 
 namespace percuss {
 

@@ -1,4 +1,4 @@
-#include "kernels/contact/search/points_in_box.hpp"
+#include "kernels/contact/search/pair_search.hpp"
 
 #include <gtest/gtest.h>
 

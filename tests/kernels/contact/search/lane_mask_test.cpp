@@ -1,4 +1,4 @@
-#include "kernels/core/lane_mask.hpp"
+#include "kernels/contact/surface/lane_mask.hpp"
 
 #include <gtest/gtest.h>
 
