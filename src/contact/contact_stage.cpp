@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "src/contact/enforcement/enforcer.hpp"
 #include "src/contact/history/carried_history.hpp"
@@ -127,9 +128,7 @@ bool ContactStage::Impl::is_anything_touched(int num_touches) const {
   if (candidates == 0) return false;
   // What touched in the last step most likely does again: then asking costs more than it saves.
   if (ranks.size() > 1 && last.iterations > 0) return true;
-  if (ranks.size() > 1)
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &num_touches, 1, MPI_INT, MPI_MAX, ranks.handle()); },
-             "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, num_touches);
   return num_touches > 0;
 }
 
@@ -139,9 +138,7 @@ bool ContactStage::Impl::is_repetition(int num_touches) {
   int is_same = finder->has_found_nothing_new() && num_touches == touches_last ? 1 : 0;
   touches_last = num_touches;
   const bool has_rested = last.iterations > 0 && last.interactions == 0 && !has_walls && !ties.any();
-  if (has_rested && ranks.size() > 1)
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &is_same, 1, MPI_INT, MPI_MIN, ranks.handle()); },
-             "MPI_Allreduce");
+  if (has_rested) all_reduce(ranks, Reduce::least, is_same);
   same_steps = has_rested && is_same != 0 ? same_steps + 1 : 0;
   return same_steps > 1;
 }

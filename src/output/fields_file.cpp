@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
 #include "src/output/atomic_file.hpp"
 #include "src/output/fields_restart.hpp"
 #include "src/output/first_rank.hpp"
@@ -31,8 +32,7 @@ XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options, c
     counts[0] += is_shell(corners) ? 1 : 0;
     counts[1] += is_triangle(corners) ? 1 : 0;
   }
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::sum, counts);
   index.shells = counts[0];
   index.triangles = counts[1];
   return index;

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <vector>
 
+#include "comm/all_reduce.hpp"
 #include "src/fail_together.hpp"
 #include "src/output/atomic_file.hpp"
 #include "src/output/checkpoint_file.hpp"
@@ -119,10 +120,7 @@ std::uint64_t hash_share(const Communicator& ranks, const std::string& path, std
     hash = hash_blocks(File(path, O_RDONLY), bytes, blocks * ranks.rank() / ranks.size(),
                        blocks * (ranks.rank() + 1) / ranks.size());
   });
-  if (ranks.size() > 1) {
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &hash, 1, MPI_UINT64_T, MPI_SUM, ranks.handle()); },
-             "MPI_Allreduce");
-  }
+  all_reduce(ranks, Reduce::sum, hash);
   return hash;
 }
 

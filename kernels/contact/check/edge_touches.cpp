@@ -124,12 +124,12 @@ void find_edge_depths(const Space& space, const EdgeSurface& surface, const Surf
       space, pairs.num_pairs, [touches] KOKKOS_FUNCTION(int i) { return touches(i) != 0; }, table.list);
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                             \
-  template void update_edge_boxes(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,    \
-                                  StillEdges&, const Boxes&);                                                  \
-  template void find_edge_touches(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,    \
-                                  const Boxes&, const EdgeHistory&, const StillEdges&, EdgeTouchTable&);       \
-  template void find_edge_depths(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,     \
+#define PERCUSS_INSTANTIATE(Space)                                                                          \
+  template void update_edge_boxes(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&, \
+                                  StillEdges&, const Boxes&);                                               \
+  template void find_edge_touches(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&, \
+                                  const Boxes&, const EdgeHistory&, const StillEdges&, EdgeTouchTable&);    \
+  template void find_edge_depths(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,  \
                                  EdgeTouchTable&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

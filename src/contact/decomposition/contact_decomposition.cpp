@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -105,8 +106,7 @@ void ContactDecomposition::take_over(const ContactDecomposition& before) {
   if (report_.rebalances == 0) return;
   parts_ = before.parts_;
   std::int64_t counts[2] = {static_cast<std::int64_t>(points_.ids.extent(0)), points_at_rebalance_};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, exchange_.ranks().handle()); },
-           "MPI_Allreduce");
+  all_reduce(exchange_.ranks(), Reduce::sum, counts);
   const auto points = static_cast<double>(counts[0]), earlier = static_cast<double>(counts[1]);
   const bool has_changed = points > point_growth * earlier || earlier > point_growth * points;
   is_due_ = before.is_due_ || (has_changed && rebalance_ != ContactDeck::Rebalance::never);
@@ -202,8 +202,7 @@ bool ContactDecomposition::find_new_owners() {
   if (just_rebalanced_ && report_.rebalances == 1) assign_parts_once(owners_);
   for (int& owner : owners_) owner = parts_->find_rank(owner);
   int has_changed = !knows_owners_ || before != node_owners() ? 1 : 0;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &has_changed, 1, MPI_INT, MPI_MAX, exchange_.ranks().handle()); },
-           "MPI_Allreduce");
+  all_reduce(exchange_.ranks(), Reduce::largest, has_changed);
   knows_owners_ = true;
   return has_changed != 0;
 }

@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
 namespace {
-
-/// The largest of all ranks, of each of two numbers.
-void find_largest(const Communicator& ranks, std::int64_t (&numbers)[2]) {
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, numbers, 2, MPI_INT64_T, MPI_MAX, ranks.handle()); },
-           "MPI_Allreduce");
-}
 
 /// A node that runs away makes every box reach every part: told before faces are sent to all. most: of all ranks.
 void refuse_too_many_copies(std::int64_t most, double margin) {
@@ -58,7 +53,7 @@ ReachCount count_reached_parts(const Communicator& ranks, const CutTree& tree, c
       },
       count.copies, unlisted);
   std::int64_t most[2] = {count.copies, unlisted};
-  find_largest(ranks, most);
+  all_reduce(ranks, Reduce::largest, most);
   refuse_too_many_copies(most[0], margin);
   count.any_unlisted = most[1] > 0;
   return count;
@@ -80,7 +75,7 @@ ReachedParts list_reached_parts(const Communicator& ranks, const CutTree& tree, 
       },
       total);
   std::int64_t most[2] = {total, 0};
-  find_largest(ranks, most);
+  all_reduce(ranks, Reduce::largest, most);
   refuse_too_many_copies(most[0], margin);
   const auto copies = static_cast<std::size_t>(total);
   const Array<int> box("contact::reached_box", copies), part("contact::reached_part", copies);

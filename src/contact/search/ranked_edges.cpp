@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/search/pair_limit.hpp"
 #include "src/contact/surface/number_map.hpp"
@@ -88,8 +89,7 @@ void RankedEdges::send_points_to_owners(const SurfaceMotion& motion, const Conta
 Point3 RankedEdges::find_half_piece_of_all(const SurfaceMotion& motion) const {
   const Point3 own = find_half_piece(ExecSpace(), points_, motion.x);
   double half[3] = {own.x, own.y, own.z};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, half, 3, MPI_DOUBLE, MPI_MAX, ranks_.ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks_.ranks, Reduce::largest, half);
   return {half[0], half[1], half[2]};
 }
 
@@ -173,8 +173,7 @@ std::int64_t RankedEdges::search(const SurfaceMotion& motion, double margin,
   const std::int64_t limit = find_edge_pair_limit(share_);
   const std::int64_t hits = find_pairs_here(find_edge_slack(half, margin), std::min(limit, most_indexed_pairs));
   std::int64_t sums[3] = {hits, space_.pairs.num_pairs, hits > most_indexed_pairs ? 1 : 0};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_INT64_T, MPI_SUM, ranks_.ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks_.ranks, Reduce::sum, sums);
   refuse_too_many_pairs(sums[0], limit, margin);
   refuse_crowded_ranks(sums[2]);
   total_pairs_ = sums[1];

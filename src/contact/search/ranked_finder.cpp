@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/search/pair_limit.hpp"
 #include "src/contact/surface/face_corners.hpp"
@@ -237,8 +238,7 @@ std::int64_t RankedFinder::search_faces(double margin) {
   const std::int64_t limit = find_pair_limit(share_);
   const std::int64_t pairs = find_points_in_boxes_here(std::min(limit, most_indexed_pairs));
   std::int64_t sums[3] = {pairs, decomposition_.reaching_faces(), pairs > most_indexed_pairs ? 1 : 0};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums, 3, MPI_INT64_T, MPI_SUM, ranks_.ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks_.ranks, Reduce::sum, sums);
   total_pairs_ = sums[0];
   refuse_too_many_pairs(total_pairs_, limit, margin);
   refuse_crowded_ranks(sums[2]);

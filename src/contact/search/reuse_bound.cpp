@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comm/all_reduce.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
 
 namespace percuss {
@@ -40,14 +41,8 @@ void ReuseBound::redefine() {
   first_origin_ = Rows3<double>("contact::first_origin", share_.watched_list.extent(0));
 }
 
-void ReuseBound::find_largest(double* values, int count) const {
-  if (ranks_.size() > 1)
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, values, count, MPI_DOUBLE, MPI_MAX, ranks_.handle()); },
-             "MPI_Allreduce");
-}
-
 double ReuseBound::find_largest(double value) const {
-  find_largest(&value, 1);
+  all_reduce(ranks_, Reduce::largest, value);
   return value;
 }
 
@@ -103,7 +98,7 @@ NearWay ReuseBound::restart_near(const SurfaceMotion& motion) {
   store_watched(motion, near_origin_);
   double gone[2] = {find_distance_here(motion, near_origin_),
                     first_travel_ > 0 ? find_distance_here(motion, first_origin_) : 0};
-  find_largest(gone, 2);
+  all_reduce(ranks_, Reduce::largest, gone);
   const double step = gone[0], travel = std::min(near_share * whole, left);
   if (is_worth_it && travel >= least_near_steps * step)
     near_travel_ = step > 0 ? std::min(travel, near_steps * step) : travel;

@@ -43,8 +43,7 @@ class ReuseBound {
   double find_mean_edge(const SurfaceMotion& motion) const;
 
  private:
-  /// Largest values of all ranks, in place.
-  void find_largest(double* values, int count) const;
+  /// The largest of all ranks.
   double find_largest(double value) const;
   double find_distance_here(const SurfaceMotion& motion, const Rows3<double>& origin) const;
   void store_watched(const SurfaceMotion& motion, const Rows3<double>& origin) const;

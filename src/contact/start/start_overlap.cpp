@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/contact/rows/row_geometry.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -96,18 +97,15 @@ EdgeHistory seed_edges(const std::vector<EdgePenetration>& penetrations, bool ac
 /// The counts of all ranks, and the deepest node of any.
 void reduce(const Communicator& ranks, StartOverlap& found) {
   std::int64_t counts[4] = {found.nodes, found.too_deep, found.edge_pairs, found.behind_walls};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 4, MPI_INT64_T, MPI_SUM, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::sum, counts);
   const double own = found.deepest;
   double deepest[2] = {found.deepest, found.deepest_edges};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, deepest, 2, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, deepest);
   found.deepest = deepest[0];
   found.deepest_edges = deepest[1];
   constexpr std::int64_t none = std::int64_t{1} << 62;
   std::int64_t node = found.deepest_node >= 0 && own == found.deepest ? found.deepest_node : none;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &node, 1, MPI_INT64_T, MPI_MIN, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::least, node);
   std::vector<PartOverlap> all;
   for (const PartOverlap& parts : gather_items(ranks, found.parts)) add(parts, all);
   found.parts = std::move(all);
@@ -189,8 +187,7 @@ double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion
       deepest = std::max(deepest, p.depth / p.size);
   const HostWalls host(search.walls, motion.x);
   for (int p = 0; p < host.count(); ++p) deepest = std::max(deepest, host.depth(p) / host.size(p));
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &deepest, 1, MPI_DOUBLE, MPI_MAX, search.ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(search.ranks, Reduce::largest, deepest);
   return deepest;
 }
 

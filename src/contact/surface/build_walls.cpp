@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/surface/surface_share.hpp"
 #include "src/error.hpp"
@@ -25,9 +26,7 @@ std::vector<int> list_wall_nodes(const Mesh& mesh, const Deck& deck, const WallD
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   int some = nodes.empty() ? 0 : 1;
-  if (mesh.ranks)
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, mesh.ranks->handle()); },
-             "MPI_Allreduce");
+  if (mesh.ranks) all_reduce(*mesh.ranks, Reduce::largest, some);
   if (some == 0 && !mesh.eroded.any)
     throw InputError(
         deck.where(wall.place) +

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "comm/all_reduce.hpp"
 #include "comm/item_exchange.hpp"
 #include "kernels/core/counting_sort.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -300,8 +301,7 @@ void set_offsets(const Mesh& mesh, const Communicator& ranks, SurfaceShare& shar
   for (std::size_t n = 0; n < nodes.searched.size(); ++n)
     for (int f = nodes.first_face[n]; nodes.searched[n] != 0 && f < nodes.first_face[n + 1]; ++f)
       largest = std::max(largest, share.face(nodes.faces[at(f)]).offset);
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, largest);
   share.largest_offset = largest;
   if (largest == 0) return;
   std::vector<double> reach;
@@ -329,8 +329,7 @@ void set_lists(const Mesh& mesh, const Communicator& ranks, SurfaceShare& share)
   share.corner_list = to_rows("contact::face_nodes", corners);
   std::int64_t totals[4] = {share.nodes.count(), static_cast<std::int64_t>(share.faces.size()),
                             static_cast<std::int64_t>(corners.size()), static_cast<std::int64_t>(share.edges.size())};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, totals, 4, MPI_INT64_T, MPI_SUM, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::sum, totals);
   share.total_nodes = totals[0];
   share.total_faces = totals[1];
   share.total_searched_faces = totals[2];

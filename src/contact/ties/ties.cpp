@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "src/contact/surface/number_map.hpp"
 #include "src/contact/surface/surface_share.hpp"
@@ -67,10 +68,9 @@ void keep_owned(const std::vector<ClosestFace>& answers, int tie, std::vector<Ti
 
 void reduce(const Communicator& ranks, TieCounts& counts) {
   std::int64_t sums[4] = {counts.tied, counts.apart, counts.joined, counts.earlier};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPI_INT64_T, MPI_SUM, ranks.handle()); }, "MPI_Allreduce");
+  all_reduce(ranks, Reduce::sum, sums);
   double largest[2] = {counts.farthest, counts.widest};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, largest);
   counts.farthest = largest[0];
   counts.widest = largest[1];
   counts.tied = sums[0];
@@ -89,7 +89,7 @@ void part_sides(const Communicator& ranks, const Deck& deck, const TieDeck& tie,
   std::set_difference(a.faces.begin(), a.faces.end(), b.begin(), b.end(), std::back_inserter(others));
   int some = !a.is_node_set && others.size() < a.faces.size() ? 1 : 0;
   a.faces = std::move(others);
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, ranks.handle()); }, "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, some);
   if (some != 0)
     throw InputError(
         fmt::format("{}: error: tie of '{}' and '{}' ties a surface to itself (both sides have the same "
