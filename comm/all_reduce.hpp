@@ -55,7 +55,7 @@ void reduce_in_place(const Communicator& ranks, Reduce by, std::span<T> values) 
 
 /// One number: in, this rank's; out, that of all ranks. Collective. Throws MpiError.
 template <class T>
-  requires std::is_arithmetic_v<T>
+requires std::is_arithmetic_v<T>
 void all_reduce(const Communicator& ranks, Reduce by, T& value) {
   all_reduce_detail::reduce_in_place(ranks, by, std::span<T>(&value, 1));
 }

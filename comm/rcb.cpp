@@ -67,7 +67,7 @@ Rcb::Rcb(const Communicator& ranks)
   publish();
 }
 
-// The paper's Figure 4. Extents and first counts come in one reduction, so (4.1) has no round of its own.
+// Figure 4 of the paper. Extents and first counts come in one reduction, so (4.1) has no round of its own.
 void Rcb::bisect(const ExecSpace& space, std::size_t level, RcbReport& report) {
   if (level == groups_.size()) return;
   const Communicator& group = *groups_[level].ranks;

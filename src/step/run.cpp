@@ -211,7 +211,7 @@ void Run::advance() {
   if (!is_finished() && !stepper_.is_stop_agreed()) progress_.report(find_progress());  // finish() has the last word
 }
 
-/// Where elements have died, everything else follows before the state is looked at.
+/// (1.1) Redefine the contact surface: where elements have died, everything else follows before the state is looked at.
 void Run::erode() {
   if (!state_.bound.died) return;
   PhaseClock& clock = stepper_.clocks().reduce;

@@ -113,28 +113,31 @@ void ContactDecomposition::take_over(const ContactDecomposition& before) {
 }
 
 void ContactDecomposition::update(const SurfaceMotion& motion, double margin) {
-  ++searches_;
-  if (!parts_) parts_ = std::make_shared<AssignedParts>(exchange_.ranks());
-  locate_points(motion);
-  just_rebalanced_ = false;
-  bool are_nodes_others = false;
-  // A surface that goes on with the cuts of one before does not know yet whose its points are by them.
-  if (!knows_owners_ && report_.rebalances > 0) are_nodes_others = find_new_owners();
+  begin_search(motion);
+  bool are_nodes_others = adopt_cuts();
   if (is_due_) {
-    rebalance_points(send_contact_data_to_previous_owners());
-    just_rebalanced_ = true;
+    const RcbPoints points = send_contact_data_to_previous_owners();  // (5.1)
+    rebalance_points(points);                                         // (5.2) and (5.3)
     are_nodes_others = find_new_owners() || are_nodes_others;
   }
   if (are_nodes_others) send_nodes_to_owners();
   send_places_to_owners();
-  const bool are_told = are_faces_told_ && are_reached_parts_told(motion, margin);
-  if (!are_told) {
-    send_overlapping_faces(motion, margin);
-    are_reached_parts_told(motion, margin);
-  }
+  const bool are_told = are_faces_told_ && are_reached_parts_told(motion, margin);  // (5.4)
+  if (!are_told) send_overlapping_faces(motion, margin);                            // (5.5)
   has_changed_ = are_nodes_others || !are_told;
   send_boxes();
 }
+
+void ContactDecomposition::begin_search(const SurfaceMotion& motion) {
+  ++searches_;
+  if (!parts_) parts_ = std::make_shared<AssignedParts>(exchange_.ranks());
+  just_rebalanced_ = false;
+  locate_points(motion);
+}
+
+/// A surface that goes on with the cuts of one before does not know yet whose its points are by them. Returns whether
+/// nodes have other owners now, on any rank.
+bool ContactDecomposition::adopt_cuts() { return !knows_owners_ && report_.rebalances > 0 && find_new_owners(); }
 
 void ContactDecomposition::locate_points(const SurfaceMotion& motion) {
   const Array<const int> list = share_.node_list;
@@ -181,6 +184,7 @@ RcbPoints ContactDecomposition::send_contact_data_to_previous_owners() {
 // (5.2) and (5.3): the bisection ends with the cuts known to all ranks.
 void ContactDecomposition::rebalance_points(const RcbPoints& points) {
   const RcbReport done = parts_->cuts().decompose(ExecSpace(), points);
+  just_rebalanced_ = true;
   ++report_.rebalances;
   points_at_rebalance_ = static_cast<std::int64_t>(points_.ids.extent(0));
   report_.imbalance = done.imbalance;
@@ -279,6 +283,7 @@ void ContactDecomposition::send_overlapping_faces(const SurfaceMotion& motion, d
   sent_faces_ = to_view("contact::sent_faces", sent);
   received_faces_ = to_view("contact::received_faces", sort_by_number(faces_));
   received_boxes_ = Boxes("contact::received_boxes", faces_.size());
+  are_reached_parts_told(motion, margin);  // boxes and counts of this search
 }
 
 void ContactDecomposition::send_boxes() {

@@ -1,6 +1,6 @@
 #pragma once
 // The contact decomposition: recursive coordinate bisection of contact nodes and faces, dynamic, beside the static one
-// of the elements. Steps (5.1) to (5.5) of the paper's Figure 5, each a function.
+// of the elements. Steps (5.1) to (5.5) of the paper, each a function (ContactDecomposition::update()).
 //
 // Four things differ from the paper. A face goes straight from its FE owner to every rank that its capture box reaches,
 // one message instead of two. A part goes to the rank that has most of its points in the FE decomposition: they need no
@@ -87,6 +87,8 @@ class ContactDecomposition {
     Array<std::int64_t> ids;
   };
 
+  void begin_search(const SurfaceMotion& motion);
+  bool adopt_cuts();
   void locate_points(const SurfaceMotion& motion);
   RcbPoints send_contact_data_to_previous_owners();
   void rebalance_points(const RcbPoints& points);

@@ -1,5 +1,5 @@
 #pragma once
-// Step (5.4) of the paper's Figure 5 for any boxes: which parts of the bisection does each reach? Which rank has a part
+// Step (5.4) of the paper for any boxes: which parts of the bisection does each reach? Which rank has a part
 // AssignedParts says.
 
 #include "comm/communicator.hpp"

@@ -92,7 +92,7 @@ SearchLoad RankedFinder::load() const {
 std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
   {
     const Phase phase("percuss::contact_rcb", decomposition_clock_);
-    decomposition_.update(motion, margin);
+    decomposition_.update(motion, margin);  // (5.1) to (5.5)
   }
   if (decomposition_.has_changed()) redefine_surface();
   const std::int64_t of_faces = search_faces(margin);

@@ -1,5 +1,5 @@
 #pragma once
-// Search and check in the contact decomposition: steps (5.6) and (5.7) of the paper's Figure 5.
+// Search and check in the contact decomposition: Figure 5 of the paper, by search() and check().
 //
 // A rank knows the nodes that it owns there, the faces that reach it, and the faces around the nodes of both, for
 // normals: its part of the surface, which it is told once and uses for many searches, until faces reach other ranks or
