@@ -10,6 +10,7 @@
 #include "kernels/contact/geometry/contact_limits.hpp"
 #include "kernels/contact/geometry/edge_geometry.hpp"
 #include "kernels/contact/geometry/swept_root.hpp"
+#include "kernels/contact/surface/contact_state.hpp"
 #include "kernels/contact/surface/edge_surface.hpp"
 
 namespace percuss {

@@ -135,6 +135,17 @@ void check_candidates(const SurfaceMotion& motion, CheckSpace& check);
 /// Measures the faces of all candidate pairs at the places of a motion with dt = 0.
 void measure_all_faces(const SurfaceMotion& motion, CheckSpace& check);
 
+/// A contact node inside another body.
+struct Penetration {
+  int node = 0;            // place in OwnedContactNodes
+  std::int64_t face = -1;  // number of the face that it is behind
+  double depth = 0;        // [length]
+  double ratio = 0;        // depth / shortest edge of the face
+  double size = 0;         // h of the face
+  int part = 0;            // of the face
+  double limit = 0;        // depth up to which contact can hold it [length]
+};
+
 /// How deep contact nodes are inside other bodies at the places of a motion with dt = 0.
 PenetrationTable measure_candidates(const SurfaceMotion& motion, CheckSpace& check);
 

@@ -16,17 +16,6 @@
 
 namespace percuss {
 
-/// A contact node inside another body.
-struct Penetration {
-  int node = 0;            // place in OwnedContactNodes
-  std::int64_t face = -1;  // number of the face that it is behind
-  double depth = 0;        // [length]
-  double ratio = 0;        // depth / shortest edge of the face
-  double size = 0;         // h of the face
-  int part = 0;            // of the face
-  double limit = 0;        // depth up to which contact can hold it [length]
-};
-
 /// What a rank searched last.
 struct SearchLoad {
   std::int64_t nodes = 0;  // contact nodes that it owns for contact

@@ -1,7 +1,6 @@
 #include "src/contact/search/ranked_edges.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -24,9 +23,8 @@ struct RankedEdges::EdgeRecord {
 };
 
 RankedEdges::RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, const ContactDeck& deck)
-    : ranks_(ranks), share_(share) {
+    : ranks_(ranks), share_(share), check_(ranks, share, deck.reuse_search) {
   scratch_.points.method = find_method(deck.search);
-  space_.keeps_still = deck.reuse_search;
   if (share.total_edges == 0) return;
   exchange_.emplace(ranks.ranks);
   data_.emplace(ranks.ranks);
@@ -136,6 +134,7 @@ void RankedEdges::send_edges_to_reached(const SurfaceMotion& motion, const Point
 
 /// Pairs among the edges that reached this rank, of which it has the points of A.
 std::int64_t RankedEdges::find_pairs_here(const Point3& slack, std::int64_t limit) {
+  EdgeSpace& space = check_.space();
   std::vector<std::int64_t> numbers;
   for (const EdgeTopology& edge : edges_) {
     numbers.insert(numbers.end(), std::begin(edge.ends), std::end(edge.ends));
@@ -151,15 +150,15 @@ std::int64_t RankedEdges::find_pairs_here(const Point3& slack, std::int64_t limi
   // Wings have numbers here but no places, which the check alone reads.
   set_edge_surface(make_edge_surface(
                        edges_, [&](std::int64_t number) { return rows.find(number); }, share_),
-                   space_);
-  const EdgePointLists lists = list_edge_points(edges_, space_.surface, is_owned_);
+                   space);
+  const EdgePointLists lists = list_edge_points(edges_, space.surface, is_owned_);
   const Rows3<double> places("contact::edge_places", at(lists.points.num_points));
   const Rows3<const double> ends = to_rows("contact::edge_end_places", x);
   std::int64_t hits = 0;
-  run_where_it_pays(static_cast<int>(edges_.size()) / 2, [&](const auto& space) {
-    place_edge_points(space, lists.points, ends, places);
+  run_where_it_pays(static_cast<int>(edges_.size()) / 2, [&](const auto& where) {
+    place_edge_points(where, lists.points, ends, places);
     const EdgeQuery query{lists.names, places, ends, edge_boxes_, slack};
-    hits = find_edge_pairs(space, space_.surface, query, limit, scratch_, space_.pairs);
+    hits = find_edge_pairs(where, space.surface, query, limit, scratch_, space.pairs);
   });
   return hits;
 }
@@ -172,62 +171,12 @@ std::int64_t RankedEdges::search(const SurfaceMotion& motion, double margin,
   send_edges_to_reached(motion, find_edge_margin(half, margin, 2 * share_.largest_offset));
   const std::int64_t limit = find_edge_pair_limit(share_);
   const std::int64_t hits = find_pairs_here(find_edge_slack(half, margin), std::min(limit, most_indexed_pairs));
-  std::int64_t sums[3] = {hits, space_.pairs.num_pairs, hits > most_indexed_pairs ? 1 : 0};
+  std::int64_t sums[3] = {hits, check_.space().pairs.num_pairs, hits > most_indexed_pairs ? 1 : 0};
   all_reduce(ranks_.ranks, Reduce::sum, sums);
   refuse_too_many_pairs(sums[0], limit, margin);
   refuse_crowded_ranks(sums[2]);
-  total_pairs_ = sums[1];
-  if (total_pairs_ > 0) subscribe_to_pairs();
-  return total_pairs_;
-}
-
-/// Keeps the edges of pairs, and asks for the motion of their nodes and for what is remembered of their contacts.
-void RankedEdges::subscribe_to_pairs() {
-  const auto list = to_host(space_.pairs.edges), a = to_host(space_.pairs.a), b = to_host(space_.pairs.b);
-  std::vector<EdgeTopology> edges;
-  std::vector<int> place(edges_.size(), -1);
-  std::vector<std::int64_t> nodes;
-  for (int i = 0; i < space_.pairs.num_edges; ++i) {
-    place[at(list(i))] = i;
-    edges.push_back(edges_[at(list(i))]);
-    nodes.insert(nodes.end(), std::begin(edges.back().ends), std::end(edges.back().ends));
-    nodes.insert(nodes.end(), std::begin(edges.back().wings), std::end(edges.back().wings));
-  }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  std::vector<int> pair_a, pair_b, all(edges.size());
-  for (int p = 0; p < space_.pairs.num_pairs; ++p) {
-    pair_a.push_back(place[at(a(p))]);
-    pair_b.push_back(place[at(b(p))]);
-  }
-  std::iota(all.begin(), all.end(), 0);
-  edges_ = std::move(edges);
-  const NumberMap rows(nodes);
-  set_edge_surface(make_edge_surface(
-                       edges_, [&](std::int64_t number) { return rows.find(number); }, share_),
-                   space_);
-  EdgePairs& pairs = space_.pairs;
-  pairs.num_pairs = static_cast<int>(pair_a.size());
-  pairs.num_edges = static_cast<int>(edges_.size());
-  pairs.a = to_view("contact::edge_pair_a", pair_a);
-  pairs.b = to_view("contact::edge_pair_b", pair_b);
-  pairs.edges = to_view("contact::pair_edges", all);
-  motion_.name(ranks_, *exchange_, *data_, nodes);
-  read_ = motion_.all();
-
-  std::vector<int>& paired = pair_a;  // edges that are A of some pair, ascending
-  paired.erase(std::unique(paired.begin(), paired.end()), paired.end());
-  std::vector<int> homes;
-  std::vector<std::int64_t> numbers;
-  for (const int e : paired) {
-    homes.push_back(edges_[at(e)].home);
-    numbers.push_back(edges_[at(e)].number);
-  }
-  history_.name(*exchange_, *data_, homes, numbers, [&](std::int64_t number) {
-    const auto edge = std::lower_bound(share_.edges.begin(), share_.edges.end(), number,
-                                       [](const EdgeTopology& e, std::int64_t n) { return e.number < n; });
-    return static_cast<int>(edge - share_.edges.begin());
-  });
+  check_.take_pairs(edges_, sums[1], *exchange_, *data_);
+  return sums[1];
 }
 
 }  // namespace percuss

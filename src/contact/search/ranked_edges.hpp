@@ -4,14 +4,12 @@
 // The cuts of contact nodes and faces divide the edges too: an edge belongs to the rank in whose part its middle was
 // when the cuts were made, with the points by which it is searched, and it reaches the ranks whose points its capture
 // box may hold. As for nodes and faces, a rank that has the points of an edge has every edge whose box holds one of
-// them, wherever the cuts are. The home of an edge A, where its first face is, remembers its contacts and has their
-// rows.
+// them, wherever the cuts are.
 
 #include <optional>
 
-#include "src/contact/check/edge_space.hpp"
+#include "src/contact/check/ranked_edge_check.hpp"
 #include "src/contact/decomposition/contact_decomposition.hpp"
-#include "src/contact/exchange/motion_copy.hpp"
 
 namespace percuss {
 
@@ -25,29 +23,25 @@ class RankedEdges {
   std::int64_t search(const SurfaceMotion& motion, double margin, const ContactDecomposition& decomposition);
 
   /// Checks the pairs and appends the touches of edges A whose home this rank is, by (A, B), to those of faces.
-  void append_touches(const SurfaceMotion& motion, const EdgeHistory& history, std::vector<RowTouch>& touches);
+  void append_touches(const SurfaceMotion& motion, const EdgeHistory& history, std::vector<RowTouch>& touches) {
+    if (data_) check_.append_touches(motion, history, *data_, touches);
+  }
 
   /// EdgeSpace::has_found_nothing_new() of this rank's pairs.
-  bool has_found_nothing_new() const { return space_.has_found_nothing_new(); }
+  bool has_found_nothing_new() const { return check_.space().has_found_nothing_new(); }
 
-  std::vector<EdgePenetration> find_penetrations(const SurfaceMotion& motion);
+  std::vector<EdgePenetration> find_penetrations(const SurfaceMotion& motion) {
+    return data_ ? check_.find_penetrations(motion, *data_) : std::vector<EdgePenetration>{};
+  }
 
   Traffic traffic() const { return data_ ? data_->traffic() : Traffic{}; }
 
  private:
-  struct TouchRecord;
-
   void send_points_to_owners(const SurfaceMotion& motion, const ContactDecomposition& decomposition);
   void find_owners(const SurfaceMotion& motion);
   Point3 find_half_piece_of_all(const SurfaceMotion& motion) const;
   void send_edges_to_reached(const SurfaceMotion& motion, const Point3& margin);
   std::int64_t find_pairs_here(const Point3& slack, std::int64_t limit);
-  void subscribe_to_pairs();
-  EdgeHistory receive_history(const EdgeHistory& history);
-  template <class Record>
-  std::vector<Record> send_home(std::vector<Record> records);
-  std::vector<TouchRecord> list_touches() const;
-  RowTouch make_row_touch(const TouchRecord& record, int& foreign) const;
 
   const ContactRanks ranks_;
   const SurfaceShare& share_;
@@ -61,18 +55,14 @@ class RankedEdges {
   bool knows_owners_ = false;                 // the same on all ranks, unlike whether a rank has edges
   Boxes boxes_ = Boxes("contact::boxes", 0);  // [edges]
 
-  // Edges that reached this rank, ascending in number, and their pairs.
+  // Edges that reached this rank, ascending in number.
   struct EdgeRecord;
   std::vector<EdgeTopology> edges_;
   std::vector<char> is_owned_;                 // [edges]
   std::vector<std::array<double, 6>> places_;  // [edges] of the ends
   Boxes edge_boxes_ = Boxes("contact::received_boxes", 0);
   EdgeSearchScratch scratch_;
-  EdgeSpace space_;
-  std::int64_t total_pairs_ = 0;
-  MotionCopy motion_;
-  MotionPart read_;
-  RemoteItems history_;  // records of the paired edges
+  RankedEdgeCheck check_;
 };
 
 }  // namespace percuss

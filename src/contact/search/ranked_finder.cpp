@@ -1,5 +1,3 @@
-// The search in the contact decomposition, when it is due: candidate pairs, and what their check will read.
-
 #include "src/contact/search/ranked_finder.hpp"
 
 #include <algorithm>
@@ -30,26 +28,43 @@ std::array<int, 4> find_numbers(const NumberMap& places, const std::int64_t (&wa
   return {places.find(wanted[0]), places.find(wanted[1]), places.find(wanted[2]), places.find(wanted[3])};
 }
 
-/// Marks the nodes whose motion the check of a list of pairs reads. is_wanted: out, [nodes].
-template <class Space>
-void mark_read_nodes(const Space& space, const ContactSurface& surface, const CandidateList& pairs,
-                     const Array<int>& is_wanted) {
-  const ContactSurface s = surface;
-  const Array<const int> faces = pairs.faces, is_boxed = pairs.is_boxed, nodes = pairs.nodes;
-  Kokkos::parallel_for(
-      "contact::clear_wanted", RangeOf<Space>(space, 0, s.num_nodes), KOKKOS_LAMBDA(int n) { is_wanted(n) = 0; });
-  Kokkos::parallel_for(
-      "contact::want_nodes", RangeOf<Space>(space, 0, pairs.num_nodes),
-      KOKKOS_LAMBDA(int i) { Kokkos::atomic_assign(&is_wanted(nodes(i)), 1); });
-  Kokkos::parallel_for(
-      "contact::want_corners", RangeOf<Space>(space, 0, pairs.num_faces), KOKKOS_LAMBDA(int i) {
-        const int f = faces(i);
-        for (int c = 0; c < 4; ++c) {
-          Kokkos::atomic_assign(&is_wanted(s.face_corners(f, c)), 1);
-          if (is_boxed(i) != 0) Kokkos::atomic_assign(&is_wanted(s.face_backs(f, c)), 1);
-        }
-      });
-  space.fence();
+/// Numbers the nodes of known faces and of what is behind the searched ones. known: in, its faces; out, all of it.
+SurfaceLists list_surface(const std::vector<NodeRecord>& searched_nodes,
+                          const std::vector<FaceTopology>& searched_faces, bool has_offsets, KnownSurface& known) {
+  SurfaceLists lists;
+  NumberMap found;
+  found.reserve(searched_nodes.size() + known.faces.size());
+  for (const NodeRecord& node : searched_nodes) found.add(node.number);
+  std::vector<char> is_searched;
+  is_searched.reserve(known.faces.size());
+  for (std::size_t f = 0; f < known.faces.size(); ++f) {
+    const std::size_t next = lists.searched_faces.size();
+    is_searched.push_back(next < searched_faces.size() && searched_faces[next].number == known.faces[f].number ? 1 : 0);
+    for (const std::int64_t corner : known.faces[f].corners) found.add(corner);
+    if (is_searched[f] == 0) continue;
+    lists.searched_faces.push_back(static_cast<int>(f));
+    for (const std::int64_t back : known.faces[f].backs) found.add(back);
+  }
+  known.nodes = found.numbers();
+  std::sort(known.nodes.begin(), known.nodes.end());
+  const NumberMap places(known.nodes);
+  lists.nodes.resize(known.nodes.size());
+  std::iota(lists.nodes.begin(), lists.nodes.end(), 0);
+  lists.node_class.assign(known.nodes.size(), 0);
+  for (const NodeRecord& node : searched_nodes) {
+    known.searched_nodes.push_back(places.find(node.number));
+    lists.node_class[at(known.searched_nodes.back())] = node.surface_class;
+  }
+  lists.searched_nodes = known.searched_nodes;
+  for (std::size_t f = 0; f < known.faces.size(); ++f) {
+    const FaceTopology& face = known.faces[f];
+    lists.corners.push_back(find_numbers(places, face.corners));
+    lists.backs.push_back(is_searched[f] != 0 ? find_numbers(places, face.backs) : std::array<int, 4>{-1, -1, -1, -1});
+    lists.face_class.push_back(face.surface_class);
+    lists.face_body.push_back(face.body);
+    if (has_offsets) lists.face_offset.push_back(face.offset);
+  }
+  return lists;
 }
 
 }  // namespace
@@ -57,19 +72,17 @@ void mark_read_nodes(const Space& space, const ContactSurface& surface, const Ca
 RankedFinder::RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, const ContactDeck& deck)
     : ranks_(ranks),
       share_(share),
-      contact_nodes_(share.nodes.numbers),
       exchange_(ranks.ranks),
       data_(ranks.ranks),
-      history_data_(ranks.ranks),
       decomposition_(ranks.ranks, share, deck.rebalance),
+      check_(ranks, share, data_, deck.reuse_search),
       edges_(ranks, share, deck) {
   scratch_.method = find_method(deck.search);
-  check_.keeps_still = deck.reuse_search;
 }
 
 Traffic RankedFinder::traffic() const {
   Traffic sum = traffic_before_;
-  for (const Traffic& part : {data_.traffic(), history_data_.traffic(), decomposition_.traffic(), edges_.traffic()}) {
+  for (const Traffic& part : {data_.traffic(), check_.traffic(), decomposition_.traffic(), edges_.traffic()}) {
     sum.messages += part.messages;
     sum.bytes += part.bytes;
   }
@@ -78,7 +91,7 @@ Traffic RankedFinder::traffic() const {
 
 void RankedFinder::take_over(const ContactFinder& before) {
   const auto& other = dynamic_cast<const RankedFinder&>(before);  // of the same number of ranks
-  check_.counts = other.check_.counts;
+  check_.space().counts = other.check_.space().counts;
   decomposition_.take_over(other.decomposition_);
   decomposition_clock_ = other.decomposition_clock_;
   traffic_before_ = other.traffic();
@@ -89,26 +102,34 @@ SearchLoad RankedFinder::load() const {
   return {static_cast<std::int64_t>(decomposition_.nodes().size()), decomposition_.count_reaching_here()};
 }
 
+// Figure 5 of the paper, by whose numbers the steps are called. Where candidate pairs are used again, check() alone
+// runs.
 std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
   {
     const Phase phase("percuss::contact_rcb", decomposition_clock_);
     decomposition_.update(motion, margin);  // (5.1) to (5.5)
   }
   if (decomposition_.has_changed()) redefine_surface();
-  const std::int64_t of_faces = search_faces(margin);
+  const std::int64_t of_faces = search_faces(margin);  // (5.6) points in boxes
   return of_faces + edges_.search(motion, margin, decomposition_);
+}
+
+int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
+  std::vector<RowTouch> rows = check_.check(motion, history);  // (5.6) detailed check, (5.7)
+  edges_.append_touches(motion, history.edges, rows);
+  reserve(touches, static_cast<int>(rows.size()));
+  Kokkos::View<const RowTouch*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(rows.data(),
+                                                                                                 rows.size());
+  Kokkos::deep_copy(Kokkos::subview(touches, std::pair<std::size_t, std::size_t>(0, rows.size())), host);
+  return static_cast<int>(rows.size());
 }
 
 /// The surface that this rank knows is another now: the faces that reach it, and those around its nodes and theirs.
 void RankedFinder::redefine_surface() {
   number_surface(ask_for_faces_around(list_nodes_of_unknown_faces()));
-  motion_.name(ranks_, exchange_, data_, nodes_);
-  const std::vector<std::int64_t> searched = list_numbers(decomposition_.nodes());
-  history_.name(exchange_, data_, NodeOwners(ranks_.numbering).find(searched), searched,
-                [&](std::int64_t number) { return find_contact_node(number); });
   // From search to search, ranks see other faces.
   if (scratch_.method == SearchMethod::blocks)
-    identify(searched, list_numbers(decomposition_.faces()), scratch_.blocks);
+    identify(list_numbers(decomposition_.nodes()), list_numbers(decomposition_.faces()), scratch_.blocks);
 }
 
 /// The searched nodes of this rank around which there are more faces than it was told of, and the other corners of
@@ -138,7 +159,7 @@ std::vector<std::int64_t> RankedFinder::list_nodes_of_unknown_faces() const {
 std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<std::int64_t>& nodes) {
   RemoteItems asked;
   asked.name(exchange_, data_, NodeOwners(ranks_.numbering).find(nodes), nodes,
-             [&](std::int64_t number) { return find_contact_node(number); });
+             [&](std::int64_t number) { return check_.find_contact_node(number); });
   const OwnedContactNodes& own = share_.nodes;
   std::vector<int> told(share_.faces.size() + share_.told_faces.size(), -1);  // the last who was
   std::vector<FaceTopology> faces;
@@ -176,50 +197,18 @@ void RankedFinder::number_surface(std::vector<FaceTopology> more) {
   more.erase(std::unique(more.begin(), more.end(),
                          [](const FaceTopology& a, const FaceTopology& b) { return a.number == b.number; }),
              more.end());
-  faces_.resize(searched.size() + more.size());
-  std::merge(searched.begin(), searched.end(), more.begin(), more.end(), faces_.begin(), comes_before);
-
-  SurfaceLists lists;
-  NumberMap found;
-  found.reserve(decomposition_.nodes().size() + faces_.size());
-  for (const NodeRecord& node : decomposition_.nodes()) found.add(node.number);
-  std::vector<char> is_searched;
-  is_searched.reserve(faces_.size());
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const std::size_t next = lists.searched_faces.size();
-    is_searched.push_back(next < searched.size() && searched[next].number == faces_[f].number ? 1 : 0);
-    for (const std::int64_t corner : faces_[f].corners) found.add(corner);
-    if (is_searched[f] == 0) continue;
-    lists.searched_faces.push_back(static_cast<int>(f));
-    for (const std::int64_t back : faces_[f].backs) found.add(back);
-  }
-  nodes_ = found.numbers();
-  std::sort(nodes_.begin(), nodes_.end());
-  const NumberMap places(nodes_);
-  lists.nodes.resize(nodes_.size());
-  std::iota(lists.nodes.begin(), lists.nodes.end(), 0);
-  lists.node_class.assign(nodes_.size(), 0);
-  searched_nodes_.clear();
-  for (const NodeRecord& node : decomposition_.nodes()) {
-    searched_nodes_.push_back(places.find(node.number));
-    lists.node_class[at(searched_nodes_.back())] = node.surface_class;
-  }
-  lists.searched_nodes = searched_nodes_;
-  for (std::size_t f = 0; f < faces_.size(); ++f) {
-    const FaceTopology& face = faces_[f];
-    lists.corners.push_back(find_numbers(places, face.corners));
-    lists.backs.push_back(is_searched[f] != 0 ? find_numbers(places, face.backs) : std::array<int, 4>{-1, -1, -1, -1});
-    lists.face_class.push_back(face.surface_class);
-    lists.face_body.push_back(face.body);
-    if (share_.largest_offset > 0) lists.face_offset.push_back(face.offset);
-  }
-  set_surface(make_contact_surface(lists, share_), list_numbers(faces_), check_);
-  reserve(places_, check_.surface.num_nodes);
+  KnownSurface known;
+  known.faces.resize(searched.size() + more.size());
+  std::merge(searched.begin(), searched.end(), more.begin(), more.end(), known.faces.begin(), comes_before);
+  const SurfaceLists lists = list_surface(decomposition_.nodes(), searched, share_.largest_offset > 0, known);
+  check_.take_surface(std::move(known), make_contact_surface(lists, share_), exchange_);
+  reserve(places_, check_.space().surface.num_nodes);
 }
 
-// (5.6), first half: which nodes are in which boxes, on every rank by itself.
+/// Which nodes are in which boxes, on every rank by itself.
 std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
-  const ContactSurface& surface = check_.surface;
+  const ContactSurface& surface = check_.space().surface;
+  CandidateList& candidates = check_.space().candidates;
   const Array<const int> nodes = surface.searched_nodes;
   const Rows3<const double> found = decomposition_.places();
   const Rows3<double> x = places_;
@@ -228,8 +217,8 @@ std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
     Kokkos::parallel_for(
         "contact::searched_places", RangeOf<std::decay_t<decltype(space)>>(space, 0, static_cast<int>(nodes.extent(0))),
         KOKKOS_LAMBDA(int i) { store_row(x, nodes(i), load_row(found, i)); });
-    pairs = find_points_in_boxes(space, surface, x, decomposition_.boxes(), limit, scratch_, check_.candidates);
-    if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, check_.candidates);
+    pairs = find_points_in_boxes(space, surface, x, decomposition_.boxes(), limit, scratch_, candidates);
+    if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, candidates);
   });
   return pairs;
 }
@@ -239,67 +228,11 @@ std::int64_t RankedFinder::search_faces(double margin) {
   const std::int64_t pairs = find_points_in_boxes_here(std::min(limit, most_indexed_pairs));
   std::int64_t sums[3] = {pairs, decomposition_.reaching_faces(), pairs > most_indexed_pairs ? 1 : 0};
   all_reduce(ranks_.ranks, Reduce::sum, sums);
-  total_pairs_ = sums[0];
-  refuse_too_many_pairs(total_pairs_, limit, margin);
+  refuse_too_many_pairs(sums[0], limit, margin);
   refuse_crowded_ranks(sums[2]);
   decomposition_.note_ghost_faces(sums[1] - share_.total_searched_faces);
-  check_.near.forget();
-  read_ = base_ = &of_all_;
-  asked_ = {};
-  if (total_pairs_ > 0) of_all_ = select(check_.candidates);
-  return total_pairs_;
-}
-
-/// Tells the FE owners what the check of a list of pairs reads. Collective.
-RankedFinder::CheckPart RankedFinder::select(const CandidateList& pairs) {
-  reserve(wanted_, check_.surface.num_nodes);
-  run_where_it_pays(check_.surface.num_nodes / 10,
-                    [&](const auto& space) { mark_read_nodes(space, check_.surface, pairs, wanted_); });
-  const auto marks = to_host(wanted_);
-  CheckPart part;
-  part.motion = motion_.select(data_, {marks.data(), marks.data() + check_.surface.num_nodes});
-  const auto nodes = to_host(pairs.nodes);
-  std::vector<char> is_checked;
-  is_checked.reserve(searched_nodes_.size());
-  int next = 0;
-  for (const int n : searched_nodes_) {
-    is_checked.push_back(next < pairs.num_nodes && nodes(next) == n ? 1 : 0);
-    next += is_checked.back();
-  }
-  part.history = history_.select(history_data_, is_checked);
-  const auto list_rows = [&](const std::vector<int>& searched) {
-    std::vector<int> rows;
-    rows.reserve(searched.size());
-    for (const int i : searched) rows.push_back(searched_nodes_[at(i)]);
-    return to_view("contact::history_rows", rows);
-  };
-  part.history_rows = list_rows(part.history.asked);
-  part.own_history_rows = list_rows(part.history.own);
-  part.own_history_places = to_view("contact::own_history", part.history.own_places);
-  part.published_history = to_view("contact::published_history", part.history.published);
-  return part;
-}
-
-void RankedFinder::narrow(const NearWay& way) {
-  check_.near.ask(way);
-  asked_ = way;
-  if (!way.keeps_first) base_ = &of_all_;
-  read_ = base_;
-}
-
-/// After a check that made lists: from now on what is read for these. All ranks come here in the same step, also those
-/// that have not found theirs worth it.
-void RankedFinder::select_near() {
-  if (asked_.search > 0) {
-    of_reachable_ = select(check_.reachable_pairs());
-    base_ = &of_reachable_;
-  }
-  read_ = base_;
-  if (asked_.near > 0) {
-    of_near_ = select(check_.checked_pairs());
-    read_ = &of_near_;
-  }
-  asked_ = {};
+  check_.begin_pairs(sums[0]);
+  return sums[0];
 }
 
 }  // namespace percuss
