@@ -63,7 +63,7 @@ void all_reduce(const Communicator& ranks, Reduce by, T& value) {
 /// Each number of an array, as many on every rank, in one message. Collective. Throws MpiError.
 template <std::ranges::contiguous_range Values>
 void all_reduce(const Communicator& ranks, Reduce by, Values&& values) {
-  all_reduce_detail::reduce_in_place(ranks, by, std::span(values));
+  all_reduce_detail::reduce_in_place(ranks, by, std::span<std::ranges::range_value_t<Values>>(values));
 }
 
 }  // namespace percuss

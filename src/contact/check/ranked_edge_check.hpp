@@ -24,7 +24,6 @@ class RankedEdgeCheck {
 
   std::vector<EdgePenetration> find_penetrations(const SurfaceMotion& motion, DataExchange& data);
 
-
   /// The edges with their pairs, which a search fills in.
   EdgeSpace& space() { return space_; }
   const EdgeSpace& space() const { return space_; }

@@ -4,6 +4,7 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/search/contact_finder.hpp"
 #include "src/contact/search/pair_limit.hpp"
 #include "src/contact/surface/number_map.hpp"
 
