@@ -266,17 +266,6 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   return report;
 }
 
-std::vector<std::string> name_contact_pairs(const Deck& deck) {
-  std::vector<std::string> names;
-  if (deck.contact.surfaces == ContactDeck::Surfaces::all) names.emplace_back("surfaces");
-  const auto name = [](const Selector& surface) { return surface.name.empty() ? std::string("all") : surface.name; };
-  for (const SurfacePairDeck& pair : deck.contact.pairs) names.push_back(name(pair.a) + ":" + name(pair.b));
-  for (const TieDeck& tie : deck.contact.ties) names.push_back("tie:" + name(tie.a) + ":" + name(tie.b));
-  if (!deck.walls.empty() && !names.empty()) names.emplace_back("walls");
-  if (names.size() < 2) names.clear();
-  return names;
-}
-
 std::vector<double> ContactStage::sum_pair_work() const {
   std::vector<double> work;
   for (const PairWork& pair : impl_->enforcer.pair_work()) {

@@ -18,10 +18,6 @@
 
 namespace percuss {
 
-/// Names of what work is booked by: "surfaces" where all may touch all or "a:b" for each pair of the deck, "tie:a:b"
-/// for each tie, "walls". Empty where one name would mean all work.
-std::vector<std::string> name_contact_pairs(const Deck& deck);
-
 /// Time since the start, by phase.
 struct ContactClocks {
   PhaseClock decomposition, search, check, enforce;

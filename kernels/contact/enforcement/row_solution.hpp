@@ -48,6 +48,17 @@ void build_rows(const Space& space, const RowInputs& inputs, const Array<const R
   sum_stiffness(space, system);
 }
 
+/// What an enforcement reads besides the rows; each reads what it needs.
+struct SolveQuery {
+  double dt = 0;                             // step
+  double dt_mean = 0;                        // from the middle of the last step to that of this one; penalty
+  double tolerance = 0;                      // share of the largest predicted penetration that is left over; kinematic
+  double penalty_scale = 0;                  // of the stiffness; penalty
+  Array<const std::int64_t> node_numbers{};  // [mesh nodes]; lagrange
+};
+
+/// The same of every enforcement: solve_kinematic(), solve_lagrange() and solve_penalty() take the same arguments and
+/// leave impulses in the rows and their dv in RowSystem::correction.
 struct SolveReport {
   std::int64_t rows = 0;  // on all ranks; 0: nothing was done
   int iterations = 0;
@@ -100,11 +111,11 @@ struct DivergenceWatch {
   }
 };
 
-/// Iterates the impulses of the rows; RowSystem::correction is their dv on return. dt: step. The iteration ends when no
-/// impulse changes by more than would close the share `tolerance` of the largest predicted penetration.
+/// Iterates the impulses of the rows (contact.enforcement: kinematic). The iteration ends when no impulse changes by
+/// more than would close the share `tolerance` of the largest predicted penetration.
 template <class Space, class Others>
-SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSystem& system, RowSumMemory& memory,
-                       Others& others) {
+SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+                            Others& others) {
   constexpr int max_iterations = 1000;
   SolveReport report{0, 0, false};
   PassSums sums;
@@ -113,7 +124,7 @@ SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSyste
   others.send_impulses(space, system, sums);
   report.rows = sums.gaps.rows;
   if (report.rows == 0) return report;
-  const Convergence convergence(tolerance, sums.gaps);
+  const Convergence convergence(query.tolerance, sums.gaps);
   EnergyUnit unit{};  // none before the first pass, which extrapolates nothing that could point back
   Extrapolation extrapolation;
   DivergenceWatch watch;
@@ -124,7 +135,7 @@ SolveReport solve_rows(const Space& space, double dt, double tolerance, RowSyste
     others.receive_corrections(system);
     if (report.converged || report.iterations == max_iterations) break;
     move_foreign_nodes(space, extrapolation.beta, system);
-    sums = correct_rows(space, {extrapolation.beta, dt, unit}, system, memory);
+    sums = correct_rows(space, {extrapolation.beta, query.dt, unit}, system, memory);
     others.send_impulses(space, system, sums);
     ++report.iterations;
     report.converged = convergence.is_reached(sums);
@@ -148,26 +159,24 @@ void follow_impulses(const Space& space, PassSums& sums, RowSystem& system, Othe
   others.receive_corrections(system);
 }
 
-/// The impulses of springs (contact.enforcement: penalty); RowSystem::correction is their dv on return. scale: of the
-/// stiffness; dt_mean: from the middle of the last step to that of this one.
+/// The impulses of springs (contact.enforcement: penalty).
 template <class Space, class Others>
-SolveReport push_rows(const Space& space, double scale, double dt, double dt_mean, RowSystem& system,
-                      RowSumMemory& memory, Others& others) {
-  push_springs(space, scale, dt, dt_mean, system);
+SolveReport solve_penalty(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+                          Others& others) {
+  push_springs(space, query.penalty_scale, query.dt, query.dt_mean, system);
   PassSums sums;
   sums.gaps = find_predicted_gaps(space, system, memory);
   follow_impulses(space, sums, system, others);
   return {sums.gaps.rows, 1, true, 0};
 }
 
-/// The exact impulses of all rows together (contact.enforcement: lagrange); RowSystem::correction is their dv on
-/// return. node_numbers: [mesh nodes].
+/// The exact impulses of all rows together (contact.enforcement: lagrange).
 template <class Space, class Others>
-SolveReport solve_rows_together(const Space& space, double dt, const Array<const std::int64_t>& node_numbers,
-                                RowSystem& system, Others& others) {
+SolveReport solve_lagrange(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory&,
+                           Others& others) {
   space.fence();
   std::vector<RowImpulse> impulses;
-  const CoupledReport solved = others.solve_together(list_coupled_rows(system, node_numbers), dt, impulses);
+  const CoupledReport solved = others.solve_together(list_coupled_rows(system, query.node_numbers), query.dt, impulses);
   if (solved.rows == 0) return {};
   set_impulses(space, impulses, system);
   PassSums sums;

@@ -2,10 +2,13 @@
 // What the contact of a step works on, and what it did.
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "kernels/contact/geometry/point3.hpp"
 #include "kernels/contact/rows/wall_sums.hpp"
 #include "kernels/core/views.hpp"
+#include "src/deck/deck.hpp"
 
 namespace percuss {
 
@@ -42,5 +45,9 @@ struct ContactReport {
   std::int64_t torn_node = -1;     // number of that node
   WallSums walls;                  // what walls gave the nodes of this rank, and of no other
 };
+
+/// Names of what work is booked by: "surfaces" where all may touch all or "a:b" for each pair of the deck, "tie:a:b"
+/// for each tie, "walls". Empty where one name would mean all work.
+std::vector<std::string> name_contact_pairs(const Deck& deck);
 
 }  // namespace percuss

@@ -40,6 +40,17 @@ double find_play(const Mesh& mesh) {
 
 }  // namespace
 
+std::vector<std::string> name_contact_pairs(const Deck& deck) {
+  std::vector<std::string> names;
+  if (deck.contact.surfaces == ContactDeck::Surfaces::all) names.emplace_back("surfaces");
+  const auto name = [](const Selector& surface) { return surface.name.empty() ? std::string("all") : surface.name; };
+  for (const SurfacePairDeck& pair : deck.contact.pairs) names.push_back(name(pair.a) + ":" + name(pair.b));
+  for (const TieDeck& tie : deck.contact.ties) names.push_back("tie:" + name(tie.a) + ":" + name(tie.b));
+  if (!deck.walls.empty() && !names.empty()) names.emplace_back("walls");
+  if (names.size() < 2) names.clear();
+  return names;
+}
+
 Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls,
                    const Array<const TieGeometry>& ties, const Deck& deck)
     : walls_(walls),
@@ -113,11 +124,16 @@ void Enforcer::repeat(const ContactMotion& motion) {
 
 template <class Space>
 SolveReport Enforcer::solve(const Space& space, double dt, double dt_mean) {
-  if (deck_.enforcement == ContactDeck::Enforcement::penalty)
-    return push_rows(space, deck_.penalty_scale, dt, dt_mean, system_, sums_, exchange_);
-  if (deck_.enforcement == ContactDeck::Enforcement::lagrange)
-    return solve_rows_together(space, dt, node_numbers_, system_, exchange_);
-  return solve_rows(space, dt, deck_.tolerance, system_, sums_, exchange_);
+  const SolveQuery query{dt, dt_mean, deck_.tolerance, deck_.penalty_scale, node_numbers_};
+  switch (deck_.enforcement) {
+    case ContactDeck::Enforcement::penalty:
+      return solve_penalty(space, query, system_, sums_, exchange_);
+    case ContactDeck::Enforcement::lagrange:
+      return solve_lagrange(space, query, system_, sums_, exchange_);
+    case ContactDeck::Enforcement::kinematic:
+      break;
+  }
+  return solve_kinematic(space, query, system_, sums_, exchange_);
 }
 
 template <class Space>

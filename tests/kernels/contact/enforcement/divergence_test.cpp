@@ -37,7 +37,7 @@ TEST(Divergence, RowsThatCloseEachOtherEndWithFinitePushes) {
     system.wants(r) = wants_something(row) ? 1 : 0;
   }
   RowSumMemory memory;
-  const SolveReport solved = solve_rows(space, dt, 1e-3, system, memory, others);
+  const SolveReport solved = solve_kinematic(space, {dt, dt, 1e-3}, system, memory, others);
   EXPECT_TRUE(solved.converged);
   // Symmetric: the pushes p of both close p + cos(120) p = p / 2 of either gap, which misses cos(110) / cos(50).
   for (int r = 0; r < 2; ++r)

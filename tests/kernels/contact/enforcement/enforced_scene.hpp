@@ -31,9 +31,10 @@ struct EnforcedScene {
     build_rows(space, inputs, touches, scene.touches.count, walls, history, system, others);
     if (system.num_rows == 0) return;
     RowSumMemory memory;
-    solved = solver == Solver::springs    ? push_rows(space, 2, dt, dt, system, memory, others)
-             : solver == Solver::iterated ? solve_rows(space, dt, tolerance, system, memory, others)
-                                          : solve_rows_together(space, dt, nodes, system, others);
+    const SolveQuery query{dt, dt, tolerance, 2, nodes};
+    solved = solver == Solver::springs    ? solve_penalty(space, query, system, memory, others)
+             : solver == Solver::iterated ? solve_kinematic(space, query, system, memory, others)
+                                          : solve_lagrange(space, query, system, memory, others);
     apply_impulses(space, system, scene.v, impulse);
     sums = sum_outcome(space, dt, system, memory);
     write_history(space, dt, system, history);
