@@ -5,7 +5,7 @@
 // place), goes through it within the step (swept, at any speed), or leaves it far behind (held). A node behind a face
 // that it did not go through is not in contact with it. Nothing here depends on what other pairs exist.
 
-#include "kernels/contact/check/known_faces.hpp"
+#include "kernels/contact/check/touch.hpp"
 #include "kernels/contact/geometry/swept_root.hpp"
 #include "kernels/contact/surface/face_pack.hpp"
 #include "kernels/contact/surface/offset_faces.hpp"
