@@ -36,7 +36,6 @@ LocalSlots list_chunk_slots(const ChunkedMesh& chunked, const Model& model) {
 /// Takes the least of the values of all ranks, one by one.
 void find_least(const Mesh& mesh, std::vector<int>& values) {
   if (!mesh.ranks) return;
-  const auto count = static_cast<int>(values.size());
   all_reduce(*mesh.ranks, Reduce::least, values);
 }
 

@@ -7,6 +7,7 @@
 #include "comm/gather_items.hpp"
 #include "kernels/contact/rows/row_geometry.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/contact/start/part_gaps.hpp"
 
 namespace percuss {
 namespace {
