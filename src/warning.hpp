@@ -1,6 +1,8 @@
 #pragma once
 // A warning: what a user should know of a deck, a mesh or a run that is accepted all the same.
 
+#include <fmt/format.h>
+
 #include <string>
 
 namespace percuss {
@@ -14,11 +16,14 @@ struct Warning {
   long count = 1;     // how often it was seen
 };
 
-/// "PLACE: warning: TEXT [RULE]", without what is empty.
+/// "PLACE: warning: TEXT [RULE] (first at t = 0.002, 12 times)", without what is empty, 0 or 1.
 inline std::string format_warning(const Warning& warning) {
-  const std::string front = warning.place.empty() ? "" : warning.place + ": ";
-  const std::string back = warning.rule.empty() ? "" : " [" + warning.rule + "]";
-  return front + "warning: " + warning.text + back;
+  std::string line = (warning.place.empty() ? "" : warning.place + ": ") + "warning: " + warning.text;
+  if (!warning.rule.empty()) line += " [" + warning.rule + "]";
+  const bool repeats = warning.count > 1;
+  if (warning.time > 0) line += fmt::format(" ({}t = {:.6g}", repeats ? "first at " : "", warning.time);
+  if (repeats) line += fmt::format("{}{} times", warning.time > 0 ? ", " : " (", warning.count);
+  return warning.time > 0 || repeats ? line + ")" : line;
 }
 
 }  // namespace percuss

@@ -8,10 +8,13 @@
 #include "src/contact/contact_stage.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/mesh/surface_nodes.hpp"
+#include "src/output/warning_log.hpp"
 #include "src/step/history.hpp"
 #include "src/step/model.hpp"
+#include "src/step/run_notes.hpp"
 #include "src/step/state.hpp"
 #include "src/step/step.hpp"
+#include "src/step/whole_mesh.hpp"
 
 namespace percuss {
 namespace {
@@ -58,6 +61,15 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
   findings.gather([&] { find_history_points(deck, chunked); });
 }
 
+/// What a run of the scene would warn of at its start.
+std::vector<Warning> list_warnings(const Deck& deck, const ChunkedMesh& chunked, const StartNotice& overlap) {
+  WarningLog log(deck.silenced);
+  log.add(deck.warnings);
+  log.add(find_start_warnings(chunked, find_ranks(chunked.mesh).size()));
+  if (overlap.is_warning()) log.add({overlap.rule, overlap.text, "", 0, 1});
+  return log.list();
+}
+
 }  // namespace
 
 ExitCode check_command(const Command& command, const Communicator& ranks) {
@@ -70,7 +82,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   const Model model = build_model(deck, chunked);
   ContactStage contact(chunked, deck, ranks);
   State state = make_initial_state(model);
-  const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
+  const StartNotice overlap = contact.is_active() ? contact.prepare(state.x, state.v) : StartNotice{};
   Stepper stepper(deck, chunked, model, contact);
   stepper.start(state);
 
@@ -79,8 +91,10 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   scene.controlling_element = describe_element(chunked, state.bound.element);
   scene.contact_nodes = contact.contact_nodes();
   scene.contact_faces = contact.contact_faces();
-  scene.overlap = overlap;
   scene.contact_notes = contact.start_notes();
+  if (!overlap.is_warning() && !overlap.text.empty())
+    scene.contact_notes.insert(scene.contact_notes.begin(), overlap.text);
+  scene.warnings = list_warnings(deck, chunked, overlap);
   if (ranks.rank() == 0) fmt::print("{}", format_scene(scene));
   return ExitCode::done;
 }

@@ -106,7 +106,7 @@ std::string format_reading(const std::string& file, const ExodusContents& conten
   const PartMesh mesh = name_file(file, [&] { return read_mesh(file, all ? std::vector<std::string>{} : chosen); });
   std::string text = line("percuss", "reads " + format_elements(mesh));
   if (!all) text += line("", fmt::format("with blocks: [{}]", fmt::join(chosen, ", ")));
-  for (const std::string& warning : mesh.warnings) text += "warning: " + warning + "\n";
+  for (const Warning& warning : mesh.warnings) text += format_warning(warning) + "\n";
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <tuple>
 
 #include "comm/all_reduce.hpp"
@@ -42,6 +43,8 @@ Crowd find_own_machine(const Communicator& ranks, int threads) {
   return crowd;
 }
 
+Warning warn(const std::string& text) { return {"crowded_cores", text, "", 0, 1}; }
+
 }  // namespace
 
 Placement find_placement(const Communicator& ranks, int threads) {
@@ -53,23 +56,21 @@ Placement find_placement(const Communicator& ranks, int threads) {
   return {crowd.ranks, crowd.threads, crowd.cores, bound.ranks, bound.threads, bound.cores};
 }
 
-std::string describe_crowding(const Placement& p, int rank_count) {
+std::optional<Warning> describe_crowding(const Placement& p, int rank_count) {
   if (p.threads > p.cores) {
-    return fmt::format(
-        "warning: {} rank{} with {} thread{} together share the {} core{} of a machine (they take turns, and every "
-        "step "
-        "waits for the slowest): start fewer ranks, or set OMP_NUM_THREADS",
-        p.ranks, p.ranks == 1 ? "" : "s", p.threads, p.threads == 1 ? "" : "s", p.cores, p.cores == 1 ? "" : "s");
+    return warn(fmt::format(
+        "{} rank{} with {} thread{} together share the {} core{} of a machine (they take turns, and every step waits "
+        "for the slowest): start fewer ranks, or set OMP_NUM_THREADS",
+        p.ranks, p.ranks == 1 ? "" : "s", p.threads, p.threads == 1 ? "" : "s", p.cores, p.cores == 1 ? "" : "s"));
   }
   if (p.bound_ranks > 0) {
-    return fmt::format(
-        "warning: {} of {} rank{} {} bound to fewer cores than threads: {} thread{} on {} core{} (they take turns) "
-        "unbind "
-        "with mpirun --bind-to none, or bind to more with --map-by slot:PE={}, or set OMP_NUM_THREADS",
+    return warn(fmt::format(
+        "{} of {} rank{} {} bound to fewer cores than threads: {} thread{} on {} core{} (they take turns): unbind with "
+        "mpirun --bind-to none, or bind to more with --map-by slot:PE={}, or set OMP_NUM_THREADS",
         p.bound_ranks, rank_count, rank_count == 1 ? "" : "s", p.bound_ranks == 1 ? "is" : "are", p.bound_threads,
-        p.bound_threads == 1 ? "" : "s", p.bound_cores, p.bound_cores == 1 ? "" : "s", p.bound_threads);
+        p.bound_threads == 1 ? "" : "s", p.bound_cores, p.bound_cores == 1 ? "" : "s", p.bound_threads));
   }
-  return "";
+  return std::nullopt;
 }
 
 }  // namespace percuss

@@ -1,9 +1,10 @@
 #pragma once
 // Whether ranks and threads have cores enough. Nothing is changed: the user is told.
 
-#include <string>
+#include <optional>
 
 #include "comm/communicator.hpp"
+#include "src/warning.hpp"
 
 namespace percuss {
 
@@ -22,7 +23,7 @@ inline bool are_cores_shared(const Placement& placement) {
   return placement.threads > placement.cores || placement.bound_ranks > 0;
 }
 
-/// A line that names the numbers, if cores are too few; else empty. rank_count: of the whole run.
-std::string describe_crowding(const Placement& placement, int rank_count);
+/// A warning that names the numbers, if cores are too few. rank_count: of the whole run.
+std::optional<Warning> describe_crowding(const Placement& placement, int rank_count);
 
 }  // namespace percuss

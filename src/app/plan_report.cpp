@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "src/output/warning_log.hpp"
+
 namespace percuss {
 namespace {
 
@@ -132,27 +134,41 @@ bool can_erode(const Deck& deck) {
                      [](const MaterialDeck& material) { return material.failure.has_value(); });
 }
 
-std::string format_warnings(const PlannedScene& scene, const Column& column) {
+Warning warn(const char* rule, const std::string& text) { return {rule, text, "", 0, 1}; }
+
+void warn_of_column(const PlannedScene& scene, const Column& column, WarningLog& log) {
   const int ranks = column.plan.ranks, empty = column.plan.mesh.partition.empty_parts;
   const RankSpreads& spreads = column.spreads;
-  std::string text;
   if (empty > 0) {
-    text += fmt::format(
-        "warning: {} of {} ranks would have no elements (the mesh has {} chunks, and a chunk is never divided): take "
-        "fewer ranks or a finer mesh\n",
-        empty, ranks, scene.chunks);
+    log.add(warn("idle_ranks", fmt::format("{} of {} ranks would have no elements (the mesh has {} chunks, and a chunk "
+                                           "is never divided): take fewer ranks or a finer mesh",
+                                           empty, ranks, scene.chunks)));
   } else if (ranks > 1 && spreads.elements.imbalance() > uneven) {
-    text += fmt::format(
-        "warning: on {} ranks the heaviest has {:.2f} times the mean of the elements ({:.1f} chunks a rank, and a "
-        "chunk is never divided): take fewer ranks or a finer mesh\n",
-        ranks, spreads.elements.imbalance(), spreads.chunks.mean);
+    log.add(warn("uneven_ranks", fmt::format("on {} ranks the heaviest has {:.2f} times the mean of the elements "
+                                             "({:.1f} chunks a rank, and a chunk is never divided): take fewer ranks "
+                                             "or a finer mesh",
+                                             ranks, spreads.elements.imbalance(), spreads.chunks.mean)));
   }
   if (ranks > 1 && scene.pattern.has_pairs && spreads.contact_points.mean < few_points) {
-    text += fmt::format(
-        "warning: on {} ranks each has only {:.0f} contact nodes and faces (below {:.0f} messages outweigh the "
-        "search): take fewer ranks or a finer mesh\n",
-        ranks, spreads.contact_points.mean, few_points);
+    log.add(warn("few_contact_points",
+                 fmt::format("on {} ranks each has only {:.0f} contact nodes and faces (below {:.0f} messages outweigh "
+                             "the search): take fewer ranks or a finer mesh",
+                             ranks, spreads.contact_points.mean, few_points)));
   }
+}
+
+/// Those of the deck and of the plan, a line each; a run adds those of its mesh.
+std::string format_warnings(const PlannedScene& scene, const std::vector<Column>& columns) {
+  WarningLog log(scene.deck.silenced);
+  log.add(scene.deck.warnings);
+  if (scene.pattern.has_pairs && can_erode(scene.deck)) {
+    log.add(warn("plan_without_erosion",
+                 "elements can fail (each time surfaces are made anew, which is not predicted and which ranks hardly "
+                 "divide): measure a short run in which elements die"));
+  }
+  for (const Column& column : columns) warn_of_column(scene, column, log);
+  std::string text;
+  for (const Warning& warning : log.list()) text += format_warning(warning) + "\n";
   return text;
 }
 
@@ -170,14 +186,7 @@ std::string format_plan(const PlannedScene& scene, const PlanFigures& figures, c
   if (scene.pattern.has_pairs) add_contact_rows(table);
   add_time_rows(table, count_reductions(scene.pattern, figures));
   std::string text = format_head(scene, figures) + table.format();
-  std::string warnings;
-  for (const std::string& warning : scene.deck.warnings) warnings += warning + "\n";
-  if (scene.pattern.has_pairs && can_erode(scene.deck)) {
-    warnings +=
-        "warning: elements can fail (each time surfaces are made anew, which is not foretold and which ranks hardly "
-        "divide) measure a short run in which elements die\n";
-  }
-  for (const Column& column : columns) warnings += format_warnings(scene, column);
+  const std::string warnings = format_warnings(scene, columns);
   return warnings.empty() ? text : text + "\n" + warnings;
 }
 

@@ -11,6 +11,7 @@
 #include "src/app/placement.hpp"
 #include "src/app/read_together.hpp"
 #include "src/app/summary_report.hpp"
+#include "src/deck/units.hpp"
 #include "src/fail_together.hpp"
 #include "src/output/progress.hpp"
 #include "src/step/run.hpp"
@@ -32,15 +33,19 @@ void install_signal_handlers() {
   sigaction(SIGUSR1, &action, nullptr);
 }
 
-void report(const RunResult& result, const std::string& out_dir, const std::string& deck) {
+void report(const RunResult& result, const std::string& out_dir, const Deck& deck) {
   const Summary& s = result.summary;
-  print_quietly(stderr, "{}: t = {:.6g} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.2g} %\n",
-                s.status, s.time, s.steps, s.setup_s + s.loop_s, s.grind_ns, 100 * s.energy.error);
+  print_quietly(stderr,
+                "{}: t = {:.6g}{} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.2g} %\n",
+                s.status, s.time, unit_suffix(deck.units, dimensions::time), s.steps, s.setup_s + s.loop_s, s.grind_ns,
+                100 * s.energy.error);
   if (s.eroded.elements > 0) print_quietly(stderr, "eroded: {}\n", format_eroded(s));
   print_quietly(stderr, "results: {}\n", out_dir);
-  if (result.exit_code != ExitCode::interrupted) return;
-  print_quietly(stderr, "checkpoint: {}; to go on: percuss run {} --restart {}\n", result.checkpoint, deck,
-                result.checkpoint);
+  if (result.exit_code == ExitCode::interrupted) {
+    print_quietly(stderr, "checkpoint: {}; to go on: percuss run {} --restart {}\n", result.checkpoint, deck.file,
+                  result.checkpoint);
+  }
+  if (!s.warnings.empty()) print_quietly(stderr, "{}\n", describe_warnings(s, out_dir));
 }
 
 std::string choose_folder(const Command& command) {
@@ -77,21 +82,17 @@ ExitCode run_command(Command command, const Communicator& ranks) {
   command.restart = find_checkpoint(command.restart);
   const bool speaks = ranks.rank() == 0;
   const Deck deck = read_deck_together(command, ranks);
-  if (speaks) {
-    for (const std::string& warning : deck.warnings) print_quietly(stderr, "{}\n", warning);
-  }
   const std::string out_dir = choose_folder(command);
   RunOptions options;
   prepare_folder(command, out_dir, ranks, options);
   options.end_all_ranks = [&] { ranks.abort(static_cast<int>(tell(describe_failure()))); };
   options.progress = command.quiet ? Progress::Style::quiet : Progress::choose_style(stderr);
   const Placement placement = find_placement(ranks, ExecSpace().concurrency());
-  const std::string crowding = describe_crowding(placement, ranks.size());
-  if (speaks && !command.quiet && !crowding.empty()) print_quietly(stderr, "{}\n", crowding);
+  if (const auto crowding = describe_crowding(placement, ranks.size())) options.warnings.push_back(*crowding);
   choose_work_clock(are_cores_shared(placement) ? WorkClock::thread : WorkClock::usual);
   install_signal_handlers();
   const RunResult result = run_scene(deck, options);
-  if (speaks && !command.quiet) report(result, out_dir, command.file);
+  if (speaks && !command.quiet) report(result, out_dir, deck);
   return result.exit_code;
 }
 

@@ -9,7 +9,9 @@
 #include "comm/agreement.hpp"
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
+#include "src/deck/units.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/output/warning_log.hpp"
 #include "src/step/whole_mesh.hpp"
 
 namespace percuss {
@@ -27,22 +29,31 @@ std::string count(Count n, const std::string& what, const std::string& plural) {
 std::string format_parts(const SceneReport& scene) {
   std::size_t width = 4;
   for (const PartReport& part : scene.parts) width = std::max(width, part.name.size());
-  std::string text = line(
-      "parts", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12}  material", "name", width, "elements", "nodes", "mass"));
+  const std::string unit = unit_suffix(scene.deck.units, dimensions::mass);
+  std::string text = line("parts", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12}  material", "name", width, "elements",
+                                               "nodes", unit.empty() ? "mass" : "mass [" + unit.substr(1) + "]"));
   double total = 0;
   for (const PartReport& part : scene.parts) {
     text += line("", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12.6g}  {}", part.name, width, part.elements, part.nodes,
                                  part.mass, part.material));
     total += part.mass;
   }
-  return text +
-         line("total", fmt::format("{}, {}, {}, mass {:.6g}", count(scene.elements, "element", "elements"),
-                                   count(scene.nodes, "node", "nodes"), count(scene.bodies, "body", "bodies"), total));
+  return text + line("total", fmt::format("{}, {}, {}, mass {:.6g}{}", count(scene.elements, "element", "elements"),
+                                          count(scene.nodes, "node", "nodes"), count(scene.bodies, "body", "bodies"),
+                                          total, unit));
 }
 
-std::string format_size(const Vec3& low, const Vec3& high) {
-  return line("extent", fmt::format("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}", low[0], high[0],
-                                    low[1], high[1], low[2], high[2]));
+std::string format_size(const SceneReport& scene) {
+  const Vec3 &low = scene.low, &high = scene.high;
+  return line("extent",
+              fmt::format("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}{}", low[0], high[0], low[1],
+                          high[1], low[2], high[2], unit_suffix(scene.deck.units, dimensions::length)));
+}
+
+/// "mm, kg, ms: force kN, stress GPa, energy J"
+std::string format_units(const Units& units) {
+  return line("units", fmt::format("{}: force {}, stress {}, energy {}", units.text(), units.name_of(dimensions::force),
+                                   units.name_of(dimensions::stress), units.name_of(dimensions::energy)));
 }
 
 std::string format_contact(const SceneReport& scene) {
@@ -57,7 +68,6 @@ std::string format_contact(const SceneReport& scene) {
   }
   if (!scene.deck.walls.empty()) text += "; " + count(scene.deck.walls.size(), "wall", "walls");
   std::string lines = line("contact", text);
-  if (!scene.overlap.empty()) lines += line("", scene.overlap);
   for (const std::string& note : scene.contact_notes) lines += line("", note);
   return lines;
 }
@@ -91,8 +101,10 @@ std::string format_output(const Deck& deck) {
 
 std::string format_step(const SceneReport& scene) {
   const double end = scene.deck.time.end;
-  return line("time", fmt::format("0 to {:g}; first step {:.4g} ({} controls it), about {:.0f} steps if it stays so",
-                                  end, scene.first_step, scene.controlling_element, std::ceil(end / scene.first_step)));
+  const std::string unit = unit_suffix(scene.deck.units, dimensions::time);
+  return line("time",
+              fmt::format("0 to {:g}{}; first step {:.4g}{} ({} controls it), about {:.0f} steps if it stays so", end,
+                          unit, scene.first_step, unit, scene.controlling_element, std::ceil(end / scene.first_step)));
 }
 
 std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks) {
@@ -139,7 +151,6 @@ SceneReport describe_scene(const Deck& deck, const ChunkedMesh& chunked) {
   scene.bodies = count_bodies(chunked.mesh, ranks);
   scene.low = chunked.mesh.low;
   scene.high = chunked.mesh.high;
-  scene.mesh_warnings = chunked.mesh.warnings;
   return scene;
 }
 
@@ -153,16 +164,13 @@ std::string describe_element(const ChunkedMesh& chunked, std::int64_t number) {
 std::string format_scene(const SceneReport& scene) {
   const Deck& deck = scene.deck;
   std::string text = line("deck", deck.file + (deck.title.empty() ? "" : ": " + deck.title));
-  if (!deck.units.empty()) text += line("units", deck.units);
-  text += format_parts(scene) + format_size(scene.low, scene.high) + format_contact(scene) + format_loads(deck) +
-          format_output(deck) + format_step(scene);
-  for (const std::string& warning : deck.warnings) text += warning + "\n";
-  for (const std::string& warning : scene.mesh_warnings) text += "warning: " + warning + "\n";
-  const std::size_t warnings =
-      deck.warnings.size() + scene.mesh_warnings.size() + (scene.overlap.starts_with("warning: ") ? 1 : 0);
-  return text + (warnings == 0 ? "The deck and its meshes are right.\n"
-                               : fmt::format("The deck and its meshes can be run; {}.\n",
-                                             count(warnings, "warning", "warnings")));
+  if (const auto units = find_units(deck.units)) text += format_units(*units);
+  text += format_parts(scene) + format_size(scene) + format_contact(scene) + format_loads(deck) + format_output(deck) +
+          format_step(scene);
+  for (const Warning& warning : scene.warnings) text += format_warning(warning) + "\n";
+  return text + (scene.warnings.empty()
+                     ? "The deck and its meshes are right.\n"
+                     : fmt::format("The deck and its meshes can be run; {}.\n", count_warnings(scene.warnings)));
 }
 
 }  // namespace percuss

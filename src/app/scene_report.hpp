@@ -21,16 +21,15 @@ struct SceneReport {
   const Deck& deck;
   std::vector<PartReport> parts = {};
   std::int64_t elements = 0, nodes = 0, bodies = 0;
-  Vec3 low{}, high{};                           // box of all nodes [length]
-  std::vector<std::string> mesh_warnings = {};  // on rank 0
-  double first_step = 0;                        // time unit of the deck
-  std::string controlling_element = {};         // that limits it, in words
+  Vec3 low{}, high{};                    // box of all nodes [length]
+  std::vector<Warning> warnings = {};    // of everything; on rank 0
+  double first_step = 0;                 // time unit of the deck
+  std::string controlling_element = {};  // that limits it, in words
   std::int64_t contact_nodes = 0, contact_faces = 0;
-  std::string overlap = {};                     // what contact says about overlap at the start; empty if there is none
-  std::vector<std::string> contact_notes = {};  // what else contact says of the start
+  std::vector<std::string> contact_notes = {};  // what contact says of the start
 };
 
-/// What the mesh tells: everything down to its warnings, of all ranks together. Collective. Throws MpiError.
+/// What the mesh tells: parts, counts and extent, of all ranks together. Collective. Throws MpiError.
 SceneReport describe_scene(const Deck& deck, const ChunkedMesh& chunked);
 
 /// "element 7 of part 'bar'"; number: in the whole mesh. Collective. Throws MpiError.

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "src/output/warning_log.hpp"
+
 namespace percuss {
 namespace {
 
@@ -66,7 +68,9 @@ std::string format_summary(const Summary& s) {
                                        s.momentum.linear[0], s.momentum.linear[1], s.momentum.linear[2],
                                        s.momentum.linear_error, s.momentum.angular_error));
   if (s.eroded.elements > 0) text += line("eroded", format_eroded(s));
-  return text + line("state", "hash " + s.state_hash);
+  text += line("state", "hash " + s.state_hash);
+  for (const Warning& warning : s.warnings) text += format_warning(warning) + "\n";
+  return s.warnings.empty() ? text : text + count_warnings(s.warnings) + "\n";
 }
 
 }  // namespace percuss

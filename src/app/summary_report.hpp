@@ -7,7 +7,8 @@
 
 namespace percuss {
 
-/// Several lines: how the run ended, its size, time and steps, where the time went, energies, the hash of the state.
+/// Several lines: how the run ended, its size, time and steps, where the time went, energies, the hash of the state,
+/// warnings.
 std::string format_summary(const Summary& summary);
 
 /// "12 of 2448 elements failed and left, mass ..., energy ..."; empty where none has.

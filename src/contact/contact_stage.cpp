@@ -195,7 +195,7 @@ bool ContactStage::is_active() const { return impl_->is_active; }
 
 const std::vector<std::string>& ContactStage::start_notes() const { return impl_->start_notes; }
 
-std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) {
+StartNotice ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
   // The finder of the run: its first step searches anew, but the decomposition is made here and seen in the first
   // frame.

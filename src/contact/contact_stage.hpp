@@ -12,6 +12,7 @@
 #include "comm/phase.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
 #include "src/contact/search/contact_finder.hpp"
+#include "src/contact/start/start_notice.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint_archive.hpp"
@@ -40,9 +41,9 @@ class ContactStage {
   /// Whether the scene has contact, ties or walls at all; if not, apply() must not be called.
   bool is_active() const;
 
-  /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns one
-  /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), empty if there is none. Call once before the loop.
-  std::string prepare(Rows3<const double> x, Rows3<const double> v);
+  /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns what to
+  /// say of it ("12 nodes overlap, deepest 0.3 mm ..."), the same on all ranks. Call once before the loop.
+  StartNotice prepare(Rows3<const double> x, Rows3<const double> v);
 
   /// What else there is to say of the start: a line for each tie; after prepare() one of the smallest gaps.
   const std::vector<std::string>& start_notes() const;

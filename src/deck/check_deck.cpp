@@ -33,7 +33,8 @@ void check_materials(const Deck& deck, const Node& root, Reading& reading) {
   const Node* materials = root.find("materials");
   for (const std::string& name : known) {
     if (used.count(name) == 0)
-      reading.errors.warn(materials->find(name)->key, fmt::format("material '{}' is used by no part", name));
+      reading.errors.warn(materials->find(name)->key, "unused_material",
+                          fmt::format("material '{}' is used by no part", name));
   }
 }
 
@@ -139,9 +140,9 @@ void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
   }
   for (const MaterialDeck& material : deck.materials) {
     if (material.law.model != "fluid") continue;
-    reading.errors.warn(root.find("materials")->find(material.name)->key,
+    reading.errors.warn(root.find("materials")->find(material.name)->key, "fluid_hourglass",
                         fmt::format("material '{}' is a fluid (the default elements.hourglass holds it in its shape as "
-                                    "if it had a hundredth of its bulk modulus in shear) for flows: "
+                                    "if it had a hundredth of its bulk modulus in shear): for flows set "
                                     "elements: {{hourglass: viscous}}",
                                     material.name));
   }
@@ -189,7 +190,7 @@ void check_idle_contact(const Deck& deck, const Node& root, Reading& reading) {
   const auto warn = [&](const char* key, bool is_idle, const char* why) {
     const Node* node = contact->find(key);
     if (node != nullptr && is_idle)
-      reading.errors.warn(node->key, fmt::format("contact.{} does nothing ({})", key, why));
+      reading.errors.warn(node->key, "key_without_effect", fmt::format("contact.{} does nothing ({})", key, why));
   };
   const ContactDeck& read = deck.contact;
   warn("penalty_scale", read.enforcement != Enforcement::penalty, "it is of contact.enforcement: penalty");

@@ -7,12 +7,14 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "src/deck/curve.hpp"
+#include "src/warning.hpp"
 
 namespace percuss {
 
@@ -357,7 +359,8 @@ struct Deck {
   AuditDeck audit;
   std::vector<std::string> motion_values;  // "time.step_scale = 0.9": all that the motion depends on (deck_values.hpp)
   std::vector<std::string> overrides;      // left sides of the --set arguments
-  std::vector<std::string> warnings;       // "deck.yaml:LINE:COLUMN: warning: ...", for the user to see
+  std::vector<Warning> warnings;           // of the deck alone; what is silenced is still among them
+  std::set<std::string> silenced;          // rules whose warnings nobody wants to see (src/output/warning_log.hpp)
 
   /// "deck.yaml:LINE:COLUMN" or "--set KEY" for messages found after reading (meshing, selection).
   std::string where(Place place) const;

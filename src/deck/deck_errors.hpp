@@ -23,23 +23,26 @@ class DeckErrors {
   /// Adds an error. Throws InputError at once when there are more than any reader could want (most_errors).
   void add(Spot spot, std::string message);
 
-  /// Adds a warning: the deck is accepted, the message is shown.
-  void warn(Spot spot, std::string message);
+  /// Adds a warning of a rule: the deck is accepted, the message is shown.
+  void warn(Spot spot, std::string rule, std::string message);
 
   /// Throws InputError with every message, one a line, sorted by place, repeats collapsed; returns if there is none.
   void throw_if_any() const;
 
   bool empty() const { return errors_.empty(); }
 
-  /// Warnings as "file:line:column: warning: message", sorted by place.
-  std::vector<std::string> warnings() const;
+  /// Sorted by place, repeats collapsed: after a few of them one stands for the others, with their number.
+  std::vector<Warning> warnings() const;
 
  private:
   struct Message {
     Spot spot;
-    std::string text;
+    std::string rule, text;
   };
-  std::vector<std::string> format(std::vector<Message> messages, const char* severity) const;
+  struct Collapsed {
+    std::vector<Warning> shown, others;  // others: each stands for further places of a text
+  };
+  Collapsed collapse(std::vector<Message> messages) const;
   std::string name(Spot spot) const;
 
   std::string file_;

@@ -2,6 +2,7 @@
 
 #include "src/deck/deck_keys.hpp"
 #include "src/deck/read_deck.hpp"
+#include "src/deck/units.hpp"
 
 namespace percuss {
 namespace {
@@ -127,6 +128,24 @@ void list_keys(const Form& form, const std::string& path, std::vector<DeckKey>& 
   for (const Form& inner : form.inner) list_keys(inner, path + step, out);
 }
 
+/// Units by their names; kept in the form of Units::text().
+struct UnitsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const {
+    if (!reader.expect(node, Node::Kind::scalar, name, takes())) return false;
+    const std::optional<Units> units = find_units(node.text);
+    if (!units) {
+      reader.refuse(node, name,
+                    fmt::format("a length, a mass and a time, such as '{}', or others of {}, in this order",
+                                fmt::join(list_unit_systems(), "', '"), list_base_units()));
+      return false;
+    }
+    out = units->text();
+    return true;
+  }
+  std::string takes() const { return "a system of units"; }
+  Form form() const { return TextValue{}.form(); }
+};
+
 }  // namespace
 
 MapValue<TimeDeck> time_value() { return {time_keys}; }
@@ -137,7 +156,7 @@ MapValue<AuditDeck> audit_value() { return {audit_keys}; }
 const Keys<Deck>& deck_keys() {
   static const Keys<Deck> keys = {
       may("title", &Deck::title, TextValue{}),
-      may("units", &Deck::units, TextValue{}),
+      may("units", &Deck::units, UnitsValue{}),
       need("time", &Deck::time, time_value()),
       need("parts", &Deck::parts, NamedMapValue<PartDeck, PartValue>{"part", {}}),
       need("materials", &Deck::materials, NamedMapValue<MaterialDeck, MaterialValue>{"material", {}}),

@@ -232,11 +232,13 @@ void GeometryFindings::append(const GeometryFindings& later) {
   flat_corners += later.flat_corners;
 }
 
-void GeometryFindings::warn(std::vector<std::string>& warnings) const {
+void GeometryFindings::warn(std::vector<Warning>& warnings) const {
   if (flat_corners == 0) return;
-  warnings.push_back(
-      fmt::format("{} element(s) have a corner without volume, the first is {} (it is at the brink of inversion)",
-                  flat_corners, first_flat));
+  warnings.push_back({"flat_corner",
+                      fmt::format("{} element(s) have a corner without volume, the first is {} (it is at the brink of "
+                                  "inversion): repair the mesh there",
+                                  flat_corners, first_flat),
+                      "", 0, 1});
 }
 
 GeometryFindings check_geometry(const PartMesh& mesh) {

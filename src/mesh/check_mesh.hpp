@@ -73,7 +73,7 @@ struct GeometryFindings {
   const Problems& problems() const { return nodes.empty() ? elements : nodes; }
 
   /// Appends to the warnings of the part.
-  void warn(std::vector<std::string>& warnings) const;
+  void warn(std::vector<Warning>& warnings) const;
 };
 
 /// Checks all nodes and elements of a part.

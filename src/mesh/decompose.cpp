@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "comm/all_reduce.hpp"
 #include "src/fail_together.hpp"
@@ -34,7 +35,10 @@ void find_box(const Communicator& ranks, Mesh& mesh) {
 
 void tell_warnings(const SceneParts& scene, Mesh& mesh) {
   for (const ScenePart& part : scene.parts) {
-    for (const std::string& warning : part.warnings) mesh.warnings.push_back("part '" + part.name + "': " + warning);
+    for (Warning warning : part.warnings) {
+      warning.place = "part '" + part.name + "'" + (warning.place.empty() ? "" : ", " + warning.place);
+      mesh.warnings.push_back(std::move(warning));
+    }
   }
   mesh.warnings.insert(mesh.warnings.end(), scene.warnings.begin(), scene.warnings.end());
 }

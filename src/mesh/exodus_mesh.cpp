@@ -95,8 +95,11 @@ bool are_usable(const std::vector<std::int64_t>& ids) {
 
 std::vector<std::int64_t> accept_ids(std::vector<std::int64_t> ids, const char* what, PartMesh& mesh) {
   if (are_usable(ids)) return ids;
-  mesh.warnings.push_back(
-      fmt::format("the file's {} ids are not positive and different (their places in the file serve instead)", what));
+  mesh.warnings.push_back({"file_ids",
+                           fmt::format("the file's {} ids are not positive and different (their places in the file "
+                                       "serve instead)",
+                                       what),
+                           "", 0, 1});
   std::iota(ids.begin(), ids.end(), std::int64_t{1});
   return ids;
 }
@@ -182,8 +185,10 @@ class ExodusReader {
     // With only some blocks chosen, the others are what uses the rest.
     if (unused == 0 || mesh_.elements.size() != static_cast<std::size_t>(file_.element_count())) return;
     const auto first = std::find(file_to_part_node_.begin(), file_to_part_node_.end(), not_chosen);
-    mesh_.warnings.push_back(fmt::format("{} nodes belong to no element and are dropped, the first is node {}", unused,
-                                         file_node_ids_[static_cast<std::size_t>(first - file_to_part_node_.begin())]));
+    mesh_.warnings.push_back({"unused_nodes",
+                              fmt::format("{} nodes belong to no element and are dropped, the first is node {}", unused,
+                                          file_node_ids_[static_cast<std::size_t>(first - file_to_part_node_.begin())]),
+                              "", 0, 1});
   }
 
   void read_node_sets() {

@@ -74,7 +74,7 @@ struct Mesh {
   std::vector<MeshPart> parts;                        // the deck's parts; a part's Exodus blocks all share its material
   std::map<std::string, std::vector<int>> node_sets;  // "part", "part/side", "part/set"; ascending, unique
   std::map<std::string, std::vector<ElementFace>> side_sets;  // "part/side", "part/set"; ascending, unique
-  std::vector<std::string> warnings;                          // found while building (unused nodes dropped, ...)
+  std::vector<Warning> warnings;                              // found while building (unused nodes dropped, ...)
 
   // Of the whole mesh, of which this may be the share of one rank:
   std::vector<std::int64_t> node_numbers;  // [nodes] place of each in the whole mesh, ascending

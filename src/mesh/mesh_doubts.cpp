@@ -43,7 +43,7 @@ double find_height(const PartMesh& mesh, const std::array<int, 8>& element) {
   return find_hex_volume(x) / largest;
 }
 
-void warn_of_slivers(const PartMesh& mesh, std::size_t element_count, std::vector<std::string>& warnings) {
+void warn_of_slivers(const PartMesh& mesh, std::size_t element_count, std::vector<Warning>& warnings) {
   std::vector<double> heights;
   for (std::size_t e = 0; e < element_count; ++e) heights.push_back(find_height(mesh, mesh.elements[e]));
   if (heights.empty()) return;
@@ -55,10 +55,12 @@ void warn_of_slivers(const PartMesh& mesh, std::size_t element_count, std::vecto
   while (slivers <= most && slivers < heights.size() && heights[slivers] < gap_ratio * heights[slivers - 1]) ++slivers;
   if (middle < sliver_ratio * least || slivers > most || slivers == heights.size()) return;
   warnings.push_back(
-      fmt::format("element {} is a sliver: {:.3g} across, the median element {:.3g}{}. A step of the whole scene is no "
-                  "longer than it allows, about 1/{:.0f} of what the median element does; mend the mesh there",
-                  id_of(mesh.element_ids, element), least, middle,
-                  slivers > 1 ? fmt::format(" ({} elements are like it)", slivers) : "", middle / least));
+      {"sliver_element",
+       fmt::format("element {} is a sliver: {:.3g} across, the median element {:.3g}{} (the step of the whole scene is "
+                   "no longer than it allows, about 1/{:.0f} of what the median element does): repair the mesh there",
+                   id_of(mesh.element_ids, element), least, middle,
+                   slivers > 1 ? fmt::format(" ({} elements are like it)", slivers) : "", middle / least),
+       "", 0, 1});
 }
 
 /// An edge of a shell, and whether the shell goes along it from its lower node to its higher.
@@ -138,7 +140,7 @@ class TurnedShells {
   std::vector<int> turned_;
 };
 
-void warn_of_turned_shells(const PartMesh& mesh, std::size_t element_count, std::vector<std::string>& warnings) {
+void warn_of_turned_shells(const PartMesh& mesh, std::size_t element_count, std::vector<Warning>& warnings) {
   const std::vector<Neighbour> neighbours = list_neighbours(mesh, element_count);
   const std::vector<int> turned = TurnedShells(element_count, neighbours).find();
   if (turned.empty()) return;
@@ -147,15 +149,18 @@ void warn_of_turned_shells(const PartMesh& mesh, std::size_t element_count, std:
     names += fmt::format("{}{}", i > 0 ? ", " : "", id_of(mesh.element_ids, at(turned[i])));
   if (turned.size() > most_named) names += ", ...";
   warnings.push_back(
-      fmt::format("{} shell{} turned against {} neighbours, with normals to the other side: element{} {}. Their top is "
-                  "the others' bottom, for pressures, side sets and stresses; turn them over",
-                  turned.size(), turned.size() == 1 ? " is" : "s are", turned.size() == 1 ? "its" : "their",
-                  turned.size() == 1 ? "" : "s", names));
+      {"shell_normals",
+       fmt::format(
+           "{} shell{} turned against {} neighbours, with normals to the other side: element{} {} (their top is "
+           "the others' bottom, for pressures, side sets and stresses): turn them over",
+           turned.size(), turned.size() == 1 ? " is" : "s are", turned.size() == 1 ? "its" : "their",
+           turned.size() == 1 ? "" : "s", names),
+       "", 0, 1});
 }
 
 }  // namespace
 
-void warn_of_doubts(const PartMesh& mesh, std::size_t element_count, std::vector<std::string>& warnings) {
+void warn_of_doubts(const PartMesh& mesh, std::size_t element_count, std::vector<Warning>& warnings) {
   warn_of_slivers(mesh, element_count, warnings);
   warn_of_turned_shells(mesh, element_count, warnings);
 }

@@ -21,7 +21,7 @@ struct PartMesh {
   std::vector<std::int64_t> element_ids;                      // likewise
   std::map<std::string, std::vector<int>> node_sets;          // by the name without the part's; ascending, unique
   std::map<std::string, std::vector<ElementFace>> side_sets;  // likewise
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;                              // without the part in their places
 };
 
 /// Gives each side set without a node set of its name one: the nodes of its faces.

@@ -164,11 +164,13 @@ void assign_ids(SceneParts& scene) {
     part.file->mesh.node_ids = nodes.ids(p);
     part.file->mesh.element_ids = elements.ids(p);
     if (!nodes.raised(p) && !elements.raised(p)) continue;
-    scene.warnings.push_back(fmt::format(
-        "part '{}': the file's {} ids are used by an earlier part (they are raised above the others)", part.name,
-        !nodes.raised(p)      ? "element"
-        : !elements.raised(p) ? "node"
-                              : "node and element"));
+    scene.warnings.push_back(
+        {"raised_ids",
+         fmt::format("the file's {} ids are used by an earlier part (they are raised above the others)",
+                     !nodes.raised(p)      ? "element"
+                     : !elements.raised(p) ? "node"
+                                           : "node and element"),
+         "part '" + part.name + "'", 0, 1});
   }
 }
 

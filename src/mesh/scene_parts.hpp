@@ -49,14 +49,14 @@ struct ScenePart {
   std::vector<std::string> node_sets, side_sets;  // names without the part's; those of a shape are its sides
   int first_node_set = 0, first_side_set = 0;     // places among those of all parts
   std::string error;                              // what is wrong, without its place; such a part is left out
-  std::vector<std::string> warnings;              // rank 0, likewise
+  std::vector<Warning> warnings;                  // rank 0, likewise
 };
 
 struct SceneParts {
   std::vector<ScenePart> parts;
   std::int64_t keys = 0;                    // of nodes, 0 <= key < keys
   std::vector<std::int64_t> first_element;  // [chunks + 1] as Numbering::first_element
-  std::vector<std::string> warnings;        // rank 0, of no part alone
+  std::vector<Warning> warnings;            // rank 0, of no part alone
 
   int chunk_count() const { return static_cast<int>(first_element.size()) - 1; }
 };

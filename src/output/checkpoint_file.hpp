@@ -26,6 +26,7 @@ struct CheckpointHeader {
   std::string title;      // of the deck
   std::string deck;       // its values on which the motion depends, a line each
   std::string mesh;       // hash of the mesh
+  std::string warnings;   // that the run has given (write_warnings())
   std::string written;    // UTC
   std::int64_t elements = 0, nodes = 0, step = 0;
   double time = 0;

@@ -72,9 +72,13 @@ CheckpointHeader read_header(hid_t file, std::uint64_t bytes, const std::string&
   header.nodes = number("nodes");
   header.step = number("step");
   header.time = std::bit_cast<double>(number("time_bits"));
-  const auto length = hdf5::read_shape(group.get(), names::deck).rows;
-  const auto deck = hdf5::read_rows<std::uint8_t>(group.get(), names::deck, 0, length, bytes);
-  header.deck.assign(deck.begin(), deck.end());
+  const auto long_text = [&](const char* name) {
+    const auto length = hdf5::read_shape(group.get(), name).rows;
+    const auto text_bytes = hdf5::read_rows<std::uint8_t>(group.get(), name, 0, length, bytes);
+    return std::string(text_bytes.begin(), text_bytes.end());
+  };
+  header.deck = long_text(names::deck);
+  header.warnings = long_text(names::warnings);
   return header;
 }
 

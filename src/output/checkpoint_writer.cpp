@@ -99,7 +99,7 @@ void CheckpointWriter::create(const CheckpointHeader& header) {
 }
 
 void CheckpointWriter::write_header(const CheckpointHeader& header) {
-  reserve(metadata_bytes + header.deck.size());
+  reserve(2 * metadata_bytes + header.deck.size() + header.warnings.size());
   const hdf5::Handle group(check(H5Gopen2(file_.get(), names::header, H5P_DEFAULT), "open group"), H5Gclose);
   const auto number = [&](const char* name, std::int64_t value) {
     hdf5::write_attribute(group.get(), name, std::array<std::int64_t, 1>{value});
@@ -117,8 +117,12 @@ void CheckpointWriter::write_header(const CheckpointHeader& header) {
   text("title", header.title.substr(0, 1000));
   text("mesh", header.mesh);
   text("written", header.written);
-  const auto* deck = reinterpret_cast<const std::uint8_t*>(header.deck.data());
-  write_once<std::uint8_t>(std::string(names::header) + "/" + names::deck, {deck, header.deck.size()});
+  const auto long_text = [&](const char* name, const std::string& value) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(value.data());
+    write_once<std::uint8_t>(std::string(names::header) + "/" + name, {bytes, value.size()});
+  };
+  long_text(names::deck, header.deck);
+  long_text(names::warnings, header.warnings);
   trim();
 }
 

@@ -66,6 +66,11 @@ void Progress::report(const ProgressState& state) {
   last_tenth_ = tenth;
 }
 
+void Progress::clear() {
+  if (is_open_) print_quietly(stream_, "\r\x1b[K");
+  is_open_ = false;
+}
+
 void Progress::finish(const ProgressState& state) {
   if (style_ == Style::quiet) return;
   print(state, std::chrono::steady_clock::now(), Ending::closed);
@@ -93,6 +98,7 @@ void Progress::print(const ProgressState& state, std::chrono::steady_clock::time
   } else {
     line.resize(std::min(line.size(), terminal_width(stream_) - 1));  // a wrapped line could not be overwritten
     print_quietly(stream_, "\r{}\x1b[K{}", line, closed ? "\n" : "");
+    is_open_ = !closed;
   }
   std::fflush(stream_);
 }

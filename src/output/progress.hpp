@@ -37,6 +37,9 @@ class Progress {
   /// Cheap to call every step: prints only when a line is due (live: 10 a second; plain: every 10 % and every 30 s).
   void report(const ProgressState& state);
 
+  /// Removes an open live line, so that something else can be printed in its place; the next report draws it anew.
+  void clear();
+
   /// Prints the last line (100 % if the run is complete) and ends the live line.
   void finish(const ProgressState& state);
 
@@ -51,6 +54,7 @@ class Progress {
   long first_step_ = 0, last_step_ = 0;
   double first_share_ = 0;  // a restart does not begin at 0
   int last_tenth_ = -1;     // -1: nothing printed yet
+  bool is_open_ = false;    // a live line stands that has no end
 };
 
 }  // namespace percuss

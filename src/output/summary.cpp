@@ -12,6 +12,7 @@
 
 #include "src/error.hpp"
 #include "src/output/atomic_file.hpp"
+#include "src/output/warning_json.hpp"
 
 namespace percuss {
 namespace {
@@ -51,6 +52,7 @@ template <class S, class Visitor>
 void visit_head(S& s, Visitor&& v) {
   v.value("status", s.status);
   v.value("error", s.error);
+  v.value("warnings", s.warnings);
   v.value("version", s.version);
   v.value("backend", s.backend);
   v.value("precision", s.precision);
@@ -128,7 +130,11 @@ class Writer {
 
   template <class T>
   void value(const char* key, const T& member) {
-    (*object_)[key] = member;
+    if constexpr (std::is_same_v<T, std::vector<Warning>>) {
+      (*object_)[key] = to_json(member);
+    } else {
+      (*object_)[key] = member;
+    }
   }
 
   template <class Visit>
@@ -150,6 +156,7 @@ class Reader {
 
   template <class T>
   void value(const char* key, T& member) {
+    if (std::is_same_v<T, std::vector<Warning>> && !object_->contains(key)) return;  // an older percuss listed none
     const Json& found = find(key);
     if constexpr (std::is_array_v<T>) {
       if (!found.is_array() || found.size() != std::extent_v<T>) fail(key, "is not a list of three numbers");
@@ -193,6 +200,11 @@ class Reader {
     if (!found.is_string()) fail(key, "is not a text");
     member = found.get<std::string>();
   }
+  void read(const char* key, const Json& found, std::vector<Warning>& member) const {
+    auto warnings = from_json(found);
+    if (!warnings) fail(key, "is not a list of warnings");
+    member = *std::move(warnings);
+  }
 
   [[noreturn]] void fail(const char* key, const char* problem) const {
     throw InputError(fmt::format("{}: error: '{}{}' {} (every key of a percuss summary has one type)", path_, prefix_,
@@ -232,6 +244,11 @@ void write_summary(const std::string& path, const Summary& summary) {
   // An error text with bytes that are not UTF-8 (a file name) must not keep the summary from being written.
   const std::string text = writer.take().dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
   write_file_atomically(path, text, Durability::disk);
+}
+
+std::string describe_warnings(const Summary& summary, const std::string& directory) {
+  const std::size_t count = summary.warnings.size();
+  return count == 0 ? "" : fmt::format("{} warning{}: see {}/summary.json", count, count == 1 ? "" : "s", directory);
 }
 
 Summary read_summary(const std::string& path) {

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "kernels/core/precision.hpp"
+#include "src/warning.hpp"
 
 namespace percuss {
 
@@ -36,6 +38,7 @@ struct MomentumSummary {
 struct Summary {
   std::string status = "failed";  // completed, failed, interrupted
   std::string error;              // empty unless failed
+  std::vector<Warning> warnings;  // in the order in which they were found; rank 0
   std::string version, backend, precision = precision_name;
   int ranks = 1, threads = 1;
   std::int64_t elements = 0, nodes = 0, contact_nodes = 0, contact_faces = 0, steps = 0;
@@ -74,6 +77,9 @@ struct Summary {
 
 /// Writes the summary (write, sync, rename). Throws SystemError.
 void write_summary(const std::string& path, const Summary& summary);
+
+/// "3 warnings: see DIR/summary.json", the last line of a run; empty: there were none.
+std::string describe_warnings(const Summary& summary, const std::string& directory);
 
 /// Reads one back. Throws InputError with the place if it is not a summary, SystemError if it cannot be read.
 Summary read_summary(const std::string& path);

@@ -9,13 +9,16 @@
 #include <memory>
 #include <optional>
 
+#include "comm/agreement.hpp"
 #include "comm/rendezvous.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decompose.hpp"
+#include "src/output/warning_log.hpp"
 #include "src/step/audit.hpp"
 #include "src/step/checkpoint.hpp"
 #include "src/step/erosion.hpp"
+#include "src/step/mass_scaling.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/run_checkpoints.hpp"
 #include "src/step/run_checks.hpp"
@@ -49,8 +52,12 @@ class Run {
  private:
   bool speaks() const { return ranks_.rank() == 0 && options_.progress != Progress::Style::quiet; }
   void say(const std::vector<std::string>& lines) const;
+  void tell(const Warning& warning);
+  void say_or_warn(const StartNotice& notice);
+  ChunkedMesh load_scene();
   void begin();
   void restart();
+  void restore_warnings(const CheckpointHeader& header);
   void open_files();
   bool is_finished() const;
   void loop();
@@ -65,6 +72,7 @@ class Run {
   CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }
   StepWishes find_wishes() const;
   void archive(CheckpointArchive& archive);
+  std::string write_run_warnings() const;
   void write_checkpoint();
   long steps_done() const { return state_.step - start_step_; }
   void finish(const std::string& status, const std::string& error);
@@ -79,6 +87,8 @@ class Run {
   RunOptions options_;
   Clock::time_point setup_start_ = Clock::now();
   const Communicator ranks_ = Communicator::world();
+  std::optional<Progress> progress_;  // once the scene is read
+  WarningLog log_;
   Rendezvous rendezvous_{ranks_};
   ChunkedMesh chunked_;
   Model model_;
@@ -95,18 +105,17 @@ class Run {
   long start_step_ = 0;         // where this run began
   double first_dt_ = 0;
   std::int64_t limiting_element_id_ = 0;  // bounded the last step
-  UnconvergedSteps unconverged_;
-  TurnedCorners turned_;
+  std::size_t input_warnings_ = 0;        // of log_: those that a restart finds again
   Clock::time_point loop_start_;
   double compute_start_ = 0;  // compute_seconds() when the clocks of the phases began
-  Progress progress_;
   Summary summary_;
 };
 
 Run::Run(const Deck& deck, const RunOptions& options)
     : deck_(deck),
       options_(options),
-      chunked_(load_mesh(deck, ranks_)),
+      log_(deck.silenced, [this](const Warning& warning) { tell(warning); }),
+      chunked_(load_scene()),
       model_(build_model(deck, chunked_)),
       contact_(chunked_, deck, ranks_),
       state_(make_initial_state(model_)),
@@ -114,9 +123,11 @@ Run::Run(const Deck& deck, const RunOptions& options)
       erosion_(deck, chunked_, model_, contact_),
       audit_(model_),
       output_(deck, chunked_, model_, contact_, options.out_dir),
-      checkpoints_(deck, options.out_dir),
-      progress_(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet) {
-  say(find_start_notes(chunked_, model_, ranks_.size()));
+      checkpoints_(deck, options.out_dir) {
+  progress_.emplace(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet);
+  log_.add(find_start_warnings(chunked_, ranks_.size()));
+  input_warnings_ = log_.list().size();
+  say(describe_added_masses(model_));
   if (options.restart.empty()) {
     begin();
   } else {
@@ -126,10 +137,15 @@ Run::Run(const Deck& deck, const RunOptions& options)
   summary_.setup_s = find_seconds(setup_start_);
 }
 
+/// Tells what is known before the mesh, which may be refused. Of the members above the mesh only.
+ChunkedMesh Run::load_scene() {
+  log_.add(deck_.warnings);
+  log_.add(options_.warnings);
+  return load_mesh(deck_, ranks_);
+}
+
 void Run::begin() {
-  if (contact_.is_active()) {
-    if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
-  }
+  if (contact_.is_active()) say_or_warn(contact_.prepare(state_.x, state_.v));
   say(contact_.start_notes());
   compute_start_ = compute_seconds();
   stepper_.start(state_, {stop_requested != 0, false});
@@ -144,6 +160,7 @@ void Run::restart() {
   check_checkpoint_header(options_.restart, reader.header(), make_checkpoint_header(deck_, chunked_, model_, state_),
                           deck_);
   archive(reader);
+  restore_warnings(reader.header());
   if (deck_.time.end < state_.time * (1 - 1e-12)) {
     throw InputError(fmt::format("{}: error: time.end is {:g}, before the checkpoint's time {:g} (a run goes forward)",
                                  deck_.file, deck_.time.end, state_.time));
@@ -159,6 +176,30 @@ void Run::restart() {
 void Run::say(const std::vector<std::string>& lines) const {
   if (!speaks()) return;
   for (const std::string& line : lines) print_quietly(stderr, "{}\n", line);
+}
+
+/// Warnings are rank 0's to tell, and never hidden.
+void Run::tell(const Warning& warning) {
+  if (ranks_.rank() != 0) return;
+  if (progress_) progress_->clear();
+  print_quietly(stderr, "{}\n", format_warning(warning));
+}
+
+void Run::say_or_warn(const StartNotice& notice) {
+  if (notice.is_warning()) {
+    log_.add({notice.rule, notice.text, "", state_.time, 1});
+  } else if (!notice.text.empty()) {
+    say({notice.text});
+  }
+}
+
+/// What the run warned of before its checkpoint and is not found again.
+void Run::restore_warnings(const CheckpointHeader& header) {
+  try {
+    log_.restore(read_warnings(header.warnings));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: error: the warnings in it cannot be read ({})", options_.restart, error.what()));
+  }
 }
 
 void Run::open_files() {
@@ -208,7 +249,7 @@ void Run::advance() {
   erode();
   observe();
   if (stepper_.is_checkpoint_agreed() || checkpoints_.is_due(state_.time)) write_checkpoint();
-  if (!is_finished() && !stepper_.is_stop_agreed()) progress_.report(find_progress());  // finish() has the last word
+  if (!is_finished() && !stepper_.is_stop_agreed()) progress_->report(find_progress());  // finish() has the last word
 }
 
 /// (1.1) Redefine the contact surface: where elements have died, everything else follows before the state is looked at.
@@ -233,8 +274,7 @@ StepWishes Run::find_wishes() const {
 }
 
 void Run::note_contact() {
-  if (stepper_.contact_report().converged) return;
-  if (unconverged_.count++ == 0) unconverged_.first = state_.step;
+  if (!stepper_.contact_report().converged) log_.add(describe_unconverged(state_.time));
 }
 
 void Run::audit() {
@@ -258,7 +298,10 @@ void Run::observe() {
   output_.advance(state_.time);
 }
 
-void Run::look_at_corners() { turned_.note(state_.time, count_turned_corners(chunked_, model_, state_)); }
+void Run::look_at_corners() {
+  const std::vector<std::int64_t> counts = count_turned_corners(chunked_, model_, state_);
+  for (const Warning& warning : describe_turned_corners(counts, chunked_.mesh.parts, state_.time)) log_.renew(warning);
+}
 
 /// The same of the last state, due or not.
 void Run::observe_last() {
@@ -286,19 +329,23 @@ void Run::archive(CheckpointArchive& archive) {
   archive.number("run/dt_min", summary_.dt.min);
   archive.number("run/dt_max", summary_.dt.max);
   archive.number("run/limiting_element_id", limiting_element_id_);
-  archive.integer("run/unconverged_steps", unconverged_.count);
-  archive.integer("run/first_unconverged", unconverged_.first);
   archive.integer("run/audited_step", audited_step_);
-  archive.number("run/turned_time", turned_.first_time);
   audited_.archive(archive);
+}
+
+/// All but those that a restart finds again.
+std::string Run::write_run_warnings() const {
+  const auto first = log_.list().begin() + static_cast<std::ptrdiff_t>(input_warnings_);
+  return write_warnings({first, log_.list().end()});
 }
 
 void Run::write_checkpoint() {
   if (options_.out_dir.empty()) return;
   const Phase phase("percuss::output", stepper_.clocks().output);
   output_.sync();
-  checkpoints_.write(make_checkpoint_header(deck_, chunked_, model_, state_), chunked_, ranks_, state_,
-                     [&](CheckpointArchive& to) { archive(to); });
+  CheckpointHeader header = make_checkpoint_header(deck_, chunked_, model_, state_);
+  header.warnings = broadcast_text(ranks_, write_run_warnings(), 0);
+  checkpoints_.write(header, chunked_, ranks_, state_, [&](CheckpointArchive& to) { archive(to); });
 }
 
 ProgressState Run::find_progress() const {
@@ -320,9 +367,9 @@ void Run::finish(const std::string& status, const std::string& error) {
   summary_.loop_s = find_seconds(loop_start_);
   const std::vector<RankRow> rows = gather_rows(ranks_, make_rank_row(summed()));
   fill_summary(summed(), summary_);
-  progress_.finish(find_progress());
-  say(find_end_notes(summary_, unconverged_));
-  if (const std::string warning = turned_.describe(chunked_.mesh.parts); !warning.empty()) say({warning});
+  progress_->finish(find_progress());
+  log_.add(find_end_warnings(summary_));
+  summary_.warnings = log_.list();
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || options_.out_dir.empty()) return;
     write_ranks(options_.out_dir + "/ranks.csv", rows);
@@ -358,6 +405,7 @@ void Run::fail(const std::exception& error) {
   if (!speaks() || options_.out_dir.empty()) return;
   print_quietly(stderr, "results: {}\n", options_.out_dir);
   if (const std::string hint = checkpoints_.describe(); !hint.empty()) say({hint});
+  if (const std::string hint = describe_warnings(summary_, options_.out_dir); !hint.empty()) say({hint});
 }
 
 RunResult Run::operator()() {

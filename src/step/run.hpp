@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "src/deck/deck.hpp"
 #include "src/error.hpp"
@@ -19,6 +20,7 @@ struct RunOptions {
   std::function<void()> prepare_output = {};  // called once set-up has succeeded, before the first file is made; rank 0
   // Called in the handler of an error that this rank alone has met, while the others wait for it; ends all of them.
   std::function<void()> end_all_ranks = {};
+  std::vector<Warning> warnings = {};  // that the caller has of the run, besides those of the deck
 };
 
 struct RunResult {

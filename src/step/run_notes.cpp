@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/step/mass_scaling.hpp"
 #include "src/step/run_totals.hpp"
 
 namespace percuss {
@@ -32,42 +31,46 @@ bool is_hourglassed(const EnergySummary& energy) {
 
 }  // namespace
 
-std::vector<std::string> find_start_notes(const ChunkedMesh& chunked, const Model& model, int rank_count) {
-  std::vector<std::string> notes;
-  for (const std::string& warning : chunked.mesh.warnings) notes.push_back("warning: " + warning);
-  for (const std::string& note : describe_added_masses(model)) notes.push_back(note);
+std::vector<Warning> find_start_warnings(const ChunkedMesh& chunked, int rank_count) {
+  std::vector<Warning> warnings = chunked.mesh.warnings;
   if (const int idle = count_idle_ranks(chunked.numbering, rank_count); idle > 0) {
-    notes.push_back(
-        fmt::format("warning: {} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never divided): "
-                    "start it on fewer ranks",
-                    idle, rank_count, chunked.numbering.chunk_count()));
+    warnings.push_back(
+        {"idle_ranks",
+         fmt::format("{} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never divided): "
+                     "start it on fewer ranks",
+                     idle, rank_count, chunked.numbering.chunk_count()),
+         "", 0, 1});
   }
-  return notes;
+  return warnings;
 }
 
-std::vector<std::string> find_end_notes(const Summary& summary, const UnconvergedSteps& unconverged) {
-  std::vector<std::string> notes;
-  if (unconverged.count > 0) {
-    notes.push_back(
-        fmt::format("warning: the contact enforcement did not converge in {} of {} steps, the first of them step {} "
-                    "(what was left over is in the column residual of history.csv)",
-                    unconverged.count, summary.steps, unconverged.first));
-  }
+Warning describe_unconverged(double time) {
+  return {"unconverged_contact",
+          "the contact enforcement did not converge in a step (some penetration is left over): judge it by the column "
+          "residual of history.csv",
+          "", time, 1};
+}
+
+std::vector<Warning> find_end_warnings(const Summary& summary) {
+  std::vector<Warning> warnings;
   if (const double largest = find_largest(summary.energy); summary.energy.contact > noted_contact_share * largest) {
     const std::string share =
         largest > 0 ? fmt::format(", {:.0f} % of the largest", 100 * summary.energy.contact / largest) : "";
-    notes.push_back(
-        fmt::format("warning: contact has given {:.3g} of energy{}: look where the column contact of history.csv "
-                    "jumps, at elements crushed to slivers and at overlaps that are pushed out",
-                    summary.energy.contact, share));
+    warnings.push_back(
+        {"contact_energy",
+         fmt::format("contact has given {:.3g} of energy{}: look where the column contact of history.csv "
+                     "jumps, at elements crushed to slivers and at overlaps that are pushed out",
+                     summary.energy.contact, share),
+         "", summary.time, 1});
   }
   if (is_hourglassed(summary.energy)) {
-    notes.push_back(fmt::format(
-        "note: hourglass modes hold {:.0f} % of the internal energy: bending finer than the elements; compare "
-        "with a finer mesh",
-        100 * summary.energy.hourglass / summary.energy.internal));
+    warnings.push_back({"hourglass_energy",
+                        fmt::format("hourglass modes hold {:.0f} % of the internal energy (bending finer than the "
+                                    "elements): compare with a finer mesh",
+                                    100 * summary.energy.hourglass / summary.energy.internal),
+                        "", summary.time, 1});
   }
-  return notes;
+  return warnings;
 }
 
 }  // namespace percuss

@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <numeric>
-#include <utility>
-
 #include "comm/all_reduce.hpp"
 #include "comm/communicator.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -45,24 +41,19 @@ std::vector<std::int64_t> count_turned_corners(const ChunkedMesh& chunked, const
   return counts;
 }
 
-void TurnedCorners::note(double time, std::vector<std::int64_t> now) {
-  counts = std::move(now);
-  const bool any = std::any_of(counts.begin(), counts.end(), [](std::int64_t n) { return n > 0; });
-  if (any && first_time < 0) first_time = time;
-}
-
-std::string TurnedCorners::describe(const std::vector<MeshPart>& parts) const {
-  if (first_time < 0) return "";
-  const std::int64_t total = std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
-  std::string where;
+std::vector<Warning> describe_turned_corners(const std::vector<std::int64_t>& counts,
+                                             const std::vector<MeshPart>& parts, double time) {
+  std::vector<Warning> warnings;
   for (std::size_t p = 0; p < counts.size(); ++p) {
-    if (counts[p] > 0) where += fmt::format("{}'{}' {}", where.empty() ? " (" : ", ", parts[p].name, counts[p]);
+    if (counts[p] == 0) continue;
+    warnings.push_back({"inverted_corners",
+                        fmt::format("{} element{} an inverted corner (one integration point does not see it: the "
+                                    "results there are doubtful): use smaller elements, failure or a material that "
+                                    "resists it",
+                                    counts[p], counts[p] == 1 ? " has" : "s have"),
+                        fmt::format("part '{}'", parts[p].name), time, 1});
   }
-  return fmt::format(
-      "warning: elements with a corner turned inside out at the end: {}{}{}; the first were seen at t = {:g} "
-      "(one point does not see it: the results there are doubtful) use smaller elements, failure or a material that "
-      "resists it",
-      total, where, where.empty() ? "" : ")", first_time);
+  return warnings;
 }
 
 }  // namespace percuss

@@ -4,12 +4,12 @@
 // end.
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "src/mesh/ordering.hpp"
 #include "src/step/model.hpp"
 #include "src/step/state.hpp"
+#include "src/warning.hpp"
 
 namespace percuss {
 
@@ -17,15 +17,8 @@ namespace percuss {
 /// the edges there), [parts]. Collective.
 std::vector<std::int64_t> count_turned_corners(const ChunkedMesh& chunked, const Model& model, const State& state);
 
-/// What a run has seen of them.
-struct TurnedCorners {
-  double first_time = -1;            // of the first state with any that was looked at; negative: none
-  std::vector<std::int64_t> counts;  // [parts] in the last that was looked at
-
-  void note(double time, std::vector<std::int64_t> now);
-
-  /// "warning: ..." with the parts and their numbers; empty if there were none. parts: their names.
-  std::string describe(const std::vector<MeshPart>& parts) const;
-};
+/// A warning for each part that has any. counts: of count_turned_corners(); parts: their names; time: of the state.
+std::vector<Warning> describe_turned_corners(const std::vector<std::int64_t>& counts,
+                                             const std::vector<MeshPart>& parts, double time);
 
 }  // namespace percuss

@@ -84,6 +84,7 @@ std::vector<std::string> make_seeds() {
   std::vector<std::string> seeds;
   for (const std::string title : {"", "A title", "Another one that is longer than the first"}) {
     CheckpointHeader header;
+    header.warnings = "[]";
     header.version = "1.2.3";
     header.precision = "double";
     header.title = title;

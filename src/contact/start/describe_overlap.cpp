@@ -30,6 +30,12 @@ const char* name_others(const std::vector<PartOverlap>& parts) {
   return std::all_of(parts.begin(), parts.end(), is_wall) ? "a wall" : "another body or a wall";
 }
 
+/// The rule that the overlap breaks; empty: none.
+std::string find_rule(const StartOverlap& found) {
+  if (found.too_deep > 0) return "deep_overlap";
+  return found.behind_walls > 0 ? "behind_wall" : "";
+}
+
 std::string describe_nodes(const StartOverlap& found, const char* treatment, const Mesh& mesh,
                            std::int64_t deepest_id) {
   std::string line = fmt::format("{} contact node{} overlap{} {} at the start, deepest {:.4g} at node {}: {}",
@@ -45,23 +51,23 @@ std::string describe_nodes(const StartOverlap& found, const char* treatment, con
         "; {} of them lie behind a wall by more than a quarter of a face: does its normal point to the "
         "bodies?",
         found.behind_walls);
-  return found.too_deep + found.behind_walls > 0 ? "warning: " + line : line;
+  return line;
 }
 
 }  // namespace
 
-std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
+StartNotice describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
                              std::int64_t deepest_id) {
-  if (found.nodes == 0 && found.edge_pairs == 0) return "";
+  if (found.nodes == 0 && found.edge_pairs == 0) return {};
   const char* const treatment =
       overlap == ContactDeck::Overlap::accept ? "accepted as the reference" : "pushed out slowly";
   const std::string edges = fmt::format("{} pair{} of edges overlap{}", found.edge_pairs,
                                         found.edge_pairs == 1 ? "" : "s", found.edge_pairs == 1 ? "s" : "");
   if (found.nodes == 0)
-    return fmt::format("{} at the start, deepest {:.4g}: {}", edges, found.deepest_edges, treatment);
+    return {fmt::format("{} at the start, deepest {:.4g}: {}", edges, found.deepest_edges, treatment), ""};
   const std::string nodes = describe_nodes(found, treatment, mesh, deepest_id);
-  if (found.edge_pairs == 0) return nodes;
-  return fmt::format("{}; {} too, deepest {:.4g}", nodes, edges, found.deepest_edges);
+  if (found.edge_pairs == 0) return {nodes, find_rule(found)};
+  return {fmt::format("{}; {} too, deepest {:.4g}", nodes, edges, found.deepest_edges), find_rule(found)};
 }
 
 }  // namespace percuss

@@ -4,6 +4,7 @@
 #include "src/contact/history/carried_history.hpp"
 #include "src/contact/search/contact_finder.hpp"
 #include "src/contact/search/reuse_bound.hpp"
+#include "src/contact/start/start_notice.hpp"
 
 namespace percuss {
 
@@ -48,9 +49,9 @@ struct SurfaceChange {
   const HistoryOwners& now;
 };
 
-/// What was found and what becomes of it, in a line that begins with "warning: " where it is hardly meant; empty if
-/// there is none. deepest_id: the user's of deepest_node.
-std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
+/// What was found and what becomes of it; a warning where it is hardly meant, without text if there is none.
+/// deepest_id: the user's of deepest_node.
+StartNotice describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
                              std::int64_t deepest_id);
 
 /// Of overlap at the places of `motion`, whose dt is 0, takes into the history what a new node or a new face has, as

@@ -48,7 +48,8 @@ TEST(PercussCheck, ShowsWarnings) {
   const ProcessResult result = run_percuss(
       {"check", file, "--set", "materials.spare={model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}"});
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_THAT(result.out, HasSubstr("warning: material 'spare' is used by no part"));
+  EXPECT_THAT(result.out, HasSubstr("warning: material 'spare' is used by no part [unused_material]\n"));
+  EXPECT_THAT(result.out, testing::EndsWith("The deck and its meshes can be run; 1 warning.\n"));
 }
 
 TEST(PercussCheck, TellsEverySelectionThatFindsNothing) {
@@ -170,6 +171,64 @@ TEST(PercussRun, IsSilentWhenItIsToldTo) {
       run_percuss({"run", folder.write("deck.yaml", cube), "-q", "-o", folder.path() + "/out"});
   EXPECT_EQ(result.exit_code, 0);
   EXPECT_EQ(result.out + result.err, "");
+}
+
+/// Two warnings: one of the deck, one of the start.
+const std::vector<std::string> doubtful = {
+    "--set", "materials.spare={model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}",
+    "--set", "parts.cube.at=[0, 0, -5]",
+    "--set", "initial=[]"};
+
+ProcessResult run_doubtful(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "run");
+  arguments.insert(arguments.end(), doubtful.begin(), doubtful.end());
+  return run_percuss(arguments);
+}
+
+TEST(PercussRun, TellsWarningsWhenItIsQuietAndKeepsThem) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", cube), out = folder.path() + "/out";
+  const ProcessResult result = run_doubtful({file, "--quiet", "--out", out});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, testing::StartsWith("--set materials.spare: warning: material 'spare' is used by no part"));
+  EXPECT_EQ(count(result.err, "warning: "), 2) << result.err;
+  EXPECT_EQ(count(result.err, "\n"), 2) << result.err;
+  const std::vector<Warning> warnings = read_summary(out + "/summary.json").warnings;
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_EQ(warnings[0].rule, "unused_material");
+  EXPECT_EQ(warnings[1].rule, "behind_wall");
+  for (const std::string& results : {out, out + "/summary.json"}) {
+    const ProcessResult info = run_percuss({"info", results});
+    for (const Warning& warning : warnings) EXPECT_THAT(info.out, HasSubstr(format_warning(warning) + "\n"));
+    EXPECT_THAT(info.out, HasSubstr("\n2 warnings\n"));
+  }
+}
+
+TEST(PercussRun, CountsItsWarningsInItsLastLine) {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() + "/out";
+  const ProcessResult result = run_doubtful({folder.write("deck.yaml", cube), "--out", out});
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(count(result.err, ": warning: ") + count(result.err, "\nwarning: "), 2) << result.err;
+  EXPECT_THAT(result.err, testing::EndsWith("\n2 warnings: see " + out + "/summary.json\n"));
+}
+
+TEST(PercussRun, KeepsItsWarningsOverARestart) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("deck.yaml", cube), out = folder.path() + "/out";
+  ASSERT_EQ(run_doubtful(
+                {file, "--quiet", "--out", out, "--set", "time.end=0.25", "--set", "output.checkpoint={every: 0.25}"})
+                .exit_code,
+            0);
+  const ProcessResult result =
+      run_doubtful({file, "--quiet", "--restart", out + "/checkpoint.h5", "--set", "output.checkpoint={every: 0.25}"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(count(result.err, "warning: "), 1) << result.err;  // of the deck, which is read again
+  const std::vector<Warning> warnings = read_summary(out + "/summary.json").warnings;
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_EQ(warnings[0].rule, "unused_material");
+  EXPECT_EQ(warnings[1].rule, "behind_wall");
+  for (const Warning& warning : warnings) EXPECT_EQ(warning.count, 1);
 }
 
 TEST(PercussRun, TakesSettings) {

@@ -42,7 +42,10 @@ struct FreeNodes {
   void hold(const std::string& name) {
     for (const int n : part(name)) store_row(inverse_mass, n, {0, 0, 0});
   }
-  std::string prepare() { return stage.prepare(x, v); }
+  std::string prepare() {
+    const StartNotice notice = stage.prepare(x, v);
+    return (notice.is_warning() ? "warning of " + notice.rule + ": " : "") + notice.text;
+  }
   ContactReport step(double dt) {
     Kokkos::deep_copy(before, v);
     const ContactReport report = stage.apply({x, before, v, inverse_mass, impulse, dt});
@@ -275,7 +278,8 @@ parts:
   a: {box: {size: [2, 2, 1], cells: [2, 2, 1]}, material: m}
   b: {box: {size: [1, 1, 1], cells: [1, 1, 1]}, at: [0.5, 0.5, 0.6], material: m}
 contact: {surfaces: all})");
-  EXPECT_THAT(nodes.prepare(), testing::HasSubstr("5 of them lie deeper"));
+  EXPECT_THAT(nodes.prepare(), testing::AllOf(testing::StartsWith("warning of deep_overlap: "),
+                                              testing::HasSubstr("5 of them lie deeper")));
 }
 
 TEST(ContactStage, ABodyBehindAWallIsWarnedOfAndOneThatTouchesOrDipsInIsNot) {
@@ -291,7 +295,8 @@ TEST(ContactStage, ABodyBehindAWallIsWarnedOfAndOneThatTouchesOrDipsInIsNot) {
       "walls.0 (up to 0.2)");
   EXPECT_EQ(
       prepare(1),
-      "warning: 8 contact nodes overlap a wall at the start, deepest 2 at node 5: accepted as the reference; 8 of "
+      "warning of behind_wall: 8 contact nodes overlap a wall at the start, deepest 2 at node 5: accepted as the "
+      "reference; 8 of "
       "'a' behind walls.0 (up to 2); 8 of them lie behind a wall by more than a quarter of a face: does its normal "
       "point to the bodies?");
 }

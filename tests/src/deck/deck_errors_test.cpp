@@ -54,9 +54,19 @@ TEST(DeckErrors, StopWhenThereAreTooMany) {
 
 TEST(DeckErrors, AreSilentWithoutErrors) {
   DeckErrors errors("d.yaml", {});
-  errors.warn({{3, 4}, -1}, "odd");
+  errors.warn({{3, 4}, -1}, "odd_value", "odd");
   EXPECT_EQ(text_of(errors), "");
-  EXPECT_THAT(errors.warnings(), testing::ElementsAre("d.yaml:3:4: warning: odd"));
+  ASSERT_EQ(errors.warnings().size(), 1U);
+  EXPECT_EQ(format_warning(errors.warnings()[0]), "d.yaml:3:4: warning: odd [odd_value]");
+}
+
+TEST(DeckErrors, WarningsThatRepeatBecomeOneWithACount) {
+  DeckErrors errors("d.yaml", {});
+  for (int line = 10; line >= 1; --line) errors.warn({{line, 1}, -1}, "odd_value", "odd");
+  const std::vector<Warning> warnings = errors.warnings();
+  ASSERT_EQ(warnings.size(), 4U);
+  EXPECT_EQ(format_warning(warnings[0]), "d.yaml:1:1: warning: odd [odd_value]");
+  EXPECT_EQ(format_warning(warnings[3]), "d.yaml: warning: odd [odd_value] (7 times)");
 }
 
 }  // namespace

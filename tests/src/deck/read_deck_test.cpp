@@ -200,15 +200,22 @@ TEST(ReadDeck, ReadsHistoryPoints) {
   EXPECT_EQ(deck.output.points[1].id, 4);
 }
 
+std::vector<std::string> format_all(const std::vector<Warning>& warnings) {
+  std::vector<std::string> lines;
+  for (const Warning& warning : warnings) lines.push_back(format_warning(warning));
+  return lines;
+}
+
 TEST(ReadDeck, WarnsOfAMaterialThatNoPartUses) {
   const Deck deck =
       parse(block(""), {"materials.spare={model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0}"});
-  EXPECT_THAT(deck.warnings,
-              testing::ElementsAre("--set materials.spare: warning: material 'spare' is used by no part"));
+  EXPECT_THAT(
+      format_all(deck.warnings),
+      testing::ElementsAre("--set materials.spare: warning: material 'spare' is used by no part [unused_material]"));
 }
 
 TEST(ReadDeck, WarnsOfSettingsOfContactThatDoNothing) {
-  const auto read = [](const char* contact) { return parse(block(contact)).warnings; };
+  const auto read = [](const char* contact) { return format_all(parse(block(contact)).warnings); };
   EXPECT_THAT(read("contact: {surfaces: all, friction: 0.2, tolerance: 1e-4}\n"), testing::IsEmpty());
   EXPECT_THAT(read("contact: {surfaces: all, enforcement: penalty, penalty_scale: 0.2}\n"), testing::IsEmpty());
   EXPECT_THAT(

@@ -34,9 +34,11 @@ PartMesh make_sheet(int n, bool solid) {
 }
 
 std::vector<std::string> find_doubts(const PartMesh& mesh) {
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   warn_of_doubts(mesh, mesh.elements.size(), warnings);
-  return warnings;
+  std::vector<std::string> texts;
+  for (const Warning& warning : warnings) texts.push_back(warning.rule + ": " + warning.text);
+  return texts;
 }
 
 /// Moves the lines of nodes x = 1 to x = `x`: the first column of elements is x wide.
@@ -62,10 +64,10 @@ TEST(MeshDoubts, AreNoneOfEvenAndOfGradedMeshes) {
 
 TEST(MeshDoubts, NameTheThinnestOfAFewSlivers) {
   for (const bool solid : {false, true}) {
-    EXPECT_THAT(
-        find_doubts(squeeze_first_column(make_sheet(4, solid), 0.025)),
-        ElementsAre(HasSubstr("element 101 is a sliver: 0.025 across, the median element 1 (4 elements are like it). A "
-                              "step of the whole scene is no longer than it allows, about 1/40 of what")));
+    EXPECT_THAT(find_doubts(squeeze_first_column(make_sheet(4, solid), 0.025)),
+                ElementsAre(HasSubstr(
+                    "sliver_element: element 101 is a sliver: 0.025 across, the median element 1 (4 elements are "
+                    "like it) (the step of the whole scene is no longer than it allows, about 1/40 of what")));
   }
 }
 
@@ -84,8 +86,8 @@ TEST(MeshDoubts, NameShellsThatAreTurnedAgainstMostOfTheirPiece) {
     mesh.elements[e] = make_shell({c[0], c[3], c[2], c[1]});
   };
   turn_over(0);
-  EXPECT_THAT(find_doubts(mesh), ElementsAre(HasSubstr("1 shell is turned against its neighbours, with normals to the "
-                                                       "other side: element 101. ")));
+  EXPECT_THAT(find_doubts(mesh), ElementsAre(HasSubstr("shell_normals: 1 shell is turned against its neighbours, with "
+                                                       "normals to the other side: element 101 (")));
   for (std::size_t e = 1; e < 7; ++e) turn_over(e);
   EXPECT_THAT(find_doubts(mesh), ElementsAre(HasSubstr("7 shells are turned against their neighbours, with normals to "
                                                        "the other side: elements 101, 102, 103, 104, 105, ...")));
@@ -117,9 +119,9 @@ TEST(MeshDoubts, AreCountedInOneCopy) {
       mesh.element_ids.push_back(static_cast<std::int64_t>(1000 + mesh.elements.size()));
     }
   }
-  std::vector<std::string> warnings;
+  std::vector<Warning> warnings;
   warn_of_doubts(mesh, own, warnings);
-  EXPECT_THAT(warnings, ElementsAre(HasSubstr("(4 elements are like it)")));
+  EXPECT_THAT(warnings, ElementsAre(testing::Field(&Warning::text, HasSubstr("(4 elements are like it)"))));
 }
 
 }  // namespace

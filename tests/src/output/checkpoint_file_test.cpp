@@ -94,6 +94,7 @@ void write(const std::string& path, const ChunkedMesh& mesh, Contents contents, 
   header.title = title;
   header.deck = "a = 1\nb = 2";
   header.mesh = "0123";
+  header.warnings = R"([{"rule": "a"}])";
   header.step = 42;
   header.time = 1.0 / 3;
   CheckpointWriter writer(path, header, mesh, world());

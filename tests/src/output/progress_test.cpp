@@ -77,6 +77,19 @@ TEST(Progress, OverwritesTheLiveLineAndEndsIt) {
   EXPECT_EQ(text.back(), '\n');
 }
 
+TEST(Progress, LeavesItsLineToSomethingElse) {
+  const auto stream = open_stream();
+  Progress progress(stream.get(), Progress::Style::live);
+  progress.clear();
+  EXPECT_EQ(read_all(stream), "");
+  progress.report(state_at(0.25));
+  progress.clear();
+  progress.clear();
+  const std::string text = read_all(stream);
+  EXPECT_THAT(text, testing::EndsWith("\r\x1b[K"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\r'), 2);
+}
+
 TEST(Progress, DoesNotKnowWhenItEndsBeforeAnythingIsDone) {
   const auto stream = open_stream();
   Progress progress(stream.get(), Progress::Style::plain);

@@ -52,6 +52,7 @@ Summary make_summary() {
   summary.messages.bytes = 3;
   summary.peak_bytes = 1234567890123;
   summary.state_hash = "0123456789abcdef";
+  summary.warnings = {{"hourglass_energy", "too soft", "part 'a'", 0.25, 3}, {"behind_wall", "a \"wall\"", "", 0, 1}};
   return summary;
 }
 
@@ -62,6 +63,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
   list_keys(nlohmann::ordered_json::parse(read_text(folder.file("summary.json"))), "", keys);
   const std::vector<std::string> promised{"status",
                                           "error",
+                                          "warnings",
                                           "version",
                                           "backend",
                                           "precision",
@@ -147,6 +149,9 @@ TEST(Summary, ReadsBackToTheSameValues) {
   EXPECT_EQ(read.momentum.angular[2], 5e-324);
   EXPECT_EQ(read.peak_bytes, 1234567890123);
   EXPECT_EQ(read.state_hash, "0123456789abcdef");
+  ASSERT_EQ(read.warnings.size(), 2U);
+  EXPECT_EQ(format_warning(read.warnings[0]),
+            "part 'a': warning: too soft [hourglass_energy] (first at t = 0.25, 3 times)");
   const std::string text = read_text(path);
   write_summary(path, read);  // every other member as well
   EXPECT_EQ(read_text(path), text);
@@ -202,6 +207,9 @@ TEST(Summary, NamesTheKeyThatHasAWrongType) {
   const std::string path = folder.file("summary.json");
   write_summary(path, make_summary());
   auto json = nlohmann::ordered_json::parse(read_text(path));
+  json["warnings"][1]["count"] = "many";
+  expect_refusal(json.dump(), ": error: 'warnings' is not a list of warnings");
+  json.erase("warnings");  // of a percuss that listed none
   json["momentum"]["linear"] = {1, 2};
   expect_refusal(json.dump(), ": error: 'momentum.linear' is not a list of three numbers");
   json["dt"]["element"] = 1.5;

@@ -11,7 +11,8 @@ namespace percuss::test {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
 
 /// Unit cubes, nine by three by three of them, and one more; a plate of shells, which has no such corners.
 const std::string text = R"yaml(
@@ -74,18 +75,14 @@ TEST(TurnedCorners, OfDeadElementsDoNotCount) {
   EXPECT_THAT(nodes.count(), ElementsAre(0, 0, 0));
 }
 
-TEST(TurnedCorners, AreToldByPartWithTheTimeOfTheFirst) {
+TEST(TurnedCorners, AreToldByPartWithTheirNumber) {
   const std::vector<MeshPart> parts = {{"block"}, {"cube"}, {"plate"}};
-  TurnedCorners turned;
-  EXPECT_EQ(turned.describe(parts), "");
-  turned.note(0.25, {0, 0, 0});
-  EXPECT_EQ(turned.describe(parts), "");
-  turned.note(0.5, {3, 1, 0});
-  turned.note(0.75, {4, 2, 0});
-  EXPECT_THAT(turned.describe(parts),
-              HasSubstr("at the end: 6 ('block' 4, 'cube' 2); the first were seen at t = 0.5 ("));
-  turned.note(1, {0, 0, 0});
-  EXPECT_THAT(turned.describe(parts), HasSubstr("at the end: 0; the first were seen at t = 0.5 ("));
+  EXPECT_THAT(describe_turned_corners({0, 0, 0}, parts, 0.25), IsEmpty());
+  const std::vector<Warning> warnings = describe_turned_corners({3, 1, 0}, parts, 0.5);
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_THAT(format_warning(warnings[0]), StartsWith("part 'block': warning: 3 elements have an inverted corner ("));
+  EXPECT_THAT(format_warning(warnings[1]), StartsWith("part 'cube': warning: 1 element has an inverted corner ("));
+  EXPECT_EQ(warnings[0].time, 0.5);
 }
 
 }  // namespace

@@ -1,0 +1,51 @@
+#pragma once
+// The warnings of a run, of deck, mesh, start, steps and end alike: told when they are found, counted when they are
+// found again, and listed at the end.
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "src/warning.hpp"
+
+namespace percuss {
+
+class WarningLog {
+ public:
+  using Tell = std::function<void(const Warning&)>;
+
+  /// silenced: rules whose warnings are dropped; tell: called for each new warning, may be empty.
+  explicit WarningLog(std::set<std::string> silenced, Tell tell = {});
+
+  /// Tells a new warning. One with the rule, place and text of an earlier one is added to its count instead.
+  void add(const Warning& warning);
+  void add(const std::vector<Warning>& warnings);
+
+  /// As add(), but the rule and the place alone say which warning it is: the text, which has figures of the run in it,
+  /// becomes the new one. Its time stays that of the first.
+  void renew(const Warning& warning);
+
+  /// Takes what an earlier part of the run has found, untold, since it was told then.
+  void restore(const std::vector<Warning>& warnings);
+
+  /// In the order in which they were found.
+  const std::vector<Warning>& list() const { return warnings_; }
+
+ private:
+  bool is_silenced(const Warning& warning) const { return silenced_.count(warning.rule) > 0; }
+  void append(const Warning& warning);
+
+  std::set<std::string> silenced_;
+  Tell tell_;
+  std::vector<Warning> warnings_;
+};
+
+/// "1 warning", "3 warnings".
+std::string count_warnings(const std::vector<Warning>& warnings);
+
+/// Warnings as a text that a file keeps, and back. Throws InputError if the text is no list of warnings.
+std::string write_warnings(const std::vector<Warning>& warnings);
+std::vector<Warning> read_warnings(const std::string& text);
+
+}  // namespace percuss
