@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "tests/kernels/contact/enforcement/brick_scene.hpp"
+#include "tests/kernels/contact/brick_scene.hpp"
 
 namespace percuss::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "kernels/contact/enforcement/row_solution.hpp"
-#include "tests/kernels/contact/enforcement/brick_scene.hpp"
+#include "tests/kernels/contact/brick_scene.hpp"
 
 namespace percuss::test {
 

@@ -2,7 +2,7 @@
 // Bricks taken through one step of contact: search, check, rows, impulses.
 
 #include "kernels/contact/enforcement/row_solution.hpp"
-#include "tests/kernels/contact/enforcement/brick_scene.hpp"
+#include "tests/kernels/contact/brick_scene.hpp"
 
 namespace percuss::test {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kernels/contact/rows/row_sums.hpp"
-#include "tests/kernels/contact/enforcement/brick_scene.hpp"
+#include "tests/kernels/contact/brick_scene.hpp"
 
 namespace percuss::test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/kernels/contact/enforcement/brick_scene.hpp"
+#include "tests/kernels/contact/brick_scene.hpp"
 
 namespace percuss::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "kernels/contact/search/near_pairs.hpp"
-#include "tests/kernels/contact/enforcement/brick_scene.hpp"
+#include "tests/kernels/contact/brick_scene.hpp"
 
 namespace percuss::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "kernels/contact/block_search/kd_order.hpp"
-#include "tests/kernels/contact/enforcement/brick_scene.hpp"
+#include "tests/kernels/contact/brick_scene.hpp"
 
 namespace percuss::test {
 namespace {
