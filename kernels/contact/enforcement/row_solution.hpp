@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "kernels/contact/enforcement/coupled_rows.hpp"
+#include "kernels/contact/enforcement/enforcement.hpp"
 #include "kernels/contact/enforcement/springs.hpp"
 #include "kernels/contact/rows/row_packs.hpp"
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/contact/rows/row_system.hpp"
+#include "kernels/contact/search/pair_search.hpp"
 
 namespace percuss::test {
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "src/contact/search/local_finder.hpp"
+#include "src/contact/ties/ties.hpp"
 #include "src/deck/read_deck.hpp"
 #include "src/error.hpp"
 #include "src/mesh/decompose.hpp"
