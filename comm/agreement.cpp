@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "comm/all_reduce.hpp"
+
 namespace percuss {
 
 std::string broadcast_text(const Communicator& ranks, const std::string& own, int root) {
@@ -33,7 +35,7 @@ std::vector<std::string> gather_texts(const Communicator& ranks, const std::stri
 
 std::optional<Failure> agree_on_failure(const Communicator& ranks, const std::optional<Failure>& own) {
   int lowest = own ? ranks.rank() : ranks.size();
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_INT, MPI_MIN, ranks.handle()); }, "MPI_Allreduce");
+  all_reduce(ranks, Reduce::least, lowest);
   if (lowest == ranks.size()) return std::nullopt;
   Failure failure = ranks.rank() == lowest ? *own : Failure{};
   wait_mpi([&] { return MPI_Bcast(&failure.code, 1, MPI_INT, lowest, ranks.handle()); }, "MPI_Bcast");

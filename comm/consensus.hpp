@@ -1,5 +1,5 @@
 #pragma once
-// Non-blocking consensus: the sizes of Figure 2 without its P-long vector.
+// Non-blocking consensus: steps (2.1) to (2.5) of the paper without their P-long vector.
 //
 // Hoefler, Siebert, Lumsdaine, "Scalable communication protocols for dynamic sparse data exchange", PPoPP 2010,
 // algorithm NBX. A synchronous send completes only once its message is received. A rank whose sends are complete enters

@@ -1,5 +1,6 @@
 #pragma once
-// The P - 1 cuts of a recursive coordinate bisection as every rank holds them (steps (5.3) and (5.4) of the paper).
+// The P - 1 cuts of a recursive coordinate bisection (Figure 3 of the paper) as every rank holds them: steps (5.3) and
+// (5.4).
 //
 // Ranks [first, last) are divided at middle = first + (last - first) / 2: points before the cut belong to the ranks
 // below middle. Cut and middle belong together, so the tree needs no pointers: entry m of the array is the cut whose

@@ -1,5 +1,5 @@
 #pragma once
-// Moves data along a plan: step (2.6) of the paper's Figure 2, "send and receive messages".
+// Moves data along a plan: step (2.6) of the paper, "send and receive messages".
 //
 // begin() posts everything and returns, end() waits: work that needs none of the data goes between. The plan, the
 // buffers and the messages under way are three things with three owners: the caller keeps the first two alive until

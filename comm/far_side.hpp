@@ -1,5 +1,5 @@
 #pragma once
-// Steps (4.3) and (4.4) of the paper's Figure 4: points that lie on the far side of a cut go there.
+// Steps (4.3) and (4.4) of the paper: points that lie on the far side of a cut go there.
 //
 // "Each processor sends its points that fall on the far side of the cut to a partner processor in the other group."
 // The lower and the upper rank of the same place in their groups are partners; where the upper side has one rank more,

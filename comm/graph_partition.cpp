@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "comm/even_out.hpp"
+#include "kernels/core/counting_sort.hpp"
 
 namespace percuss {
 
@@ -73,25 +74,23 @@ void measure(const Graph& graph, int part_count, Partition& partition) {
 }  // namespace
 
 Graph build_graph(const std::vector<GraphEdge>& edges, std::vector<int> costs) {
-  Graph graph;
-  graph.first.assign(costs.size() + 1, 0);
-  graph.vertex_weights = std::move(costs);
-  for (const GraphEdge& edge : edges) {
-    ++graph.first[static_cast<std::size_t>(edge.a) + 1];
-    ++graph.first[static_cast<std::size_t>(edge.b) + 1];
-  }
-  std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
-  graph.neighbours.resize(2 * edges.size());
-  graph.edge_weights.resize(2 * edges.size());
-  std::vector<int> next(graph.first.begin(), graph.first.end() - 1);
-  const auto add = [&](int vertex, int neighbour, int weight) {
-    const auto place = static_cast<std::size_t>(next[static_cast<std::size_t>(vertex)]++);
-    graph.neighbours[place] = neighbour;
-    graph.edge_weights[place] = weight;
+  struct Neighbour {
+    int vertex = 0, weight = 0;
   };
   // Lower neighbours first: both passes ascend.
-  for (const GraphEdge& edge : edges) add(edge.b, edge.a, edge.weight);
-  for (const GraphEdge& edge : edges) add(edge.a, edge.b, edge.weight);
+  auto by_vertex = collect_buckets<Neighbour>(costs.size(), [&](auto&& put) {
+    for (const GraphEdge& edge : edges) put(static_cast<std::size_t>(edge.b), Neighbour{edge.a, edge.weight});
+    for (const GraphEdge& edge : edges) put(static_cast<std::size_t>(edge.a), Neighbour{edge.b, edge.weight});
+  });
+  Graph graph;
+  graph.vertex_weights = std::move(costs);
+  graph.first = std::move(by_vertex.first);
+  graph.neighbours.reserve(by_vertex.items.size());
+  graph.edge_weights.reserve(by_vertex.items.size());
+  for (const Neighbour& neighbour : by_vertex.items) {
+    graph.neighbours.push_back(neighbour.vertex);
+    graph.edge_weights.push_back(neighbour.weight);
+  }
   return graph;
 }
 

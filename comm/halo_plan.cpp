@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "comm/data_exchange.hpp"
+#include "kernels/core/counting_sort.hpp"
 
 namespace percuss {
 
@@ -17,15 +19,8 @@ struct SlotNotice {
 
 /// The slots of each node, in ascending order of their place in its sum. nodes, orders: [slots].
 SlotLists list_slots(std::size_t node_count, const std::vector<int>& nodes, const std::vector<std::int64_t>& orders) {
-  SlotLists lists;
-  lists.first.assign(node_count + 1, 0);
-  for (const int node : nodes) ++lists.first[static_cast<std::size_t>(node) + 1];
-  for (std::size_t n = 0; n < node_count; ++n) lists.first[n + 1] += lists.first[n];
-  std::vector<int> next(lists.first.begin(), lists.first.end() - 1);
-  lists.slots.resize(nodes.size());
-  for (std::size_t s = 0; s < nodes.size(); ++s) {
-    lists.slots[static_cast<std::size_t>(next[static_cast<std::size_t>(nodes[s])]++)] = static_cast<int>(s);
-  }
+  Buckets by_node = sort_into_buckets(nodes, node_count);
+  SlotLists lists{std::move(by_node.first), std::move(by_node.items)};
   for (std::size_t n = 0; n < node_count; ++n) {
     std::sort(lists.slots.begin() + lists.first[n], lists.slots.begin() + lists.first[n + 1],
               [&](int a, int b) { return orders[static_cast<std::size_t>(a)] < orders[static_cast<std::size_t>(b)]; });

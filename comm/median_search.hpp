@@ -1,5 +1,5 @@
 #pragma once
-// Step (4.2) of the paper's Figure 4: position the cut so that it divides the points as asked, to the point.
+// Step (4.2) of the paper: position the cut so that it divides the points as asked, to the point.
 //
 // The cut is the key of one point: the first whose predecessors, with itself, weigh more than the lower side's share.
 // It is found by rounds of one reduction each. A round counts the points between 15 probes and keeps the bin that the

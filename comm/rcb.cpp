@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "comm/all_reduce.hpp"
 #include "comm/exchange_buffers.hpp"
 
 namespace percuss {
@@ -66,7 +67,7 @@ Rcb::Rcb(const Communicator& ranks)
   publish();
 }
 
-// The paper's Figure 4. Extents and first counts come in one reduction, so (4.1) has no round of its own.
+// Figure 4 of the paper. Extents and first counts come in one reduction, so (4.1) has no round of its own.
 void Rcb::bisect(const ExecSpace& space, std::size_t level, RcbReport& report) {
   if (level == groups_.size()) return;
   const Communicator& group = *groups_[level].ranks;
@@ -169,12 +170,7 @@ void Rcb::refit(const ExecSpace& space, const Rows3<const double>& positions) {
       ends[2 * middle + 1] = -extents.low[axis];
     }
   }
-  wait_mpi(
-      [&] {
-        return MPI_Allreduce(MPI_IN_PLACE, ends.data(), static_cast<int>(ends.size()), MPI_DOUBLE, MPI_MAX,
-                             ranks_->handle());
-      },
-      "MPI_Allreduce");
+  all_reduce(*ranks_, Reduce::largest, ends);
   for (std::size_t m = 1; m < cuts_.size(); ++m) {
     cuts_[m].lower_end = ends[2 * m];
     cuts_[m].upper_begin = -ends[2 * m + 1];

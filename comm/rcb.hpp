@@ -1,5 +1,5 @@
 #pragma once
-// Recursive coordinate bisection (section 4.1.4 and Figure 4 of the paper): the dynamic decomposition for contact.
+// Recursive coordinate bisection (section 4.1.4 of the paper): the dynamic decomposition for contact.
 //
 // Points = contact nodes and face centres. Each cut divides the points of a group of ranks exactly in proportion to the
 // ranks on its two sides, whatever their number. Cuts follow from the points, their weights and, through the choice of

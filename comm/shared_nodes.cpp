@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "comm/all_reduce.hpp"
 #include "comm/data_exchange.hpp"
 
 namespace percuss {
@@ -35,7 +36,7 @@ struct Sharing {
 std::vector<int> find_homes(const Communicator& ranks, const std::vector<std::int64_t>& ids) {
   std::int64_t end = 1;
   for (const std::int64_t id : ids) end = std::max(end, id + 1);
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &end, 1, MPI_INT64_T, MPI_MAX, ranks.handle()); }, "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, end);
   const std::int64_t range = (end + ranks.size() - 1) / ranks.size();
   std::vector<int> homes(ids.size());
   std::transform(ids.begin(), ids.end(), homes.begin(), [&](std::int64_t id) { return static_cast<int>(id / range); });

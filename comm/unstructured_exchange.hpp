@@ -1,7 +1,7 @@
 #pragma once
 // Unstructured communication: ranks that know what they send and to whom learn what they will receive and from whom.
 //
-// The paper's Figure 2 (section 4.1.3). Steps (2.1) to (2.5), or the non-blocking consensus that does without their
+// Figure 2 of the paper (section 4.1.3). Steps (2.1) to (2.5), or the non-blocking consensus that does without their
 // P-long vector (Hoefler, Siebert, Lumsdaine: Scalable communication protocols for dynamic sparse data exchange, PPoPP
 // 2010), make the plan; step (2.6), the data, is comm/data_exchange.hpp.
 
@@ -15,7 +15,7 @@ namespace percuss {
 /// How ranks learn what they will receive. Both ways give the same plan.
 enum class PlanMethod {
   automatic,       // consensus from consensus_from_ranks on
-  reduce_scatter,  // Figure 2: a fold over a vector of one entry a rank
+  reduce_scatter,  // (2.1) to (2.5): a fold over a vector of one entry a rank
   consensus,       // synchronous sends and a non-blocking barrier: messages to the receivers only
 };
 

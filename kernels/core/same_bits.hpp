@@ -1,7 +1,8 @@
 #pragma once
-// Comparisons of three numbers by their bits: what is skipped because nothing has changed may not even differ in the
-// sign of a zero.
+// Doubles by their bits. Comparisons of three numbers: what is skipped because nothing has changed may not even differ
+// in the sign of a zero. Keys that are in the order of the numbers.
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
@@ -22,6 +23,14 @@ PERCUSS_FORCE_INLINE bool have_same_bits(const double* a, const double* b) {
   std::memcpy(of_a, a, sizeof of_a);
   std::memcpy(of_b, b, sizeof of_b);
   return ((of_a[0] ^ of_b[0]) | (of_a[1] ^ of_b[1]) | (of_a[2] ^ of_b[2])) == 0;
+}
+
+/// Order-preserving map from doubles to unsigned integers (-0 and +0 are the same).
+KOKKOS_INLINE_FUNCTION std::uint64_t make_sort_key(double value) {
+  const double normal = value + 0.0;  // -0 becomes +0
+  const auto bits = std::bit_cast<std::uint64_t>(normal);
+  const std::uint64_t sign = std::uint64_t{1} << 63;
+  return (bits & sign) != 0 ? ~bits : bits | sign;
 }
 
 }  // namespace percuss

@@ -1,7 +1,7 @@
 #pragma once
 // The one-point hexahedron over one step: from corner motion to corner forces, as a pure function.
 //
-// Place in the step: (1.3) strain rate, (1.4) stress, (1.5) internal force of the paper's Figure 1. Positions are at
+// Place in the step: (1.3) strain rate, (1.4) stress, (1.5) internal force of the paper. Positions are at
 // n+1, velocities at n+1/2; rates are taken on the geometry of the mid-point and turned half way, forces act on the
 // geometry of n+1 (Flanagan and Belytschko 1981; Flanagan and Taylor 1987).
 

@@ -1,5 +1,5 @@
 #pragma once
-// Launcher of the element part of a step: (1.3) to (1.5) of the paper's Figure 1, for all chunks.
+// Launcher of the element part of a step: (1.3) to (1.5) of the paper, for all chunks.
 
 #include <tuple>
 

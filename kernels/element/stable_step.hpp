@@ -7,6 +7,7 @@
 // <= largest element frequency.
 
 #include "kernels/element/modes.hpp"
+#include "kernels/material/polar.hpp"
 
 namespace percuss {
 
@@ -16,14 +17,6 @@ struct GradientSize {
   T trace;               // tr G = B:B
   T largest;             // upper bound of the largest eigenvalue of G, exact if the other two are equal
 };
-
-/// Upper bound of the largest eigenvalue of a symmetric tensor: tr/3 + sqrt(2/3) |dev|, exact if the others are equal.
-template <class T>
-PERCUSS_FORCE_INLINE T bound_largest_eigenvalue(const Symmetric3<T>& g) {
-  const T mean = number<T>(1.0 / 3.0) * trace(g);
-  const Symmetric3<T> deviator{g.xx - mean, g.yy - mean, g.zz - mean, g.xy, g.yz, g.zx};
-  return mean + square_root(number<T>(2.0 / 3.0) * contract(deviator, deviator));
-}
 
 /// Adds the dyad v v.
 template <class T>

@@ -1,9 +1,8 @@
 #pragma once
 // The stretch of a point, for materials whose stress follows from the deformation and not from its rate.
 
-#include "kernels/element/kinematics.hpp"
-#include "kernels/element/stable_step.hpp"
 #include "kernels/material/point_step.hpp"
+#include "kernels/material/polar.hpp"
 
 namespace percuss {
 

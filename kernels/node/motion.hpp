@@ -1,5 +1,5 @@
 #pragma once
-// The node part of a step: (1.2) and (1.6) of the paper's Figure 1, and the assembly that feeds it.
+// The node part of a step: (1.2) and (1.6) of the paper, and the assembly that feeds it.
 
 #include "kernels/core/views.hpp"
 

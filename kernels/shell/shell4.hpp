@@ -1,7 +1,7 @@
 #pragma once
 // The one-point four-node shell over one step: from corner motion to corner forces and moments, as a pure function.
 //
-// Place in the step: (1.3) to (1.5) of the paper's Figure 1. Positions are at n+1, velocities and angular velocities at
+// Place in the step: (1.3) to (1.5) of the paper. Positions are at n+1, velocities and angular velocities at
 // n+1/2. Rates are taken on the geometry of n+1/2, forces act on that of n+1: with either geometry for both, a warped
 // element in free spin gains energy. Stresses are components in the frame of the element, which turns with it. Formulas
 // and their reasons: docs/theory_shells.md.

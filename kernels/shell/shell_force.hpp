@@ -1,5 +1,5 @@
 #pragma once
-// Launcher of the shells' part of a step: (1.3) to (1.5) of the paper's Figure 1, for all chunks of shells.
+// Launcher of the shells' part of a step: (1.3) to (1.5) of the paper, for all chunks of shells.
 //
 // They lie in the tables of all chunks (kernels/element/hex_chunks.hpp) and write to the same slots, so that nodes add
 // up what shells and hexahedra give them in one order. A shell takes the first four of the eight corners there.

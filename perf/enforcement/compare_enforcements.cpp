@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "tests/kernels/contact/enforced_scene.hpp"
+#include "tests/kernels/contact/enforcement/enforced_scene.hpp"
 
 namespace {
 

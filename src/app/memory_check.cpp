@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "comm/all_reduce.hpp"
 #include "src/deck/mesh_size.hpp"
 #include "src/error.hpp"
 
@@ -15,8 +16,7 @@ double find_machine_memory() {
 double sum_machine_memory(const Communicator& ranks) {
   const OwnedCommunicator machine = OwnedCommunicator::of_machine(ranks);
   double bytes = machine->rank() == 0 ? find_machine_memory() : 0;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_SUM, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::sum, bytes);
   return bytes;
 }
 

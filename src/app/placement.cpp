@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "comm/all_reduce.hpp"
 #include "comm/merge_reduction.hpp"
 #include "src/app/threads.hpp"
 
@@ -38,8 +39,7 @@ struct Bound {
 Crowd find_own_machine(const Communicator& ranks, int threads) {
   const OwnedCommunicator here = OwnedCommunicator::of_machine(ranks);
   Crowd crowd{here->size(), threads, count_machine_cores()};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &crowd.threads, 1, MPI_INT, MPI_SUM, here->handle()); },
-           "MPI_Allreduce");
+  all_reduce(*here, Reduce::sum, crowd.threads);
   return crowd;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/app/command_line.hpp"
-#include "src/contact/plan_contact.hpp"
+#include "src/contact/plan/plan_contact.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/plan_decomposition.hpp"
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "src/deck/units.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -106,13 +107,6 @@ std::string format_step(const SceneReport& scene) {
                           unit, scene.first_step, unit, scene.controlling_element, std::ceil(end / scene.first_step)));
 }
 
-/// Adds up counts over ranks.
-void sum_counts(const Communicator& ranks, std::vector<std::int64_t>& counts) {
-  check_mpi(
-      MPI_Allreduce(MPI_IN_PLACE, counts.data(), static_cast<int>(counts.size()), MPI_INT64_T, MPI_SUM, ranks.handle()),
-      "MPI_Allreduce");
-}
-
 std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks) {
   const Mesh& mesh = chunked.mesh;
   const std::size_t count = mesh.parts.size();
@@ -130,7 +124,7 @@ std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chun
     const std::vector<int>& nodes = mesh.node_sets.at(mesh.parts[p].name);
     counts[count + p] = std::count_if(nodes.begin(), nodes.end(), [&](int n) { return owns_node(chunked, n); });
   }
-  sum_counts(ranks, counts);
+  all_reduce(ranks, Reduce::sum, counts);
   sum_over_ranks(ranks, volumes);
   std::vector<PartReport> parts;
   for (std::size_t p = 0; p < count; ++p) {
@@ -143,7 +137,7 @@ std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chun
 
 std::int64_t count_bodies(const Mesh& mesh, const Communicator& ranks) {
   int bodies = mesh.bodies.empty() ? 0 : *std::max_element(mesh.bodies.begin(), mesh.bodies.end()) + 1;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &bodies, 1, MPI_INT, MPI_MAX, ranks.handle()); }, "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, bodies);
   return bodies;
 }
 

@@ -5,14 +5,16 @@
 #include <algorithm>
 #include <array>
 
+#include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
-#include "src/contact/carried_history.hpp"
-#include "src/contact/contact_checkpoint.hpp"
-#include "src/contact/enforcer.hpp"
-#include "src/contact/local_finder.hpp"
-#include "src/contact/ranked_finder.hpp"
-#include "src/contact/start_overlap.hpp"
-#include "src/contact/tie_rows.hpp"
+#include "src/contact/enforcement/enforcer.hpp"
+#include "src/contact/history/carried_history.hpp"
+#include "src/contact/history/contact_checkpoint.hpp"
+#include "src/contact/search/contact_finder.hpp"
+#include "src/contact/start/part_gaps.hpp"
+#include "src/contact/start/start_overlap.hpp"
+#include "src/contact/ties/tie_rows.hpp"
+#include "src/contact/ties/ties.hpp"
 #include "src/error.hpp"
 
 namespace percuss {
@@ -127,9 +129,7 @@ bool ContactStage::Impl::is_anything_touched(int num_touches) const {
   if (candidates == 0) return false;
   // What touched in the last step most likely does again: then asking costs more than it saves.
   if (ranks.size() > 1 && last.iterations > 0) return true;
-  if (ranks.size() > 1)
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &num_touches, 1, MPI_INT, MPI_MAX, ranks.handle()); },
-             "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, num_touches);
   return num_touches > 0;
 }
 
@@ -139,9 +139,7 @@ bool ContactStage::Impl::is_repetition(int num_touches) {
   int is_same = finder->has_found_nothing_new() && num_touches == touches_last ? 1 : 0;
   touches_last = num_touches;
   const bool has_rested = last.iterations > 0 && last.interactions == 0 && !has_walls && !ties.any();
-  if (has_rested && ranks.size() > 1)
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &is_same, 1, MPI_INT, MPI_MIN, ranks.handle()); },
-             "MPI_Allreduce");
+  if (has_rested) all_reduce(ranks, Reduce::least, is_same);
   same_steps = has_rested && is_same != 0 ? same_steps + 1 : 0;
   return same_steps > 1;
 }
@@ -188,12 +186,6 @@ void ContactStage::Impl::redefine_surface() {
   finder = std::move(next);
   enforcer.redefine(mesh, share, walls, tie_rows.geometry());
   candidates = 0;
-}
-
-std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,
-                                                   const ContactDeck& deck) {
-  if (ranks.ranks.size() == 1) return std::make_unique<LocalFinder>(share, deck);
-  return std::make_unique<RankedFinder>(ranks, share, deck);
 }
 
 ContactStage::ContactStage(const ChunkedMesh& chunked, const Deck& deck, const Communicator& ranks)
@@ -276,17 +268,6 @@ ContactReport ContactStage::apply(const ContactMotion& motion) {
   stage.last = report;
   stage.refuse_torn_ties(report);
   return report;
-}
-
-std::vector<std::string> name_contact_pairs(const Deck& deck) {
-  std::vector<std::string> names;
-  if (deck.contact.surfaces == ContactDeck::Surfaces::all) names.emplace_back("surfaces");
-  const auto name = [](const Selector& surface) { return surface.name.empty() ? std::string("all") : surface.name; };
-  for (const SurfacePairDeck& pair : deck.contact.pairs) names.push_back(name(pair.a) + ":" + name(pair.b));
-  for (const TieDeck& tie : deck.contact.ties) names.push_back("tie:" + name(tie.a) + ":" + name(tie.b));
-  if (!deck.walls.empty() && !names.empty()) names.emplace_back("walls");
-  if (names.size() < 2) names.clear();
-  return names;
 }
 
 std::vector<double> ContactStage::sum_pair_work() const {

@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "comm/phase.hpp"
-#include "kernels/contact/point3.hpp"
-#include "kernels/contact/wall_sums.hpp"
-#include "src/contact/contact_finder.hpp"
+#include "src/contact/enforcement/contact_report.hpp"
+#include "src/contact/search/contact_finder.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint_archive.hpp"
@@ -20,44 +19,6 @@
 namespace percuss {
 
 struct StartOverlap;
-
-/// The motion of one step as the stage sees it; one row a mesh node.
-struct ContactMotion {
-  Rows3<const double> x;             // position at n
-  Rows3<const double> v_before;      // velocity at n-1/2, for the work of the contact impulses
-  Rows3<double> v;                   // in: velocity at n+1/2 predicted without contact; out: corrected
-  Rows3<const double> inverse_mass;  // 1/m in each direction; 0 where a condition holds the node
-  Rows3<double> impulse;             // out: contact impulse of this step [force x time], zero where there is none
-  double dt = 0;                     // from n to n+1
-  Point3 center{};                   // about which moments of walls' impulses are taken
-};
-
-/// What one step's contact did, on all ranks, and the same on each. Work is positive where contact adds energy to the
-/// bodies; every impulse P of a node does the work P . (v(n-1/2) + v(n+1/2)) / 2, which closes the energy balance of
-/// the explicit midpoint rule exactly.
-struct ContactReport {
-  int interactions = 0;         // rows with a push, walls included, and tied nodes
-  std::int64_t candidates = 0;  // candidate pairs held
-  bool searched = false;        // whether the search was due
-  bool enforced = false;        // whether impulses were looked for in this step
-  int iterations = 0;           // of the enforcement
-  double residual = 0;          // largest penetration left over, or of a tied node from its place / face edge
-  double complementarity = 0;   // lagrange: deviation from complementarity / largest closing velocity
-  bool converged = true;
-  double normal_work = 0;          // of the pushes
-  double friction_work = 0;        // of the tangential impulses (negative: dissipated)
-  double stored = 0;               // penalty: energy in the springs at n+1
-  double rate = 0;                 // penalty: bound of the square of the frequency that the springs add [1/time^2]
-  double deepest = 0;              // deepest penetration at n among checked pairs / face edge, 0 if none
-  std::int64_t deepest_node = -1;  // number of the node that has it
-  double torn = 0;                 // farthest that conditions hold a tied node from its place / face edge
-  std::int64_t torn_node = -1;     // number of that node
-  WallSums walls;                  // what walls gave the nodes of this rank, and of no other
-};
-
-/// Names of what work is booked by: "surfaces" where all may touch all or "a:b" for each pair of the deck, "tie:a:b"
-/// for each tie, "walls". Empty where one name would mean all work.
-std::vector<std::string> name_contact_pairs(const Deck& deck);
 
 /// Time since the start, by phase.
 struct ContactClocks {

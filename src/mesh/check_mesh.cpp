@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/counting_sort.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
@@ -74,38 +75,26 @@ void check_repeated_nodes(const PartMesh& mesh, std::size_t element, Problems& p
   });
 }
 
-/// Elements by their lowest node (compressed rows), so that equal ones meet without sorting them all.
-struct ElementsByLowestNode {
-  std::vector<int> first;  // nodes + 1
-  std::vector<int> elements;
-};
-
-ElementsByLowestNode bin_elements(const PartMesh& mesh) {
-  ElementsByLowestNode bins;
-  bins.first.assign(mesh.nodes.size() + 1, 0);
-  bins.elements.resize(mesh.elements.size());
-  const auto lowest = [](const std::array<int, 8>& e) {
-    return static_cast<std::size_t>(*std::min_element(e.begin(), e.end()));
-  };
-  for (const auto& element : mesh.elements) ++bins.first[lowest(element) + 1];
-  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) bins.first[n + 1] += bins.first[n];
-  std::vector<int> next(bins.first.begin(), bins.first.end() - 1);
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    bins.elements[static_cast<std::size_t>(next[lowest(mesh.elements[e])]++)] = static_cast<int>(e);
-  }
-  return bins;
+/// Elements by their lowest node, so that equal ones meet without sorting them all.
+Buckets bin_elements(const PartMesh& mesh) {
+  return collect_buckets<int>(mesh.nodes.size(), [&](auto&& put) {
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+      const std::array<int, 8>& corners = mesh.elements[e];
+      put(static_cast<std::size_t>(*std::min_element(corners.begin(), corners.end())), static_cast<int>(e));
+    }
+  });
 }
 
 void check_duplicates(const PartMesh& mesh, Problems& problems) {
   using Key = std::pair<std::array<int, 8>, int>;  // sorted corners, element
-  const ElementsByLowestNode bins = bin_elements(mesh);
+  const Buckets bins = bin_elements(mesh);
   std::vector<std::pair<int, int>> pairs;  // the later element first
   std::vector<Key> keys;
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
     if (bins.first[n + 1] - bins.first[n] < 2) continue;
     keys.clear();
     for (int i = bins.first[n]; i < bins.first[n + 1]; ++i) {
-      const int e = bins.elements[static_cast<std::size_t>(i)];
+      const int e = bins.items[static_cast<std::size_t>(i)];
       keys.emplace_back(sort_corners(mesh.elements[static_cast<std::size_t>(e)]), e);
     }
     std::sort(keys.begin(), keys.end());

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "comm/all_reduce.hpp"
 #include "comm/item_exchange.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/near_chunks.hpp"
@@ -25,16 +26,6 @@ std::vector<int> list_using_chunks(const ChunkPieces& pieces) {
   return chunks;
 }
 
-/// What ranks count for their chunks, for all chunks of the scene.
-void sum_over_ranks(const Communicator& ranks, std::vector<std::int64_t>& counts) {
-  constexpr std::size_t piece = std::size_t{1} << 27;  // MPI counts with an int
-  for (std::size_t first = 0; first < counts.size(); first += piece) {
-    const auto count = static_cast<int>(std::min(piece, counts.size() - first));
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, counts.data() + first, count, MPI_INT64_T, MPI_SUM, ranks.handle()),
-              "MPI_Allreduce");
-  }
-}
-
 /// [chunks of the scene + 1]: numbers of the first node of each, from the nodes that own-ed chunks count.
 std::vector<std::int64_t> number_first_nodes(const Communicator& ranks, int chunk_count, const std::vector<int>& users,
                                              const std::vector<int>& owners) {
@@ -42,7 +33,7 @@ std::vector<std::int64_t> number_first_nodes(const Communicator& ranks, int chun
   for (std::size_t n = 0; n < owners.size(); ++n) {
     if (owners[n] == users[n]) ++first[at(owners[n]) + 1];
   }
-  sum_over_ranks(ranks, first);
+  all_reduce(ranks, Reduce::sum, first);
   std::partial_sum(first.begin(), first.end(), first.begin());
   return first;
 }
@@ -71,7 +62,7 @@ std::vector<std::int64_t> count_faces(const Communicator& ranks, const ScenePart
       faces[at(pieces.chunks[c])] += std::popcount(pieces.exterior[at(e)]);
     }
   }
-  sum_over_ranks(ranks, faces);
+  all_reduce(ranks, Reduce::sum, faces);
   return faces;
 }
 

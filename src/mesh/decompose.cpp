@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "comm/all_reduce.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/check_pieces.hpp"
 #include "src/mesh/chunk_graph.hpp"
@@ -24,7 +25,7 @@ void find_box(const Communicator& ranks, Mesh& mesh) {
     }
   }
   for (Vec3* bounds : {&low, &minus_high}) {
-    check_mpi(MPI_Allreduce(MPI_IN_PLACE, bounds->data(), 3, MPI_DOUBLE, MPI_MIN, ranks.handle()), "MPI_Allreduce");
+    all_reduce(ranks, Reduce::least, *bounds);
   }
   for (std::size_t d = 0; d < 3; ++d) {
     mesh.low[d] = low[d] + 0.0;  // never -0, which compares equal to 0: which of them wins depends on the ranks

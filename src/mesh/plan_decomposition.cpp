@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <set>
+#include <utility>
 
+#include "kernels/core/counting_sort.hpp"
 #include "src/mesh/check_pieces.hpp"
 #include "src/mesh/chunk_graph.hpp"
 
@@ -65,17 +66,15 @@ DecompositionPlanner::DecompositionPlanner(const Deck& deck) {
   for (std::size_t c = 0; c < elements_.size(); ++c) {
     elements_[c] = scene.first_element[c + 1] - scene.first_element[c];
   }
-  first_use_.assign(static_cast<std::size_t>(numbered.numbering.node_count()) + 1, 0);
-  for (const std::int64_t node : numbered.numbers) ++first_use_[static_cast<std::size_t>(node) + 1];
-  std::partial_sum(first_use_.begin(), first_use_.end(), first_use_.begin());
-  std::vector<std::int64_t> next(first_use_.begin(), first_use_.end() - 1);
-  chunks_.resize(numbered.numbers.size());
-  for (std::size_t c = 0; c < pieces.chunks.size(); ++c) {  // ascending, and so are the chunks of each node
-    for (int n = pieces.first_node[c]; n < pieces.first_node[c + 1]; ++n) {
-      std::int64_t& place = next[static_cast<std::size_t>(numbered.numbers[at(n)])];
-      chunks_[static_cast<std::size_t>(place++)] = pieces.chunks[c];
-    }
-  }
+  // Ascending, and so are the chunks of each node.
+  BucketsOf<int, std::int64_t> uses =
+      collect_buckets<int, std::int64_t>(static_cast<std::size_t>(numbered.numbering.node_count()), [&](auto&& put) {
+        for (std::size_t c = 0; c < pieces.chunks.size(); ++c)
+          for (int n = pieces.first_node[c]; n < pieces.first_node[c + 1]; ++n)
+            put(static_cast<std::size_t>(numbered.numbers[at(n)]), pieces.chunks[c]);
+      });
+  first_use_ = std::move(uses.first);
+  chunks_ = std::move(uses.items);
 }
 
 DecompositionPlan DecompositionPlanner::plan(int rank_count) const {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iterator>
 
+#include "comm/all_reduce.hpp"
 #include "src/deck/nearest_name.hpp"
 #include "src/error.hpp"
 #include "src/mesh/surface_nodes.hpp"
@@ -99,8 +100,7 @@ template <class T>
 bool has_any(const Mesh& mesh, const std::vector<T>& selected) {
   int some = selected.empty() ? 0 : 1;
   if (mesh.ranks) {
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, mesh.ranks->handle()); },
-             "MPI_Allreduce");
+    all_reduce(*mesh.ranks, Reduce::largest, some);
   }
   return some != 0;
 }

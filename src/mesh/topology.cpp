@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "kernels/core/counting_sort.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/topology.hpp"
 
@@ -23,11 +24,8 @@ std::array<int, 4> sort_face_nodes(const Elements& elements, const ElementFace& 
   return nodes;
 }
 
-/// All faces of all elements by their lowest node (compressed rows): the same face of two elements meets in one row.
-struct FacesByLowestNode {
-  std::vector<std::int64_t> first;  // nodes + 1
-  std::vector<ElementFace> faces;
-};
+/// All faces of all elements by their lowest node: the same face of two elements meets in one bucket.
+using FacesByLowestNode = BucketsOf<ElementFace, std::int64_t>;
 
 FacesByLowestNode bin_faces(const Elements& elements, std::size_t node_count) {
   const auto lowest = [&](const ElementFace& face) {
@@ -35,20 +33,12 @@ FacesByLowestNode bin_faces(const Elements& elements, std::size_t node_count) {
     const int* row = hex_faces[face.face];
     return at(std::min({corners[at(row[0])], corners[at(row[1])], corners[at(row[2])], corners[at(row[3])]}));
   };
-  const auto for_each_face = [&](auto&& visit) {
+  return collect_buckets<ElementFace, std::int64_t>(node_count, [&](auto&& put) {
     for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
       if (is_shell(elements[at(e)])) continue;
-      for (int f = 0; f < 6; ++f) visit(ElementFace{e, f});
+      for (int f = 0; f < 6; ++f) put(lowest({e, f}), ElementFace{e, f});
     }
-  };
-  FacesByLowestNode bins;
-  bins.first.assign(node_count + 1, 0);
-  for_each_face([&](const ElementFace& face) { ++bins.first[lowest(face) + 1]; });
-  std::partial_sum(bins.first.begin(), bins.first.end(), bins.first.begin());
-  bins.faces.resize(static_cast<std::size_t>(bins.first.back()));
-  std::vector<std::int64_t> next(bins.first.begin(), bins.first.end() - 1);
-  for_each_face([&](const ElementFace& face) { bins.faces[static_cast<std::size_t>(next[lowest(face)]++)] = face; });
-  return bins;
+  });
 }
 
 int find_root(std::vector<int>& parent, int node) {
@@ -72,7 +62,7 @@ std::vector<std::uint8_t> mark_exterior_faces(const Elements& elements, std::siz
   for (std::size_t n = 0; n < node_count; ++n) {
     keys.clear();
     for (std::int64_t i = bins.first[n]; i < bins.first[n + 1]; ++i) {
-      const ElementFace& face = bins.faces[static_cast<std::size_t>(i)];
+      const ElementFace& face = bins.items[static_cast<std::size_t>(i)];
       keys.emplace_back(sort_face_nodes(elements, face), face);
     }
     std::sort(keys.begin(), keys.end());

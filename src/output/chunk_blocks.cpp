@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "comm/all_reduce.hpp"
+
 namespace percuss {
 namespace {
 
@@ -26,14 +28,7 @@ std::vector<std::int64_t> find_first_rows(const Communicator& ranks, const Chunk
                                           std::span<const std::int64_t> counts) {
   std::vector<std::int64_t> first(at(mesh.numbering.chunk_count()) + 1, 0);
   for (std::size_t c = 0; c < mesh.chunks.size(); ++c) first[at(mesh.chunks[c].number) + 1] = counts[c];
-  if (ranks.size() > 1) {
-    wait_mpi(
-        [&] {
-          return MPI_Allreduce(MPI_IN_PLACE, first.data(), static_cast<int>(first.size()), MPI_INT64_T, MPI_SUM,
-                               ranks.handle());
-        },
-        "MPI_Allreduce");
-  }
+  all_reduce(ranks, Reduce::sum, first);
   std::partial_sum(first.begin(), first.end(), first.begin());
   return first;
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
 #include "src/output/atomic_file.hpp"
 #include "src/output/field_units.hpp"
 #include "src/output/fields_restart.hpp"

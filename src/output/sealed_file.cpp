@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "comm/all_reduce.hpp"
 #include "kernels/core/mix_bits.hpp"
 #include "src/fail_together.hpp"
 #include "src/output/checkpoint_place.hpp"
@@ -67,10 +68,7 @@ std::uint64_t hash_share(const Communicator& ranks, const std::string& path, std
     hash = hash_blocks(PosixFile(path, O_RDONLY), bytes, blocks * ranks.rank() / ranks.size(),
                        blocks * (ranks.rank() + 1) / ranks.size());
   });
-  if (ranks.size() > 1) {
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &hash, 1, MPI_UINT64_T, MPI_SUM, ranks.handle()); },
-             "MPI_Allreduce");
-  }
+  all_reduce(ranks, Reduce::sum, hash);
   return hash;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <numeric>
 
+#include "comm/all_reduce.hpp"
 #include "src/output/atomic_file.hpp"
 #include "src/output/first_rank.hpp"
 #include "src/output/hdf5_file.hpp"
@@ -98,8 +99,7 @@ bool has_several_kinds(const Communicator& ranks, const Cells& cells) {
 // What a rank writes of a dataset to which each rank brings some rows, rank after rank.
 hdf5::RowBlock join_blocks(const Communicator& ranks, std::size_t count, hid_t transfer) {
   std::uint64_t all = count, first = count;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_UINT64_T, MPI_SUM, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::sum, all);
   wait_mpi([&] { return MPI_Scan(MPI_IN_PLACE, &first, 1, MPI_UINT64_T, MPI_SUM, ranks.handle()); }, "MPI_Scan");
   return {all, first - count, count, transfer};
 }

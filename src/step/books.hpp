@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "kernels/contact/wall_sums.hpp"
+#include "kernels/contact/rows/wall_sums.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint_archive.hpp"
 #include "src/step/owned_sums.hpp"

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "comm/merge_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -99,8 +100,7 @@ class HeldDirectionFinder {
       const auto inertia = to_host(model_.inertia);
       some = std::any_of(nodes.begin(), nodes.end(), [&](int n) { return inertia(static_cast<std::size_t>(n)) > 0; });
     }
-    wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &some, 1, MPI_INT, MPI_MAX, model_.ranks.handle()); },
-             "MPI_Allreduce");
+    all_reduce(model_.ranks, Reduce::largest, some);
     if (some != 0) return;
     throw InputError(fmt::format(
         "{}: error: {} is of no use here (none of these nodes is one of shells, which alone "

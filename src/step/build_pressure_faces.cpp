@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -35,9 +36,7 @@ LocalSlots list_chunk_slots(const ChunkedMesh& chunked, const Model& model) {
 /// Takes the least of the values of all ranks, one by one.
 void find_least(const Mesh& mesh, std::vector<int>& values) {
   if (!mesh.ranks) return;
-  const auto count = static_cast<int>(values.size());
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, values.data(), count, MPI_INT, MPI_MIN, mesh.ranks->handle()); },
-           "MPI_Allreduce");
+  all_reduce(*mesh.ranks, Reduce::least, values);
 }
 
 /// The first part of the deck of whose shells, on any rank, both sides are among the faces; as many as there are

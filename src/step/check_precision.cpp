@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "comm/all_reduce.hpp"
 #include "comm/communicator.hpp"
 #include "src/error.hpp"
 #include "src/step/block_builder.hpp"
@@ -61,12 +62,7 @@ void check_single_precision(const Deck& deck, const ChunkedMesh& chunked, const 
       extremes[2 * k + 1] = std::max(extremes[2 * k + 1], 1 / values[k]);
     }
   }
-  wait_mpi(
-      [&] {
-        return MPI_Allreduce(MPI_IN_PLACE, extremes.data(), static_cast<int>(extremes.size()), MPI_DOUBLE, MPI_MAX,
-                             find_ranks(mesh).handle());
-      },
-      "MPI_Allreduce");
+  all_reduce(find_ranks(mesh), Reduce::largest, extremes);
   for (std::size_t k = 0; k < count; ++k) {
     if (extremes[2 * k] <= held[k].high && extremes[2 * k + 1] <= 1 / held[k].low) continue;
     throw InputError(

@@ -8,6 +8,7 @@
 #include <bit>
 #include <chrono>
 
+#include "comm/all_reduce.hpp"
 #include "comm/node_copies.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/mix_bits.hpp"
@@ -128,8 +129,7 @@ std::string hash_mesh(const ChunkedMesh& chunked, const Communicator& ranks) {
     }
     sum += h;
   }
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::sum, sum);
   return fmt::format("{:016x}", sum);
 }
 

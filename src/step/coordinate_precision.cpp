@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "comm/agreement.hpp"
-#include "kernels/contact/contact_limits.hpp"
+#include "kernels/contact/geometry/contact_limits.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/whole_mesh.hpp"

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
+#include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/failure.hpp"
-#include "src/contact/gather_items.hpp"
 #include "src/step/whole_mesh.hpp"
 
 namespace percuss {
@@ -271,8 +272,7 @@ void Erosion::book_elements(State& state, const std::vector<int>& newly_dead) co
   }
   for (ExactSum* const sum : {sums[0], sums[1], sums[2], &books.eroded_mass}) sum->normalize();
   auto count = static_cast<std::int64_t>(newly_dead.size());
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &count, 1, MPI_INT64_T, MPI_SUM, model_.ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(model_.ranks, Reduce::sum, count);
   books.eroded_elements += count;
 }
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "comm/halo_swap.hpp"
-#include "src/contact/buckets.hpp"
+#include "kernels/core/counting_sort.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/step/books.hpp"
 #include "src/step/state.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
@@ -100,10 +101,8 @@ AddedMass sum_over_ranks(const Communicator& ranks, const std::string& part, Par
   percuss::sum_over_ranks(ranks, sums);
   std::int64_t counts[] = {share.least.scaled, share.least.all};
   double bound = share.least.bound;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts, 2, MPI_INT64_T, MPI_SUM, ranks.handle()); },
-           "MPI_Allreduce");
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &bound, 1, MPI_DOUBLE, MPI_MIN, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::sum, counts);
+  all_reduce(ranks, Reduce::least, bound);
   return {part, counts[0], counts[1], sums[0].round(), sums[1].round(), bound};
 }
 

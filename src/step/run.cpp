@@ -12,7 +12,7 @@
 #include "comm/rendezvous.hpp"
 #include "src/checks/rules.hpp"
 #include "src/contact/contact_stage.hpp"
-#include "src/contact/start_overlap.hpp"
+#include "src/contact/start/start_overlap.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decompose.hpp"
 #include "src/output/first_rank.hpp"
@@ -265,7 +265,7 @@ void Run::advance() {
   if (!is_finished()) progress_->report(find_progress());  // finish() has the last word
 }
 
-/// Where elements have died, everything else follows before the state is looked at.
+/// (1.1) Redefine the contact surface: where elements have died, everything else follows before the state is looked at.
 void Run::erode() {
   if (!state_.bound.died) return;
   PhaseClock& clock = stepper_.clocks().reduce;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -148,8 +149,7 @@ void check_balance(const CheckedRun& run, const AuditResult& audit) {
 bool has_finite_positions(const Model& model, const State& state) {
   const auto x = to_host(state.x);
   int finite = std::all_of(x.data(), x.data() + x.size(), [](double value) { return std::isfinite(value); }) ? 1 : 0;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &finite, 1, MPI_INT, MPI_MIN, model.ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(model.ranks, Reduce::least, finite);
   return finite != 0;
 }
 

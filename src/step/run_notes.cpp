@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/contact/contact_limits.hpp"
+#include "kernels/contact/geometry/contact_limits.hpp"
 #include "src/deck/units.hpp"
 #include "src/step/coordinate_precision.hpp"
 #include "src/step/run_totals.hpp"

@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "comm/all_reduce.hpp"
+
 namespace percuss {
 
 namespace {
@@ -57,25 +59,19 @@ void take_largest(const Communicator& ranks, Summary& summary) {
                                        &peak};
   std::array<double, places.size()> values{};
   for (std::size_t i = 0; i < places.size(); ++i) values[i] = *places[i];
-  wait_mpi(
-      [&] {
-        return MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_MAX,
-                             ranks.handle());
-      },
-      "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, values);
   for (std::size_t i = 0; i < places.size(); ++i) *places[i] = values[i];
   summary.peak_bytes = static_cast<std::int64_t>(peak);
 }
 
 Traffic sum_traffic(const Communicator& ranks, const Traffic& own) {
   std::array<std::int64_t, 2> sums{own.messages, own.bytes};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums.data(), 2, MPI_INT64_T, MPI_SUM, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::sum, sums);
   return {sums[0], sums[1]};
 }
 
 std::int64_t sum_counts(const Communicator& ranks, std::int64_t own) {
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &own, 1, MPI_INT64_T, MPI_SUM, ranks.handle()); }, "MPI_Allreduce");
+  all_reduce(ranks, Reduce::sum, own);
   return own;
 }
 

@@ -1,5 +1,6 @@
 #include "src/step/state.hpp"
 
+#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/mix_bits.hpp"
 #include "kernels/shell/shell_failure.hpp"
@@ -252,8 +253,7 @@ std::uint64_t hash_elements(const Model& model, const State& state) {
 
 std::uint64_t hash_state(const Model& model, const State& state) {
   std::uint64_t sums[2] = {hash_nodes(model, state), hash_elements(model, state)};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_UINT64_T, MPI_SUM, model.ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(model.ranks, Reduce::sum, sums);
   return mix_bits(sums[0]) + sums[1];
 }
 

@@ -113,30 +113,19 @@ void Stepper::archive(CheckpointArchive& archive) {
   contact_.archive(archive);
 }
 
+// The explicit midpoint rule begins a step with the motion that the forces at n cause, and ends it with the forces at
+// n+1, so that (1.6) to (1.9) come before (1.3) to (1.5). (1.1) comes after the step, where elements have died in it:
+// Run::erode().
 void Stepper::advance(State& state, StepWishes wishes) {
   const double dt = state.next_dt;
   const double dt_mean = 0.5 * (state.dt + dt);
-  if (is_free()) {
-    integrate_free_motion(state, dt, dt_mean);
-  } else {
-    integrate_motion(state, dt_mean);
-    hold_conditions(state, dt);
-    resolve_contact(state, dt);
-  }
-  if (model_.has_shells) integrate_spins(state, dt, dt_mean);
-  {
-    const Phase phase("percuss::book", clocks_.reduce);
-    bookkeeper_.book_impulses(state, dt, dt_mean, report_.walls);
-  }
-  if (!is_free()) {
-    const Phase phase("percuss::integrate", clocks_.integrate);
-    move_nodes(space_, state.v, dt, state.x);
-  }
-  compute_forces(state, dt);
-  {
-    const Phase phase("percuss::book", clocks_.reduce);
-    bookkeeper_.book_new_forces(state, dt);
-  }
+  predict_motion(state, dt, dt_mean);  // (1.2) equations of motion, (1.6) prediction without contact
+  resolve_contact(state, dt);          // (1.7) search, (1.8) detailed check, (1.9) enforcement
+  integrate_spins(state, dt, dt_mean);
+  book_motion(state, dt, dt_mean);
+  accept_motion(state, dt);   // (1.2) positions at n+1
+  compute_forces(state, dt);  // (1.3) strain rate, (1.4) stress, (1.5) internal forces
+  book_forces(state, dt);
   judge_elements(state, dt);
   state.time += dt;
   state.step += 1;
@@ -150,6 +139,32 @@ void Stepper::advance(State& state, StepWishes wishes) {
 bool Stepper::is_free() const {
   return !contact_.is_active() && model_.held.count == 0 && model_.pressure_faces.count == 0 &&
          model_.nodal_loads.count == 0;
+}
+
+/// Velocities at n+1/2 as they are without contact, conditions included. Of free nodes positions as well.
+void Stepper::predict_motion(State& state, double dt, double dt_mean) {
+  if (is_free()) {
+    integrate_free_motion(state, dt, dt_mean);
+    return;
+  }
+  integrate_motion(state, dt_mean);
+  hold_conditions(state, dt);
+}
+
+void Stepper::accept_motion(State& state, double dt) {
+  if (is_free()) return;
+  const Phase phase("percuss::integrate", clocks_.integrate);
+  move_nodes(space_, state.v, dt, state.x);
+}
+
+void Stepper::book_motion(State& state, double dt, double dt_mean) {
+  const Phase phase("percuss::book", clocks_.reduce);
+  bookkeeper_.book_impulses(state, dt, dt_mean, report_.walls);
+}
+
+void Stepper::book_forces(State& state, double dt) {
+  const Phase phase("percuss::book", clocks_.reduce);
+  bookkeeper_.book_new_forces(state, dt);
 }
 
 void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {
@@ -167,6 +182,7 @@ void Stepper::integrate_motion(State& state, double dt_mean) {
 
 /// Rotations of the nodes of shells: nothing but the elements' moments and conditions acts on them.
 void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
+  if (!model_.has_shells) return;
   {
     const Phase phase("percuss::integrate_spins", clocks_.integrate);
     predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}}, dt_mean,
@@ -216,7 +232,8 @@ void Stepper::resolve_contact(State& state, double dt) {
   clocks_.contact_enforce = spent.enforce;
 }
 
-/// All forces at n+1, in the slots. What other ranks wait for comes first, what needs nobody goes on meanwhile.
+/// (1.3) to (1.5): all forces at n+1, in the slots. What other ranks wait for comes first, what needs nobody goes on
+/// meanwhile.
 void Stepper::compute_forces(State& state, double dt) {
   {
     const Phase phase("percuss::internal_force", clocks_.internal_force);

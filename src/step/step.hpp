@@ -1,5 +1,5 @@
 #pragma once
-// One step of the run: the paper's Figure 1, each line a function.
+// One step of the run: Figure 1 of the paper, each line a function (Stepper::advance()).
 
 #include <cstdint>
 #include <limits>
@@ -82,6 +82,10 @@ class Stepper {
 
  private:
   bool is_free() const;
+  void predict_motion(State& state, double dt, double dt_mean);
+  void accept_motion(State& state, double dt);
+  void book_motion(State& state, double dt, double dt_mean);
+  void book_forces(State& state, double dt);
   void integrate_free_motion(State& state, double dt, double dt_mean);
   void integrate_motion(State& state, double dt_mean);
   void integrate_spins(State& state, double dt, double dt_mean);

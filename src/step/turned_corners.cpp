@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "comm/all_reduce.hpp"
 #include "comm/communicator.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -36,12 +37,7 @@ std::vector<std::int64_t> count_turned_corners(const ChunkedMesh& chunked, const
     }
     if (has_turned_corner(x)) ++counts[static_cast<std::size_t>(mesh.element_part[e])];
   }
-  wait_mpi(
-      [&] {
-        return MPI_Allreduce(MPI_IN_PLACE, counts.data(), static_cast<int>(counts.size()), MPI_INT64_T, MPI_SUM,
-                             model.ranks.handle());
-      },
-      "MPI_Allreduce");
+  all_reduce(model.ranks, Reduce::sum, counts);
   return counts;
 }
 

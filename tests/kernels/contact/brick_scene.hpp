@@ -5,7 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "kernels/contact/row_system.hpp"
+#include "kernels/contact/rows/row_system.hpp"
+#include "kernels/contact/search/pair_search.hpp"
 
 namespace percuss::test {
 

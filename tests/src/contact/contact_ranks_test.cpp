@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/contact/point3.hpp"
+#include "kernels/contact/geometry/point3.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/deck/read_deck.hpp"
 #include "src/error.hpp"

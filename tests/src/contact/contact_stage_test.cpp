@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "kernels/contact/contact_limits.hpp"
-#include "kernels/contact/point3.hpp"
+#include "kernels/contact/geometry/contact_limits.hpp"
+#include "kernels/contact/geometry/point3.hpp"
 #include "src/deck/read_deck.hpp"
 #include "src/mesh/decompose.hpp"
 

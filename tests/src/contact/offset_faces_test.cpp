@@ -1,14 +1,14 @@
 // Faces moved outward for the thickness of shells, of a surface with rings and rims.
 
-#include "kernels/contact/offset_faces.hpp"
+#include "kernels/contact/surface/offset_faces.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "kernels/contact/pair_check.hpp"
+#include "kernels/contact/check/pair_check.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "src/contact/check_space.hpp"
+#include "src/contact/check/check_space.hpp"
 
 namespace percuss::test {
 namespace {

@@ -1,6 +1,6 @@
 // The plan of the contact decomposition against the decomposition that ranks make in their first search.
 
-#include "src/contact/plan_contact.hpp"
+#include "src/contact/plan/plan_contact.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // How long candidate and near pairs may be used, of a surface of one face with nodes behind it.
 
-#include "src/contact/reuse_bound.hpp"
+#include "src/contact/search/reuse_bound.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,14 @@
 // Contact surface, pair table and walls from mesh and deck.
 
-#include "src/contact/surface_share.hpp"
+#include "src/contact/surface/surface_share.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "src/contact/local_finder.hpp"
+#include "src/contact/search/local_finder.hpp"
+#include "src/contact/ties/ties.hpp"
 #include "src/deck/read_deck.hpp"
 #include "src/error.hpp"
 #include "src/mesh/decompose.hpp"

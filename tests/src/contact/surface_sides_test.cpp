@@ -1,4 +1,4 @@
-#include "src/contact/surface_sides.hpp"
+#include "src/contact/surface/surface_sides.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,11 +19,11 @@ struct Shells {
       nodes = std::max(nodes, *std::max_element(e.begin(), e.end()) + 1);
     }
     offset.assign(corners.size(), 0.5);
-    around.offset.push_back(0);
+    around.first.push_back(0);
     for (int n = 0; n < nodes; ++n) {
       for (std::size_t f = 0; f < corners.size(); ++f)
-        if (std::count(corners[f].begin(), corners[f].end(), n) > 0) around.faces.push_back(static_cast<int>(f));
-      around.offset.push_back(static_cast<int>(around.faces.size()));
+        if (std::count(corners[f].begin(), corners[f].end(), n) > 0) around.items.push_back(static_cast<int>(f));
+      around.first.push_back(static_cast<int>(around.items.size()));
     }
   }
 
@@ -47,7 +47,7 @@ struct Shells {
 
   std::vector<Corners> corners;
   std::vector<double> offset;
-  NodeFaces around;
+  Buckets around;
 };
 
 TEST(SurfaceSides, GoAroundANodeOfAPlateOnOneSideOnly) {

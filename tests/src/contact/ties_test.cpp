@@ -1,6 +1,6 @@
 // Which nodes are tied where.
 
-#include "src/contact/ties.hpp"
+#include "src/contact/ties/ties.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,328 @@
+#include "kernels/contact/check/detailed_check.hpp"
+
+#include "kernels/contact/check/node_check.hpp"
+#include "kernels/contact/surface/listed_faces.hpp"
+#include "kernels/core/index_lists.hpp"
+
+namespace percuss {
+namespace {
+
+/// What else is read of them.
+struct MeasuredFaces : ListedFaces {
+  int back[4][lanes];                    // mesh nodes; behind faces that are not boxed the corners
+  alignas(64) double offset[lanes];      // of the thickness of shells
+  alignas(64) double box_offset[lanes];  // by how much more the box reaches for it
+
+  KOKKOS_INLINE_FUNCTION MeasuredFaces(const ContactSurface& surface, const Array<const int>& list,
+                                       const Array<const int>& boxed, int pack, int num_faces)
+      : ListedFaces(surface, list, boxed, pack, num_faces) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      for (int k = 0; k < 4; ++k) back[k][lane] = is_boxed[lane] ? surface.face_backs(face[lane], k) : corner[k][lane];
+      offset[lane] = find_face_offset(surface.offsets, face[lane]);
+      box_offset[lane] = find_offset_reach(offset[lane], surface.offsets.largest);
+    }
+  }
+};
+
+KOKKOS_INLINE_FUNCTION void store_box(const Boxes& boxes, int face, const Point3& low, const Point3& high) {
+  boxes(face, 0) = low.x, boxes(face, 1) = low.y, boxes(face, 2) = low.z;
+  boxes(face, 3) = high.x, boxes(face, 4) = high.y, boxes(face, 5) = high.z;
+}
+
+/// Size, box and slab of those faces that are boxed. at, velocity: of their corners; relative: the same to the first.
+PERCUSS_FORCE_INLINE void measure_boxed(const SurfaceOffsets& offsets, const SurfaceMotion& motion,
+                                        const MeasuredFaces& faces, const FaceOf<Packed>& at,
+                                        const FaceOf<Packed>& velocity, const RelativeFaceOf<Packed>& relative,
+                                        const PackedPoint& normal, const FaceState& out) {
+  // Distance from the middle of a face to that of the opposite side of its element.
+  const FaceOf<Packed> behind = load_corners(motion.x, faces.back);
+  PackedPoint sum = at.corner[0] - behind.corner[0];
+  for (int k = 1; k < 4; ++k) sum = sum + (at.corner[k] - behind.corner[k]);
+  const Packed offset = load_pack(faces.offset), dt(motion.dt);
+  const Packed thickness = select(offset > Packed(0), Packed(2) * offset, Packed(0.25) * norm(sum));
+  const Packed size = smaller(thickness, find_shortest_edge(relative.start));
+  const Packed reach = Packed(contact_limits::capture) * size + load_pack(faces.box_offset);
+  const BoxOf<Packed> box = bound_corners(at, velocity, dt, reach);
+  const LaneValues sizes(size);
+  const LanePoints lows(box.low), highs(box.high);
+  for (int lane = 0; lane < faces.count; ++lane) {
+    if (!faces.is_boxed[lane]) continue;
+    out.size(faces.face[lane]) = sizes[lane];
+    store_box(out.box, faces.face[lane], lows[lane], highs[lane]);
+  }
+  if (!(offsets.largest > 0)) return;
+  const FaceSlabOf<Packed> slab = find_slab(at.corner[0], dt * velocity.corner[0], relative, normal);
+  const LanePoints origin(slab.origin), move(slab.move), normal_at_start(slab.normal_at_start);
+  const LaneValues low_start(slab.low_start), high_start(slab.high_start), low_end(slab.low_end),
+      high_end(slab.high_end), turn(slab.turn);
+  for (int lane = 0; lane < faces.count; ++lane) {
+    if (!faces.is_boxed[lane]) continue;
+    out.slab(faces.face[lane]) = {origin[lane],  move[lane],     low_start[lane],       high_start[lane],
+                                  low_end[lane], high_end[lane], normal_at_start[lane], turn[lane]};
+  }
+}
+
+PERCUSS_FORCE_INLINE void measure_faces(const SurfaceOffsets& offsets, const SurfaceMotion& motion,
+                                        const MeasuredFaces& faces, const FaceState& out) {
+  const FaceOf<Packed> at = load_corners(motion.x, faces.corner), velocity = load_corners(motion.v, faces.corner);
+  // Relative to the first corner, so that nothing degrades far from the origin of the coordinates.
+  RelativeFaceOf<Packed> relative{find_relative(at), find_relative(velocity)};
+  for (int k = 0; k < 4; ++k) relative.move.corner[k] = Packed(motion.dt) * relative.move.corner[k];
+  const PackedPoint normal = find_face_normal(find_end(relative));
+  const LanePoints normals(normal);
+  for (int lane = 0; lane < faces.count; ++lane) {
+    store_row(out.normal, faces.face[lane], normals[lane]);
+    if (faces.is_boxed[lane]) continue;
+    constexpr double beyond = 1e300;  // a box that meets nothing
+    store_box(out.box, faces.face[lane], {beyond, beyond, beyond}, {-beyond, -beyond, -beyond});
+  }
+  if (faces.any_boxed) measure_boxed(offsets, motion, faces, at, velocity, relative, normal, out);
+}
+
+/// The candidate faces of a node.
+struct NodeCandidates {
+  Array<const int> face, with_history;
+  bool leaves_out = false;  // those that only a node with a history is checked against
+
+  /// -1: left out.
+  KOKKOS_INLINE_FUNCTION int operator()(int c) const { return leaves_out && with_history(c) != 0 ? -1 : face(c); }
+};
+
+KOKKOS_INLINE_FUNCTION bool has_history(const Array<const int>& history_face, int node) {
+  for (int slot = 0; slot < contact_limits::max_touches; ++slot)
+    if (history_face(contact_limits::max_touches * node + slot) >= 0) return true;
+  return false;
+}
+
+/// Flattened: a pair is checked by some fifty small functions.
+template <Thickness thickness>
+PERCUSS_FLATTEN KOKKOS_FUNCTION void check_node_flat(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                     const FaceState& faces, const Array<const int>& history_face,
+                                                     int node, const NodeCandidates& candidates, int first, int last,
+                                                     NodeTouches& accepted) {
+  check_node<thickness>(surface, motion, faces, history_face, node, candidates, first, last, accepted);
+}
+
+/// The first of the candidates first to last - 1 whose box the node meets in the step, or `last`: for most nodes, in
+/// most steps, there is none.
+KOKKOS_INLINE_FUNCTION int find_first_near(const ContactSurface& surface, const SurfaceMotion& motion,
+                                           const FaceState& faces, int node, const NodeCandidates& candidates,
+                                           int first, int last) {
+  const CheckedNode checked = load_checked_node(surface, motion, node);
+  for (; first < last; ++first)
+    if (const int face = candidates(first); face >= 0 && is_in_box(checked, faces.box, face)) break;
+  return first;
+}
+
+}  // namespace
+
+template <class Space>
+void update_faces(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+                  const CandidateList& candidates, const StillFaces& still, const FaceState& faces) {
+  const ContactSurface s = surface;
+  const SurfaceMotion m = motion;
+  const FaceState out = faces;
+  const StillFaces seen = still;
+  const bool is_watched = still.is_watched();
+  const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
+  const int num_faces = candidates.num_faces;
+  Kokkos::parallel_for(
+      "contact::update_faces", RangeOf<Space>(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
+        const MeasuredFaces measured(s, list, is_boxed, pack, num_faces);
+        bool has_moved = !is_watched;
+        for (int lane = 0; is_watched && lane < measured.count; ++lane) {
+          const auto row = [&](int k) { return k < 4 ? measured.corner[k][lane] : measured.back[k - 4][lane]; };
+          const bool is_still = seen.look(m, measured.face[lane], measured.is_boxed[lane] ? 8 : 4, row);
+          has_moved = has_moved || !is_still;
+        }
+        if (has_moved) measure_faces(s.offsets, m, measured, out);
+      });
+}
+
+namespace {
+
+/// Whether some face around a node has moved since the last check. Nothing is known of a particle, which has none.
+KOKKOS_INLINE_FUNCTION bool has_moved_around(const ContactSurface& surface, const StillFaces& still, int node) {
+  const int first = surface.nodes_to_faces_offset(node), last = surface.nodes_to_faces_offset(node + 1);
+  for (int j = first; j < last; ++j)
+    if (still.has_moved(surface.nodes_to_faces(j))) return true;
+  return first == last;
+}
+
+/// Candidate faces, and how many of them lie still with all around them.
+struct StillCount {
+  int still = 0, faces = 0;
+};
+
+/// Marks the candidate faces around whose corners some face has moved.
+template <class Space>
+StillCount mark_near_moved(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+                           const StillFaces& still, const Array<int>& near_moved) {
+  const ContactSurface s = surface;
+  const StillFaces seen = still;
+  const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
+  StillCount count;
+  Kokkos::parallel_reduce(
+      "contact::near_moved", RangeOf<Space>(space, 0, candidates.num_faces),
+      KOKKOS_LAMBDA(int i, int& still_faces, int& faces) {
+        if (is_boxed(i) == 0) return;
+        bool has_moved = seen.has_moved(list(i));
+        for (int k = 0; k < 4 && !has_moved; ++k) has_moved = has_moved_around(s, seen, s.face_corners(list(i), k));
+        near_moved(list(i)) = has_moved ? 1 : 0;
+        still_faces += has_moved ? 0 : 1;
+        ++faces;
+      },
+      count.still, count.faces);
+  return count;
+}
+
+/// The nodes to be checked: those that moved, or something near them, or that remember other faces than in the last
+/// check. Returns how many, of them or of all nodes if still faces are not watched and none are listed.
+template <class Space>
+int list_checked_nodes(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+                       const Array<const int>& history_face, StillFaces& still, TouchTable& table) {
+  table.num_kept_pairs = 0;
+  if (!still.is_watched()) return candidates.num_nodes;
+  if (static_cast<int>(table.checked_at.extent(0)) < surface.num_nodes) {
+    reserve(table.checked_at, surface.num_nodes);
+    reserve(table.is_still, surface.num_nodes);
+    reserve(table.known, contact_limits::max_touches * surface.num_nodes);
+    Kokkos::deep_copy(table.checked_at, std::int64_t{-1});
+  }
+  reserve(table.near_moved, surface.num_faces);
+  reserve(table.checked, candidates.num_nodes);
+  const StillCount count = mark_near_moved(space, surface, candidates, still, table.near_moved);
+  still.count_still(count.still, count.faces);
+  const ContactSurface s = surface;
+  const StillFaces seen = still;
+  const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
+  const Array<const int> history = history_face, near_moved = table.near_moved;
+  const Array<int> known = table.known, is_still = table.is_still;
+  const Array<std::int64_t> checked_at = table.checked_at;
+  const Array<int> checked = table.checked;
+  const std::int64_t now = still.now(), before = still.before();
+  Kokkos::parallel_for(
+      "contact::find_kept_nodes", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
+        const int node = nodes(i);
+        bool is_kept = checked_at(node) == before;
+        for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
+          const int record = contact_limits::max_touches * node + slot;
+          is_kept = is_kept && known(record) == history(record);
+          known(record) = history(record);
+        }
+        is_kept = is_kept && !has_moved_around(s, seen, node);
+        is_still(node) = is_kept ? 1 : 0;
+        for (int c = offset(node); is_kept && c < offset(node + 1); ++c) is_kept = near_moved(face(c)) == 0;
+        checked_at(node) = is_kept ? now : -1;
+      });
+  const int num_checked = list_where<Space>(
+      space, candidates.num_nodes, [nodes, checked_at] KOKKOS_FUNCTION(int i) { return checked_at(nodes(i)) < 0; },
+      table.checked);
+  std::int64_t checked_pairs = 0;
+  Kokkos::parallel_reduce(
+      "contact::count_checked_pairs", RangeOf<Space>(space, 0, num_checked),
+      KOKKOS_LAMBDA(int k, std::int64_t& pairs) {
+        const int node = nodes(checked(k));
+        pairs += offset(node + 1) - offset(node);
+        checked_at(node) = now;
+      },
+      checked_pairs);
+  table.num_kept_pairs = candidates.num_pairs - checked_pairs;
+  return num_checked;
+}
+
+/// What a node touched in the check before, if it and its faces lie still.
+struct StillTouches {
+  int count = -1;  // -1: the node does not lie still
+  int face[contact_limits::max_touches]{}, record[contact_limits::max_touches]{};
+
+  KOKKOS_FUNCTION explicit StillTouches(const NodeTouches* touches) {
+    if (touches == nullptr) return;
+    count = touches->count;
+    for (int i = 0; i < count; ++i) {
+      face[i] = touches->touch[i].face;
+      record[i] = touches->touch[i].record;
+    }
+  }
+
+  /// Whether these are the same: of a face that lies still, with those around it, nothing else can have changed.
+  KOKKOS_FUNCTION bool are(const NodeTouches& touches, const Array<const int>& near_moved) const {
+    if (count != touches.count) return false;
+    for (int i = 0; i < count; ++i)
+      if (face[i] != touches.touch[i].face || record[i] != touches.touch[i].record || near_moved(face[i]) != 0)
+        return false;
+    return true;
+  }
+};
+
+/// is_listed: whether TouchTable::checked names the nodes to be checked, or it is all of them.
+template <Thickness thickness, class Space>
+void check_nodes(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+                 const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
+                 bool is_listed, int num_checked, TouchTable& table) {
+  const ContactSurface s = surface;
+  const SurfaceMotion m = motion;
+  const FaceState f = faces;
+  const Array<const int> h = history_face;
+  const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
+  const Array<const int> with_history = candidates.with_history;
+  const bool has_marks = with_history.extent(0) > 0;
+  const Array<NodeTouches> by_node = table.by_node;
+  const Array<const int> checked = table.checked, is_still = table.is_still, near_moved = table.near_moved;
+  Kokkos::parallel_reduce(
+      "contact::detailed_check", RangeOf<Space>(space, 0, num_checked),
+      KOKKOS_LAMBDA(int k, int& found) {
+        const int node = nodes(is_listed ? checked(k) : k);
+        const NodeCandidates own{face, with_history, has_marks && !has_history(h, node)};
+        const int last = offset(node + 1), first = find_first_near(s, m, f, node, own, offset(node), last);
+        const StillTouches before(is_listed && is_still(node) != 0 ? &by_node(node) : nullptr);
+        if (first == last)
+          by_node(node).count = 0;
+        else
+          check_node_flat<thickness>(s, m, f, h, node, own, first, last, by_node(node));
+        found += before.are(by_node(node), near_moved) ? 0 : by_node(node).count;
+      },
+      table.num_new);
+}
+
+}  // namespace
+
+template <class Space>
+void find_touches(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
+                  const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
+                  StillFaces& still, TouchTable& table) {
+  if (static_cast<int>(table.by_node.extent(0)) < surface.num_nodes) still.forget();
+  reserve(table.by_node, surface.num_nodes);
+  reserve(table.first, candidates.num_nodes);
+  const int num_checked = list_checked_nodes(space, surface, candidates, history_face, still, table);
+  const bool is_listed = still.is_watched();
+  if (surface.offsets.largest > 0)
+    check_nodes<Thickness::of_shells>(space, surface, motion, candidates, faces, history_face, is_listed, num_checked,
+                                      table);
+  else
+    check_nodes<Thickness::none>(space, surface, motion, candidates, faces, history_face, is_listed, num_checked,
+                                 table);
+  const Array<const int> nodes = candidates.nodes;
+  const Array<NodeTouches> by_node = table.by_node;
+  const Array<int> place_of_first = table.first;
+  Kokkos::parallel_scan(
+      "contact::first_touch", RangeOf<Space>(space, 0, candidates.num_nodes),
+      KOKKOS_LAMBDA(int i, int& place, bool final_pass) {
+        if (final_pass) place_of_first(i) = place;
+        place += by_node(nodes(i)).count;
+      },
+      table.count);
+}
+
+#define PERCUSS_INSTANTIATE(Space)                                                                            \
+  template void update_faces(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
+                             const StillFaces&, const FaceState&);                                            \
+  template void find_touches(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
+                             const FaceState&, const Array<const int>&, StillFaces&, TouchTable&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss

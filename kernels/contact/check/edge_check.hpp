@@ -1,0 +1,244 @@
+#pragma once
+// The detailed check of one pair of edges: do they touch in this step, where, how deep?
+//
+// Ways into contact as for a node and a face (pair_check.hpp): crossing near one another at the end of the step
+// (touching), going through one another within it (swept), or left far behind after touching at its start (held). The
+// push direction is square to both edges; a plane square to it must part the two wedges of faces, so that edges that
+// only run past each other, as those of bricks in line do, never touch. Ends of edges belong to nodes and faces, nearly
+// parallel edges too.
+
+#include "kernels/contact/geometry/contact_limits.hpp"
+#include "kernels/contact/geometry/edge_geometry.hpp"
+#include "kernels/contact/geometry/swept_root.hpp"
+#include "kernels/contact/surface/contact_state.hpp"
+#include "kernels/contact/surface/edge_surface.hpp"
+
+namespace percuss {
+
+/// Edge A on edge B.
+struct EdgeTouch {
+  int record = -1;       // history record that this contact continues; -1: new
+  float offset = 0;      // distance that the lines keep by the thickness of shells, for limits
+  double s = 0, t = 0;   // places on A and on B
+  Point3 normal{};       // push direction of A
+  double gap_start = 0;  // distance along the normal at n, negative in penetration [length]
+  double gap_end = 0;    // the same at the predicted place
+  double size = 0;       // h: the lesser of the two edges' sizes
+};
+
+/// A pair over the step.
+struct MovingPair {
+  EdgePair start, move;
+
+  KOKKOS_INLINE_FUNCTION EdgePair at(double tau) const {
+    EdgePair e;
+    for (int i = 0; i < 2; ++i) {
+      e.a[i] = start.a[i] + tau * move.a[i];
+      e.b[i] = start.b[i] + tau * move.b[i];
+    }
+    return e;
+  }
+};
+
+/// Places and displacements relative to the first end of A.
+KOKKOS_INLINE_FUNCTION MovingPair load_moving_pair(const EdgeSurface& surface, const SurfaceMotion& motion, int a,
+                                                   int b) {
+  const int origin = surface.ends(a, 0);
+  const Point3 x = load_row(motion.x, origin), v = load_row(motion.v, origin);
+  MovingPair pair;
+  for (int i = 0; i < 2; ++i) {
+    const int p = surface.ends(a, i), q = surface.ends(b, i);
+    pair.start.a[i] = load_row(motion.x, p) - x;
+    pair.start.b[i] = load_row(motion.x, q) - x;
+    pair.move.a[i] = motion.dt * (load_row(motion.v, p) - v);
+    pair.move.b[i] = motion.dt * (load_row(motion.v, q) - v);
+  }
+  return pair;
+}
+
+KOKKOS_INLINE_FUNCTION bool do_boxes_meet(const Boxes& box, int a, int b) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (box(a, axis) > box(b, axis + 3) || box(b, axis) > box(a, axis + 3)) return false;
+  return true;
+}
+
+/// An edge with what its faces say: the wedge at the predicted place and the size h at n, the shortest edge of its
+/// faces or the thickness of its shells.
+struct EdgeFaces {
+  Wedge wedge;
+  double size = 0;
+};
+
+KOKKOS_INLINE_FUNCTION EdgeFaces load_edge_faces(const EdgeSurface& surface, const SurfaceMotion& motion, int edge) {
+  const int origin = surface.ends(edge, 0);
+  const Point3 x = load_row(motion.x, origin), v = load_row(motion.v, origin);
+  const auto start = [&](int row) { return load_row(motion.x, row) - x; };
+  const auto end = [&](int row) { return start(row) + motion.dt * (load_row(motion.v, row) - v); };
+  const Point3 along = start(surface.ends(edge, 1)), along_end = end(surface.ends(edge, 1));
+  EdgeFaces found;
+  double shortest = dot(along, along);
+  for (int f = 0; f < 2; ++f) {
+    const int p = surface.wings(edge, 2 * f), q = surface.wings(edge, 2 * f + 1);
+    found.wedge.inward[f] = find_inward(Point3{}, along_end, end(p), end(q));
+    const Point3 sides[3] = {start(p), start(q) - along, start(q) - start(p)};
+    for (const Point3& side : sides) shortest = dot(side, side) < shortest ? dot(side, side) : shortest;
+  }
+  found.size = std::sqrt(shortest);
+  const double thickness = 2 * find_edge_offset(surface, edge);
+  if (thickness > 0 && thickness < found.size) found.size = thickness;
+  return found;
+}
+
+/// Turns a crossing so that its normal points out of B's wedge and into A's; false if the plane that it is square to
+/// does not part the wedges. side: the distance at the start along c.normal of edges with thickness between them, whose
+/// lines are apart when they touch: if either way parts the wedges it says which; 0 of edges of solids.
+KOKKOS_INLINE_FUNCTION bool orient(const Wedge& a, const Wedge& b, const Point3* last_normal, double side,
+                                   Crossing& c) {
+  const double reach = find_reach_through(a, b, c.normal), back = find_reach_through(a, b, -c.normal);
+  const double limit = last_normal != nullptr ? contact_limits::history_reach_through : contact_limits::reach_through;
+  bool flips = back < reach;
+  if (side != 0 && reach <= limit && back <= limit) flips = side < 0;
+  if (last_normal != nullptr) flips = dot(*last_normal, c.normal) < 0;
+  if (flips) {
+    c.normal = -c.normal;
+    c.gap = -c.gap;
+  }
+  return (flips ? back : reach) <= limit;
+}
+
+/// Whether two edges may touch by their lines alone, whichever way they push: cheap, and rejects nearly all pairs.
+/// known: they were in contact, and may be past an end; offset: the distance that the lines keep.
+KOKKOS_INLINE_FUNCTION bool may_touch(const MovingPair& pair, const Crossing& start, const Crossing& end, bool known,
+                                      double offset) {
+  if (!start.crosses || !end.crosses) return false;
+  const bool changes_side = start.gap * end.gap <= 0;
+  if (known || changes_side) return true;
+  if (!is_inside(end, 0) && !is_inside(start, 0)) return false;
+  const Point3 u = pair.start.a[1] - pair.start.a[0], v = pair.start.b[1] - pair.start.b[0];
+  const double a = dot(u, u), b = dot(v, v), shorter = a < b ? a : b;
+  const double s = start.gap * start.gap, e = end.gap * end.gap, nearer = s < e ? s : e;
+  if (offset == 0)
+    return nearer <= contact_limits::capture * contact_limits::capture * shorter;  // h is at most the shorter edge
+  const double farthest = contact_limits::capture * std::sqrt(shorter) + offset;
+  return nearer <= farthest * farthest;
+}
+
+/// (point s of A - point t of B) . normal.
+KOKKOS_INLINE_FUNCTION double measure_edge_gap(const EdgePair& e, double s, double t, const Point3& normal) {
+  const Point3 a = (1 - s) * e.a[0] + s * e.a[1], b = (1 - t) * e.b[0] + t * e.b[1];
+  return dot(a - b, normal);
+}
+
+/// The gap between the lines at n, on the side of `normal`.
+KOKKOS_INLINE_FUNCTION double measure_line_gap(const Crossing& start, const Point3& normal) {
+  return dot(start.normal, normal) < 0 ? -start.gap : start.gap;
+}
+
+/// The first time at which the edges go through one another from the side of `normal`; false if they do not.
+KOKKOS_INLINE_FUNCTION bool sweep_edges(const MovingPair& pair, bool flips, EdgeTouch& touch) {
+  const EdgePair &x = pair.start, &d = pair.move;
+  const Point3 w = x.b[0] - x.a[0], dw = d.b[0] - d.a[0];
+  Cubic volume = find_plane_cubic(w, w + (x.a[1] - x.a[0]), w + (x.b[1] - x.b[0]), dw, dw + (d.a[1] - d.a[0]),
+                                  dw + (d.b[1] - d.b[0]));
+  for (double& c : volume.c) c = flips ? -c : c;
+  double root[2] = {0, 0};
+  const int roots = find_falling_roots(volume, root);
+  for (int r = 0; r < roots; ++r) {
+    const Crossing hit = find_crossing(pair.at(root[r]), contact_limits::least_sine);
+    if (!hit.crosses || !is_inside(hit, contact_limits::end_band)) continue;
+    touch.s = hit.s;
+    touch.t = hit.t;
+    return true;
+  }
+  return false;
+}
+
+/// Whether edges that were in contact still cross, at most a little past their ends, and where: places beyond an end
+/// become the end. depth: predicted.
+KOKKOS_INLINE_FUNCTION bool keep_on_edges(const EdgePair& e, const Crossing& c, double depth, EdgeTouch& touch) {
+  const double past_a = contact_limits::history_end_band + contact_limits::history_bend * depth / norm(e.a[1] - e.a[0]);
+  const double past_b = contact_limits::history_end_band + contact_limits::history_bend * depth / norm(e.b[1] - e.b[0]);
+  touch.s = c.s < 0 ? 0 : c.s > 1 ? 1 : c.s;
+  touch.t = c.t < 0 ? 0 : c.t > 1 ? 1 : c.t;
+  return is_inside(c, -past_a, -past_b);
+}
+
+/// A pair that may have a row, with its crossings at both ends of the step.
+struct PairInReach {
+  const MovingPair& pair;
+  const Crossing &start, &end;
+  double offset;  // what the shells of both edges take of the gap between the lines
+  bool known;     // a contact with history
+  bool flips;     // the normal is against a x b
+};
+
+/// Where a pair touches: on the edges at the end of the step, at their ends where it was before, or where it went
+/// through. In: touch with its gaps between the lines; false if it does not touch.
+KOKKOS_INLINE_FUNCTION bool find_place(const PairInReach& p, EdgeTouch& touch) {
+  namespace limits = contact_limits;
+  const double reach = limits::capture * touch.size + p.offset;
+  const bool is_deep = touch.gap_end < -reach;
+  if (!is_deep && is_inside(p.end, p.known ? 0 : limits::end_band)) return true;
+  const EdgePair end_places = p.pair.at(1);
+  const double depth = is_deep ? reach : touch.gap_end < 0 ? -touch.gap_end : 0;
+  if (p.known && !is_deep && keep_on_edges(end_places, p.end, depth, touch)) {
+    touch.gap_start = measure_edge_gap(p.pair.start, touch.s, touch.t, touch.normal) - p.offset;
+  } else {
+    touch.s = p.start.s;
+    touch.t = p.start.t;
+    const double band = (p.known ? limits::history_band : limits::new_band) * touch.size;
+    const bool on_edges = p.known ? keep_on_edges(p.pair.start, p.start, depth, touch) : is_inside(p.start, 0);
+    const bool at_start = touch.gap_start <= band && on_edges;
+    if (at_start ? !is_deep : !sweep_edges(p.pair, p.flips, touch)) return false;
+  }
+  touch.gap_end = measure_edge_gap(end_places, touch.s, touch.t, touch.normal) - p.offset;
+  return touch.gap_end <= limits::row_gap * touch.size;
+}
+
+/// Checks one pair; touch is meaningful if the answer is true. last_normal: of the contact that touch.record continues.
+KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
+                                            const Point3* last_normal, EdgeTouch& touch) {
+  const MovingPair pair = load_moving_pair(surface, motion, a, b);
+  Crossing end = find_crossing(pair.at(1), contact_limits::least_sine);
+  const Crossing start = find_crossing(pair.start, contact_limits::least_sine);
+  const double offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
+  const bool known = last_normal != nullptr;
+  if (!may_touch(pair, start, end, known, offset)) return false;
+  const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);
+  const Point3 along_cross = end.normal;
+  // Edges that turn over through being parallel are left to the next step.
+  if (dot(start.normal, along_cross) < 0) return false;
+  if (!orient(of_a.wedge, of_b.wedge, last_normal, offset > 0 ? start.gap : 0, end)) return false;
+  const double h = of_a.size < of_b.size ? of_a.size : of_b.size;
+  touch.normal = end.normal;
+  touch.gap_end = end.gap - offset;
+  touch.gap_start = measure_line_gap(start, end.normal) - offset;
+  touch.size = h;
+  touch.offset = static_cast<float>(offset);
+  touch.s = end.s;
+  touch.t = end.t;
+  if (touch.gap_end > contact_limits::row_gap * h) return false;
+  const double deepest = known ? contact_limits::history_depth * h + offset : contact_limits::new_depth * h;
+  if (touch.gap_start < -deepest) return false;
+  return find_place({pair, start, end, offset, known, dot(along_cross, end.normal) < 0}, touch);
+}
+
+/// How deep two edges are inside one another at the places of a motion with dt = 0; 0 if they are not, or deeper than
+/// half of h (with thickness between them, deeper than their lines), where an edge is no longer said to have come from
+/// that side.
+KOKKOS_INLINE_FUNCTION double find_edge_depth(const EdgeSurface& surface, const SurfaceMotion& motion, int a, int b,
+                                              EdgeTouch& touch) {
+  constexpr double deepest = 0.5;
+  Crossing c = find_crossing(load_moving_pair(surface, motion, a, b).start, contact_limits::least_sine);
+  if (!c.crosses || !is_inside(c, contact_limits::end_band)) return 0;
+  const EdgeFaces of_a = load_edge_faces(surface, motion, a), of_b = load_edge_faces(surface, motion, b);
+  const double offset = find_edge_offset(surface, a) + find_edge_offset(surface, b);
+  touch.offset = static_cast<float>(offset);
+  if (!orient(of_a.wedge, of_b.wedge, nullptr, offset > 0 ? c.gap : 0, c)) return 0;
+  touch.normal = c.normal;
+  touch.size = of_a.size < of_b.size ? of_a.size : of_b.size;
+  const double gap = c.gap - offset, half = deepest * touch.size;
+  return gap < 0 && gap > -(offset > half ? offset : half) ? -gap : 0;
+}
+
+}  // namespace percuss

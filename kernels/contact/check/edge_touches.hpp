@@ -1,0 +1,37 @@
+#pragma once
+// The detailed check of all edge pairs: which edges touch.
+
+#include "kernels/contact/check/edge_check.hpp"
+#include "kernels/contact/check/still_items.hpp"
+
+namespace percuss {
+
+/// Boxes of the edges in pairs over the step, each widened by half the reach of the check; those of still edges stand.
+/// Counts the still ones.
+template <class Space>
+void update_edge_boxes(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
+                       const EdgePairs& pairs, StillEdges& still, const Boxes& boxes);
+
+/// Accepted touches, in the order of the pairs.
+struct EdgeTouchTable {
+  int count = 0;
+  int num_new = 0;         // of pairs of which the check before did not find the same, at rest
+  int list_of_pairs = -1;  // EdgePairs::list of the last check
+  Array<EdgeTouch> by_pair = Array<EdgeTouch>("contact::edge_touches", 0);  // [pairs]
+  Array<int> touches = Array<int>("contact::edge_touch_marks", 0);          // [pairs] marks of the last check
+  Array<int> list = Array<int>("contact::touching_edge_pairs", 0);          // [count] pairs, ascending
+};
+
+/// Checks every pair but those that lie still and remember nothing. history: of the last step; only its names, marks
+/// and normals are read. still: as update_edge_boxes() has left it.
+template <class Space>
+void find_edge_touches(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
+                       const EdgePairs& pairs, const Boxes& boxes, const EdgeHistory& history, const StillEdges& still,
+                       EdgeTouchTable& table);
+
+/// Depth of every pair at the places of a motion with dt = 0, as gap_start of the table's touches.
+template <class Space>
+void find_edge_depths(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
+                      const EdgePairs& pairs, EdgeTouchTable& table);
+
+}  // namespace percuss

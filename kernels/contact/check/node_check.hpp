@@ -1,0 +1,174 @@
+#pragma once
+// The detailed check of one contact node: which of the faces it is in contact with does it obey?
+//
+// One face on a convex neighbourhood; several on a concave one (a corner between faces) and on other bodies, up to
+// three independent normals. Candidates are ordered by integer keys: a comparison with tolerances is no strict order.
+
+#include "kernels/contact/check/pair_check.hpp"
+
+namespace percuss {
+
+/// Order of the faces of a node: history, then time, then least penetration, then least distance beside the face,
+/// then the face of the last step, then the face's number.
+struct TouchKey {
+  int value[6];
+};
+
+KOKKOS_INLINE_FUNCTION bool operator<(const TouchKey& a, const TouchKey& b) {
+  for (int i = 0; i < 6; ++i)
+    if (a.value[i] != b.value[i]) return a.value[i] < b.value[i];
+  return false;
+}
+
+/// value / quantum to the nearest integer, within the range of int.
+KOKKOS_INLINE_FUNCTION int quantise(double value, double quantum) {
+  constexpr double largest = 1e9;
+  const double ratio = value / quantum;
+  if (!(ratio < largest)) return static_cast<int>(largest);
+  return static_cast<int>(floor(ratio + 0.5));
+}
+
+KOKKOS_INLINE_FUNCTION TouchKey make_key(const Touch& touch) {
+  const double depth = touch.gap_end < 0 ? -touch.gap_end : 0;
+  TouchKey key;
+  key.value[0] = touch.record >= 0 ? 0 : 1;
+  key.value[1] = touch.record >= 0 ? 0 : quantise(touch.tau, contact_limits::time_quantum);
+  key.value[2] = quantise(depth, contact_limits::depth_quantum * touch.size);
+  key.value[3] = quantise(touch.off, contact_limits::off_quantum * touch.size);
+  key.value[4] = touch.same_face ? 0 : 1;
+  key.value[5] = touch.face;
+  return key;
+}
+
+/// The best touches of a node in the order of their keys.
+struct TouchList {
+  static constexpr int capacity = 12;  // more faces than meet at a vertex of two bodies; the worst fall off the end
+  int count = 0;
+  Touch touch[capacity];
+  TouchKey key[capacity];
+
+  KOKKOS_INLINE_FUNCTION void insert(const Touch& t) {
+    const TouchKey k = make_key(t);
+    if (count == capacity && !(k < key[capacity - 1])) return;
+    if (count < capacity) ++count;
+    int place = count - 1;
+    for (; place > 0 && k < key[place - 1]; --place) {
+      touch[place] = touch[place - 1];
+      key[place] = key[place - 1];
+    }
+    touch[place] = t;
+    key[place] = k;
+  }
+};
+
+/// Whether two faces of one body bulge: each one's middle lies behind the other. A node cannot be held by both.
+KOKKOS_INLINE_FUNCTION bool are_convex(const ContactSurface& surface, const SurfaceMotion& motion,
+                                       const FaceState& faces, int a, int b) {
+  if (surface.face_body(a) != surface.face_body(b)) return false;
+  const int origin = surface.nodes(surface.face_corners(a, 0));
+  const Point3 o = load_row(motion.x, origin), vo = load_row(motion.v, origin);
+  Point3 from_a_to_b{};
+  for (int i = 0; i < 4; ++i) {
+    const int p = surface.nodes(surface.face_corners(a, i)), q = surface.nodes(surface.face_corners(b, i));
+    const Point3 at_p = (load_row(motion.x, p) - o) + motion.dt * (load_row(motion.v, p) - vo);
+    const Point3 at_q = (load_row(motion.x, q) - o) + motion.dt * (load_row(motion.v, q) - vo);
+    from_a_to_b = from_a_to_b + (at_q - at_p);
+  }
+  return dot(from_a_to_b, load_row(faces.normal, a)) < 0 && dot(from_a_to_b, load_row(faces.normal, b)) > 0;
+}
+
+/// Takes found touch `best` into the accepted ones: itself and all that push the same way, of which one is enough, are
+/// then decided, and so are the faces that bulge away from any of these: the node passes them by. On a seam between
+/// level bodies it is thus not caught by the side of the next one.
+KOKKOS_INLINE_FUNCTION void decide_around(const ContactSurface& surface, const SurfaceMotion& motion,
+                                          const FaceState& faces, const TouchList& found, int best, bool* decided) {
+  bool is_same_way[TouchList::capacity], any_other = false;
+  for (int i = 0; i < found.count; ++i) {
+    is_same_way[i] = !(dot(found.touch[i].normal, found.touch[best].normal) <= contact_limits::independent);
+    any_other = any_other || !(decided[i] || is_same_way[i]);
+  }
+  for (int i = 0; i < found.count; ++i) {
+    if (decided[i] || !is_same_way[i]) continue;
+    decided[i] = true;
+    for (int j = 0; any_other && j < found.count; ++j)
+      if (!decided[j] && are_convex(surface, motion, faces, found.touch[i].face, found.touch[j].face))
+        decided[j] = true;
+  }
+}
+
+/// Finds the gap at n of a touch that was accepted without it.
+template <Thickness thickness>
+KOKKOS_INLINE_FUNCTION void settle_start(const ContactSurface& surface, const SurfaceMotion& motion,
+                                         const FaceState& faces, const CheckedNode& node, Touch& touch) {
+  if (!touch.owes_start) return;
+  const double offset = thickness == Thickness::of_shells ? find_offset(surface.offsets, node.node, touch.face) : 0;
+  measure_start(load_touched_face(surface, motion, faces, node.x, node.v, touch.face, offset).start, touch);
+}
+
+/// A node that slips in just below an edge goes through a face that looks past it. It is lifted over the edge by the
+/// neighbour that it then lies behind by a little, rather than caught by the face; without such a neighbour it is
+/// caught.
+template <Thickness thickness>
+KOKKOS_INLINE_FUNCTION bool is_ruled_out(const ContactSurface& surface, const SurfaceMotion& motion,
+                                         const FaceState& faces, const CheckedNode& node, TouchList& found, int i) {
+  const Touch& touch = found.touch[i];
+  if (touch.same_face || (touch.opposed && !touch.beside)) return false;
+  for (int j = 0; j < found.count; ++j) {
+    const Touch& other = found.touch[j];
+    const bool is_edge =
+        share_corner(surface, touch.face, other.face) && are_convex(surface, motion, faces, touch.face, other.face);
+    if (!is_edge || touch.opposed == other.opposed) continue;
+    Touch& lift = touch.opposed ? found.touch[i] : found.touch[j];
+    settle_start<thickness>(surface, motion, faces, node, lift);
+    return (lift.gap_start >= -contact_limits::lift_depth * lift.size) != touch.opposed;
+  }
+  return touch.beside;
+}
+
+/// A history slot is continued by one touch only: the first that asks. The others start anew.
+KOKKOS_INLINE_FUNCTION void claim_record(const NodeTouches& accepted, Touch& touch) {
+  for (int i = 0; i < accepted.count; ++i)
+    if (accepted.touch[i].record == touch.record) touch.record = -1;
+}
+
+/// Sorts the accepted touches by face, the order of rows and sums.
+KOKKOS_INLINE_FUNCTION void sort_by_face(NodeTouches& touches) {
+  for (int i = 1; i < touches.count; ++i)
+    for (int j = i; j > 0 && touches.touch[j].face < touches.touch[j - 1].face; --j) {
+      const Touch swap = touches.touch[j];
+      touches.touch[j] = touches.touch[j - 1];
+      touches.touch[j - 1] = swap;
+    }
+}
+
+/// Checks the candidate faces of a node, candidates(first) to candidates(last - 1) that are not negative.
+/// accepted: out.
+template <Thickness thickness, class Faces>
+KOKKOS_INLINE_FUNCTION void check_node(const ContactSurface& surface, const SurfaceMotion& motion,
+                                       const FaceState& faces, const Array<const int>& history_face, int node,
+                                       const Faces& candidates, int first, int last, NodeTouches& accepted) {
+  const CheckedNode checked = load_checked_node(surface, motion, node);
+  const KnownFaces known = load_known_faces(faces, history_face, checked);
+  TouchList found;
+  for (int c = first; c < last;) {
+    PairPack pairs;
+    for (; c < last && pairs.faces.count < FacePack::lanes; ++c)
+      if (const int face = candidates(c); face >= 0 && is_in_box(checked, faces.box, face))
+        add_pair<thickness>(surface, motion, faces, known, checked, face, pairs);
+    check_pairs<thickness>(surface, motion, faces, known, checked, pairs, [&](const Touch& t) { found.insert(t); });
+  }
+  bool decided[TouchList::capacity];
+  for (int i = 0; i < found.count; ++i) decided[i] = is_ruled_out<thickness>(surface, motion, faces, checked, found, i);
+  accepted.count = 0;
+  for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
+    if (decided[i]) continue;
+    Touch touch = found.touch[i];
+    settle_start<thickness>(surface, motion, faces, checked, touch);
+    claim_record(accepted, touch);
+    accepted.touch[accepted.count++] = touch;
+    decide_around(surface, motion, faces, found, i, decided);
+  }
+  sort_by_face(accepted);
+}
+
+}  // namespace percuss

@@ -1,0 +1,256 @@
+#pragma once
+// The detailed check of one pair: is this contact node in contact with this face in this step, where, how deep?
+//
+// Ways into contact: the node is at the face at the end of the step (touching: the closest point at the predicted
+// place), goes through it within the step (swept, at any speed), or leaves it far behind (held). A node behind a face
+// that it did not go through is not in contact with it. Nothing here depends on what other pairs exist.
+
+#include "kernels/contact/check/touch.hpp"
+#include "kernels/contact/geometry/swept_root.hpp"
+#include "kernels/contact/surface/face_pack.hpp"
+#include "kernels/contact/surface/offset_faces.hpp"
+
+namespace percuss {
+
+/// How far behind a face a node with a history is looked for: where thickness is between them, beyond the mid-surface
+/// too, because the history knows from which side it came.
+KOKKOS_INLINE_FUNCTION double find_known_depth(const Touch& touch, double depth) {
+  return depth * touch.size + (touch.record >= 0 ? touch.offset : 0);
+}
+
+/// Deepest start of a step, and farthest end, at which a node is in contact without going through the face.
+KOKKOS_INLINE_FUNCTION double find_deepest_start(const Touch& touch) {
+  return find_known_depth(touch, touch.record >= 0 ? contact_limits::history_depth : contact_limits::new_depth);
+}
+KOKKOS_INLINE_FUNCTION double find_reach(const Touch& touch) {
+  return find_known_depth(touch, contact_limits::capture);
+}
+
+/// Bounds leave this much room for round-off.
+inline constexpr double bound_slack = 1.001;
+
+/// When contact begins, from the gaps at both ends of the step.
+KOKKOS_INLINE_FUNCTION double find_contact_time(const Touch& touch) {
+  if (touch.gap_start <= contact_limits::new_band * touch.size) return 0;
+  if (touch.gap_end >= 0) return 1;
+  return touch.gap_start / (touch.gap_start - touch.gap_end);
+}
+
+/// A face that looks away from the push direction by more than this cosine is seen along the push direction itself: no
+/// gap is more than 1 / least_push_cosine times the distance.
+inline constexpr double least_push_cosine = 0.5;
+
+/// Change of the gap with the place of the node: the `normal` of the triangle, so scaled that moving along the push
+/// direction by one closes the gap by one. Push direction and triangle differ on smooth surfaces; without this every
+/// push would fall short by the square of the angle.
+KOKKOS_INLINE_FUNCTION Point3 find_gap_gradient(const Point3& normal, const Point3& push) {
+  const double cosine = dot(normal, push);
+  return cosine > least_push_cosine ? (1 / cosine) * normal : push;
+}
+
+/// Sets direction and predicted gap of a touch at the point of the face with touch.weight, on the triangle with this
+/// normal.
+KOKKOS_INLINE_FUNCTION void measure_end(const ContactSurface& surface, const FaceState& faces, const FacePoints& end,
+                                        const Point3& normal, Touch& touch) {
+  touch.normal = find_push_direction(surface, faces, touch.face, touch.weight);
+  touch.gap_gradient = find_gap_gradient(normal, touch.normal);
+  touch.gap_end = -dot(touch.gap_gradient, interpolate(end, touch.weight));
+}
+
+/// Gap of the origin from a point of the face, on the triangle with this normal, along the push direction of the touch.
+KOKKOS_INLINE_FUNCTION double measure_gap(const FacePoints& face, const Point3& normal, const double weight[4],
+                                          const Touch& touch) {
+  return -dot(find_gap_gradient(normal, touch.normal), interpolate(face, weight));
+}
+
+/// The gap at n, which is that of the closest point at n: that of the predicted point would count sliding as depth
+/// wherever push direction and face differ by a little. Returns that point.
+KOKKOS_INLINE_FUNCTION FacePoint measure_start(const FacePoints& start, Touch& touch) {
+  const FacePoint before = find_closest_point(start);
+  touch.gap_start = measure_gap(start, before.normal, before.weight, touch);
+  touch.owes_start = false;
+  return before;
+}
+
+/// Whether a node with a history was certainly not too deep behind the face at n, which is all that its gap there
+/// decides: the closest point at n is no farther than the point of the touch is there.
+KOKKOS_INLINE_FUNCTION bool is_surely_shallow(const FacePoints& start, const Touch& touch) {
+  const Point3 place = interpolate(start, touch.weight);
+  const double least = least_push_cosine * find_deepest_start(touch);
+  return touch.record >= 0 && bound_slack * dot(place, place) <= least * least;
+}
+
+/// Touching: the closest point of the face at the predicted place.
+KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const FaceState& faces,
+                                           const FacePoints& start, const FacePoints& end, const FacePoint& closest,
+                                           Touch& touch) {
+  const double h = touch.size;
+  const bool known = touch.record >= 0;
+  if (closest.distance > find_reach(touch)) return false;
+  if (closest.off > (known ? contact_limits::history_band : contact_limits::new_band) * h) return false;
+  for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
+  touch.off = closest.off;
+  measure_end(surface, faces, end, closest.normal, touch);
+  if (touch.gap_end > contact_limits::row_gap * h) return false;
+  touch.owes_start = is_surely_shallow(start, touch);
+  if (touch.owes_start) return true;
+  const FacePoint before = measure_start(start, touch);
+  // Sliding in along the plane of the face is later than going through another one.
+  touch.tau = before.off > contact_limits::new_band * h ? 1 : find_contact_time(touch);
+  if (touch.gap_start < -find_deepest_start(touch)) return false;
+  touch.beside = !known && touch.gap_start < -contact_limits::new_band * h && before.off > contact_limits::overlap * h;
+  return true;
+}
+
+/// Whether the node can come nearer to the face within the step than `band`: by the box of its corners at both ends.
+KOKKOS_INLINE_FUNCTION bool may_meet(const FacePoints& start, const FacePoints& end, double band) {
+  Point3 low = start.corner[0], high = low;
+  const auto include = [&](const Point3& p) {
+    low = {smaller(low.x, p.x), smaller(low.y, p.y), smaller(low.z, p.z)};
+    high = {larger(high.x, p.x), larger(high.y, p.y), larger(high.z, p.z)};
+  };
+  for (int i = 0; i < 4; ++i) {
+    include(start.corner[i]);
+    include(end.corner[i]);
+  }
+  return low.x <= band && low.y <= band && low.z <= band && high.x >= -band && high.y >= -band && high.z >= -band;
+}
+
+/// Swept: the first time at which the node goes through the face.
+KOKKOS_INLINE_FUNCTION bool check_swept(const ContactSurface& surface, const FaceState& faces,
+                                        const RelativeFace& relative, const FacePoints& end, Touch& touch) {
+  const double h = touch.size;
+  if (!may_meet(relative.start, end, bound_slack * contact_limits::new_band * h)) return false;
+  const SweptHit hit = sweep_face(relative.start, relative.move, contact_limits::new_band * h);
+  if (!hit.hit) return false;
+  for (int i = 0; i < 4; ++i) touch.weight[i] = hit.weight[i];
+  touch.off = hit.off;
+  measure_end(surface, faces, end, find_triangle_normal(end, hit.triangle), touch);
+  touch.gap_start = measure_gap(relative.start, find_triangle_normal(relative.start, hit.triangle), hit.weight, touch);
+  touch.tau = touch.gap_start <= contact_limits::new_band * h ? 0 : hit.tau;
+  return touch.gap_end <= contact_limits::row_gap * h && touch.gap_start >= -contact_limits::new_depth * h;
+}
+
+/// Whether a node is certainly not held, by its distance from the closest point at the predicted place: from there to
+/// the closest point at n, and from that to its predicted place, no way is longer than what a corner moves.
+KOKKOS_INLINE_FUNCTION bool is_surely_not_held(const FacePoints& move, double distance, const Touch& touch) {
+  double farthest = 0;
+  for (int i = 0; i < 4; ++i) farthest = larger(farthest, dot(move.corner[i], move.corner[i]));
+  return bound_slack * (distance + 2 * std::sqrt(farthest)) < least_push_cosine * find_reach(touch);
+}
+
+/// Held: at the face at the start of the step and so far behind it at the end that the closest point there says
+/// nothing. Only at speeds of the order of a face a step.
+KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const FaceState& faces, const FacePoints& start,
+                                       const FacePoints& end, Touch& touch) {
+  const double h = touch.size;
+  const bool known = touch.record >= 0;
+  const FacePoint closest = find_closest_point(start);
+  if (closest.distance > find_reach(touch)) return false;
+  if (closest.off > (known ? contact_limits::history_band : contact_limits::new_band) * h) return false;
+  for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
+  touch.off = closest.off;
+  measure_end(surface, faces, end, find_triangle_normal(end, closest.triangle), touch);
+  touch.gap_start = measure_gap(start, closest.normal, closest.weight, touch);
+  if (touch.gap_start > contact_limits::new_band * h || touch.gap_end > -find_reach(touch)) return false;
+  return touch.gap_start >= -find_deepest_start(touch);
+}
+
+/// Candidate faces of a node that are checked together; touch is meaningful for those that are found in contact.
+struct PairPack {
+  FacePack faces;
+  Touch touch[FacePack::lanes];
+};
+
+/// Adds the pair of the node and a face whose box it meets, unless thickness keeps them apart for certain.
+template <Thickness thickness>
+KOKKOS_INLINE_FUNCTION void add_pair(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
+                                     const KnownFaces& known, const CheckedNode& node, int face, PairPack& pairs) {
+  const double offset = thickness == Thickness::of_shells ? find_offset(surface.offsets, node.node, face) : 0;
+  Touch& touch = pairs.touch[pairs.faces.count];
+  start_touch(face, faces.size(face), offset, touch);
+  if (offset > 0) {
+    find_record(surface, faces, known, touch);
+    if (is_off_slab(faces.slab(face), load_row(faces.normal, face), motion, node, offset,
+                    contact_limits::row_gap * touch.size, find_reach(touch)))
+      return;
+  }
+  if constexpr (thickness == Thickness::of_shells)
+    add_face(faces, face, load_touched_face(surface, motion, faces, node.x, node.v, face, offset), pairs.faces);
+  else
+    add_face(surface, motion, faces, face, pairs.faces);
+}
+
+/// How a pair may still be in contact.
+enum class PairOutlook { out, swept_only, any };
+
+/// What a node goes through it is in front of at the start. Faces that only meet at an edge, as those of bricks in line
+/// do, are hit only by going through them for certain.
+KOKKOS_INLINE_FUNCTION bool starts_in_front(const FacePack& faces, int lane, double size) {
+  return faces.range.most_start[lane] > contact_limits::overlap * size;
+}
+
+/// By the plane of the face and by what node and face look at. In: FacePack::range.
+template <Thickness thickness>
+KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                const FaceState& faces, const KnownFaces& known,
+                                                const CheckedNode& node, int lane, PairPack& pairs) {
+  Touch& touch = pairs.touch[lane];
+  const auto& range = pairs.faces.range;
+  if (range.least[lane] > contact_limits::row_gap * touch.size || range.most[lane] < -find_reach(touch))
+    return PairOutlook::out;
+  if (!(touch.offset > 0)) find_record(surface, faces, known, touch);
+  touch.opposed = thickness == Thickness::of_shells
+                      ? looks_against(surface, motion, faces, node.node, touch.face)
+                      : has_opposed_face(surface, faces, node.node, touch.face, contact_limits::opposing);
+  if (touch.opposed || touch.same_face) return PairOutlook::any;
+  return starts_in_front(pairs.faces, lane, touch.size) ? PairOutlook::swept_only : PairOutlook::out;
+}
+
+/// Whether a pair is in contact. closest: at the predicted place, none where it can only be swept.
+KOKKOS_INLINE_FUNCTION bool judge_pair(const ContactSurface& surface, const FaceState& faces, const FacePoint* closest,
+                                       int lane, PairPack& pairs) {
+  Touch& touch = pairs.touch[lane];
+  const RelativeFace relative = pairs.faces.get_relative(lane);
+  const FacePoints end = pairs.faces.end[lane];
+  // What is farther from the face's plane than the band at both ends of the step, and so at any time, goes through
+  // nothing.
+  const bool may_sweep = starts_in_front(pairs.faces, lane, touch.size) &&
+                         pairs.faces.range.least[lane] <= bound_slack * contact_limits::new_band * touch.size;
+  if (closest == nullptr)
+    return may_sweep && check_swept(surface, faces, relative, end, touch) &&
+           touch.gap_start > contact_limits::overlap * touch.size;
+  if (check_touching(surface, faces, relative.start, end, *closest, touch)) return true;
+  if (may_sweep && check_swept(surface, faces, relative, end, touch)) return true;
+  return !is_surely_not_held(relative.move, closest->distance, touch) &&
+         check_held(surface, faces, relative.start, end, touch);
+}
+
+/// Checks the pairs of a pack and calls found(touch) for those in contact, in their order.
+template <Thickness thickness, class Found>
+KOKKOS_INLINE_FUNCTION void check_pairs(const ContactSurface& surface, const SurfaceMotion& motion,
+                                        const FaceState& faces, const KnownFaces& known, const CheckedNode& node,
+                                        PairPack& pairs, const Found& found) {
+  const int count = pairs.faces.count;
+  if (count == 0) return;
+  if constexpr (thickness == Thickness::none) see_from(node.x, node.v, motion.dt, pairs.faces);
+  measure_motion(pairs.faces);
+  PairOutlook outlook[FacePack::lanes];
+  int measured = 0;
+  for (int lane = 0; lane < count; ++lane) {
+    outlook[lane] = look_at_pair<thickness>(surface, motion, faces, known, node, lane, pairs);
+    measured += outlook[lane] == PairOutlook::any ? 1 : 0;
+  }
+  constexpr int worth_a_pack = 2;  // one face is measured faster by its four triangles at once
+  ClosestPack closest;
+  if (measured >= worth_a_pack) find_closest_points(pairs.faces.end, closest);
+  for (int lane = 0; lane < count; ++lane) {
+    if (outlook[lane] == PairOutlook::out) continue;
+    FacePoint point;
+    const bool is_measured = outlook[lane] == PairOutlook::any;
+    if (is_measured) point = measured >= worth_a_pack ? closest[lane] : find_closest_point(pairs.faces.end[lane]);
+    if (judge_pair(surface, faces, is_measured ? &point : nullptr, lane, pairs)) found(pairs.touch[lane]);
+  }
+}
+
+}  // namespace percuss

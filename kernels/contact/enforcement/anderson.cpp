@@ -1,0 +1,125 @@
+#include "kernels/contact/enforcement/anderson.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace percuss {
+namespace {
+
+Array<double> make(const std::string& label, int n) { return Array<double>(label, static_cast<std::size_t>(n)); }
+
+}  // namespace
+
+AndersonWindow::AndersonWindow(int n, const Array<const double>& weight)
+    : n_(n),
+      weight_(weight),
+      df_("contact::anderson_df", width, static_cast<std::size_t>(n)),
+      dg_("contact::anderson_dg", width, static_cast<std::size_t>(n)),
+      f_(make("contact::anderson_f", n)),
+      f_last_(make("contact::anderson_f_last", n)),
+      g_last_(make("contact::anderson_g_last", n)),
+      dots_(make("contact::anderson_dots", 2 * width + 1)),
+      gram_(static_cast<std::size_t>(width * width)) {}
+
+void AndersonWindow::store_difference(const Array<const double>& f, const Array<const double>& g) {
+  const int slot = next_;
+  const Vectors df = df_, dg = dg_;
+  const Array<double> f_last = f_last_, g_last = g_last_;
+  if (has_last_)
+    Kokkos::parallel_for(
+        "contact::anderson_difference", Range(0, n_), KOKKOS_LAMBDA(int i) {
+          df(slot, i) = f(i) - f_last(i);
+          dg(slot, i) = g(i) - g_last(i);
+        });
+  Kokkos::parallel_for(
+      "contact::anderson_last", Range(0, n_), KOKKOS_LAMBDA(int i) {
+        f_last(i) = f(i);
+        g_last(i) = g(i);
+      });
+}
+
+/// gamma of the normal equations by Cholesky; differences that depend on earlier ones get none.
+std::vector<double> AndersonWindow::solve_coefficients(std::vector<double> x) const {
+  constexpr double dependent = 1e-13;  // share of a difference's own square that is left of it
+  const auto n = static_cast<std::size_t>(count_);
+  const auto at = [](std::size_t i, std::size_t j) { return i * width + j; };
+  std::vector<double> l(gram_);
+  std::vector<char> used(n, 1);
+  for (std::size_t j = 0; j < n; ++j) {
+    double pivot = gram_[at(j, j)];
+    for (std::size_t k = 0; k < j; ++k) pivot -= l[at(j, k)] * l[at(j, k)];
+    used[j] = pivot > dependent * gram_[at(j, j)] ? 1 : 0;
+    l[at(j, j)] = used[j] != 0 ? std::sqrt(pivot) : 1;
+    for (std::size_t i = j + 1; i < n; ++i) {
+      double sum = gram_[at(i, j)];
+      for (std::size_t k = 0; k < j; ++k) sum -= l[at(i, k)] * l[at(j, k)];
+      l[at(i, j)] = used[j] != 0 ? sum / l[at(j, j)] : 0;
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < i; ++k) x[i] -= l[at(i, k)] * x[k];
+    x[i] = used[i] != 0 ? x[i] / l[at(i, i)] : 0;
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    if (used[i] == 0) continue;
+    for (std::size_t k = i + 1; k < n; ++k) x[i] -= l[at(k, i)] * x[k];
+    x[i] /= l[at(i, i)];
+  }
+  return x;
+}
+
+double AndersonWindow::accelerate(const Array<const double>& z, const Array<double>& g) {
+  const Array<double> f = f_;
+  Kokkos::parallel_for(
+      "contact::anderson_f", Range(0, n_), KOKKOS_LAMBDA(int i) { f(i) = g(i) - z(i); });
+  store_difference(f_, g);
+  int fresh = -1;
+  if (has_last_) {
+    fresh = next_;
+    next_ = (next_ + 1) % width;
+    count_ = std::min(count_ + 1, width);
+  }
+  has_last_ = true;
+  const Vectors df = df_;
+  const Array<double> dots = dots_;
+  const Array<const double> weight = weight_;
+  const int count = count_, n = n_;
+  Kokkos::parallel_for(
+      "contact::anderson_dots", Range(0, 2 * count + 1), KOKKOS_LAMBDA(int d) {
+        double sum = 0;
+        if (d == 2 * count) {
+          for (int i = 0; i < n; ++i) sum += weight(i) * f(i) * f(i);
+        } else if (d < count) {
+          for (int i = 0; i < n; ++i) sum += weight(i) * df(d, i) * f(i);
+        } else if (fresh >= 0) {
+          for (int i = 0; i < n; ++i) sum += weight(i) * df(d - count, i) * df(fresh, i);
+        }
+        dots(d) = sum;
+      });
+  Kokkos::fence();
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), dots_);
+  const auto norm = std::sqrt(host(static_cast<std::size_t>(2 * count)));
+  if (count == 0) return norm;
+  std::vector<double> right;
+  for (int d = 0; d < count; ++d) {
+    right.push_back(host(static_cast<std::size_t>(d)));
+    const double dot = host(static_cast<std::size_t>(count + d));
+    gram_[static_cast<std::size_t>(d * width + fresh)] = gram_[static_cast<std::size_t>(fresh * width + d)] = dot;
+  }
+  const std::vector<double> gamma = solve_coefficients(std::move(right));
+  const Array<double> coefficients = dots_;
+  const auto on_host = Kokkos::create_mirror_view(coefficients);
+  for (std::size_t d = 0; d < gamma.size(); ++d) on_host(d) = gamma[d];
+  Kokkos::deep_copy(coefficients, on_host);
+  const Vectors dg = dg_;
+  Kokkos::parallel_for(
+      "contact::anderson_step", Range(0, n), KOKKOS_LAMBDA(int i) {
+        double sum = 0;
+        for (int d = 0; d < count; ++d) sum += coefficients(d) * dg(d, i);
+        g(i) -= sum;
+      });
+  return norm;
+}
+
+}  // namespace percuss

@@ -1,0 +1,242 @@
+#include "kernels/contact/enforcement/coupled_rows.hpp"
+
+#include <KokkosSparse_CrsMatrix.hpp>
+#include <KokkosSparse_spgemm.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+#include "kernels/contact/enforcement/cone_problem.hpp"
+#include "kernels/core/counting_sort.hpp"
+#include "kernels/core/host_copy.hpp"
+
+namespace percuss {
+namespace {
+
+using Matrix = KokkosSparse::CrsMatrix<double, int, Kokkos::Device<ExecSpace, MemSpace>, void, int>;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// A sparse matrix under construction on the host, row by row.
+struct MatrixRows {
+  std::vector<int> offset{0}, column;
+  std::vector<double> value;
+
+  void end_row() { offset.push_back(static_cast<int>(column.size())); }
+  int num_rows() const { return static_cast<int>(offset.size()) - 1; }
+
+  Matrix make(const char* label, int num_columns) const {
+    return Matrix(label, num_rows(), num_columns, static_cast<int>(column.size()), to_view("contact::values", value),
+                  to_view("contact::offsets", offset), to_view("contact::columns", column));
+  }
+};
+
+/// The transpose, its columns ascending.
+MatrixRows transpose(const MatrixRows& a, int num_columns) {
+  struct Entry {
+    int row = 0;
+    double value = 0;
+  };
+  auto by_column = collect_buckets<Entry>(at(num_columns), [&](auto&& put) {
+    for (int r = 0; r < a.num_rows(); ++r)
+      for (int i = a.offset[at(r)]; i < a.offset[at(r) + 1]; ++i) put(at(a.column[at(i)]), Entry{r, a.value[at(i)]});
+  });
+  MatrixRows t;
+  t.offset = std::move(by_column.first);
+  for (const Entry& entry : by_column.items) {
+    t.column.push_back(entry.row);
+    t.value.push_back(entry.value);
+  }
+  return t;
+}
+
+/// Nodes of all rows, numbered 0, 1, ... in the order of their numbers.
+class NodeNumbering {
+ public:
+  explicit NodeNumbering(const std::vector<CoupledRow>& rows) {
+    for (const CoupledRow& r : rows) numbers_.insert(numbers_.end(), r.node, r.node + count_nodes(r.row));
+    std::sort(numbers_.begin(), numbers_.end());
+    numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
+  }
+  int count() const { return static_cast<int>(numbers_.size()); }
+  int find(std::int64_t number) const {
+    return static_cast<int>(std::lower_bound(numbers_.begin(), numbers_.end(), number) - numbers_.begin());
+  }
+
+ private:
+  std::vector<std::int64_t> numbers_;
+};
+
+/// G M^-1 and H, a row for each direction of each contact row, three columns a node.
+struct Coefficients {
+  MatrixRows impulses, gaps;
+};
+
+Coefficients list_coefficients(const std::vector<CoupledRow>& rows, const NodeNumbering& nodes) {
+  Coefficients list;
+  for (const CoupledRow& r : rows) {
+    for (int d = 0; d < count_directions(r.row); ++d) {
+      const Point3 &push = get_direction(r.row, d), &watched = d == 0 ? r.row.gap_gradient : push;
+      const Point3 push_couple = find_couple(r.row, push), watched_couple = find_couple(r.row, watched);
+      for (int slot = 0; slot < count_nodes(r.row); ++slot) {
+        const Point3 c = spread_impulse(r.row, slot, push, push_couple);
+        const Point3 h = spread_impulse(r.row, slot, watched, watched_couple);
+        const Point3& w = r.inverse_mass[slot];
+        const int first = 3 * nodes.find(r.node[slot]);
+        list.impulses.column.insert(list.impulses.column.end(), {first, first + 1, first + 2});
+        list.impulses.value.insert(list.impulses.value.end(), {w.x * c.x, w.y * c.y, w.z * c.z});
+        list.gaps.column.insert(list.gaps.column.end(), {first, first + 1, first + 2});
+        list.gaps.value.insert(list.gaps.value.end(), {h.x, h.y, h.z});
+      }
+      list.impulses.end_row();
+      list.gaps.end_row();
+    }
+  }
+  return list;
+}
+
+template <class T, class View>
+std::vector<T> list_values(const View& view) {
+  const auto host = to_host(view);
+  return {host.data(), host.data() + host.extent(0)};
+}
+
+/// The matrix with the columns of each row ascending. Transposing twice is what every version of Kokkos Kernels allows:
+/// where its own sort is found, and whether it is public, depends on the version.
+Matrix sort_columns(const Matrix& a) {
+  MatrixRows rows;
+  rows.offset = list_values<int>(a.graph.row_map);
+  rows.column = list_values<int>(a.graph.entries);
+  rows.value = list_values<double>(a.values);
+  const int num_columns = a.numCols();
+  return transpose(transpose(rows, num_columns), rows.num_rows()).make("contact::A", num_columns);
+}
+
+Matrix multiply(const Matrix& a, const Matrix& b) {
+  KokkosKernels::Experimental::KokkosKernelsHandle<int, int, double, ExecSpace, MemSpace, MemSpace> handle;
+  handle.create_spgemm_handle(KokkosSparse::SPGEMM_KK);
+  Matrix c;
+  KokkosSparse::spgemm_symbolic(handle, a, false, b, false, c);
+  KokkosSparse::spgemm_numeric(handle, a, false, b, false, c);
+  handle.destroy_spgemm_handle();
+  return sort_columns(c);  // sums over a row have one order
+}
+
+}  // namespace
+
+std::vector<CoupledRow> list_coupled_rows(const RowSystem& system, const Array<const std::int64_t>& node_numbers) {
+  const auto rows = to_host(system.rows);
+  const auto nodes = to_host(system.nodes);
+  const auto numbers = to_host(node_numbers);
+  const auto foreign = to_host(system.foreign_number);
+  const auto inverse_mass = to_host(system.at.inverse_mass);
+  std::vector<CoupledRow> list(at(system.num_rows));
+  for (std::size_t r = 0; r < list.size(); ++r) {
+    list[r].row = rows(r);
+    for (int slot = 0; slot < count_nodes(rows(r)); ++slot) {
+      const int place = rows(r).place[slot];
+      const bool is_own = place < system.num_nodes;
+      list[r].node[slot] = is_own ? numbers(at(nodes(at(place)))) : foreign(at(place - system.num_nodes));
+      list[r].inverse_mass[slot] = load_row(inverse_mass, place);
+    }
+  }
+  return list;
+}
+
+std::vector<int> order_by_key(const std::vector<CoupledRow>& rows) {
+  std::vector<int> order(rows.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return rows[at(a)].row.key < rows[at(b)].row.key; });
+  return order;
+}
+
+CoupledReport solve_in_key_order(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
+  const std::vector<int> order = order_by_key(rows);
+  std::vector<CoupledRow> sorted;
+  sorted.reserve(rows.size());
+  for (const int r : order) sorted.push_back(rows[at(r)]);
+  std::vector<RowImpulse> found;
+  const CoupledReport report = solve_coupled_rows(sorted, dt, found);
+  impulses.resize(rows.size());
+  for (std::size_t i = 0; i < order.size(); ++i) impulses[at(order[i])] = found[i];
+  return report;
+}
+
+template <class Space>
+void set_impulses(const Space& space, const std::vector<RowImpulse>& impulses, const RowSystem& system) {
+  const Array<ContactRow> rows = system.rows;
+  const Array<const RowImpulse> values = to_view("contact::impulses", impulses);
+  Kokkos::parallel_for(
+      "contact::set_impulses", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        ContactRow& row = rows(r);
+        row.impulse = row.previous = values(r);
+        row.force = sum_impulse(row, row.impulse);
+        row.couple = find_couple(row, row.force);
+      });
+  space.fence();
+}
+
+/// Largest of n absolute values.
+double find_largest(const double* values, int n) {
+  double largest = 0;
+  for (int i = 0; i < n; ++i) largest = std::max(largest, std::fabs(values[i]));
+  return largest;
+}
+
+CoupledReport solve_coupled_rows(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
+  constexpr double tolerance = 1e-10;  // of the largest closing velocity
+  std::vector<int> first;
+  std::vector<double> b, friction, guess;
+  double closing = 0;
+  for (const CoupledRow& r : rows) {
+    first.push_back(static_cast<int>(b.size()));
+    friction.push_back(r.row.friction);
+    const double velocity = (r.row.gap - r.row.target) / dt;
+    b.push_back(velocity);
+    guess.push_back(r.row.impulse.push);
+    for (int d = 1; d < count_directions(r.row); ++d) {
+      b.push_back(r.row.slide[d - 1] / dt);
+      guess.push_back(r.row.impulse.rub[d - 1]);
+    }
+    closing = std::max(closing, is_tie(r.row) ? find_largest(b.data() + first.back(), 3) : -velocity);
+  }
+  first.push_back(static_cast<int>(b.size()));
+  impulses.assign(rows.size(), {});
+  CoupledReport report;
+  report.rows = static_cast<std::int64_t>(rows.size());
+  if (!(closing > 0)) return report;  // nothing closes: no impulse is the solution
+  const NodeNumbering nodes(rows);
+  const Coefficients coefficients = list_coefficients(rows, nodes);
+  const int unknowns = static_cast<int>(b.size());
+  const Matrix a = multiply(coefficients.gaps.make("contact::H", 3 * nodes.count()),
+                            transpose(coefficients.impulses, 3 * nodes.count()).make("contact::MGT", unknowns));
+  ConeProblem problem;
+  problem.a = {unknowns, a.graph.row_map, a.graph.entries, a.values};
+  problem.b = to_view("contact::cone_b", b);
+  problem.num_rows = static_cast<int>(rows.size());
+  problem.first = to_view("contact::cone_first", first);
+  problem.friction = to_view("contact::cone_friction", friction);
+  const Array<double> z = to_view("contact::cone_z", guess);
+  const ConeReport solved = solve_cone_problem(problem, tolerance * closing, z);
+  const auto solution = to_host(z);
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const std::size_t f = at(first[r]);
+    impulses[r].push = solution(f);
+    if (count_directions(rows[r].row) == 1) continue;
+    for (std::size_t d = 0; d < 2; ++d) impulses[r].rub[d] = solution(f + 1 + d);
+  }
+  report.sweeps = solved.sweeps;
+  report.converged = solved.converged;
+  report.complementarity = solved.residual / closing;
+  return report;
+}
+
+#define PERCUSS_INSTANTIATE(Space) \
+  template void set_impulses(const Space&, const std::vector<RowImpulse>&, const RowSystem&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss

@@ -1,0 +1,42 @@
+#include "kernels/contact/enforcement/enforcement.hpp"
+
+namespace percuss {
+
+template <class Space>
+PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, RowSumMemory& memory) {
+  const Array<const ContactRow> rows = system.rows;
+  return sum_rows<PredictedGaps>(space, system.num_rows, memory.gaps, [rows] KOKKOS_FUNCTION(int r, PredictedGaps& s) {
+    const ContactRow& row = rows(r);
+    if (is_tie(row)) {
+      const double way = max_component({row.gap, row.slide[0], row.slide[1]});
+      s.merge({0, way, row.size, 1});
+      return;
+    }
+    const double missing = row.target - row.gap;
+    s.merge({missing > 0 ? missing : 0, 0, row.size, 1});
+  });
+}
+
+template <class Space>
+void find_corrections(const Space& space, const RowSystem& system) {
+  place_remote_shares(space, system);
+  const ShareSums sums(system);
+  const Rows3<double> correction = system.correction;
+  const Rows3<const double> inverse_mass = system.at.inverse_mass;
+  Kokkos::parallel_for(
+      "contact::find_corrections", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+        const Point3 impulse = sums(a), w = load_row(inverse_mass, a);
+        store_row(correction, a, {w.x * impulse.x, w.y * impulse.y, w.z * impulse.z});
+      });
+}
+
+#define PERCUSS_INSTANTIATE(Space)                                                           \
+  template PredictedGaps find_predicted_gaps(const Space&, const RowSystem&, RowSumMemory&); \
+  template void find_corrections(const Space&, const RowSystem&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss

@@ -1,0 +1,49 @@
+#pragma once
+// Enforcement: the impulses that leave no predicted penetration (the paper's section 4.3), found together for all rows.
+//
+// The paper's iterated penalty force: forces from gaps, the motion of both sides that they cause, corrected forces,
+// until they converge. Here in parallel Jacobi form with Nesterov's extrapolation, restarted when it points back
+// (O'Donoghue and Candes 2015). D, the row sum of |G M^-1 G^T|, is the partition factor: it makes the correction a
+// contraction however many nodes share a face, and needs no tuning. Only pushing, within Coulomb's limit.
+//
+// Here is what comes before and after; row_packs.hpp has the passes, row_solution.hpp is the iteration.
+
+#include "kernels/contact/rows/pass_sums.hpp"
+#include "kernels/contact/rows/row_system.hpp"
+
+namespace percuss {
+
+template <class Space>
+PredictedGaps find_predicted_gaps(const Space& space, const RowSystem& system, RowSumMemory& memory);
+
+/// dv of the owned nodes from the shares of their entries, once: RowSystem::correction.
+template <class Space>
+void find_corrections(const Space& space, const RowSystem& system);
+
+/// Adds the correction to v and fills impulse at the owned nodes. v, impulse: [mesh nodes][3].
+template <class Space>
+void apply_impulses(const Space& space, const RowSystem& system, const Rows3<double>& v, const Rows3<double>& impulse);
+
+/// Sums up what the impulses did.
+template <class Space>
+EnforcementSums sum_outcome(const Space& space, double dt, const RowSystem& system, RowSumMemory& memory);
+
+/// Work of this rank's rows of one pair.
+template <class Space>
+PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, RowSumMemory& memory);
+
+/// Sums up the rows from first_row on that are walls'. x: [mesh nodes] at n; center: what moments are taken about.
+template <class Space>
+WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const double>& x, const Point3& center,
+                           const RowSystem& system, RowSumMemory& memory);
+
+/// Writes the history for the next step: rows that push, or that hold an overlap accepted at the start. All else is
+/// forgotten.
+template <class Space>
+void write_history(const Space& space, double dt, RowSystem& system, ContactHistory& history);
+
+/// Zeroes the impulse of the first num_nodes of a list of nodes.
+template <class Space>
+void clear_impulses(const Space& space, const Array<const int>& nodes, int num_nodes, const Rows3<double>& impulse);
+
+}  // namespace percuss

@@ -1,0 +1,247 @@
+// What the impulses of a step did: velocities, work, what is left over, history.
+
+#include "kernels/contact/enforcement/enforcement.hpp"
+
+namespace percuss {
+namespace {
+
+/// Mean of the velocities before and after the step.
+struct MeanVelocity {
+  Rows3<const double> before, predicted, dv;
+  const ContactRow& row;
+  KOKKOS_INLINE_FUNCTION Point3 operator()(int slot) const {
+    const int a = row.place[slot];
+    return 0.5 * (load_row(before, a) + (load_row(predicted, a) + load_row(dv, a)));
+  }
+};
+
+/// Work of the push and of the rub of a row.
+struct RowWork {
+  double normal = 0, friction = 0;
+};
+KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv) {
+  const Point3 mean = find_work_velocity(row, MeanVelocity{at.v_before, at.v, dv, row});
+  RowWork work;
+  if (is_tie(row)) {
+    work.normal = dot(row.force, mean);
+    return work;
+  }
+  if (row.impulse.push > 0) work.normal = row.impulse.push * dot(row.normal, mean);
+  if (row.friction > 0)
+    work.friction = row.impulse.rub[0] * dot(row.tangent[0], mean) + row.impulse.rub[1] * dot(row.tangent[1], mean);
+  return work;
+}
+
+/// Energy of the springs of a penalty row at n+1: k d(n) d(n+1) / 2 is what the impulses k d(n) of central differences
+/// conserve. gap: at n+1.
+KOKKOS_INLINE_FUNCTION double find_stored(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
+                                          double gap, double dt) {
+  const double floor = find_floor(row), before = floor - row.gap_start, after = floor - gap;
+  double energy = before > 0 && after > 0 ? 0.5 * row.spring * before * after : 0;
+  if (!(row.friction > 0)) return energy;
+  const Point3 predicted = dt * find_slip_velocity(row, TouchedVelocity{at.v, row});
+  const Point3 corrected = dt * find_slip_velocity(row, TouchedVelocity{dv, row});
+  for (int d = 0; d < 2; ++d)
+    energy += 0.5 * row.spring * (row.slide[d] - dot(predicted, row.tangent[d])) *
+              (row.slide[d] + dot(corrected, row.tangent[d]));
+  return energy;
+}
+
+KOKKOS_INLINE_FUNCTION void add_tie_outcome(const ContactRow& row, double work, const Rows3<const double>& dv,
+                                            double dt, EnforcementSums& sums) {
+  ++sums.pushes;
+  if (work != 0) sums.normal_work.add(work);
+  const Point3 moved = dt * find_work_velocity(row, TouchedVelocity{dv, row});
+  const Point3 left{row.gap + moved.x, row.slide[0] + moved.y, row.slide[1] + moved.z};
+  const double residual = max_component(left) / row.size;
+  sums.residual = residual > sums.residual ? residual : sums.residual;
+  sums.add_torn(row.torn / row.size, row.key);
+}
+
+KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv,
+                                        double dt, EnforcementSums& sums) {
+  const RowWork work = find_work(row, at, dv);
+  if (is_tie(row)) {
+    add_tie_outcome(row, work.normal, dv, dt, sums);
+    return;
+  }
+  sums.pushes += row.impulse.push > 0 ? 1 : 0;
+  if (work.normal != 0) sums.normal_work.add(work.normal);
+  if (row.friction > 0) sums.friction_work.add(work.friction);
+  const double gap = row.gap + dt * dot(row.gap_gradient, find_work_velocity(row, TouchedVelocity{dv, row}));
+  if (row.spring > 0) {
+    sums.stored.add(find_stored(row, at, dv, gap, dt));
+    const double rate =
+        row.spring * (row.friction > 0 && row.rub_stiffness > row.stiffness ? row.rub_stiffness : row.stiffness);
+    sums.rate = rate > sums.rate ? rate : sums.rate;
+  }
+  const double residual = row.target > gap ? (row.target - gap) / row.size : 0;
+  sums.residual = residual > sums.residual ? residual : sums.residual;
+  sums.add_depth((find_floor(row) - row.gap_start) / row.size, row.key);
+}
+
+/// The tangential displacement that sticking owes after the step, or that stretches a spring; nothing when it slides.
+KOKKOS_INLINE_FUNCTION Point3 find_owed_slip(const ContactRow& row, const Rows3<const double>& dv, double dt) {
+  constexpr double sticking = 1 - 1e-9;  // share of Coulomb's limit, below which a rub was not shortened
+  const double* rub = row.impulse.rub;
+  const double limit = sticking * row.friction * row.impulse.push;
+  if (!(row.spring > 0) && !(rub[0] * rub[0] + rub[1] * rub[1] < limit * limit)) return {};
+  const Point3 moved = dt * find_slip_velocity(row, TouchedVelocity{dv, row});
+  return (row.slide[0] + dot(moved, row.tangent[0])) * row.tangent[0] +
+         (row.slide[1] + dot(moved, row.tangent[1])) * row.tangent[1];
+}
+
+KOKKOS_INLINE_FUNCTION void write_edge_record(const ContactRow& row, const Rows3<const double>& dv, double dt,
+                                              const EdgeHistory& history) {
+  const int r = row.record;
+  history.a(r) = find_key_edge(row.key);
+  history.b(r) = row.face;
+  history.holds(r) = row.impulse.push > 0 || row.reference > 0 || row.is_caught ? 1 : 0;
+  store_row(history.normal, r, row.normal);
+  store_row(history.impulse, r, row.force);
+  store_row(history.slip, r, row.friction > 0 ? find_owed_slip(row, dv, dt) : Point3{});
+  history.reference(r) = row.reference;
+}
+
+KOKKOS_INLINE_FUNCTION void write_record(const ContactRow& row, const Rows3<const double>& dv, double dt,
+                                         const ContactHistory& history) {
+  if (row.kind == RowKind::edges) {
+    write_edge_record(row, dv, dt, history.edges);
+    return;
+  }
+  if (is_tie(row)) {
+    store_row(history.ties, row.record, row.force);
+    return;
+  }
+  store_row(history.impulse, row.record, row.force);
+  store_row(history.slip, row.record, row.friction > 0 ? find_owed_slip(row, dv, dt) : Point3{});
+  history.reference(row.record) = row.reference;
+  if (row.kind == RowKind::face && (row.impulse.push > 0 || row.reference > 0 || row.is_caught))
+    history.face(row.record) = row.face;
+}
+
+/// Empties a record of a face or a wall; -1: of neither.
+KOKKOS_INLINE_FUNCTION void clear_record(int record, const ContactHistory& history) {
+  if (record < 0) return;
+  if (record < static_cast<int>(history.face.extent(0))) {
+    history.face(record) = -1;
+    return;
+  }
+  store_row(history.impulse, record, Point3{});
+  store_row(history.slip, record, Point3{});
+  history.reference(record) = 0;
+}
+
+void reserve_edge_history(EdgeHistory& history, int records) {
+  history.count = records;
+  for (Array<std::int64_t>* list : {&history.a, &history.b}) reserve(*list, records);
+  for (Rows3<double>* rows : {&history.normal, &history.impulse, &history.slip}) reserve(*rows, records);
+  reserve(history.holds, records);
+  reserve(history.reference, records);
+}
+
+}  // namespace
+
+template <class Space>
+void apply_impulses(const Space& space, const RowSystem& system, const Rows3<double>& v, const Rows3<double>& impulse) {
+  const ShareSums sums(system);
+  const Array<const int> nodes = system.nodes;
+  const Rows3<const double> dv = system.correction;
+  const Rows3<double> out_v = v, out_impulse = impulse;
+  Kokkos::parallel_for(
+      "contact::apply_impulses", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+        store_row(out_v, nodes(a), load_row(out_v, nodes(a)) + load_row(dv, a));
+        store_row(out_impulse, nodes(a), sums(a));
+      });
+}
+
+template <class Space>
+EnforcementSums sum_outcome(const Space& space, double dt, const RowSystem& system, RowSumMemory& memory) {
+  const Array<const ContactRow> rows = system.rows;
+  const RowNodes at = system.at;
+  const Rows3<const double> dv = system.correction;
+  return sum_rows<EnforcementSums>(
+      space, system.num_rows, memory.outcome,
+      [rows, at, dv, dt] KOKKOS_FUNCTION(int r, EnforcementSums& s) { add_outcome(rows(r), at, dv, dt, s); });
+}
+
+template <class Space>
+PairWork sum_pair_work(const Space& space, int pair, const RowSystem& system, RowSumMemory& memory) {
+  const Array<const ContactRow> rows = system.rows;
+  const RowNodes at = system.at;
+  const Rows3<const double> dv = system.correction;
+  return sum_rows<PairWork>(space, system.num_rows, memory.pair,
+                            [rows, at, dv, pair] KOKKOS_FUNCTION(int r, PairWork& s) {
+                              if (rows(r).pair != pair) return;
+                              const RowWork work = find_work(rows(r), at, dv);
+                              if (work.normal != 0) s.normal.add(work.normal);
+                              if (work.friction != 0) s.friction.add(work.friction);
+                            });
+}
+
+template <class Space>
+WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const double>& x, const Point3& center,
+                           const RowSystem& system, RowSumMemory& memory) {
+  const Array<const ContactRow> rows = system.rows;
+  const Array<const int> nodes = system.nodes;
+  const Rows3<const double> places = x;
+  return sum_rows<WallSums>(space, system.num_rows - first_row, memory.wall,
+                            [rows, nodes, places, center, first_row] KOKKOS_FUNCTION(int i, WallSums& s) {
+                              const ContactRow& row = rows(first_row + i);
+                              if (row.kind != RowKind::wall) return;
+                              const Point3 j = row.force;
+                              const Point3 moment = cross(load_row(places, nodes(row.place[0])) - center, j);
+                              s.impulse[0].add(j.x);
+                              s.impulse[1].add(j.y);
+                              s.impulse[2].add(j.z);
+                              s.moment[0].add(moment.x);
+                              s.moment[1].add(moment.y);
+                              s.moment[2].add(moment.z);
+                            });
+}
+
+template <class Space>
+void write_history(const Space& space, double dt, RowSystem& system, ContactHistory& history) {
+  reserve_edge_history(history.edges, system.num_edge_rows);
+  const ContactHistory h = history;
+  const bool is_known = system.num_written >= 0;
+  const int records = is_known ? system.num_written : static_cast<int>(h.reference.extent(0));
+  const Array<const int> old = system.written;
+  Kokkos::parallel_for(
+      "contact::clear_history", RangeOf<Space>(space, 0, records),
+      KOKKOS_LAMBDA(int i) { clear_record(is_known ? old(i) : i, h); });
+  reserve(system.written, system.num_rows);
+  system.num_written = system.num_rows;
+  const Array<int> written = system.written;
+  const Array<const ContactRow> rows = system.rows;
+  const Rows3<const double> dv = system.correction;
+  Kokkos::parallel_for(
+      "contact::write_history", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        write_record(rows(r), dv, dt, h);
+        written(r) = rows(r).kind == RowKind::face || rows(r).kind == RowKind::wall ? rows(r).record : -1;
+      });
+}
+
+template <class Space>
+void clear_impulses(const Space& space, const Array<const int>& nodes, int num_nodes, const Rows3<double>& impulse) {
+  const Rows3<double> out = impulse;
+  Kokkos::parallel_for(
+      "contact::clear_impulses", RangeOf<Space>(space, 0, num_nodes),
+      KOKKOS_LAMBDA(int a) { store_row(out, nodes(a), Point3{}); });
+}
+
+#define PERCUSS_INSTANTIATE(Space)                                                                                    \
+  template void apply_impulses(const Space&, const RowSystem&, const Rows3<double>&, const Rows3<double>&);           \
+  template EnforcementSums sum_outcome(const Space&, double, const RowSystem&, RowSumMemory&);                        \
+  template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                                \
+  template WallSums sum_wall_impulses(const Space&, int, const Rows3<const double>&, const Point3&, const RowSystem&, \
+                                      RowSumMemory&);                                                                 \
+  template void write_history(const Space&, double, RowSystem&, ContactHistory&);                                     \
+  template void clear_impulses(const Space&, const Array<const int>&, int, const Rows3<double>&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss

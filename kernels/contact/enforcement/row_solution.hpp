@@ -1,0 +1,188 @@
+#pragma once
+// From touches to impulses (the paper's section 4.3): the rows of a step and the iteration of their forces, with what
+// crosses ranks left to the caller.
+//
+// Others stands for the other ranks. Its members are called in the order of the paper's section 4.3.2: places of
+// foreign nodes come before the rows are made; forces on foreign nodes go to their owners and the accelerations come
+// back in each iteration, while the sums that judge convergence are reduced.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/contact/enforcement/coupled_rows.hpp"
+#include "kernels/contact/enforcement/enforcement.hpp"
+#include "kernels/contact/enforcement/springs.hpp"
+#include "kernels/contact/rows/row_packs.hpp"
+
+namespace percuss {
+
+/// One rank has all nodes: nothing is sent.
+struct OneRank {
+  void receive_nodes(RowSystem&) {}  // fills RowSystem::at at foreign places
+  template <class Space>
+  void send_coefficients(const Space&, RowSystem&) {}  // fills RowSystem::remote with shares of other ranks' rows
+  void receive_coefficients(RowSystem&) {}             // fills RowSystem::abs_sum at foreign places
+  template <class Space>
+  void send_impulses(const Space&, RowSystem&, PassSums&) {}  // the same; reduces the sums
+  void receive_corrections(RowSystem&) {}                     // fills RowSystem::correction at foreign places
+  void reduce(EnforcementSums&) {}
+  // Solves the rows of all ranks as one problem; impulses: of this rank's rows.
+  CoupledReport solve_together(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
+    return solve_in_key_order(rows, dt, impulses);
+  }
+};
+
+/// Makes the rows of a step with their first guess; S and D. In: num_foreign, num_remote, remote_node, remote_key of
+/// the system. touches: [num_touches] by (node, face).
+template <class Space, class Others>
+void build_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
+                const WallPairs& walls, const ContactHistory& history, RowSystem& system, Others& others) {
+  start_rows(space, inputs, touches, num_touches, walls, system);
+  space.fence();
+  others.receive_nodes(system);
+  make_rows(space, inputs, touches, num_touches, walls, history, system);
+  others.send_coefficients(space, system);
+  sum_coefficients(space, system);
+  space.fence();
+  others.receive_coefficients(system);
+  sum_stiffness(space, system);
+}
+
+/// What an enforcement reads besides the rows; each reads what it needs.
+struct SolveQuery {
+  double dt = 0;                             // step
+  double dt_mean = 0;                        // from the middle of the last step to that of this one; penalty
+  double tolerance = 0;                      // share of the largest predicted penetration that is left over; kinematic
+  double penalty_scale = 0;                  // of the stiffness; penalty
+  Array<const std::int64_t> node_numbers{};  // [mesh nodes]; lagrange
+};
+
+/// The same of every enforcement: solve_kinematic(), solve_lagrange() and solve_penalty() take the same arguments and
+/// leave impulses in the rows and their dv in RowSystem::correction.
+struct SolveReport {
+  std::int64_t rows = 0;  // on all ranks; 0: nothing was done
+  int iterations = 0;
+  bool converged = true;
+  double complementarity = 0;  // deviation from complementarity / largest closing velocity
+};
+
+/// When the iteration has come far enough: no impulse changes by more than would close the share `tolerance` of the
+/// largest predicted penetration.
+struct Convergence {
+  // Share of the smallest h that is enough in any case. What is left over acts on resting bodies like a small noise, so
+  // that it must be far below the penetration that gravity causes in a step.
+  static constexpr double absolute_tolerance = 1e-14;
+  // Share of the largest way that a tied node would take from its place in the step. Ties are always at work: what they
+  // leave is a noise that bodies see in every step.
+  static constexpr double tie_tolerance = 1e-6;
+
+  double enough = 0, enough_tied = 0;
+
+  Convergence(double tolerance, const PredictedGaps& gaps) {
+    const double least = absolute_tolerance * gaps.smallest_size;
+    enough = std::max(tolerance * gaps.deepest, least);
+    enough_tied = std::max(tie_tolerance * gaps.farthest_tied, least);
+  }
+
+  bool is_reached(const PassSums& sums) const { return sums.change <= enough && sums.tie_change <= enough_tied; }
+};
+
+/// Nesterov's extrapolation, with the restart of O'Donoghue and Candes.
+struct Extrapolation {
+  double beta = 0, t = 1;
+
+  void advance(bool restart) {
+    const double next_t = 0.5 * (1 + std::sqrt(1 + 4 * t * t));
+    beta = restart ? 0 : (t - 1) / next_t;
+    t = restart ? 1 : next_t;
+  }
+};
+
+/// An iteration whose changes are larger than so many iterations before diverges: straighten_gaps() says why.
+struct DivergenceWatch {
+  static constexpr int window = 50;
+  double change_before = std::numeric_limits<double>::infinity();
+
+  bool finds_growth(int iterations, double change) {
+    if (iterations % window != 0) return false;
+    const bool grows = change > change_before;
+    change_before = change;
+    return grows;
+  }
+};
+
+/// Iterates the impulses of the rows (contact.enforcement: kinematic). The iteration ends when no impulse changes by
+/// more than would close the share `tolerance` of the largest predicted penetration.
+template <class Space, class Others>
+SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+                            Others& others) {
+  constexpr int max_iterations = 1000;
+  SolveReport report{0, 0, false};
+  PassSums sums;
+  sums.gaps = find_predicted_gaps(space, system, memory);
+  pack_rows(space, system);
+  others.send_impulses(space, system, sums);
+  report.rows = sums.gaps.rows;
+  if (report.rows == 0) return report;
+  const Convergence convergence(query.tolerance, sums.gaps);
+  EnergyUnit unit{};  // none before the first pass, which extrapolates nothing that could point back
+  Extrapolation extrapolation;
+  DivergenceWatch watch;
+  for (;;) {
+    // The motion that the impulses cause, on both sides of every contact.
+    move_nodes(space, extrapolation.beta, system);
+    space.fence();
+    others.receive_corrections(system);
+    if (report.converged || report.iterations == max_iterations) break;
+    move_foreign_nodes(space, extrapolation.beta, system);
+    sums = correct_rows(space, {extrapolation.beta, query.dt, unit}, system, memory);
+    others.send_impulses(space, system, sums);
+    ++report.iterations;
+    report.converged = convergence.is_reached(sums);
+    const bool grows = watch.finds_growth(report.iterations, sums.change);
+    if (grows) straighten_gaps(space, system);
+    const bool is_blind = report.iterations > 1 && !unit.is_known();
+    extrapolation.advance(report.converged || grows || sums.backwards > 0 || is_blind);
+    unit = EnergyUnit::after(sums.largest_term);
+  }
+  unpack_rows(space, system);
+  return report;
+}
+
+/// RowSystem::correction of the impulses of all rows. sums: reduced over ranks.
+template <class Space, class Others>
+void follow_impulses(const Space& space, PassSums& sums, RowSystem& system, Others& others) {
+  share_impulses(space, system);
+  others.send_impulses(space, system, sums);
+  find_corrections(space, system);
+  space.fence();
+  others.receive_corrections(system);
+}
+
+/// The impulses of springs (contact.enforcement: penalty).
+template <class Space, class Others>
+SolveReport solve_penalty(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory& memory,
+                          Others& others) {
+  push_springs(space, query.penalty_scale, query.dt, query.dt_mean, system);
+  PassSums sums;
+  sums.gaps = find_predicted_gaps(space, system, memory);
+  follow_impulses(space, sums, system, others);
+  return {sums.gaps.rows, 1, true, 0};
+}
+
+/// The exact impulses of all rows together (contact.enforcement: lagrange).
+template <class Space, class Others>
+SolveReport solve_lagrange(const Space& space, const SolveQuery& query, RowSystem& system, RowSumMemory&,
+                           Others& others) {
+  space.fence();
+  std::vector<RowImpulse> impulses;
+  const CoupledReport solved = others.solve_together(list_coupled_rows(system, query.node_numbers), query.dt, impulses);
+  if (solved.rows == 0) return {};
+  set_impulses(space, impulses, system);
+  PassSums sums;
+  follow_impulses(space, sums, system, others);
+  return {solved.rows, solved.sweeps, solved.converged, solved.complementarity};
+}
+
+}  // namespace percuss

@@ -1,0 +1,34 @@
+#pragma once
+// Penalty enforcement: the impulse of a row is that of a spring on the penetration at n (contact.enforcement: penalty).
+//
+// Node by node a stiffness s of the material in front of its faces, a quarter of M A^2 / V of each (M = lambda + 2 mu,
+// A face, V element; after Hallquist, Goudreau and Benson, Comput. Methods Appl. Mech. Eng. 51, 1985, who take the bulk
+// modulus, which is too soft by the shear that a pressed layer has). A row has the two sides
+// in series, each with its weights: 1 / k = 1 / s_a + 1 / s_b. Rubs are springs on the slip of the contact, shortened
+// to Coulomb's limit. The frequency that the springs add is at most max k D, D the row sum of |G M^-1 G^T|.
+
+#include "kernels/contact/rows/row_system.hpp"
+
+namespace percuss {
+
+/// Stiffness of a row [force/length]. s: [places] of its nodes.
+KOKKOS_INLINE_FUNCTION double find_spring(const ContactRow& row, const Array<const double>& s) {
+  double front = 0, back = 0;
+  for (int slot = 0; slot < count_nodes(row); ++slot) {
+    const double share = row.weight[slot] * s(row.place[slot]);
+    (share > 0 ? front : back) += share > 0 ? share : -share;
+  }
+  if (count_nodes(row) == 1) return front;
+  return front + back > 0 ? front * back / (front + back) : 0;
+}
+
+/// Predicted displacement of the row in the step along a tangent.
+KOKKOS_INLINE_FUNCTION double find_predicted_slide(const ContactRow& row, const RowNodes& at, int d, double dt) {
+  return dt * dot(find_slip_velocity(row, TouchedVelocity{at.v, row}), row.tangent[d]);
+}
+
+/// Impulses of all rows. scale: of the stiffness; dt_mean: time from the middle of the last step to that of this one.
+template <class Space>
+void push_springs(const Space& space, double scale, double dt, double dt_mean, const RowSystem& system);
+
+}  // namespace percuss

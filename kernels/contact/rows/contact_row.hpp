@@ -1,0 +1,168 @@
+#pragma once
+// One row of the contact system: a node against a face, an edge against an edge or a node against a wall, in the normal
+// and two tangential directions; or a node tied to a face (tie_row.hpp) in the directions of the axes.
+//
+// The row sees its nodes through signed weights w: those of the point that is pushed sum to 1, those of the point that
+// pushes back to -1. Node on face: 1 and -N_i. Edge on edge: 1 - s, s and t - 1, -t. An impulse P acts on node i as
+// w_i P - q x rho_i, with rho_i = x_i - mean(x) over the bearing nodes (the corners of the face; all four of two
+// edges; rho = 0 for others), J = sum (rho^2 I - rho rho^T) and the couple q = J^-1 (r x P), r = sum w_i x_i, all at
+// x_n. So the impulses of a row sum to zero and their moments about any point do too, because sum w_i = 0, sum rho_i =
+// 0 and sum rho_i x (q x rho_i) = J q. The motion goes from x_n with the corrected velocity, so angular momentum sum
+// x_n x m v(n+1/2) is kept exactly when the moments are taken with the places at n. Solvers see slots, weights and
+// directions only; a wall's row has one node and nothing that pushes back.
+
+#include "kernels/contact/geometry/contact_limits.hpp"
+#include "kernels/contact/geometry/point3.hpp"
+
+namespace percuss {
+
+/// Most nodes of a row. Slots: the contact node, then the corners of the face; or the nodes of edge A, then of edge B;
+/// or the contact node at a wall.
+inline constexpr int row_nodes = 5;
+
+/// Impulses of a row: push along the normal (>= 0), rub along the two tangents. [force x time]
+struct RowImpulse {
+  double push = 0;
+  double rub[2] = {0, 0};
+};
+
+enum class RowKind { face, edges, wall, tie };
+
+struct ContactRow {
+  std::int64_t key = 0;    // its place in every sum: by (node, face), then edge pairs, ties, walls
+  std::int64_t face = -1;  // number of the contact face or of edge B; -1: a wall
+  RowKind kind = RowKind::wall;
+  int count = 1;                                // slots in use
+  int place[row_nodes] = {-1, -1, -1, -1, -1};  // of its nodes in RowSystem::at; -1: no such slot
+  double gap = 0;                               // predicted gap at n+1
+  double target = 0;                            // gap wanted at n+1, <= 0
+  int record = -1;                              // history record that this row writes
+  bool is_caught = false;                       // by a face that looks past the node, or within the thickness of a
+                                                // shell: kept while it is near
+  bool has_thickness = false;                   // of shells between the two sides
+  double weight[row_nodes] = {1, 0, 0, 0, 0};   // w
+  Point3 rho[row_nodes]{};
+  Symmetric3<double> inverse_inertia{};  // J^-1
+  Point3 arm{};                          // r
+  Point3 normal{}, tangent[2]{};
+  Point3 gap_gradient{};         // of the gap by the place of the pushed point; gap_gradient . normal = 1
+  double friction = 0;           // contact_limits::no_friction_limit: a tie
+  int pair = 0;                  // of surfaces, as work is booked; walls are the last
+  bool is_held = false;          // nothing moves its nodes
+  double torn = 0;               // tie: way to its place in directions in which nothing moves its nodes [length]
+  double spring = 0;             // stiffness of a penalty row [force/length], 0: none
+  double size = 0;               // h of the face or the edges
+  double gap_start = 0;          // gap at n
+  double reference = 0;          // overlap accepted at the start, >= 0
+  double play = 0;               // RowInputs::play
+  double slide[2] = {0, 0};      // predicted tangential displacement in the step plus what sticking still owes
+  double stiffness = 0;          // D of the normal: row sum of |G M^-1 G^T| [1/mass]
+  double rub_stiffness = 0;      // D of both tangents
+  RowImpulse impulse, previous;  // iterates k and k-1
+  Point3 force{}, couple{};      // P and q of `impulse`
+};
+
+KOKKOS_INLINE_FUNCTION bool is_tie(const ContactRow& row) { return row.kind == RowKind::tie; }
+
+/// The gap below which the two sides push each other, <= 0.
+KOKKOS_INLINE_FUNCTION double find_floor(const ContactRow& row) {
+  return row.reference > row.play ? -row.reference : -row.play;
+}
+
+KOKKOS_INLINE_FUNCTION int count_nodes(const ContactRow& row) { return row.count; }
+KOKKOS_INLINE_FUNCTION int count_directions(const ContactRow& row) { return row.friction > 0 ? 3 : 1; }
+KOKKOS_INLINE_FUNCTION const Point3& get_direction(const ContactRow& row, int d) {
+  return d == 0 ? row.normal : row.tangent[d - 1];
+}
+
+/// q of an impulse P on the pushed point.
+KOKKOS_INLINE_FUNCTION Point3 find_couple(const ContactRow& row, const Point3& impulse) {
+  return row.inverse_inertia * cross(row.arm, impulse);
+}
+
+/// Impulse on node `slot` of the row for the impulse P on the pushed point and its couple q.
+KOKKOS_INLINE_FUNCTION Point3 spread_impulse(const ContactRow& row, int slot, const Point3& impulse,
+                                             const Point3& couple) {
+  return row.weight[slot] * impulse - cross(couple, row.rho[slot]);
+}
+
+/// The vector u with (sum of impulses . velocities) = P . u for every P: the relative velocity of the row, the
+/// transpose of spread_impulse(). velocity(slot): velocity of node `slot`.
+template <class Velocity>
+KOKKOS_INLINE_FUNCTION Point3 find_work_velocity(const ContactRow& row, const Velocity& velocity) {
+  Point3 relative{}, spin{};
+  for (int slot = 0; slot < row.count; ++slot) {
+    const Point3 v = velocity(slot);
+    relative = relative + row.weight[slot] * v;
+    spin = spin + cross(row.rho[slot], v);
+  }
+  // P . u = P . relative - (J^-1 (r x P)) . spin, and J^-1 is symmetric.
+  return relative - cross(row.inverse_inertia * spin, row.arm);
+}
+
+/// Velocity of the pushed point relative to the point that pushes back (without the couple).
+template <class Velocity>
+KOKKOS_INLINE_FUNCTION Point3 find_relative_velocity(const ContactRow& row, const Velocity& velocity) {
+  Point3 relative{};
+  for (int slot = 0; slot < row.count; ++slot) relative = relative + row.weight[slot] * velocity(slot);
+  return relative;
+}
+
+/// Velocity of the pushed point relative to what it rubs on: with thickness between them, to what is rigidly joined to
+/// the other side there, so that turning as one is no sliding and a rub never gives energy.
+template <class Velocity>
+KOKKOS_INLINE_FUNCTION Point3 find_slip_velocity(const ContactRow& row, const Velocity& velocity) {
+  return row.has_thickness ? find_work_velocity(row, velocity) : find_relative_velocity(row, velocity);
+}
+
+/// Two unit vectors that complete the normal, from the axis that is least along it.
+KOKKOS_INLINE_FUNCTION void set_tangents(ContactRow& row) {
+  const Point3& n = row.normal;
+  const double x = n.x < 0 ? -n.x : n.x, y = n.y < 0 ? -n.y : n.y, z = n.z < 0 ? -n.z : n.z;
+  const Point3 axis = x <= y && x <= z ? Point3{1, 0, 0} : (y <= z ? Point3{0, 1, 0} : Point3{0, 0, 1});
+  row.tangent[0] = normalize(cross(n, axis));
+  row.tangent[1] = cross(n, row.tangent[0]);
+}
+
+/// P of the impulses along the row's directions.
+KOKKOS_INLINE_FUNCTION Point3 sum_impulse(const ContactRow& row, const RowImpulse& p) {
+  const Point3 push = p.push * row.normal;
+  return row.friction > 0 ? push + (p.rub[0] * row.tangent[0] + p.rub[1] * row.tangent[1]) : push;
+}
+
+/// Shortens the rub to Coulomb's limit, friction times push; a tie has none.
+KOKKOS_INLINE_FUNCTION void limit_rub(const ContactRow& row, RowImpulse& p) {
+  if (is_tie(row)) return;
+  const double limit = row.friction * p.push;
+  if (!(limit > 0)) {  // even where the square of a tiny rub is zero
+    p.rub[0] = p.rub[1] = 0;
+    return;
+  }
+  const double length = std::sqrt(p.rub[0] * p.rub[0] + p.rub[1] * p.rub[1]);
+  if (!(length > limit)) return;
+  const double factor = limit / length;
+  p.rub[0] *= factor;
+  p.rub[1] *= factor;
+}
+
+/// Whether the iteration begins with the row, and not only once its nodes move.
+KOKKOS_INLINE_FUNCTION bool wants_something(const ContactRow& row) {
+  return row.impulse.push > 0 || row.gap < row.target || is_tie(row);
+}
+
+/// One corrected force of the iteration: the impulse that would close the row if its neighbours followed, pushing
+/// only (but for ties), within Coulomb's limit. y: impulse to correct; u: work velocity of the correction that y and
+/// all others cause.
+KOKKOS_INLINE_FUNCTION RowImpulse correct_impulse(const ContactRow& row, const RowImpulse& y, const Point3& u,
+                                                  double dt) {
+  RowImpulse p;
+  const double push = y.push - (row.gap - row.target + dt * dot(row.gap_gradient, u)) / (dt * row.stiffness);
+  p.push = push > 0 || is_tie(row) ? push : 0;
+  if (!(row.friction > 0)) return p;
+  for (int d = 0; d < 2; ++d)
+    p.rub[d] = y.rub[d] - (row.slide[d] + dt * dot(row.tangent[d], u)) / (dt * row.rub_stiffness);
+  limit_rub(row, p);
+  return p;
+}
+
+}  // namespace percuss

@@ -1,0 +1,172 @@
+#pragma once
+// From a touch to a row: geometry at x_n, the gap that is wanted, the first guess from the last step.
+
+#include "kernels/contact/rows/row_system.hpp"
+
+namespace percuss {
+
+KOKKOS_INLINE_FUNCTION Point3 find_abs(const Point3& c) {
+  return {c.x < 0 ? -c.x : c.x, c.y < 0 ? -c.y : c.y, c.z < 0 ? -c.z : c.z};
+}
+
+/// D of the directions; free: D of the push if no direction of its nodes were held. A row whose nodes are all held
+/// cannot be moved and asks for nothing. Nor does one whose nodes are free only across the push, but for round-off of
+/// its direction: to close a gap they would have to move beyond all bounds.
+KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3], double free) {
+  const auto choose = [](double d) { return d > 0 ? d : 1; };
+  row.stiffness = choose(stiffness[0]);
+  row.rub_stiffness = choose(stiffness[1] > stiffness[2] ? stiffness[1] : stiffness[2]);
+  if (stiffness[0] > contact_limits::least_freedom * free) return;
+  row.is_held = true;
+  row.impulse = RowImpulse{};
+  row.previous = RowImpulse{};
+  row.force = Point3{};
+  row.couple = Point3{};
+  row.friction = 0;
+  row.target = row.gap;  // met as it is
+}
+
+/// A vector shortened to `longest`.
+KOKKOS_INLINE_FUNCTION Point3 shorten(const Point3& a, double longest) {
+  const double length = norm(a);
+  return length > longest ? (longest / length) * a : a;
+}
+
+/// The gap wanted at n+1. None that exists may be lost below zero; penetration is recovered slowly; an overlap accepted
+/// at the start stays as it is, and what opened of it stays open.
+KOKKOS_INLINE_FUNCTION void set_target(ContactRow& row) {
+  const double floor = find_floor(row);
+  const double recovered = row.gap_start + contact_limits::recovery * row.size;
+  row.target = recovered < floor ? recovered : floor;
+}
+
+/// The most by which the gap of a touch can change in the step: no point of either side moves farther relative to the
+/// other than their nodes do. Thickness turns with the faces: at most by some of the same again.
+KOKKOS_INLINE_FUNCTION double find_longest_approach(const ContactRow& row, const RowNodes& at, double dt) {
+  constexpr double longest_turn = 3;
+  double fastest = 0;
+  const int first_bearing = row.kind == RowKind::edges ? 2 : 1;
+  for (int i = 0; i < first_bearing; ++i) {
+    for (int j = first_bearing; j < row.count; ++j) {
+      const double speed = norm(load_row(at.v, row.place[i]) - load_row(at.v, row.place[j]));
+      fastest = speed > fastest ? speed : fastest;
+    }
+  }
+  return (row.has_thickness ? longest_turn : 1) * norm(row.gap_gradient) * dt * fastest;
+}
+
+/// Where faces are crushed to slivers the measured gap jumps, as the closest point leaps from one triangle to another.
+/// What it jumps by is penetration that exists: closed in one step it would throw bodies apart, the faster the shorter
+/// the step.
+KOKKOS_INLINE_FUNCTION void limit_closing(const RowNodes& at, double dt, ContactRow& row) {
+  const double reachable = row.gap + find_longest_approach(row, at, dt) + contact_limits::recovery * row.size;
+  if (reachable < row.target) row.target = reachable;
+}
+
+/// Continues a history record: first guess of the impulses, owed slip, accepted overlap.
+KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const RowInputs& inputs, ContactRow& row) {
+  const Point3 last = inputs.impulse_scale * record.impulse;
+  const double push = dot(last, row.normal);
+  row.impulse.push = push > 0 ? push : 0;
+  const double overlap = row.gap_start < 0 ? -row.gap_start : 0;
+  row.reference = record.reference < overlap ? record.reference : overlap;
+  if (!(row.friction > 0)) return;
+  const Point3 owed = shorten(record.slip, inputs.longest_slip * row.size);
+  for (int d = 0; d < 2; ++d) {
+    row.impulse.rub[d] = dot(last, row.tangent[d]);
+    row.slide[d] += dot(owed, row.tangent[d]);
+  }
+  limit_rub(row, row.impulse);
+}
+
+/// The rest of a row once its place and gaps are known. old: what it continues, if anything.
+KOKKOS_INLINE_FUNCTION void complete_row(const RowInputs& inputs, const RowNodes& at, bool continues,
+                                         const LastContact& old, ContactRow& row) {
+  if (row.friction > 0) {
+    set_tangents(row);
+    const Point3 v = find_slip_velocity(row, TouchedVelocity{at.v, row});
+    for (int d = 0; d < 2; ++d) row.slide[d] = inputs.motion.dt * dot(v, row.tangent[d]);
+  }
+  row.play = inputs.play;
+  if (continues) continue_record(old, inputs, row);
+  set_target(row);
+  row.previous = row.impulse;
+  row.force = sum_impulse(row, row.impulse);
+  row.couple = find_couple(row, row.force);
+}
+
+/// rho, J^-1 and r from the places at n.
+KOKKOS_INLINE_FUNCTION void set_arms(const Rows3<const double>& x, ContactRow& row) {
+  // Bearing nodes: the last four slots.
+  const int first = row.count - 4;
+  const Point3 origin = load_row(x, row.place[0]);
+  FacePoints bearing;
+  row.arm = Point3{};
+  for (int slot = 0; slot < row.count; ++slot) {
+    const Point3 p = load_row(x, row.place[slot]) - origin;
+    row.arm = row.arm + row.weight[slot] * p;
+    if (slot >= first) bearing.corner[slot - first] = p;
+  }
+  const Point3 middle = find_middle(bearing);
+  Symmetric3<double> inertia{};
+  for (int i = 0; i < 4; ++i) {
+    const Point3 p = bearing.corner[i] - middle;
+    row.rho[first + i] = p;
+    inertia = inertia + Symmetric3<double>{p.y * p.y + p.z * p.z, p.z * p.z + p.x * p.x, p.x * p.x + p.y * p.y,
+                                           -(p.x * p.y),          -(p.y * p.z),          -(p.z * p.x)};
+  }
+  row.inverse_inertia = invert(inertia);
+}
+
+/// The row of a touch whose places are set.
+KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const RowInputs& inputs, const RowNodes& at,
+                                           const RowTouch& touch, ContactRow& row) {
+  for (int slot = 0; slot < touch.count; ++slot) row.weight[slot] = touch.weight[slot];
+  row.count = touch.count;
+  row.key = touch.key;
+  row.kind = touch.kind;
+  row.face = touch.face;
+  row.record = touch.record;
+  row.is_caught = touch.is_caught;
+  row.normal = touch.normal;
+  row.gap_gradient = touch.gap_gradient;
+  row.friction = touch.friction;
+  row.pair = touch.pair;
+  row.size = touch.size;
+  row.has_thickness = touch.has_thickness;
+  row.gap_start = touch.gap_start;
+  row.gap = touch.gap_end;
+  set_arms(at.x, row);
+  const int old = touch.old_record;
+  LastContact last;
+  if (old >= 0) last = touch.kind == RowKind::edges ? load_record(history.edges, old) : load_record(history, old);
+  complete_row(inputs, at, old >= 0, last, row);
+  limit_closing(at, inputs.motion.dt, row);
+}
+
+/// Gap between the node and the wall of pair p, `share` of the step after n.
+KOKKOS_INLINE_FUNCTION double find_wall_gap(const WallPairs& walls, const SurfaceMotion& motion, int p, double share) {
+  const ContactWall& wall = walls.walls(walls.wall(p));
+  const int node = walls.node(p);
+  const Point3 from_wall = load_row(motion.x, node) - wall.point;
+  return dot(wall.normal, from_wall) + share * motion.dt * dot(wall.normal, load_row(motion.v, node));
+}
+
+/// The row of pair p of a wall and a node, whose place is set. first_record: history of the first pair.
+KOKKOS_INLINE_FUNCTION void fill_wall_row(const WallPairs& walls, const ContactHistory& history,
+                                          const RowInputs& inputs, const RowNodes& at, int first_record, int p,
+                                          ContactRow& row) {
+  const ContactWall& wall = walls.walls(walls.wall(p));
+  row.key = make_wall_row_key(inputs.node_numbers(walls.node(p)), walls.wall(p));
+  row.record = first_record + p;
+  row.normal = wall.normal;
+  row.gap_gradient = wall.normal;
+  row.friction = wall.friction;
+  row.pair = inputs.num_pairs;
+  row.size = walls.size(p);
+  row.gap_start = find_wall_gap(walls, inputs.motion, p, 0);
+  row.gap = find_wall_gap(walls, inputs.motion, p, 1);
+  complete_row(inputs, at, true, load_record(history, row.record), row);
+}
+
+}  // namespace percuss

@@ -1,0 +1,267 @@
+#include "kernels/contact/rows/row_packs.hpp"
+
+namespace percuss {
+namespace {
+
+KOKKOS_INLINE_FUNCTION Point3 multiply(const Point3& a, const Point3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+
+KOKKOS_INLINE_FUNCTION void set_lane(double (*values)[RowPack::lanes], int lane, const Point3& a) {
+  values[0][lane] = a.x;
+  values[1][lane] = a.y;
+  values[2][lane] = a.z;
+}
+
+/// A lane without a row: its impulse is 0 and stays so.
+KOKKOS_INLINE_FUNCTION void clear_lane(RowPack& pack, int lane, int nowhere) {
+  for (int slot = 0; slot < row_nodes; ++slot) {
+    pack.weight[slot][lane] = 0;
+    pack.place[slot][lane] = nowhere;
+    pack.share[slot][lane] = -1;
+  }
+  for (auto& rho : pack.rho) set_lane(rho, lane, {});
+  for (auto& value : pack.inverse_inertia) value[lane] = 0;
+  for (auto* values :
+       {pack.arm, pack.normal, pack.gap_gradient, pack.tangent[0], pack.tangent[1], pack.impulse, pack.previous})
+    set_lane(values, lane, {});
+  for (auto* value : {pack.missing, pack.slide[0], pack.slide[1], pack.friction, pack.tied}) value[lane] = 0;
+  pack.stiffness[0][lane] = pack.stiffness[1][lane] = 1;
+  pack.row[lane] = -1;
+}
+
+KOKKOS_INLINE_FUNCTION void set_row(RowPack& pack, int lane, const ContactRow& row, int r,
+                                    const Array<const int>& share_of_slot) {
+  const int first = row.count == RowPack::bearing ? 1 : 0;
+  for (int slot = 0; slot < row.count; ++slot) {
+    pack.weight[first + slot][lane] = row.weight[slot];
+    pack.place[first + slot][lane] = row.place[slot];
+    pack.share[first + slot][lane] = share_of_slot(r * row_nodes + slot);
+    if (first + slot > 0) set_lane(pack.rho[first + slot - 1], lane, row.rho[slot]);
+  }
+  const Symmetric3<double>& j = row.inverse_inertia;
+  const double inverse_inertia[6] = {j.xx, j.yy, j.zz, j.xy, j.yz, j.zx};
+  for (int i = 0; i < 6; ++i) pack.inverse_inertia[i][lane] = inverse_inertia[i];
+  set_lane(pack.arm, lane, row.arm);
+  set_lane(pack.normal, lane, row.normal);
+  set_lane(pack.gap_gradient, lane, row.gap_gradient);
+  pack.missing[lane] = row.gap - row.target;
+  pack.friction[lane] = is_tie(row) ? 0 : row.friction;
+  pack.tied[lane] = is_tie(row) ? 1 : 0;
+  pack.stiffness[0][lane] = row.stiffness;
+  pack.stiffness[1][lane] = row.rub_stiffness;
+  for (int d = 0; d < 2; ++d) {
+    set_lane(pack.tangent[d], lane, row.tangent[d]);
+    pack.slide[d][lane] = row.slide[d];
+  }
+  set_lane(pack.impulse, lane, {row.impulse.push, row.impulse.rub[0], row.impulse.rub[1]});
+  set_lane(pack.previous, lane, {row.previous.push, row.previous.rub[0], row.previous.rub[1]});
+  pack.row[lane] = r;
+}
+
+/// From now on the nodes of the pack are looked at.
+KOKKOS_INLINE_FUNCTION void stir(const RowPack& pack, const Array<int>& stirred) {
+  for (const auto& places : pack.place)
+    for (const int place : places) Kokkos::atomic_fetch_or(&stirred(place), 1);
+}
+
+KOKKOS_INLINE_FUNCTION bool is_moved(const RowPack& pack, const Array<const int>& moved) {
+  int any = 0;
+  for (const auto& places : pack.place)
+    for (const int place : places) any |= moved(place);
+  return any != 0;
+}
+
+/// dv of a place in the extrapolated iterate.
+KOKKOS_INLINE_FUNCTION void set_dv(const RowPacks& packs, int a, const Point3& dv) {
+  store_row(packs.dv, a, dv);
+  packs.dv(a, 3) = 0;
+  packs.moved(a) = dv.x != 0 || dv.y != 0 || dv.z != 0 ? 1 : 0;
+}
+
+KOKKOS_INLINE_FUNCTION Point3 extrapolate(const Point3& dv, const Point3& before, double beta) {
+  return beta > 0 ? dv + beta * (dv - before) : dv;
+}
+
+/// Adds up how the rows of a pack changed. Ties are judged by themselves.
+KOKKOS_FORCEINLINE_FUNCTION void add_change(const RowPack& pack, const PackedChange& change, const PassQuery& query,
+                                            PassSums& sums) {
+  const Packed backwards = Packed(query.dt * query.dt) * change.backwards, zero(0);
+  const auto find_most = [](double most, const Packed& values) {
+    const double largest = find_largest_lane(values);
+    return largest > most ? largest : most;
+  };
+  sums.change = find_most(sums.change, choose_tied(pack, zero, change.size));
+  if (pack.ties != 0) sums.tie_change = find_most(sums.tie_change, choose_tied(pack, change.size, zero));
+  sums.backwards += query.unit.count(backwards);
+  const Packed term = select(backwards < zero, -backwards, backwards);
+  sums.largest_term = find_most(sums.largest_term, select(term > zero, term, zero));  // none of what is no number
+}
+
+/// Corrects the rows of an active pack and adds up how they changed. Flattened: a call in here would spill all
+/// registers.
+PERCUSS_FLATTEN KOKKOS_FUNCTION void advance_pack(RowPack& pack, const Rows4<double>& dv, const Rows4<double>& shares,
+                                                  const PassQuery& query, PassSums& sums) {
+  const PackedChange change = correct_pack(pack, dv, query.beta, query.dt);
+  share_pack(pack, shares);
+  add_change(pack, change, query, sums);
+}
+
+/// In each stretch of rows those that want something first, so that packs of others may rest; both kinds ascending. The
+/// stretches are short, so that threads share the work evenly, each of rows that have nodes in common.
+template <class Space>
+void order_rows(const Space& space, const Array<const int>& wants, int num_rows, RowPacks& packs) {
+  constexpr int stretch = 64 * RowPack::lanes;
+  reserve(packs.order, num_rows);
+  const Array<int> order = packs.order;
+  Kokkos::parallel_for(
+      "contact::order_rows", RangeOf<Space>(space, 0, (num_rows + stretch - 1) / stretch), KOKKOS_LAMBDA(int s) {
+        const int first = s * stretch, end = first + stretch < num_rows ? first + stretch : num_rows;
+        int place = first;
+        for (const int wanting : {1, 0})
+          for (int r = first; r < end; ++r)
+            if (wants(r) == wanting) order(place++) = r;
+      });
+}
+
+}  // namespace
+
+template <class Space>
+void pack_rows(const Space& space, RowSystem& system) {
+  RowPacks& packs = system.packs;
+  const int num_rows = system.num_rows, nowhere = system.num_places();
+  packs.count = (num_rows + RowPack::lanes - 1) / RowPack::lanes;
+  order_rows<Space>(space, system.wants, num_rows, packs);
+  reserve(packs.pack, packs.count);
+  reserve(packs.active, packs.count);
+  reserve(packs.dv, nowhere + 1);
+  reserve(packs.moved, nowhere + 1);
+  reserve(packs.stirred, nowhere + 1);
+  const RowPacks p = packs;
+  const Rows3<double> correction = system.correction;
+  Kokkos::parallel_for(
+      "contact::clear_places", RangeOf<Space>(space, 0, nowhere + 1), KOKKOS_LAMBDA(int a) {
+        set_dv(p, a, Point3{});
+        p.stirred(a) = 0;
+        if (a < nowhere) store_row(correction, a, Point3{});
+      });
+  const Array<const ContactRow> rows = system.rows;
+  const Array<const int> share_of_slot = system.share_of_slot, wants = system.wants;
+  const Rows4<double> shares = system.shares;
+  Kokkos::parallel_for(
+      "contact::pack_rows", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
+        RowPack& pack = p.pack(i);
+        pack.rubs = pack.ties = 0;
+        p.active(i) = 0;
+        for (int lane = 0; lane < RowPack::lanes; ++lane) {
+          const int place = i * RowPack::lanes + lane;
+          const int r = place < num_rows ? p.order(place) : -1;
+          if (r < 0 || rows(r).count < row_nodes) clear_lane(pack, lane, nowhere);
+          if (r < 0) continue;
+          set_row(pack, lane, rows(r), r, share_of_slot);
+          if (rows(r).friction > 0) pack.rubs = 1;
+          if (is_tie(rows(r))) pack.ties = 1;
+          if (wants(r) != 0) p.active(i) = 1;
+        }
+        share_pack(pack, shares);
+        if (p.active(i) != 0) stir(pack, p.stirred);
+      });
+  const Array<const int> remote_place = system.remote_place;
+  Kokkos::parallel_for(
+      "contact::stir_remote", RangeOf<Space>(space, 0, system.num_remote),
+      KOKKOS_LAMBDA(int k) { Kokkos::atomic_fetch_or(&p.stirred(remote_place(k)), 1); });
+}
+
+template <class Space>
+void move_nodes(const Space& space, double beta, const RowSystem& system) {
+  place_remote_shares(space, system);
+  const ShareSums sums(system);
+  const RowPacks p = system.packs;
+  const Rows3<double> correction = system.correction;
+  const Rows3<const double> inverse_mass = system.at.inverse_mass;
+  const int num_owned = system.num_nodes;
+  Kokkos::parallel_for(
+      "contact::move_nodes", RangeOf<Space>(space, 0, system.num_places()), KOKKOS_LAMBDA(int a) {
+        const Point3 before = load_row(correction, a);
+        if (a >= num_owned) {
+          store_row(p.dv, a, before);
+          return;
+        }
+        if (p.stirred(a) == 0) return;
+        const Point3 dv = multiply(load_row(inverse_mass, a), sums(a));
+        store_row(correction, a, dv);
+        set_dv(p, a, extrapolate(dv, before, beta));
+      });
+}
+
+template <class Space>
+void move_foreign_nodes(const Space& space, double beta, const RowSystem& system) {
+  const RowPacks p = system.packs;
+  const Rows3<const double> correction = system.correction;
+  Kokkos::parallel_for(
+      "contact::move_foreign_nodes", RangeOf<Space>(space, system.num_nodes, system.num_places()),
+      KOKKOS_LAMBDA(int a) { set_dv(p, a, extrapolate(load_row(correction, a), load_row(p.dv, a), beta)); });
+}
+
+template <class Space>
+PassSums correct_rows(const Space& space, const PassQuery& query, const RowSystem& system, RowSumMemory& memory) {
+  const RowPacks p = system.packs;
+  const Rows4<double> shares = system.shares;
+  return sum_rows<PassSums>(space, p.count, memory.pass, [p, shares, query] KOKKOS_FUNCTION(int i, PassSums& s) {
+    RowPack& pack = p.pack(i);
+    if (p.active(i) == 0) {
+      if (!is_moved(pack, p.moved)) return;
+      p.active(i) = 1;
+      stir(pack, p.stirred);
+    }
+    advance_pack(pack, p.dv, shares, query, s);
+  });
+}
+
+template <class Space>
+void straighten_gaps(const Space& space, const RowSystem& system) {
+  const RowPacks p = system.packs;
+  const Array<ContactRow> rows = system.rows;
+  Kokkos::parallel_for(
+      "contact::straighten_gaps", RangeOf<Space>(space, 0, p.count), KOKKOS_LAMBDA(int i) {
+        RowPack& pack = p.pack(i);
+        for (int lane = 0; lane < RowPack::lanes; ++lane) {
+          if (pack.row[lane] < 0) continue;
+          ContactRow& row = rows(pack.row[lane]);
+          row.gap_gradient = row.normal;
+          set_lane(pack.gap_gradient, lane, row.normal);
+        }
+      });
+}
+
+template <class Space>
+void unpack_rows(const Space& space, const RowSystem& system) {
+  const RowPacks p = system.packs;
+  const Array<ContactRow> rows = system.rows;
+  Kokkos::parallel_for(
+      "contact::unpack_rows", RangeOf<Space>(space, 0, p.count), KOKKOS_LAMBDA(int i) {
+        if (p.active(i) == 0) return;
+        const RowPack& pack = p.pack(i);
+        for (int lane = 0; lane < RowPack::lanes; ++lane) {
+          if (pack.row[lane] < 0) continue;
+          ContactRow& row = rows(pack.row[lane]);
+          row.previous = {pack.previous[0][lane], {pack.previous[1][lane], pack.previous[2][lane]}};
+          row.impulse = {pack.impulse[0][lane], {pack.impulse[1][lane], pack.impulse[2][lane]}};
+          row.force = sum_impulse(row, row.impulse);
+          row.couple = find_couple(row, row.force);
+        }
+      });
+}
+
+#define PERCUSS_INSTANTIATE(Space)                                                                 \
+  template void pack_rows(const Space&, RowSystem&);                                               \
+  template void move_nodes(const Space&, double, const RowSystem&);                                \
+  template void move_foreign_nodes(const Space&, double, const RowSystem&);                        \
+  template PassSums correct_rows(const Space&, const PassQuery&, const RowSystem&, RowSumMemory&); \
+  template void straighten_gaps(const Space&, const RowSystem&);                                   \
+  template void unpack_rows(const Space&, const RowSystem&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss

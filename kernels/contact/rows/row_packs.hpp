@@ -1,0 +1,43 @@
+#pragma once
+// The passes of the iteration over packs of rows (row_pack.hpp) and over the nodes that they touch.
+
+#include "kernels/contact/rows/pass_sums.hpp"
+#include "kernels/contact/rows/row_system.hpp"
+
+namespace percuss {
+
+/// Packs the rows with their first guess, and the shares of all their entries.
+template <class Space>
+void pack_rows(const Space& space, RowSystem& system);
+
+/// New dv of the owned nodes from the shares: RowSystem::correction, and dv + beta (dv - dv of the iterate before) in
+/// RowPacks::dv. Keeps the last dv of foreign places there.
+template <class Space>
+void move_nodes(const Space& space, double beta, const RowSystem& system);
+
+/// The same of foreign places, once their correction has come.
+template <class Space>
+void move_foreign_nodes(const Space& space, double beta, const RowSystem& system);
+
+/// What a pass corrects by and is asked besides.
+struct PassQuery {
+  double beta = 0, dt = 0;
+  EnergyUnit unit{};  // of PassSums::backwards
+};
+
+/// Corrects the impulses of all rows from their extrapolated iterate; new shares. Packs of rows that have no push, need
+/// none as things lie, and none of whose nodes was ever moved stay as they are.
+template <class Space>
+PassSums correct_rows(const Space& space, const PassQuery& query, const RowSystem& system, RowSumMemory& memory);
+
+/// Lets the gap of every row change along its push direction only. Where direction and triangle differ, what rows do to
+/// each other is not symmetric, and between elements crushed to slivers the iteration may diverge; with this it is
+/// symmetric and contracts. The price is the square of the angle, which the next steps recover like any penetration.
+template <class Space>
+void straighten_gaps(const Space& space, const RowSystem& system);
+
+/// Brings the impulses of the packs back to the rows.
+template <class Space>
+void unpack_rows(const Space& space, const RowSystem& system);
+
+}  // namespace percuss

@@ -1,0 +1,386 @@
+#include "kernels/contact/rows/row_system.hpp"
+
+#include "kernels/contact/rows/row_geometry.hpp"
+#include "kernels/contact/rows/tie_row.hpp"
+#include "kernels/core/index_lists.hpp"
+
+namespace percuss {
+namespace {
+
+/// The mesh node of an entry, < 0: foreign, or no entry. Walls touch their node alone.
+struct EntryNodes {
+  Array<const RowTouch> touches;
+  int num_touches, num_rows;
+  Array<const int> near_walls, wall_node, remote_node;
+
+  /// Of row r. -1 - k: foreign node k.
+  KOKKOS_INLINE_FUNCTION bool has_slot(int r, int slot) const {
+    return slot < (r < num_touches ? touches(r).count : 1);
+  }
+  KOKKOS_INLINE_FUNCTION int get_node(int r, int slot) const {
+    return r < num_touches ? touches(r).node[slot] : wall_node(near_walls(r - num_touches));
+  }
+
+  KOKKOS_INLINE_FUNCTION int operator()(int entry) const {
+    const int r = entry / row_nodes, slot = entry % row_nodes;
+    if (r >= num_rows) return remote_node(entry - num_rows * row_nodes);
+    return has_slot(r, slot) ? get_node(r, slot) : -1;
+  }
+};
+
+EntryNodes list_entry_nodes(const Array<const RowTouch>& touches, int num_touches, const WallPairs& walls,
+                            const RowSystem& system) {
+  return {touches, num_touches, system.num_rows, system.near_walls, walls.node, system.remote_node};
+}
+
+/// Touches of edges come after those of faces and number their records from 0.
+template <class Space>
+int count_edge_touches(const Space& space, const Array<const RowTouch>& touches, int num_touches) {
+  if (num_touches == 0) return 0;
+  const RowTouch last = read_value(space, touches, num_touches - 1);
+  return last.kind == RowKind::edges ? last.record + 1 : 0;
+}
+
+/// Lists the wall pairs in reach; returns how many.
+template <class Space>
+int list_near_walls(const Space& space, const WallPairs& walls, const SurfaceMotion& motion, RowSystem& system) {
+  const int pairs = static_cast<int>(walls.node.extent(0));
+  if (pairs == 0) return 0;
+  const WallPairs w = walls;
+  const SurfaceMotion m = motion;
+  reserve(system.near_walls, pairs);
+  return list_where<Space>(
+      space, pairs,
+      [w, m] KOKKOS_FUNCTION(int p) { return find_wall_gap(w, m, p, 1) <= contact_limits::row_gap * w.size(p); },
+      system.near_walls);
+}
+
+/// Numbers the nodes of this rank that rows and remote entries touch, in the order in which these do: a thread then
+/// moves the nodes that its rows push.
+template <class Space>
+void number_nodes(const Space& space, int num_mesh_nodes, const EntryNodes& entries, RowSystem& system) {
+  if (static_cast<int>(system.place_of_node.extent(0)) < num_mesh_nodes) {
+    reserve(system.place_of_node, num_mesh_nodes);
+    Kokkos::deep_copy(space, system.place_of_node, -1);
+  }
+  const int num_entries = system.num_rows * row_nodes + system.num_remote;
+  reserve(system.first_entry, num_entries);
+  reserve(system.nodes, num_entries);
+  const Array<int> place = system.place_of_node, nodes = system.nodes, first = system.first_entry;
+  const EntryNodes touched = entries;
+  const bool is_alone = space.concurrency() == 1;
+  // A node's first entry has the largest of these marks.
+  Kokkos::parallel_for(
+      "contact::mark_nodes", RangeOf<Space>(space, 0, num_entries), KOKKOS_LAMBDA(int e) {
+        const int node = touched(e), mark = num_entries - e;
+        if (node < 0) return;
+        if (is_alone)
+          place(node) = place(node) < 0 ? mark : place(node);
+        else
+          Kokkos::atomic_fetch_max(&place(node), mark);
+      });
+  system.num_nodes = list_where<Space>(
+      space, num_entries,
+      [touched, place, num_entries] KOKKOS_FUNCTION(int e) {
+        const int node = touched(e);
+        return node >= 0 && place(node) == num_entries - e;
+      },
+      first);
+  Kokkos::parallel_for(
+      "contact::number_nodes", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+        nodes(a) = touched(first(a));
+        place(nodes(a)) = a;
+      });
+  reserve(system.remote_place, system.num_remote);
+  const Array<int> remote_place = system.remote_place;
+  const Array<const int> remote = system.remote_node;
+  Kokkos::parallel_for(
+      "contact::place_remote_entries", RangeOf<Space>(space, 0, system.num_remote),
+      KOKKOS_LAMBDA(int k) { remote_place(k) = place(remote(k)); });
+}
+
+template <class Space>
+void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system) {
+  for (Rows3<double>* rows : {&system.at.x, &system.at.v, &system.at.v_before, &system.at.inverse_mass}) {
+    reserve(*rows, system.num_places());
+  }
+  const bool has_springs = inputs.spring.extent(0) > 0;
+  if (has_springs) reserve(system.at.spring, system.num_places());
+  const RowNodes at = system.at;
+  const RowInputs in = inputs;
+  const Array<const int> nodes = system.nodes;
+  Kokkos::parallel_for(
+      "contact::gather_nodes", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+        const int n = nodes(a);
+        store_row(at.x, a, load_row(in.motion.x, n));
+        store_row(at.v, a, load_row(in.motion.v, n));
+        store_row(at.v_before, a, load_row(in.v_before, n));
+        store_row(at.inverse_mass, a, load_row(in.inverse_mass, n));
+        if (has_springs) at.spring(a) = in.spring(n);
+      });
+}
+
+/// ContactRow::key of the rows of this rank.
+struct RowKeys {
+  Array<const RowTouch> touches;
+  int num_touches;
+  Array<const int> near_walls;
+  WallPairs walls;
+  Array<const std::int64_t> node_numbers;  // [mesh nodes]
+
+  KOKKOS_INLINE_FUNCTION std::int64_t operator()(int r) const {
+    if (r < num_touches) return touches(r).key;
+    const int p = near_walls(r - num_touches);
+    return make_wall_row_key(node_numbers(walls.node(p)), walls.wall(p));
+  }
+};
+
+/// Places of the entries, and these by owned node, ascending in their rows' keys: local ones ascend with the row;
+/// remote ones find their place.
+template <class Space>
+void group_entries(const Space& space, const EntryNodes& entries, const RowKeys& keys, RowSystem& system) {
+  const int num_local = system.num_rows * row_nodes, num_entries = num_local + system.num_remote;
+  reserve(system.place_of_entry, num_entries);
+  reserve(system.entry_value, num_entries);
+  reserve(system.foreign, system.num_foreign);
+  reserve(system.entry, num_entries);
+  reserve(system.shares, num_entries + system.num_foreign);
+  reserve(system.share_of_slot, num_local);
+  reserve(system.share_of_remote, system.num_remote);
+  reserve(system.count, system.num_nodes);
+  reserve(system.offset, system.num_nodes + 1);
+  const Array<int> share_of_slot = system.share_of_slot, share_of_remote = system.share_of_remote;
+  const Array<int> place_of_entry = system.place_of_entry, value = system.entry_value, place = system.place_of_node;
+  const Array<int> foreign = system.foreign;
+  const Array<const int> remote_place = system.remote_place;
+  const EntryNodes touched = entries;
+  const int num_nodes = system.num_nodes, nowhere = system.num_places();
+  Kokkos::parallel_for(
+      "contact::list_entries", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        for (int slot = 0; slot < row_nodes; ++slot) {
+          const int e = r * row_nodes + slot;
+          value(e) = e;
+          share_of_slot(e) = -1;
+          place_of_entry(e) = nowhere;
+          if (!touched.has_slot(r, slot)) continue;
+          const int node = touched.get_node(r, slot);
+          place_of_entry(e) = node >= 0 ? place(node) : num_nodes - 1 - node;
+          if (node < 0) foreign(-1 - node) = e;
+        }
+      });
+  Kokkos::parallel_for(
+      "contact::list_remote_entries", RangeOf<Space>(space, 0, system.num_remote), KOKKOS_LAMBDA(int k) {
+        place_of_entry(num_local + k) = remote_place(k);
+        value(num_local + k) = num_local + k;
+      });
+  // Of foreign nodes, and of slots not in use, there is no key.
+  group_by_key<Space>(space, num_entries, place_of_entry, value, num_nodes, system.count, system.offset, system.entry);
+  const Array<int> nodes = system.nodes, entry = system.entry, offset = system.offset;
+  const Array<const std::int64_t> remote_key = system.remote_key;
+  const RowKeys row_key = keys;
+  Kokkos::parallel_for(
+      "contact::merge_entries", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+        place(nodes(a)) = -1;  // as it was before the set-up
+        const auto get_key = [&](int e) { return e < num_local ? row_key(e / row_nodes) : remote_key(e - num_local); };
+        int first = offset(a);
+        const int last = offset(a + 1);
+        while (first < last && entry(first) < num_local) ++first;
+        for (int i = first; i < last; ++i) {
+          const int e = entry(i);
+          int j = i;
+          for (; j > offset(a) && get_key(entry(j - 1)) > get_key(e); --j) entry(j) = entry(j - 1);
+          entry(j) = e;
+        }
+        for (int i = offset(a); i < last; ++i) {
+          if (entry(i) < num_local)
+            share_of_slot(entry(i)) = i;
+          else
+            share_of_remote(entry(i) - num_local) = i;
+        }
+      });
+  const int first_foreign = system.first_foreign();
+  Kokkos::parallel_for(
+      "contact::place_foreign_shares", RangeOf<Space>(space, 0, system.num_foreign),
+      KOKKOS_LAMBDA(int k) { share_of_slot(foreign(k)) = first_foreign + k; });
+}
+
+/// Sums of the absolute coefficients of row r on its nodes.
+KOKKOS_INLINE_FUNCTION void share_coefficients(const ContactRow& row, int r, const Array<const int>& share_of_slot,
+                                               const Rows4<double>& shares) {
+  Point3 couple[3];
+  for (int d = 0; d < count_directions(row); ++d) couple[d] = find_couple(row, get_direction(row, d));
+  for (int slot = 0; slot < count_nodes(row); ++slot) {
+    Point3 sum{};
+    for (int d = 0; d < count_directions(row); ++d)
+      sum = sum + find_abs(spread_impulse(row, slot, get_direction(row, d), couple[d]));
+    store_row(shares, share_of_slot(r * row_nodes + slot), sum);
+  }
+}
+
+}  // namespace
+
+template <class Space>
+void collect_touches(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+                     const TouchTable& table, const Array<const std::int64_t>& face_numbers,
+                     const Array<const std::int64_t>& node_numbers, Array<RowTouch>& touches) {
+  reserve(touches, table.count);
+  const ContactSurface s = surface;
+  const Array<const int> nodes = candidates.nodes, first = table.first;
+  const Array<const NodeTouches> by_node = table.by_node;
+  const Array<const std::int64_t> faces = face_numbers, numbers = node_numbers;
+  const Array<RowTouch> out = touches;
+  Kokkos::parallel_for(
+      "contact::collect_touches", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
+        const int node = nodes(i);
+        for (int j = 0; j < by_node(node).count; ++j) {
+          const Touch& touch = by_node(node).touch[j];
+          RowTouch row = make_row_touch(touch);
+          row.face = faces(touch.face);
+          row.key = make_face_row_key(numbers(node), j);
+          row.friction = find_friction(s, node, touch.face);
+          row.pair = find_pair(s, node, touch.face);
+          row.record = contact_limits::max_touches * node + j;
+          row.old_record = touch.record < 0 ? -1 : contact_limits::max_touches * node + touch.record;
+          row.node[0] = s.nodes(node);
+          for (int k = 0; k < 4; ++k) row.node[k + 1] = s.nodes(s.face_corners(touch.face, k));
+          out(first(i) + j) = row;
+        }
+      });
+}
+
+template <class Space>
+void start_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
+                const WallPairs& walls, RowSystem& system) {
+  const int num_ties = static_cast<int>(inputs.ties.extent(0));
+  system.num_edge_rows = count_edge_touches(space, touches, num_touches - num_ties);
+  system.num_rows = num_touches + list_near_walls(space, walls, inputs.motion, system);
+  number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)),
+               list_entry_nodes(touches, num_touches, walls, system), system);
+  gather_nodes(space, inputs, system);
+  for (Rows3<double>* rows : {&system.correction, &system.abs_sum}) reserve(*rows, system.num_places());
+}
+
+template <class Space>
+void make_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
+               const WallPairs& walls, const ContactHistory& history, RowSystem& system) {
+  reserve(system.rows, system.num_rows);
+  group_entries(space, list_entry_nodes(touches, num_touches, walls, system),
+                {touches, num_touches, system.near_walls, walls, inputs.node_numbers}, system);
+  const Array<ContactRow> rows = system.rows;
+  const Array<const int> place = system.place_of_entry, share_of_slot = system.share_of_slot;
+  const Array<int> near_walls = system.near_walls;
+  const Rows4<double> shares = system.shares;
+  const Array<const RowTouch> list = touches;
+  const RowNodes at = system.at;
+  const RowInputs in = inputs;
+  const WallPairs w = walls;
+  const ContactHistory h = history;
+  const int num_face_records = static_cast<int>(history.face.extent(0));
+  Kokkos::parallel_for(
+      "contact::make_rows", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        ContactRow& row = rows(r);
+        row = ContactRow{};
+        if (r >= num_touches) {
+          row.place[0] = place(r * row_nodes);
+          fill_wall_row(w, h, in, at, num_face_records, near_walls(r - num_touches), row);
+        } else {
+          for (int slot = 0; slot < list(r).count; ++slot) row.place[slot] = place(r * row_nodes + slot);
+          const int record = list(r).record;
+          if (list(r).kind == RowKind::tie)
+            fill_tie_row(in.ties(record), in, at, list(r), load_row(h.ties, record), row);
+          else
+            fill_touch_row(h, in, at, list(r), row);
+        }
+        share_coefficients(row, r, share_of_slot, shares);
+      });
+}
+
+template <class Space>
+void share_impulses(const Space& space, const RowSystem& system) {
+  const Array<const ContactRow> rows = system.rows;
+  const Array<const int> share_of_slot = system.share_of_slot;
+  const Rows4<double> shares = system.shares;
+  Kokkos::parallel_for(
+      "contact::share_impulses", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        const ContactRow& row = rows(r);
+        for (int slot = 0; slot < count_nodes(row); ++slot)
+          store_row(shares, share_of_slot(r * row_nodes + slot), spread_impulse(row, slot, row.force, row.couple));
+      });
+}
+
+template <class Space>
+void get_foreign_shares(const Space& space, const RowSystem& system, const Rows3<double>& values) {
+  const Rows4<const double> shares = system.shares;
+  const Rows3<double> out = values;
+  const int first = system.first_foreign();
+  Kokkos::parallel_for(
+      "contact::foreign_shares", RangeOf<Space>(space, 0, system.num_foreign),
+      KOKKOS_LAMBDA(int k) { store_row(out, k, load_row(shares, first + k)); });
+}
+
+template <class Space>
+void place_remote_shares(const Space& space, const RowSystem& system) {
+  const Array<const int> share = system.share_of_remote;
+  const Rows3<const double> remote = system.remote;
+  const Rows4<double> shares = system.shares;
+  Kokkos::parallel_for(
+      "contact::remote_shares", RangeOf<Space>(space, 0, system.num_remote),
+      KOKKOS_LAMBDA(int k) { store_row(shares, share(k), load_row(remote, k)); });
+}
+
+template <class Space>
+void sum_coefficients(const Space& space, RowSystem& system) {
+  place_remote_shares(space, system);
+  const ShareSums sums(system);
+  const Rows3<double> sum = system.abs_sum;
+  Kokkos::parallel_for(
+      "contact::sum_coefficients", RangeOf<Space>(space, 0, system.num_nodes),
+      KOKKOS_LAMBDA(int a) { store_row(sum, a, sums(a)); });
+}
+
+template <class Space>
+void sum_stiffness(const Space& space, RowSystem& system) {
+  const Array<ContactRow> rows = system.rows;
+  const Rows3<const double> sum = system.abs_sum, inverse_mass = system.at.inverse_mass;
+  reserve(system.wants, system.num_rows);
+  const Array<int> wants = system.wants;
+  Kokkos::parallel_for(
+      "contact::sum_stiffness", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        ContactRow& row = rows(r);
+        double stiffness[3] = {0, 0, 0}, free = 0;
+        for (int d = 0; d < count_directions(row); ++d) {
+          const Point3 direction = get_direction(row, d), couple = find_couple(row, direction);
+          for (int slot = 0; slot < count_nodes(row); ++slot) {
+            const Point3 c = find_abs(spread_impulse(row, slot, direction, couple));
+            const Point3 s = load_row(sum, row.place[slot]), w = load_row(inverse_mass, row.place[slot]);
+            stiffness[d] += (c.x * s.x * w.x + c.y * s.y * w.y) + c.z * s.z * w.z;
+            if (d == 0) free += max_component(w) * dot(c, s);
+          }
+        }
+        if (is_tie(row))
+          set_tie_stiffness(row, stiffness);
+        else
+          set_stiffness(row, stiffness, free);
+        wants(r) = wants_something(row) ? 1 : 0;
+      });
+}
+
+#define PERCUSS_INSTANTIATE(Space)                                                                                     \
+  template void collect_touches(const Space&, const ContactSurface&, const CandidateList&, const TouchTable&,          \
+                                const Array<const std::int64_t>&, const Array<const std::int64_t>&, Array<RowTouch>&); \
+  template void start_rows(const Space&, const RowInputs&, const Array<const RowTouch>&, int, const WallPairs&,        \
+                           RowSystem&);                                                                                \
+  template void make_rows(const Space&, const RowInputs&, const Array<const RowTouch>&, int, const WallPairs&,         \
+                          const ContactHistory&, RowSystem&);                                                          \
+  template void share_impulses(const Space&, const RowSystem&);                                                        \
+  template void get_foreign_shares(const Space&, const RowSystem&, const Rows3<double>&);                              \
+  template void place_remote_shares(const Space&, const RowSystem&);                                                   \
+  template void sum_coefficients(const Space&, RowSystem&);                                                            \
+  template void sum_stiffness(const Space&, RowSystem&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss

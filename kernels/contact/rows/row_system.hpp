@@ -1,0 +1,255 @@
+#pragma once
+// All rows of a step as one system, and the nodes that they touch (the paper's section 4.3).
+//
+// A rank has the rows of the contact nodes that it owns, sorted: faces' rows by (node, face), then walls' rows by
+// (wall, node). The corners of a face may belong to other ranks: of these foreign nodes it has a copy for each row and
+// corner that touches one, and their owners get the row's impulses on them as remote entries. Each owned node knows its
+// entries, local and remote, in the order of ContactRow::key, so that every sum over a node has one order whatever the
+// number of threads and ranks.
+
+#include "kernels/contact/check/detailed_check.hpp"
+#include "kernels/contact/check/edge_check.hpp"
+#include "kernels/contact/geometry/tie_geometry.hpp"
+#include "kernels/contact/rows/contact_row.hpp"
+#include "kernels/contact/rows/row_pack.hpp"
+#include "kernels/contact/rows/row_sums.hpp"
+
+namespace percuss {
+
+/// A rigid plane; bodies live where (x - point) . normal > 0.
+struct ContactWall {
+  Point3 point{}, normal{};
+  double friction = 0;
+};
+
+/// Walls and the contact nodes of this rank that each may touch, const after set-up.
+struct WallPairs {
+  Array<const ContactWall> walls;  // [walls]
+  Array<const int> wall;           // [pairs] ascending
+  Array<const int> node;           // [pairs] mesh node, ascending within a wall
+  Array<const double> size;        // [pairs] shortest edge at the node at the start, the h of its row
+};
+
+/// A touch of the detailed check as its row needs it.
+struct RowTouch {
+  std::int64_t key = 0;    // ContactRow::key
+  std::int64_t face = -1;  // number of the face or of edge B
+  RowKind kind = RowKind::face;
+  int count = row_nodes;  // slots in use, 5 or 4
+  double weight[row_nodes] = {1, 0, 0, 0, 0};
+  Point3 normal{}, gap_gradient{};
+  double gap_start = 0, gap_end = 0;  // at n and predicted
+  double size = 0;                    // h
+  double friction = 0;
+  int pair = 0;                                                // ContactRow::pair
+  bool is_caught = false;                                      // ContactRow::is_caught
+  bool has_thickness = false;                                  // likewise
+  int record = -1;                                             // history record that the row writes
+  int old_record = -1;                                         // history record that it continues, -1: none
+  int node[row_nodes] = {-1, -1, -1, -1, -1};                  // mesh node of this rank; -1 - k: foreign node k
+  std::int64_t node_number[row_nodes] = {-1, -1, -1, -1, -1};  // of the nodes, where some are foreign
+};
+
+/// Whether two sides with thickness between them are, or would be, nearer than they should: the side from which they
+/// came must then be remembered, push or no push.
+template <class AnyTouch>
+KOKKOS_INLINE_FUNCTION bool is_within_thickness(const AnyTouch& touch) {
+  return touch.offset > 0 && (touch.gap_start < 0 || touch.gap_end < 0);
+}
+
+/// What the row of a node on a face takes over from the check.
+KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
+  RowTouch row;
+  for (int i = 0; i < 4; ++i) row.weight[i + 1] = -touch.weight[i];
+  row.normal = touch.normal;
+  row.gap_gradient = touch.gap_gradient;
+  row.gap_start = touch.gap_start;
+  row.gap_end = touch.gap_end;
+  row.size = touch.size;
+  row.has_thickness = touch.offset > 0;
+  row.is_caught = !touch.opposed || is_within_thickness(touch);
+  return row;
+}
+
+/// What the row of two edges takes over from the check.
+KOKKOS_INLINE_FUNCTION RowTouch make_edge_row_touch(const EdgeTouch& touch) {
+  RowTouch row;
+  row.kind = RowKind::edges;
+  row.count = 4;
+  row.weight[0] = 1 - touch.s;
+  row.weight[1] = touch.s;
+  row.weight[2] = touch.t - 1;
+  row.weight[3] = -touch.t;
+  row.normal = touch.normal;
+  row.gap_gradient = touch.normal;
+  row.gap_start = touch.gap_start;
+  row.gap_end = touch.gap_end;
+  row.size = touch.size;
+  row.has_thickness = touch.offset > 0;
+  row.is_caught = is_within_thickness(touch);
+  row.old_record = touch.record;
+  return row;
+}
+
+/// Keys of rows: by number of the node and order of its touches; then edge pairs by number of edge A and order of its
+/// touches; then ties by node; then walls. An edge is numbered by its lower node and its place among that node's edges.
+KOKKOS_INLINE_FUNCTION std::int64_t make_face_row_key(std::int64_t node, int touch) {
+  return node * (contact_limits::max_touches + 1) + touch;
+}
+inline constexpr int wall_key_bits = 20;        // a million walls, on 4e12 nodes
+inline constexpr int edge_place_bits = 7;       // 128 feature edges that have the same lower node
+inline constexpr int edge_touch_key_bits = 16;  // 65536 touches of an edge, on 1e11 nodes
+inline constexpr std::int64_t first_wall_key = std::int64_t{1} << 62, first_edge_key = std::int64_t{1} << 61,
+                              first_tie_key = std::int64_t{3} << 60;
+KOKKOS_INLINE_FUNCTION std::int64_t make_wall_row_key(std::int64_t node, int wall) {
+  return first_wall_key + (node << wall_key_bits) + wall;
+}
+KOKKOS_INLINE_FUNCTION std::int64_t make_edge_row_key(std::int64_t edge, int touch) {
+  return first_edge_key + (edge << edge_touch_key_bits) + touch;
+}
+
+KOKKOS_INLINE_FUNCTION std::int64_t make_tie_row_key(std::int64_t node) { return first_tie_key + node; }
+
+/// Number of edge A of the row with this key.
+KOKKOS_INLINE_FUNCTION std::int64_t find_key_edge(std::int64_t key) {
+  return (key - first_edge_key) >> edge_touch_key_bits;
+}
+
+/// Number of the contact node of the row with this key; of two edges the lower node of edge A.
+KOKKOS_INLINE_FUNCTION std::int64_t find_key_node(std::int64_t key) {
+  if (key >= first_wall_key) return (key - first_wall_key) >> wall_key_bits;
+  if (key >= first_tie_key) return key - first_tie_key;
+  if (key >= first_edge_key) return find_key_edge(key) >> edge_place_bits;
+  return key / (contact_limits::max_touches + 1);
+}
+
+/// Data of the nodes that rows touch, by place.
+struct RowNodes {
+  Rows3<double> x = Rows3<double>("contact::row_x", 0);
+  Rows3<double> v = Rows3<double>("contact::row_v", 0);  // predicted without contact
+  Rows3<double> v_before = Rows3<double>("contact::row_v_before", 0);
+  Rows3<double> inverse_mass = Rows3<double>("contact::row_inverse_mass", 0);  // 0: held
+  Array<double> spring = Array<double>("contact::row_spring", 0);              // stiffness of springs.hpp; penalty only
+};
+
+/// What rows read of the mesh.
+struct RowInputs {
+  SurfaceMotion motion;
+  Rows3<const double> v_before;                    // [mesh nodes][3]
+  Rows3<const double> inverse_mass;                // [mesh nodes][3], 0: held
+  Array<const std::int64_t> node_numbers;          // [mesh nodes]
+  double impulse_scale = 1;                        // dt / last dt: the same force in this step, the first guess
+  double longest_slip = contact_limits::recovery;  // that sticking takes over from earlier steps / h
+  int num_pairs = 1;                               // of surfaces and ties; walls are booked after them
+  // Sides push each other from this depth on: those that touch but for the round-off of their places are at rest to the
+  // last bit. The same in all rows: what one wants must not contradict the others beside it by however little.
+  double play = 0;
+  Array<const double> spring{};     // [mesh nodes] stiffness of springs.hpp, empty without penalty
+  Array<const TieGeometry> ties{};  // of this rank; their touches come last
+};
+
+struct RowSystem {
+  int num_rows = 0;
+  int num_edge_rows = 0;  // of edge pairs among them, after those of faces
+  int num_nodes = 0;      // places of nodes that this rank owns
+  int num_foreign = 0;    // places after these: foreign nodes, one for each entry that a row of this rank has on one
+  int num_remote = 0;     // entries that rows of other ranks have on nodes of this rank
+  Array<ContactRow> rows = Array<ContactRow>("contact::rows", 0);
+  Array<int> nodes = Array<int>("contact::touched_nodes", 0);      // [num_nodes] mesh nodes, as rows come to them
+  Array<int> foreign = Array<int>("contact::foreign_entries", 0);  // [num_foreign] their entry, row * row_nodes + slot
+  Array<std::int64_t> foreign_number = Array<std::int64_t>("contact::foreign_number", 0);  // [num_foreign] of the node
+  RowNodes at;                                                                             // [num_nodes + num_foreign]
+  Array<int> offset = Array<int>("contact::entry_offset", 0);                              // [num_nodes + 1]
+  // row * row_nodes + slot; from num_rows * row_nodes on the remote entries. By node, ascending in the row's key.
+  Array<int> entry = Array<int>("contact::entries", 0);
+  // What each entry adds to its node, as `entry` has them; from first_foreign() on those of foreign entries.
+  Rows4<double> shares = Rows4<double>("contact::shares", 0);
+  Array<int> share_of_slot = Array<int>("contact::share_of_slot", 0);      // [rows * row_nodes] in shares, -1: no slot
+  Array<int> share_of_remote = Array<int>("contact::share_of_remote", 0);  // [num_remote] likewise
+  Array<int> remote_node = Array<int>("contact::remote_node", 0);          // [num_remote] mesh node
+  Array<int> remote_place = Array<int>("contact::remote_place", 0);        // [num_remote]
+  Array<std::int64_t> remote_key = Array<std::int64_t>("contact::remote_key", 0);  // [num_remote] of its row
+  Rows3<double> remote = Rows3<double>("contact::remote", 0);          // [num_remote] value of each remote entry
+  Rows3<double> correction = Rows3<double>("contact::correction", 0);  // dv of the iterate
+  Rows3<double> abs_sum = Rows3<double>("contact::abs_sum", 0);        // S
+  Array<int> wants = Array<int>("contact::wanting_rows", 0);           // [rows] wants_something() at the start
+  RowPacks packs;                                                      // what the iteration works on
+  // The history records of faces and walls that the last write_history() wrote; all others are empty (of a face: its
+  // number is -1). -1: not known.
+  int num_written = -1;
+  Array<int> written = Array<int>("contact::written_records", 0);
+  // Scratch of the set-up.
+  Array<int> near_walls = Array<int>("contact::near_walls", 0);        // wall pairs in reach
+  Array<int> place_of_node = Array<int>("contact::place_of_node", 0);  // [mesh nodes] -1 outside set-up
+  // [rows * row_nodes + num_remote] of its node; num_places(): a slot not in use
+  Array<int> place_of_entry = Array<int>("contact::place_of_entry", 0);
+  Array<int> entry_value = Array<int>("contact::entry_value", 0);
+  Array<int> count = Array<int>("contact::entry_count", 0);
+  Array<int> first_entry = Array<int>("contact::first_entry", 0);  // [num_nodes] of each node
+
+  int num_places() const { return num_nodes + num_foreign; }
+  int first_foreign() const { return num_rows * row_nodes + num_remote; }
+};
+
+/// Sums of what the entries of a node add to it, in the order of their rows' keys.
+struct ShareSums {
+  Array<const int> offset;
+  Rows4<const double> shares;
+
+  explicit ShareSums(const RowSystem& system) : offset(system.offset), shares(system.shares) {}
+
+  KOKKOS_INLINE_FUNCTION Point3 operator()(int a) const {
+    Point3 sum{};
+    for (int i = offset(a); i < offset(a + 1); ++i) sum = sum + load_row(shares, i);
+    return sum;
+  }
+};
+
+/// Velocity of the nodes of a row in data by place.
+struct TouchedVelocity {
+  Rows3<const double> v;
+  const ContactRow& row;
+  KOKKOS_INLINE_FUNCTION Point3 operator()(int slot) const { return load_row(v, row.place[slot]); }
+};
+
+/// The touches of a check made on the nodes of this rank alone, as rows need them, by (node, face).
+/// face_numbers: [contact faces]; node_numbers: [contact nodes]; touches: out.
+template <class Space>
+void collect_touches(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
+                     const TouchTable& table, const Array<const std::int64_t>& face_numbers,
+                     const Array<const std::int64_t>& node_numbers, Array<RowTouch>& touches);
+
+/// First part of the set-up: counts the rows, numbers the nodes of this rank that rows and remote entries touch and
+/// gathers their data. In: num_foreign, num_remote and remote_node of the system. Foreign places are to be filled then.
+template <class Space>
+void start_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
+                const WallPairs& walls, RowSystem& system);
+
+/// Makes the rows from touches and walls with their first guess from history, and the entries of the owned nodes; sums
+/// of absolute coefficients of each entry: RowSystem::shares. In: RowSystem::at of all places, remote_key.
+template <class Space>
+void make_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
+               const WallPairs& walls, const ContactHistory& history, RowSystem& system);
+
+/// Impulse of each entry: RowSystem::shares.
+template <class Space>
+void share_impulses(const Space& space, const RowSystem& system);
+
+/// Shares of foreign entries: what their owners are to add. values: out, [num_foreign][3].
+template <class Space>
+void get_foreign_shares(const Space& space, const RowSystem& system, const Rows3<double>& values);
+
+/// Puts what other ranks' rows add to owned nodes, RowSystem::remote, among the shares.
+template <class Space>
+void place_remote_shares(const Space& space, const RowSystem& system);
+
+/// S of the owned nodes: sums of absolute coefficients in the order of keys. In: shares, remote.
+template <class Space>
+void sum_coefficients(const Space& space, RowSystem& system);
+
+/// D of each row: sum over its nodes of |c| S / m, a bound of the row sum of |G M^-1 G^T|; RowSystem::wants. In: S at
+/// all places.
+template <class Space>
+void sum_stiffness(const Space& space, RowSystem& system);
+
+}  // namespace percuss

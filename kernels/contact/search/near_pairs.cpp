@@ -1,0 +1,240 @@
+#include "kernels/contact/search/near_pairs.hpp"
+
+#include "kernels/contact/surface/listed_faces.hpp"
+
+namespace percuss {
+namespace {
+
+/// By how much node and face can come nearer to the reach of the check, in travels: each by one, and the reach grows
+/// with the edges of the face, which grow by two.
+constexpr double approach_in_travel = 2 * (1 + contact_limits::capture);
+/// Room for round-off.
+constexpr double near_slack = 1e-3;
+
+/// How near a pair can come. A node has its histories from faces that it comes near ever, and they pass from face to
+/// face by common corners: where no such way leads, a pair is unlinked and never near.
+enum Nearness : int { never, unlinked, with_history, linked_now, ever };
+
+/// Faces at n as nodes see them, one a lane: their normals and two axes along them.
+struct SeenFaces {
+  static constexpr int lanes = packed_lanes, rows = 5;  // of four values in memory
+  PackedPoint origin, axis[3];
+  Packed low[3], high[3];  // least and greatest height of a corner over the origin, by axis
+  Packed capture;          // reach of the check, without thickness
+  Packed turn;             // what the sine of the angle that a normal turns by is at most; 1: no bound
+};
+
+/// Adds an axis in which faces are seen: any unit vector, or none.
+PERCUSS_FORCE_INLINE void set_axis(const FaceOf<Packed>& face, int k, const PackedPoint& axis, SeenFaces& seen) {
+  seen.axis[k] = axis;
+  for (int i = 0; i < 4; ++i) {
+    const Packed height = dot(axis, face.corner[i]);
+    seen.low[k] = i == 0 ? height : smaller(seen.low[k], height);
+    seen.high[k] = i == 0 ? height : larger(seen.high[k], height);
+  }
+}
+
+/// size: h; travel: how far each corner may move.
+PERCUSS_FORCE_INLINE SeenFaces see_faces(const FaceOf<Packed>& at, const Packed& size, const Packed& travel) {
+  const FaceOf<Packed> face = find_relative(at);
+  const PackedPoint a = face.corner[2] - face.corner[0], b = face.corner[3] - face.corner[1], area = cross(a, b),
+                    along = (face.corner[1] - face.corner[0]) + (face.corner[2] - face.corner[3]);
+  const PackedPoint normal = normalize(area), first = normalize(along);
+  SeenFaces seen{};
+  seen.origin = at.corner[0];
+  seen.capture = Packed(contact_limits::capture) * size;
+  set_axis(face, 0, normal, seen);
+  set_axis(face, 1, first, seen);
+  set_axis(face, 2, cross(normal, first), seen);
+  // Each diagonal changes by twice the travel at most.
+  const Packed whole = norm(area), change = Packed(2) * travel * (norm(a) + norm(b) + Packed(2) * travel);
+  seen.turn = select(change < whole, change / whole, Packed(1));
+  return seen;
+}
+
+/// face: by lane, -1: not to be stored.
+PERCUSS_FORCE_INLINE void store_seen(const SeenFaces& seen, const int (&face)[SeenFaces::lanes],
+                                     const Rows4<double>& to) {
+  const Packed values[SeenFaces::rows][4] = {{seen.origin.x, seen.origin.y, seen.origin.z, seen.capture},
+                                             {seen.axis[0].x, seen.axis[0].y, seen.axis[0].z, seen.turn},
+                                             {seen.axis[1].x, seen.axis[1].y, seen.axis[1].z, seen.low[1]},
+                                             {seen.axis[2].x, seen.axis[2].y, seen.axis[2].z, seen.high[1]},
+                                             {seen.low[0], seen.high[0], seen.low[2], seen.high[2]}};
+  for (int r = 0; r < SeenFaces::rows; ++r) {
+    alignas(64) double packs[4][SeenFaces::lanes];
+    int row[SeenFaces::lanes];
+    for (int k = 0; k < 4; ++k) store_pack(packs[k], values[r][k]);
+    for (int lane = 0; lane < SeenFaces::lanes; ++lane)
+      row[lane] = face[lane] < 0 ? -1 : SeenFaces::rows * face[lane] + r;
+    store_rows_of_four(packs, row, to.data());
+  }
+}
+
+PERCUSS_FORCE_INLINE SeenFaces load_seen(const Rows4<const double>& from, const int (&face)[SeenFaces::lanes]) {
+  Packed values[SeenFaces::rows][4];
+  for (int r = 0; r < SeenFaces::rows; ++r) {
+    alignas(64) double packs[4][SeenFaces::lanes];
+    int row[SeenFaces::lanes];
+    for (int lane = 0; lane < SeenFaces::lanes; ++lane) row[lane] = SeenFaces::rows * face[lane] + r;
+    load_rows_of_four(from.data(), row, packs);
+    for (int k = 0; k < 4; ++k) values[r][k] = load_pack(packs[k]);
+  }
+  const auto& [first, normal, along, across, heights] = values;
+  return {{first[0], first[1], first[2]},
+          {{normal[0], normal[1], normal[2]}, {along[0], along[1], along[2]}, {across[0], across[1], across[2]}},
+          {heights[0], along[3], heights[2]},
+          {heights[1], across[3], heights[3]},
+          first[3],
+          normal[3]};
+}
+
+/// How near pairs of a node and the faces of the lanes can come while each side moves by what `approach` has for it.
+/// offset: the distance that they keep by lane. Without a history, a node is accepted within the capture of the face
+/// moved outward by thickness; with one, by the offset farther behind it as well.
+PERCUSS_FORCE_INLINE void find_nearness(const SeenFaces& seen, const Point3& place, double approach,
+                                        const Packed& offset, int (&nearness)[SeenFaces::lanes]) {
+  const PackedPoint from = spread_to_pack(place) - seen.origin;
+  const Packed nearer = seen.capture + Packed(approach), capture = nearer + Packed(near_slack) * (nearer + offset);
+  const Packed reach = capture + Packed(1 + longest_mitre) * offset, one(1), zero(0);
+  Packed low[3], high[3];  // of the faces over the node
+  for (int k = 0; k < 3; ++k) {
+    const Packed height = dot(seen.axis[k], from);
+    low[k] = seen.low[k] - height;
+    high[k] = seen.high[k] - height;
+  }
+  const auto is_out =
+      low[0] > reach || high[0] < -reach || low[1] > reach || high[1] < -reach || low[2] > reach || high[2] < -reach;
+  // The moved face is higher by the offset along a normal that turns, and its corners by as much along it at most.
+  const Packed least = offset * (one - Packed(2) * seen.turn), most = offset * (one + seen.turn);
+  const auto is_apart =
+      offset > zero && seen.turn < Packed(0.5) && (low[0] + least > capture || high[0] + most < -capture);
+  alignas(64) double found[SeenFaces::lanes];
+  const auto spread = [](int value) { return Packed(value); };
+  store_pack(found, select(is_out, spread(never), select(is_apart, spread(unlinked), spread(ever))));
+  for (int lane = 0; lane < SeenFaces::lanes; ++lane) nearness[lane] = static_cast<int>(found[lane]);
+}
+
+/// Whether the face pushed the node in the last step.
+KOKKOS_INLINE_FUNCTION bool is_in_history(const Array<const int>& history_face, int node, int face) {
+  for (int slot = 0; slot < contact_limits::max_touches; ++slot)
+    if (history_face(contact_limits::max_touches * node + slot) == face) return true;
+  return false;
+}
+
+/// Links what shares a corner with candidate `b`.
+KOKKOS_INLINE_FUNCTION void link_to(const ContactSurface& surface, const Array<const int>& face,
+                                    const Array<int>& nearness, int b, int first, int last) {
+  for (int c = first; c < last; ++c)
+    if (nearness(c) == unlinked && share_corner(surface, face(b), face(c))) nearness(c) = linked_now;
+}
+
+/// Follows these ways from the pairs that are near ever, from each pair once.
+KOKKOS_INLINE_FUNCTION void link_histories(const ContactSurface& surface, const Array<const int>& face,
+                                           const Array<int>& nearness, int first, int last) {
+  for (int b = first; b < last; ++b)
+    if (nearness(b) == ever) link_to(surface, face, nearness, b, first, last);
+  for (bool any = true; any;) {
+    any = false;
+    for (int b = first; b < last; ++b) {
+      if (nearness(b) != linked_now) continue;
+      nearness(b) = with_history;
+      link_to(surface, face, nearness, b, first, last);
+      any = true;
+    }
+  }
+}
+
+}  // namespace
+
+template <class Space>
+bool list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
+                     const FaceState& faces, const Array<const int>& history_face, const CandidateList& all,
+                     double travel, double most, NearScratch& scratch, CandidateList& near) {
+  reserve(scratch.count, surface.num_nodes);
+  reserve(scratch.nearness, all.num_pairs);
+  reserve(scratch.seen, SeenFaces::rows * surface.num_faces);
+  reserve(near.offset, surface.num_nodes + 1);
+  const ContactSurface s = surface;
+  const Rows3<const double> places = x;
+  const Array<const double> size = faces.size;
+  const Array<const int> history = history_face, offset = all.offset, face = all.face;
+  const Array<const int> list = all.faces, is_candidate = all.is_boxed;
+  const int num_faces = all.num_faces;
+  const Array<int> count = scratch.count, nearness = scratch.nearness, near_offset = near.offset;
+  const Rows4<double> seen = scratch.seen;
+  const double approach = approach_in_travel * travel;
+  Kokkos::parallel_for(
+      "contact::see_faces", RangeOf<Space>(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
+        const ListedFaces listed(s, list, is_candidate, pack, num_faces);
+        if (!listed.any_boxed) return;
+        int stored[ListedFaces::lanes];
+        alignas(64) double h[ListedFaces::lanes];
+        for (int lane = 0; lane < ListedFaces::lanes; ++lane) {
+          const bool is_seen = lane < listed.count && listed.is_boxed[lane];
+          stored[lane] = is_seen ? listed.face[lane] : -1;
+          h[lane] = is_seen ? size(listed.face[lane]) : 0;
+        }
+        store_seen(see_faces(load_corners(places, listed.corner), load_pack(h), Packed(travel)), stored, seen);
+      });
+  Kokkos::parallel_for(
+      "contact::find_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
+        const int first = offset(node), last = offset(node + 1);
+        count(node) = 0;
+        if (first == last) return;
+        bool any = false, any_unlinked = false;
+        const Point3 place = load_row(places, s.nodes(node));
+        for (int c = first; c < last; c += SeenFaces::lanes) {
+          const int pairs = last - c < SeenFaces::lanes ? last - c : SeenFaces::lanes;
+          int one[SeenFaces::lanes], own[SeenFaces::lanes];
+          alignas(64) double apart[SeenFaces::lanes];
+          for (int lane = 0; lane < SeenFaces::lanes; ++lane) {
+            one[lane] = face(lane < pairs ? c + lane : c);
+            apart[lane] = find_offset(s.offsets, node, one[lane]);
+          }
+          find_nearness(load_seen(seen, one), place, approach, load_pack(apart), own);
+          for (int lane = 0; lane < pairs; ++lane) {
+            if (own[lane] != ever && is_in_history(history, node, one[lane])) own[lane] = ever;
+            nearness(c + lane) = own[lane];
+            any = any || own[lane] == ever;
+            any_unlinked = any_unlinked || own[lane] == unlinked;
+          }
+        }
+        if (any && any_unlinked) link_histories(s, face, nearness, first, last);
+        for (int c = first; c < last; ++c) count(node) += nearness(c) >= with_history ? 1 : 0;
+      });
+  Kokkos::parallel_scan(
+      "contact::near_offset", RangeOf<Space>(space, 0, surface.num_nodes + 1),
+      KOKKOS_LAMBDA(int n, int& place, bool final_pass) {
+        if (final_pass) near_offset(n) = place;
+        if (n < s.num_nodes) place += count(n);
+      },
+      near.num_pairs);
+  if (near.num_pairs > most) return false;
+  const bool has_thickness = surface.offsets.largest > 0;
+  reserve(near.face, near.num_pairs);
+  if (has_thickness) reserve(near.with_history, near.num_pairs);
+  const Array<int> near_face = near.face, flag = near.with_history;
+  Kokkos::parallel_for(
+      "contact::list_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
+        int place = near_offset(node);
+        for (int c = offset(node); c < offset(node + 1); ++c) {
+          if (nearness(c) < with_history) continue;
+          if (has_thickness) flag(place) = nearness(c) == with_history ? 1 : 0;
+          near_face(place++) = face(c);
+        }
+      });
+  list_concerned(space, surface, scratch.concerned, near);
+  return true;
+}
+
+#define PERCUSS_INSTANTIATE(Space)                                                                                 \
+  template bool list_near_pairs(const Space&, const ContactSurface&, const Rows3<const double>&, const FaceState&, \
+                                const Array<const int>&, const CandidateList&, double, double, NearScratch&,       \
+                                CandidateList&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss

@@ -1,0 +1,31 @@
+#pragma once
+// Which candidate pairs can come into contact soon: the others are left out of the check until surfaces have moved.
+//
+// A capture box follows the axes and is wide where a face is oblique, and its margin serves many steps. Most candidate
+// pairs are therefore out of reach of each other for long, as the two sides of a thin wall are. A node that is farther
+// from a face than the reach of the check, in some direction, stays so while neither moves by more than its part of
+// what is left: a guarantee, as that of capture_boxes.hpp, by a shorter way and in directions of the face's own.
+
+#include "kernels/contact/search/pair_search.hpp"
+
+namespace percuss {
+
+/// Memory kept between lists.
+struct NearScratch {
+  ConcernedScratch concerned;
+  Array<int> count = Array<int>("contact::near_count", 0);       // [contact nodes]
+  Rows4<double> seen = Rows4<double>("contact::seen_faces", 0);  // [5 faces] five rows a face
+  Array<int> nearness = Array<int>("contact::nearness", 0);      // [pairs]
+};
+
+/// Fills `near` with the pairs of `all` that the check could accept before some node, or one behind a face, is farther
+/// than `travel` [length] from its place x [mesh nodes][3], and with those of a node and a face that pushed it in the
+/// last step, whose place the check asks for. Where thickness lets nodes with a history be deeper, pairs that come near
+/// in no other way are marked. Returns whether there are at most `most` pairs; otherwise they are not listed. faces: of
+/// update_faces() for `all`; history_face: as in find_touches().
+template <class Space>
+bool list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
+                     const FaceState& faces, const Array<const int>& history_face, const CandidateList& all,
+                     double travel, double most, NearScratch& scratch, CandidateList& near);
+
+}  // namespace percuss

@@ -1,0 +1,177 @@
+#pragma once
+// What the detailed check reads besides the surface: the motion of the step, the faces' normals and sizes, history.
+
+#include "kernels/contact/geometry/boxes.hpp"
+#include "kernels/contact/geometry/contact_limits.hpp"
+#include "kernels/contact/geometry/face_geometry.hpp"
+#include "kernels/contact/surface/contact_surface.hpp"
+
+namespace percuss {
+
+/// The motion of a step, one row a mesh node.
+struct SurfaceMotion {
+  Rows3<const double> x;  // position at n
+  Rows3<const double> v;  // velocity predicted from n to n+1
+  double dt = 0;
+};
+
+/// Geometry of faces in this step: normals of those listed in CandidateList::faces, the rest of those that are boxed.
+struct FaceState {
+  Rows3<double> normal;  // outward unit normal at the predicted place
+  Array<double> size;    // h of contact_limits.hpp at n
+  Boxes box;             // of the face over the step, widened by the reach of the check
+
+  // in scenes with shells
+  Array<FaceSlab> slab = Array<FaceSlab>("contact::face_slab", 0);
+};
+
+/// A node as the check of its candidate faces sees it, loaded once.
+struct CheckedNode {
+  int node = -1;  // contact node
+  Point3 x{}, v{};
+  Point3 low{}, high{};  // box of the node over the step
+};
+
+/// What contacts of two edges remember, in the FE decomposition with the home of edge A, the one of the lower number:
+/// one record a row of the last step, by (a, b).
+struct EdgeHistory {
+  int count = 0;
+  Array<std::int64_t> a = Array<std::int64_t>("contact::edge_history_a", 0);      // [count] numbers of edges
+  Array<std::int64_t> b = Array<std::int64_t>("contact::edge_history_b", 0);      // [count]
+  Array<int> holds = Array<int>("contact::edge_history_holds", 0);                // [count] 0: nothing to remember
+  Rows3<double> normal = Rows3<double>("contact::edge_history_normal", 0);        // [count] push direction of A
+  Rows3<double> impulse = Rows3<double>("contact::edge_history_impulse", 0);      // as in ContactHistory
+  Rows3<double> slip = Rows3<double>("contact::edge_history_slip", 0);            // likewise
+  Array<double> reference = Array<double>("contact::edge_history_reference", 0);  // likewise
+};
+
+/// What a contact remembers from one step to the next, in the FE decomposition with the owner of the node. Record
+/// 3 n + i belongs to push i of contact node n, the records after those to pairs of a wall and a node. Part of the
+/// state: a checkpoint must keep it.
+struct ContactHistory {
+  Array<std::int64_t> face;  // [3 contact nodes] number of the face that pushed; -1: none
+  Rows3<double> impulse;     // [records] impulse on the node in the last step
+  Rows3<double> slip;        // [records] tangential displacement that sticking still owes
+  Array<double> reference;   // [records] overlap accepted at the start, >= 0
+  EdgeHistory edges{};
+  Rows3<double> ties{};  // [ties] impulse on the tied node in the last step
+};
+
+/// One record of the history.
+struct LastContact {
+  Point3 impulse{}, slip{};
+  double reference = 0;
+};
+
+template <class History>
+KOKKOS_INLINE_FUNCTION LastContact load_record(const History& history, int record) {
+  return {load_row(history.impulse, record), load_row(history.slip, record), history.reference(record)};
+}
+
+/// Corners at n relative to the node and their displacement over the step relative to the node's.
+template <class T>
+struct RelativeFaceOf {
+  FaceOf<T> start, move;
+};
+using RelativeFace = RelativeFaceOf<double>;
+
+KOKKOS_INLINE_FUNCTION RelativeFace load_relative_face(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                       const Point3& x, const Point3& v, int face) {
+  RelativeFace relative;
+  for (int i = 0; i < 4; ++i) {
+    const int a = surface.nodes(surface.face_corners(face, i));
+    relative.start.corner[i] = load_row(motion.x, a) - x;
+    relative.move.corner[i] = motion.dt * (load_row(motion.v, a) - v);
+  }
+  return relative;
+}
+
+KOKKOS_INLINE_FUNCTION RelativeFace load_relative_face(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                       int node, int face) {
+  const int s = surface.nodes(node);
+  return load_relative_face(surface, motion, load_row(motion.x, s), load_row(motion.v, s), face);
+}
+
+KOKKOS_INLINE_FUNCTION CheckedNode load_checked_node(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                     int node) {
+  CheckedNode n;
+  n.node = node;
+  n.x = load_row(motion.x, surface.nodes(node));
+  n.v = load_row(motion.v, surface.nodes(node));
+  const Point3 end = n.x + motion.dt * n.v;
+  n.low = {end.x < n.x.x ? end.x : n.x.x, end.y < n.x.y ? end.y : n.x.y, end.z < n.x.z ? end.z : n.x.z};
+  n.high = {end.x > n.x.x ? end.x : n.x.x, end.y > n.x.y ? end.y : n.x.y, end.z > n.x.z ? end.z : n.x.z};
+  return n;
+}
+
+/// Whether the boxes of node and face over the step meet.
+KOKKOS_INLINE_FUNCTION bool is_in_box(const CheckedNode& n, const Boxes& box, int face) {
+  return n.high.x >= box(face, 0) && n.high.y >= box(face, 1) && n.high.z >= box(face, 2) && n.low.x <= box(face, 3) &&
+         n.low.y <= box(face, 4) && n.low.z <= box(face, 5);
+}
+
+template <class T>
+PERCUSS_FORCE_INLINE FaceOf<T> find_end(const RelativeFaceOf<T>& face) {
+  FaceOf<T> end;
+  for (int i = 0; i < 4; ++i) end.corner[i] = face.start.corner[i] + face.move.corner[i];
+  return end;
+}
+
+/// Whether some face of the node looks against the face: by a cosine between their normals of at most `most`. A node
+/// without faces, a free particle, looks everywhere.
+KOKKOS_INLINE_FUNCTION bool has_opposed_face(const ContactSurface& surface, const FaceState& faces, int node, int face,
+                                             double most) {
+  const Point3 normal = load_row(faces.normal, face);
+  const int first = surface.nodes_to_faces_offset(node), last = surface.nodes_to_faces_offset(node + 1);
+  for (int j = first; j < last; ++j)
+    if (dot(load_row(faces.normal, surface.nodes_to_faces(j)), normal) <= most) return true;
+  return first == last;
+}
+
+/// Where a node of shells looks besides along their normals: away from them in their plane, at a free edge or a fold.
+/// Mean of the unit vectors from the middles of its faces to the node, at n: about 0 inside a flat shell.
+KOKKOS_INLINE_FUNCTION Point3 find_outlook(const ContactSurface& surface, const SurfaceMotion& motion, int node) {
+  const Point3 x = load_row(motion.x, surface.nodes(node));
+  const int first = surface.nodes_to_faces_offset(node), last = surface.nodes_to_faces_offset(node + 1);
+  Point3 sum{};
+  for (int j = first; j < last; ++j) {
+    Point3 corners{};
+    for (int i = 0; i < 4; ++i)
+      corners = corners + (load_row(motion.x, surface.nodes(surface.face_corners(surface.nodes_to_faces(j), i))) - x);
+    sum = sum - normalize(corners);
+  }
+  return (1.0 / (last - first)) * sum;
+}
+
+/// Whether a node looks against a face: some face of its own does, or the node of shells looks out on it.
+KOKKOS_INLINE_FUNCTION bool looks_against(const ContactSurface& surface, const SurfaceMotion& motion,
+                                          const FaceState& faces, int node, int face) {
+  if (has_opposed_face(surface, faces, node, face, contact_limits::opposing)) return true;
+  return find_node_offset(surface.offsets, node) > 0 &&
+         dot(find_outlook(surface, motion, node), load_row(faces.normal, face)) <= contact_limits::opposing;
+}
+
+/// The push direction at a point of a face: vertex normals, averaged over the faces of one smooth surface, weighted.
+/// Continuous from face to face of a smooth surface, the face's own normal at a crease.
+KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const ContactSurface& surface, const FaceState& faces, int face,
+                                                  const double weight[4]) {
+  const Point3 own = load_row(faces.normal, face);
+  double vertices[3][4] = {};
+  for (int i = 0; i < 4; ++i) {
+    if (weight[i] == 0) continue;
+    const int corner = surface.face_corners(face, i);
+    Point3 vertex{};
+    for (int j = surface.nodes_to_faces_offset(corner); j < surface.nodes_to_faces_offset(corner + 1); ++j) {
+      const Point3 other = load_row(faces.normal, surface.nodes_to_faces(j));
+      if (dot(other, own) > contact_limits::smooth) vertex = vertex + other;
+    }
+    vertices[0][i] = vertex.x, vertices[1][i] = vertex.y, vertices[2][i] = vertex.z;
+  }
+  normalize_four(vertices);
+  Point3 sum{};
+  for (int i = 0; i < 4; ++i)
+    if (weight[i] != 0) sum = sum + weight[i] * Point3{vertices[0][i], vertices[1][i], vertices[2][i]};
+  return normalize(sum);
+}
+
+}  // namespace percuss

@@ -1,0 +1,72 @@
+#pragma once
+// The feature edges of the contact surface as search and check of edge pairs see them.
+//
+// A feature edge is where two faces meet at a convex angle, where a shell ends or where two shells meet at an angle.
+// Two of them can cross while no node reaches any face. An edge is named by its place in these lists, which is in the
+// order of edge numbers, so that every choice by order is the same on any rank.
+
+#include "kernels/core/views.hpp"
+
+namespace percuss {
+
+/// Two values an item, stored as a row: shape [n][2].
+template <class T>
+using Rows2 = Kokkos::View<T* [2], Kokkos::LayoutRight, MemSpace>;
+
+struct EdgeSurface {
+  int num_edges = 0;
+  Array<const std::int64_t> numbers;   // [edges] ascending
+  Rows2<const int> ends;               // [edges][2] rows of the motion, lower node number first
+  Rows4<const int> wings;              // [edges][4] rows: corners of the first face, then of the second, that lie next
+                                       // to end 0 and next to end 1
+  Rows2<const std::int64_t> elements;  // [edges][2] numbers of the elements behind the two faces
+  Array<const int> edge_class;         // [edges] which of the named surfaces it lies on, as a class
+  int num_classes = 1;
+  Array<const double> pair_friction;  // [classes * classes] friction; negative: may not touch
+  Array<const int> pair_number;       // likewise: which of the deck's pairs
+  Array<const double> offset;         // [edges] half the thickness of its shells; empty: the scene has none
+};
+
+/// Pairs of edges, by (a, b), a before b.
+struct EdgePairs {
+  int list = 0;  // which list this is: another one at each search
+  int num_pairs = 0;
+  int num_edges = 0;                                        // edges in any pair
+  Array<int> a = Array<int>("contact::edge_pair_a", 0);     // [pairs]
+  Array<int> b = Array<int>("contact::edge_pair_b", 0);     // [pairs]
+  Array<int> edges = Array<int>("contact::pair_edges", 0);  // [num_edges] ascending
+};
+
+/// Half the thickness of the shells of an edge, 0 of solids.
+KOKKOS_INLINE_FUNCTION double find_edge_offset(const EdgeSurface& surface, int edge) {
+  return surface.offset.extent(0) > 0 ? surface.offset(edge) : 0;
+}
+
+/// Coulomb friction between two edges, negative if they may not touch.
+KOKKOS_INLINE_FUNCTION double find_edge_friction(const EdgeSurface& surface, int a, int b) {
+  return surface.pair_friction(surface.edge_class(a) * surface.num_classes + surface.edge_class(b));
+}
+
+/// Which of the deck's pairs lets two edges touch.
+KOKKOS_INLINE_FUNCTION int find_edge_pair_number(const EdgeSurface& surface, int a, int b) {
+  return surface.pair_number(surface.edge_class(a) * surface.num_classes + surface.edge_class(b));
+}
+
+/// Node k of an edge and its two faces: the ends, then the wings.
+KOKKOS_INLINE_FUNCTION int find_edge_node(const EdgeSurface& surface, int edge, int k) {
+  return k < 2 ? surface.ends(edge, k) : surface.wings(edge, k - 2);
+}
+
+/// Whether two edges belong to one element, or their faces have a node in common: they cannot meet before elements
+/// between them fold.
+KOKKOS_INLINE_FUNCTION bool are_joined(const EdgeSurface& surface, int a, int b) {
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      if (surface.elements(a, i) == surface.elements(b, j)) return true;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      if (find_edge_node(surface, a, i) == find_edge_node(surface, b, j)) return true;
+  return false;
+}
+
+}  // namespace percuss

@@ -1,0 +1,119 @@
+#pragma once
+// Faces moved outward for the thickness of shells.
+//
+// At a corner the normals of the faces around it on the same side of the surface are added up: those of one smooth
+// surface, and those that fall away from the face, so that the moved faces meet at a convex edge too. Moved faces of a
+// concave edge go through one another, and a node there is held by both. Where a shell ends they go on beyond it by as
+// much as they are moved, so that edges that meet tip to tip do not slip past one another.
+
+#include "kernels/contact/surface/contact_state.hpp"
+
+namespace percuss {
+
+/// Corners of a face, by place(contact node).
+template <class Place>
+KOKKOS_INLINE_FUNCTION FacePoints find_face_points(const ContactSurface& surface, const Place& place, int face) {
+  FacePoints points;
+  for (int i = 0; i < 4; ++i) points.corner[i] = place(surface.face_corners(face, i));
+  return points;
+}
+
+/// The direction in which a corner of a face is moved, by an offset of 1. points: of the face; normals: of all faces
+/// around it, at the places of `place`.
+template <class Place>
+KOKKOS_INLINE_FUNCTION Point3 find_corner_direction(const ContactSurface& surface, const Place& place,
+                                                    const Rows3<const double>& normals, const FacePoints& points,
+                                                    int face, int corner) {
+  const SurfaceOffsets& offsets = surface.offsets;
+  const Point3 point = points.corner[corner], own = load_row(normals, face);
+  const bool is_open = offsets.is_open(4 * face + corner) != 0;
+  Point3 sum = own, outlook{};
+  if (is_open) outlook = normalize(point - find_middle(points));
+  for (int j = offsets.ring_first(4 * face + corner); j < offsets.ring_first(4 * face + corner + 1); ++j) {
+    const Point3 normal = load_row(normals, offsets.ring(j));
+    bool is_taken = dot(normal, own) > contact_limits::smooth;
+    if (!is_taken || is_open) {
+      const Point3 from_middle = point - find_middle(find_face_points(surface, place, offsets.ring(j)));
+      is_taken = is_taken || dot(from_middle, own) > 0;
+      if (is_open) outlook = outlook + normalize(from_middle);
+    }
+    if (is_taken) sum = sum + normal;
+  }
+  Point3 along_face = find_mitre(own, sum);
+  if (is_open) along_face = along_face + normalize(outlook - dot(outlook, own) * own);
+  return find_outward(own, along_face);
+}
+
+/// v turned as `from` is to become `to`, both unit vectors, on the shortest way (Rodrigues); v where they are a right
+/// angle apart, or one has no length.
+KOKKOS_INLINE_FUNCTION Point3 turn_from_to(const Point3& from, const Point3& to, const Point3& v) {
+  const Point3 axis = cross(from, to);
+  const double cosine = dot(from, to);
+  if (!(cosine > 0)) return v;
+  return cosine * v + cross(axis, v) + (dot(axis, v) / (1 + cosine)) * axis;
+}
+
+/// The face that a node touches, relative to the node: that of the mesh, moved outward where thickness is between them.
+/// The directions are those of the end of the step and at its start these turned back with the face's normal: what
+/// else they change by in a step lies along the face.
+KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                      const FaceState& faces, const Point3& x, const Point3& v,
+                                                      int face, double offset) {
+  RelativeFace relative = load_relative_face(surface, motion, x, v, face);
+  if (offset == 0) return relative;
+  const auto at_end = [&](int node) {
+    const int a = surface.nodes(node);
+    return (load_row(motion.x, a) - x) + motion.dt * (load_row(motion.v, a) - v);
+  };
+  const FacePoints end = find_end(relative);
+  const Point3 normal = load_row(faces.normal, face), normal_at_start = faces.slab(face).normal_at_start;
+  for (int i = 0; i < 4; ++i) {
+    const Point3 direction = find_corner_direction(surface, at_end, faces.normal, end, face, i);
+    const Point3 at_start = turn_from_to(normal, normal_at_start, direction);
+    relative.start.corner[i] = relative.start.corner[i] + offset * at_start;
+    relative.move.corner[i] = relative.move.corner[i] + offset * (direction - at_start);
+  }
+  return relative;
+}
+
+KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surface, const SurfaceMotion& motion,
+                                                      const FaceState& faces, int node, int face) {
+  const int s = surface.nodes(node);
+  return load_touched_face(surface, motion, faces, load_row(motion.x, s), load_row(motion.v, s), face,
+                           find_offset(surface.offsets, node, face));
+}
+
+/// The slab of a face. relative: to its first corner, which is at `origin` and moves by `move`; normal: at the
+/// predicted place.
+template <class T>
+PERCUSS_FORCE_INLINE FaceSlabOf<T> find_slab(const Vector3<T>& origin, const Vector3<T>& move,
+                                             const RelativeFaceOf<T>& relative, const Vector3<T>& normal) {
+  FaceSlabOf<T> slab;
+  slab.origin = origin;
+  slab.move = move;
+  for (int i = 0; i < 4; ++i) {
+    const T start = dot(normal, relative.start.corner[i]);
+    const T end = start + dot(normal, relative.move.corner[i]);
+    slab.low_start = i == 0 ? start : smaller(slab.low_start, start);
+    slab.high_start = i == 0 ? start : larger(slab.high_start, start);
+    slab.low_end = i == 0 ? end : smaller(slab.low_end, end);
+    slab.high_end = i == 0 ? end : larger(slab.high_end, end);
+  }
+  const T slack(1e-6);  // room for round-off
+  slab.normal_at_start = find_face_normal(relative.start);
+  slab.turn = T(longest_mitre) * norm(normal - slab.normal_at_start) + slack;
+  return slab;
+}
+
+/// Whether a node stays, over the step, farther than `beyond` in front of the face moved outward by `offset`, or
+/// farther than `deepest` behind it: moved corners are higher by the offset, along the normal of their time.
+KOKKOS_INLINE_FUNCTION bool is_off_slab(const FaceSlab& slab, const Point3& normal, const SurfaceMotion& motion,
+                                        const CheckedNode& node, double offset, double beyond, double deepest) {
+  const Point3 from = node.x - slab.origin;
+  const double start = dot(normal, from), end = start + dot(normal, motion.dt * node.v - slab.move);
+  const double high = start - slab.low_start > end - slab.low_end ? start - slab.low_start : end - slab.low_end;
+  const double low = start - slab.high_start < end - slab.high_end ? start - slab.high_start : end - slab.high_end;
+  return low - (1 + slab.turn) * offset > beyond || high - (1 - slab.turn) * offset < -deepest;
+}
+
+}  // namespace percuss

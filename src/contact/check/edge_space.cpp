@@ -1,0 +1,135 @@
+#include "src/contact/check/edge_space.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "kernels/core/host_copy.hpp"
+
+namespace percuss {
+
+EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const FindRow& find_row,
+                              const SurfaceShare& share) {
+  std::vector<std::int64_t> numbers;
+  std::vector<std::array<int, 2>> ends;
+  std::vector<std::array<int, 4>> wings;
+  std::vector<std::array<std::int64_t, 2>> elements;
+  std::vector<int> classes;
+  std::vector<double> offsets;
+  for (const EdgeTopology& edge : edges) {
+    numbers.push_back(edge.number);
+    ends.push_back({find_row(edge.ends[0]), find_row(edge.ends[1])});
+    wings.push_back(
+        {find_row(edge.wings[0]), find_row(edge.wings[1]), find_row(edge.wings[2]), find_row(edge.wings[3])});
+    elements.push_back({edge.elements[0], edge.elements[1]});
+    classes.push_back(edge.surface_class);
+    if (share.largest_offset > 0) offsets.push_back(edge.offset);
+  }
+  EdgeSurface surface;
+  surface.num_edges = static_cast<int>(edges.size());
+  surface.numbers = to_view("contact::edge_numbers", numbers);
+  surface.ends = to_rows("contact::edge_ends", ends);
+  surface.wings = to_rows("contact::edge_wings", wings);
+  surface.elements = to_rows("contact::edge_elements", elements);
+  surface.edge_class = to_view("contact::edge_class", classes);
+  surface.offset = to_view("contact::edge_offset", offsets);
+  surface.num_classes = share.num_classes;
+  surface.pair_friction = share.pair_friction;
+  surface.pair_number = share.pair_number;
+  return surface;
+}
+
+EdgePointLists list_edge_points(const std::vector<EdgeTopology>& edges, const EdgeSurface& surface,
+                                const std::vector<char>& points_of) {
+  std::vector<int> pieces, first{0}, edge_of_point;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const bool is_searched = points_of.empty() || points_of[e] != 0;
+    pieces.push_back(is_searched ? edges[e].pieces : 0);
+    first.push_back(first.back() + pieces.back());
+    edge_of_point.insert(edge_of_point.end(), static_cast<std::size_t>(pieces.back()), static_cast<int>(e));
+  }
+  const auto count_up = [](std::size_t n) {
+    std::vector<int> list(n);
+    std::iota(list.begin(), list.end(), 0);
+    return list;
+  };
+  EdgePointLists lists;
+  lists.names.first_point = to_view("contact::first_edge_point", first);
+  lists.names.edge_of_point = to_view("contact::edge_of_point", edge_of_point);
+  lists.names.points = to_view("contact::edge_points", count_up(edge_of_point.size()));
+  lists.names.edges = to_view("contact::searched_edges", count_up(edges.size()));
+  lists.points = {first.back(), surface.ends, to_view("contact::edge_pieces", pieces), lists.names.first_point};
+  return lists;
+}
+
+void set_edge_surface(const EdgeSurface& surface, EdgeSpace& space) {
+  space.surface = surface;
+  space.pairs.num_pairs = 0;
+  space.pairs.num_edges = 0;
+  space.still.forget();
+  const auto edges = static_cast<std::size_t>(surface.num_edges);
+  if (space.boxes.extent(0) < edges) space.boxes = Boxes("contact::edge_step_boxes", edges);
+}
+
+int check_edge_pairs(const SurfaceMotion& motion, const EdgeHistory& history, EdgeSpace& space) {
+  space.touches.count = space.touches.num_new = 0;
+  space.still.begin(space.keeps_still, space.surface.num_edges);
+  if (space.pairs.num_pairs == 0) return 0;
+  run_where_it_pays(space.pairs.num_pairs, [&](const auto& where) {
+    update_edge_boxes(where, space.surface, motion, space.pairs, space.still, space.boxes);
+    find_edge_touches(where, space.surface, motion, space.pairs, space.boxes, history, space.still, space.touches);
+  });
+  return space.touches.count;
+}
+
+void append_edge_touches(const EdgeSpace& space, int count, Array<RowTouch>& touches) {
+  const int added = space.touches.count;
+  if (added == 0) return;
+  run_where_it_pays(added, [&](const auto& where) {
+    using Space = std::decay_t<decltype(where)>;
+    keep_and_reserve(where, touches, count, count + added);
+    const EdgeSurface s = space.surface;
+    const Array<const int> a = space.pairs.a, b = space.pairs.b, list = space.touches.list;
+    const Array<const EdgeTouch> by_pair = space.touches.by_pair;
+    const Array<RowTouch> out = touches;
+    Kokkos::parallel_for(
+        "contact::append_edge_touches", RangeOf<Space>(where, 0, added), KOKKOS_LAMBDA(int k) {
+          const int pair = list(k), edge = a(pair), other = b(pair);
+          int order = 0;
+          while (order < k && a(list(k - order - 1)) == edge) ++order;
+          RowTouch row = make_edge_row_touch(by_pair(pair));
+          row.key = make_edge_row_key(s.numbers(edge), order);
+          row.face = s.numbers(other);
+          row.friction = find_edge_friction(s, edge, other);
+          row.pair = find_edge_pair_number(s, edge, other);
+          row.record = k;
+          for (int i = 0; i < 2; ++i) {
+            row.node[i] = s.ends(edge, i);
+            row.node[i + 2] = s.ends(other, i);
+          }
+          out(count + k) = row;
+        });
+    where.fence();
+  });
+}
+
+std::vector<EdgePenetration> measure_edge_pairs(const SurfaceMotion& motion, EdgeSpace& space) {
+  std::vector<EdgePenetration> found;
+  if (space.pairs.num_pairs == 0) return found;
+  space.still.forget();
+  run_where_it_pays(space.pairs.num_pairs, [&](const auto& where) {
+    find_edge_depths(where, space.surface, motion, space.pairs, space.touches);
+    where.fence();
+  });
+  const auto list = to_host(space.touches.list), a = to_host(space.pairs.a), b = to_host(space.pairs.b);
+  const auto touches = to_host(space.touches.by_pair);
+  const auto numbers = to_host(space.surface.numbers);
+  for (int k = 0; k < space.touches.count; ++k) {
+    const int pair = list(k);
+    const EdgeTouch& touch = touches(pair);
+    found.push_back({numbers(a(pair)), numbers(b(pair)), touch.normal, -touch.gap_start, touch.size,
+                     std::max(contact_limits::history_depth * touch.size, static_cast<double>(touch.offset))});
+  }
+  return found;
+}
+
+}  // namespace percuss

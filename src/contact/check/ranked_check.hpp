@@ -1,0 +1,91 @@
+#pragma once
+// The detailed check in the contact decomposition, in every step: what it reads comes from the FE owners, what it finds
+// goes back.
+//
+// After a search the rank tells the FE owners of nodes which places and velocities, and which remembered contacts, the
+// check of the candidate pairs reads. Until it tells them otherwise a step costs no more than these, and the touches
+// that go back: nodes and faces far from any contact are not sent at all. Where near pairs are listed, only theirs are.
+
+#include "src/contact/check/check_space.hpp"
+#include "src/contact/exchange/motion_copy.hpp"
+#include "src/contact/surface/number_map.hpp"
+
+namespace percuss {
+
+/// The surface that a rank knows in the contact decomposition, in numbers of its own.
+struct KnownSurface {
+  std::vector<std::int64_t> nodes;  // numbers, ascending
+  std::vector<FaceTopology> faces;  // ascending
+  std::vector<int> searched_nodes;  // places in `nodes`, ascending
+};
+
+/// All calls but space(), narrow() and the counts are collective.
+class RankedCheck {
+ public:
+  /// The share and the exchange outlive this.
+  RankedCheck(const ContactRanks& ranks, const SurfaceShare& share, DataExchange& data, bool keeps_still);
+
+  /// Takes a surface into use and names its nodes to their FE owners. Throws MpiError.
+  void take_surface(KnownSurface known, const ContactSurface& surface, UnstructuredExchange& exchange);
+
+  /// A search has listed other candidate pairs, so many on all ranks: tells the FE owners what their check reads.
+  void begin_pairs(std::int64_t total_pairs);
+
+  /// ContactFinder::narrow().
+  void narrow(const NearWay& way);
+
+  /// Touches of this rank's contact nodes, by (node, face). Corners that other ranks own are numbered as foreign nodes.
+  std::vector<RowTouch> check(const SurfaceMotion& motion, const ContactHistory& history);
+
+  std::vector<Penetration> find_penetrations(const SurfaceMotion& motion);
+  std::vector<PartGap> find_gaps(const SurfaceMotion& motion);
+
+  /// The surface with its candidate pairs, which a search fills in.
+  CheckSpace& space() { return space_; }
+  const CheckSpace& space() const { return space_; }
+
+  /// Place of a contact node that this rank owns in the FE decomposition, by its number; -1: of another.
+  int find_contact_node(std::int64_t number) const { return contact_nodes_.find(number); }
+
+  Traffic traffic() const { return history_data_.traffic(); }
+
+ private:
+  /// A touch on its way to the FE owner of its node.
+  struct TouchRecord;
+
+  /// What the check of a list of pairs reads.
+  struct CheckPart {
+    MotionPart motion;
+    ItemPart history;                                 // of searched nodes
+    Array<int> history_rows;                          // in messages: nodes of the surface
+    Array<int> own_history_rows, own_history_places;  // of this rank itself: nodes, and contact nodes of the share
+    Array<int> published_history;                     // contact nodes of the share
+  };
+
+  CheckPart select(const CandidateList& pairs);
+  void select_near();
+  SurfaceMotion receive(const SurfaceMotion& motion, const ContactHistory& history);
+  std::vector<TouchRecord> list_touches() const;
+  template <class Record>
+  std::vector<Record> send_results_to_fe_owners(const CheckPart& part, std::vector<Record> records);
+  std::vector<RowTouch> make_row_touches(std::vector<TouchRecord> records) const;
+
+  ContactRanks ranks_;
+  const SurfaceShare& share_;
+  const NumberMap contact_nodes_;  // those that this rank owns in the FE decomposition
+  DataExchange& data_;
+  DataExchange history_data_;
+  CheckSpace space_;
+  KnownSurface known_;
+  MotionCopy motion_;
+  RemoteItems history_;           // of searched nodes, from their FE owners
+  std::int64_t total_pairs_ = 0;  // of all ranks
+
+  // What is asked for of others: for all pairs, for those that can come near before the next search, for the near ones.
+  CheckPart of_all_, of_reachable_, of_near_;
+  const CheckPart *base_ = &of_all_, *read_ = &of_all_;  // where no near pairs are listed, and in the next check
+  NearWay asked_;                                        // of lists that the next check makes
+  Array<int> wanted_ = Array<int>("contact::wanted_nodes", 0);
+};
+
+}  // namespace percuss

@@ -1,0 +1,200 @@
+#include "src/contact/enforcement/enforcer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/contact/ties/tie_rows.hpp"
+
+namespace percuss {
+namespace {
+
+/// Shared nodes with their owners as the mesh numbers them.
+SharedNodes find_copies(const ContactRanks& ranks) {
+  UnstructuredExchange exchange(ranks.ranks);
+  SharedNodes shared = find_shared_nodes(exchange, ranks.mesh.node_numbers);
+  for (std::size_t n = 0; n < shared.owners.size(); ++n) {
+    shared.owners[n] = ranks.numbering.find_node_owner(ranks.mesh.node_numbers[n]);
+  }
+  return shared;
+}
+
+/// Contact stiffness by mesh node.
+Array<const double> find_springs(const Mesh& mesh, const SurfaceShare& share, const ContactDeck& deck) {
+  if (deck.enforcement != ContactDeck::Enforcement::penalty) return {};
+  std::vector<double> springs(mesh.nodes.size(), 0);
+  for (std::size_t n = 0; n < share.nodes.mesh_nodes.size(); ++n)
+    springs[static_cast<std::size_t>(share.nodes.mesh_nodes[n])] = share.nodes.springs[n];
+  return to_view("contact::springs", springs);
+}
+
+/// RowInputs::play of a scene.
+double find_play(const Mesh& mesh) {
+  double farthest = 0;
+  for (std::size_t d = 0; d < 3; ++d) farthest = std::max({farthest, std::abs(mesh.low[d]), std::abs(mesh.high[d])});
+  return contact_limits::play * farthest;
+}
+
+}  // namespace
+
+std::vector<std::string> name_contact_pairs(const Deck& deck) {
+  std::vector<std::string> names;
+  if (deck.contact.surfaces == ContactDeck::Surfaces::all) names.emplace_back("surfaces");
+  const auto name = [](const Selector& surface) { return surface.name.empty() ? std::string("all") : surface.name; };
+  for (const SurfacePairDeck& pair : deck.contact.pairs) names.push_back(name(pair.a) + ":" + name(pair.b));
+  for (const TieDeck& tie : deck.contact.ties) names.push_back("tie:" + name(tie.a) + ":" + name(tie.b));
+  if (!deck.walls.empty() && !names.empty()) names.emplace_back("walls");
+  if (names.size() < 2) names.clear();
+  return names;
+}
+
+Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls,
+                   const Array<const TieGeometry>& ties, const Deck& deck)
+    : walls_(walls),
+      ties_(ties),
+      node_numbers_(to_view("contact::mesh_node_numbers", ranks.mesh.node_numbers)),
+      has_many_ranks_(ranks.ranks.size() > 1),
+      deck_(deck.contact),
+      exchange_(ranks),
+      copied_(find_copies(ranks)),
+      velocity_copies_(ranks.ranks, copied_),
+      impulse_copies_(ranks.ranks, copied_),
+      play_(find_play(ranks.mesh)),
+      spring_(find_springs(ranks.mesh, share, deck.contact)),
+      pair_work_(deck.output.history_every ? name_contact_pairs(deck).size() : 0) {}
+
+void Enforcer::redefine(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
+                        const Array<const TieGeometry>& ties) {
+  walls_ = walls;
+  ties_ = ties;
+  spring_ = find_springs(mesh, share, deck_);
+  remembers_ = true;
+  system_.num_written = -1;
+}
+
+void Enforcer::clear_last_impulse(const ContactMotion& motion) {
+  // Only the nodes of the last step's rows and copies of others' can be set, if it is the same memory.
+  if (last_impulse_ != motion.impulse.data()) {
+    Kokkos::deep_copy(ExecSpace(), motion.impulse, 0.0);
+  } else if (was_pushed_) {
+    const Array<const int> copies = impulse_copies_.copies();
+    const int num_copies = static_cast<int>(copies.extent(0));
+    run_where_it_pays((system_.num_nodes + num_copies) / 10, [&](const auto& space) {
+      clear_impulses(space, system_.nodes, system_.num_nodes, motion.impulse);
+      clear_impulses(space, copies, num_copies, motion.impulse);
+    });
+  }
+  last_impulse_ = motion.impulse.data();
+  was_pushed_ = false;
+}
+
+/// Copies of nodes on other ranks get what their owners found.
+void Enforcer::update_copies(const ContactMotion& motion) {
+  if (!has_many_ranks_) return;
+  velocity_copies_.begin(ExecSpace(), motion.v);
+  impulse_copies_.begin(ExecSpace(), motion.impulse);
+  velocity_copies_.end(ExecSpace(), motion.v);
+  impulse_copies_.end(ExecSpace(), motion.impulse);
+}
+
+void Enforcer::archive(CheckpointArchive& archive) {
+  if (archive.is_loading()) system_.num_written = -1;
+  archive.number("contact/last_dt", last_dt_);
+  for (std::size_t p = 0; p < pair_work_.size(); ++p) {
+    archive.sum(fmt::format("contact/pair_{}/normal_work", p), pair_work_[p].normal);
+    archive.sum(fmt::format("contact/pair_{}/friction_work", p), pair_work_[p].friction);
+  }
+}
+
+void Enforcer::rest(const ContactMotion& motion, ContactHistory& history) {
+  clear_last_impulse(motion);
+  last_dt_ = motion.dt;
+  if (remembers_) Kokkos::deep_copy(history.face, std::int64_t{-1});
+  history.edges.count = 0;
+  remembers_ = false;
+}
+
+void Enforcer::repeat(const ContactMotion& motion) {
+  clear_last_impulse(motion);
+  last_dt_ = motion.dt;
+}
+
+template <class Space>
+SolveReport Enforcer::solve(const Space& space, double dt, double dt_mean) {
+  const SolveQuery query{dt, dt_mean, deck_.tolerance, deck_.penalty_scale, node_numbers_};
+  switch (deck_.enforcement) {
+    case ContactDeck::Enforcement::penalty:
+      return solve_penalty(space, query, system_, sums_, exchange_);
+    case ContactDeck::Enforcement::lagrange:
+      return solve_lagrange(space, query, system_, sums_, exchange_);
+    case ContactDeck::Enforcement::kinematic:
+      break;
+  }
+  return solve_kinematic(space, query, system_, sums_, exchange_);
+}
+
+template <class Space>
+void Enforcer::book_pairs(const Space& space) {
+  for (std::size_t p = 0; p < pair_work_.size(); ++p) {
+    pair_work_[p].merge(sum_pair_work(space, static_cast<int>(p), system_, sums_));
+    pair_work_[p].normal.normalize();
+    pair_work_[p].friction.normalize();
+  }
+}
+
+void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
+                       ContactHistory& history, ContactReport& report) {
+  clear_last_impulse(motion);
+  const bool has_springs = deck_.enforcement == ContactDeck::Enforcement::penalty;
+  const RowInputs inputs{{motion.x, motion.v, motion.dt},
+                         motion.v_before,
+                         motion.inverse_mass,
+                         node_numbers_,
+                         last_dt_ > 0 ? motion.dt / last_dt_ : 1,
+                         has_springs ? std::numeric_limits<double>::infinity() : contact_limits::recovery,
+                         count_booked_surfaces(deck_) + static_cast<int>(deck_.ties.size()),
+                         play_,
+                         spring_,
+                         ties_};
+  const double dt_mean = last_dt_ > 0 ? 0.5 * (last_dt_ + motion.dt) : motion.dt;
+  last_dt_ = motion.dt;
+  remembers_ = true;
+  exchange_.announce_foreign_nodes(touches, num_touches, system_);
+  const int wall_pairs = static_cast<int>(walls_.node.extent(0));
+  // A row's solution costs some dozen passes; a wall's pair that is out of reach costs one look.
+  run_where_it_pays(num_touches + wall_pairs / 8, [&](const auto& space) {
+    build_rows(space, inputs, touches, num_touches, walls_, history, system_, exchange_);
+    const SolveReport solved = solve(space, motion.dt, dt_mean);
+    if (solved.rows > 0) {
+      apply_impulses(space, system_, motion.v, motion.impulse);
+      EnforcementSums done = sum_outcome(space, motion.dt, system_, sums_);
+      exchange_.reduce(done);
+      report.enforced = true;
+      report.iterations = solved.iterations;
+      report.converged = solved.converged;
+      report.complementarity = solved.complementarity;
+      report.interactions = static_cast<int>(done.pushes);
+      report.normal_work = done.normal_work.round();
+      report.friction_work = done.friction_work.round();
+      report.stored = done.stored.round();
+      report.rate = done.rate;
+      book_pairs(space);
+      if (system_.num_rows > num_touches)
+        report.walls = sum_wall_impulses(space, num_touches, motion.x, motion.center, system_, sums_);
+      report.residual = done.residual;
+      report.deepest = done.deepest;
+      report.deepest_node = done.deepest_key < 0 ? -1 : find_key_node(done.deepest_key);
+      report.torn = done.torn;
+      report.torn_node = done.torn_key < 0 ? -1 : find_key_node(done.torn_key);
+      update_copies(motion);
+      was_pushed_ = true;
+    }
+    write_history(space, motion.dt, system_, history);
+    space.fence();
+  });
+}
+
+}  // namespace percuss

@@ -1,0 +1,73 @@
+#pragma once
+// Enforcement (1.9) in the FE decomposition, on all ranks together (the paper's section 4.3.2).
+//
+// A row belongs to the rank that owns its contact node; corners of its face may be owned elsewhere. In each iteration
+// the rows' forces on such foreign nodes go to their owners, who add up all forces on a node in one global order, and
+// the accelerations that they cause come back. The reduction that tells whether the iteration has converged is under
+// way with them.
+
+#include "comm/node_copies.hpp"
+#include "kernels/contact/enforcement/row_solution.hpp"
+#include "src/contact/enforcement/contact_report.hpp"
+#include "src/contact/enforcement/row_exchange.hpp"
+#include "src/contact/surface/surface_share.hpp"
+#include "src/output/checkpoint_archive.hpp"
+
+namespace percuss {
+
+class Enforcer {
+ public:
+  /// Collective, as are all calls.
+  Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls,
+           const Array<const TieGeometry>& ties, const Deck& deck);
+
+  /// Corrects motion.v and fills motion.impulse for the touches of this rank's contact nodes, its ties last, on every
+  /// copy of a node; writes the history for the next step; fills in what the report says of enforcement.
+  void enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
+               ContactHistory& history, ContactReport& report);
+
+  /// The surface is another now: `walls` with the pairs of its nodes, the ties that are left.
+  void redefine(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
+                const Array<const TieGeometry>& ties);
+
+  /// A step in which nothing touches on any rank: no impulses, nothing to remember.
+  void rest(const ContactMotion& motion, ContactHistory& history);
+
+  /// A step like the last one, in which rows pushed nothing: what was remembered still is.
+  void repeat(const ContactMotion& motion);
+
+  void archive(CheckpointArchive& archive);
+
+  /// Work of this rank's rows since the start by name_contact_pairs().
+  const std::vector<PairWork>& pair_work() const { return pair_work_; }
+
+  const Traffic& traffic() const { return exchange_.traffic(); }
+
+ private:
+  template <class Space>
+  SolveReport solve(const Space& space, double dt, double dt_mean);
+  template <class Space>
+  void book_pairs(const Space& space);
+  void clear_last_impulse(const ContactMotion& motion);
+  void update_copies(const ContactMotion& motion);
+
+  WallPairs walls_;
+  Array<const TieGeometry> ties_;
+  const Array<const std::int64_t> node_numbers_;  // [mesh nodes]
+  const bool has_many_ranks_;
+  const ContactDeck deck_;
+  RowExchange exchange_;
+  const SharedNodes copied_;
+  NodeCopies velocity_copies_, impulse_copies_;
+  const double play_;  // RowInputs::play
+  RowSystem system_;
+  RowSumMemory sums_;
+  Array<const double> spring_;            // [mesh nodes] of owned contact nodes; empty without penalty
+  std::vector<PairWork> pair_work_;       // empty: not asked for
+  bool was_pushed_ = false;               // impulses of the last step stand in motion.impulse
+  const double* last_impulse_ = nullptr;  // where they were written
+  double last_dt_ = 0;
+  bool remembers_ = true;  // the history may hold something
+};
+
+}  // namespace percuss

@@ -1,0 +1,30 @@
+#pragma once
+// Where erosion redefines the contact surface: what contacts remember goes from the old surface to the new one.
+
+#include <vector>
+
+#include "src/contact/surface/surface_share.hpp"
+
+namespace percuss {
+
+/// Who the rows of a history belong to.
+struct HistoryOwners {
+  std::vector<std::int64_t> nodes;       // numbers of the contact nodes of this rank, ascending
+  std::vector<std::int64_t> faces;       // numbers of the faces of this rank's elements, ascending
+  std::vector<std::int64_t> wall_pairs;  // wall * nodes of the scene + number of the node, in the order of the records
+  std::vector<std::int64_t> ties;        // numbers of the tied nodes of this rank, ascending
+  std::vector<EdgeTopology> edges;       // whose home this rank is, ascending
+};
+
+/// An empty history.
+ContactHistory make_history(const SurfaceShare& share, const WallPairs& walls);
+
+HistoryOwners list_history_owners(const ChunkedMesh& chunked, const SurfaceShare& share, const WallPairs& walls,
+                                  const TiedSurfaces& ties);
+
+/// A history of the new surface with the records of all that both surfaces have. Edges have new numbers and may have
+/// another home: their records are known by the ends. Collective.
+ContactHistory carry_history(const Communicator& ranks, const ContactHistory& old, const HistoryOwners& before,
+                             const HistoryOwners& now, const SurfaceShare& share, const WallPairs& walls);
+
+}  // namespace percuss

@@ -1,0 +1,86 @@
+#include "src/contact/history/contact_checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include "comm/node_copies.hpp"
+#include "kernels/core/host_copy.hpp"
+
+namespace percuss {
+namespace {
+
+/// Items [first, end) of a view of any rank.
+auto take(const Array<double>& view, std::size_t first, std::size_t end) {
+  return Kokkos::subview(view, std::pair(first, end));
+}
+auto take(const Rows3<double>& view, std::size_t first, std::size_t end) {
+  return Kokkos::subview(view, std::pair(first, end), Kokkos::ALL);
+}
+
+/// Records [first, end) of the history, `size` of them a row.
+void archive_records(CheckpointArchive& archive, const std::string& name, const ChunkRows& rows, int size,
+                     const ContactHistory& history, std::size_t first, std::size_t end) {
+  archive.rows(name + "/impulse", rows, 3 * size, take(history.impulse, first, end));
+  archive.rows(name + "/slip", rows, 3 * size, take(history.slip, first, end));
+  archive.rows(name + "/reference", rows, size, take(history.reference, first, end));
+}
+
+/// The pairs of a wall follow each other, ascending in their nodes.
+void archive_walls(CheckpointArchive& archive, const ChunkedMesh& chunked, const WallPairs& walls,
+                   const ContactHistory& history, std::size_t first_record) {
+  const auto wall = to_host(walls.wall), node = to_host(walls.node);
+  std::size_t begin = 0;
+  for (std::size_t w = 0; w < walls.walls.extent(0); ++w) {
+    std::vector<std::int64_t> numbers;
+    std::size_t end = begin;
+    for (; end < wall.extent(0) && wall(end) == static_cast<int>(w); ++end) {
+      numbers.push_back(chunked.mesh.node_numbers[static_cast<std::size_t>(node(end))]);
+    }
+    archive_records(archive, fmt::format("contact/wall_{}", w), find_rows_of_nodes(chunked, numbers), 1, history,
+                    first_record + begin, first_record + end);
+    begin = end;
+  }
+}
+
+}  // namespace
+
+void archive_history(CheckpointArchive& archive, const ChunkedMesh& chunked, const SurfaceShare& share,
+                     const WallPairs& walls, const ContactHistory& history) {
+  const ChunkRows rows = find_rows_of_nodes(chunked, share.nodes.numbers);
+  const int touches = contact_limits::max_touches;
+  const std::size_t records = history.face.extent(0);
+  archive.rows("contact/nodes/face", rows, touches, history.face);
+  archive_records(archive, "contact/nodes", rows, touches, history, 0, records);
+  archive_walls(archive, chunked, walls, history, records);
+}
+
+void archive_ties(CheckpointArchive& archive, const ChunkedMesh& chunked, const TiedSurfaces& ties,
+                  const ContactHistory& history) {
+  if (!ties.any()) return;
+  std::vector<std::int64_t> numbers;
+  for (const TiedNode& tied : ties.nodes) numbers.push_back(tied.node);
+  archive.rows("contact/ties/impulse", find_rows_of_nodes(chunked, numbers), 3, history.ties);
+}
+
+Rows3<double> spread_to_mesh(const Communicator& ranks, const ChunkedMesh& chunked, const SurfaceShare& share,
+                             const Rows3<double>& values) {
+  const Mesh& mesh = chunked.mesh;
+  const Rows3<double> spread("contact::rows_of_mesh", mesh.nodes.size());
+  const auto host = Kokkos::create_mirror_view(spread);
+  const auto own = to_host(values);
+  for (std::size_t n = 0; n < share.nodes.mesh_nodes.size(); ++n) {
+    for (std::size_t k = 0; k < 3; ++k) host(static_cast<std::size_t>(share.nodes.mesh_nodes[n]), k) = own(n, k);
+  }
+  Kokkos::deep_copy(spread, host);
+  if (ranks.size() == 1) return spread;
+  UnstructuredExchange exchange(ranks);
+  SharedNodes shared = find_shared_nodes(exchange, mesh.node_numbers);
+  for (std::size_t n = 0; n < shared.owners.size(); ++n) {
+    shared.owners[n] = chunked.numbering.find_node_owner(mesh.node_numbers[n]);
+  }
+  NodeCopies copies(ranks, shared);
+  copies.begin(ExecSpace(), spread);
+  copies.end(ExecSpace(), spread);
+  return spread;
+}
+
+}  // namespace percuss

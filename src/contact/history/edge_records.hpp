@@ -1,0 +1,21 @@
+#pragma once
+// Records of edge pairs on the host, where they are written, read and renumbered.
+
+#include <cstdint>
+#include <vector>
+
+#include "kernels/contact/surface/contact_state.hpp"
+
+namespace percuss {
+
+/// The records that count, by (a, b).
+struct HeldRecords {
+  std::vector<std::int64_t> a, b;  // numbers of edges
+  std::vector<double> values;      // normal, impulse, slip, reference of each
+  static constexpr int value_count = 10;
+};
+
+HeldRecords take_held(const EdgeHistory& history);
+EdgeHistory make_edge_history(const HeldRecords& held);
+
+}  // namespace percuss

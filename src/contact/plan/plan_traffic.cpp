@@ -1,0 +1,194 @@
+// What ranks send each other for contact, by the steps of a run.
+
+#include <algorithm>
+#include <limits>
+
+#include "src/contact/decomposition/contact_decomposition.hpp"
+#include "src/contact/plan/contact_flow.hpp"
+
+namespace percuss {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// Bytes of an item as a run sends it.
+constexpr std::int64_t number_bytes = 8;  // of a node
+constexpr std::int64_t plan_bytes = 8;    // items of a message that is to follow, when a plan is made (2.4)
+constexpr std::int64_t place_bytes = 24;
+constexpr std::int64_t box_bytes = 48;
+constexpr std::int64_t flag_bytes = 1;         // whether something is wanted
+constexpr std::int64_t motion_bytes = 48;      // place and velocity
+constexpr std::int64_t history_bytes = 24;     // three faces
+constexpr std::int64_t touch_bytes = 200;      // a touch with its node, face and corners
+constexpr std::int64_t notice_bytes = 16;      // a corner and its row
+constexpr std::int64_t corner_bytes = 4 * 24;  // place, two velocities, inverse mass
+constexpr std::int64_t value_bytes = 24;       // a coefficient, an impulse, a correction
+
+}  // namespace
+
+/// What a rank learns of the surface around some nodes; RankedFinder does not ask where it knows all faces already.
+struct ContactPlanner::Reach {
+  const ContactPlanner& planner;
+  const Places& places;
+  Visit asked, needed, told;
+  Flow requests, answers, nodes;  // numbers of nodes, faces around these, nodes of these faces
+
+  Reach(const ContactPlanner& from, const Places& in)
+      : planner(from),
+        places(in),
+        asked(from.whole_.mesh.nodes.size()),
+        needed(from.whole_.mesh.nodes.size()),
+        told(from.share_.faces.size()) {}
+
+  void need(int node, int rank) {
+    if (needed.is_first(node, rank)) nodes.add(places.find_fe_rank(node), rank);
+  }
+
+  /// A node whose surrounding faces are read.
+  void ask(int node, int rank) {
+    if (!asked.is_first(node, rank)) return;
+    const OwnedContactNodes& own = planner.share_.nodes;
+    const auto n = at(planner.contact_nodes_[at(node)]);
+    const int fe_rank = places.find_fe_rank(node);
+    requests.add(rank, fe_rank);
+    for (int f = own.first_face[n]; f < own.first_face[n + 1]; ++f) {
+      const int face = own.faces[at(f)];
+      if (told.is_first(face, rank)) answers.add(fe_rank, rank);  // another owner may tell of it, too: seldom
+      for (const std::int64_t corner : planner.share_.face(face).corners) need(static_cast<int>(corner), rank);
+    }
+  }
+};
+
+/// Of the candidate faces of a contact node, the one whose centre is nearest; -1 if it has none.
+int ContactPlanner::find_nearest_candidate(int node) const {
+  const Vec3& x = whole_.mesh.nodes[at(share_.nodes.mesh_nodes[at(node)])];
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = first_pair_[at(node)]; i < first_pair_[at(node) + 1]; ++i) {
+    double distance = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      double centre = 0;
+      for (const int corner : share_.face_corners[at(pair_face_[at(i)])]) {
+        centre += 0.25 * whole_.mesh.nodes[at(corner)][k];
+      }
+      distance += (centre - x[k]) * (centre - x[k]);
+    }
+    if (distance < least) nearest = pair_face_[at(i)];
+    least = std::min(least, distance);
+  }
+  return nearest;
+}
+
+/// Calls call(rank) for the ranks that the box of a searched face reaches, if it is so much wider.
+template <class Call>
+void ContactPlanner::visit_ranks(const Places& places, std::size_t face, double wider, const Call& call) const {
+  const std::array<double, 6>& box = boxes_[face];
+  visit_reached_ranks(places.tree, std::array{box[0] - wider, box[1] - wider, box[2] - wider},
+                      std::array{box[3] + wider, box[4] + wider, box[5] + wider},
+                      [&](int part) { call(places.rank_of_part[at(part)]); });
+}
+
+/// Nodes to their owners, faces to the ranks that their boxes reach: (5.4) and (5.5).
+void ContactPlanner::plan_search(const Places& places, ContactPlan& plan) const {
+  Flow nodes, faces;
+  for (std::size_t i = 0; i < searched_nodes_.size(); ++i) {
+    ++plan.ranks[at(places.owners[i])].nodes;
+    nodes.add(find_point_rank(places, i), places.owners[i]);
+  }
+  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+    const std::size_t point = searched_nodes_.size() + i;
+    ++plan.ranks[at(places.owners[point])].faces;
+    visit_ranks(places, i, 0, [&](int rank) { ++plan.ranks[at(rank)].faces_here; });
+    visit_ranks(places, i, told_margins * margin_, [&](int rank) { faces.add(find_point_rank(places, point), rank); });
+  }
+  plan.ghost_faces = -static_cast<std::int64_t>(boxes_.size());
+  for (const ContactRankPlan& rank : plan.ranks) plan.ghost_faces += rank.faces_here;
+  const auto telling = &ContactRankPlan::telling, search = &ContactRankPlan::search;
+  for (const Flow* flow : {&nodes, &faces}) flow->announce(plan_bytes, telling, plan);
+  nodes.send(sizeof(NodeRecord), telling, plan);
+  faces.send(sizeof(FaceTopology), telling, plan);
+  nodes.send(place_bytes, search, plan);
+  faces.send(box_bytes, search, plan);
+}
+
+/// What a rank learns of the surface: the faces around its nodes and those of the faces that it was told of, by whose
+/// names it then asks for the motion of nodes and for history.
+void ContactPlanner::plan_telling(const Places& places, ContactPlan& plan) const {
+  std::vector<std::vector<int>> nodes(plan.ranks.size()), faces(plan.ranks.size());  // by rank, mesh nodes and faces
+  Flow history;
+  for (std::size_t i = 0; i < searched_nodes_.size(); ++i) {
+    nodes[at(places.owners[i])].push_back(share_.nodes.mesh_nodes[at(searched_nodes_[i])]);
+    history.add(find_point_rank(places, i), places.owners[i]);
+  }
+  for (std::size_t i = 0; i < boxes_.size(); ++i)
+    visit_ranks(places, i, told_margins * margin_,
+                [&](int rank) { faces[at(rank)].push_back(share_.searched_faces[i]); });
+  Reach reach(*this, places);
+  for (int rank = 0; rank < static_cast<int>(nodes.size()); ++rank) {
+    for (const int node : nodes[at(rank)]) reach.ask(node, rank);
+    for (const int face : faces[at(rank)]) {
+      for (const int corner : share_.face_corners[at(face)]) reach.ask(corner, rank);
+      for (const int back : share_.face_backs[at(face)]) reach.need(back, rank);
+    }
+  }
+  const auto telling = &ContactRankPlan::telling, search = &ContactRankPlan::search;
+  reach.requests.announce(plan_bytes, telling, plan);
+  reach.requests.send(number_bytes, telling, plan);
+  reach.answers.send(sizeof(FaceTopology), telling, plan);
+  for (const Flow* named : {&reach.nodes, &history}) {
+    named->announce_back(plan_bytes, telling, plan);
+    named->send_back(number_bytes, telling, plan);
+    named->send_back(flag_bytes, search, plan);
+  }
+}
+
+/// What a rank is sent for the check of its candidate pairs, in every step: (5.6) and (5.7).
+void ContactPlanner::plan_check(const Places& places, ContactPlan& plan) const {
+  std::vector<std::vector<int>> checked(plan.ranks.size());  // by rank, places among the contact nodes
+  for (std::size_t i = 0; i < searched_nodes_.size(); ++i) {
+    const int n = searched_nodes_[i];
+    if (first_pair_[at(n)] < first_pair_[at(n) + 1]) checked[at(places.owners[i])].push_back(n);
+  }
+  Reach reach(*this, places);
+  Visit faces(share_.faces.size());
+  Flow history;
+  for (int rank = 0; rank < static_cast<int>(checked.size()); ++rank) {
+    for (const int n : checked[at(rank)]) {
+      const int node = share_.nodes.mesh_nodes[at(n)];
+      history.add(places.find_fe_rank(node), rank);
+      reach.need(node, rank);
+      reach.ask(node, rank);
+      for (int i = first_pair_[at(n)]; i < first_pair_[at(n) + 1]; ++i) {
+        const int face = pair_face_[at(i)];
+        if (!faces.is_first(face, rank)) continue;
+        for (const int corner : share_.face_corners[at(face)]) reach.ask(corner, rank);
+        for (const int back : share_.face_backs[at(face)]) reach.need(back, rank);
+      }
+    }
+  }
+  const auto step = &ContactRankPlan::step;
+  reach.nodes.send(motion_bytes, step, plan);
+  history.send(history_bytes, step, plan);
+  history.send_back(touch_bytes, step, plan);
+}
+
+/// What rows exchange with the owners of the corners of their faces.
+void ContactPlanner::plan_enforcement(const Places& places, ContactPlan& plan) const {
+  Flow corners;
+  for (const int n : searched_nodes_) {
+    const int face = find_nearest_candidate(n);
+    if (face < 0) continue;
+    const int rank = places.find_fe_rank(share_.nodes.mesh_nodes[at(n)]);
+    for (const int corner : share_.face_corners[at(face)]) corners.add(rank, places.find_fe_rank(corner));
+  }
+  const auto step = &ContactRankPlan::step, pass = &ContactRankPlan::pass;
+  corners.announce(plan_bytes, step, plan);
+  corners.send(notice_bytes, step, plan);
+  corners.send_back(corner_bytes, step, plan);
+  for (const auto phase : {step, pass}) {  // coefficients; then impulses and corrections, again and again
+    corners.send(value_bytes, phase, plan);
+    corners.send_back(value_bytes, phase, plan);
+  }
+}
+
+}  // namespace percuss

@@ -1,0 +1,80 @@
+#pragma once
+// Location phase and detailed check (the paper's (1.7), (1.8)) for the contact nodes that a rank owns: found where they
+// are, or in the contact decomposition and brought back.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "comm/data_exchange.hpp"
+#include "comm/phase.hpp"
+#include "src/contact/check/check_space.hpp"
+#include "src/contact/check/edge_space.hpp"
+#include "src/contact/decomposition/contact_decomposition.hpp"
+#include "src/contact/surface/contact_ranks.hpp"
+#include "src/contact/surface/surface_share.hpp"
+
+namespace percuss {
+
+/// What a rank searched last.
+struct SearchLoad {
+  std::int64_t nodes = 0;  // contact nodes that it owns for contact
+  std::int64_t faces = 0;  // contact faces that reached it, copies included
+};
+
+/// All calls are collective.
+class ContactFinder {
+ public:
+  virtual ~ContactFinder() = default;
+
+  /// Finds candidate pairs for capture boxes widened by `margin` and returns how many there are on all ranks. Throws
+  /// RunError, on all ranks, if they are absurdly many.
+  virtual std::int64_t search(const SurfaceMotion& motion, double margin) = 0;
+
+  /// From the next check on leaves out the pairs of nodes and faces that it cannot accept before some node is farther
+  /// from its place of then than it may go.
+  virtual void narrow(const NearWay& way) = 0;
+
+  /// Checks the candidate pairs. touches: those of this rank's contact nodes, by (node, face), then those of edges
+  /// whose home this rank is, by (edge A, edge B); in: the same array with those of the last check as they were, where
+  /// they stay if it finds the same. Returns how many these are.
+  virtual int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) = 0;
+
+  /// Whether all that the last check found on this rank was found by the one before it as well, and lies still: as many
+  /// touches on all ranks are then the same ones.
+  virtual bool has_found_nothing_new() const = 0;
+
+  /// Which of this rank's contact nodes are inside another body, among the candidate pairs, at the places of a motion
+  /// with dt = 0; ascending.
+  virtual std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) = 0;
+
+  /// Which edges whose home this rank is are inside another edge of a higher number; as above.
+  virtual std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) = 0;
+
+  /// The smallest gap between parts among the candidate pairs of this rank, at the places of a motion with dt = 0.
+  virtual std::vector<PartGap> find_gaps(const SurfaceMotion& motion) = 0;
+
+  /// Rank that owns each searched contact node (ascending) in the contact decomposition; -1 before it is first made.
+  virtual std::vector<int> node_ranks() const = 0;
+  virtual DecompositionReport report() const = 0;
+  virtual SearchLoad load() const = 0;
+  virtual PairCounts pair_counts() const = 0;  // of this rank
+
+  /// Goes on where a finder of the surface before left off: cuts, orders, counts and clocks.
+  virtual void take_over(const ContactFinder& before) = 0;
+
+  /// Of a search, what went into the decomposition: steps (5.1) to (5.5).
+  virtual PhaseClock decomposition_clock() const = 0;
+  virtual Traffic traffic() const = 0;
+};
+
+/// The finder that suits the number of ranks.
+std::unique_ptr<ContactFinder> make_contact_finder(const ContactRanks& ranks, const SurfaceShare& share,
+                                                   const ContactDeck& deck);
+
+/// The kernels' name of the deck's choice.
+constexpr SearchMethod find_method(ContactDeck::Search search) {
+  return search == ContactDeck::Search::blocks ? SearchMethod::blocks : SearchMethod::points_in_box;
+}
+
+}  // namespace percuss

@@ -1,0 +1,183 @@
+// One rank has the whole surface: search and check run on the arrays of the mesh, and nothing is sent.
+
+#include <algorithm>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/contact/check/check_space.hpp"
+#include "src/contact/search/local_finder.hpp"
+#include "src/contact/search/pair_limit.hpp"
+#include "src/contact/surface/number_map.hpp"
+
+namespace percuss {
+namespace {
+
+std::vector<std::int64_t> list_face_numbers(const SurfaceShare& share) {
+  std::vector<std::int64_t> numbers;
+  for (const FaceTopology& face : share.faces) numbers.push_back(face.number);
+  return numbers;
+}
+
+}  // namespace
+
+ContactSurface make_whole_surface(const SurfaceShare& share) {
+  SurfaceLists lists;
+  lists.nodes = share.nodes.mesh_nodes;
+  lists.node_class = share.nodes.classes;
+  lists.backs = share.face_backs;
+  lists.searched_faces = share.searched_faces;
+  std::vector<int> place(lists.nodes.empty() ? 0 : static_cast<std::size_t>(lists.nodes.back()) + 1, -1);
+  for (std::size_t n = 0; n < lists.nodes.size(); ++n) {
+    place[static_cast<std::size_t>(lists.nodes[n])] = static_cast<int>(n);
+    if (share.nodes.searched[n] != 0) lists.searched_nodes.push_back(static_cast<int>(n));
+  }
+  for (std::size_t f = 0; f < share.faces.size(); ++f) {
+    std::array<int, 4> corners{};
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = place[static_cast<std::size_t>(share.face_corners[f][i])];
+    lists.corners.push_back(corners);
+    lists.face_class.push_back(share.faces[f].surface_class);
+    lists.face_body.push_back(share.faces[f].body);
+    if (share.largest_offset > 0) lists.face_offset.push_back(share.faces[f].offset);
+  }
+  return make_contact_surface(lists, share);
+}
+
+LocalFinder::LocalFinder(const SurfaceShare& share, const ContactDeck& deck) : share_(share) {
+  scratch_.method = edge_scratch_.points.method = find_method(deck.search);
+  check_.keeps_still = edges_.keeps_still = deck.reuse_search;
+  set_surface(make_whole_surface(share), list_face_numbers(share), check_);
+  node_numbers_ = to_view("contact::node_numbers", share.nodes.numbers);
+  boxes_ = Boxes("contact::boxes", share.searched_faces.size());
+  if (share.edges.empty()) return;
+  const auto find_row = [&](std::int64_t number) {
+    return share.nodes.mesh_nodes[static_cast<std::size_t>(find_number(share.nodes.numbers, number))];
+  };
+  set_edge_surface(make_edge_surface(share.edges, find_row, share), edges_);
+  edge_points_ = list_edge_points(share.edges, edges_.surface, {});
+  edge_places_ = Rows3<double>("contact::edge_places", static_cast<std::size_t>(edge_points_.points.num_points));
+  edge_boxes_ = Boxes("contact::edge_boxes", share.edges.size());
+}
+
+/// A surface that has changed once may do so again: from now on the order of its search goes on.
+void LocalFinder::take_over(const ContactFinder& before) {
+  const auto& other = dynamic_cast<const LocalFinder&>(before);  // of the same number of ranks
+  check_.counts = other.check_.counts;
+  if (scratch_.method != SearchMethod::blocks) return;
+  scratch_.blocks = other.scratch_.blocks;
+  std::vector<std::int64_t> nodes, faces;
+  faces.reserve(share_.searched_faces.size());
+  for (std::size_t n = 0; n < share_.nodes.searched.size(); ++n)
+    if (share_.nodes.searched[n] != 0) nodes.push_back(share_.nodes.numbers[n]);
+  for (const int f : share_.searched_faces) faces.push_back(share_.faces[static_cast<std::size_t>(f)].number);
+  identify(nodes, faces, scratch_.blocks);
+}
+
+std::int64_t LocalFinder::search(const SurfaceMotion& motion, double margin) {
+  found_ = -1;  // by now the touches of the last check may have been written over
+  return search_faces(motion, margin) + search_edges(motion, margin);
+}
+
+std::int64_t LocalFinder::search_edges(const SurfaceMotion& motion, double margin) {
+  if (share_.edges.empty()) return 0;
+  const std::int64_t limit = std::min(find_edge_pair_limit(share_), most_indexed_pairs);
+  std::int64_t hits = 0;
+  run_where_it_pays(static_cast<int>(share_.edges.size()) / 2, [&](const auto& space) {
+    const EdgePoints& points = edge_points_.points;
+    place_edge_points(space, points, motion.x, edge_places_);
+    const Point3 half = find_half_piece(space, points, motion.x);
+    bound_edges(space, points.ends, motion, find_edge_margin(half, margin, 2 * share_.largest_offset), edge_boxes_);
+    const EdgeQuery query{edge_points_.names, edge_places_, motion.x, edge_boxes_, find_edge_slack(half, margin)};
+    hits = find_edge_pairs(space, edges_.surface, query, limit, edge_scratch_, edges_.pairs);
+  });
+  refuse_too_many_pairs(hits, limit, margin);
+  return edges_.pairs.num_pairs;
+}
+
+std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margin) {
+  const ContactSurface& surface = check_.surface;
+  const std::int64_t limit = std::min(find_pair_limit(share_), most_indexed_pairs);
+  std::int64_t pairs = 0;
+  // A search is some eighty launches, most of them of the sorts.
+  run_where_it_pays(static_cast<int>(share_.searched_faces.size()) / 2, [&](const auto& space) {
+    bound_faces(space, share_.bounded_faces(), motion, margin, boxes_);
+    pairs = find_points_in_boxes(space, surface, motion.x, boxes_, limit, scratch_, check_.candidates);
+    if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, check_.candidates);
+  });
+  refuse_too_many_pairs(pairs, find_pair_limit(share_), margin);
+  refuse_crowded_ranks(pairs > most_indexed_pairs ? 1 : 0);
+  check_.near.forget();
+  return pairs;
+}
+
+int LocalFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
+  const int of_faces = check_faces(motion, history);
+  const int found = of_faces + check_edge_pairs(motion, history.edges, edges_);
+  const bool has_found_the_same = has_found_nothing_new() && found == found_;
+  found_ = found;
+  if (has_found_the_same) return found;
+  if (of_faces > 0) {
+    run_where_it_pays(of_faces, [&](const auto& space) {
+      collect_touches(space, check_.surface, check_.checked_pairs(), check_.touches, check_.face_numbers, node_numbers_,
+                      touches);
+    });
+  }
+  append_edge_touches(edges_, of_faces, touches);
+  return found;
+}
+
+int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& history) {
+  if (check_.candidates.num_pairs == 0) {
+    forget_touches(check_);
+    return 0;
+  }
+  const CandidateList& read = check_.read_pairs();
+  const Array<const int> nodes = read.nodes;
+  const Array<const std::int64_t> numbers = check_.face_numbers, old = history.face;
+  const Array<int> history_face = check_.history_face;
+  run_where_it_pays(read.num_nodes, [&](const auto& space) {
+    Kokkos::parallel_for(
+        "contact::load_history", RangeOf<std::decay_t<decltype(space)>>(space, 0, read.num_nodes),
+        KOKKOS_LAMBDA(int i) {
+          for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
+            const int record = contact_limits::max_touches * nodes(i) + slot;
+            history_face(record) = old(record) < 0 ? -1 : find_face(numbers, old(record));
+          }
+        });
+  });
+  check_candidates(motion, check_);
+  return check_.touches.count;
+}
+
+std::vector<Penetration> LocalFinder::find_penetrations(const SurfaceMotion& motion) {
+  const PenetrationTable table = measure_candidates(motion, check_);
+  const auto depth = to_host(table.depth), ratio = to_host(table.ratio), limit = to_host(table.limit);
+  const auto size = to_host(check_.faces.size);
+  const auto face = to_host(table.face);
+  std::vector<Penetration> found;
+  for (int n = 0; n < check_.surface.num_nodes; ++n) {
+    if (face(n) < 0) continue;
+    const FaceTopology& of = share_.faces[static_cast<std::size_t>(face(n))];
+    found.push_back({n, of.number, depth(n), ratio(n), size(face(n)), of.part, limit(n)});
+  }
+  return found;
+}
+
+std::vector<EdgePenetration> LocalFinder::find_edge_penetrations(const SurfaceMotion& motion) {
+  return measure_edge_pairs(motion, edges_);
+}
+
+std::vector<PartGap> LocalFinder::find_gaps(const SurfaceMotion& motion) {
+  std::vector<int> parts;
+  for (const FaceTopology& face : share_.faces) parts.push_back(face.part);
+  return measure_gaps(motion, check_, parts);
+}
+
+SearchLoad LocalFinder::load() const {
+  return {static_cast<std::int64_t>(check_.surface.searched_nodes.extent(0)),
+          static_cast<std::int64_t>(share_.searched_faces.size())};
+}
+
+std::vector<int> LocalFinder::node_ranks() const {
+  return std::vector<int>(check_.surface.searched_nodes.extent(0), 0);
+}
+
+}  // namespace percuss

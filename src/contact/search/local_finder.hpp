@@ -1,0 +1,54 @@
+#pragma once
+// One rank has the whole surface: search and check run on the arrays of the mesh, and nothing is sent.
+
+#include "src/contact/check/check_space.hpp"
+#include "src/contact/check/edge_space.hpp"
+#include "src/contact/search/contact_finder.hpp"
+
+namespace percuss {
+
+/// The contact surface in the numbers of the mesh, of which the share is all.
+ContactSurface make_whole_surface(const SurfaceShare& share);
+
+class LocalFinder : public ContactFinder {
+ public:
+  LocalFinder(const SurfaceShare& share, const ContactDeck& deck);
+
+  std::int64_t search(const SurfaceMotion& motion, double margin) override;
+  void narrow(const NearWay& way) override { check_.near.ask(way); }
+  int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
+  bool has_found_nothing_new() const override {
+    return check_.has_found_nothing_new() && edges_.has_found_nothing_new();
+  }
+  std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override;
+  std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) override;
+  std::vector<PartGap> find_gaps(const SurfaceMotion& motion) override;
+  std::vector<int> node_ranks() const override;
+  DecompositionReport report() const override { return {}; }
+  SearchLoad load() const override;
+  PairCounts pair_counts() const override { return check_.counts; }
+  void take_over(const ContactFinder& before) override;
+  PhaseClock decomposition_clock() const override { return {}; }
+  Traffic traffic() const override { return {}; }
+
+ private:
+  std::int64_t search_faces(const SurfaceMotion& motion, double margin);
+  std::int64_t search_edges(const SurfaceMotion& motion, double margin);
+  int check_faces(const SurfaceMotion& motion, const ContactHistory& history);
+
+  const SurfaceShare& share_;
+  CheckSpace check_;
+  Array<const std::int64_t> node_numbers_;  // [contact nodes]
+  int found_ = 0;                           // by the last check
+  Boxes boxes_;
+  SearchScratch scratch_;
+
+  // Edges, if the scene has any that may touch.
+  EdgeSpace edges_;
+  EdgePointLists edge_points_;
+  Rows3<double> edge_places_ = Rows3<double>("contact::edge_places", 0);
+  Boxes edge_boxes_ = Boxes("contact::edge_boxes", 0);
+  EdgeSearchScratch edge_scratch_;
+};
+
+}  // namespace percuss

@@ -1,0 +1,65 @@
+#pragma once
+// Search and check in the contact decomposition: Figure 5 of the paper, by search() and check().
+//
+// A rank knows the nodes that it owns there, the faces that reach it, and the faces around the nodes of both, for
+// normals: its part of the surface, which it is told once and uses for many searches, until faces reach other ranks or
+// erosion makes another surface. A search lists the candidate pairs; ranked_check.hpp checks them.
+
+#include "src/contact/check/ranked_check.hpp"
+#include "src/contact/decomposition/contact_decomposition.hpp"
+#include "src/contact/search/contact_finder.hpp"
+#include "src/contact/search/ranked_edges.hpp"
+
+namespace percuss {
+
+class RankedFinder : public ContactFinder {
+ public:
+  RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, const ContactDeck& deck);
+
+  std::int64_t search(const SurfaceMotion& motion, double margin) override;
+  void narrow(const NearWay& way) override { check_.narrow(way); }
+  int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
+  bool has_found_nothing_new() const override {
+    return check_.space().has_found_nothing_new() && edges_.has_found_nothing_new();
+  }
+  std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) override {
+    return check_.find_penetrations(motion);
+  }
+  std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) override {
+    return edges_.find_penetrations(motion);
+  }
+  std::vector<PartGap> find_gaps(const SurfaceMotion& motion) override { return check_.find_gaps(motion); }
+  std::vector<int> node_ranks() const override { return decomposition_.node_owners(); }
+  DecompositionReport report() const override { return decomposition_.report(); }
+  SearchLoad load() const override;
+  PairCounts pair_counts() const override { return check_.space().counts; }
+  void take_over(const ContactFinder& before) override;
+  PhaseClock decomposition_clock() const override { return decomposition_clock_; }
+  Traffic traffic() const override;
+
+ private:
+  void redefine_surface();
+  std::vector<std::int64_t> list_nodes_of_unknown_faces() const;
+  std::vector<FaceTopology> ask_for_faces_around(const std::vector<std::int64_t>& nodes);
+  void number_surface(std::vector<FaceTopology> more);
+  std::int64_t search_faces(double margin);
+  std::int64_t find_points_in_boxes_here(std::int64_t limit);
+
+  ContactRanks ranks_;
+  const SurfaceShare& share_;
+  UnstructuredExchange exchange_;
+  DataExchange data_;
+  ContactDecomposition decomposition_;
+  PhaseClock decomposition_clock_;
+  Traffic traffic_before_;  // of finders whose place this one took
+
+  // The surface that this rank knows, in numbers of its own: searched nodes and faces are those of the decomposition.
+  RankedCheck check_;
+  RankedEdges edges_;
+
+  // The search on this rank.
+  SearchScratch scratch_;
+  Rows3<double> places_ = Rows3<double>("contact::searched_places", 0);  // [nodes], of searched nodes
+};
+
+}  // namespace percuss

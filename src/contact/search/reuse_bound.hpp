@@ -1,0 +1,66 @@
+#pragma once
+// Whether candidate pairs may be used again: a bound on the motion since the search that found them.
+
+#include "comm/merge_reduction.hpp"
+#include "src/contact/check/check_space.hpp"
+#include "src/output/checkpoint_archive.hpp"
+
+namespace percuss {
+
+class ReuseBound {
+ public:
+  /// enabled: whether pairs may be used again at all. The share outlives this. Collective, as are all calls.
+  ReuseBound(const Communicator& ranks, const SurfaceShare& share, bool enabled);
+
+  /// The share is another now: the next step searches.
+  void redefine();
+
+  /// Whether the pairs of the last search still hold all that the check could accept in this step.
+  bool covers(const SurfaceMotion& motion);
+
+  /// Whether no contact node, and none behind a face, is farther from its place at the last restart_near(), in this
+  /// step, than that allowed. Then covers() holds as well.
+  bool covers_near(const SurfaceMotion& motion) const;
+
+  /// Starts the way of the near pairs at this step's places, where covers() holds or restart() was called.
+  NearWay restart_near(const SurfaceMotion& motion);
+
+  /// Starts anew at this step's places; returns the margin by which capture boxes must be widened [length]. wide: also
+  /// where pairs are not used again, for what else asks for them.
+  double restart(const SurfaceMotion& motion, bool wide = false);
+
+  /// The last search, so that it can be done again: its margin, places and velocities. Collective.
+  void archive(CheckpointArchive& archive, const ChunkRows& contact_nodes);
+
+  /// Whether there was a search; its margin [length], step, and rows of this rank's contact nodes.
+  bool is_valid() const { return valid_; }
+  double margin() const { return margin_; }
+  double dt() const { return dt_; }
+  const Rows3<double>& origin() const { return origin_; }
+  const Rows3<double>& velocity() const { return velocity_; }
+
+  /// Mean of the shortest edges of the searched faces [length].
+  double find_mean_edge(const SurfaceMotion& motion) const;
+
+ private:
+  /// The largest of all ranks.
+  double find_largest(double value) const;
+  double find_distance_here(const SurfaceMotion& motion, const Rows3<double>& origin) const;
+  void store_watched(const SurfaceMotion& motion, const Rows3<double>& origin) const;
+
+  Communicator ranks_;
+  const SurfaceShare& share_;
+  bool enabled_;
+  MergeReduction<ExactSum> sum_;
+  bool valid_ = false;
+  double margin_ = 0;
+  double dt_ = 0;
+  Rows3<double> origin_, velocity_;  // at the last search
+  double travel_ = 0;                // since then, as covers() found it last
+  // Of the nodes of SurfaceShare::watched_list: places at the last restart_near(), and at the one that asked for the
+  // pairs that can come near before the next search, with the ways allowed from there; 0: nothing holds.
+  double near_travel_ = 0, first_travel_ = 0;
+  Rows3<double> near_origin_, first_origin_;
+};
+
+}  // namespace percuss

@@ -1,0 +1,193 @@
+#include "src/contact/start/start_overlap.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "comm/all_reduce.hpp"
+#include "comm/gather_items.hpp"
+#include "kernels/contact/rows/row_geometry.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/contact/start/part_gaps.hpp"
+
+namespace percuss {
+namespace {
+
+/// Margin of an audit's boxes in mean edges: with the reach of the check, nodes half a face deep are found.
+constexpr double audit_margin = 0.3;
+
+/// Penetrations of this rank's nodes by a search of its own.
+std::vector<Penetration> look_everywhere(const OverlapSearch& search, const SurfaceMotion& motion) {
+  if (search.share.total_searched_faces == 0) return {};
+  search.finder.search(motion, audit_margin * search.bound.find_mean_edge(motion));
+  return search.finder.find_penetrations(motion);
+}
+
+/// Adds to the overlap of its two parts.
+void add(const PartOverlap& more, std::vector<PartOverlap>& parts) {
+  const auto is_before = [](const PartOverlap& a, const PartOverlap& b) {
+    return a.part != b.part ? a.part < b.part : a.other < b.other;
+  };
+  auto place = std::lower_bound(parts.begin(), parts.end(), more, is_before);
+  if (place == parts.end() || place->part != more.part || place->other != more.other)
+    place = parts.insert(place, {more.part, more.other, 0, 0});
+  place->nodes += more.nodes;
+  place->deepest = std::max(place->deepest, more.deepest);
+}
+
+/// node: place in OwnedContactNodes; other: as PartOverlap's.
+void note(StartOverlap& found, const OwnedContactNodes& nodes, int place, int other, double depth, bool held) {
+  const auto i = static_cast<std::size_t>(place);
+  const std::int64_t node = nodes.numbers[i];
+  add({nodes.parts[i], other, 1, depth}, found.parts);
+  ++found.nodes;
+  if (!held) ++found.too_deep;
+  if (depth < found.deepest || (depth == found.deepest && found.deepest_node >= 0 && node > found.deepest_node)) return;
+  found.deepest = depth;
+  found.deepest_node = node;
+}
+
+/// Walls and their pairs on the host.
+struct HostWalls {
+  HostWalls(const WallPairs& pairs, const Rows3<const double>& places)
+      : walls(to_host(pairs.walls)),
+        wall(to_host(pairs.wall)),
+        node(to_host(pairs.node)),
+        size(to_host(pairs.size)),
+        x(to_host(places)) {}
+
+  int count() const { return static_cast<int>(wall.extent(0)); }
+  double depth(int p) const {
+    const ContactWall& w = walls(wall(p));
+    return -dot(w.normal, load_row(x, node(p)) - w.point);
+  }
+
+  decltype(to_host(WallPairs().walls)) walls;
+  decltype(to_host(WallPairs().wall)) wall, node;
+  decltype(to_host(WallPairs().size)) size;
+  decltype(to_host(Rows3<const double>())) x;
+};
+
+/// Overlap of edges, by (a, b), into a history of its own.
+EdgeHistory seed_edges(const std::vector<EdgePenetration>& penetrations, bool accept, StartOverlap& found) {
+  std::vector<std::int64_t> a, b;
+  std::vector<std::array<double, 3>> normals;
+  std::vector<double> references;
+  for (const EdgePenetration& p : penetrations) {
+    if (p.depth <= contact_limits::overlap * p.size) continue;
+    ++found.edge_pairs;
+    found.deepest_edges = std::max(found.deepest_edges, p.depth);
+    if (p.depth > p.limit) continue;
+    a.push_back(p.a);
+    b.push_back(p.b);
+    normals.push_back({p.normal.x, p.normal.y, p.normal.z});
+    references.push_back(accept ? p.depth : 0);
+  }
+  const std::vector<std::array<double, 3>> zeros(a.size(), {0, 0, 0});
+  EdgeHistory history;
+  history.count = static_cast<int>(a.size());
+  history.a = to_view("contact::edge_history_a", a);
+  history.b = to_view("contact::edge_history_b", b);
+  history.holds = to_view("contact::edge_history_holds", std::vector<int>(a.size(), 1));
+  history.normal = to_rows("contact::edge_history_normal", normals);
+  history.impulse = to_rows("contact::edge_history_impulse", zeros);
+  history.slip = to_rows("contact::edge_history_slip", zeros);
+  history.reference = to_view("contact::edge_history_reference", references);
+  return history;
+}
+
+/// The counts of all ranks, and the deepest node of any.
+void reduce(const Communicator& ranks, StartOverlap& found) {
+  std::int64_t counts[3] = {found.nodes, found.too_deep, found.edge_pairs};
+  all_reduce(ranks, Reduce::sum, counts);
+  const double own = found.deepest;
+  double deepest[2] = {found.deepest, found.deepest_edges};
+  all_reduce(ranks, Reduce::largest, deepest);
+  found.deepest = deepest[0];
+  found.deepest_edges = deepest[1];
+  constexpr std::int64_t none = std::int64_t{1} << 62;
+  std::int64_t node = found.deepest_node >= 0 && own == found.deepest ? found.deepest_node : none;
+  all_reduce(ranks, Reduce::least, node);
+  std::vector<PartOverlap> all;
+  for (const PartOverlap& parts : gather_items(ranks, found.parts)) add(parts, all);
+  found.parts = std::move(all);
+  found.nodes = counts[0];
+  found.too_deep = counts[1];
+  found.edge_pairs = counts[2];
+  found.deepest_node = node == none ? -1 : node;
+}
+
+}  // namespace
+
+StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                          ContactHistory& history) {
+  const auto history_face = to_host(history.face);
+  const auto reference = to_host(history.reference);
+  const bool accept = overlap == ContactDeck::Overlap::accept;
+  StartOverlap found;
+  for (const Penetration& p : look_everywhere(search, motion)) {
+    if (p.depth <= contact_limits::overlap * p.size) continue;
+    const bool held = p.depth <= p.limit;
+    note(found, search.share.nodes, p.node, p.part, p.depth, held);
+    if (!held) continue;
+    history_face(contact_limits::max_touches * p.node) = p.face;
+    reference(contact_limits::max_touches * p.node) = accept ? p.depth : 0;
+  }
+  const HostWalls host(search.walls, motion.x);
+  const int first = contact_limits::max_touches * search.share.nodes.count();
+  for (int p = 0; p < host.count(); ++p) {
+    if (host.depth(p) <= contact_limits::overlap * host.size(p)) continue;
+    const auto& nodes = search.share.nodes;
+    const auto place = std::lower_bound(nodes.mesh_nodes.begin(), nodes.mesh_nodes.end(), host.node(p));
+    note(found, nodes, static_cast<int>(place - nodes.mesh_nodes.begin()), -1 - host.wall(p), host.depth(p), true);
+    reference(first + p) = accept ? host.depth(p) : 0;
+  }
+  if (search.share.total_searched_faces > 0) {
+    history.edges = seed_edges(search.finder.find_edge_penetrations(motion), accept, found);
+    found.gaps = gather_gaps(search.ranks, search.finder.find_gaps(motion));
+  }
+  Kokkos::deep_copy(history.face, history_face);
+  Kokkos::deep_copy(history.reference, reference);
+  reduce(search.ranks, found);
+  return found;
+}
+
+void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                 const SurfaceChange& change, ContactHistory& history) {
+  if (search.share.total_searched_faces == 0) return;
+  const auto list_new = [](const std::vector<std::int64_t>& before, const std::vector<std::int64_t>& now) {
+    std::vector<std::int64_t> fresh;
+    std::set_difference(now.begin(), now.end(), before.begin(), before.end(), std::back_inserter(fresh));
+    return fresh;
+  };
+  const std::vector<std::int64_t> nodes = list_new(change.before.nodes, change.now.nodes);
+  std::vector<std::int64_t> faces = gather_items(search.ranks, list_new(change.before.faces, change.now.faces));
+  std::sort(faces.begin(), faces.end());
+  const auto history_face = to_host(history.face);
+  const auto reference = to_host(history.reference);
+  for (const Penetration& p : search.finder.find_penetrations(motion)) {
+    const bool is_new =
+        std::binary_search(faces.begin(), faces.end(), p.face) ||
+        std::binary_search(nodes.begin(), nodes.end(), search.share.nodes.numbers[static_cast<std::size_t>(p.node)]);
+    const int record = contact_limits::max_touches * p.node;
+    if (!is_new || p.depth <= contact_limits::overlap * p.size || p.depth > p.limit) continue;
+    if (history_face(record) >= 0) continue;  // a contact that goes on
+    history_face(record) = p.face;
+    reference(record) = overlap == ContactDeck::Overlap::accept ? p.depth : 0;
+  }
+  Kokkos::deep_copy(history.face, history_face);
+  Kokkos::deep_copy(history.reference, reference);
+}
+
+double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion) {
+  double deepest = 0;
+  for (const Penetration& p : look_everywhere(search, motion)) deepest = std::max(deepest, p.ratio);
+  if (search.share.total_searched_faces > 0)
+    for (const EdgePenetration& p : search.finder.find_edge_penetrations(motion))
+      deepest = std::max(deepest, p.depth / p.size);
+  const HostWalls host(search.walls, motion.x);
+  for (int p = 0; p < host.count(); ++p) deepest = std::max(deepest, host.depth(p) / host.size(p));
+  all_reduce(search.ranks, Reduce::largest, deepest);
+  return deepest;
+}
+
+}  // namespace percuss

@@ -1,0 +1,67 @@
+#pragma once
+// Overlap between surfaces: what a scene starts with, and what an audit finds.
+
+#include "src/contact/history/carried_history.hpp"
+#include "src/contact/search/contact_finder.hpp"
+#include "src/contact/search/reuse_bound.hpp"
+
+namespace percuss {
+
+/// Overlap between two parts, or of a part with a wall.
+struct PartOverlap {
+  int part = 0;            // of the nodes
+  int other = 0;           // of the faces; -1 - w: wall w
+  std::int64_t nodes = 0;  // contact nodes of `part` inside `other`
+  double deepest = 0;      // [length]
+};
+
+/// Overlap at the start: what was found, on all ranks, and taken into the history.
+struct StartOverlap {
+  std::int64_t nodes = 0;          // contact nodes inside another body or behind a wall
+  std::int64_t too_deep = 0;       // of these, deeper than contact can hold
+  double deepest = 0;              // [length]
+  std::int64_t deepest_node = -1;  // number of the node, lowest of equals
+  std::vector<PartOverlap> parts;  // by (part, other)
+  std::int64_t edge_pairs = 0;     // pairs of edges inside one another
+  double deepest_edges = 0;        // [length]
+  std::vector<PartGap> gaps;       // of parts within reach of each other
+};
+
+/// What looks for overlap: a finder of its own, so that the search of the steps is not disturbed.
+struct OverlapSearch {
+  const Communicator& ranks;
+  const SurfaceShare& share;
+  const WallPairs& walls;
+  const ReuseBound& bound;
+  ContactFinder& finder;
+};
+
+/// Finds overlap at the places of `motion`, whose dt is 0, and writes it to the history: as accepted reference, or to
+/// be pushed out. Collective.
+StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                          ContactHistory& history);
+
+/// The surface before and after erosion has redefined it.
+struct SurfaceChange {
+  const HistoryOwners& before;
+  const HistoryOwners& now;
+};
+
+/// What was found and what becomes of it; empty if there is none. Warnings of it are those of src/checks.
+/// deepest_id: the user's of deepest_node.
+std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
+                             std::int64_t deepest_id);
+
+/// Bound of the sum of the squares of the depths that contact is to push out [length^2]; 0 where overlap is accepted.
+double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overlap);
+
+/// Of overlap at the places of `motion`, whose dt is 0, takes into the history what a new node or a new face has, as
+/// seed_history() does. What the surfaces before had is as it was. Looks at the candidate pairs that the finder has.
+/// Collective.
+void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
+                 const SurfaceChange& change, ContactHistory& history);
+
+/// Deepest penetration / shortest edge, faces and walls, on any rank. Collective.
+double find_deepest_penetration(const OverlapSearch& search, const SurfaceMotion& motion);
+
+}  // namespace percuss

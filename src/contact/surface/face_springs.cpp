@@ -1,0 +1,42 @@
+#include "src/contact/surface/face_springs.hpp"
+
+#include <cmath>
+
+#include "src/deck/make_material.hpp"
+#include "src/mesh/hex_geometry.hpp"
+
+namespace percuss {
+namespace {
+
+/// M, or K of a shell.
+double find_modulus(const MaterialDeck& material, bool is_of_shell) {
+  const LameConstants moduli = find_moduli(material);
+  return moduli.lambda + (is_of_shell ? 2.0 / 3.0 : 2.0) * moduli.mu;
+}
+
+/// Area of a quadrilateral from its diagonals; of a warped one, of its projection along their normal.
+double find_area(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 normal = cross(subtract(c, a), subtract(d, b));
+  return 0.5 * std::sqrt(dot(normal, normal));
+}
+
+}  // namespace
+
+std::vector<double> find_face_springs(const Mesh& mesh, const Deck& deck, const std::vector<ElementFace>& faces) {
+  std::vector<double> springs(faces.size(), 0);
+  if (deck.contact.enforcement != ContactDeck::Enforcement::penalty) return springs;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto element = static_cast<std::size_t>(faces[f].element);
+    HexCorners x;
+    for (std::size_t i = 0; i < 8; ++i) x[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
+    const auto corner = [&](int i) { return x[static_cast<std::size_t>(hex_faces[faces[f].face][i])]; };
+    const double area = find_area(corner(0), corner(1), corner(2), corner(3));
+    const MeshPart& part = mesh.parts[static_cast<std::size_t>(mesh.element_part[element])];
+    const bool of_shell = is_shell(mesh.elements[element]);
+    const double length = of_shell ? part.thickness : area * area / find_hex_volume(x);
+    springs[f] = find_modulus(deck.materials[static_cast<std::size_t>(part.material)], of_shell) * length;
+  }
+  return springs;
+}
+
+}  // namespace percuss

@@ -1,0 +1,116 @@
+#include "src/contact/surface/surface_classes.hpp"
+
+#include <algorithm>
+
+namespace percuss {
+namespace {
+
+bool has_surface(const SurfaceSet& set, int surface) { return std::binary_search(set.begin(), set.end(), surface); }
+
+/// Whether one is on one side of a pair or tie and the other on the other.
+bool are_opposite(const SurfaceSet& node, const SurfaceSet& face, std::size_t pair) {
+  const int a = 2 * static_cast<int>(pair), b = a + 1;
+  return (has_surface(node, a) && has_surface(face, b)) || (has_surface(node, b) && has_surface(face, a));
+}
+
+/// Rule for a node on surfaces `node` and a face on surfaces `face`.
+PairRule find_rule(const ContactDeck& contact, const SurfaceSet& node, const SurfaceSet& face) {
+  for (std::size_t t = 0; t < contact.ties.size(); ++t)
+    if (are_opposite(node, face, contact.pairs.size() + t)) return {};
+  if (contact.surfaces == ContactDeck::Surfaces::all) return {0, contact.friction};
+  for (std::size_t p = 0; p < contact.pairs.size(); ++p)
+    if (are_opposite(node, face, p)) return {static_cast<int>(p), contact.pairs[p].friction.value_or(contact.friction)};
+  return {};
+}
+
+void sort_unique(std::vector<SurfaceSet>& sets) {
+  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());  // neighbours are mostly alike: little is left to sort
+  std::sort(sets.begin(), sets.end());
+  sets.erase(std::unique(sets.begin(), sets.end()), sets.end());
+}
+
+/// The sets of all ranks, each as its length and its surfaces.
+std::vector<int> gather_sets(const Communicator& ranks, const std::vector<SurfaceSet>& sets) {
+  std::vector<int> own;
+  for (const SurfaceSet& set : sets) {
+    own.push_back(static_cast<int>(set.size()));
+    own.insert(own.end(), set.begin(), set.end());
+  }
+  const auto size = static_cast<std::size_t>(ranks.size());
+  std::vector<int> counts(size), first(size + 1, 0);
+  const int count = static_cast<int>(own.size());
+  wait_mpi([&] { return MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, ranks.handle()); },
+           "MPI_Allgather");
+  for (std::size_t r = 0; r < size; ++r) first[r + 1] = first[r] + counts[r];
+  std::vector<int> all(static_cast<std::size_t>(first[size]));
+  check_mpi(
+      MPI_Allgatherv(own.data(), count, MPI_INT, all.data(), counts.data(), first.data(), MPI_INT, ranks.handle()),
+      "MPI_Allgatherv");
+  return all;
+}
+
+}  // namespace
+
+int SurfaceClasses::find(const SurfaceSet& set) const {
+  return static_cast<int>(std::lower_bound(sets.begin(), sets.end(), set) - sets.begin());
+}
+
+std::vector<PairRule> SurfaceClasses::find_rules(const ContactDeck& contact) const {
+  std::vector<PairRule> rules;
+  for (const SurfaceSet& node : sets) {
+    for (const SurfaceSet& face : sets) rules.push_back(find_rule(contact, node, face));
+  }
+  return rules;
+}
+
+std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, const TiedSurfaces& ties,
+                                           const std::vector<ElementFace>& faces) {
+  std::vector<SurfaceSet> sets(faces.size());
+  if (deck.contact.surfaces == ContactDeck::Surfaces::none) return sets;
+  const auto add = [&](const std::vector<ElementFace>& selected, std::size_t pair, int side) {
+    for (const ElementFace& face : selected) {
+      const auto place = std::lower_bound(faces.begin(), faces.end(), face);
+      sets[static_cast<std::size_t>(place - faces.begin())].push_back(2 * static_cast<int>(pair) + side);
+    }
+  };
+  for (std::size_t p = 0; p < deck.contact.pairs.size(); ++p) {
+    add(select_faces(mesh, deck, deck.contact.pairs[p].a), p, 0);
+    add(select_faces(mesh, deck, deck.contact.pairs[p].b), p, 1);
+  }
+  for (std::size_t t = 0; t < ties.faces.size(); ++t)
+    for (std::size_t side = 0; side < 2; ++side)
+      add(ties.faces[t][side], deck.contact.pairs.size() + t, static_cast<int>(side));
+  return sets;
+}
+
+std::vector<SurfaceSet> find_part_surfaces(const Mesh& mesh, const Deck& deck) {
+  std::vector<SurfaceSet> sets(mesh.parts.size());
+  const auto add = [&](const Selector& side, int surface) {
+    for (std::size_t part = 0; part < sets.size(); ++part) {
+      if (!side.inside && (side.name.empty() || side.name == mesh.parts[part].name)) sets[part].push_back(surface);
+    }
+  };
+  for (std::size_t p = 0; p < deck.contact.pairs.size(); ++p) {
+    add(deck.contact.pairs[p].a, 2 * static_cast<int>(p));
+    add(deck.contact.pairs[p].b, 2 * static_cast<int>(p) + 1);
+  }
+  return sets;
+}
+
+SurfaceClasses agree_on_classes(const Mesh& mesh, std::vector<SurfaceSet> sets) {
+  sort_unique(sets);
+  if (mesh.ranks && mesh.ranks->size() > 1) {
+    const std::vector<int> all = gather_sets(*mesh.ranks, sets);
+    sets.clear();
+    for (auto next = all.begin(); next != all.end();) {
+      const auto first = next + 1;
+      next = first + *next;
+      sets.emplace_back(first, next);
+    }
+    sort_unique(sets);
+  }
+  if (sets.empty()) sets.push_back({});
+  return {std::move(sets)};
+}
+
+}  // namespace percuss

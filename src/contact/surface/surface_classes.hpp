@@ -1,0 +1,44 @@
+#pragma once
+// Who may touch whom: the deck's named surfaces as classes of nodes and faces and a table of pairs.
+
+#include <vector>
+
+#include "src/contact/surface/tied_surfaces.hpp"
+#include "src/deck/deck.hpp"
+#include "src/mesh/mesh.hpp"
+
+namespace percuss {
+
+/// Numbers of named surfaces, ascending: 2 p and 2 p + 1 are the sides a and b of the deck's pair p;
+/// then those of its ties, side a as far as it is tied.
+using SurfaceSet = std::vector<int>;
+
+/// How a node may touch a face.
+struct PairRule {
+  int pair = -1;         // of the deck, -1: not at all; 0 where all may touch all
+  double friction = -1;  // Coulomb's coefficient; negative: may not touch
+};
+
+/// The combinations of named surfaces on which nodes or faces lie together, the same on every rank.
+struct SurfaceClasses {
+  std::vector<SurfaceSet> sets;  // [classes] ascending
+
+  int count() const { return static_cast<int>(sets.size()); }
+  int find(const SurfaceSet& set) const;
+
+  /// Rules by [class of the node * count() + class of the face]: that of the first pair that fits.
+  /// What is tied to a surface may not touch it.
+  std::vector<PairRule> find_rules(const ContactDeck& contact) const;
+};
+
+/// Surfaces of each face of the share. Throws InputError for unknown surfaces. Collective over Mesh::ranks.
+std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, const TiedSurfaces& ties,
+                                           const std::vector<ElementFace>& faces);
+
+/// [parts] surfaces that a part belongs to as a whole: what its particles touch as.
+std::vector<SurfaceSet> find_part_surfaces(const Mesh& mesh, const Deck& deck);
+
+/// All sets that occur on any rank. Collective over Mesh::ranks.
+SurfaceClasses agree_on_classes(const Mesh& mesh, std::vector<SurfaceSet> sets);
+
+}  // namespace percuss

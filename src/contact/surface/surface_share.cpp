@@ -1,0 +1,377 @@
+#include "src/contact/surface/surface_share.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "comm/all_reduce.hpp"
+#include "comm/item_exchange.hpp"
+#include "kernels/core/counting_sort.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/contact/surface/face_corners.hpp"
+#include "src/contact/surface/face_springs.hpp"
+#include "src/contact/surface/surface_classes.hpp"
+
+namespace percuss {
+
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// The three corners of a hexahedron that share an edge with each corner (Exodus II order).
+constexpr int hex_neighbours[8][3] = {{1, 3, 4}, {0, 2, 5}, {1, 3, 6}, {0, 2, 7},
+                                      {0, 5, 7}, {1, 4, 6}, {2, 5, 7}, {3, 4, 6}};
+
+/// The corner across the element from each corner of a face.
+using BackCorners = std::array<std::array<int, 4>, 6>;
+
+BackCorners list_back_corners() {
+  BackCorners backs{};
+  for (std::size_t face = 0; face < 6; ++face) {
+    const int* const on_face = hex_faces[face];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int* const around = hex_neighbours[on_face[i]];
+      backs[face][i] = *std::find_if(
+          around, around + 3, [&](int corner) { return std::find(on_face, on_face + 4, corner) == on_face + 4; });
+    }
+  }
+  return backs;
+}
+
+void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& faces, SurfaceShare& share) {
+  const Mesh& mesh = chunked.mesh;
+  const std::vector<std::int64_t> numbers = list_element_numbers(chunked);
+  const BackCorners back_corners = list_back_corners();
+  share.faces.reserve(faces.size());
+  share.face_corners.reserve(faces.size());
+  share.face_backs.reserve(faces.size());
+  for (const ElementFace& f : faces) {
+    FaceTopology face;
+    face.number = 6 * numbers[at(f.element)] + f.face;
+    face.body = mesh.bodies[at(f.element)];
+    face.part = mesh.element_part[at(f.element)];
+    if (is_shell(mesh.elements[at(f.element)])) face.offset = 0.5 * mesh.parts[at(face.part)].thickness;
+    std::array<int, 4> corners{}, backs{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      corners[i] = mesh.elements[at(f.element)][at(hex_faces[f.face][i])];
+      backs[i] = mesh.elements[at(f.element)][at(back_corners[at(f.face)][i])];
+      face.corners[i] = mesh.node_numbers[at(corners[i])];
+      face.backs[i] = mesh.node_numbers[at(backs[i])];
+    }
+    share.faces.push_back(face);
+    share.face_corners.push_back(corners);
+    share.face_backs.push_back(backs);
+  }
+}
+
+/// A face as it is told to the owner of one of its corners.
+struct CornerNotice {
+  std::int64_t node = 0;
+  double size = 0;    // shorter of the two edges that meet there
+  double spring = 0;  // its share of the stiffness of the face
+  FaceTopology face;
+};
+
+/// What an owned node is told of a face around it or, by a face without a number, of itself as a particle.
+struct NodeNotice {
+  int node = 0;  // of this rank's mesh
+  int face = 0;  // SurfaceShare::face()
+  double size = 0, spring = 0;
+};
+
+/// Lengths of the edges of a face, from each corner to the next.
+std::array<double, 4> measure_edges(const Mesh& mesh, const std::array<int, 4>& corners) {
+  std::array<double, 4> lengths{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec3 &p = mesh.nodes[at(corners[i])], &q = mesh.nodes[at(corners[(i + 1) % 4])];
+    lengths[i] = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  }
+  return lengths;
+}
+
+/// The shorter of the two edges that meet at a corner, which is not one repeated.
+double find_corner_size(const std::array<int, 4>& corners, const std::array<double, 4>& lengths, std::size_t corner) {
+  const std::size_t next = (corner + 1) % 4, previous = (corner + 3) % 4;
+  return std::min(lengths[corners[next] == corners[corner] ? next : corner], lengths[previous]);
+}
+
+/// Of nodes that no element holds any more: what their dead elements say of them, without a face. part_classes: the
+/// class of each part's surface.
+std::vector<CornerNotice> list_particles(const Mesh& mesh, const Deck& deck, const std::vector<int>& part_classes) {
+  std::vector<CornerNotice> notices;
+  std::vector<ElementFace> faces;  // a face at each corner, for its stiffness
+  for (std::size_t e = 0; e < mesh.eroded.dead.size(); ++e) {
+    if (mesh.eroded.dead[e] == 0) continue;
+    const auto place = [&](int corner) { return mesh.nodes[at(mesh.elements[e][at(corner)])]; };
+    for (int i = 0; i < (is_shell(mesh.elements[e]) ? 4 : 8); ++i) {
+      const int node = mesh.elements[e][at(i)];
+      if (mesh.eroded.nodes[at(node)] != ErodedMesh::particle || (i == 3 && is_triangle(mesh.elements[e]))) continue;
+      CornerNotice notice;
+      notice.node = mesh.node_numbers[at(node)];
+      notice.size = std::numeric_limits<double>::infinity();
+      for (const int other : hex_neighbours[i]) {
+        if (mesh.elements[e][at(other)] == node) continue;  // across a shell
+        const Vec3 p = place(i), q = place(other);
+        notice.size = std::min(notice.size, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+      }
+      notice.face.part = mesh.element_part[e];
+      notice.face.surface_class = part_classes[at(notice.face.part)];
+      notices.push_back(notice);
+      faces.push_back({static_cast<int>(e), i < 4 ? 4 : 5});
+    }
+  }
+  const std::vector<double> springs = find_face_springs(mesh, deck, faces);
+  for (std::size_t n = 0; n < notices.size(); ++n)
+    notices[n].spring = springs[n] / (is_triangle(mesh.elements[at(faces[n].element)]) ? 3 : 4);
+  return notices;
+}
+
+/// Tells the owner of every corner about each face of this rank, and of particles. Returns what the owned nodes are
+/// told: of faces of the share in their order, then of `told_faces`, which it fills.
+std::vector<NodeNotice> tell_nodes(const ChunkedMesh& chunked, const std::vector<double>& springs,
+                                   std::vector<CornerNotice> sent, UnstructuredExchange& exchange,
+                                   SurfaceShare& share) {
+  const Mesh& mesh = chunked.mesh;
+  const int own = exchange.ranks().rank();
+  std::vector<NodeNotice> notices;
+  notices.reserve(4 * share.faces.size());
+  std::vector<int> owners;
+  owners.reserve(sent.size());
+  for (const CornerNotice& notice : sent) owners.push_back(chunked.numbering.find_node_owner(notice.node));
+  for (std::size_t f = 0; f < share.faces.size(); ++f) {
+    const FaceTopology& face = share.faces[f];
+    const std::array<int, 4>& corners = share.face_corners[f];
+    const std::array<double, 4> lengths = measure_edges(mesh, corners);
+    const double spring = springs[f] / static_cast<double>(count_corners(corners));
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (is_repeated(corners, i)) continue;
+      const double size = find_corner_size(corners, lengths, i);
+      const int owner = chunked.numbering.find_node_owner(face.corners[i]);
+      if (owner == own) {
+        notices.push_back({corners[i], static_cast<int>(f), size, spring});
+      } else {
+        sent.push_back({face.corners[i], size, spring, face});
+        owners.push_back(owner);
+      }
+    }
+  }
+  for (const CornerNotice& notice : ItemExchange(exchange.ranks()).send(owners, sent)) {
+    const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), notice.node);
+    const std::size_t face = share.faces.size() + share.told_faces.size();
+    share.told_faces.push_back(notice.face);
+    notices.push_back(
+        {static_cast<int>(place - mesh.node_numbers.begin()), static_cast<int>(face), notice.size, notice.spring});
+  }
+  return notices;
+}
+
+/// particle_classes: out, [nodes] classes of the surfaces of particles.
+void list_nodes(const Mesh& mesh, const std::vector<NodeNotice>& notices, SurfaceShare& share,
+                std::vector<std::vector<int>>& particle_classes) {
+  OwnedContactNodes& nodes = share.nodes;
+  std::vector<int> told;
+  told.reserve(notices.size());
+  for (const NodeNotice& notice : notices) told.push_back(notice.node);
+  Buckets by_node = sort_into_buckets(told, mesh.nodes.size());
+  nodes.faces.reserve(notices.size());
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    const auto first = by_node.items.begin() + by_node.first[n], last = by_node.items.begin() + by_node.first[n + 1];
+    if (first == last) continue;
+    const auto face_of = [&](int item) -> const FaceTopology& { return share.face(notices[at(item)].face); };
+    if (at(notices[at(*(last - 1))].face) >= share.faces.size())  // the rank's own faces are in order
+      std::sort(first, last, [&](int a, int b) { return face_of(a).number < face_of(b).number; });
+    nodes.mesh_nodes.push_back(static_cast<int>(n));
+    nodes.numbers.push_back(mesh.node_numbers[n]);
+    nodes.ids.push_back(mesh.node_ids[n]);
+    nodes.sizes.push_back(std::numeric_limits<double>::infinity());
+    nodes.springs.push_back(0);
+    nodes.parts.push_back(face_of(*first).part);
+    nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
+    particle_classes.emplace_back();
+    for (auto item = first; item != last; ++item) {
+      const NodeNotice& notice = notices[at(*item)];
+      const FaceTopology& face = face_of(*item);
+      nodes.sizes.back() = std::min(nodes.sizes.back(), notice.size);
+      if (face.number < 0) {  // of a particle, in no certain order
+        nodes.springs.back() = std::max(nodes.springs.back(), notice.spring);
+        nodes.parts.back() = std::min(nodes.parts.back(), face.part);
+        particle_classes.back().push_back(face.surface_class);
+        continue;
+      }
+      nodes.springs.back() += notice.spring;
+      nodes.faces.push_back(notice.face);
+    }
+  }
+  nodes.first_face.push_back(static_cast<int>(nodes.faces.size()));
+}
+
+/// Surfaces of each owned node: those of all faces around it, of a particle those of its parts.
+std::vector<SurfaceSet> find_node_surfaces(const SurfaceShare& share, const SurfaceClasses& classes,
+                                           const std::vector<std::vector<int>>& particle_classes) {
+  const OwnedContactNodes& nodes = share.nodes;
+  std::vector<SurfaceSet> sets(at(nodes.count()));
+  for (std::size_t n = 0; n < sets.size(); ++n) {
+    const auto add = [&](int surface_class) {
+      const SurfaceSet& set = classes.sets[at(surface_class)];
+      sets[n].insert(sets[n].end(), set.begin(), set.end());
+    };
+    for (int f = nodes.first_face[n]; f < nodes.first_face[n + 1]; ++f)
+      add(share.face(nodes.faces[at(f)]).surface_class);
+    for (const int surface_class : particle_classes[n]) add(surface_class);
+    std::sort(sets[n].begin(), sets[n].end());
+    sets[n].erase(std::unique(sets[n].begin(), sets[n].end()), sets[n].end());
+  }
+  return sets;
+}
+
+/// Surfaces of each edge: those of its two faces.
+std::vector<SurfaceSet> find_edge_surfaces(const std::vector<FoundEdge>& edges, const SurfaceClasses& classes) {
+  std::vector<SurfaceSet> sets;
+  for (const FoundEdge& found : edges) {
+    const SurfaceSet &a = classes.sets[at(found.face_classes[0])], &b = classes.sets[at(found.face_classes[1])];
+    SurfaceSet both;
+    std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+    sets.push_back(std::move(both));
+  }
+  return sets;
+}
+
+/// Keeps the edges that may touch others, with their mesh nodes.
+void set_edges(const Mesh& mesh, const Communicator& ranks, const std::vector<FoundEdge>& edges,
+               const std::vector<SurfaceSet>& sets, const SurfaceClasses& classes, SurfaceShare& share) {
+  const auto friction = to_host(share.pair_friction);
+  const std::size_t n = at(classes.count());
+  std::vector<double> lengths;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const int surface_class = classes.find(sets[e]);
+    const double* const row = friction.data() + at(surface_class) * n;
+    if (std::all_of(row, row + n, [](double f) { return f < 0; })) continue;
+    share.edges.push_back(edges[e].edge);
+    share.edges.back().surface_class = surface_class;
+    std::array<int, 2> ends{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), edges[e].edge.ends[i]);
+      ends[i] = static_cast<int>(place - mesh.node_numbers.begin());
+    }
+    share.edge_ends.push_back(ends);
+    const Vec3 &p = mesh.nodes[at(ends[0])], &q = mesh.nodes[at(ends[1])];
+    lengths.push_back(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+  }
+  divide_edges(ranks, lengths, share.edges);
+}
+
+/// Classes of nodes and faces, who may touch whom, and which nodes and faces a search must look at.
+void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const SurfaceClasses& classes,
+                 const std::vector<SurfaceSet>& node_sets, SurfaceShare& share) {
+  const auto renumber = [&](FaceTopology& face) {
+    face.surface_class = classes.find(of_faces.sets[at(face.surface_class)]);
+  };
+  std::for_each(share.faces.begin(), share.faces.end(), renumber);
+  std::for_each(share.told_faces.begin(), share.told_faces.end(), renumber);
+  for (const SurfaceSet& set : node_sets) share.nodes.classes.push_back(classes.find(set));
+  std::vector<double> friction;
+  std::vector<int> pair_number;
+  for (const PairRule& rule : classes.find_rules(deck.contact)) {
+    friction.push_back(rule.friction);
+    pair_number.push_back(rule.pair);
+  }
+  const std::size_t n = at(classes.count());
+  std::vector<char> node_searched(n, 0), face_searched(n, 0);
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = 0; b < n; ++b) {
+      if (friction[a * n + b] >= 0) node_searched[a] = face_searched[b] = 1;
+    }
+  }
+  share.num_classes = classes.count();
+  share.pair_friction = to_view("contact::pair_friction", friction);
+  share.pair_number = to_view("contact::pair_number", pair_number);
+  for (const int c : share.nodes.classes) share.nodes.searched.push_back(node_searched[at(c)]);
+  for (const FaceTopology& face : share.faces) share.face_searched.push_back(face_searched[at(face.surface_class)]);
+}
+
+/// Thickness of the shells that may touch anything.
+void set_offsets(const Mesh& mesh, const Communicator& ranks, SurfaceShare& share) {
+  const auto has_shells = [](const MeshPart& part) { return part.thickness > 0; };
+  if (std::none_of(mesh.parts.begin(), mesh.parts.end(), has_shells)) return;
+  double largest = 0;
+  for (std::size_t f = 0; f < share.faces.size(); ++f)
+    if (share.face_searched[f] != 0) largest = std::max(largest, share.faces[f].offset);
+  const OwnedContactNodes& nodes = share.nodes;
+  for (std::size_t n = 0; n < nodes.searched.size(); ++n)
+    for (int f = nodes.first_face[n]; nodes.searched[n] != 0 && f < nodes.first_face[n + 1]; ++f)
+      largest = std::max(largest, share.face(nodes.faces[at(f)]).offset);
+  all_reduce(ranks, Reduce::largest, largest);
+  share.largest_offset = largest;
+  if (largest == 0) return;
+  std::vector<double> reach;
+  for (const int f : share.searched_faces) reach.push_back(find_offset_reach(share.faces[at(f)].offset, largest));
+  share.reach_list = to_view("contact::face_reach", reach);
+}
+
+void set_lists(const Mesh& mesh, const Communicator& ranks, SurfaceShare& share) {
+  std::vector<std::array<int, 4>> corners;
+  std::vector<char> is_watched(mesh.nodes.size(), 0);
+  for (const int n : share.nodes.mesh_nodes) is_watched[at(n)] = 1;
+  for (std::size_t f = 0; f < share.faces.size(); ++f) {
+    if (share.face_searched[f] == 0) continue;
+    // The thickness of a shell is that of time 0; of a solid it is found from the nodes behind the face.
+    if (share.faces[f].offset == 0)
+      for (const int n : share.face_backs[f]) is_watched[at(n)] = 1;
+    share.searched_faces.push_back(static_cast<int>(f));
+    corners.push_back(share.face_corners[f]);
+  }
+  share.node_list = to_view("contact::nodes", share.nodes.mesh_nodes);
+  std::vector<int> watched;
+  for (std::size_t n = 0; n < is_watched.size(); ++n)
+    if (is_watched[n] != 0) watched.push_back(static_cast<int>(n));
+  share.watched_list = to_view("contact::watched_nodes", watched);
+  share.corner_list = to_rows("contact::face_nodes", corners);
+  std::int64_t totals[4] = {share.nodes.count(), static_cast<std::int64_t>(share.faces.size()),
+                            static_cast<std::int64_t>(corners.size()), static_cast<std::int64_t>(share.edges.size())};
+  all_reduce(ranks, Reduce::sum, totals);
+  share.total_nodes = totals[0];
+  share.total_faces = totals[1];
+  share.total_searched_faces = totals[2];
+  share.total_edges = totals[3];
+}
+
+}  // namespace
+
+SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
+                                 UnstructuredExchange& exchange) {
+  const Mesh& mesh = chunked.mesh;
+  SurfaceShare share;
+  const std::vector<ElementFace> faces = find_exterior_faces(mesh);
+  list_faces(chunked, faces, share);
+  const std::vector<SurfaceSet> face_sets = find_face_surfaces(mesh, deck, ties, faces);
+  std::vector<SurfaceSet> named = face_sets, part_sets;
+  if (mesh.eroded.any) part_sets = find_part_surfaces(mesh, deck);
+  named.insert(named.end(), part_sets.begin(), part_sets.end());
+  const SurfaceClasses of_faces = agree_on_classes(mesh, std::move(named));
+  for (std::size_t f = 0; f < faces.size(); ++f) share.faces[f].surface_class = of_faces.find(face_sets[f]);
+  std::vector<int> part_classes;
+  part_classes.reserve(part_sets.size());
+  for (const SurfaceSet& set : part_sets) part_classes.push_back(of_faces.find(set));
+  std::vector<std::vector<int>> particle_classes;
+  list_nodes(mesh,
+             tell_nodes(chunked, find_face_springs(mesh, deck, faces), list_particles(mesh, deck, part_classes),
+                        exchange, share),
+             share, particle_classes);
+  const std::vector<SurfaceSet> node_sets = find_node_surfaces(share, of_faces, particle_classes);
+  std::vector<SurfaceSet> all = of_faces.sets;
+  all.insert(all.end(), node_sets.begin(), node_sets.end());
+  std::vector<FoundEdge> edges;
+  const bool has_edges = deck.contact.edges && deck.contact.surfaces != ContactDeck::Surfaces::none;
+  if (has_edges) edges = find_feature_edges(chunked, share.faces, share.face_corners, exchange);
+  const std::vector<SurfaceSet> edge_sets = find_edge_surfaces(edges, of_faces);
+  all.insert(all.end(), edge_sets.begin(), edge_sets.end());
+  const SurfaceClasses classes = agree_on_classes(mesh, std::move(all));
+  set_classes(deck, of_faces, classes, node_sets, share);
+  if (has_edges) set_edges(mesh, exchange.ranks(), edges, edge_sets, classes, share);
+  set_lists(mesh, exchange.ranks(), share);
+  set_offsets(mesh, exchange.ranks(), share);
+  return share;
+}
+
+}  // namespace percuss

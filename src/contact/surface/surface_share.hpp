@@ -1,0 +1,85 @@
+#pragma once
+// What a rank holds of the contact surface in the FE decomposition: the faces of its elements, and the contact nodes
+// that it owns with all faces around them, also those of other ranks. Const after set-up.
+
+#include <cstdint>
+#include <vector>
+
+#include "comm/unstructured_exchange.hpp"
+#include "kernels/contact/rows/row_system.hpp"
+#include "kernels/contact/search/capture_boxes.hpp"
+#include "src/contact/surface/feature_edges.hpp"
+#include "src/contact/surface/tied_surfaces.hpp"
+#include "src/deck/deck.hpp"
+#include "src/mesh/ordering.hpp"
+
+namespace percuss {
+
+/// A contact face as ranks tell each other about it.
+struct FaceTopology {
+  std::int64_t number = -1;   // 6 * element number + side
+  std::int64_t corners[4]{};  // node numbers, outward by the right-hand rule
+  std::int64_t backs[4]{};    // nodes of the element behind the face, opposite each corner
+  int body = 0;               // connected body
+  int part = 0;               // index into Mesh::parts
+  int surface_class = 0;      // which of the named surfaces it lies on, as a class
+  double offset = 0;          // half the thickness of a shell at time 0, 0 of a solid's face [length]
+};
+
+/// Contact nodes that this rank owns; a contact node is named by its place here, in the order of node numbers.
+struct OwnedContactNodes {
+  std::vector<int> mesh_nodes;        // ascending
+  std::vector<std::int64_t> numbers;  // ascending
+  std::vector<std::int64_t> ids;      // the user's
+  std::vector<int> classes;           // as FaceTopology::surface_class
+  std::vector<int> parts;             // index into Mesh::parts
+  std::vector<double> sizes;          // shortest edge of the faces around each at time 0 [length]
+  std::vector<double>
+      springs;  // stiffness of each (kernels/contact/enforcement/springs.hpp) [force/length]; 0 without penalty
+  std::vector<int> first_face;  // [nodes + 1] into faces
+  std::vector<int> faces;       // around each node, ascending number: SurfaceShare::face(); a free particle has none
+  std::vector<char> searched;   // whether it may touch any face
+
+  int count() const { return static_cast<int>(mesh_nodes.size()); }
+};
+
+struct SurfaceShare {
+  OwnedContactNodes nodes;
+  std::vector<FaceTopology> faces;       // of this rank's elements, ascending number
+  std::vector<FaceTopology> told_faces;  // of others' elements at nodes of this rank; and of particles, number -1
+  std::vector<char> face_searched;       // whether it may be touched by any node
+  std::vector<std::array<int, 4>> face_corners, face_backs;  // mesh nodes of this rank
+  int num_classes = 1;
+  Array<const double> pair_friction;          // [class of node * num_classes + class of face]; negative: may not touch
+  Array<const int> pair_number;               // likewise: which of the deck's pairs; -1: none
+  std::vector<EdgeTopology> edges;            // feature edges whose home this rank is, ascending number; those searched
+  std::vector<std::array<int, 2>> edge_ends;  // mesh nodes of this rank
+  std::int64_t total_edges = 0;               // of all ranks
+  std::int64_t total_nodes = 0, total_faces = 0, total_searched_faces = 0;  // of all ranks
+
+  double largest_offset = 0;  // of any face or node of any rank that may touch [length]; 0: no shells do
+
+  // For kernels over the share.
+  Array<const int> node_list;       // [owned contact nodes] mesh nodes
+  Array<const int> watched_list;    // mesh nodes on which places and sizes of faces depend: node_list, and behind faces
+  Rows4<const int> corner_list;     // [searched faces] corners as mesh nodes
+  std::vector<int> searched_faces;  // places in `faces`
+  Array<const double> reach_list{};  // [searched faces] BoundedFaces::offset
+
+  /// A face that OwnedContactNodes::faces names: one of `faces`, or beyond these of `told_faces`.
+  const FaceTopology& face(int place) const {
+    const auto i = static_cast<std::size_t>(place);
+    return i < faces.size() ? faces[i] : told_faces[i - faces.size()];
+  }
+  BoundedFaces bounded_faces() const { return {corner_list, reach_list}; }
+};
+
+/// Finds the contact surface of the mesh. Throws InputError for unknown surfaces. Collective.
+SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
+                                 UnstructuredExchange& exchange);
+
+/// The deck's rigid walls with the owned contact nodes that may touch them. Throws InputError, on all ranks, for
+/// unknown selections and for one without a contact node. Collective over Mesh::ranks.
+WallPairs build_walls(const Mesh& mesh, const Deck& deck, const SurfaceShare& share);
+
+}  // namespace percuss

@@ -1,0 +1,42 @@
+#pragma once
+// The ties of a scene, as the surface and the rows know them: which nodes are tied where.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/contact/geometry/tie_geometry.hpp"
+#include "src/mesh/mesh.hpp"
+
+namespace percuss {
+
+/// A node of side a, tied to a face of side b.
+struct TiedNode {
+  std::int64_t node = -1;     // number
+  std::int64_t face = -1;     // number
+  std::int64_t corners[4]{};  // of the face: node numbers
+  int tie = 0;                // index into ContactDeck::ties
+  TieGeometry geometry;
+};
+
+/// What became of the nodes of one tie's side a, on all ranks.
+struct TieCounts {
+  std::int64_t tied = 0;
+  std::int64_t apart = 0;    // farther from the surface of side b than the tie's distance
+  std::int64_t joined = 0;   // nodes of side b as well: the mesh joins them already
+  std::int64_t earlier = 0;  // tied by an earlier tie
+  double farthest = 0;       // largest distance of a tied node from its face [length]
+  double widest = 0;         // largest part of it beyond the thickness of shells [length]
+};
+
+struct TiedSurfaces {
+  std::vector<TiedNode> nodes;  // those that this rank owns, ascending
+  // [ties] exterior faces of this rank, ascending: those of side a with a node in reach, and side b; of shells both
+  // sides of each.
+  std::vector<std::array<std::vector<ElementFace>, 2>> faces;
+  std::vector<TieCounts> counts;  // [ties]
+
+  bool any() const { return !counts.empty(); }
+};
+
+}  // namespace percuss

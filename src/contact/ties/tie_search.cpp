@@ -1,0 +1,194 @@
+#include "src/contact/ties/tie_search.hpp"
+
+#include <algorithm>
+
+#include "src/contact/ties/tie_thickness.hpp"
+
+namespace percuss {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+Point3 to_point(const Vec3& x) { return {x[0], x[1], x[2]}; }
+
+/// Lowest x, y, z, highest x, y, z; empty at first.
+struct Box {
+  static constexpr double far = std::numeric_limits<double>::infinity();
+  double low[3] = {far, far, far}, high[3] = {-far, -far, -far};
+
+  void add(const Vec3& x) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], x[k]);
+      high[k] = std::max(high[k], x[k]);
+    }
+  }
+  void widen(double by) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] -= by;
+      high[k] += by;
+    }
+  }
+  bool holds(const Vec3& x) const {
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!(x[k] >= low[k] && x[k] <= high[k])) return false;
+    return true;
+  }
+};
+
+/// A face of side b on its rank.
+struct Face {
+  std::int64_t number = 0;
+  std::array<int, 4> corners{};  // mesh nodes
+  int element = 0;
+  double reach = 0;      // how far from its surface nodes are tied to it
+  double thickness = 0;  // half that of a shell
+  double box_reach = 0;  // how far from its mesh any node is
+  double size = 0;       // shortest edge
+};
+
+/// Where is the closest face? Asked of every rank whose faces may be in reach.
+struct Query {
+  std::int64_t node = -1;
+  Vec3 x{};
+  double thickness = 0;  // half that of shells
+  int asker = 0;
+};
+
+FacePoints load_face(const Mesh& mesh, const Face& face, const Vec3& origin) {
+  FacePoints points;
+  for (std::size_t i = 0; i < 4; ++i) points.corner[i] = to_point(mesh.nodes[at(face.corners[i])]) - to_point(origin);
+  return points;
+}
+
+std::vector<Face> list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& selected,
+                             const std::optional<double>& distance) {
+  const Mesh& mesh = chunked.mesh;
+  const double thickest = find_largest_half_thickness(mesh);
+  const std::vector<std::int64_t> numbers = list_element_numbers(chunked);
+  std::vector<Face> faces;
+  for (const ElementFace& f : selected) {
+    Face face;
+    face.number = 6 * numbers[at(f.element)] + f.face;
+    face.element = f.element;
+    for (std::size_t i = 0; i < 4; ++i) face.corners[i] = mesh.elements[at(f.element)][at(hex_faces[f.face][i])];
+    face.size = find_shortest_edge(load_face(mesh, face, mesh.nodes[at(face.corners[0])]));
+    face.reach = distance.value_or(default_tie_distance * face.size);
+    face.thickness = find_half_thickness(mesh, f);
+    face.box_reach = face.reach + (face.thickness + thickest);
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+Box find_reach(const Mesh& mesh, const Face& face) {
+  Box box;
+  for (const int corner : face.corners) box.add(mesh.nodes[at(corner)]);
+  box.widen(face.box_reach);
+  return box;
+}
+
+/// Judges one node by one face; the face must not belong to an element of the node.
+void judge(const Mesh& mesh, const Face& face, const Query& query, ClosestFace& best) {
+  for (const int corner : face.corners)
+    if (mesh.node_numbers[at(corner)] == query.node) best.joined = 1;
+  for (const int node : mesh.elements[at(face.element)])
+    if (mesh.node_numbers[at(node)] == query.node) return;
+  const FacePoints points = load_face(mesh, face, query.x);
+  const FacePoint closest = find_closest_point(points);
+  const double gap = closest.distance - (face.thickness + query.thickness);
+  if (!(gap <= face.reach)) return;
+  ClosestFace answer;
+  answer.distance = closest.distance;
+  answer.gap = gap;
+  answer.found.node = query.node;
+  answer.found.face = face.number;
+  if (!answer.is_better_than(best)) return;
+  for (std::size_t i = 0; i < 4; ++i) {
+    answer.found.corners[i] = mesh.node_numbers[at(face.corners[i])];
+    answer.found.geometry.weight[i] = closest.weight[i];
+  }
+  answer.found.geometry.offset = -interpolate(points, closest.weight);
+  answer.found.geometry.face = center_face(points);
+  answer.found.geometry.size = face.size;
+  answer.joined = best.joined;
+  best = answer;
+}
+
+/// The closest face of this rank for each query: nodes sorted along the axis on which they lie farthest apart.
+std::vector<ClosestFace> answer_queries(const Mesh& mesh, const std::vector<Face>& faces,
+                                        const std::vector<Query>& queries) {
+  std::vector<ClosestFace> answers(queries.size());
+  if (queries.empty()) return answers;
+  Box all;
+  for (const Query& query : queries) all.add(query.x);
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (all.high[k] - all.low[k] > all.high[axis] - all.low[axis]) axis = k;
+  std::vector<std::size_t> order(queries.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return queries[a].x[axis] < queries[b].x[axis]; });
+  for (const Face& face : faces) {
+    const Box box = find_reach(mesh, face);
+    auto next = std::lower_bound(order.begin(), order.end(), box.low[axis],
+                                 [&](std::size_t i, double low) { return queries[i].x[axis] < low; });
+    for (; next != order.end() && queries[*next].x[axis] <= box.high[axis]; ++next)
+      if (box.holds(queries[*next].x)) judge(mesh, face, queries[*next], answers[*next]);
+  }
+  return answers;
+}
+
+/// One box of each rank.
+std::vector<Box> gather_boxes(const Communicator& ranks, const Box& own) {
+  std::vector<Box> boxes(at(ranks.size()));
+  static_assert(sizeof(Box) == 6 * sizeof(double));
+  wait_mpi([&] { return MPI_Allgather(&own, 6, MPI_DOUBLE, boxes.data(), 6, MPI_DOUBLE, ranks.handle()); },
+           "MPI_Allgather");
+  return boxes;
+}
+
+}  // namespace
+
+std::vector<ClosestFace> find_closest_faces(const ChunkedMesh& chunked, const TieSearch& search,
+                                            ItemExchange& exchange) {
+  const Mesh& mesh = chunked.mesh;
+  const std::vector<int>& nodes = search.nodes;
+  const std::vector<Face> faces = list_faces(chunked, search.faces, search.distance);
+  Box own;
+  for (const Face& face : faces) {
+    const Box reach = find_reach(mesh, face);
+    own.add({reach.low[0], reach.low[1], reach.low[2]});
+    own.add({reach.high[0], reach.high[1], reach.high[2]});
+  }
+  const std::vector<Box> boxes = gather_boxes(exchange.ranks(), own);
+  std::vector<int> destinations;
+  std::vector<Query> queries;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const int n = nodes[i];
+    const double thickness = search.thickness.empty() ? 0 : search.thickness[i];
+    for (std::size_t r = 0; r < boxes.size(); ++r) {
+      if (!boxes[r].holds(mesh.nodes[at(n)])) continue;
+      destinations.push_back(static_cast<int>(r));
+      queries.push_back({mesh.node_numbers[at(n)], mesh.nodes[at(n)], thickness, exchange.ranks().rank()});
+    }
+  }
+  const std::vector<Query> asked = exchange.send(destinations, queries);
+  std::vector<ClosestFace> given = answer_queries(mesh, faces, asked);
+  std::vector<int> askers;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    given[i].found.node = asked[i].node;
+    askers.push_back(asked[i].asker);
+  }
+  std::vector<ClosestFace> best(nodes.size());
+  for (const ClosestFace& answer : exchange.send(askers, given)) {
+    const auto place = std::lower_bound(nodes.begin(), nodes.end(), answer.found.node,
+                                        [&](int n, std::int64_t number) { return mesh.node_numbers[at(n)] < number; });
+    ClosestFace& so_far = best[static_cast<std::size_t>(place - nodes.begin())];
+    const int joined = std::max(so_far.joined, answer.joined);
+    if (answer.is_better_than(so_far)) so_far = answer;
+    so_far.joined = joined;
+  }
+  return best;
+}
+
+}  // namespace percuss

@@ -1,0 +1,39 @@
+#pragma once
+// Which face of a surface is closest to each of some nodes, on any rank. For set-up: a sweep along one axis.
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "comm/item_exchange.hpp"
+#include "src/contact/ties/ties.hpp"
+
+namespace percuss {
+
+/// What a search found for a node.
+struct ClosestFace {
+  double distance = std::numeric_limits<double>::infinity();  // from the mesh [length]
+  double gap = 0;                                             // beyond the thickness of shells between [length]
+  int joined = 0;                                             // 1: the node is a corner of the surface
+  TiedNode found;                                             // found.face is -1 if no face is in reach
+
+  bool is_better_than(const ClosestFace& other) const {
+    return distance != other.distance ? distance < other.distance : found.face < other.found.face;
+  }
+};
+
+/// What is searched: nodes of side a, on faces of side b.
+struct TieSearch {
+  const std::vector<int>& nodes;          // mesh nodes of this rank, ascending
+  const std::vector<double>& thickness;   // [nodes] half that of shells (tie_thickness.hpp) [length]; empty: no shells
+  const std::vector<ElementFace>& faces;  // of this rank
+  const std::optional<double>& distance;  // in reach [length]; default: default_tie_distance of each face
+};
+
+/// The closest face of all ranks for each node, by the distance from its mesh; the lower face number if two are equally
+/// close. In reach are faces whose surface, half the thickness of shells off the mesh on both sides, is within the
+/// distance. Faces of elements that have the node are passed over. Collective. Throws MpiError.
+std::vector<ClosestFace> find_closest_faces(const ChunkedMesh& chunked, const TieSearch& search,
+                                            ItemExchange& exchange);
+
+}  // namespace percuss

@@ -1,0 +1,149 @@
+// Two edges: where their lines meet, which way they push, when they go through one another.
+
+#include "kernels/contact/check/edge_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/kernels/contact/brick_scene.hpp"
+
+namespace percuss::test {
+namespace {
+
+constexpr double tight = 1e-14;
+
+TEST(EdgeGeometry, LinesComeClosestWhereTheirDistanceIsSquareToBoth) {
+  const EdgePair e{{{0, 0, 0.3}, {4, 0, 0.3}}, {{1, -1, 0}, {1, 3, 0}}};
+  const Crossing c = find_crossing(e, 0.05);
+  ASSERT_TRUE(c.crosses);
+  EXPECT_NEAR(c.s, 0.25, tight);
+  EXPECT_NEAR(c.t, 0.25, tight);
+  EXPECT_NEAR(c.normal.z, 1, tight);
+  EXPECT_NEAR(c.gap, 0.3, tight);
+  EXPECT_TRUE(is_inside(c, 0.2));
+  EXPECT_FALSE(is_inside(c, 0.3));
+}
+
+TEST(EdgeGeometry, NearlyParallelLinesDoNotCross) {
+  EXPECT_FALSE(find_crossing({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {1, 0.04, 1}}}, 0.05).crosses);
+  EXPECT_TRUE(find_crossing({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}, {1, 0.06, 1}}}, 0.05).crosses);
+}
+
+TEST(EdgeGeometry, InwardLiesInTheFaceSquareToTheEdge) {
+  const Point3 in = find_inward({0, 0, 0}, {1, 0, 0}, {0.2, 2, 0}, {1.4, 2, 0});
+  EXPECT_NEAR(norm(in - Point3{0, 1, 0}), 0, tight);
+}
+
+// Two roofs, one upside down on the other: ridges along x (A, hanging) and y (B, standing).
+Wedge hanging() { return {{normalize(Point3{0, 1, 1}), normalize(Point3{0, -1, 1})}}; }
+Wedge standing() { return {{normalize(Point3{1, 0, -1}), normalize(Point3{-1, 0, -1})}}; }
+
+TEST(EdgeGeometry, APlaneBetweenRidgesPartsTheirWedgesOneWayOnly) {
+  EXPECT_NEAR(find_reach_through(hanging(), standing(), {0, 0, 1}), -std::sqrt(0.5), tight);
+  EXPECT_NEAR(find_reach_through(hanging(), standing(), {0, 0, -1}), std::sqrt(0.5), tight);
+}
+
+TEST(EdgeGeometry, EdgesThatRunPastEachOtherAreNotParted) {
+  // The upright edge of a brick in front of the level edge of the next course, both in the plane of the wall.
+  const Wedge upright{{{1, 0, 0}, {0, 1, 0}}}, level{{{0, 1, 0}, {0, 0, -1}}};
+  EXPECT_GT(find_reach_through(upright, level, {0, 1, 0}), 0.9);
+  EXPECT_GT(find_reach_through(upright, level, {0, -1, 0}), 0.9);
+}
+
+/// Two roofs of one triangle-like wedge each: A hangs at `height` over B and moves down by `fall` in the step.
+struct Roofs {
+  Roofs(double height, double fall, double shift = 0) {
+    const std::vector<Point3> x = {{-0.5 + shift, 0, height},
+                                   {0.5 + shift, 0, height},
+                                   {0, -0.5, 0},
+                                   {0, 0.5, 0},
+                                   {-0.5 + shift, 1, height + 1},
+                                   {0.5 + shift, 1, height + 1},
+                                   {-0.5 + shift, -1, height + 1},
+                                   {0.5 + shift, -1, height + 1},
+                                   {1, -0.5, -1},
+                                   {1, 0.5, -1},
+                                   {-1, -0.5, -1},
+                                   {-1, 0.5, -1}};
+    std::vector<Point3> v(x.size());
+    for (const int i : {0, 1, 4, 5, 6, 7}) v[static_cast<std::size_t>(i)] = {0, 0, -fall};
+    motion = {to_rows(x), to_rows(v), 1};
+    surface.num_edges = 2;
+    const Rows2<int> ends("test::ends", 2);
+    const int of_edges[2][2] = {{0, 1}, {2, 3}};
+    for (int e = 0; e < 2; ++e)
+      for (int i = 0; i < 2; ++i) ends(e, i) = of_edges[e][i];
+    surface.ends = ends;
+    surface.wings = to_rows4({{4, 5, 6, 7}, {8, 9, 10, 11}});
+  }
+  bool check(const Point3* last = nullptr) { return check_edge_pair(surface, motion, 0, 1, last, touch); }
+
+  EdgeSurface surface;
+  SurfaceMotion motion;
+  EdgeTouch touch;
+};
+
+TEST(EdgeCheck, EdgesThatMeetInTheStepTouch) {
+  Roofs r(0.05, 0.06);
+  ASSERT_TRUE(r.check());
+  EXPECT_NEAR(r.touch.normal.z, 1, tight);
+  EXPECT_NEAR(r.touch.gap_start, 0.05, tight);
+  EXPECT_NEAR(r.touch.gap_end, -0.01, tight);
+  EXPECT_NEAR(r.touch.s, 0.5, tight);
+  EXPECT_NEAR(r.touch.size, 1, tight);
+}
+
+TEST(EdgeCheck, EdgesThatStayApartDoNot) { EXPECT_FALSE(Roofs(0.1, 0.05).check()); }
+
+TEST(EdgeCheck, NoSpeedIsTooHigh) {
+  Roofs r(0.3, 50);
+  ASSERT_TRUE(r.check());
+  EXPECT_NEAR(r.touch.gap_start, 0.3, 1e-12);
+  EXPECT_NEAR(r.touch.gap_end, -49.7, 1e-12);
+}
+
+TEST(EdgeCheck, EdgesDeepInsideAtTheStartDidNotComeThroughEachOther) {
+  EXPECT_FALSE(Roofs(-0.1, 0.01).check());
+  const Point3 up{0, 0, 1};
+  EXPECT_TRUE(Roofs(-0.1, 0.01).check(&up));   // unless they are remembered
+  EXPECT_FALSE(Roofs(-0.3, 0.01).check(&up));  // and not too deep for that
+}
+
+TEST(EdgeCheck, EndsBelongToNodesAndFaces) {
+  EXPECT_TRUE(Roofs(0.01, 0.02, 0.498).check());
+  EXPECT_FALSE(Roofs(0.01, 0.02, 0.4995).check());
+  EXPECT_FALSE(Roofs(0.01, 0.02, 0.6).check());
+}
+
+TEST(EdgeCheck, ARememberedContactIsKeptAtAnEndThatItsDepthTakesItPast) {
+  const Point3 up{0, 0, 1};
+  const auto fall_past = [&](double past, double fall) {  // A begins `past` of its edge beyond B
+    Roofs r(0, fall, 0.5 + past);
+    EXPECT_FALSE(r.check());
+    const bool kept = r.check(&up);
+    if (kept) {
+      EXPECT_EQ(r.touch.s, 0);
+      EXPECT_NEAR(r.touch.t, 0.5, tight);
+      EXPECT_NEAR(r.touch.gap_start, 0, tight);
+      EXPECT_NEAR(r.touch.gap_end, -fall, tight);
+    }
+    return kept;
+  };
+  EXPECT_TRUE(fall_past(0.005, 0));
+  EXPECT_FALSE(fall_past(0.02, 0));
+  EXPECT_TRUE(fall_past(0.05, 0.1));   // into a valley, on its predicted way
+  EXPECT_FALSE(fall_past(0.07, 0.1));  // off the edge
+  EXPECT_TRUE(fall_past(0.05, 0.4));   // deeper than any contact reaches: held where it was
+}
+
+TEST(EdgeCheck, DepthIsThatOfTheRidges) {
+  Roofs r(-0.2, 0);
+  r.motion.dt = 0;
+  EXPECT_NEAR(find_edge_depth(r.surface, r.motion, 0, 1, r.touch), 0.2, tight);
+  Roofs apart(0.2, 0);
+  EXPECT_EQ(find_edge_depth(apart.surface, apart.motion, 0, 1, apart.touch), 0);
+}
+
+}  // namespace
+}  // namespace percuss::test

@@ -1,0 +1,90 @@
+// Penalty rows: Hooke's law with both sides in series, Coulomb's limit, momentum, the bound of their frequency.
+
+#include "kernels/contact/enforcement/springs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/kernels/contact/enforcement/enforced_scene.hpp"
+
+namespace percuss::test {
+namespace {
+
+using Scene = EnforcedScene<SmallSpace>;
+
+constexpr double dt = 0.01;
+
+/// Stiffness 1 at every node, scale 2: two sides in series are a spring of stiffness 1.
+Scene push(const BrickScene& bricks, double friction) {
+  return Scene(bricks, dt, friction, Scene::no_walls(), Solver::springs);
+}
+
+/// A brick on a held floor, `depth` inside it.
+BrickScene make_sunk_block(double depth, const Point3& velocity) {
+  BrickScene scene;
+  scene.add_brick({0, 0, 0}, {4, 4, 1});
+  for (Point3& w : scene.inverse_mass) w = {0, 0, 0};
+  scene.add_brick({1.25, 1.5, 1 - depth}, {1, 1, 1}, velocity);
+  return scene;
+}
+
+TEST(Springs, PushByStiffnessTimesPenetration) {
+  const Scene scene = push(make_sunk_block(0.01, {}), 0);
+  for (int n = 8; n < 12; ++n) {
+    EXPECT_NEAR(scene.p(n).z, 0.01 * dt, 1e-15);
+    EXPECT_NEAR(scene.v(n).z, 0.01 * dt, 1e-15);
+  }
+  // k d(n) d(n+1) / 2 of four springs.
+  EXPECT_NEAR(scene.sums.stored.round(), 4 * 0.5 * 0.01 * (0.01 - 0.01 * dt * dt), 1e-15);
+}
+
+TEST(Springs, DoNotPullNorPushAcrossAGap) {
+  const Scene apart = push(make_sunk_block(-0.005, {0, 0, -0.1}), 0.3);
+  for (int n = 8; n < 12; ++n) EXPECT_EQ(apart.v(n).z, -0.1);
+  EXPECT_EQ(apart.sums.pushes, 0);
+}
+
+TEST(Springs, VoteForAStepThatDoesNotDependOnGapOrVelocity) {
+  const Scene deep = push(make_sunk_block(0.01, {0, 0, -0.3}), 0), touching = push(make_sunk_block(0, {}), 0);
+  EXPECT_TRUE(std::isfinite(deep.sums.rate));
+  EXPECT_GT(touching.sums.rate, 0);
+  EXPECT_NEAR(touching.sums.rate, deep.sums.rate, 1e-12);
+  // One spring of stiffness 1 on a unit mass, its other end held: the square of the frequency is 1.
+  EXPECT_NEAR(deep.sums.rate, 1, 1e-12);
+}
+
+TEST(Springs, OfALinearPairAreBoundedByTheirVote) {
+  // Two unit masses with rows from both sides: k = 2, reduced mass 1 / 2, w^2 = 4; the vote may be larger, not less.
+  BrickScene bricks;
+  bricks.add_brick({0, 0, 0}, {1, 1, 1});
+  bricks.add_brick({0, 0, 0.99}, {1, 1, 1});
+  const Scene scene = push(bricks, 0);
+  EXPECT_GE(scene.sums.rate, 4 - 1e-12);
+  EXPECT_LE(scene.sums.rate, 8);
+}
+
+TEST(Springs, RubWithinCoulombsLimit) {
+  // One step of slip from nothing gives no rub yet: it is the displacement at n that stretches the spring.
+  const Scene first = push(make_sunk_block(0.01, {1, 0, 0}), 0.5);
+  for (int n = 8; n < 12; ++n) {
+    EXPECT_EQ(first.v(n).x, 1);
+    EXPECT_NEAR(load_row(first.history.slip, 3 * n).x, dt, 1e-15);
+  }
+}
+
+TEST(Springs, KeepMomentum) {
+  BrickScene bricks;
+  bricks.add_brick({0, 0, 0}, {3, 3, 1}, {0.1, 0, 0.2}, 5);
+  bricks.add_brick({0.3, 0.2, 0.99}, {1.2, 1.1, 1}, {0, 0.1, -0.5}, 1);
+  bricks.add_brick({1.6, 0.4, 0.995}, {1, 1.3, 1}, {-0.2, 0, -0.7}, 2);
+  const Scene scene = push(bricks, 0.4);
+  ASSERT_GE(scene.sums.pushes, 8);
+  const Gain gain = find_gain(scene, bricks);
+  EXPECT_LT(norm(gain.linear), 1e-15);
+  EXPECT_LT(norm(gain.angular), 1e-15);
+  EXPECT_NEAR(scene.sums.normal_work.round() + scene.sums.friction_work.round(), gain.kinetic, 1e-15);
+}
+
+}  // namespace
+}  // namespace percuss::test
