@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "src/error.hpp"
+#include "src/hdf5/hdf5_structure.hpp"
 #include "src/mesh/trial_process.hpp"
-#include "src/output/hdf5_structure.hpp"
 #include "src/regular_file.hpp"
 
 namespace percuss {

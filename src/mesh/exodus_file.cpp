@@ -7,8 +7,8 @@
 #include <map>
 
 #include "src/error.hpp"
+#include "src/hdf5/hdf5_structure.hpp"
 #include "src/mesh/exodus_coordinates.hpp"
-#include "src/output/hdf5_structure.hpp"
 
 namespace percuss {
 namespace {

@@ -13,12 +13,12 @@
 #include <string>
 #include <vector>
 
+#include "src/hdf5/hdf5_handle.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint_archive.hpp"
 #include "src/output/checkpoint_place.hpp"
 #include "src/output/chunk_blocks.hpp"
 #include "src/output/disk_reservation.hpp"
-#include "src/output/hdf5_handle.hpp"
 
 namespace percuss {
 

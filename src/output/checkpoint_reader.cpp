@@ -9,12 +9,12 @@
 #include <type_traits>
 
 #include "src/fail_together.hpp"
+#include "src/hdf5/hdf5_structure.hpp"
 #include "src/mesh/trial_process.hpp"
 #include "src/output/atomic_file.hpp"
 #include "src/output/checkpoint_file.hpp"
 #include "src/output/checkpoint_names.hpp"
 #include "src/output/hdf5_reading.hpp"
-#include "src/output/hdf5_structure.hpp"
 #include "src/output/sealed_file.hpp"
 #include "src/output/write_record.hpp"
 #include "src/regular_file.hpp"

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "src/error.hpp"
+#include "src/hdf5/hdf5_handle.hpp"
 #include "src/output/atomic_file.hpp"
-#include "src/output/hdf5_handle.hpp"
 #include "src/output/hdf5_reading.hpp"
 
 namespace percuss {

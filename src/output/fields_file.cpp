@@ -7,11 +7,11 @@
 
 #include "comm/agreement.hpp"
 #include "comm/all_reduce.hpp"
+#include "src/hdf5/hdf5_handle.hpp"
 #include "src/output/atomic_file.hpp"
 #include "src/output/field_units.hpp"
 #include "src/output/fields_restart.hpp"
 #include "src/output/first_rank.hpp"
-#include "src/output/hdf5_handle.hpp"
 #include "src/output/vtkhdf_file.hpp"
 #include "src/output/xdmf_text.hpp"
 

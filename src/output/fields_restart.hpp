@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/output/hdf5_handle.hpp"
+#include "src/hdf5/hdf5_handle.hpp"
 #include "src/output/later_states.hpp"
 
 namespace percuss {

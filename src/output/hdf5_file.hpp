@@ -4,7 +4,7 @@
 #include <string>
 
 #include "comm/communicator.hpp"
-#include "src/output/hdf5_handle.hpp"
+#include "src/hdf5/hdf5_handle.hpp"
 
 namespace percuss::hdf5 {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "src/output/hdf5_handle.hpp"
+#include "src/hdf5/hdf5_handle.hpp"
 #include "src/output/hdf5_table.hpp"
 
 namespace percuss::hdf5 {

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "src/output/hdf5_handle.hpp"
+#include "src/hdf5/hdf5_handle.hpp"
 #include "src/output/write_record.hpp"
 
 namespace percuss::hdf5 {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "src/hdf5/hdf5_handle.hpp"
 #include "src/output/fields_file.hpp"
-#include "src/output/hdf5_handle.hpp"
 #include "src/output/hdf5_table.hpp"
 
 namespace percuss {

@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "src/error.hpp"
+#include "src/hdf5/hdf5_handle.hpp"
 #include "src/output/checkpoint_file.hpp"
-#include "src/output/hdf5_handle.hpp"
 #include "src/output/sealed_file.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/src/output/sample_run.hpp"

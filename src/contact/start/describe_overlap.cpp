@@ -43,7 +43,8 @@ std::string describe_nodes(const StartOverlap& found, const char* treatment, con
 
 }  // namespace
 
-// As many contacts as overlap, as deep as the deepest. What is too deep is not pushed, and says nothing of the others' depth.
+// As many contacts as overlap, as deep as the deepest. What is too deep is not pushed, and says nothing of the others'
+// depth.
 double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overlap) {
   if (overlap == ContactDeck::Overlap::accept || found.too_deep > 0) return 0;
   return static_cast<double>(found.nodes) * found.deepest * found.deepest +

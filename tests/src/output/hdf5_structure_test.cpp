@@ -1,6 +1,6 @@
 // Links of HDF5 files: loops are found, and what leads to other files.
 
-#include "src/output/hdf5_structure.hpp"
+#include "src/hdf5/hdf5_structure.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "src/output/hdf5_structure.hpp"
+#include "src/hdf5/hdf5_structure.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "src/error.hpp"
-#include "src/output/hdf5_handle.hpp"
+#include "src/hdf5/hdf5_handle.hpp"
 
 namespace percuss::hdf5 {
 namespace {

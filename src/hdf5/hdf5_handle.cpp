@@ -1,4 +1,4 @@
-#include "src/output/hdf5_handle.hpp"
+#include "src/hdf5/hdf5_handle.hpp"
 
 #include <cstdlib>
 #include <cstring>
