@@ -44,7 +44,7 @@ void expect_closed(const Outcome& run, double energy) {
 /// Largest depth of a node behind a face, in edges of an element, over a breaking wall.
 double find_deepest(const std::string& wall) {
   Scene scene(wall);
-  EXPECT_EQ(scene.contact.prepare(scene.state.x, scene.state.v).text, "");
+  EXPECT_EQ(scene.contact.prepare(scene.state.x, scene.state.v), "");
   scene.stepper.start(scene.state);
   int touching = 0;
   double deepest = 0;

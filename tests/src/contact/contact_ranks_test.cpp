@@ -89,7 +89,7 @@ int step_both(Nodes& whole, Nodes& share, double dt) {
 void compare(const std::string& text, int steps, double dt, int least_contacts) {
   const Deck deck = parse_deck(text + head, "deck.yaml");
   Nodes whole(deck, self()), share(deck, Communicator::world());
-  EXPECT_EQ(share.stage.prepare(share.x, share.v).text, whole.stage.prepare(whole.x, whole.v).text);
+  EXPECT_EQ(share.stage.prepare(share.x, share.v), whole.stage.prepare(whole.x, whole.v));
   EXPECT_EQ(share.stage.contact_nodes(), whole.stage.contact_nodes());
   EXPECT_EQ(share.stage.contact_faces(), whole.stage.contact_faces());
   int most = 0;
@@ -216,7 +216,7 @@ contact: {surfaces: all, friction: 0.2}
 )" + head,
                                "deck.yaml");
   Nodes whole(deck, self()), share(deck, Communicator::world());
-  EXPECT_EQ(share.stage.prepare(share.x, share.v).text, whole.stage.prepare(whole.x, whole.v).text);
+  EXPECT_EQ(share.stage.prepare(share.x, share.v), whole.stage.prepare(whole.x, whole.v));
   int most = 0, touched = 0;
   constexpr int steps = 500;
   for (int i = 0; i < steps; ++i) {

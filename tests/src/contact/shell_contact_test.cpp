@@ -20,7 +20,7 @@ materials:
 /// A scene with what tests look at.
 struct ShellScene : Scene {
   explicit ShellScene(const std::string& text) : Scene("time: {end: 1}\n" + text + materials) {
-    report = contact.prepare(state.x, state.v).text;
+    report = contact.prepare(state.x, state.v);
     stepper.start(state);
   }
 
