@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
@@ -175,12 +176,6 @@ class InitialCounts {
   std::vector<int> governing_, stopping_;  // [nodes] entries of initial and conditions
 };
 
-void reduce(const Communicator& ranks, MPI_Op operation, MPI_Datatype type, void* values, std::size_t count) {
-  wait_mpi(
-      [&] { return MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(count), type, operation, ranks.handle()); },
-      "MPI_Allreduce");
-}
-
 /// The counts of all ranks, and the least and the largest of any.
 void reduce(const Communicator& ranks, SceneMeasures& scene) {
   std::vector<std::int64_t> counts;
@@ -203,14 +198,14 @@ void reduce(const Communicator& ranks, SceneMeasures& scene) {
     }
   };
   list([&](std::int64_t c) { counts.push_back(c); }, [&](double x, double sign) { largest.push_back(sign * x); });
-  reduce(ranks, MPI_SUM, MPI_INT64_T, counts.data(), counts.size());
-  reduce(ranks, MPI_MAX, MPI_DOUBLE, largest.data(), largest.size());
+  all_reduce(ranks, Reduce::sum, counts);
+  all_reduce(ranks, Reduce::largest, largest);
   auto c = counts.begin();
   auto x = largest.begin();
   list([&](std::int64_t& out) { out = *c++; }, [&](double& out, double sign) { out = sign * *x++; });
   std::vector<int> conditions;  // the first of all ranks
   for (const InitialMeasures& entry : scene.initial) conditions.push_back(entry.condition);
-  reduce(ranks, MPI_MIN, MPI_INT, conditions.data(), conditions.size());
+  all_reduce(ranks, Reduce::least, conditions);
   for (std::size_t i = 0; i < conditions.size(); ++i) scene.initial[i].condition = conditions[i];
 }
 

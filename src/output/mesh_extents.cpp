@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "comm/all_reduce.hpp"
+
 namespace percuss {
 
 std::vector<MeshExtent> find_part_extents(const ChunkedMesh& chunked, const Communicator& ranks) {
@@ -13,9 +15,7 @@ std::vector<MeshExtent> find_part_extents(const ChunkedMesh& chunked, const Comm
     of_part[1] += is_shell(mesh.elements[e]) ? 1 : 0;
     of_part[2] += is_triangle(mesh.elements[e]) ? 1 : 0;
   }
-  const int size = static_cast<int>(counts.size());
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, counts.data(), size, MPI_INT64_T, MPI_SUM, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::sum, counts);
   const Numbering& numbering = chunked.numbering;
   std::vector<MeshExtent> extents(mesh.parts.size());
   MeshExtent before;

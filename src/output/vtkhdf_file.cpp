@@ -91,8 +91,7 @@ std::vector<std::int64_t> list_mixed_topology(const Cells& cells) {
 bool has_several_kinds(const Communicator& ranks, const Cells& cells) {
   std::array<int, 3> kinds{};  // whether there are any of each
   for (const std::uint8_t type : cells.types) kinds[type == vtk_triangle ? 0 : type == vtk_quad ? 1 : 2] = 1;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, kinds.data(), 3, MPI_INT, MPI_MAX, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, kinds);
   return kinds[0] + kinds[1] + kinds[2] > 1;
 }
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstring>
 
+#include "comm/all_reduce.hpp"
 #include "kernels/core/mix_bits.hpp"
 #include "src/output/hdf5_reading.hpp"
 
@@ -125,14 +126,7 @@ void WriteRecord::compare(hid_t file) const {
 std::uint64_t WriteRecord::find_content(const Communicator& ranks) const {
   std::vector<std::uint64_t> hashes;
   for (const Block& block : blocks_) hashes.push_back(block.hash);
-  if (ranks.size() > 1) {
-    wait_mpi(
-        [&] {
-          return MPI_Allreduce(MPI_IN_PLACE, hashes.data(), static_cast<int>(hashes.size()), MPI_UINT64_T, MPI_SUM,
-                               ranks.handle());
-        },
-        "MPI_Allreduce");
-  }
+  all_reduce(ranks, Reduce::sum, hashes);
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < hashes.size(); ++i) sum += hash_dataset(blocks_[i].path, blocks_[i].all, hashes[i]);
   return sum;

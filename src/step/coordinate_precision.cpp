@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
 #include "kernels/contact/geometry/contact_limits.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -77,15 +78,12 @@ WorstElement find_worst(const ChunkedMesh& chunked, bool in_contact) {
   const Communicator ranks = find_ranks(chunked.mesh);
   WorstElement own = find_own_worst(chunked, in_contact);
   double largest = own.spacing;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, largest);
   std::int64_t number =
       own.spacing == largest && own.number >= 0 ? own.number : std::numeric_limits<std::int64_t>::max();
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &number, 1, MPI_INT64_T, MPI_MIN, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::least, number);
   double figures[2] = {own.number == number ? own.coordinate : 0, own.number == number ? double(own.part) : 0};
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, figures, 2, MPI_DOUBLE, MPI_MAX, ranks.handle()); },
-           "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, figures);
   return {largest, figures[0], number, static_cast<int>(figures[1])};
 }
 

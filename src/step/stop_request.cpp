@@ -4,6 +4,8 @@
 
 #include <csignal>
 
+#include "comm/all_reduce.hpp"
+
 namespace percuss {
 namespace {
 
@@ -25,7 +27,7 @@ void forget_checkpoint_request() { checkpoint_requested = 0; }
 
 void stop_if_requested(const Communicator& ranks, const char* stage) {
   int asked = is_stop_requested() ? 1 : 0;
-  wait_mpi([&] { return MPI_Allreduce(MPI_IN_PLACE, &asked, 1, MPI_INT, MPI_MAX, ranks.handle()); }, "MPI_Allreduce");
+  all_reduce(ranks, Reduce::largest, asked);
   if (asked == 0) return;
   throw Interruption(
       fmt::format("interrupted {} (a signal asked the run to stop before its first step): no file was changed; start "
