@@ -39,7 +39,11 @@ class Hdf5FileView {
       if (info->type == H5O_TYPE_DATASET) static_cast<std::vector<std::string>*>(data)->push_back(name);
       return 0;
     };
+#if H5_VERSION_GE(1, 12, 0)
+    H5Ovisit3(file_, H5_INDEX_NAME, H5_ITER_INC, add, &names, H5O_INFO_BASIC);
+#else
     H5Ovisit(file_, H5_INDEX_NAME, H5_ITER_INC, add, &names);
+#endif
     return names;
   }
 
