@@ -11,10 +11,11 @@ namespace {
 
 struct CaptureBoxes : testing::Test {
   const Array<int> nodes = to_array(std::vector<int>{2, 0});
-  const Rows3<double> x = to_rows({{1, 0, 0}, {50, 0, 0}, {0, -4, 3}}), v = to_rows({{0, 2, 0}, {9, 9, 9}, {0, 0, -1}}),
+  const Rows3<double> x = to_rows({{1, 0, 0}, {50, 0, 0}, {0, -4, 3}}), v = to_rows({{0, 2, 0}, {9, 9, 9}, {0, 0.125, -1}}),
                       origin = to_rows({{0, 0, 0}, {1, 0, 0}});
 };
 
+// (No velocity repeats a number twice after {9, 9, 9}: GCC 12 tuned for Intel's AVX-512 then stores 9 for 0.)
 // The first listed node is (0, -4, 3) away and comes nearer; the second starts in its place and goes by (0, 2 dt, 0).
 
 TEST_F(CaptureBoxes, TheLargestMoveIsAComponentOfTheStep) {
