@@ -105,10 +105,10 @@ TEST_P(PercussFaults, AFileThatIsTakenAwayStopsTheRunWithACheckpoint) {
 TEST_P(PercussFaults, AFileSizeLimitEndsTheRunWithItsReason) {
   for (const char* limit : {"1", "16", "300", "2000"}) {  // below the first bytes of a file, and within each of them
     SCOPED_TRACE(limit);
-    const ProcessResult result = run_percuss({"run", deck_, "-o", out_, "--force", "--set", "output.fields.every=0.1",
-                                              "--set", "time.end=1e5", "--set", "time.max_steps=3", "--set",
-                                              "silence=[idle_part, no_contact, output_count]"},  // stderr is limited, too
-                                             launch() + " env OMPI_MCA_btl=self,tcp sh -c 'ulimit -f " + limit + "; exec \"$@\"' sh");
+    const ProcessResult result = run_percuss(
+        {"run", deck_, "-o", out_, "--force", "--set", "output.fields.every=0.1", "--set", "time.end=1e5", "--set",
+         "time.max_steps=3", "--set", "silence=[idle_part, no_contact, output_count]"},  // stderr is limited, too
+        launch() + " env OMPI_MCA_btl=self,tcp sh -c 'ulimit -f " + limit + "; exec \"$@\"' sh");
     EXPECT_EQ(result.exit_code, 4) << result.err;
     EXPECT_EQ(count(result.err, "percuss: error: "), 1) << result.err;
     EXPECT_THAT(result.err, HasSubstr("File too large): raise the limit on file sizes (ulimit -f)"));

@@ -11,8 +11,8 @@ namespace {
 
 struct CaptureBoxes : testing::Test {
   const Array<int> nodes = to_array(std::vector<int>{2, 0});
-  const Rows3<double> x = to_rows({{1, 0, 0}, {50, 0, 0}, {0, -4, 3}}), v = to_rows({{0, 2, 0}, {9, 9, 9}, {0, 0.125, -1}}),
-                      origin = to_rows({{0, 0, 0}, {1, 0, 0}});
+  const Rows3<double> x = to_rows({{1, 0, 0}, {50, 0, 0}, {0, -4, 3}}),
+                      v = to_rows({{0, 2, 0}, {9, 9, 9}, {0, 0.125, -1}}), origin = to_rows({{0, 0, 0}, {1, 0, 0}});
 };
 
 // (No velocity repeats a number twice after {9, 9, 9}: GCC 12 tuned for Intel's AVX-512 then stores 9 for 0.)
