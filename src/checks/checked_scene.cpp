@@ -39,9 +39,13 @@ const MaterialDeck& find_material(const Deck& deck, const PartDeck& part) {
                        [&](const MaterialDeck& material) { return material.name == part.material; });
 }
 
-double find_wave_speed(const MaterialDeck& material) {
+double find_wave_modulus(const MaterialDeck& material) {
   const LameConstants moduli = find_moduli(material);
-  return std::sqrt((moduli.lambda + 2 * moduli.mu) / material.density);
+  return moduli.lambda + 2 * moduli.mu;
+}
+
+double find_wave_speed(const MaterialDeck& material) {
+  return std::sqrt(find_wave_modulus(material) / material.density);
 }
 
 double find_stiffness(const MaterialDeck& material) {

@@ -22,6 +22,9 @@ struct CheckedScene {
   double stable_step = 0;                   // smallest bound of an element, without step_scale [time]
 };
 
+/// Parts beyond which rules that compare each with each other are left out: they would take seconds.
+inline constexpr std::size_t most_compared_parts = 2000;
+
 /// A warning at the key of a path such as "parts.rod.thickness", or at what is around it where the deck leaves it out.
 inline Warning warn_at(const Deck& deck, const std::string& rule, const std::string& path, std::string text) {
   return {rule, std::move(text), deck.where(deck.places.find(path)), 0, 1};
@@ -41,6 +44,9 @@ bool is_driven(const Deck& deck, const PartDeck& part);
 
 /// The material of a part.
 const MaterialDeck& find_material(const Deck& deck, const PartDeck& part);
+
+/// Stiffness against a plane pressure wave at the start, lambda + 2 mu [pressure].
+double find_wave_modulus(const MaterialDeck& material);
 
 /// Speed of a plane pressure wave at the start, sqrt((lambda + 2 mu) / density) [length / time].
 double find_wave_speed(const MaterialDeck& material);

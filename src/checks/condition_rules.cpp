@@ -32,6 +32,38 @@ double find_fastest_wave(const Deck& deck, const Selector& where) {
   return fastest;
 }
 
+/// The speed of a part at the start beside the other parts, or beside the walls and what conditions hold [length /
+/// time]. A body that flies with all the others is under no load.
+class RelativeSpeed {
+ public:
+  explicit RelativeSpeed(const CheckedScene& scene)
+      : scene_(scene), has_fixed_frame_(!scene.deck.walls.empty() || !scene.deck.conditions.empty()) {
+    const std::vector<PartMeasures>& parts = scene.measures->parts;
+    low_ = parts.front().velocity_low;
+    high_ = parts.front().velocity_high;
+    for (const PartMeasures& part : parts) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        low_[k] = std::min(low_[k], part.velocity_low[k]);
+        high_[k] = std::max(high_[k], part.velocity_high[k]);
+      }
+    }
+  }
+
+  double operator()(std::size_t p) const {
+    const PartMeasures& part = scene_.measures->parts[p];
+    if (has_fixed_frame_) return part.speed;
+    Vec3 farthest{};
+    for (std::size_t k = 0; k < 3; ++k)
+      farthest[k] = std::max(high_[k] - part.velocity_low[k], part.velocity_high[k] - low_[k]);
+    return std::min(part.speed, std::sqrt(dot(farthest, farthest)));
+  }
+
+ private:
+  const CheckedScene& scene_;
+  bool has_fixed_frame_;
+  Vec3 low_{}, high_{};  // of the velocities of all parts
+};
+
 /// "initial.N" of the last entry that names a part.
 std::string find_initial_path(const Deck& deck, std::size_t part) {
   for (std::size_t i = deck.initial.size(); i-- > 0;) {
@@ -41,11 +73,17 @@ std::string find_initial_path(const Deck& deck, std::size_t part) {
   return "initial";
 }
 
+/// Whether the values of a table only rise or only fall, as those of a ramp to a value that is held.
+bool is_monotone(const std::vector<std::pair<double, double>>& rows) {
+  const auto rises = [](const auto& a, const auto& b) { return a.second < b.second; };
+  const auto falls = [](const auto& a, const auto& b) { return a.second > b.second; };
+  return std::is_sorted(rows.begin(), rows.end(), rises) || std::is_sorted(rows.begin(), rows.end(), falls);
+}
+
 /// Whether a table was cut off: it has a course of its own, and neither ends flat nor at zero.
 bool is_cut_off(const std::vector<std::pair<double, double>>& rows, double end) {
-  constexpr std::size_t least_rows = 3;  // two are a ramp to a value that is then held
-  constexpr double flat = 1e-3;          // of the largest value
-  if (rows.size() < least_rows || rows.back().first >= end) return false;
+  constexpr double flat = 1e-3;  // of the largest value
+  if (rows.empty() || is_monotone(rows) || rows.back().first >= end) return false;
   double largest = 0;
   for (const auto& row : rows) largest = std::max(largest, std::abs(row.second));
   const double last = rows.back().second, before = rows[rows.size() - 2].second;
@@ -90,12 +128,13 @@ std::vector<Warning> check_unused_velocity(const CheckedScene& scene) {
 std::vector<Warning> check_fast_velocity(const CheckedScene& scene) {
   constexpr double most_of_solid = 1, most_of_state = 5;  // in wave speeds: without and with an equation of state
   std::vector<Warning> warnings;
+  const RelativeSpeed find_speed(scene);
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
     const PartDeck& part = scene.deck.parts[p];
     const MaterialDeck& material = find_material(scene.deck, part);
     const auto& state = material.equation_of_state;
     if (state && state->model == IdealGasState::name) continue;  // cold gases run into each other at any speed
-    const double wave = find_wave_speed(material), speed = scene.measures->parts[p].speed;
+    const double wave = find_wave_speed(material), speed = find_speed(p);
     if (speed <= (state ? most_of_state : most_of_solid) * wave) continue;
     const char* why = state ? "light-gas guns reach 2" : "such a shock needs an equation of state";
     warnings.push_back(warn_at(scene.deck, "fast_velocity", find_initial_path(scene.deck, p),
@@ -157,15 +196,15 @@ std::vector<Warning> check_curve_end(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_pressure_size(const CheckedScene& scene) {
-  constexpr double most = 0.5;  // of the modulus: elements would be crushed flat
+  constexpr double most = 0.5;  // of lambda + 2 mu, which resists both pressure and crushing of a sheet: far beyond use
   std::vector<Warning> warnings;
   for (std::size_t i = 0; i < scene.deck.pressures.size(); ++i) {
     const PressureDeck& load = scene.deck.pressures[i];
     double stiffness = 0;
     for (const std::size_t p : find_named_parts(scene.deck, load.where))
-      stiffness = std::max(stiffness, find_stiffness(find_material(scene.deck, scene.deck.parts[p])));
+      stiffness = std::max(stiffness, find_wave_modulus(find_material(scene.deck, scene.deck.parts[p])));
     const double largest = find_largest(load.value, scene.deck.time.end, false);
-    if (largest <= most * stiffness) continue;
+    if (stiffness == 0 || largest <= most * stiffness) continue;  // a cold gas has none
     warnings.push_back(
         warn_at(scene.deck, "pressure_size", join_path("loads.pressure", i) + ".value",
                 fmt::format("the pressure reaches {:.3g}, {:.3g} times the stiffness {:.3g} of what it acts "

@@ -106,19 +106,19 @@ std::vector<Warning> check_friction(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_tie_distance(const CheckedScene& scene) {
-  constexpr double most = 1;  // of an edge: nodes of the second layer would be tied
+  constexpr double most = 1;  // of the longest edge: shorter ones may lie across a thin layer
   std::vector<Warning> warnings;
   for (std::size_t i = 0; i < scene.deck.contact.ties.size(); ++i) {
     const TieDeck& tie = scene.deck.contact.ties[i];
     double edge = 0;
     for (const std::size_t p : find_named_parts(scene.deck, tie.b))
-      edge = std::max(edge, scene.measures->parts[p].shortest_edge);
+      edge = std::max(edge, scene.measures->parts[p].longest_edge);
     if (!tie.distance || *tie.distance <= most * edge) continue;
-    warnings.push_back(
-        warn_at(scene.deck, "tie_distance", join_path("contact.ties", i) + ".distance",
-                fmt::format("the tie reaches {:g}, elements there are {:.3g} (nodes that do not lie on the "
-                            "surface are tied, too): lower the distance",
-                            *tie.distance, edge)));
+    warnings.push_back(warn_at(
+        scene.deck, "tie_distance", join_path("contact.ties", i) + ".distance",
+        fmt::format("the tie reaches {:g}, the longest element edge there is {:.3g} (nodes that do not lie on the "
+                    "surface are tied, too): lower the distance",
+                    *tie.distance, edge)));
   }
   return warnings;
 }

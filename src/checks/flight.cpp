@@ -11,8 +11,8 @@ namespace {
 /// Pieces of a run, in which distances change along straight lines.
 constexpr int pieces = 256;
 
-/// Share of a part's size to which boxes are told apart.
-constexpr double margin = 0.05;
+/// Share of a part's size to which it is told apart from a wall.
+constexpr double wall_margin = 0.05;
 
 double find_size(const Flight::Box& box) {
   return std::max({box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]});
@@ -71,6 +71,11 @@ bool Flight::moves() const {
   return velocity_low_ != Vec3{} || velocity_high_ != Vec3{} || gravity_ != Vec3{} || find_size(driven_) > 0;
 }
 
+bool Flight::moves_with(const Flight& other) const {
+  return is_uniform_ && other.is_uniform_ && velocity_low_ == other.velocity_low_ && gravity_ == other.gravity_ &&
+         driven_.low == other.driven_.low && driven_.high == other.driven_.high;
+}
+
 Flight::Box Flight::find_box(double time) const {
   Box box = start_;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -91,8 +96,15 @@ std::vector<Flight> find_flights(const CheckedScene& scene) {
   return flights;
 }
 
-double find_meeting(const Flight& a, const Flight& b, double end) {
-  const double gap = margin * std::min(find_size(a.find_box(0)), find_size(b.find_box(0)));
+bool do_overlap(const Flight::Box& a, const Flight::Box& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.low[k] >= b.high[k] || b.low[k] >= a.high[k]) return false;
+  }
+  return true;
+}
+
+double find_meeting(const Flight& a, const Flight& b, double end, double share) {
+  const double gap = share * std::min(find_size(a.find_box(0)), find_size(b.find_box(0)));
   const Vec3 pull = subtract(a.gravity(), b.gravity());
   return find_first(end, [&](double from, double to) {
     const Flight::Box one[] = {a.find_box(from), a.find_box(to)}, other[] = {b.find_box(from), b.find_box(to)};
@@ -107,7 +119,7 @@ double find_meeting(const Flight& a, const Flight& b, double end) {
 }
 
 double find_meeting(const Flight& part, const WallDeck& wall, double end) {
-  const double gap = margin * find_size(part.find_box(0));
+  const double gap = wall_margin * find_size(part.find_box(0));
   const auto find_height = [&](double time) {
     const Flight::Box box = part.find_box(time);
     double height = 0;  // of the corner that is closest to the wall

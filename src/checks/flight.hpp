@@ -31,6 +31,9 @@ class Flight {
   /// Whether it moves at all.
   bool moves() const;
 
+  /// Whether both move alike, so that neither comes closer to the other.
+  bool moves_with(const Flight& other) const;
+
  private:
   Box start_;
   Vec3 velocity_low_, velocity_high_, gravity_;
@@ -41,11 +44,14 @@ class Flight {
 /// All parts of a scene.
 std::vector<Flight> find_flights(const CheckedScene& scene);
 
-/// The first time up to `end` at which the boxes of two parts can touch, to a margin of their smaller size; below 0:
-/// never.
-double find_meeting(const Flight& a, const Flight& b, double end);
+/// Whether two boxes overlap.
+bool do_overlap(const Flight::Box& a, const Flight::Box& b);
 
-/// The same of a part and a wall.
+/// The first time up to `end` at which the boxes of two parts can come closer than a share of their smaller size; below
+/// 0: never.
+double find_meeting(const Flight& a, const Flight& b, double end, double share);
+
+/// The same of a part and a wall, to a twentieth of the part's size.
 double find_meeting(const Flight& part, const WallDeck& wall, double end);
 
 }  // namespace percuss

@@ -23,6 +23,12 @@ std::optional<NamedValue> find_yield_stress(const LawDeck& law) {
   return NamedValue{key, found->second};
 }
 
+/// Young's modulus that the law names, as that of the compacted solid of a honeycomb, or else that of its start.
+double find_youngs_modulus(const MaterialDeck& material) {
+  const auto found = material.law.numbers.find("youngs_modulus");
+  return found == material.law.numbers.end() ? find_stiffness(material) : found->second;
+}
+
 std::string find_key_path(const MaterialDeck& material, const std::string& key) {
   return "materials." + material.name + "." + key;
 }
@@ -35,7 +41,7 @@ std::vector<Warning> check_yield_stress(const CheckedScene& scene) {
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
     const auto yield = find_yield_stress(material.law);
-    const double stiffness = find_stiffness(material);
+    const double stiffness = find_youngs_modulus(material);
     if (!yield || (yield->value <= most * stiffness && yield->value >= least * stiffness)) continue;
     warnings.push_back(warn_at(
         scene.deck, "yield_stress", find_key_path(material, yield->key),
@@ -51,13 +57,13 @@ std::vector<Warning> check_hardening(const CheckedScene& scene) {
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
     const auto found = material.law.numbers.find("hardening_modulus");
-    if (found == material.law.numbers.end() || found->second <= most * find_stiffness(material)) continue;
+    if (found == material.law.numbers.end() || found->second <= most * find_youngs_modulus(material)) continue;
     warnings.push_back(warn_at(
         scene.deck, "hardening_modulus", find_key_path(material, found->first),
         fmt::format(
             "material '{}' hardens with {:g}, {:.2g} of its Young's modulus (metals have a hundredth; it is the "
             "slope over the plastic strain): check it",
-            material.name, found->second, found->second / find_stiffness(material))));
+            material.name, found->second, found->second / find_youngs_modulus(material))));
   }
   return warnings;
 }

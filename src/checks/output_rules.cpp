@@ -34,7 +34,7 @@ std::vector<Warning> check_end_time(const CheckedScene& scene) {
               fmt::format("time.end = {:g} takes about {:.2g} step{} of {:.2g} ({}): check its unit and those of the "
                           "materials",
                           time.end, std::ceil(steps), steps <= 1 ? "" : "s", step,
-                          is_short ? "a wave crosses no element in so few" : "they take weeks"))};
+                          is_short ? "waves cross fewer than five elements" : "they take weeks"))};
 }
 
 std::vector<Warning> check_step_scale(const CheckedScene& scene) {

@@ -31,17 +31,17 @@ void widen(const Vec3& value, Vec3& low, Vec3& high) {
   }
 }
 
-double find_shortest_edge(const Mesh& mesh, const std::array<int, 8>& corners) {
+/// Takes the edges of an element into those of its part.
+void measure_edges(const Mesh& mesh, const std::array<int, 8>& corners, PartMeasures& part) {
   constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                                 {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
-  double shortest = infinity;
   for (const auto& [a, b] : edges) {
     const int from = corners[at(a)], to = corners[at(b)];
     if (from == to) continue;  // of a shell, or of a triangle
-    const Vec3 edge = subtract(mesh.nodes[at(from)], mesh.nodes[at(to)]);
-    shortest = std::min(shortest, dot(edge, edge));
+    const double length = find_distance(mesh.nodes[at(from)], mesh.nodes[at(to)]);
+    part.shortest_edge = std::min(part.shortest_edge, length);
+    part.longest_edge = std::max(part.longest_edge, length);
   }
-  return std::sqrt(shortest);
 }
 
 /// Two faces of a hexahedron that lie opposite to each other, and the edge between them.
@@ -75,7 +75,7 @@ void measure_elements(const Mesh& mesh, std::vector<PartMeasures>& parts) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     PartMeasures& part = parts[at(mesh.element_part[e])];
     const std::array<int, 8>& corners = mesh.elements[e];
-    part.shortest_edge = std::min(part.shortest_edge, find_shortest_edge(mesh, corners));
+    measure_edges(mesh, corners, part);
     if (is_shell(corners)) {
       ++part.shells;
     } else {
@@ -90,6 +90,23 @@ using Velocities = decltype(to_host(Rows3<double>()));
 
 Vec3 find_velocity(const Velocities& velocities, int node) {
   return {velocities(node, 0), velocities(node, 1), velocities(node, 2)};
+}
+
+/// Counts nodes and the moments of their places, each on the rank that owns it.
+void measure_places(const Mesh& mesh, const std::vector<bool>& owned, std::vector<PartMeasures>& parts) {
+  constexpr double unit = 1 << 30;
+  const Vec3 size = subtract(mesh.high, mesh.low);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    for (const int node : mesh.node_sets.at(mesh.parts[p].name)) {
+      if (!owned[at(node)]) continue;
+      ++parts[p].nodes;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double share = size[k] > 0 ? (mesh.nodes[at(node)][k] - mesh.low[k]) / size[k] : 0;
+        parts[p].moments[k] += std::llround(unit * share);
+        parts[p].moments[3 + k] += std::llround(unit * share * share);
+      }
+    }
+  }
 }
 
 void measure_nodes(const Mesh& mesh, const Velocities& velocities, std::vector<PartMeasures>& parts) {
@@ -118,8 +135,8 @@ std::vector<bool> find_owned(const ChunkedMesh& chunked) {
 /// Counts of the entries of `initial` on this rank's nodes.
 class InitialCounts {
  public:
-  InitialCounts(const Deck& deck, const ChunkedMesh& chunked, const Velocities& velocities)
-      : deck_(deck), mesh_(chunked.mesh), velocities_(velocities), owned_(find_owned(chunked)) {}
+  InitialCounts(const Deck& deck, const Mesh& mesh, const Velocities& velocities, const std::vector<bool>& owned)
+      : deck_(deck), mesh_(mesh), velocities_(velocities), owned_(owned) {}
 
   std::vector<InitialMeasures> operator()() {
     std::vector<InitialMeasures> entries(deck_.initial.size());
@@ -172,7 +189,7 @@ class InitialCounts {
   const Deck& deck_;
   const Mesh& mesh_;
   const Velocities& velocities_;
-  std::vector<bool> owned_;
+  const std::vector<bool>& owned_;
   std::vector<int> governing_, stopping_;  // [nodes] entries of initial and conditions
 };
 
@@ -182,8 +199,10 @@ void reduce(const Communicator& ranks, SceneMeasures& scene) {
   std::vector<double> largest;
   const auto list = [&](const auto& count, const auto& value) {
     for (PartMeasures& part : scene.parts) {
-      for (std::int64_t* c : {&part.solids, &part.shells, &part.single_layer}) count(*c);
+      for (std::int64_t* c : {&part.solids, &part.shells, &part.single_layer, &part.nodes}) count(*c);
+      for (std::int64_t& moment : part.moments) count(moment);
       value(part.shortest_edge, -1);
+      value(part.longest_edge, 1);
       value(part.layer_thickness, 1);
       value(part.speed, 1);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -219,7 +238,9 @@ SceneMeasures measure_scene(const Deck& deck, const ChunkedMesh& chunked, const 
   SceneMeasures scene{std::vector<PartMeasures>(mesh.parts.size(), make_empty()), {}, mesh.low, mesh.high};
   measure_elements(mesh, scene.parts);
   measure_nodes(mesh, velocities, scene.parts);
-  scene.initial = InitialCounts(deck, chunked, velocities)();
+  const std::vector<bool> owned = find_owned(chunked);
+  measure_places(mesh, owned, scene.parts);
+  scene.initial = InitialCounts(deck, mesh, velocities, owned)();
   if (mesh.ranks && mesh.ranks->size() > 1) reduce(*mesh.ranks, scene);
   return scene;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What the rules need to know of a mesh: sizes, velocities and held nodes by part, of all ranks together.
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -17,9 +18,14 @@ struct PartMeasures {
   Vec3 velocity_low{}, velocity_high{};  // range of each component over its nodes [length / time]
   double speed = 0;                      // of its fastest node [length / time]
   double shortest_edge = 0;              // of its elements [length]
-  std::int64_t solids = 0, shells = 0;   // elements
-  std::int64_t single_layer = 0;         // solids with just two opposite faces on the surface, as a sheet has
-  double layer_thickness = 0;            // largest distance of these faces [length]
+  double longest_edge = 0;               // of its elements [length]
+  std::int64_t nodes = 0;                // nodes
+  // Sums over its nodes of x, y and z, then of their squares, as shares of the box of the scene in units of 2^-30:
+  // whole numbers, whose sum has no order.
+  std::array<std::int64_t, 6> moments{};
+  std::int64_t solids = 0, shells = 0;  // elements
+  std::int64_t single_layer = 0;        // solids with just two opposite faces on the surface, as a sheet has
+  double layer_thickness = 0;           // largest distance of these faces [length]
 
   std::int64_t elements() const { return solids + shells; }
   double extent() const;  // longest edge of its box [length]

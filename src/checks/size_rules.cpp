@@ -29,9 +29,20 @@ Vec3 sort_edges(const PartMeasures& part) {
   return edges;
 }
 
+/// Whether the nodes of two parts of one box also have one centre and one spread: turned and mirrored parts do not.
+bool have_alike_nodes(const PartMeasures& a, const PartMeasures& b) {
+  constexpr double margin = 1e-6 * (1 << 30);  // of the box of the scene
+  if (a.nodes != b.nodes) return false;
+  for (std::size_t k = 0; k < a.moments.size(); ++k) {
+    const auto difference = static_cast<double>(a.moments[k] - b.moments[k]);
+    if (std::abs(difference) > margin * static_cast<double>(a.nodes)) return false;
+  }
+  return true;
+}
+
 bool are_alike(const PartMeasures& a, const PartMeasures& b) {
   constexpr double share = 1e-6;  // of the size: beyond round-off of how they were placed
-  if (a.solids != b.solids || a.shells != b.shells) return false;
+  if (a.solids != b.solids || a.shells != b.shells || !have_alike_nodes(a, b)) return false;
   const double margin = share * a.extent();
   for (std::size_t k = 0; k < 3; ++k) {
     if (std::abs(a.low[k] - b.low[k]) > margin || std::abs(a.high[k] - b.high[k]) > margin) return false;
@@ -68,7 +79,7 @@ std::size_t count_listed_turns(const Deck& deck, const PartDeck& part) {
 }  // namespace
 
 std::vector<Warning> check_part_size(const CheckedScene& scene) {
-  constexpr double most = 100;
+  constexpr double most = 1000;  // of a unit; a container has bolts that are 240 times shorter
   const std::vector<PartDeck>& parts = scene.deck.parts;
   std::vector<std::pair<double, std::size_t>> sizes;
   for (std::size_t p = 0; p < parts.size(); ++p)
@@ -88,7 +99,7 @@ std::vector<Warning> check_part_size(const CheckedScene& scene) {
 
 std::vector<Warning> check_shell_thickness(const CheckedScene& scene) {
   constexpr double most = 0.5;    // of the shorter edge of the surface: no shell theory holds beyond
-  constexpr double least = 3e-5;  // of the longest: a household foil is thicker
+  constexpr double least = 1e-5;  // of the longest: a metre of household foil is thicker
   std::vector<Warning> warnings;
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
     const PartDeck& part = scene.deck.parts[p];
@@ -132,6 +143,7 @@ std::vector<Warning> check_single_layer(const CheckedScene& scene) {
 
 std::vector<Warning> check_duplicate_parts(const CheckedScene& scene) {
   std::vector<Warning> warnings;
+  if (scene.deck.parts.size() > most_compared_parts) return warnings;
   for (std::size_t p = 1; p < scene.deck.parts.size(); ++p) {
     const auto& parts = scene.measures->parts;
     const auto same = std::find_if(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(p),
@@ -148,6 +160,7 @@ std::vector<Warning> check_duplicate_parts(const CheckedScene& scene) {
 
 std::vector<Warning> check_enclosed_parts(const CheckedScene& scene) {
   std::vector<Warning> warnings;
+  if (scene.deck.parts.size() > most_compared_parts) return warnings;
   for (std::size_t inner = 0; inner < scene.deck.parts.size(); ++inner) {
     const PartDeck& part = scene.deck.parts[inner];
     if (part.array) continue;

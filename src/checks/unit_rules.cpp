@@ -30,7 +30,8 @@ std::vector<Warning> check_unit_system(const CheckedScene& scene) {
   const Deck& deck = scene.deck;
   if (!deck.units.empty() || is_dimensionless(deck) || !find_plausible_units(deck).empty()) return {};
   std::vector<Warning> warnings;
-  for (const MaterialDeck& material : deck.materials) {
+  for (const MaterialDeck* used : list_used_materials(deck)) {
+    const MaterialDeck& material = *used;
     Deck alone;
     alone.parts.emplace_back().material = material.name;
     alone.materials = {material};
@@ -51,7 +52,8 @@ std::vector<Warning> check_density(const CheckedScene& scene) {
   const auto units = find_units(scene.deck.units);
   std::vector<Warning> warnings;
   if (!units) return warnings;
-  for (const MaterialDeck& material : scene.deck.materials) {
+  for (const MaterialDeck* used : list_used_materials(scene.deck)) {
+    const MaterialDeck& material = *used;
     const double density = material.density * units->in_si(dimensions::density);
     if (density >= least_density && density <= largest_density) continue;
     warnings.push_back(
@@ -67,7 +69,9 @@ std::vector<Warning> check_wave_speed(const CheckedScene& scene) {
   const auto units = find_units(scene.deck.units);
   std::vector<Warning> warnings;
   if (!units) return warnings;
-  for (const MaterialDeck& material : scene.deck.materials) {
+  for (const MaterialDeck* used : list_used_materials(scene.deck)) {
+    const MaterialDeck& material = *used;
+    if (!has_wave_speed(material)) continue;
     const double speed = find_wave_speed(material) * units->in_si(dimensions::velocity);
     if (speed >= least_wave_speed && speed <= largest_wave_speed) continue;
     warnings.push_back(warn_at(

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "kernels/material/equation_of_state.hpp"
 #include "src/checks/checked_scene.hpp"
 
 namespace percuss {
-namespace {
 
 std::vector<const MaterialDeck*> list_used_materials(const Deck& deck) {
   std::vector<const MaterialDeck*> used;
@@ -16,13 +16,15 @@ std::vector<const MaterialDeck*> list_used_materials(const Deck& deck) {
   return used;
 }
 
-}  // namespace
+bool has_wave_speed(const MaterialDeck& material) {
+  return !material.equation_of_state || material.equation_of_state->model != IdealGasState::name;
+}
 
 bool is_plausible(const MaterialDeck& material, const Units& units) {
   const double density = material.density * units.in_si(dimensions::density);
   const double speed = find_wave_speed(material) * units.in_si(dimensions::velocity);
-  return density >= least_density && density <= largest_density && speed >= least_wave_speed &&
-         speed <= largest_wave_speed;
+  if (density < least_density || density > largest_density) return false;
+  return !has_wave_speed(material) || (speed >= least_wave_speed && speed <= largest_wave_speed);
 }
 
 std::vector<Units> find_plausible_units(const Deck& deck) {
@@ -39,12 +41,13 @@ std::vector<Units> find_plausible_units(const Deck& deck) {
 
 bool is_dimensionless(const Deck& deck) {
   constexpr double least = 0.01, most_density = 100, most_stiffness = 1e6;
-  return deck.units.empty() &&
-         std::all_of(deck.materials.begin(), deck.materials.end(), [&](const MaterialDeck& material) {
-           const double stiffness = find_stiffness(material);
-           return material.density >= least && material.density <= most_density && stiffness >= least &&
-                  stiffness <= most_stiffness;
-         });
+  if (!deck.units.empty()) return false;
+  const std::vector<const MaterialDeck*> used = list_used_materials(deck);
+  return std::all_of(used.begin(), used.end(), [&](const MaterialDeck* material) {
+    if (material->density < least || material->density > most_density) return false;
+    const double stiffness = find_stiffness(*material);
+    return !has_wave_speed(*material) || (stiffness >= least && stiffness <= most_stiffness);
+  });
 }
 
 std::vector<Units> find_meant_units(const Deck& deck) {

@@ -13,13 +13,20 @@ namespace percuss {
 inline constexpr double least_density = 1e-3, largest_density = 23000;
 inline constexpr double least_wave_speed = 10, largest_wave_speed = 20000;
 
+/// The materials of parts.
+std::vector<const MaterialDeck*> list_used_materials(const Deck& deck);
+
+/// Whether waves of a material have a speed that tells its units: an ideal gas may be as cold as it likes.
+bool has_wave_speed(const MaterialDeck& material);
+
 /// Whether a material is one that exists if the deck is meant in these units.
 bool is_plausible(const MaterialDeck& material, const Units& units);
 
 /// The usual systems in which all materials that parts use are plausible.
 std::vector<Units> find_plausible_units(const Deck& deck);
 
-/// Whether the deck seems to have no units on purpose: it names none, and its densities and moduli are near 1.
+/// Whether the deck seems to have no units on purpose: it names none, and the densities and moduli of
+/// its parts are near 1.
 bool is_dimensionless(const Deck& deck);
 
 /// The units that the deck names, or else all in which it can be meant; none of a dimensionless deck.

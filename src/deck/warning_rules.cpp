@@ -20,7 +20,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"fluid_hourglass", "fluid with the hourglass control of solids"},
       // sizes and places of parts (src/checks/size_rules.cpp)
       {"part_size", "parts of very different size"},
-      {"shell_thickness", "thickness that is no sheet's, beside the size of the part"},
+      {"shell_thickness", "implausible shell thickness"},
       {"single_layer", "sheet of solid elements, one element thick"},
       {"duplicate_part", "two parts at the same place"},
       {"enclosed_part", "part inside another solid part"},
@@ -37,7 +37,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"idle_part", "part without velocity, condition, load and contact"},
       {"unreached_body", "moving body that touches nothing before the end"},
       // contact (src/checks/motion_rules.cpp, contact_rules.cpp)
-      {"no_contact", "parts that pass through each other because they have no contact"},
+      {"no_contact", "parts that have no contact and whose boxes meet"},
       {"deep_overlap", "overlap at the start that is deep beside an element or a thickness"},
       {"behind_wall", "nodes that begin behind a wall"},
       {"friction", "coefficient of friction that no surface has"},

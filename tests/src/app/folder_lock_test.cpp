@@ -173,6 +173,7 @@ TEST_F(FolderLockTest, IsTakenByOneOfManyProcesses) {
       children.push_back(child);
       continue;
     }
+    alarm(60);  // of two winners each waits for the end of the other
     close(start[1]);
     close(end[1]);
     wait_for_end_of(start[0]);

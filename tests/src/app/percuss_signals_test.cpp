@@ -175,7 +175,10 @@ TEST_F(PercussSignals, ThreadsThatCannotBeStartedAreToldInsteadOfASignal) {
     EXPECT_EQ(count(many.err, "percuss: error: 100000 threads are too many for one rank (it can have 512)"), 1)
         << many.err;
   }
-  const ProcessResult refused = run_percuss(run(), "sh -c 'ulimit -v 3000000; exec \"$@\"' sh env OMP_NUM_THREADS=500");
+  std::vector<std::string> few_steps = run();
+  few_steps.insert(few_steps.end(), {"--set", "time.max_steps=3"});
+  const ProcessResult refused =
+      run_percuss(few_steps, "sh -c 'ulimit -s 8192; ulimit -v 3000000; exec \"$@\"' sh env OMP_NUM_THREADS=500");
   EXPECT_EQ(refused.exit_code, 4) << refused.err;
   EXPECT_THAT(refused.err, HasSubstr("percuss: error: 500 threads cannot be started ("));
 }

@@ -7,6 +7,17 @@ namespace {
 
 const std::string last_condition = "  - {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}\n";
 const std::string velocity = "{part: block, velocity: [0, 0, -20]}";
+const std::pair<std::string, std::string> no_walls{"walls: [{point: [0, 0, -0.01], normal: z, friction: 0.2}]\n", ""};
+const std::pair<std::string, std::string> no_holding{
+    "conditions:\n  - {nodes: plate/x_min, fixed: [x, y, z]}\n  - {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}\n",
+    ""};
+const std::pair<std::string, std::string> upper{"  sheet: {",
+                                                "  upper: {box: {size: [0.02, 0.02, 0.02], cells: [2, 2, 2]}, at: "
+                                                "[0.04, 0.04, 0.05], material: steel}\n  sheet: {"};
+const std::pair<std::string, std::string> rubber{
+    "j2_plasticity, density: 2700, youngs_modulus: 70e9, poissons_ratio: 0.33, yield_stress: 120e6, hardening_modulus: "
+    "400e6",
+    "elastic, density: 1100, youngs_modulus: 1.5e6, poissons_ratio: 0.4999"};
 const std::string gravity = "loads: {gravity: [0, 0, -9.81]}\n";
 
 std::pair<std::string, std::string> add_condition(const std::string& condition) {
@@ -54,9 +65,15 @@ std::vector<SuspiciousDeck> velocity_decks() {
        "{part: block, angular_velocity",
        {{"velocity: [0, 0, -20]", "angular_velocity: [0, 0, 1e6]"}},
        {{"velocity: [0, 0, -20]", "angular_velocity: [0, 0, 1e4]"}}},
+      {"VelocityOfOneOfTwoBodies",
+       "fast_velocity",
+       "{part: block, velocity: [0, 0, -20000]",
+       {{"-20]", "-20000]"}, no_walls, no_holding},
+       {{"-20]", "-20000]"}, no_walls, no_holding, {"{part: block, velo", "{velo"}}},
       {"UpwardVelocity", "unreached_body", "block: {", {{"-20]", "20]"}}, {{"-20]", "-10]"}}},
       {"RunThatEndsBeforeTheImpact", "unreached_body", "block: {", {{"2.0e-4", "4.0e-6"}}, {{"2.0e-4", "6.0e-5"}}},
       {"BlockThatStartsFarAway", "unreached_body", "block: {", {{"0.0111", "1.0"}}, {{"0.0111", "0.0135"}}},
+      {"BlockThatAStoppedOneWouldReach", "unreached_body", "upper: {", {{"0.0111", "1.0"}, upper}, {upper}},
       {"BlockThatFliesPast",
        "unreached_body",
        "block: {",
@@ -95,12 +112,22 @@ std::vector<SuspiciousDeck> load_decks() {
        "value: {table",
        {add_pressure("{table: [[0, 0], [1e-5, 2e6], [2e-5, 1e6]]}")},
        {add_pressure("{table: [[0, 0], [1e-5, 2e6], [2e-5, 0]]}")}},
+      {"PressureThatIsCutOffAfterItsPeak",
+       "curve_end",
+       "value: {table",
+       {add_pressure("{table: [[0, 0], [1e-5, 2e6], [2e-5, 1e6]]}")},
+       {add_pressure("{table: [[0, 0], [1e-5, 5e5], [2e-5, 2e6]]}")}},
       {"VelocityThatIsCutOff",
        "curve_end",
        "x: {table",
        {add_condition("{nodes: plate/x_max, velocity: {x: {table: [[0, 0], [1e-5, 3], [2e-5, 1]]}}}")},
        {add_condition("{nodes: plate/x_max, velocity: {x: {table: [[0, 0], [1e-5, 3]]}}}")}},
       {"PressureInWrongUnits", "pressure_size", "value: 200e9", {add_pressure("200e9")}, {add_pressure("2e9")}},
+      {"PressureOnRubber",
+       "pressure_size",
+       "value: 10e9",
+       {rubber, add_pressure("10e9")},
+       {rubber, add_pressure("1e6")}},
       {"GravityUpwards",
        "gravity_direction",
        "gravity: [0, 0, 9.81]",

@@ -20,6 +20,23 @@ const std::pair<std::string, std::string> no_sheet{
 const std::pair<std::string, std::string> no_sheet_condition{"  - {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}\n",
                                                              ""};
 
+const std::string steel = "elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3";
+const std::pair<std::string, std::string> cold_gas{
+    steel, "fluid, density: 1.2, equation_of_state: {kind: ideal_gas, gamma: 1.4, start_energy: 1e-3}"};
+const std::pair<std::string, std::string> spare_material{
+    "materials:\n",
+    "materials:\n  spare: {model: elastic, density: 7.85e-9, youngs_modulus: 210e9, poissons_ratio: 0.3}\n"};
+
+/// steel as a honeycomb of a solid that yields at a stress.
+std::pair<std::string, std::string> honeycomb(const std::string& yield_stress) {
+  return {steel,
+          "honeycomb, density: 100, youngs_modulus: 70e9, poissons_ratio: 0.3, compacted_volume: 0.2, "
+          "crush_moduli: [1e9, 1e9, 1e9], shear_moduli: [4e8, 4e8, 4e8], crush_xx: [[0, 1e6]], "
+          "crush_yy: [[0, 1e6]], crush_zz: [[0, 1e6]], crush_xy: [[0, 1e6]], crush_yz: [[0, 1e6]], crush_zx: [[0, "
+          "1e6]], yield_stress: " +
+              yield_stress};
+}
+
 std::vector<SuspiciousDeck> unit_decks() {
   return {
       {"DensityInTonnesPerCubicMillimetre",
@@ -37,6 +54,14 @@ std::vector<SuspiciousDeck> unit_decks() {
        "materials:",
        {no_units, steel_in_mm},
        {no_units, steel_in_mm, {aluminium, aluminium_in_mm}}},
+      {"MaterialOfAnotherSystemThatAPartUses",
+       "unit_system",
+       "density: 7.85e-9",
+       {no_units, {"7850", "7.85e-9"}},
+       {no_units, spare_material}},
+      {"DensityOfAnotherSystemThatAPartUses", "density", "density: 7.85e-9", {{"7850", "7.85e-9"}}, {spare_material}},
+      {"WavesOfASolidAsSlowAsThoseOfAColdGas", "wave_speed", "steel: {", {{"210e9", "210"}}, {cold_gas}},
+      {"SolidAsSoftAsAColdGas", "unit_system", "density: 7850", {no_units, {"210e9", "210"}}, {no_units, cold_gas}},
       {"DensityOfAnotherSystem", "density", "density: 7.85e-9", {{"7850", "7.85e-9"}}, {{"7850", "1.2"}}},
       {"DensityAThousandTimesTooLarge", "density", "density: 7850e3", {{"7850", "7850e3"}}, {{"7850", "22600"}}},
       {"ModulusInGigapascalBesideNamedUnits", "wave_speed", "steel: {", {{"210e9", "210"}}, {{"210e9", "1e6"}}},
@@ -83,6 +108,11 @@ std::vector<SuspiciousDeck> material_decks() {
        {{"elastic, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3",
          "johnson_cook, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3, a: 806e6, b: 614e6, n: 0.2, "
          "melt_temperature: 1500, specific_heat: 460"}}},
+      {"YieldStressOfTheSolidOfAHoneycomb",
+       "yield_stress",
+       "yield_stress: 200}",
+       {honeycomb("200")},
+       {honeycomb("200e6")}},
       {"YieldStressOfATableInMegapascal",
        "yield_stress",
        "hardening: [[0, 120]",
