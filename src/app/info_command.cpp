@@ -61,7 +61,7 @@ std::string describe_hdf5(const std::string& file) {
 void check_source(const std::string& file, hdf5::ExternalFiles external) {
   if (const std::string kind = describe_irregular_file(file); !kind.empty())
     throw InputError(fmt::format("{}: error: this is {}", file, kind));
-  if (!hdf5::begins_as_hdf5(file)) return;
+  if (!hdf5::has_hdf5_signature(file)) return;
   try {
     hdf5::check_structure(file, external);
   } catch (const InputError& error) {

@@ -118,6 +118,23 @@ TEST_P(PercussFolders, LoseNothingByARestartUnlessForced) {
   EXPECT_DOUBLE_EQ(read_summary(out_ + "/summary.json").time, 0.01);
 }
 
+TEST_P(PercussFolders, KeepTheCheckpointThatALinkLeadsTo) {
+  const std::string checkpoint = out_ + "/checkpoint.h5", link = folder_.path() + "/link.h5",
+                    moved = folder_.path() + "/moved.h5";
+  ASSERT_EQ(run_percuss(run({"--set", "time.end=0.01", "--set", "output.checkpoint={every: 0.01}"})).exit_code, 0);
+  fs::create_symlink(checkpoint, link);
+  const std::vector<std::string> again = run({"--restart", link, "--force", "--set", "time.end=0.02"});
+  const ProcessResult done = run_percuss(again, launch());
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_TRUE(fs::exists(checkpoint));
+  fs::rename(checkpoint, moved);
+  fs::create_symlink(moved, checkpoint);
+  const ProcessResult refused = run_percuss(again, launch());
+  EXPECT_EQ(refused.exit_code, 2) << refused.err;
+  EXPECT_EQ(count(refused.err, "link.h5: error: --force would remove this checkpoint"), 1) << refused.err;
+  EXPECT_TRUE(fs::exists(checkpoint));
+}
+
 TEST_P(PercussFolders, AnEmptyNameOfACheckpointDeletesNothing) {
   ASSERT_EQ(run_percuss(run({"--set", "time.max_steps=3"})).exit_code, 0);
   EXPECT_EQ(run_percuss(run({"--restart", "", "--force"}), launch()).exit_code, 2);
