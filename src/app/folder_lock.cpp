@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -74,6 +75,13 @@ bool link_exclusively(const std::string& from, const std::string& to) {
   return linked;
 }
 
+/// Containers may have processes with one id, and machines one name: the nonce tells them apart.
+std::string name_temporary(const std::string& lock, const LockHolder& self) {
+  std::string host = self.host;
+  std::replace(host.begin(), host.end(), '/', '_');
+  return fmt::format("{}.{}.{}.{}.tmp", lock, host, self.process, self.nonce);
+}
+
 std::string format_age(double seconds) {
   if (seconds < 120) return fmt::format("{:.0f} s", seconds < 0 ? 0 : seconds);
   if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
@@ -83,8 +91,10 @@ std::string format_age(double seconds) {
 }  // namespace
 
 FolderLock::FolderLock(const std::string& folder)
-    : path_(folder + "/" + lock_file_name), text_(format_holder(describe_this_process())) {
-  const std::string temporary = fmt::format("{}.{}.tmp", path_, ::getpid());
+    : path_(folder + "/" + lock_file_name) {
+  const LockHolder self = describe_this_process();
+  text_ = format_holder(self);
+  const std::string temporary = name_temporary(path_, self);
   // A loss means that another run has the lock, which is refused, or had it a moment ago.
   for (int losses = 0; !try_to_take(temporary); ++losses) {
     if (losses == most_losses)
@@ -115,7 +125,6 @@ FolderLock::~FolderLock() {
 }
 
 bool FolderLock::try_to_take(const std::string& temporary) {
-  ::unlink(temporary.c_str());  // of a process that had this id and was killed here
   if (!write_new_file(temporary, text_)) throw make_io_error("write", path_, errno);
   bool taken = link_exclusively(temporary, path_);
   int error_number = errno;

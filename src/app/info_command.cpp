@@ -61,7 +61,7 @@ std::string describe_hdf5(const std::string& file) {
 void check_source(const std::string& file, hdf5::ExternalFiles external) {
   if (const std::string kind = describe_irregular_file(file); !kind.empty())
     throw InputError(fmt::format("{}: error: this is {}", file, kind));
-  if (!hdf5::begins_as_hdf5(file)) return;
+  if (!hdf5::has_hdf5_signature(file)) return;
   try {
     hdf5::check_structure(file, external);
   } catch (const InputError& error) {
@@ -73,7 +73,7 @@ void check_source(const std::string& file, hdf5::ExternalFiles external) {
 std::string describe_holder_of(const std::string& folder, const std::string& status) {
   std::string holder = describe_lock(folder);
   if (holder.empty() && status == "running")
-    holder = "it was killed: its summary says running, and no run is under way";
+    holder = "it was killed or could not write its end: its summary says running, and no run is under way";
   return holder.empty() ? "" : fmt::format("{:<10}{}\n", "run", holder);
 }
 

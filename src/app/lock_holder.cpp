@@ -7,6 +7,7 @@
 #include <array>
 #include <ctime>
 #include <fstream>
+#include <random>
 #include <sstream>
 #include <utility>
 
@@ -61,6 +62,11 @@ std::string read_command() {
   return command;
 }
 
+std::string make_nonce() {
+  std::random_device device;
+  return fmt::format("{:08x}{:08x}", device(), device());
+}
+
 double find_seconds_since_boot() {
   std::ifstream file("/proc/uptime");
   double seconds = 0;
@@ -78,13 +84,14 @@ LockHolder describe_this_process() {
   self.process_start = find_process_start(self.process);
   self.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   self.command = read_command();
+  self.nonce = make_nonce();
   return self;
 }
 
 std::string format_holder(const LockHolder& h) {
   return fmt::format(
-      "host: {}\nboot: {}\npid_namespace: {}\nprocess: {}\nprocess_start: {}\nstarted: {}\ncommand: {}\n", h.host,
-      h.boot, h.pid_namespace, h.process, h.process_start, h.started, h.command);
+      "host: {}\nboot: {}\npid_namespace: {}\nprocess: {}\nprocess_start: {}\nstarted: {}\ncommand: {}\nnonce: {}\n",
+      h.host, h.boot, h.pid_namespace, h.process, h.process_start, h.started, h.command, h.nonce);
 }
 
 LockHolder parse_holder(const std::string& text) {
@@ -96,7 +103,8 @@ LockHolder parse_holder(const std::string& text) {
     const std::string key = line.substr(0, colon), value = line.substr(colon + 2);
     for (const auto& [name, member] : {std::pair{"host", &holder.host}, std::pair{"boot", &holder.boot},
                                        std::pair{"pid_namespace", &holder.pid_namespace},
-                                       std::pair{"started", &holder.started}, std::pair{"command", &holder.command}}) {
+                                       std::pair{"started", &holder.started}, std::pair{"command", &holder.command},
+                                       std::pair{"nonce", &holder.nonce}}) {
       if (key == name) *member = value;
     }
     if (key == "process") std::istringstream(value) >> holder.process;

@@ -14,9 +14,10 @@ struct LockHolder {
   long long process_start = 0;  // clock ticks after the boot
   std::string started;          // UTC
   std::string command;
+  std::string nonce;  // a random number, which no other lock has
 };
 
-/// This process.
+/// This process, with a new nonce.
 LockHolder describe_this_process();
 
 /// The text of a lock file: "key: value" lines.

@@ -36,6 +36,12 @@ void remove_file(const fs::path& file) {
   if (error) throw SystemError(fmt::format("{} cannot be removed ({})", file.string(), error.message()));
 }
 
+/// Whether both name the same file or folder, and it is there.
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return fs::equivalent(a, b, error) && !error;
+}
+
 bool is_lock(const fs::path& file) { return file.filename().string().starts_with(lock_file_name); }
 
 }  // namespace
@@ -62,9 +68,10 @@ std::string find_restart_folder(const std::string& checkpoint) {
   return folder.empty() ? "." : folder;
 }
 
-bool is_same_folder(const std::string& a, const std::string& b) {
-  std::error_code error;
-  return fs::equivalent(a, b, error) && !error;
+bool lies_in_folder(const std::string& checkpoint, const std::string& folder) {
+  std::error_code ignored;
+  const std::string behind_links = fs::weakly_canonical(checkpoint, ignored).string();
+  return is_same_file(find_restart_folder(checkpoint), folder) || is_same_file(find_restart_folder(behind_links), folder);
 }
 
 void check_folder_is_writable(const std::string& folder) {
@@ -96,6 +103,16 @@ void check_folder_is_empty(const std::string& folder) {
   throw InputError(
       fmt::format("{}: error: {} (nothing is overwritten unasked): choose another folder with --out, or give --force",
                   folder, what));
+}
+
+void refuse_to_remove(const std::string& checkpoint, const std::string& folder) {
+  for (const char* file : result_files) {
+    if (!is_same_file(fs::path(folder) / file, checkpoint)) continue;
+    throw InputError(
+        fmt::format("{}: error: --force would remove this checkpoint (it is {} in the folder of results {}): choose "
+                    "another folder with --out",
+                    checkpoint, file, folder));
+  }
 }
 
 void remove_results(const std::string& folder) {

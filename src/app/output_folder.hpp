@@ -15,8 +15,8 @@ std::string find_checkpoint(const std::string& file_or_folder);
 /// The folder that a checkpoint lies in.
 std::string find_restart_folder(const std::string& checkpoint);
 
-/// Whether both name the same folder, and it is there.
-bool is_same_folder(const std::string& a, const std::string& b);
+/// Whether a checkpoint lies in a folder that is there: itself or, where it is a symbolic link, the file behind that.
+bool lies_in_folder(const std::string& checkpoint, const std::string& folder);
 
 /// Throws SystemError if it is not.
 void check_folder_is_writable(const std::string& folder);
@@ -27,6 +27,9 @@ void make_output_folder(const std::string& folder);
 
 /// Throws InputError if anything but the lock of a run is in the folder, SystemError if it cannot be read.
 void check_folder_is_empty(const std::string& folder);
+
+/// Throws InputError if remove_results() would remove the checkpoint, by whatever name.
+void refuse_to_remove(const std::string& checkpoint, const std::string& folder);
 
 /// Removes the files that an earlier run wrote, with those that it was about to replace when it was killed. Others
 /// stay. Throws SystemError.

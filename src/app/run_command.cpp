@@ -43,11 +43,22 @@ std::string choose_folder(const Command& command) {
   return command.restart.empty() ? default_output_folder(command.file) : find_restart_folder(command.restart);
 }
 
-void check_restart(const Command& command, const std::string& out_dir, RunOptions& options) {
-  if (command.restart.empty()) return;
-  if (!std::filesystem::exists(command.restart))
-    throw InputError(command.restart + ": error: no such file (--restart needs a checkpoint)");
-  options.goes_on_in_place = is_same_folder(out_dir, find_restart_folder(command.restart));
+/// Whether the run goes on in the folder of its checkpoint. Ranks on several machines may see other folders: rank 0
+/// decides. Collective.
+bool check_restart(const Command& command, const std::string& out_dir, const Communicator& ranks) {
+  if (command.restart.empty()) return false;
+  std::string answer;
+  fail_together(ranks, [&] {
+    if (!std::filesystem::exists(command.restart))
+      throw InputError(command.restart + ": error: no such file (--restart needs a checkpoint)");
+    if (ranks.rank() != 0) return;
+    if (!command.allow_external) refuse_external_checkpoint(command.restart);
+    if (lies_in_folder(command.restart, out_dir))
+      answer = "in place";
+    else if (command.force)
+      refuse_to_remove(command.restart, out_dir);
+  });
+  return !broadcast_text(ranks, answer, 0).empty();
 }
 
 /// Rank 0 makes and locks the folder, and looks into it; before the mesh is built. It is emptied only when the scene is
@@ -57,17 +68,16 @@ std::unique_ptr<FolderLock> prepare_folder(const Command& command, const std::st
   options.out_dir = out_dir;
   options.restart = command.restart;
   options.may_remove_results = command.force;
-  fail_together(ranks, [&] {
-    check_restart(command, out_dir, options);
-    if (ranks.rank() == 0 && !command.restart.empty() && !command.allow_external)
-      refuse_external_checkpoint(command.restart);
-  });
+  options.goes_on_in_place = check_restart(command, out_dir, ranks);
   std::unique_ptr<FolderLock> lock;
   fail_together(ranks, [&] {
     if (ranks.rank() != 0) return;
     make_output_folder(out_dir);
     lock = std::make_unique<FolderLock>(out_dir);
-    if (!command.force && !options.goes_on_in_place) check_folder_is_empty(out_dir);
+    if (options.goes_on_in_place)
+      check_results_to_go_on_with(out_dir, command.restart, command.allow_external);
+    else if (!command.force)
+      check_folder_is_empty(out_dir);
   });
   const std::string text = broadcast_text(ranks, lock ? lock->text() : "", 0);
   do_before_abort([path = out_dir + "/" + lock_file_name, text] { remove_lock(path, text); });

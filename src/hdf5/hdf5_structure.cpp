@@ -21,9 +21,6 @@ using ObjectInfo = H5O_info1_t;
 using ObjectInfo = H5O_info_t;
 #endif
 
-/// Deeper than anybody nests groups, less than what takes the stack of a library that follows them.
-constexpr int deepest = 100;
-
 /// Least bytes that a link takes in a file: a name and where it leads.
 constexpr std::size_t least_link_bytes = 8;
 
@@ -63,9 +60,9 @@ class Walk {
   Walk(std::size_t most_links, ExternalFiles external) : most_links_(most_links), external_(external) {}
 
   void visit_group(hid_t group, const std::string& path, int depth) {
-    if (depth > deepest)
+    if (depth > deepest_group)
       throw InputError(
-          fmt::format("its groups are nested more than {} deep (at '{}'): write the file again", deepest, path));
+          fmt::format("its groups are nested more than {} deep (at '{}'): write the file again", deepest_group, path));
     LinkList list{{}, most_links_};
     check(H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, collect_link, &list), "list group " + path);
     for (const Link& link : list.links) visit_link(group, link, path + "/" + link.name, depth);
@@ -167,11 +164,18 @@ void check_structure(const std::string& path, ExternalFiles external) {
   }
 }
 
-bool begins_as_hdf5(const std::string& path) {
+// As HDF5 looks for it: at the start, or behind a user block of 512 bytes or that times a power of two.
+bool has_hdf5_signature(const std::string& path) {
   std::array<char, 8> bytes{};
   std::ifstream stream(path, std::ios::binary);
-  stream.read(bytes.data(), bytes.size());
-  return stream.good() && std::string_view(bytes.data(), bytes.size()) == "\x89HDF\r\n\x1a\n";
+  const std::size_t end = find_bytes(path);
+  for (std::size_t at = 0; at + bytes.size() <= end; at = at == 0 ? 512 : 2 * at) {
+    stream.seekg(static_cast<std::streamoff>(at));
+    stream.read(bytes.data(), bytes.size());
+    if (!stream.good()) return false;
+    if (std::string_view(bytes.data(), bytes.size()) == "\x89HDF\r\n\x1a\n") return true;
+  }
+  return false;
 }
 
 }  // namespace percuss::hdf5

@@ -72,7 +72,7 @@ void write_file_atomically(const std::string& path, std::string_view text, Durab
       throw SystemError(fmt::format("cannot write '{}' (read back, it is not what was written): check the disk", path));
     file.close();
     if (std::rename(temporary.c_str(), path.c_str()) != 0) throw make_io_error("write", path, errno);
-  } catch (const SystemError&) {
+  } catch (...) {  // memory may be exhausted, too
     ::unlink(temporary.c_str());
     throw;
   }

@@ -49,8 +49,8 @@ class CheckpointWriter : public CheckpointArchive {
   CheckpointWriter& operator=(const CheckpointWriter&) = delete;
 
   /// Completes the file, reads it back and compares it with what was given, seals it, waits for the disk and puts it in
-  /// its place. Throws SystemError; what was there then stays.
-  void finish();
+  /// its place. known_whole: as of replace_checkpoint(). Throws SystemError; what was there then stays.
+  void finish(const std::string& known_whole = "");
 
   bool is_loading() const override { return false; }
   using CheckpointArchive::rows;

@@ -4,11 +4,25 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 #include "src/output/atomic_file.hpp"
+#include "src/output/sealed_file.hpp"
 
 namespace percuss {
 namespace {
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error) && !error;
+}
+
+// A damaged file must not take the place of a whole one.
+bool may_become_previous(const std::string& path, const std::string& known_whole) {
+  if (known_whole.empty() || is_same_file(path, known_whole)) return true;
+  return !is_same_file(find_previous_checkpoint(path), known_whole) && is_sealed(path);
+}
 
 // The older checkpoint gets a second name, so that there is one under the first name at any time; where the file system
 // has no second names, it is renamed.
@@ -34,8 +48,8 @@ void remove_unfinished_checkpoint(const std::string& path) {
   ::unlink((find_previous_checkpoint(path) + ".tmp").c_str());
 }
 
-void replace_checkpoint(const std::string& temporary, const std::string& path) {
-  keep_as_previous(path);
+void replace_checkpoint(const std::string& temporary, const std::string& path, const std::string& known_whole) {
+  if (may_become_previous(path, known_whole)) keep_as_previous(path);
   if (std::rename(temporary.c_str(), path.c_str()) != 0) throw make_io_error("write", path, errno);
   sync_folder_of(path);
 }

@@ -255,8 +255,18 @@ CheckpointHeader read_unsealed_header(const std::string& path) {
 CheckpointHeader read_checkpoint_header(const std::string& path) {
   check_source(path);
   check_seal(path);
-  const CheckpointHeader header = read_unsealed_header(path);
-  read_or_refuse(path, [&] { check_content(header, open_hdf5(path).get(), find_file_bytes(path), path); });
+  const std::uint64_t bytes = find_file_bytes(path);
+  CheckpointHeader header;
+  const auto read = [&] {
+    read_or_refuse(path, [&] {
+      check_structure(path);
+      const hdf5::Handle file = open_hdf5(path);
+      header = read_header(file.get(), bytes, path);
+      check_content(header, file.get(), bytes, path);
+    });
+  };
+  rehearse(path, bytes, read);
+  read();
   return header;
 }
 

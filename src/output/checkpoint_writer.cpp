@@ -71,6 +71,11 @@ void CheckpointWriter::run_or_abandon(Work&& work) {
   } catch (const SystemError&) {  // agreed on by all ranks
     abandon();
     throw;
+  } catch (const std::exception& error) {
+    // To give up a file that several ranks write takes all of them, and this rank may be the only one here.
+    if (ranks_.size() > 1) hdf5::end_all_ranks(ranks_, fmt::format("cannot write '{}' ({})", path_, error.what()));
+    abandon();
+    throw;
   }
 }
 
@@ -249,7 +254,7 @@ void CheckpointWriter::compare() const {
   });
 }
 
-void CheckpointWriter::finish() {
+void CheckpointWriter::finish(const std::string& known_whole) {
   run_or_abandon([&] {
     write_numbers();
     check(file_.reset(), "close the file");
@@ -259,7 +264,7 @@ void CheckpointWriter::finish() {
     seal_file(ranks_, temporary_);
     run_on_first_rank(ranks_, [&] {
       disk_.file().check_place();
-      replace_checkpoint(temporary_, path_);
+      replace_checkpoint(temporary_, path_, known_whole);
     });
   } catch (const std::exception&) {
     remove_temporary();

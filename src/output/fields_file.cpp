@@ -167,7 +167,9 @@ void FieldsFile::check(const std::string& directory, const ChunkedMesh& chunked,
 }
 
 void FieldsFile::sync() {
-  if (impl_) impl_->file.sync();
+  if (!impl_) return;
+  const hdf5::QuietErrors quiet;
+  impl_->file.sync();
 }
 
 FieldsFile::~FieldsFile() {

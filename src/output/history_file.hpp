@@ -10,6 +10,7 @@
 
 #include "src/output/later_states.hpp"
 #include "src/output/posix_file.hpp"
+
 namespace percuss {
 
 class HistoryFile {

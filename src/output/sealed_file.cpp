@@ -138,4 +138,15 @@ void check_seal(const std::string& path) {
   compare(path, seal, hash_blocks(PosixFile(path, O_RDONLY), seal.bytes, 0, count_blocks(seal.bytes)));
 }
 
+bool is_sealed(const std::string& path) {
+  try {
+    check_seal(path);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  } catch (const SystemError&) {
+    return false;
+  }
+}
+
 }  // namespace percuss

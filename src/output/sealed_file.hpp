@@ -21,4 +21,7 @@ void check_seal(const Communicator& ranks, const std::string& path);
 /// The same by this process alone, also without MPI.
 void check_seal(const std::string& path);
 
+/// Whether there is a file whose seal fits; false for what cannot be read. By this process alone.
+bool is_sealed(const std::string& path);
+
 }  // namespace percuss

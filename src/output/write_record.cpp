@@ -8,6 +8,7 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/mix_bits.hpp"
+#include "src/hdf5/hdf5_structure.hpp"
 #include "src/output/hdf5_reading.hpp"
 
 namespace percuss::hdf5 {
@@ -132,12 +133,15 @@ std::uint64_t WriteRecord::find_content(const Communicator& ranks) const {
   return sum;
 }
 
-std::uint64_t find_content(hid_t group, std::uint64_t file_bytes) {
+namespace {
+
+std::uint64_t find_content(hid_t group, std::uint64_t file_bytes, int depth) {
+  if (depth > deepest_group) throw Error("read the groups", fmt::format("they are nested more than {} deep", deepest_group));
   std::uint64_t sum = 0;
   for (const std::string& name : list_names(group, ".")) {
     const Handle object(check(H5Oopen(group, name.c_str(), H5P_DEFAULT), "open " + name), H5Oclose);
     if (H5Iget_type(object.get()) == H5I_GROUP) {
-      sum += find_content(object.get(), file_bytes);
+      sum += find_content(object.get(), file_bytes, depth + 1);
       continue;
     }
     const std::string action = "read " + name;
@@ -148,6 +152,10 @@ std::uint64_t find_content(hid_t group, std::uint64_t file_bytes) {
   }
   return sum;
 }
+
+}  // namespace
+
+std::uint64_t find_content(hid_t group, std::uint64_t file_bytes) { return find_content(group, file_bytes, 0); }
 
 Handle open_to_compare(const std::string& path) {
   const std::string action = "open the file to read it back";

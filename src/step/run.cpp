@@ -260,7 +260,7 @@ void Run::advance() {
   check_step_made();
   erode();
   observe();
-  if (stepper_.is_stop_agreed()) return;  // then the checkpoint goes before all else
+  if (stepper_.is_stop_agreed()) return;  // save_interrupted() writes the checkpoint, without a wait for other files
   if (stepper_.is_checkpoint_agreed() || checkpoints_.is_due(state_.time)) write_checkpoint();
   if (!is_finished()) progress_->report(find_progress());  // finish() has the last word
 }
@@ -432,8 +432,8 @@ void Run::finish(const std::string& status, const std::string& error) {
   result_.warnings = warnings_.list();
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || options_.out_dir.empty()) return;
+    write_summary(options_.out_dir + "/summary.json", result_);  // first: it tells how the run ended
     write_ranks(options_.out_dir + "/ranks.csv", rows);
-    write_summary(options_.out_dir + "/summary.json", result_);
   });
 }
 
@@ -456,8 +456,10 @@ void Run::fail(const std::exception& error) {
   }
   try {
     if (dynamic_cast<const RunError*>(&error) != nullptr) write_failed_state();
-    // The state is sound where files were taken away: from a checkpoint the run can go on in another folder.
-    if (is_state_whole_ && !output_.are_files_in_place()) save_checkpoint();
+    // The state is sound where files were taken away: from a checkpoint the run can go on in another folder. That of a
+    // run that failed by itself would only fail again.
+    const bool is_sound = is_state_whole_ && dynamic_cast<const SystemError*>(&error) != nullptr;
+    if (is_sound && !output_.are_files_in_place()) save_checkpoint();
     finish("failed", error.what());
     output_.close();
   } catch (const std::exception& second) {  // a full disk must not hide why the run failed, and is told once

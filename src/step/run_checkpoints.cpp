@@ -34,7 +34,7 @@ void RunCheckpoints::write(const CheckpointHeader& header, const ChunkedMesh& ch
                            const State& state, const std::function<void(CheckpointArchive&)>& archive) {
   CheckpointWriter writer(file_, header, chunked, ranks);
   archive(writer);
-  writer.finish();
+  writer.finish(path_);
   note(file_, state);
   clock_ = Clock::now();
 }

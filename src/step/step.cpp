@@ -108,6 +108,10 @@ void Stepper::archive(CheckpointArchive& archive) {
   archive.integer("contact/report/iterations", report_.iterations);
   archive.number_or_infinity("contact/report/residual", report_.residual);
   archive.integer("contact/report/converged", report_.converged);
+  if (deck_.contact.enforcement == ContactDeck::Enforcement::penalty)
+    archive.number("contact/report/stored", report_.stored);
+  if (deck_.contact.enforcement == ContactDeck::Enforcement::lagrange)
+    archive.number_or_infinity("contact/report/complementarity", report_.complementarity);
   archive.number("contact/report/deepest", report_.deepest);
   archive.number("contact/report/deepest_node", report_.deepest_node);
   contact_.archive(archive);

@@ -77,6 +77,15 @@ TEST_F(FolderLockTest, NamesItsHolderAndGoesWithIt) {
   EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
+// Processes of two containers may have one id.
+TEST_F(FolderLockTest, LeavesAloneWhatAnotherProcessWithTheSameIdHasThere) {
+  const std::string other = folder_.write("run.lock." + std::to_string(getpid()) + ".tmp", "of another");
+  const std::string first = FolderLock(folder_.path()).text(), second = FolderLock(folder_.path()).text();
+  EXPECT_NE(first, second);
+  std::ifstream file(other);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "of another");
+}
+
 TEST_F(FolderLockTest, IsRefusedWhileAnotherHoldsIt) {
   const FolderLock lock(folder_.path());
   EXPECT_THAT(refuse(), AllOf(HasSubstr("run.lock: error: another run writes into this folder (process " +

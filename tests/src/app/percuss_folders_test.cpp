@@ -90,6 +90,9 @@ TEST_P(PercussFolders, ARunThatWasKilledGoesOnInItsFolderWithoutForce) {
       run({"--set", every}), out_ + "/checkpoint.h5",
       [&](int) { kill(static_cast<int>(parse_holder(read_lock()).process), SIGKILL); }, launch());
   EXPECT_EQ(read_summary(out_ + "/summary.json").status, "running");
+  fs::rename(out_ + "/run.lock", folder_.path() + "/aside");  // as where the run could not write its end
+  EXPECT_THAT(run_percuss({"info", out_}).out, HasSubstr("it was killed or could not write its end: its summary says"));
+  fs::rename(folder_.path() + "/aside", out_ + "/run.lock");
   const ProcessResult result = run_percuss({"run", deck_, "--restart", out_, "--set", "time.max_steps=2000"}, launch());
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(count(result.err, "note: an earlier run in this folder was killed"), 1) << result.err;
@@ -116,6 +119,23 @@ TEST_P(PercussFolders, LoseNothingByARestartUnlessForced) {
   EXPECT_EQ(done.exit_code, 0) << done.err;
   EXPECT_EQ(count(done.err, "note: removed, since --force is given: 10 rows"), 1) << done.err;
   EXPECT_DOUBLE_EQ(read_summary(out_ + "/summary.json").time, 0.01);
+}
+
+TEST_P(PercussFolders, KeepTheCheckpointThatALinkLeadsTo) {
+  const std::string checkpoint = out_ + "/checkpoint.h5", link = folder_.path() + "/link.h5",
+                    moved = folder_.path() + "/moved.h5";
+  ASSERT_EQ(run_percuss(run({"--set", "time.end=0.01", "--set", "output.checkpoint={every: 0.01}"})).exit_code, 0);
+  fs::create_symlink(checkpoint, link);
+  const std::vector<std::string> again = run({"--restart", link, "--force", "--set", "time.end=0.02"});
+  const ProcessResult done = run_percuss(again, launch());
+  EXPECT_EQ(done.exit_code, 0) << done.err;
+  EXPECT_TRUE(fs::exists(checkpoint));
+  fs::rename(checkpoint, moved);
+  fs::create_symlink(moved, checkpoint);
+  const ProcessResult refused = run_percuss(again, launch());
+  EXPECT_EQ(refused.exit_code, 2) << refused.err;
+  EXPECT_EQ(count(refused.err, "link.h5: error: --force would remove this checkpoint"), 1) << refused.err;
+  EXPECT_TRUE(fs::exists(checkpoint));
 }
 
 TEST_P(PercussFolders, AnEmptyNameOfACheckpointDeletesNothing) {

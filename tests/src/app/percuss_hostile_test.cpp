@@ -78,6 +78,51 @@ TEST_F(PercussHostile, PipesAndDevicesAreRefusedAtOnce) {
   for (const ProcessResult* result : {&deck, &info, &zero, &restart}) EXPECT_EQ(result->exit_code, 2) << result->err;
 }
 
+class PercussHostileRestart : public PercussHostile {
+ protected:
+  /// A run that is to go on in its folder.
+  void run_first() const {
+    const ProcessResult run = run_percuss({"run", box_deck_, "-o", out_, "--set", "output.checkpoint={every: 5e-4}",
+                                           "--set", "output.history={every: 0}"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  ProcessResult go_on(const std::string& from) const {
+    return run_percuss({"run", box_deck_, "--restart", from, "-o", out_, "--set", "time.end=2e-3", "--set",
+                        "output.history={every: 0}"});
+  }
+
+  std::string out_ = folder_.path() + "/out";
+};
+
+TEST_F(PercussHostileRestart, InPlaceWritesIntoNoOtherFile) {
+  run_first();
+  const std::string fields = out_ + "/fields.vtkhdf", other = folder_.path() + "/other.h5";
+  fs::copy_file(fields, other);
+  const std::string before = read(other);
+  const hid_t file = H5Fopen(fields.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  ASSERT_GE(H5Ldelete(file, "VTKHDF/Steps", H5P_DEFAULT), 0);
+  ASSERT_GE(H5Lcreate_external(other.c_str(), "/VTKHDF/Steps", file, "VTKHDF/Steps", H5P_DEFAULT, H5P_DEFAULT), 0);
+  H5Fclose(file);
+  const ProcessResult refused = go_on(out_);
+  EXPECT_EQ(refused.exit_code, 2) << refused.err;
+  EXPECT_THAT(refused.err, HasSubstr(fields + ": error: link '/VTKHDF/Steps' leads to another file"));
+  EXPECT_TRUE(read(other) == before);
+}
+
+TEST_F(PercussHostileRestart, InPlaceRefusesPipesAtOnce) {
+  run_first();
+  fs::copy_file(out_ + "/checkpoint.h5", out_ + "/saved.h5");
+  for (const char* name : {"history.csv", "fields.vtkhdf", "summary.json", "checkpoint.h5"}) {
+    const std::string path = out_ + "/" + name, aside = folder_.path() + "/aside";
+    fs::rename(path, aside);
+    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+    const ProcessResult refused = go_on(out_ + "/saved.h5");
+    EXPECT_EQ(refused.exit_code, 2) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(path + ": error: this is a pipe"));
+    fs::rename(aside, path);
+  }
+}
+
 TEST_F(PercussHostile, NoNameOrTitleReachesTheTerminalAsAnOrder) {
   WrittenMesh mesh = make_two_cubes();
   mesh.blocks[0].name = "a\n\x1b]0;owned\x07";

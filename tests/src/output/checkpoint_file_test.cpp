@@ -164,6 +164,26 @@ TEST_F(CheckpointFile, KeepsTheOneBefore) {
   EXPECT_THAT(describe_checkpoint(path()), HasSubstr("t = 0.333333, step 42"));
 }
 
+// As where a run goes on from the one before, since the newest is damaged, or from one with another name.
+TEST_F(CheckpointFile, ThatIsDamagedDoesNotTakeThePlaceOfAWholeOne) {
+  const auto write_next = [&](const std::string& known_whole) {
+    CheckpointWriter writer(path(), {}, share_, world());
+    Contents(share_).archive(writer);
+    writer.finish(known_whole);
+  };
+  const std::string previous = find_previous_checkpoint(path());
+  for (const std::string& known_whole : {previous, folder_ + "/another.h5"}) {
+    write(path(), share_, Contents(share_), "first");
+    write(path(), share_, Contents(share_), "second");
+    change([](std::string& bytes) { bytes[bytes.size() / 2] ^= 1; });
+    write_next(known_whole);
+    EXPECT_EQ(read_checkpoint_header(previous).title, "first");
+  }
+  write(path(), share_, Contents(share_), "third");
+  write_next(folder_ + "/another.h5");
+  EXPECT_EQ(read_checkpoint_header(previous).title, "third");
+}
+
 TEST_F(CheckpointFile, WithoutFinishLeavesTheOneBefore) {
   write(path(), share_, Contents(share_), "first");
   {
@@ -212,6 +232,21 @@ TEST_F(CheckpointFile, WithOtherNumbersThanThoseOfTheStateIsRefusedThoughItsSeal
   seal_file(world(), path());
   EXPECT_THAT(take_refusal(path(), share_), HasSubstr("its content is not the state that was saved"));
   EXPECT_THROW(describe_checkpoint(path()), InputError);
+}
+
+// Whoever follows its groups would go round until the stack is full.
+TEST_F(CheckpointFile, WithALoopOfGroupsIsRefusedThoughItsSealFits) {
+  write(path(), share_, Contents(share_));
+  world().barrier();
+  if (world().rank() == 0) {
+    const hid_t file = H5Fopen(path().c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    EXPECT_GE(H5Lcreate_hard(file, "/", file, "state/up", H5P_DEFAULT, H5P_DEFAULT), 0);
+    EXPECT_GE(H5Fclose(file), 0);
+  }
+  world().barrier();
+  seal_file(world(), path());
+  EXPECT_THAT(take_refusal(path(), share_), HasSubstr("can be reached in more than one way"));
+  EXPECT_THROW(read_checkpoint_header(path()), InputError);
 }
 
 TEST_F(CheckpointFile, HasAHashOfItsContentThatDoesNotDependOnRanks) {

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <fstream>
 
 #include "src/error.hpp"
@@ -105,12 +106,26 @@ TEST(Hdf5Structure, TellsOfVirtualDatasetsOfOtherFiles) {
   }
 }
 
+TEST(Hdf5Structure, BehindAUserBlockIsOneToo) {
+  const std::string path = "user_block.h5";
+  for (const hsize_t bytes : {512, 1024, 4096}) {
+    const Handle properties(check(H5Pcreate(H5P_FILE_CREATE), "properties"), H5Pclose);
+    check(H5Pset_userblock(properties.get(), bytes), "properties");
+    Handle file(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.get(), H5P_DEFAULT), "create"), H5Fclose);
+    check(H5Lcreate_external("other.h5", "/x", file.get(), "out", H5P_DEFAULT, H5P_DEFAULT), "link");
+    check(file.reset(), "close");
+    EXPECT_TRUE(has_hdf5_signature(path)) << bytes;
+    EXPECT_THAT(find_fault(path, ExternalFiles::refuse), HasSubstr("link '/out' leads to another file"));
+  }
+  std::remove(path.c_str());
+}
+
 TEST(Hdf5Structure, OfWhatIsNoHdf5FileIsRefused) {
   SampleFile file("none.h5");
   file.close();
-  EXPECT_TRUE(begins_as_hdf5(file.path()));
+  EXPECT_TRUE(has_hdf5_signature(file.path()));
   std::ofstream(file.path()) << "title: no HDF5";
-  EXPECT_FALSE(begins_as_hdf5(file.path()));
+  EXPECT_FALSE(has_hdf5_signature(file.path()));
   EXPECT_THAT(find_fault(file.path(), ExternalFiles::allow), HasSubstr("the file is damaged"));
 }
 

@@ -229,6 +229,18 @@ TEST(Restart, AtTheEndFindsTheRunDone) {
   EXPECT_EQ(read_file(folder.path() + "/history.csv"), history);
 }
 
+TEST(Restart, AtTheEndHasWhatContactDidInTheLastStep) {
+  for (const auto& [enforcement, column] : {std::pair("penalty", "stored"), std::pair("lagrange", "complementarity")}) {
+    const TemporaryFolder folder;
+    const std::string deck = change(stopped(20), "friction: 0.3", fmt::format("enforcement: {}", enforcement));
+    run(deck, folder.path());
+    const std::string history = read_file(folder.path() + "/history.csv");
+    EXPECT_GT(HistoryTable(folder.path() + "/history.csv").last(column), 0);
+    run(deck, folder.path(), folder.path() + checkpoint_name);
+    EXPECT_EQ(read_file(folder.path() + "/history.csv"), history) << enforcement;
+  }
+}
+
 TEST(Restart, OfAnotherDeckIsRefusedAndNamesWhatDiffers) {
   const TemporaryFolder folder;
   run(stopped(5), folder.path());
@@ -270,6 +282,13 @@ TEST(Restart, ACheckpointThatCannotBeWrittenEndsTheRunAndLeavesItsResults) {
   EXPECT_THROW(run(stopped(5), folder.path()), SystemError);
   EXPECT_EQ(HistoryTable(folder.path() + "/history.csv").last("step"), 5);
   EXPECT_EQ(read_summary(folder.path() + "/summary.json").status, "failed");
+}
+
+TEST(RunSummary, TellsTheEndThoughTheTableOfRanksCannotBeWritten) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() + "/ranks.csv.tmp/full");
+  EXPECT_THROW(run(stopped(5), folder.path()), SystemError);
+  EXPECT_EQ(read_summary(folder.path() + "/summary.json").status, "completed");
 }
 
 TEST(RunCheckpoints, AreDueByTimeAndNameTheLastOne) {
