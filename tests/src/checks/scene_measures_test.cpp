@@ -53,7 +53,8 @@ TEST(SceneMeasures, SayHowLargeAndHowThickPartsAre) {
   EXPECT_NEAR(parts[0].shortest_edge, 0.1, 1e-14);
   EXPECT_NEAR(parts[0].longest_edge, 0.1, 1e-14);
   EXPECT_EQ(parts[0].nodes, 21 * 31 * 2);
-  EXPECT_NEAR(parts[0].moments[0] / (1.0 * (1 << 30) * static_cast<double>(parts[0].nodes)), 1.0 / 8, 1e-8);  // of 8
+  EXPECT_NEAR(static_cast<double>(parts[0].moments[0]) / (1.0 * (1 << 30) * static_cast<double>(parts[0].nodes)),
+              1.0 / 8, 1e-8);           // of 8
   EXPECT_EQ(parts[1].single_layer, 0);  // a bar, not a sheet
   EXPECT_EQ(parts[2].shells, 256);
   EXPECT_EQ(parts[2].speed, 5);

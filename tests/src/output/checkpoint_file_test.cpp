@@ -415,7 +415,9 @@ TEST_F(CheckpointFile, WhoseGroupsLoopIsRefused) {
 }
 
 TEST_F(CheckpointFile, ThatIsNoFileIsRefusedAtOnce) {
-  if (world().rank() == 0) ASSERT_EQ(::mkfifo(path().c_str(), 0600), 0);
+  if (world().rank() == 0) {
+    ASSERT_EQ(::mkfifo(path().c_str(), 0600), 0);
+  }
   world().barrier();
   EXPECT_THAT(take_refusal(path(), share_), HasSubstr("the checkpoint is a pipe (a regular file is needed)"));
   EXPECT_THAT(take_refusal("/dev/zero", share_), HasSubstr("a device"));
