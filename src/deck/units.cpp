@@ -175,7 +175,10 @@ std::string list_base_units() {
   std::string text;
   const auto add = [&](const auto& known) {
     text += text.empty() ? "" : ";";
-    for (const KnownUnit& unit : known) text += (text.empty() ? "" : " ") + std::string(unit.plain);
+    for (const KnownUnit& unit : known) {
+      if (!text.empty()) text += ' ';
+      text += unit.plain;
+    }
   };
   add(lengths);
   add(masses);
