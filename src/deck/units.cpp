@@ -188,7 +188,7 @@ std::string list_base_units() {
 
 std::string unit_suffix(const std::string& units, const Dimension& quantity) {
   const auto found = find_units(units);
-  return found ? " " + found->name_of(quantity) : "";
+  return found ? fmt::format(" {}", found->name_of(quantity)) : "";
 }
 
 }  // namespace percuss
