@@ -90,8 +90,7 @@ std::string format_age(double seconds) {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::string& folder)
-    : path_(folder + "/" + lock_file_name) {
+FolderLock::FolderLock(const std::string& folder) : path_(folder + "/" + lock_file_name) {
   const LockHolder self = describe_this_process();
   text_ = format_holder(self);
   const std::string temporary = name_temporary(path_, self);

@@ -101,10 +101,10 @@ LockHolder parse_holder(const std::string& text) {
     const auto colon = line.find(": ");
     if (colon == std::string::npos) continue;
     const std::string key = line.substr(0, colon), value = line.substr(colon + 2);
-    for (const auto& [name, member] : {std::pair{"host", &holder.host}, std::pair{"boot", &holder.boot},
-                                       std::pair{"pid_namespace", &holder.pid_namespace},
-                                       std::pair{"started", &holder.started}, std::pair{"command", &holder.command},
-                                       std::pair{"nonce", &holder.nonce}}) {
+    for (const auto& [name, member] :
+         {std::pair{"host", &holder.host}, std::pair{"boot", &holder.boot},
+          std::pair{"pid_namespace", &holder.pid_namespace}, std::pair{"started", &holder.started},
+          std::pair{"command", &holder.command}, std::pair{"nonce", &holder.nonce}}) {
       if (key == name) *member = value;
     }
     if (key == "process") std::istringstream(value) >> holder.process;

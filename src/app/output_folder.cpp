@@ -71,7 +71,8 @@ std::string find_restart_folder(const std::string& checkpoint) {
 bool lies_in_folder(const std::string& checkpoint, const std::string& folder) {
   std::error_code ignored;
   const std::string behind_links = fs::weakly_canonical(checkpoint, ignored).string();
-  return is_same_file(find_restart_folder(checkpoint), folder) || is_same_file(find_restart_folder(behind_links), folder);
+  return is_same_file(find_restart_folder(checkpoint), folder) ||
+         is_same_file(find_restart_folder(behind_links), folder);
 }
 
 void check_folder_is_writable(const std::string& folder) {

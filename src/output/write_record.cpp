@@ -136,7 +136,8 @@ std::uint64_t WriteRecord::find_content(const Communicator& ranks) const {
 namespace {
 
 std::uint64_t find_content(hid_t group, std::uint64_t file_bytes, int depth) {
-  if (depth > deepest_group) throw Error("read the groups", fmt::format("they are nested more than {} deep", deepest_group));
+  if (depth > deepest_group)
+    throw Error("read the groups", fmt::format("they are nested more than {} deep", deepest_group));
   std::uint64_t sum = 0;
   for (const std::string& name : list_names(group, ".")) {
     const Handle object(check(H5Oopen(group, name.c_str(), H5P_DEFAULT), "open " + name), H5Oclose);
