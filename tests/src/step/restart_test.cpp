@@ -230,7 +230,8 @@ TEST(Restart, AtTheEndFindsTheRunDone) {
 }
 
 TEST(Restart, AtTheEndHasWhatContactDidInTheLastStep) {
-  for (const auto& [enforcement, column] : {std::pair("penalty", "stored"), std::pair("lagrange", "complementarity")}) {
+  for (const auto& [enforcement, column] :
+       {std::pair("penalty", "contact_stored"), std::pair("lagrange", "complementarity")}) {
     const TemporaryFolder folder;
     const std::string deck = change(stopped(20), "friction: 0.3", fmt::format("enforcement: {}", enforcement));
     run(deck, folder.path());
