@@ -1,10 +1,12 @@
 #pragma once
-// What is opened for reading must be a regular file: a pipe or a device may keep its reader waiting for ever, or never
-// end.
+// What stands at a path, asked before it is opened: what is opened for reading must be a regular file, since a pipe or
+// a device may keep its reader waiting for ever, or never end.
 
 #include <sys/stat.h>
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace percuss {
 
@@ -18,6 +20,12 @@ inline std::string describe_irregular_file(const std::string& path) {
                            : S_ISSOCK(status.st_mode) ? "a socket"
                                                       : "a device";
   return std::string(kind) + " (a regular file is needed): name a file, or write what comes from there to one first";
+}
+
+/// Whether both paths lead to one file or folder, and it is there; false for what cannot be looked at.
+inline bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error) && !error;
 }
 
 }  // namespace percuss

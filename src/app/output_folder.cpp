@@ -11,6 +11,7 @@
 
 #include "src/app/folder_lock.hpp"
 #include "src/error.hpp"
+#include "src/regular_file.hpp"
 
 namespace percuss {
 namespace {
@@ -37,11 +38,6 @@ void remove_file(const fs::path& file) {
 }
 
 /// Whether both name the same file or folder, and it is there.
-bool is_same_file(const fs::path& a, const fs::path& b) {
-  std::error_code error;
-  return fs::equivalent(a, b, error) && !error;
-}
-
 bool is_lock(const fs::path& file) { return file.filename().string().starts_with(lock_file_name); }
 
 }  // namespace

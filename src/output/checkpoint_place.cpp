@@ -4,19 +4,13 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
-#include <system_error>
 
 #include "src/output/atomic_file.hpp"
 #include "src/output/sealed_file.hpp"
+#include "src/regular_file.hpp"
 
 namespace percuss {
 namespace {
-
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code error;
-  return std::filesystem::equivalent(a, b, error) && !error;
-}
 
 // A damaged file must not take the place of a whole one.
 bool may_become_previous(const std::string& path, const std::string& known_whole) {
