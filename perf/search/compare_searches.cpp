@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/contact/search/capture_boxes.hpp"
 #include "kernels/contact/search/pair_search.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "perf/search/clouds.hpp"
