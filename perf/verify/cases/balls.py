@@ -59,9 +59,9 @@ HERTZ_TABLE = ["run", "quantity", "measured", "Hertz, mass of the mesh", "differ
 
 @case("hertz_wall", "impact", "Hertz: a ball on a rigid wall")
 def hertz_wall(bench):
-    """A steel ball (R = 10 mm, 210 GPa, 0.3, 7850 kg/m^3) hits a rigid wall. Hertz: E* = E / (1 - nu^2), delta = (15 m v^2
-    / (16 E* sqrt R))^(2/5), F = 4/3 E* sqrt(R) delta^(3/2), time 2.9433 delta / v; at 1 m/s 17.80 um, 2309.8 N, 52.37
-    us.
+    """A steel ball (R = 10 mm, 210 GPa, 0.3, 7850 kg/m^3) hits a rigid wall. Hertz gives, with `E* = E / (1 - nu^2)`, the
+    approach `delta = (15 m v^2 / (16 E* sqrt R))^(2/5)`, the force `F = 4/3 E* sqrt(R) delta^(3/2)` and the time
+    `2.9433 delta / v`. At 1 m/s they are 17.80 um, 2309.8 N and 52.37 us.
 
     A quarter of the ball is used, its cells concentrated at the pole by a Moebius map, so that 4 and 10 elements lie
     across the contact radius of 0.42 mm. At least 5 are required, so the second is judged and the first shown. The

@@ -85,8 +85,8 @@ def move_slabs(cells, speed):
 
 @case("velocity_step", "waves", "A fixed bar with a step in velocity: the series")
 def velocity_step(bench):
-    """A bar of length L moves at V when its end x = 0 is stopped. Its displacement is the series u = sum 8 L V sqrt(rho /
-    E) / ((2n - 1)^2 pi^2) sin(w_n t) sin((2n - 1) pi x / 2L), at the free end a triangle of height V L / c. The run
+    """A bar of length L moves at V when its end x = 0 is stopped. Its displacement is the series `u = sum 8 L V sqrt(rho /
+    E) / ((2n - 1)^2 pi^2) sin(w_n t) sin((2n - 1) pi x / 2L)`, at the free end a triangle of height V L / c. The run
     lasts one period, 4 L / c. The velocity has jumps, which a scheme of second order spreads over a width ~ h^(2/3)
     (dispersion). The L2 error of the displacement, whose derivative jumps, therefore falls with h^(2/3 * 3/2) = h. The
     tolerance is 1 % of V L / c at the end with 200 elements."""
