@@ -1,6 +1,7 @@
 #pragma once
-// Sums that grow by little, in float: value and rest together hold 48 bits, where a float alone would lose what is
-// below half of its last place in every step (Kahan, Comm. ACM 8, 1965). Doubles have no rest and no code for one.
+// Sums of small increments in single precision. Value and remainder together hold 48 bits; a single-precision value
+// alone would lose in every step what is below half of its last digit (Kahan, Comm. ACM 8, 1965). Doubles have no
+// remainder and no code for one.
 
 #include "kernels/core/short_scalar.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
-// Which lanes of a chunk's packs live, as the launcher of the element step sees it: dead ones gather what a living lane
-// gathers and leave nothing; a failed one leaves the share that it has left.
+// Active lanes of a chunk's packs, as the launcher of the element step sees them. Inactive lanes gather the data of an
+// active lane and add nothing; a failed lane adds its remaining share.
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #pragma once
-// The rules on suspicious input: a scene can be run and is yet hardly meant so. Pure functions from a scene to
-// warnings; docs/checks.md says what each looks for, from which limit on and why.
+// The rules on suspicious input: valid decks that are probably not what the user meant. Pure functions from a scene to
+// warnings; docs/checks.md has the purpose, limit and reason of each.
 
 #include <string>
 #include <vector>

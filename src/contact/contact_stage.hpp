@@ -1,8 +1,8 @@
 #pragma once
 // The contact stage of a step (the paper's (1.7) to (1.9)): search if due, detailed check, enforcement.
 //
-// The stage is asked once a step, after the motion was predicted without contact, and corrects the velocities so that
-// no contact node ends behind a face or a wall. Everything is in the order of global numbers: the same bits for any
+// The stage is called once a step, after the motion was predicted without contact. It corrects the velocities so that
+// no contact node ends behind a face or a wall. All work follows the order of global numbers: the same bits for any
 // number of ranks and threads.
 
 #include <memory>

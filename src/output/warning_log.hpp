@@ -1,6 +1,6 @@
 #pragma once
-// The warnings of a run, of deck, mesh, start, steps and end alike: told when they are found, counted when they are
-// found again, and listed at the end.
+// The warnings of a run, of deck, mesh, start, steps and end: printed when first found, then counted, and listed at the
+// end.
 
 #include <functional>
 #include <set>

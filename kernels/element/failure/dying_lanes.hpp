@@ -1,5 +1,5 @@
 #pragma once
-// How elements that can fail die, lane by lane: what the passes over hexahedra and over shells share.
+// Loss of force of failed elements, lane by lane: shared by the loops over hexahedra and over shells.
 
 #include <cstddef>
 

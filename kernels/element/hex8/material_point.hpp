@@ -1,5 +1,5 @@
 #pragma once
-// The materials as an element sees them: what they remember at its points, and how their stress is advanced.
+// The materials as an element sees them: their history at its points, and the update of their stress.
 
 #include "kernels/core/widen.hpp"
 #include "kernels/element/hex8/modes.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// What a material is told of a step at one of its points, and what it tells the element in return.
+// Input and output of a material for a step at one of its points.
 
 #include "kernels/core/tensor.hpp"
 #include "kernels/material/point/plastic_return.hpp"

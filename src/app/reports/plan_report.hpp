@@ -1,5 +1,5 @@
 #pragma once
-// A plan in words: the answer of `percuss plan`. docs/plan.md tells what every line means.
+// A plan in words: the answer of `percuss plan`. docs/plan.md explains every line.
 
 #include <string>
 #include <vector>

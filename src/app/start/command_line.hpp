@@ -1,5 +1,5 @@
 #pragma once
-// What the user asks for on the command line.
+// The request of the user on the command line.
 
 #include <string>
 #include <variant>

@@ -1,10 +1,10 @@
 #pragma once
-// The detailed check in the contact decomposition, in every step: what it reads comes from the FE owners, what it finds
-// goes back.
+// The detailed check in the contact decomposition, in every step: its input comes from the FE owners, its result goes
+// back to them.
 //
-// After a search the rank tells the FE owners of nodes which places and velocities, and which remembered contacts, the
-// check of the candidate pairs reads. Until it tells them otherwise a step costs no more than these, and the touches
-// that go back: nodes and faces far from any contact are not sent at all. Where near pairs are listed, only theirs are.
+// After a search the rank requests from the FE owners the motion and the contact history that the check of the
+// candidate pairs reads. Until the next request, a step sends only these and the touches that go back. Nodes and faces
+// far from any contact are not sent at all. Where near pairs are listed, only theirs are sent.
 
 #include "src/contact/check/check_space.hpp"
 #include "src/contact/exchange/motion_copy.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // The check of edge pairs in the contact decomposition, in every step: motion and history come from homes, touches go
-// back. The home of an edge A, where its first face is, remembers its contacts and has their rows.
+// back. The home of an edge A, where its first face is, stores its contact history and has its rows.
 
 #include "src/contact/check/edge_space.hpp"
 #include "src/contact/exchange/motion_copy.hpp"

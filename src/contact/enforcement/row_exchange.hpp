@@ -1,5 +1,5 @@
 #pragma once
-// What rows tell other ranks about foreign nodes, and hear from them (the paper's section 4.3.2).
+// Data of foreign nodes that rows exchange with other ranks (the paper's section 4.3.2).
 
 #include <array>
 #include <vector>

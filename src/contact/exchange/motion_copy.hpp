@@ -1,5 +1,5 @@
 #pragma once
-// Places and velocities of nodes that other ranks own, in every step.
+// Positions and velocities of nodes that other ranks own, in every step.
 
 #include <cstdint>
 #include <vector>

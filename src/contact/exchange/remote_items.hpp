@@ -1,5 +1,5 @@
 #pragma once
-// Items that a rank asks others for by number, and parts of them that it asks for again without naming them.
+// Items that a rank requests from others by number, and subsets of them that it requests again without naming them.
 
 #include <cstdint>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 #pragma once
-// What the plan of contact counts with: who has what, who was told what, and how many items go from rank to rank.
+// Data of the plan of contact: the content of ranks, the cached topology, and the number of items between ranks.
 
 #include <map>
 #include <utility>

@@ -1,5 +1,5 @@
 #pragma once
-// From global numbers to their places in a list.
+// From global numbers to their positions in a list.
 
 #include <algorithm>
 #include <cstddef>

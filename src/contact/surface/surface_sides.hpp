@@ -1,8 +1,9 @@
 #pragma once
-// Which faces around a node lie on the same side of the surface: of a shell's two sides only one goes on around a fold.
+// Which faces around a node lie on the same side of the surface: of a shell's two sides only one continues around a
+// fold.
 //
-// A walk over shared edges: two faces on one side of a surface go through their common edge in opposite directions,
-// whatever the angle between them. It ends where a shell ends and where more than two meet.
+// A walk over shared edges: two faces on one side of a surface pass their common edge in opposite directions, for any
+// angle between them. It ends where a shell ends and where more than two meet.
 
 #include <array>
 #include <vector>

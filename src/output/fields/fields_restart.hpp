@@ -1,5 +1,5 @@
 #pragma once
-// A fields file of an earlier run, before a restart goes on with it.
+// A fields file of an earlier run, before a restart continues it.
 
 #include <span>
 #include <string>
