@@ -93,7 +93,7 @@ struct PointExtents {
 
 }  // namespace
 
-// Whole numbers and least keys: the same whatever the order of threads.
+// Whole numbers and least keys: the same for any order of threads.
 template <class Source, class Extents>
 Survey PointCounter::count_blocks(const ExecSpace& space, const Source& source, int n, const Probes& probes,
                                   const Extents& extents) {

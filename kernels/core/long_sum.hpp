@@ -7,7 +7,7 @@
 
 namespace percuss {
 
-/// Takes the place of a rest that a double does not need.
+/// Stands for the remainder that a double does not need.
 template <class Value>
 struct NoRest {};
 
@@ -15,7 +15,8 @@ struct NoRest {};
 template <class T, class Value>
 using RestOf = std::conditional_t<is_short<T>, Value, NoRest<Value>>;
 
-/// value + rest += more. The rest is at most half of the value's last place unless `more` is larger than the value.
+/// value + rest += more. The remainder is at most half of the value's last digit unless `more` is larger than the
+/// value.
 template <class T>
 PERCUSS_FORCE_INLINE void add_to(T& value, T& rest, const T& more) {
   const T wanted = more + rest;

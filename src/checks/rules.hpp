@@ -43,7 +43,7 @@ std::vector<Warning> check_failure_strain(const CheckedScene& scene);
 std::vector<Warning> check_viscosity(const CheckedScene& scene);
 std::vector<Warning> check_mass_scaling(const CheckedScene& scene);
 
-// Sizes and places of parts (size_rules.cpp)
+// Sizes and positions of parts (size_rules.cpp)
 std::vector<Warning> check_part_size(const CheckedScene& scene);
 std::vector<Warning> check_shell_thickness(const CheckedScene& scene);
 std::vector<Warning> check_single_layer(const CheckedScene& scene);

@@ -32,7 +32,7 @@ struct PointStep {
   T lambda{}, mu{};            // out; elastic moduli now, preset to those at the start
 };
 
-/// What an equation of state tells laws that have a temperature.
+/// Output of an equation of state for laws with a temperature.
 template <class T>
 struct StateChange {
   T volume;     // J(n+1) - J(n)

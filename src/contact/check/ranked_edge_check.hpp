@@ -14,7 +14,7 @@ class RankedEdgeCheck {
   RankedEdgeCheck(const ContactRanks& ranks, const SurfaceShare& share, bool keeps_still);
 
   /// A search has listed other pairs among `edges`, those of space(), so many on all ranks: keeps the edges of pairs,
-  /// and asks for the motion of their nodes and for what is remembered of their contacts. Throws MpiError.
+  /// and requests the motion of their nodes and their contact history. Throws MpiError.
   void take_pairs(const std::vector<EdgeTopology>& edges, std::int64_t total_pairs, UnstructuredExchange& exchange,
                   DataExchange& data);
 

@@ -29,7 +29,7 @@ class Enforcer {
   void redefine(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
                 const Array<const TieGeometry>& ties);
 
-  /// A step in which nothing touches on any rank: no impulses, nothing to remember.
+  /// A step without contact on any rank: no impulses, no history.
   void rest(const ContactMotion& motion, ContactHistory& history);
 
   /// A step like the last one, in which rows pushed nothing: what was remembered still is.

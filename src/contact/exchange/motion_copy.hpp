@@ -11,7 +11,7 @@
 
 namespace percuss {
 
-/// Nodes whose motion is wanted.
+/// Nodes whose motion is requested.
 struct MotionPart {
   ExchangePlan request;
   Array<int> rows, published;      // in messages: rows of the copy, mesh nodes of this rank
@@ -41,7 +41,7 @@ class MotionCopy {
   }
 
  private:
-  /// Place and velocity of a node.
+  /// Position and velocity of a node.
   struct Item {
     double x[3], v[3];
   };

@@ -19,9 +19,9 @@ struct SideRings {
   std::vector<int> is_open;  // [4 faces] 1: a shell that ends there, at an edge that no other face has
 };
 
-/// corners: [faces][4] places of nodes, outward; -1: not here, then the rings of the face are short. offset: [faces]
-/// half the thickness of shells, 0 of solids, of whose faces all around a node belong together.
-/// node_faces: faces around each node, ascending.
+/// corners: [faces][4] indexes of nodes, outward; -1: not here, then the rings of the face are short. offset: [faces]
+/// half the thickness of shells, 0 of solids, of whose faces all around a node belong together. node_faces: faces
+/// around each node, ascending.
 SideRings find_side_rings(const std::vector<std::array<int, 4>>& corners, const std::vector<double>& offset,
                           const Buckets& node_faces);
 

@@ -26,7 +26,7 @@ class VtkhdfFile {
   /// Creates the file with the mesh and no frame. Collective, as all below. Throws SystemError; no file is left then.
   VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks);
-  /// Goes on with a file that has so many frames and nothing else (cut_fields_file()).
+  /// Continues with a file that has so many frames and nothing else (cut_fields_file()).
   VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks, std::int64_t frames);
   /// Closes the file; errors are lost.
