@@ -38,7 +38,7 @@ struct SendOrder {
 };
 
 /// Puts items in ascending order of destination; those of one destination keep their order.
-/// destinations: [items] rank that each goes to. An item wanted by several ranks is listed once for each by the caller.
+/// destinations: [items] rank that each goes to. An item for several ranks is listed once for each by the caller.
 /// Linear in the items; memory beyond the result grows with the number of different destinations only.
 SendOrder order_by_destination(const std::vector<int>& destinations);
 

@@ -10,7 +10,7 @@ namespace {
 /// Points that one thread counts before its counts are merged with the others'.
 constexpr int block_length = 4096;
 
-/// Room for n entries; grows by a quarter more than asked for, because counts change from step to step.
+/// Room for n entries; grows by a quarter more than requested, because counts change from step to step.
 template <class View>
 void make_room(View& view, const std::string& label, int n) {
   const auto wanted = static_cast<std::size_t>(n);

@@ -30,7 +30,7 @@ struct Numbering {
   }
 };
 
-/// The owners of nodes that are asked for in nearly ascending order: the next is mostly of the same chunk.
+/// The owners of nodes that are requested in nearly ascending order: the next is mostly of the same chunk.
 class NodeOwners {
  public:
   explicit NodeOwners(const Numbering& numbering) : numbering_(numbering) {}

@@ -25,7 +25,7 @@ class MotionCopy {
   void name(const ContactRanks& ranks, UnstructuredExchange& exchange, DataExchange& data,
             const std::vector<std::int64_t>& numbers);
 
-  /// All of them, and those wanted: [named nodes]. select() is collective.
+  /// All of them, and those requested: [named nodes]. select() is collective.
   MotionPart all() const;
   MotionPart select(DataExchange& data, const std::vector<char>& is_wanted) const;
 

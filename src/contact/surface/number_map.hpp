@@ -69,7 +69,7 @@ class NumberMap {
   std::vector<std::int64_t> numbers_;
 };
 
-/// Places in an ascending list of numbers that are asked for in nearly ascending order: from one to the next it is not
+/// Places in an ascending list of numbers that are requested in nearly ascending order: from one to the next it is not
 /// far.
 class NumberWalk {
  public:

@@ -70,7 +70,7 @@ void check_size(const Deck& deck, const Node& root, Reading& reading) {
   MeshSize total;
   for (const PartDeck& part : deck.parts) {
     const MeshSize size = count_cells(part);
-    if (size.elements > largest_mesh || size.nodes > largest_mesh) return;  // told already
+    if (size.elements > largest_mesh || size.nodes > largest_mesh) return;  // reported already
     total.elements += size.elements;
     total.nodes += size.nodes;
   }

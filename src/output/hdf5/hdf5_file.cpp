@@ -46,7 +46,7 @@ void keep_metadata_until_flush(hid_t file, const std::string& action) {
 Handle create_access(const Communicator& ranks, const std::string& action) {
   Handle access(check(H5Pcreate(H5P_FILE_ACCESS), action), H5Pclose);
   // No lock, so that ParaView can look at a run that continues. No chunk cache and no sieve buffer: data go to the
-  // system as they come, and the call that brings them tells of a failure; what a buffer held back could only fail
+  // system as they come, and the call that brings them reports a failure; what a buffer held back could only fail
   // later.
   check(H5Pset_file_locking(access.get(), false, true), action);
   check(H5Pset_cache(access.get(), 0, 1, 0, 1.0), action);
@@ -133,7 +133,7 @@ Handle create_collective_transfer() {
   Handle transfer(check(H5Pcreate(H5P_DATASET_XFER), "describe a transfer"), H5Pclose);
   check(H5Pset_dxpl_mpio(transfer.get(), H5FD_MPIO_COLLECTIVE), "describe a transfer");
   // Each rank writes its block itself: blocks have no gaps, so there is nothing to put together on some of the ranks
-  // first, and a rank whose write fails is told. Open MPI 4.1 loses that error where ranks write for each other.
+  // first, and a rank whose write fails gets the error. Open MPI 4.1 loses that error where ranks write for each other.
   check(H5Pset_dxpl_mpio_collective_opt(transfer.get(), H5FD_MPIO_INDIVIDUAL_IO), "describe a transfer");
   return transfer;
 }
@@ -152,7 +152,7 @@ void turn_away(const Handle& file, const Communicator& ranks) {
 
 // Stands before the MPI library's function of this name, as MPI's profiling interface provides for. With several ranks
 // all that HDF5 writes passes here. HDF5 1.10 continues in a flush after a failed write, past what the other ranks wait
-// for, and Open MPI 4.1 tells of one by the count alone: both would be a hang. So a failed write ends all ranks.
+// for, and Open MPI 4.1 reports one by the count alone: both would be a hang. So a failed write ends all ranks.
 extern "C" int MPI_File_write_at(MPI_File file, MPI_Offset offset, const void* data, int count, MPI_Datatype type,
                                  MPI_Status* status) {
   MPI_Status own;
