@@ -1,6 +1,6 @@
 #pragma once
 // Doubles by their bits. Comparisons of three numbers: what is skipped because nothing has changed may not even differ
-// in the sign of a zero. Keys that are in the order of the numbers.
+// in the sign of a zero. Keys that are in the order of the numbers. Hashes and random numbers that follow from a key.
 
 #include <bit>
 #include <cstdint>
@@ -31,6 +31,14 @@ KOKKOS_INLINE_FUNCTION std::uint64_t make_sort_key(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(normal);
   const std::uint64_t sign = std::uint64_t{1} << 63;
   return (bits & sign) != 0 ? ~bits : bits | sign;
+}
+
+/// The finaliser of SplitMix64 (Steele, Lea and Flood 2014). Different numbers give different ones.
+KOKKOS_INLINE_FUNCTION std::uint64_t mix_bits(std::uint64_t h) {
+  h += 0x9e3779b97f4a7c15ull;
+  h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
+  h = (h ^ (h >> 27)) * 0x94d049bb133111ebull;
+  return h ^ (h >> 31);
 }
 
 }  // namespace percuss

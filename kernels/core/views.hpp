@@ -5,6 +5,7 @@
 // row (x, y, z of a node together), because both the gather of an element and a node loop want whole rows.
 
 #include <Kokkos_Core.hpp>
+#include <utility>
 
 #include <cstdint>
 
@@ -32,5 +33,10 @@ template <class T>
 using Rows4 = Kokkos::View<T* [4], Kokkos::LayoutRight, MemSpace>;
 
 using Range = Kokkos::RangePolicy<ExecSpace, Kokkos::IndexType<int>>;
+
+/// Type of what Kokkos::create_mirror_view() gives for a view: the view itself where kernels run on host memory. The
+/// member of View that names it depends on the version of Kokkos.
+template <class View>
+using HostMirror = decltype(Kokkos::create_mirror_view(std::declval<const View&>()));
 
 }  // namespace percuss

@@ -13,7 +13,7 @@
 #include "kernels/core/short_transpose.hpp"
 #include "kernels/core/views.hpp"
 #include "kernels/core/widen.hpp"
-#include "kernels/element/modes.hpp"
+#include "kernels/element/hex8/modes.hpp"
 
 namespace percuss {
 

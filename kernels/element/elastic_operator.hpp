@@ -5,7 +5,7 @@
 // h. K is that of the elastic moduli on the geometry of n, without stress; C that of the viscosities, linearised about
 // the rate of n. Both are symmetric. Plastic flow only softens K.
 
-#include "kernels/element/hex8_full.hpp"
+#include "kernels/element/hex8/hex8_full.hpp"
 #include "kernels/element/internal_force.hpp"
 
 namespace percuss {

@@ -10,7 +10,7 @@
 #include "kernels/core/precision.hpp"
 #include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
-#include "kernels/element/hex8_full.hpp"
+#include "kernels/element/hex8/hex8_full.hpp"
 
 namespace percuss {
 

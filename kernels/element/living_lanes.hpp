@@ -7,7 +7,7 @@
 #include "kernels/core/precision.hpp"
 #include "kernels/core/widen.hpp"
 #include "kernels/element/element_lives.hpp"
-#include "kernels/element/hex8.hpp"
+#include "kernels/element/hex8/hex8.hpp"
 
 namespace percuss {
 

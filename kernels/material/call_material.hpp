@@ -2,8 +2,8 @@
 // How a called material is made, started and called: all that sees the list of materials.
 
 #include "kernels/material/called_material.hpp"
-#include "kernels/material/equations_of_state.hpp"
-#include "kernels/material/materials.hpp"
+#include "kernels/material/laws/materials.hpp"
+#include "kernels/material/pressure/equations_of_state.hpp"
 
 namespace percuss {
 

@@ -5,9 +5,9 @@
 // an element. What a called material computes (powers, logarithms, tables) costs more than the call. The lists are seen
 // only by who makes and who calls one (call_material.hpp).
 
-#include "kernels/material/elastic.hpp"
-#include "kernels/material/point_step.hpp"
-#include "kernels/material/type_list.hpp"
+#include "kernels/material/point/elastic.hpp"
+#include "kernels/material/point/point_step.hpp"
+#include "kernels/material/point/type_list.hpp"
 
 namespace percuss {
 

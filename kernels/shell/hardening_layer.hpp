@@ -2,12 +2,12 @@
 // Layers in plane stress of every material whose flow stress depends on the equivalent plastic strain, its rate and the
 // temperature: the solid's own laws, returned to a yield surface without stress across the layer.
 
-#include "kernels/material/combined_hardening.hpp"
-#include "kernels/material/johnson_cook.hpp"
-#include "kernels/material/power_law_plasticity.hpp"
-#include "kernels/material/tabulated_plasticity.hpp"
-#include "kernels/material/type_list.hpp"
-#include "kernels/material/voce_plasticity.hpp"
+#include "kernels/material/laws/combined_hardening.hpp"
+#include "kernels/material/laws/johnson_cook.hpp"
+#include "kernels/material/laws/power_law_plasticity.hpp"
+#include "kernels/material/laws/tabulated_plasticity.hpp"
+#include "kernels/material/laws/voce_plasticity.hpp"
+#include "kernels/material/point/type_list.hpp"
 #include "kernels/shell/plane_stress.hpp"
 
 namespace percuss {

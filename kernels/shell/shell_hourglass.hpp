@@ -5,7 +5,7 @@
 
 #include "kernels/shell/layer_lives.hpp"
 #include "kernels/shell/plane_stress.hpp"
-#include "kernels/shell/shell_rates.hpp"
+#include "kernels/shell/geometry/shell_rates.hpp"
 #include "kernels/shell/shell_state.hpp"
 
 namespace percuss {

@@ -5,7 +5,7 @@
 // a quadrilateral every part is an upper bound of its own (docs/theory_shells.md, "Mass and step"), whatever its shape.
 
 #include "kernels/shell/plane_stress.hpp"
-#include "kernels/shell/shear_modes.hpp"
+#include "kernels/shell/geometry/shear_modes.hpp"
 #include "kernels/shell/shell_hourglass.hpp"
 
 namespace percuss {

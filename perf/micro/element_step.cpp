@@ -14,9 +14,9 @@
 #include "comm/communicator.hpp"
 #include "perf/micro/ceilings.hpp"
 #include "perf/micro/operation_counts.hpp"
-#include "src/deck/read_deck.hpp"
-#include "src/mesh/decompose.hpp"
-#include "src/step/state.hpp"
+#include "src/deck/reading/read_deck.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
+#include "src/step/model/state.hpp"
 
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "kernels/element/hex8_full.hpp"
-#include "kernels/material/materials.hpp"
+#include "kernels/element/hex8/hex8_full.hpp"
+#include "kernels/material/laws/materials.hpp"
 
 namespace percuss {
 

@@ -13,9 +13,9 @@
 #include <functional>
 #include <random>
 
-#include "comm/data_exchange.hpp"
-#include "comm/rcb.hpp"
-#include "comm/unstructured_exchange.hpp"
+#include "comm/exchange/data_exchange.hpp"
+#include "comm/exchange/unstructured_exchange.hpp"
+#include "comm/rcb/rcb.hpp"
 #include "perf/rcb/bisection.hpp"
 
 namespace percuss::perf {

@@ -5,8 +5,8 @@
 #include <exception>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/mesh/decompose.hpp"
-#include "src/step/audit.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
+#include "src/step/audit/audit.hpp"
 #include "src/step/step.hpp"
 
 namespace percuss {

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/mesh/decompose.hpp"
-#include "src/step/model.hpp"
-#include "src/step/state.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
+#include "src/step/model/model.hpp"
+#include "src/step/model/state.hpp"
 
 namespace percuss {
 

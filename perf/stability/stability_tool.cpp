@@ -13,7 +13,7 @@
 #include "comm/communicator.hpp"
 #include "perf/stability/bounded_run.hpp"
 #include "perf/stability/linear_operators.hpp"
-#include "src/deck/read_deck.hpp"
+#include "src/deck/reading/read_deck.hpp"
 
 namespace percuss {
 

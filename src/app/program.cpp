@@ -8,14 +8,14 @@
 #include <functional>
 
 #include "comm/rendezvous.hpp"
-#include "src/app/commands.hpp"
-#include "src/app/failure_report.hpp"
-#include "src/app/stop_signals.hpp"
-#include "src/app/threads.hpp"
+#include "src/app/commands/commands.hpp"
+#include "src/app/start/failure_report.hpp"
+#include "src/app/start/stop_signals.hpp"
+#include "src/app/start/threads.hpp"
 #include "src/fail_together.hpp"
+#include "src/output/files/safe_text.hpp"
 #include "src/output/progress.hpp"
-#include "src/output/safe_text.hpp"
-#include "src/step/stop_request.hpp"
+#include "src/step/run/stop_request.hpp"
 
 namespace percuss {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "kernels/material/equation_of_state.hpp"
+#include "kernels/material/pressure/equation_of_state.hpp"
 #include "src/checks/checked_scene.hpp"
 
 namespace percuss {

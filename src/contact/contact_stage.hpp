@@ -14,7 +14,7 @@
 #include "src/contact/search/contact_finder.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
-#include "src/output/checkpoint_archive.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
 
 namespace percuss {
 

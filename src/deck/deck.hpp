@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "src/deck/curve.hpp"
-#include "src/deck/key_places.hpp"
+#include "src/deck/yaml/key_places.hpp"
 #include "src/warning.hpp"
 
 namespace percuss {

@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
-#include "kernels/material/equations_of_state.hpp"
-#include "kernels/material/materials.hpp"
+#include "kernels/material/laws/materials.hpp"
+#include "kernels/material/pressure/equations_of_state.hpp"
 #include "src/deck/deck.hpp"
 
 namespace percuss {

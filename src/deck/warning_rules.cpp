@@ -4,13 +4,13 @@ namespace percuss {
 
 const std::vector<WarningRule>& warning_rules() {
   static const std::vector<WarningRule> rules = {
-      // units (src/checks/unit_rules.cpp)
+      // units (src/checks/rules/unit_rules.cpp)
       {"unit_system", "density and stiffness that fit no system of units, of a deck that names none"},
       {"density", "density that no material has in the named units"},
       {"wave_speed", "wave speed that no solid has in the named units"},
       {"scene_size", "a scene that is tiny or huge in the units of its materials"},
       {"gravity_size", "gravity that does not fit the units of the materials"},
-      // materials and settings (src/checks/material_rules.cpp)
+      // materials and settings (src/checks/rules/material_rules.cpp)
       {"yield_stress", "yield stress far above or below what the Young's modulus suggests"},
       {"hardening_modulus", "hardening modulus near the Young's modulus"},
       {"failure_strain", "failure strain given as a percentage"},
@@ -18,14 +18,14 @@ const std::vector<WarningRule>& warning_rules() {
       {"mass_scaling", "mass scaling that may add much of a part's mass"},
       {"unused_material", "material that no part uses"},
       {"fluid_hourglass", "fluid with the hourglass control of solids"},
-      // sizes and places of parts (src/checks/size_rules.cpp)
+      // sizes and places of parts (src/checks/rules/size_rules.cpp)
       {"part_size", "parts of very different size"},
       {"shell_thickness", "implausible shell thickness"},
       {"single_layer", "sheet of solid elements, one element thick"},
       {"duplicate_part", "two parts at the same place"},
       {"enclosed_part", "part inside another solid part"},
       {"angle_in_radians", "angle that looks like radians"},
-      // velocities, conditions and loads (src/checks/condition_rules.cpp, motion_rules.cpp)
+      // velocities, conditions and loads (src/checks/rules/condition_rules.cpp, motion_rules.cpp)
       {"stopped_velocity", "initial velocity of nodes that a condition holds"},
       {"unused_velocity", "initial velocity that later entries replace everywhere"},
       {"fast_velocity", "initial velocity above the wave speed"},
@@ -36,14 +36,14 @@ const std::vector<WarningRule>& warning_rules() {
       {"still_scene", "scene in which nothing moves"},
       {"idle_part", "part without velocity, condition, load and contact"},
       {"unreached_body", "moving body that touches nothing before the end"},
-      // contact (src/checks/motion_rules.cpp, contact_rules.cpp)
+      // contact (src/checks/rules/motion_rules.cpp, contact_rules.cpp)
       {"no_contact", "parts that have no contact and whose boxes meet"},
       {"deep_overlap", "overlap at the start that is deep beside an element or a thickness"},
       {"behind_wall", "nodes that begin behind a wall"},
       {"friction", "coefficient of friction that no surface has"},
       {"tie_distance", "tie that reaches beyond an element"},
       {"key_without_effect", "setting that does nothing as the others stand"},
-      // time and output (src/checks/output_rules.cpp)
+      // time and output (src/checks/rules/output_rules.cpp)
       {"end_time", "run of a few steps, or of far too many"},
       {"step_scale", "step far below the stable one"},
       {"output_interval", "output interval longer than the run"},

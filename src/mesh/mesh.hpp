@@ -85,7 +85,7 @@ struct Mesh {
   std::optional<Communicator> ranks;  // those that hold it together; none: this one holds it all
 };
 
-/// load_mesh() (src/mesh/decompose.hpp) on this rank alone, without its chunks.
+/// load_mesh() (src/mesh/decomposition/decompose.hpp) on this rank alone, without its chunks.
 Mesh build_mesh(const Deck& deck);
 
 /// Nodes that the selector means, ascending; a side set means the nodes of its faces. `inside` counts nodes on the

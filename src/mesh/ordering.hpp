@@ -2,7 +2,7 @@
 // Chunks: what everything after meshing counts in (the decomposition, the fixed order of every sum, what is skipped).
 //
 // A chunk comes from the mesh alone, never from the number of ranks or threads, so that results do not depend on them.
-// Generated parts are cut by index (src/mesh/tiling.hpp), parts from files by the bisection here.
+// Generated parts are cut by index (src/mesh/shapes/tiling.hpp), parts from files by the bisection here.
 
 #include <cstdint>
 #include <vector>

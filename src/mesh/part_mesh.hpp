@@ -1,6 +1,6 @@
 #pragma once
 // The mesh of one part from a file, all of it, before it is cut into chunks. Generated shapes are never held like this
-// (src/mesh/shape_source.hpp).
+// (src/mesh/shapes/shape_source.hpp).
 
 #include <array>
 #include <cstdint>

@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "comm/all_reduce.hpp"
-#include "src/deck/nearest_name.hpp"
+#include "src/deck/text/nearest_name.hpp"
 #include "src/error.hpp"
 #include "src/mesh/surface_nodes.hpp"
 

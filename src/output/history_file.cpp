@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "src/error.hpp"
-#include "src/output/safe_text.hpp"
+#include "src/output/files/safe_text.hpp"
 
 namespace percuss {
 namespace {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "src/output/files/posix_file.hpp"
 #include "src/output/later_states.hpp"
-#include "src/output/posix_file.hpp"
 
 namespace percuss {
 

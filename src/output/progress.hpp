@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "src/output/safe_text.hpp"
+#include "src/output/files/safe_text.hpp"
 
 namespace percuss {
 

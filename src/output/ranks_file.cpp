@@ -1,6 +1,6 @@
 #include "src/output/ranks_file.hpp"
 
-#include "src/output/atomic_file.hpp"
+#include "src/output/files/atomic_file.hpp"
 #include "src/output/history_file.hpp"
 
 namespace percuss {

@@ -11,7 +11,7 @@
 #include <type_traits>
 
 #include "src/error.hpp"
-#include "src/output/atomic_file.hpp"
+#include "src/output/files/atomic_file.hpp"
 #include "src/output/warning_json.hpp"
 
 namespace percuss {

@@ -6,8 +6,8 @@
 #include "comm/exact_reduction.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "kernels/element/failure.hpp"
-#include "src/step/whole_mesh.hpp"
+#include "kernels/element/failure/failure.hpp"
+#include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
 

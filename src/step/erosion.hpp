@@ -10,11 +10,11 @@
 #include <optional>
 #include <vector>
 
-#include "comm/halo_swap.hpp"
+#include "comm/halo/halo_swap.hpp"
 #include "kernels/core/counting_sort.hpp"
 #include "src/contact/contact_stage.hpp"
-#include "src/step/books.hpp"
-#include "src/step/state.hpp"
+#include "src/step/audit/books.hpp"
+#include "src/step/model/state.hpp"
 
 namespace percuss {
 

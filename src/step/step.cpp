@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
-#include "kernels/element/failure.hpp"
+#include "kernels/element/failure/failure.hpp"
 #include "kernels/shell/shell_failure.hpp"
 #include "src/step/phases.hpp"
 

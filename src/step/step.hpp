@@ -6,14 +6,14 @@
 #include <memory>
 #include <optional>
 
-#include "comm/halo_swap.hpp"
+#include "comm/halo/halo_swap.hpp"
 #include "comm/merge_reduction.hpp"
 #include "src/contact/contact_stage.hpp"
-#include "src/step/books.hpp"
-#include "src/step/global_step.hpp"
-#include "src/step/model.hpp"
+#include "src/step/audit/books.hpp"
+#include "src/step/model/model.hpp"
+#include "src/step/model/state.hpp"
 #include "src/step/phases.hpp"
-#include "src/step/state.hpp"
+#include "src/step/stable_step/global_step.hpp"
 
 namespace percuss {
 

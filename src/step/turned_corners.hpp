@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "src/mesh/ordering.hpp"
-#include "src/step/model.hpp"
-#include "src/step/state.hpp"
+#include "src/step/model/model.hpp"
+#include "src/step/model/state.hpp"
 #include "src/warning.hpp"
 
 namespace percuss {

@@ -8,8 +8,8 @@
 
 #include "src/error.hpp"
 #include "src/hdf5/hdf5_handle.hpp"
-#include "src/output/checkpoint_file.hpp"
-#include "src/output/sealed_file.hpp"
+#include "src/output/checkpoint/checkpoint_file.hpp"
+#include "src/output/checkpoint/sealed_file.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/src/output/sample_run.hpp"
 

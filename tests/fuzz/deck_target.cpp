@@ -6,7 +6,7 @@
 #include <set>
 #include <sstream>
 
-#include "src/deck/read_deck.hpp"
+#include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
 #include "tests/fuzz/target.hpp"
 #include "tests/src/deck/wrong_decks.hpp"

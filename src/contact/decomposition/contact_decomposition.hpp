@@ -13,8 +13,8 @@
 #include <memory>
 #include <vector>
 
-#include "comm/assign_parts.hpp"
-#include "comm/data_exchange.hpp"
+#include "comm/exchange/data_exchange.hpp"
+#include "comm/partition/assign_parts.hpp"
 #include "src/contact/decomposition/reached_parts.hpp"
 #include "src/contact/surface/surface_share.hpp"
 

@@ -3,7 +3,7 @@
 // AssignedParts says.
 
 #include "comm/communicator.hpp"
-#include "comm/cut_tree.hpp"
+#include "comm/rcb/cut_tree.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
 
 namespace percuss {

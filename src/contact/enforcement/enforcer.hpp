@@ -6,12 +6,12 @@
 // the accelerations that they cause come back. The reduction that tells whether the iteration has converged is under
 // way with them.
 
-#include "comm/node_copies.hpp"
+#include "comm/halo/node_copies.hpp"
 #include "kernels/contact/enforcement/row_solution.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
 #include "src/contact/enforcement/row_exchange.hpp"
 #include "src/contact/surface/surface_share.hpp"
-#include "src/output/checkpoint_archive.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
 
 namespace percuss {
 

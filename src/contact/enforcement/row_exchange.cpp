@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "comm/item_exchange.hpp"
+#include "comm/exchange/item_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "kernels/core/host_mirror.hpp"
+#include "kernels/core/views.hpp"
 
 namespace percuss {
 namespace {

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "comm/data_exchange.hpp"
+#include "comm/exchange/data_exchange.hpp"
+#include "comm/exchange/unstructured_exchange.hpp"
 #include "comm/merge_reduction.hpp"
-#include "comm/unstructured_exchange.hpp"
 #include "kernels/contact/enforcement/coupled_rows.hpp"
 #include "kernels/contact/enforcement/enforcement.hpp"
 #include "src/contact/surface/contact_ranks.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernels/contact/surface/contact_state.hpp"
-#include "kernels/core/host_mirror.hpp"
+#include "kernels/core/views.hpp"
 #include "src/contact/exchange/remote_items.hpp"
 #include "src/contact/surface/contact_ranks.hpp"
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "comm/item_exchange.hpp"
+#include "comm/exchange/item_exchange.hpp"
 
 namespace percuss {
 

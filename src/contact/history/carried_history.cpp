@@ -5,7 +5,7 @@
 
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "kernels/core/host_mirror.hpp"
+#include "kernels/core/views.hpp"
 #include "src/contact/history/edge_records.hpp"
 #include "src/contact/surface/number_map.hpp"
 

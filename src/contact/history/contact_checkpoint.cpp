@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "comm/node_copies.hpp"
+#include "comm/halo/node_copies.hpp"
 #include "kernels/core/host_copy.hpp"
 
 namespace percuss {

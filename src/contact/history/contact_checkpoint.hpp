@@ -3,7 +3,7 @@
 
 #include "kernels/contact/rows/row_system.hpp"
 #include "src/contact/surface/surface_share.hpp"
-#include "src/output/checkpoint_archive.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
 
 namespace percuss {
 

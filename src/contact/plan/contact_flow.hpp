@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
-#include "comm/assign_parts.hpp"
-#include "comm/cut_tree.hpp"
+#include "comm/partition/assign_parts.hpp"
+#include "comm/rcb/cut_tree.hpp"
 #include "src/contact/plan/plan_contact.hpp"
 
 namespace percuss {

@@ -2,15 +2,15 @@
 // What the contact decomposition over many ranks would be at the starting positions, found by one process: who owns
 // which contact nodes and faces, how many copies of faces there are, and what ranks send each other.
 //
-// Divided are the same points as in a run, by the same cuts (comm/bisect_points.hpp), with capture boxes of the same
-// width. What is sent follows from the candidate pairs of the start, as if every node that has any touched the nearest
-// of its candidate faces: more than a scene of bodies apart sends, about what bodies face to face send.
+// Divided are the same points as in a run, by the same cuts (comm/partition/bisect_points.hpp), with capture boxes of
+// the same width. What is sent follows from the candidate pairs of the start, as if every node that has any touched the
+// nearest of its candidate faces: more than a scene of bodies apart sends, about what bodies face to face send.
 
 #include <cstdint>
 #include <vector>
 
-#include "comm/bisect_points.hpp"
-#include "comm/data_exchange.hpp"
+#include "comm/exchange/data_exchange.hpp"
+#include "comm/partition/bisect_points.hpp"
 #include "src/contact/check/check_space.hpp"
 #include "src/contact/surface/surface_share.hpp"
 

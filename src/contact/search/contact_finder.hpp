@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "comm/data_exchange.hpp"
+#include "comm/exchange/data_exchange.hpp"
 #include "comm/phase.hpp"
 #include "src/contact/check/check_space.hpp"
 #include "src/contact/check/edge_space.hpp"

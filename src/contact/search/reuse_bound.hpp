@@ -3,7 +3,7 @@
 
 #include "comm/merge_reduction.hpp"
 #include "src/contact/check/check_space.hpp"
-#include "src/output/checkpoint_archive.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
 
 namespace percuss {
 

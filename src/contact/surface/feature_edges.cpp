@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comm/item_exchange.hpp"
+#include "comm/exchange/item_exchange.hpp"
 #include "comm/merge_reduction.hpp"
 #include "kernels/contact/geometry/edge_geometry.hpp"
 #include "kernels/contact/geometry/face_geometry.hpp"

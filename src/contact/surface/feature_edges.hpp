@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "comm/unstructured_exchange.hpp"
+#include "comm/exchange/unstructured_exchange.hpp"
 #include "src/mesh/ordering.hpp"
 
 namespace percuss {

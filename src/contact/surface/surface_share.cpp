@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "comm/all_reduce.hpp"
-#include "comm/item_exchange.hpp"
+#include "comm/exchange/item_exchange.hpp"
 #include "kernels/core/counting_sort.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/surface/face_corners.hpp"

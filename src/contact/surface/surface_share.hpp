@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "comm/unstructured_exchange.hpp"
+#include "comm/exchange/unstructured_exchange.hpp"
 #include "kernels/contact/rows/row_system.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
 #include "src/contact/surface/feature_edges.hpp"

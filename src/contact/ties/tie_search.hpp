@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "comm/item_exchange.hpp"
+#include "comm/exchange/item_exchange.hpp"
 #include "src/contact/ties/ties.hpp"
 
 namespace percuss {

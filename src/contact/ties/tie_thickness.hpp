@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "comm/item_exchange.hpp"
+#include "comm/exchange/item_exchange.hpp"
 #include "src/contact/ties/tie_search.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/mesh/surface_nodes.hpp"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/element/hex8_full.hpp"
-#include "kernels/material/elastic.hpp"
-#include "kernels/material/j2_plasticity.hpp"
+#include "kernels/element/hex8/hex8_full.hpp"
+#include "kernels/material/laws/j2_plasticity.hpp"
+#include "kernels/material/point/elastic.hpp"
 #include "tests/kernels/element/random_element.hpp"
 
 namespace percuss::test {

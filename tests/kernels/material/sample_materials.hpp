@@ -4,8 +4,8 @@
 
 #include <type_traits>
 
-#include "kernels/material/equations_of_state.hpp"
-#include "kernels/material/materials.hpp"
+#include "kernels/material/laws/materials.hpp"
+#include "kernels/material/pressure/equations_of_state.hpp"
 
 namespace percuss::test {
 

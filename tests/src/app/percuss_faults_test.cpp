@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "src/output/checkpoint_file.hpp"
+#include "src/output/checkpoint/checkpoint_file.hpp"
 #include "src/output/summary.hpp"
 #include "tests/src/app/percuss_process.hpp"
 

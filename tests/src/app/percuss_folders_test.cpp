@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "src/app/lock_holder.hpp"
+#include "src/app/folder/lock_holder.hpp"
 #include "src/output/summary.hpp"
 #include "tests/src/app/percuss_process.hpp"
 

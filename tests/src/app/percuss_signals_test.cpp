@@ -10,8 +10,8 @@
 #include <iterator>
 #include <thread>
 
-#include "src/app/lock_holder.hpp"
-#include "src/output/checkpoint_file.hpp"
+#include "src/app/folder/lock_holder.hpp"
+#include "src/output/checkpoint/checkpoint_file.hpp"
 #include "src/output/summary.hpp"
 #include "tests/src/app/percuss_process.hpp"
 

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "src/deck/read_deck.hpp"
-#include "src/mesh/decompose.hpp"
-#include "src/step/model.hpp"
+#include "src/deck/reading/read_deck.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
+#include "src/step/model/model.hpp"
 
 namespace percuss {
 namespace {

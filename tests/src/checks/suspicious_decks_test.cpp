@@ -9,12 +9,12 @@
 #include <set>
 
 #include "src/checks/rules.hpp"
-#include "src/deck/read_deck.hpp"
+#include "src/deck/reading/read_deck.hpp"
 #include "src/deck/warning_rules.hpp"
-#include "src/mesh/decompose.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
 #include "src/output/warning_log.hpp"
-#include "src/step/model.hpp"
-#include "src/step/state.hpp"
+#include "src/step/model/model.hpp"
+#include "src/step/model/state.hpp"
 #include "src/step/step.hpp"
 
 namespace percuss {

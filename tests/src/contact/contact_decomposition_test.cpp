@@ -15,8 +15,8 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/exchange/remote_items.hpp"
 #include "src/contact/ties/ties.hpp"
-#include "src/deck/read_deck.hpp"
-#include "src/mesh/decompose.hpp"
+#include "src/deck/reading/read_deck.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
 
 namespace percuss::test {
 namespace {

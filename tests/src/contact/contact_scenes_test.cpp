@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "src/step/audit.hpp"
+#include "src/step/audit/audit.hpp"
 #include "tests/src/step/scene.hpp"
 
 namespace percuss::test {

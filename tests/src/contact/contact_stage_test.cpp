@@ -7,8 +7,8 @@
 
 #include "kernels/contact/geometry/contact_limits.hpp"
 #include "kernels/contact/geometry/point3.hpp"
-#include "src/deck/read_deck.hpp"
-#include "src/mesh/decompose.hpp"
+#include "src/deck/reading/read_deck.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
 
 namespace percuss::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/step/audit.hpp"
+#include "src/step/audit/audit.hpp"
 #include "tests/src/step/scene.hpp"
 
 namespace percuss::test {

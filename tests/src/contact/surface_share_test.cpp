@@ -9,9 +9,9 @@
 
 #include "src/contact/search/local_finder.hpp"
 #include "src/contact/ties/ties.hpp"
-#include "src/deck/read_deck.hpp"
+#include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
-#include "src/mesh/decompose.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
 
 namespace percuss::test {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <utility>
 
-#include "src/deck/read_deck.hpp"
+#include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
-#include "src/mesh/decompose.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
 
 namespace percuss::test {
 namespace {

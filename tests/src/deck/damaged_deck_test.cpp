@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/deck/read_deck.hpp"
+#include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
 #include "tests/random.hpp"
 

@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include "src/deck/deck_keys.hpp"
-#include "src/deck/read_deck.hpp"
+#include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
 
 namespace percuss {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <variant>
 
-#include "src/deck/number_text.hpp"
-#include "src/deck/yaml_tree.hpp"
+#include "src/deck/text/number_text.hpp"
+#include "src/deck/yaml/yaml_tree.hpp"
 
 namespace percuss {
 namespace {

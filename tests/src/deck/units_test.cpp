@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "src/deck/read_deck.hpp"
+#include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
 
 namespace percuss {

@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "src/deck/read_deck.hpp"
+#include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
 
 namespace percuss {

@@ -12,7 +12,7 @@
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/part_mesh.hpp"
-#include "src/mesh/shape_source.hpp"
+#include "src/mesh/shapes/shape_source.hpp"
 
 namespace percuss::testing_mesh {
 

@@ -9,9 +9,9 @@
 
 #include "src/deck/mesh_size.hpp"
 #include "src/error.hpp"
-#include "src/mesh/check_mesh.hpp"
-#include "src/mesh/decompose.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/mesh/quality/check_mesh.hpp"
 #include "src/mesh/topology.hpp"
 #include "tests/src/mesh/exodus_writer.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"

@@ -15,7 +15,7 @@
 #include <string>
 
 #include "src/error.hpp"
-#include "src/output/fields_file.hpp"
+#include "src/output/fields/fields_file.hpp"
 #include "tests/src/output/file_size_limit.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
 #include "tests/src/output/sample_run.hpp"

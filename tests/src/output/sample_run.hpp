@@ -10,7 +10,7 @@
 
 #include "comm/communicator.hpp"
 #include "src/mesh/ordering.hpp"
-#include "src/output/fields_file.hpp"
+#include "src/output/fields/fields_file.hpp"
 
 namespace percuss::sample {
 

@@ -22,8 +22,8 @@
 #include <string>
 
 #include "comm/communicator.hpp"
-#include "src/deck/read_deck.hpp"
-#include "src/step/run.hpp"
+#include "src/deck/reading/read_deck.hpp"
+#include "src/step/run/run.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "src/step/audit.hpp"
+#include "src/step/audit/audit.hpp"
 #include "tests/src/step/scene.hpp"
 
 namespace percuss::test {

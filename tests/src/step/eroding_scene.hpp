@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "src/step/audit.hpp"
+#include "src/step/audit/audit.hpp"
 #include "src/step/erosion.hpp"
-#include "src/step/whole_mesh.hpp"
+#include "src/step/model/whole_mesh.hpp"
 #include "tests/src/step/scene.hpp"
 
 namespace percuss::test {

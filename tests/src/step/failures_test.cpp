@@ -7,11 +7,11 @@
 #include <filesystem>
 
 #include "src/error.hpp"
-#include "src/output/describe_fields.hpp"
-#include "src/step/run.hpp"
-#include "src/step/run_checks.hpp"
+#include "src/output/fields/describe_fields.hpp"
+#include "src/step/run/run.hpp"
+#include "src/step/run/run_checks.hpp"
 #include "tests/src/step/scene.hpp"
-#include "tests/verification/run_deck.hpp"
+#include "tests/verification/support/run_deck.hpp"
 
 namespace percuss::test {
 namespace {

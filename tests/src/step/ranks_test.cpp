@@ -15,12 +15,12 @@
 
 #include "comm/agreement.hpp"
 #include "src/error.hpp"
-#include "src/step/audit.hpp"
-#include "src/step/history.hpp"
-#include "src/step/run.hpp"
-#include "src/step/whole_mesh.hpp"
+#include "src/step/audit/audit.hpp"
+#include "src/step/model/whole_mesh.hpp"
+#include "src/step/results/history.hpp"
+#include "src/step/run/run.hpp"
 #include "tests/src/step/two_scenes.hpp"
-#include "tests/verification/run_deck.hpp"
+#include "tests/verification/support/run_deck.hpp"
 
 namespace percuss::test {
 namespace {

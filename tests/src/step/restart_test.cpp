@@ -8,12 +8,12 @@
 #include <fstream>
 #include <iterator>
 
-#include "src/deck/read_deck.hpp"
+#include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
-#include "src/output/checkpoint_file.hpp"
-#include "src/step/run.hpp"
-#include "src/step/run_checkpoints.hpp"
-#include "tests/verification/run_deck.hpp"
+#include "src/output/checkpoint/checkpoint_file.hpp"
+#include "src/step/restart/run_checkpoints.hpp"
+#include "src/step/run/run.hpp"
+#include "tests/verification/support/run_deck.hpp"
 
 namespace percuss::test {
 namespace {

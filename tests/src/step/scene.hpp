@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "kernels/core/host_copy.hpp"
-#include "src/deck/read_deck.hpp"
-#include "src/mesh/decompose.hpp"
+#include "src/deck/reading/read_deck.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
 #include "src/step/step.hpp"
 
 namespace percuss::test {

@@ -7,9 +7,9 @@
 #include <cstdio>
 
 #include "comm/agreement.hpp"
-#include "src/step/run.hpp"
+#include "src/step/run/run.hpp"
 #include "tests/src/step/two_scenes.hpp"
-#include "tests/verification/mapped_shell.hpp"
+#include "tests/verification/support/mapped_shell.hpp"
 
 namespace percuss::test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "src/step/run.hpp"
+#include "src/step/run/run.hpp"
 #include "tests/src/step/scene.hpp"
 
 namespace percuss::test {

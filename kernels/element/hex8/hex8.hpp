@@ -1,0 +1,173 @@
+#pragma once
+// The one-point hexahedron over one step: from corner motion to corner forces, as a pure function.
+//
+// Place in the step: (1.3) strain rate, (1.4) stress, (1.5) internal force of the paper. Positions are at
+// n+1, velocities at n+1/2; rates are taken on the geometry of the mid-point and turned half way, forces act on the
+// geometry of n+1 (Flanagan and Belytschko 1981; Flanagan and Taylor 1987).
+
+#include "kernels/element/hex8/bulk_viscosity.hpp"
+#include "kernels/element/hex8/hourglass_control.hpp"
+#include "kernels/element/hex8/kinematics.hpp"
+#include "kernels/element/hex8/stable_step.hpp"
+
+namespace percuss {
+
+/// What one element, or a pack of them, remembers between steps; stress and history are in the unrotated frame. The
+/// members lie like the scalars of a record (HexRecord), so that a record of packs is read and written in place.
+template <class T, class Material, HexKind Kind>
+struct HexState {
+  T mass;                                                    // constant
+  T viscous_pressure;                                        // q at n, for the trapezoid of its work
+  Polar<T> polar;                                            // R and V at n
+  Symmetric3<T> stress;                                      // Cauchy, unrotated, at n
+  [[no_unique_address]] StoredHourglass<T, Kind> hourglass;  // Q at n
+  [[no_unique_address]] StressRestsOf<T, 1> stress_rest;     // in float
+  [[no_unique_address]] MaterialHistory<T, Material, 1> history;
+};
+
+/// Numbers that are the same for all elements of a block.
+template <class Material>
+struct HexParameters {
+  Material material;
+  double lambda = 0, mu = 0;  // bound of the elastic stiffness; a negative lambda counts as 0
+  double hourglass = 0.05;    // coefficient of the stiffness and the viscous form
+  BulkViscosity viscosity;
+  double time = 0;  // at n+1; set for each step
+};
+
+/// Energy that one step put into the element [energy].
+template <class T>
+struct HexWork {
+  T internal, hourglass, viscous;
+};
+
+template <class T>
+struct HexResult {
+  HexWork<T> work;
+  T stable_step;  // bound for the next step, without the deck's scale
+  T volume;       // at n+1; not positive: the element is inverted
+};
+
+/// Forces by corner from those by mode. In float they stay by mode: who adds them up turns them to corners in double,
+/// where those of an element add up to nothing to the last digit of a double.
+template <class T>
+PERCUSS_FORCE_INLINE void finish_forces(T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
+  if constexpr (!is_short<T>) {
+    to_corners(fx);
+    to_corners(fy);
+    to_corners(fz);
+  }
+}
+
+/// Corner forces from Cauchy stress t and hourglass forces q on the end geometry; x, y, z hold them by corner.
+/// Power balance: sum_I f_I . v_I = V t:D + sum_h Q_h . u_h, and sum_I x_I cross f_I = 0.
+template <class T>
+PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& t, const HourglassModes<T>& q,
+                                             const VectorModes<T>& a, const VolumeGradient<T>& b, T (&fx)[8],
+                                             T (&fy)[8], T (&fz)[8]) {
+  const T over_64 = number<T>(1.0 / 64.0), over_64_volumes = over_64 * (T(1) / b.volume);
+  Matrix3<T> p{{q.mode[0].x * a[4], q.mode[0].y * a[4], q.mode[0].z * a[4]}};
+  for (int h = 1; h < 4; ++h) {
+    p.row[0] = p.row[0] + q.mode[h].x * a[4 + h];
+    p.row[1] = p.row[1] + q.mode[h].y * a[4 + h];
+    p.row[2] = p.row[2] + q.mode[h].z * a[4 + h];
+  }
+  p = full(over_64 * t) - over_64_volumes * p;
+  fx[0] = fy[0] = fz[0] = T(0);
+  for (int m = 1; m <= 6; ++m) {
+    const Vector3<T> f = p * b[m];
+    fx[m] = f.x;
+    fy[m] = f.y;
+    fz[m] = f.z;
+  }
+  fx[7] = fy[7] = fz[7] = T(0);
+  for (int h = 0; h < 4; ++h) {
+    fx[4 + h] = fx[4 + h] + q.mode[h].x;
+    fy[4 + h] = fy[4 + h] + q.mode[h].y;
+    fz[4 + h] = fz[4 + h] + q.mode[h].z;
+  }
+  finish_forces(fx, fy, fz);
+}
+
+/// What a material is told of the step, and lambda + 2 mu at n.
+template <class T>
+struct ToldMotion {
+  PointMotion<T> point;
+  T modulus;
+};
+
+/// A called material is told what the end of the step looks like; others are compiled to do without, so that their
+/// stress is done with before the end geometry needs the registers.
+template <class T, class Material, class State>
+PERCUSS_FORCE_INLINE ToldMotion<T> tell_motion(const HexParameters<Material>& par, const VectorModes<T>& a,
+                                               [[maybe_unused]] const State& state, const StepMotion<T>& step,
+                                               const T& dt) {
+  ToldMotion<T> told{{step.de, dt, T(1), T(1), T(0), par.time}, number<T>(par.lambda + 2 * par.mu)};
+  if constexpr (is_called<Material>) {
+    const VolumeGradient<T> b = find_volume_gradient(a);
+    told.modulus = find_longitudinal_modulus<T>(state.history);
+    told.point.length = find_thickness(find_gradient_size(b), b.volume);
+    told.point.volume_ratio = number<T>(par.material.density) * b.volume / state.mass;
+    const T density = state.mass * (T(1) / b.volume),
+            speed = square_root(told.modulus * b.volume * (T(1) / state.mass));
+    const T pressure = find_viscous_pressure(par.viscosity, density, told.point.length, speed, step.trace_d).pressure;
+    told.point.viscosity = number<T>(0.5) * (state.viscous_pressure + pressure);
+  }
+  return told;
+}
+
+/// Advances the element from n to n+1. a, v: modes of x(n+1) and v(n+1/2). fx, fy, fz: out, the internal forces by
+/// corner, in float by mode (they resist the motion: the node feels their negative). With dt = 0 it evaluates forces
+/// and step only.
+template <class T, class Material, HexKind Kind>
+PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
+                                               const VectorModes<T>& v, const T& dt, HexState<T, Material, Kind>& state,
+                                               T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
+  const T half = number<T>(0.5);
+  const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
+
+  // stress
+  const Symmetric3<T> old_stress = state.stress;
+  const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
+  const auto response = update_stress(par.material, state.stress, state.stress_rest[0], state.history, 0, told.point);
+  const auto moduli = find_moduli(par, response);
+
+  // end geometry
+  const VolumeGradient<T> b = find_volume_gradient(a);
+  const GradientSize<T> size = find_gradient_size(b);
+  const T density = state.mass * (T(1) / b.volume);
+  const T speed = square_root(told.modulus * b.volume * (T(1) / state.mass));
+
+  const ViscousPressure<T> viscous =
+      find_viscous_pressure(par.viscosity, density, find_thickness(size, b.volume), speed, step.trace_d);
+  const T old_viscous_pressure = state.viscous_pressure;
+  state.viscous_pressure = viscous.pressure;
+
+  const HourglassModes<T> rates = find_hourglass_rates(v, step.middle, step.l);
+  const HourglassMotion<T> motion{step.middle, a, rates, step.turn, dt};
+  const HourglassElement<T> element{state.mass, size.trace, b.volume, step.b};
+  HourglassModes<T> own_force;
+  HourglassModes<T>& force = find_hourglass_place(state.hourglass, own_force);
+  const HourglassStep<T> hourglass =
+      control_hourglass<Kind>(par.material, par.mu, par.hourglass, response, motion, element, force);
+
+  Symmetric3<T> t = push_forward(state.polar.rotation, state.stress);
+  t.xx = t.xx - viscous.pressure;
+  t.yy = t.yy - viscous.pressure;
+  t.zz = t.zz - viscous.pressure;
+  find_corner_forces(t, force, a, b, fx, fy, fz);
+
+  const T oblique = find_obliqueness(a, size, b.volume);
+  const T frequency_square =
+      join_hourglass_frequency(find_frequency_square(size, b.volume, state.mass, moduli.lambda, moduli.mu),
+                               hourglass.stiffness, state.mass, oblique);
+  const T damping_rate = find_damping_rate(size, b.volume, state.mass, viscous.tangent) +
+                         T(64) * hourglass.viscosity * oblique * (T(1) / state.mass);
+  const T half_volume = half * step.b.volume;
+  return {{half_volume * contract(old_stress + state.stress, step.de), hourglass.work,
+           -half_volume * (old_viscous_pressure + viscous.pressure) * dt * step.trace_d},
+          find_stable_step(frequency_square, damping_rate),
+          b.volume};
+}
+
+}  // namespace percuss

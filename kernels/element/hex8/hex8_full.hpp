@@ -1,0 +1,152 @@
+#pragma once
+// The hexahedron with 2x2x2 points and mean dilatation (B-bar; Hughes, Int. J. Num. Meth. Eng. 15, 1980) over one step.
+//
+// The volume change is that of the mean gradient everywhere, so that nothing locks as the material becomes
+// incompressible. One rotation serves the element: that of the mean gradient. Stress and history belong to points.
+
+#include "kernels/element/hex8/gauss_points.hpp"
+#include "kernels/element/hex8/hex8.hpp"
+
+namespace percuss {
+
+template <class T, class Material>
+struct HexState<T, Material, HexKind::full> {
+  T mass;                                                 // constant
+  T viscous_pressure;                                     // q at n, for the trapezoid of its work
+  Polar<T> polar;                                         // R and V of the mean gradient, at n
+  Symmetric3<T> stress[8];                                // Cauchy, unrotated, at n, by point
+  [[no_unique_address]] StressRestsOf<T, 8> stress_rest;  // in float
+  [[no_unique_address]] MaterialHistory<T, Material, 8> history;
+};
+
+/// `turn` transposed times each mode: a vector field in the unrotated frame.
+template <class T>
+PERCUSS_FORCE_INLINE VectorModes<T> pull_back(const Matrix3<T>& turn, const VectorModes<T>& a) {
+  VectorModes<T> out;
+  for (int m = 1; m <= 7; ++m) out[m] = transpose_times(turn, a[m]);
+  return out;
+}
+
+/// Rate of deformation at a point of the mid-point geometry, turned to the unrotated frame; v: already turned.
+template <class T>
+PERCUSS_FORCE_INLINE Symmetric3<T> find_point_rate(const PointGeometry<T>& point, const GaussPoint& at,
+                                                   const VectorModes<T>& v, const Matrix3<T>& turn) {
+  Vector3<T> d[3];
+  find_derivatives(v, at, d);
+  const T scale = T(1) / point.volume;
+  Matrix3<T> l{{{T(0), T(0), T(0)}, {T(0), T(0), T(0)}, {T(0), T(0), T(0)}}};
+  for (int k = 0; k < 3; ++k) {
+    const Vector3<T> g = scale * transpose_times(turn, point.c[k]);
+    l.row[0] = l.row[0] + d[k].x * g;
+    l.row[1] = l.row[1] + d[k].y * g;
+    l.row[2] = l.row[2] + d[k].z * g;
+  }
+  return symmetric_part(l);
+}
+
+/// Corner forces from the modes of the deviatoric forces in the unrotated frame (512 times) and a uniform pressure.
+template <class T>
+PERCUSS_FORCE_INLINE void find_full_forces(const VectorModes<T>& modes, const Matrix3<T>& rotation, const T& tension,
+                                           const VolumeGradient<T>& b, T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
+  const T scale = number<T>(1.0 / 64.0) * tension;
+  fx[0] = fy[0] = fz[0] = T(0);
+  for (int m = 1; m <= 7; ++m) {
+    Vector3<T> f = number<T>(1.0 / 512.0) * (rotation * modes[m]);
+    if (m <= 6) f = f + scale * b[m];
+    fx[m] = f.x;
+    fy[m] = f.y;
+    fz[m] = f.z;
+  }
+  finish_forces(fx, fy, fz);
+}
+
+/// What the points give together. S: double, or T where moduli change.
+template <class T, class S>
+struct PointSums {
+  VectorModes<T> force;  // 512 times the modes of the deviatoric forces, unrotated
+  T tension;             // V times the mean stress
+  T work;
+  T smallest_volume;  // 512 times the smallest det J
+  PointMetrics<T> metrics;
+  Moduli<S> moduli;  // the largest of a point
+};
+
+template <class T>
+PERCUSS_FORCE_INLINE void take_larger(Moduli<T>& largest, const Moduli<T>& moduli) {
+  largest = {larger(largest.lambda, moduli.lambda), larger(largest.mu, moduli.mu)};
+}
+
+/// Strains, stresses and forces point by point. a, v, middle: modes of positions at n+1, of velocities at n+1/2 and of
+/// positions at n+1/2, all spatial; mean: the motion of the element's mean.
+template <class T, class Material>
+PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, const VectorModes<T>& a,
+                                         const VectorModes<T>& v, const VectorModes<T>& middle, const Matrix3<T>& turn,
+                                         const PointMotion<T>& mean, HexState<T, Material, HexKind::full>& state) {
+  const T third = number<T>(1.0 / 3.0);
+  const VectorModes<T> rates = pull_back(turn, v), end = pull_back(state.polar.rotation, a);
+  const T trace_de = trace(mean.de);
+  PointSums<T, std::conditional_t<is_called<Material>, T, double>> sums;
+  sums.moduli = {{}, {}};
+  for (int m = 1; m <= 7; ++m) sums.force[m] = {T(0), T(0), T(0)};
+  sums.tension = sums.work = T(0);
+  sums.smallest_volume = number<T>(beyond_all<T>);
+  for (int p = 0; p < 8; ++p) {
+    const GaussPoint at = find_gauss_point(p);
+    const PointGeometry<T> mid_point = find_point_geometry(middle, at);
+    Symmetric3<T> de = mean.dt * find_point_rate(mid_point, at, rates, turn);
+    const T dilatation = third * (trace_de - trace(de));
+    de = de + Symmetric3<T>{dilatation, dilatation, dilatation, T(0), T(0), T(0)};
+    const Symmetric3<T> old_stress = state.stress[p];
+    Symmetric3<T> stress = old_stress;
+    PointMotion<T> motion = mean;
+    motion.de = de;
+    const auto response = update_stress(par.material, stress, state.stress_rest[p], state.history, p, motion);
+    take_larger(sums.moduli, find_moduli(par, response));
+    state.stress[p] = stress;
+    sums.work = sums.work + mid_point.volume * contract(old_stress + stress, de);
+
+    const PointGeometry<T> point = find_point_geometry(end, at);
+    const T mean_stress = third * trace(stress);
+    const Symmetric3<T> deviator{
+        stress.xx - mean_stress, stress.yy - mean_stress, stress.zz - mean_stress, stress.xy, stress.yz, stress.zx};
+    add_point_force(deviator, point, at, sums.force);
+    sums.tension = sums.tension + point.volume * mean_stress;
+    sums.smallest_volume = smaller(sums.smallest_volume, point.volume);
+    sums.metrics.set(p, point);
+  }
+  sums.tension = number<T>(1.0 / 512.0) * sums.tension;
+  sums.work = number<T>(0.5 / 512.0) * sums.work;
+  return sums;
+}
+
+/// As advance_hex8 of the one-point elements. HexResult::volume is 8 times the smallest of a point: an element that is
+/// inverted anywhere has failed.
+template <class T, class Material>
+PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
+                                               const VectorModes<T>& v, const T& dt,
+                                               HexState<T, Material, HexKind::full>& state, T (&fx)[8], T (&fy)[8],
+                                               T (&fz)[8]) {
+  const T half = number<T>(0.5);
+  const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
+  const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
+  auto points = advance_points(par, a, v, step.middle, half * step.rotations, told.point, state);
+
+  const VolumeGradient<T> b = find_volume_gradient(a);
+  const GradientSize<T> size = find_gradient_size(b);
+  const T speed = square_root(told.modulus * b.volume / state.mass);
+  const ViscousPressure<T> viscous =
+      find_viscous_pressure(par.viscosity, state.mass / b.volume, find_thickness(size, b.volume), speed, step.trace_d);
+  const T viscous_work = -half * step.b.volume * (state.viscous_pressure + viscous.pressure) * dt * step.trace_d;
+  state.viscous_pressure = viscous.pressure;
+  find_full_forces(points.force, state.polar.rotation, points.tension / b.volume - viscous.pressure, b, fx, fy, fz);
+
+  // 2 mu |dev D|^2 + K (tr D)^2 <= 2 mu |D|^2 + lambda (tr D)^2, as the mean dilatation has the smallest square
+  const T frequency_square = T(8) / state.mass *
+                             (number<T>(points.moduli.lambda) * size.trace / b.volume +
+                              number<T>(2 * points.moduli.mu) * bound_largest_laplacian(points.metrics));
+  return {{points.work, T(0), viscous_work},
+          find_stable_step(frequency_square, find_damping_rate(size, b.volume, state.mass, viscous.tangent)),
+          number<T>(1.0 / 64.0) * points.smallest_volume};
+}
+
+}  // namespace percuss

@@ -1,0 +1,185 @@
+#pragma once
+// The materials as an element sees them: what they remember at its points, and how their stress is advanced.
+
+#include "kernels/core/widen.hpp"
+#include "kernels/element/hex8/modes.hpp"
+#include "kernels/material/called_material.hpp"
+#include "kernels/material/laws/j2_plasticity.hpp"
+
+namespace percuss {
+
+/// What a material remembers at the points of an element: scalar i of point p is value[i][p]; no room for nothing. In
+/// float the rests of the `count` scalars of a material follow them.
+template <class T, class Material, int Points, int Count = Material::history_count>
+struct MaterialHistory {
+  T value[is_short<T> ? 2 * Count : Count][Points];
+  PERCUSS_FORCE_INLINE void load(int p, T* point, int count = Count) const {
+    for (int i = 0; i < count; ++i) point[i] = value[i][p];
+  }
+  PERCUSS_FORCE_INLINE void store(int p, const T* point, int count = Count) {
+    for (int i = 0; i < count; ++i) value[i][p] = point[i];
+  }
+};
+template <class T, class Material, int Points>
+struct MaterialHistory<T, Material, Points, 0> {
+  PERCUSS_FORCE_INLINE void load(int, T*, int = 0) const {}
+  PERCUSS_FORCE_INLINE void store(int, const T*, int = 0) {}
+};
+
+/// Rests of the stresses of an element's points, in float.
+template <class T, int Points>
+struct StressRests {
+  Symmetric3<T> point[Points];
+  PERCUSS_FORCE_INLINE Symmetric3<T>& operator[](int p) { return point[p]; }
+};
+template <class T>
+struct NoStressRests {
+  PERCUSS_FORCE_INLINE NoStressRests& operator[](int) { return *this; }
+};
+template <class T, int Points>
+using StressRestsOf = std::conditional_t<is_short<T>, StressRests<T, Points>, NoStressRests<T>>;
+
+/// Elastic moduli: one number for all lanes, or one by lane.
+template <class S>
+struct Moduli {
+  S lambda, mu;
+};
+
+/// What a called material returns.
+template <class T>
+struct CalledResponse : PlasticReturn<T> {
+  Moduli<T> moduli;
+};
+
+template <class Material>
+inline constexpr bool is_called = std::is_same_v<Material, CalledMaterial>;
+
+/// Whether the state can change although the element rests.
+template <class Material>
+KOKKOS_INLINE_FUNCTION bool changes_at_rest(const Material& material) {
+  if constexpr (is_called<Material>) return material.changes_at_rest;
+  return false;
+}
+
+/// lambda + 2 mu of a called material at n, of which bulk viscosity takes the wave speed: of the stiffest point.
+template <class T, class History>
+PERCUSS_FORCE_INLINE T find_longitudinal_modulus(const History& history) {
+  T largest = history.value[0][0];
+  for (const T& modulus : history.value[0]) largest = larger(largest, modulus);
+  return largest;
+}
+
+/// A tensor as the sum of value and rest, part of its lanes in double, and back.
+template <int Part, class T>
+PERCUSS_FORCE_INLINE Wide<T> widen_sum(const T& value, const T& rest) {
+  return widen<Part>(value) + widen<Part>(rest);
+}
+template <class T>
+PERCUSS_FORCE_INLINE void narrow_sum(const Wide<T> (&parts)[wide_count<T>], T& value, T& rest) {
+  narrow(parts, value);
+  Wide<T> left[wide_count<T>];
+  visit_parts<T>([&](auto part) { left[part] = parts[part] - widen<part>(value); });
+  narrow(left, rest);
+}
+template <int Part, class T>
+PERCUSS_FORCE_INLINE Symmetric3<Wide<T>> widen_tensor(const Symmetric3<T>& a) {
+  return {widen<Part>(a.xx), widen<Part>(a.yy), widen<Part>(a.zz),
+          widen<Part>(a.xy), widen<Part>(a.yz), widen<Part>(a.zx)};
+}
+
+/// What a called material is told, part of its lanes in double.
+template <int Part, class T>
+PERCUSS_FORCE_INLINE PointMotion<Wide<T>> widen_motion(const PointMotion<T>& m) {
+  return {widen_tensor<Part>(m.de), widen<Part>(m.dt),        widen<Part>(m.volume_ratio),
+          widen<Part>(m.length),    widen<Part>(m.viscosity), m.time};
+}
+
+/// A called material works in double whatever the element does: its laws are written for that, and its powers and
+/// logarithms cost more than the way there and back.
+template <class T, class Material, int Points>
+PERCUSS_FORCE_INLINE CalledResponse<T> call_in_double(const Material& material, Symmetric3<T>& stress,
+                                                      Symmetric3<T>& rest,
+                                                      MaterialHistory<T, Material, Points>& history, int point,
+                                                      const PointMotion<T>& motion) {
+  constexpr int parts = wide_count<T>;
+  const int count = material.count_history();
+  Wide<T> here[parts][Material::history_count], s[6][parts], out[5][parts];
+  visit_parts<T>([&](auto part) {
+    for (int i = 0; i < count; ++i)
+      here[part][i] = widen_sum<part>(history.value[i][point], history.value[count + i][point]);
+    PointStep<Wide<T>> step{widen_motion<part>(motion), widen_tensor<part>(stress), here[part]};
+    const Symmetric3<Wide<T>> left = widen_tensor<part>(rest);
+    step.stress = step.stress + left;
+    material.update(step);
+    const auto& t = step.stress;
+    s[0][part] = t.xx, s[1][part] = t.yy, s[2][part] = t.zz, s[3][part] = t.xy, s[4][part] = t.yz, s[5][part] = t.zx;
+    out[0][part] = step.plastic.share;
+    out[1][part] = smaller(step.plastic.flow_stress, Wide<T>(beyond_all<T>));
+    out[2][part] = step.plastic.loading;
+    out[3][part] = step.lambda;
+    out[4][part] = step.mu;
+  });
+  for (int i = 0; i < count; ++i) {
+    Wide<T> value[parts];
+    for (int part = 0; part < parts; ++part) value[part] = here[part][i];
+    narrow_sum(value, history.value[i][point], history.value[count + i][point]);
+  }
+  T* const values[6] = {&stress.xx, &stress.yy, &stress.zz, &stress.xy, &stress.yz, &stress.zx};
+  T* const rests[6] = {&rest.xx, &rest.yy, &rest.zz, &rest.xy, &rest.yz, &rest.zx};
+  for (int k = 0; k < 6; ++k) narrow_sum(s[k], *values[k], *rests[k]);
+  T told[5];
+  for (int k = 0; k < 5; ++k) narrow(out[k], told[k]);
+  return {{told[0], told[1], told[2]}, {told[3], told[4]}};
+}
+
+/// Advances the stress of a point; returns a CalledResponse, or a PlasticReturn if the material can yield, and nothing
+/// to speak of otherwise. rest: of the stress, in float; nothing else.
+template <class T, class Material, int Points, class Rest>
+PERCUSS_FORCE_INLINE auto update_stress(const Material& material, Symmetric3<T>& stress, [[maybe_unused]] Rest& rest,
+                                        MaterialHistory<T, Material, Points>& history, int point,
+                                        const PointMotion<T>& motion) {
+  constexpr int most = Material::history_count > 0 ? Material::history_count : 1;
+  if constexpr (is_called<Material> && is_short<T>) {
+    return call_in_double(material, stress, rest, history, point, motion);
+  } else if constexpr (is_called<Material>) {
+    T here[most];
+    const int count = material.count_history();
+    history.load(point, here, count);
+    PointStep<T> step{motion, stress, here};
+    material.update(step);
+    history.store(point, here, count);
+    stress = step.stress;
+    return CalledResponse<T>{step.plastic, {step.lambda, step.mu}};
+  } else {
+    T here[is_short<T> ? 2 * most : most];
+    constexpr int count = is_short<T> ? 2 * Material::history_count : Material::history_count;
+    const auto update = [&] {
+      if constexpr (is_short<T>)
+        return material.update(stress, rest, here, motion.de);
+      else
+        return material.update(stress, here, motion.de);
+    };
+    history.load(point, here, count);
+    if constexpr (Material::can_yield) {
+      const PlasticReturn<T> plastic = update();
+      history.store(point, here, count);
+      return plastic;
+    } else {
+      update();
+      history.store(point, here, count);
+      return false;
+    }
+  }
+}
+
+/// The moduli that bound the next step.
+template <class Parameters, class Response>
+PERCUSS_FORCE_INLINE auto find_moduli(const Parameters& par, [[maybe_unused]] const Response& response) {
+  if constexpr (is_called<decltype(par.material)>) {
+    return response.moduli;
+  } else {
+    return Moduli<double>{par.lambda, par.mu};
+  }
+}
+
+}  // namespace percuss

@@ -1,0 +1,26 @@
+#pragma once
+// The list of materials. A new material is its own header and one entry here; CONTRIBUTING.md shows one.
+
+#include "kernels/material/laws/combined_hardening.hpp"
+#include "kernels/material/laws/fluid.hpp"
+#include "kernels/material/laws/honeycomb.hpp"
+#include "kernels/material/laws/j2_plasticity.hpp"
+#include "kernels/material/laws/johnson_cook.hpp"
+#include "kernels/material/laws/low_density_foam.hpp"
+#include "kernels/material/laws/mooney_rivlin.hpp"
+#include "kernels/material/laws/neo_hookean.hpp"
+#include "kernels/material/laws/power_law_plasticity.hpp"
+#include "kernels/material/laws/soil_and_foam.hpp"
+#include "kernels/material/laws/tabulated_plasticity.hpp"
+#include "kernels/material/laws/viscoelastic.hpp"
+#include "kernels/material/laws/voce_plasticity.hpp"
+#include "kernels/material/point/elastic.hpp"
+#include "kernels/material/point/type_list.hpp"
+
+namespace percuss {
+
+using Materials =
+    TypeList<Elastic, J2Plasticity, PowerLawPlasticity, VocePlasticity, TabulatedPlasticity, CombinedHardening,
+             JohnsonCook, NeoHookean, MooneyRivlin, Viscoelastic, SoilAndFoam, Honeycomb, LowDensityFoam, Fluid>;
+
+}  // namespace percuss

@@ -1,0 +1,64 @@
+#pragma once
+// Linear (hypo)elasticity in the unrotated configuration.
+
+#include "kernels/core/long_sum.hpp"
+#include "kernels/material/point/material_key.hpp"
+
+namespace percuss {
+
+/// Lame constants [stress]; they also bound the stiffness that the step estimate uses.
+struct LameConstants {
+  double lambda = 0;
+  double mu = 0;
+};
+
+/// lambda and mu from Young's modulus and Poisson's ratio.
+PERCUSS_FORCE_INLINE LameConstants find_lame_constants(double youngs_modulus, double poissons_ratio) {
+  return {youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio)),
+          youngs_modulus / (2 * (1 + poissons_ratio))};
+}
+
+/// lambda tr(de) I + 2 mu de.
+template <class T>
+PERCUSS_FORCE_INLINE Symmetric3<T> find_elastic_increment(const LameConstants& c, const Symmetric3<T>& de) {
+  const T volumetric = number<T>(c.lambda) * trace(de);
+  return number<T>(2 * c.mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
+}
+
+/// Stress increment lambda tr(de) I + 2 mu de; no history, no yield.
+struct Elastic {
+  static constexpr const char* name = "elastic";
+  struct Constants {
+    double youngs_modulus = 0, poissons_ratio = 0;
+  };
+  static constexpr auto keys() { return with_elastic_keys<Constants>(); }
+
+  static constexpr bool is_compiled_in = true;
+  static constexpr int history_count = 0;
+  static constexpr bool can_yield = false;
+  double lambda = 0;
+  double mu = 0;
+
+  static Elastic make(const Constants& c) {
+    const LameConstants moduli = find_lame_constants(c.youngs_modulus, c.poissons_ratio);
+    return {moduli.lambda, moduli.mu};
+  }
+
+  PERCUSS_FORCE_INLINE LameConstants moduli() const { return {lambda, mu}; }
+
+  /// Advances the unrotated Cauchy stress by the strain increment d dt.
+  template <class T>
+  PERCUSS_FORCE_INLINE void update(Symmetric3<T>& stress, T* /*history*/, const Symmetric3<T>& de) const {
+    const T volumetric = number<T>(lambda) * trace(de);
+    stress = stress + number<T>(2 * mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
+  }
+
+  /// The same in float, with what the stress does not hold in its rest (long_sum.hpp).
+  template <class T>
+  PERCUSS_FORCE_INLINE void update(Symmetric3<T>& stress, Symmetric3<T>& rest, T* /*history*/,
+                                   const Symmetric3<T>& de) const {
+    add_to(stress, rest, find_elastic_increment(moduli(), de));
+  }
+};
+
+}  // namespace percuss

@@ -1,0 +1,42 @@
+#pragma once
+// What a material is told of a step at one of its points, and what it tells the element in return.
+
+#include "kernels/core/tensor.hpp"
+#include "kernels/material/point/plastic_return.hpp"
+
+namespace percuss {
+
+/// Scalars of a material's history that others ask for by name: fields, and rules that read the records of elements.
+enum class HistoryScalar { none, equivalent_plastic_strain, temperature, internal_energy };
+inline constexpr int history_scalars = 4;
+
+/// The step from n to n+1 at a point, all in the unrotated frame.
+template <class T>
+struct PointMotion {
+  Symmetric3<T> de;  // rate of deformation times dt
+  T dt;
+  T volume_ratio;   // V / V(0) at n+1
+  T length;         // thickness of the element at n+1
+  T viscosity;      // (q(n) + q(n+1)) / 2, which heats
+  double time = 0;  // at n+1
+};
+
+/// The state of the point, in at n and out at n+1, and what the element has to know of it.
+template <class T>
+struct PointStep {
+  PointMotion<T> motion;
+  Symmetric3<T> stress;
+  T* history = nullptr;
+  double density = 0;          // at the start; preset
+  PlasticReturn<T> plastic{};  // out; preset to an elastic step
+  T lambda{}, mu{};            // out; elastic moduli now, preset to those at the start
+};
+
+/// What an equation of state tells laws that have a temperature.
+template <class T>
+struct StateChange {
+  T volume;     // J(n+1) - J(n)
+  T by_energy;  // dp/de at n+1
+};
+
+}  // namespace percuss

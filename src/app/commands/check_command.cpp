@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <functional>
+
+#include "src/app/commands/commands.hpp"
+#include "src/app/commands/read_together.hpp"
+#include "src/app/reports/scene_report.hpp"
+#include "src/app/reports/stage_line.hpp"
+#include "src/checks/rules.hpp"
+#include "src/contact/contact_stage.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
+#include "src/mesh/surface_nodes.hpp"
+#include "src/output/files/safe_text.hpp"
+#include "src/output/warning_log.hpp"
+#include "src/step/model/model.hpp"
+#include "src/step/model/state.hpp"
+#include "src/step/results/history.hpp"
+#include "src/step/run/run_notes.hpp"
+#include "src/step/step.hpp"
+
+namespace percuss {
+namespace {
+
+/// Runs checks one after the other and throws what all of them found.
+class Findings {
+ public:
+  void gather(const std::function<void()>& check) {
+    try {
+      check();
+    } catch (const InputError& error) {
+      const std::string message = error.what();
+      if (text_.find(message) == std::string::npos) text_ += (text_.empty() ? "" : "\n") + message;
+    }
+  }
+  void throw_if_any() const {
+    if (!text_.empty()) throw InputError(text_);
+  }
+
+ private:
+  std::string text_;
+};
+
+// Every selector of the deck, so that all wrong ones are told at once.
+void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& findings) {
+  const Mesh& mesh = chunked.mesh;
+  const auto nodes = [&](const Selector& where) { findings.gather([&] { select_nodes(mesh, deck, where); }); };
+  const auto faces = [&](const Selector& where) { findings.gather([&] { select_faces(mesh, deck, where); }); };
+  for (const InitialDeck& initial : deck.initial) nodes(initial.where);
+  for (const ConditionDeck& condition : deck.conditions) nodes(condition.where);
+  for (const PressureDeck& pressure : deck.pressures) faces(pressure.where);
+  for (const NodalLoadDeck& load : deck.nodal_loads) nodes(load.where);
+  for (const WallDeck& wall : deck.walls) {
+    for (const Selector& where : wall.nodes) nodes(where);
+  }
+  for (const SurfacePairDeck& pair : deck.contact.pairs) {
+    faces(pair.a);
+    faces(pair.b);
+  }
+  for (const TieDeck& tie : deck.contact.ties) {
+    findings.gather([&] { select_surface_nodes(mesh, deck, tie.a); });
+    faces(tie.b);
+  }
+  findings.gather([&] { find_history_points(deck, chunked); });
+}
+
+/// What a run of the scene would warn of at its start. Collective.
+std::vector<Warning> list_warnings(const CheckedScene& scene, const ChunkedMesh& chunked) {
+  WarningLog log(scene.deck.silenced);
+  log.add(scene.deck.warnings);
+  log.add(find_start_warnings(scene.deck, chunked));
+  log.add(check_input(scene));
+  log.add(check_start(scene));
+  return log.list();
+}
+
+}  // namespace
+
+ExitCode check_command(const Command& command, const Communicator& ranks) {
+  StageLine stage(stderr, ranks.rank() == 0 ? StageLine::Speaker::yes : StageLine::Speaker::no);
+  stage.show("reading the deck");
+  const Deck deck = read_deck_together(command, ranks);
+  stage.show("making the mesh");
+  const ChunkedMesh chunked = load_mesh(deck, ranks);
+  stage.show("looking up names and history points");
+  Findings findings;
+  check_selectors(chunked, deck, findings);
+  findings.throw_if_any();
+
+  stage.show("building the model");
+  const Model model = build_model(deck, chunked);
+  stage.show("finding contact surfaces and overlap at the start");
+  ContactStage contact(chunked, deck, ranks);
+  State state = make_initial_state(model);
+  const std::string overlap = contact.is_active() ? contact.prepare(state.x, state.v) : "";
+  stage.show("finding the first step");
+  Stepper stepper(deck, chunked, model, contact);
+  stepper.start(state);
+
+  SceneReport scene = describe_scene(deck, chunked);
+  scene.first_step = state.next_dt;
+  scene.controlling_element = describe_element(chunked, state.bound.element);
+  scene.contact_nodes = contact.contact_nodes();
+  scene.contact_faces = contact.contact_faces();
+  scene.contact_notes = contact.start_notes();
+  if (!overlap.empty()) scene.contact_notes.insert(scene.contact_notes.begin(), overlap);
+  stage.show("looking for suspicious input");
+  const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
+  scene.warnings = list_warnings({deck, &measures, &contact.start_overlap(), state.bound.step}, chunked);
+  stage.clear();
+  if (ranks.rank() == 0) print_text(stdout, format_scene(scene));
+  return ExitCode::done;
+}
+
+}  // namespace percuss

@@ -1,0 +1,15 @@
+#pragma once
+// The deck of a run on many ranks.
+
+#include "comm/communicator.hpp"
+#include "src/app/start/command_line.hpp"
+#include "src/deck/deck.hpp"
+
+namespace percuss {
+
+/// Every rank reads the deck of the command and checks that its mesh fits in memory; rank 0 checks that its
+/// mesh files take nothing from other files, unless the command allows it. Collective. Throws InputError and
+/// SystemError, the same on all ranks.
+Deck read_deck_together(const Command& command, const Communicator& ranks);
+
+}  // namespace percuss

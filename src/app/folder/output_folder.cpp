@@ -1,0 +1,122 @@
+#include "src/app/folder/output_folder.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "src/app/folder/folder_lock.hpp"
+#include "src/error.hpp"
+#include "src/regular_file.hpp"
+
+namespace percuss {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Every file that a run writes; those that are written beside their place first have a name with ".tmp" then.
+constexpr std::array<const char*, 8> result_files{
+    "summary.json", "ranks.csv",    "history.csv",   "fields.vtkhdf",
+    "fields.xdmf",  "fields.xdmf2", "checkpoint.h5", "checkpoint_previous.h5"};
+
+bool holds_results(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* file : result_files) {
+    if (fs::exists(folder / file, ignored)) return true;
+  }
+  return false;
+}
+
+void remove_file(const fs::path& file) {
+  std::error_code error;
+  fs::remove(file, error);
+  if (error) throw SystemError(fmt::format("{} cannot be removed ({})", file.string(), error.message()));
+}
+
+/// Whether both name the same file or folder, and it is there.
+bool is_lock(const fs::path& file) { return file.filename().string().starts_with(lock_file_name); }
+
+}  // namespace
+
+std::string default_output_folder(const std::string& deck_file) {
+  const fs::path deck = fs::path(deck_file).lexically_normal();
+  std::string scene = deck.stem().string();
+  if (scene == "deck") {
+    std::error_code ignored;
+    const std::string folder = fs::absolute(deck, ignored).lexically_normal().parent_path().filename().string();
+    if (!folder.empty()) scene = folder;
+  }
+  return (fs::path("out") / scene).string();
+}
+
+std::string find_checkpoint(const std::string& file_or_folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(file_or_folder, ignored)) return file_or_folder;
+  return (fs::path(file_or_folder) / "checkpoint.h5").string();
+}
+
+std::string find_restart_folder(const std::string& checkpoint) {
+  const std::string folder = fs::path(checkpoint).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+bool lies_in_folder(const std::string& checkpoint, const std::string& folder) {
+  std::error_code ignored;
+  const std::string behind_links = fs::weakly_canonical(checkpoint, ignored).string();
+  return is_same_file(find_restart_folder(checkpoint), folder) ||
+         is_same_file(find_restart_folder(behind_links), folder);
+}
+
+void check_folder_is_writable(const std::string& folder) {
+  if (::access(folder.c_str(), W_OK | X_OK) == 0) return;
+  throw SystemError(fmt::format("folder {} cannot be written to ({})", folder, std::strerror(errno)));
+}
+
+void make_output_folder(const std::string& folder) {
+  std::error_code error;
+  const fs::path path(folder);
+  if (fs::exists(path, error) && !fs::is_directory(path, error)) {
+    throw InputError(
+        fmt::format("{}: error: not a folder (results go to a folder): choose another with --out", folder));
+  }
+  fs::create_directories(path, error);
+  if (error) throw SystemError(fmt::format("folder {} cannot be made ({})", folder, error.message()));
+  check_folder_is_writable(folder);
+}
+
+void check_folder_is_empty(const std::string& folder) {
+  std::error_code error;
+  const fs::path path(folder);
+  bool is_empty = true;
+  for (fs::directory_iterator at(path, error); !error && at != fs::directory_iterator(); at.increment(error))
+    is_empty = is_empty && is_lock(at->path());
+  if (error) throw SystemError(fmt::format("folder {} cannot be read ({})", folder, error.message()));
+  if (is_empty) return;
+  const char* what = holds_results(path) ? "it holds the results of an earlier run" : "it is not empty";
+  throw InputError(
+      fmt::format("{}: error: {} (nothing is overwritten unasked): choose another folder with --out, or give --force",
+                  folder, what));
+}
+
+void refuse_to_remove(const std::string& checkpoint, const std::string& folder) {
+  for (const char* file : result_files) {
+    if (!is_same_file(fs::path(folder) / file, checkpoint)) continue;
+    throw InputError(
+        fmt::format("{}: error: --force would remove this checkpoint (it is {} in the folder of results {}): choose "
+                    "another folder with --out",
+                    checkpoint, file, folder));
+  }
+}
+
+void remove_results(const std::string& folder) {
+  for (const char* file : result_files) {
+    remove_file(fs::path(folder) / file);
+    remove_file(fs::path(folder) / (std::string(file) + ".tmp"));
+  }
+}
+
+}  // namespace percuss

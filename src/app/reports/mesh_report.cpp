@@ -1,0 +1,130 @@
+#include "src/app/reports/mesh_report.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "src/error.hpp"
+#include "src/mesh/exodus/exodus_mesh.hpp"
+#include "src/mesh/hex_geometry.hpp"
+#include "src/mesh/quality/check_mesh.hpp"
+#include "src/mesh/quality/mesh_doubts.hpp"
+
+namespace percuss {
+namespace {
+
+/// What `read` returns; its errors name the file.
+template <class Read>
+auto name_file(const std::string& file, const Read& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: error: {}", file, error.what()));
+  } catch (const SystemError& error) {
+    throw SystemError(fmt::format("{}: error: {}", file, error.what()));
+  }
+}
+
+PartMesh read_mesh(const std::string& file, const std::vector<std::string>& blocks) {
+  PartMesh mesh = read_exodus_mesh({file, blocks, 1});
+  const GeometryFindings findings = check_geometry(mesh);
+  if (!findings.problems().empty()) throw InputError(findings.problems().join(""));
+  findings.warn(mesh.warnings);
+  warn_of_doubts(mesh, mesh.elements.size(), mesh.warnings);
+  return mesh;
+}
+
+std::string line(const std::string& label, const std::string& text) { return fmt::format("{:<12}{}\n", label, text); }
+
+std::string count(std::int64_t n, const std::string& what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+}
+
+std::string format_extent(const std::vector<Vec3>& nodes) {
+  if (nodes.empty()) return "none";
+  std::string text;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [low, high] =
+        std::minmax_element(nodes.begin(), nodes.end(), [k](const Vec3& a, const Vec3& b) { return a[k] < b[k]; });
+    text += fmt::format("{}{} {:.6g} to {:.6g}", k > 0 ? ", " : "", "xyz"[k], (*low)[k], (*high)[k]);
+  }
+  return text;
+}
+
+std::string format_blocks(const std::vector<ExodusBlock>& blocks) {
+  std::string text;
+  for (const ExodusBlock& block : blocks) {
+    text += line(text.empty() ? "blocks" : "",
+                 fmt::format("{}, id {}: {} of kind {} with {}{}", block.name, block.id,
+                             count(block.elements, "element"), block.topology, count(block.nodes_per_element, "node"),
+                             block.elements == 0 || can_run(block) ? "" : ", which cannot be run"));
+  }
+  return text;
+}
+
+std::string format_sets(const std::vector<ExodusSet>& sets, const char* label, const char* what) {
+  std::string text;
+  for (const ExodusSet& set : sets)
+    text += line(text.empty() ? label : "", fmt::format("{}, id {}: {}", set.name, set.id, count(set.entries, what)));
+  return text.empty() ? line(label, "none") : text;
+}
+
+/// Elements that percuss makes of the file, with their volume and area.
+std::string format_elements(const PartMesh& mesh) {
+  double volume = 0, area = 0;
+  std::int64_t shells = 0, triangles = 0;
+  for (const auto& element : mesh.elements) {
+    HexCorners corners;
+    for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[static_cast<std::size_t>(element[i])];
+    if (is_shell(element)) {
+      area += find_shell_area_size(corners);
+      ++shells;
+      triangles += is_triangle(element) ? 1 : 0;
+    } else {
+      volume += find_hex_volume(corners);
+    }
+  }
+  const std::int64_t solids = static_cast<std::int64_t>(mesh.elements.size()) - shells;
+  std::string text = count(static_cast<std::int64_t>(mesh.nodes.size()), "node");
+  if (solids > 0) text += fmt::format(", {} solid elements of volume {:.6g}", solids, volume);
+  if (shells > 0) text += fmt::format(", {} shells of area {:.6g} (the part needs a thickness)", shells, area);
+  return text + (triangles > 0 ? fmt::format(", {} of them triangles", triangles) : "");
+}
+
+std::string format_reading(const std::string& file, const ExodusContents& contents) {
+  std::vector<std::string> chosen;
+  bool all = true;
+  for (const ExodusBlock& block : contents.blocks) {
+    if (block.elements == 0) continue;
+    if (can_run(block)) chosen.push_back(block.name);
+    all = all && can_run(block);
+  }
+  if (contents.dimensions != 3)
+    return line("percuss", fmt::format("runs meshes of 3 dimensions only, this has {}", contents.dimensions));
+  if (chosen.empty())
+    return line("percuss", "runs none of this (only hexahedra of eight nodes, HEX8, and shells of three or four)");
+  const PartMesh mesh = name_file(file, [&] { return read_mesh(file, all ? std::vector<std::string>{} : chosen); });
+  std::string text = line("percuss", "reads " + format_elements(mesh));
+  if (!all) text += line("", fmt::format("with blocks: [{}]", fmt::join(chosen, ", ")));
+  for (const Warning& warning : mesh.warnings) text += format_warning(warning) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string describe_exodus_mesh(const std::string& file) {
+  const ExodusContents contents = name_file(file, [&] { return read_exodus_contents(file); });
+  std::string text = line("mesh", file + ": Exodus II");
+  text += line("size", fmt::format("{}, {}", count(contents.elements, "element"),
+                                   count(static_cast<std::int64_t>(contents.nodes.size()), "node")));
+  text += line("extent", format_extent(contents.nodes)) + format_blocks(contents.blocks);
+  text += format_sets(contents.node_sets, "node sets", "node") + format_sets(contents.side_sets, "side sets", "face");
+  try {
+    return text + format_reading(file, contents);
+  } catch (const InputError& error) {  // what is there helps to choose blocks without what is wrong
+    throw InputError(text + error.what());
+  }
+}
+
+}  // namespace percuss

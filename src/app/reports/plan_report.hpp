@@ -1,0 +1,22 @@
+#pragma once
+// A plan in words: the answer of `percuss plan`. docs/plan.md tells what every line means.
+
+#include <string>
+#include <vector>
+
+#include "src/app/reports/plan_estimate.hpp"
+
+namespace percuss {
+
+/// What is planned, whatever the number of ranks.
+struct PlannedScene {
+  const Deck& deck;
+  std::int64_t elements = 0, nodes = 0, chunks = 0, contact_nodes = 0, contact_faces = 0;
+  double first_step = 0;  // time unit of the deck, above zero
+  StepPattern pattern;
+};
+
+/// A table with a column for each plan, and warnings below.
+std::string format_plan(const PlannedScene& scene, const PlanFigures& figures, const std::vector<RanksPlan>& plans);
+
+}  // namespace percuss

@@ -1,0 +1,176 @@
+#include "src/app/reports/scene_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
+#include "comm/exact_reduction.hpp"
+#include "src/deck/units.hpp"
+#include "src/mesh/hex_geometry.hpp"
+#include "src/output/warning_log.hpp"
+#include "src/step/model/whole_mesh.hpp"
+
+namespace percuss {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+std::string line(const std::string& label, const std::string& text) { return fmt::format("{:<10}{}\n", label, text); }
+
+template <class Count>
+std::string count(Count n, const std::string& what, const std::string& plural) {
+  return fmt::format("{} {}", n, n == 1 ? what : plural);
+}
+
+std::string format_parts(const SceneReport& scene) {
+  std::size_t width = 4;
+  for (const PartReport& part : scene.parts) width = std::max(width, part.name.size());
+  const std::string unit = unit_suffix(scene.deck.units, dimensions::mass);
+  std::string text = line("parts", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12}  material", "name", width, "elements",
+                                               "nodes", unit.empty() ? "mass" : "mass [" + unit.substr(1) + "]"));
+  double total = 0;
+  for (const PartReport& part : scene.parts) {
+    text += line("", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12.6g}  {}", part.name, width, part.elements, part.nodes,
+                                 part.mass, part.material));
+    total += part.mass;
+  }
+  return text + line("total", fmt::format("{}, {}, {}, mass {:.6g}{}", count(scene.elements, "element", "elements"),
+                                          count(scene.nodes, "node", "nodes"), count(scene.bodies, "body", "bodies"),
+                                          total, unit));
+}
+
+std::string format_size(const SceneReport& scene) {
+  const Vec3 &low = scene.low, &high = scene.high;
+  return line("extent",
+              fmt::format("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}{}", low[0], high[0], low[1],
+                          high[1], low[2], high[2], unit_suffix(scene.deck.units, dimensions::length)));
+}
+
+/// "mm, kg, ms: force kN, stress GPa, energy J"
+std::string format_units(const Units& units) {
+  return line("units", fmt::format("{}: force {}, stress {}, energy {}", units.text(), units.name_of(dimensions::force),
+                                   units.name_of(dimensions::stress), units.name_of(dimensions::energy)));
+}
+
+std::string format_contact(const SceneReport& scene) {
+  const ContactDeck& contact = scene.deck.contact;
+  using Surfaces = ContactDeck::Surfaces;
+  std::string text = "none (bodies pass through each other)";
+  if (contact.surfaces != Surfaces::none) {
+    text = contact.surfaces == Surfaces::all ? "all surfaces"
+                                             : count(contact.pairs.size(), "pair of surfaces", "pairs of surfaces");
+    text += fmt::format(", friction {:g}; {} contact nodes, {} contact faces", contact.friction, scene.contact_nodes,
+                        scene.contact_faces);
+  }
+  if (!scene.deck.walls.empty()) text += "; " + count(scene.deck.walls.size(), "wall", "walls");
+  std::string lines = line("contact", text);
+  for (const std::string& note : scene.contact_notes) lines += line("", note);
+  return lines;
+}
+
+std::string format_loads(const Deck& deck) {
+  std::string text;
+  const auto add = [&](const std::string& item) { text += (text.empty() ? "" : ", ") + item; };
+  if (!deck.initial.empty()) add(count(deck.initial.size(), "initial velocity", "initial velocities"));
+  if (!deck.conditions.empty()) add(count(deck.conditions.size(), "condition", "conditions"));
+  if (!deck.pressures.empty()) add(count(deck.pressures.size(), "pressure", "pressures"));
+  if (!deck.nodal_loads.empty()) add(count(deck.nodal_loads.size(), "load on nodes", "loads on nodes"));
+  if (deck.gravity != Vec3{}) add("gravity");
+  return line("loads", text.empty() ? "none" : text);
+}
+
+std::string format_output(const Deck& deck) {
+  const OutputDeck& output = deck.output;
+  std::string text = "summary";
+  if (output.history_every) {
+    text +=
+        *output.history_every > 0 ? fmt::format(", history every {:g}", *output.history_every) : ", history every step";
+  }
+  if (output.fields_every) {
+    text +=
+        fmt::format(", {:.0f} frames of fields", std::floor(deck.time.end / *output.fields_every * (1 + 1e-12)) + 1);
+  }
+  if (output.checkpoint_every) text += fmt::format(", checkpoint every {:g}", *output.checkpoint_every);
+  if (output.checkpoint_wall) text += fmt::format(", checkpoint every {:g} s by the clock", *output.checkpoint_wall);
+  return line("output", text);
+}
+
+std::string format_step(const SceneReport& scene) {
+  const double end = scene.deck.time.end;
+  const std::string unit = unit_suffix(scene.deck.units, dimensions::time);
+  return line("time",
+              fmt::format("0 to {:g}{}; first step {:.4g}{} ({} controls it), about {:.0f} steps if it stays so", end,
+                          unit, scene.first_step, unit, scene.controlling_element, std::ceil(end / scene.first_step)));
+}
+
+std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chunked, const Communicator& ranks) {
+  const Mesh& mesh = chunked.mesh;
+  const std::size_t count = mesh.parts.size();
+  std::vector<std::int64_t> counts(2 * count, 0);  // elements, then nodes
+  std::vector<ExactSum> volumes(count);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    HexCorners corners;
+    for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[index(mesh.elements[e][i])];
+    const MeshPart& part = mesh.parts[index(mesh.element_part[e])];
+    volumes[index(mesh.element_part[e])].add(is_shell(mesh.elements[e]) ? part.thickness * find_shell_area_size(corners)
+                                                                        : find_hex_volume(corners));
+    ++counts[index(mesh.element_part[e])];
+  }
+  for (std::size_t p = 0; p < count; ++p) {
+    const std::vector<int>& nodes = mesh.node_sets.at(mesh.parts[p].name);
+    counts[count + p] = std::count_if(nodes.begin(), nodes.end(), [&](int n) { return owns_node(chunked, n); });
+  }
+  all_reduce(ranks, Reduce::sum, counts);
+  sum_over_ranks(ranks, volumes);
+  std::vector<PartReport> parts;
+  for (std::size_t p = 0; p < count; ++p) {
+    const MaterialDeck& material = deck.materials.at(index(mesh.parts[p].material));
+    parts.push_back(
+        {mesh.parts[p].name, material.name, counts[p], counts[count + p], material.density * volumes[p].round()});
+  }
+  return parts;
+}
+
+std::int64_t count_bodies(const Mesh& mesh, const Communicator& ranks) {
+  int bodies = mesh.bodies.empty() ? 0 : *std::max_element(mesh.bodies.begin(), mesh.bodies.end()) + 1;
+  all_reduce(ranks, Reduce::largest, bodies);
+  return bodies;
+}
+
+}  // namespace
+
+SceneReport describe_scene(const Deck& deck, const ChunkedMesh& chunked) {
+  const Communicator ranks = find_ranks(chunked.mesh);
+  SceneReport scene{deck, describe_parts(deck, chunked, ranks)};
+  scene.elements = chunked.numbering.element_count();
+  scene.nodes = chunked.numbering.node_count();
+  scene.bodies = count_bodies(chunked.mesh, ranks);
+  scene.low = chunked.mesh.low;
+  scene.high = chunked.mesh.high;
+  return scene;
+}
+
+std::string describe_element(const ChunkedMesh& chunked, std::int64_t number) {
+  const Mesh& mesh = chunked.mesh;
+  const int element = find_local_element(chunked, number);
+  const std::string text = element >= 0 ? name_element(mesh, element) : "";
+  return broadcast_text(find_ranks(mesh), text, chunked.numbering.find_element_owner(number));
+}
+
+std::string format_scene(const SceneReport& scene) {
+  const Deck& deck = scene.deck;
+  std::string text = line("deck", deck.file + (deck.title.empty() ? "" : ": " + deck.title));
+  if (const auto units = find_units(deck.units)) text += format_units(*units);
+  text += format_parts(scene) + format_size(scene) + format_contact(scene) + format_loads(deck) + format_output(deck) +
+          format_step(scene);
+  for (const Warning& warning : scene.warnings) text += format_warning(warning) + "\n";
+  return text + (scene.warnings.empty()
+                     ? "The deck and its meshes are right.\n"
+                     : fmt::format("The deck and its meshes can be run; {}.\n", count_warnings(scene.warnings)));
+}
+
+}  // namespace percuss

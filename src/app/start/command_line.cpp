@@ -1,0 +1,370 @@
+#include "src/app/start/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <Kokkos_Core.hpp>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "kernels/core/precision.hpp"
+#include "kernels/core/views.hpp"
+#include "src/deck/text/nearest_name.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr const char* about =
+    "percuss simulates impact: solids that move fast, deform far and touch anywhere, by explicit finite elements.";
+
+constexpr const char* general_help = R"(
+Examples:
+  percuss check inputs/brick_wall/deck.yaml
+  percuss run inputs/brick_wall/deck.yaml --out wall
+  percuss plan inputs/brick_wall/deck.yaml --ranks 1,8,64
+  percuss run deck.yaml --set time.end=1e-3 --set 'initial.0.velocity=[100, 0, 0]'
+
+Exit codes:
+  0    done
+  2    the deck, a mesh or the command is wrong
+  3    the run failed: an element inverted, the energy balance broke, a value is not finite
+  4    the system failed: files, memory, MPI
+  130  interrupted (Ctrl-C, SIGTERM, SIGUSR1, SIGHUP or SIGXCPU); what was computed is written, and a checkpoint to go on
+       from; before the first step nothing is changed
+mpirun passes these on, but its own code counts after a signal to itself (1 of Open MPI after Ctrl-C or SIGTERM) and when
+a rank is killed (137 after SIGKILL). `status` in summary.json tells then: `running` is of a run that was killed.
+
+Environment:
+  OMP_NUM_THREADS   threads of each rank; without it, every core that the rank may use: ranks of a machine that are not
+                    bound to cores share them
+  OMP_PROC_BIND     how OpenMP binds threads to cores; without it, not at all
+  OMP_WAIT_POLICY   how threads wait; without it, they spin for some 20 microseconds and then sleep
+
+`percuss help COMMAND` or `percuss COMMAND --help` tells more about a command; `percuss version` prints the version. docs/deck.md describes the deck.
+)";
+
+constexpr const char* run_help = R"(
+Writes, as the deck's `output` asks, fields.vtkhdf with fields.xdmf2 (ParaView) and fields.xdmf (VisIt) beside it and
+history.csv; always summary.json. Results go to the folder of --out; without it, to out/SCENE in the current folder, where SCENE is the
+deck's name, or the name of its folder if it is called deck.yaml. A folder that is not empty is left alone unless
+--force is given, which overwrites an earlier run's files and nothing else. A folder that another run writes into is
+refused in any case; run.lock in it names that run.
+
+Ctrl-C, SIGTERM, SIGUSR1, SIGHUP and SIGXCPU end the run after its step; a checkpoint is written first. A second Ctrl-C ends
+it at once. On ranks use `kill -USR1 PID_OF_MPIRUN`: it reaches them at once and leaves them the time they need. After
+Ctrl-C mpirun waits a second before it tells its ranks, and one more before it kills them; `mpirun --mca
+odls_base_sigkill_timeout 10` makes both ten (Open MPI 4). While the run is under way summary.json says `running`; where no
+run is, that means it was killed. `output.checkpoint` of the deck writes checkpoints on the way.
+
+--restart goes on from a checkpoint, on any number of ranks and threads, to the same bits as if the run had never stopped:
+in the checkpoint's folder, whose history and fields are continued, or in the empty folder of --out, where they begin
+anew. time.end may be later than before. What the restart would remove and not compute again (results beyond its end) is
+told and left alone, unless --force is given.
+
+Examples:
+  percuss run inputs/taylor_bar/deck.yaml
+  percuss run deck.yaml --out slow --set time.step_scale=0.5
+  percuss run deck.yaml --restart out/deck/checkpoint.h5
+  OMP_NUM_THREADS=4 percuss run deck.yaml --quiet
+  OMP_NUM_THREADS=2 mpirun -n 8 --map-by slot:PE=2 percuss run deck.yaml
+)";
+
+constexpr const char* check_help = R"(
+Reads the deck, makes or reads its meshes, resolves every name, sums the masses and finds the first time step; tells of
+overlap at the start. Runs nothing and writes no file.
+
+Examples:
+  percuss check inputs/brick_wall/deck.yaml
+  percuss check deck.yaml --set 'parts.rod.cylinder.cells=[16, 64]'
+)";
+
+constexpr const char* plan_help = R"(
+Finds on one process, without mpirun, how the scene would be divided among ranks: elements and contact surfaces of each
+rank, what they send each other, memory, and from a few figures of the machine the time of a step, the parallel
+efficiency, the run time and the core hours. A column for each number of ranks; docs/plan.md tells what every line means. Runs nothing and writes no file;
+takes memory for the whole mesh.
+
+Examples:
+  percuss plan inputs/brick_wall/deck.yaml --ranks 1,8,64
+  percuss plan deck.yaml --ranks 512 --set 'parts.rod.cylinder.cells=[16, 64]'
+  percuss plan deck.yaml --ranks 8,64 --latency 30e-6 --bandwidth 1e8
+)";
+
+constexpr const char* schema_help = R"(
+A JSON Schema (draft 2020-12) for editors: which keys there are and what they mean, what they take and which of them must be
+there. What concerns several keys at once is left to percuss check. Editors that understand schemas of YAML, such as VS Code with its
+YAML extension, look for a comment in the deck:
+
+  # yaml-language-server: $schema=percuss.schema.json
+
+Example:
+  percuss schema > percuss.schema.json
+)";
+
+constexpr const char* info_help = R"(
+FILE is a summary.json, a fields.vtkhdf, a checkpoint.h5, a folder that holds them, or an Exodus II mesh.
+
+Examples:
+  percuss info out/brick_wall
+  percuss info mesh.e
+)";
+
+std::string describe_version() {
+  return fmt::format("percuss {} (Kokkos {}.{}.{}, {} back end, {} precision)\n", PERCUSS_VERSION,
+                     KOKKOS_VERSION / 10000, KOKKOS_VERSION / 100 % 100, KOKKOS_VERSION % 100, ExecSpace::name(),
+                     precision_name);
+}
+
+/// More ranks than any machine has; beyond, a plan only fills memory.
+constexpr int most_ranks = 1'000'000;
+
+/// The whole numbers of ranks in "1,8,64". Throws CLI::ValidationError for anything else.
+std::vector<int> read_rank_counts(const std::string& text) {
+  std::vector<int> counts;
+  for (std::size_t first = 0; first <= text.size();) {
+    const std::size_t end = std::min(text.find(',', first), text.size());
+    const std::string word = text.substr(first, end - first);
+    int value = 0;
+    if (!CLI::detail::lexical_cast(word, value) || value < 1 || value > most_ranks) {
+      throw CLI::ValidationError("--ranks",
+                                 fmt::format("'{}' (must be a whole number from 1 to {})", word, most_ranks));
+    }
+    counts.push_back(value);
+    first = end + 1;
+  }
+  return counts;
+}
+
+/// Accepts finite numbers that are at least `least`, which `words` say.
+CLI::Validator at_least(double least, const std::string& words) {
+  const auto check = [=](const std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value >= least) return "";
+    return fmt::format("'{}' (must be a number, {})", text, words);
+  };
+  return CLI::Validator(check, "");
+}
+
+struct Parser {
+  CLI::App app{about, "percuss"};
+  CLI::App *run = nullptr, *check = nullptr, *plan = nullptr, *info = nullptr, *schema = nullptr;
+  Command command;
+  bool version = false;
+
+  Parser() {
+    app.footer(general_help);
+    app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+    app.set_help_flag("-h,--help", "Print this help");
+    app.add_flag("--version", version, "Print the version");
+    run = add("run", "Run the scene of a deck", run_help);
+    check = add("check", "Read a deck and its meshes and say whether they can be run", check_help);
+    plan = add("plan", "Foretell how a deck's scene would run on many ranks", plan_help);
+    info = add("info", "Say what a file of results or a mesh holds", info_help);
+    schema = add("schema", "Print what a deck may hold as a JSON Schema, for editors", schema_help);
+    add_deck(run);
+    add_deck(check);
+    add_deck(plan);
+    add_plan_options();
+    run->add_option("-o,--out", command.out_dir, "Folder for the results (default: out/SCENE)")->type_name("DIR");
+    run->add_option("-r,--restart", command.restart,
+                    "Go on from a checkpoint of this deck's run, or the one in a folder")
+        ->type_name("FILE|DIR");
+    run->add_flag("-f,--force", command.force, "Overwrite the results of an earlier run in that folder");
+    run->add_flag("-q,--quiet", command.quiet, "No progress, no report");
+    info->add_option("FILE", command.file, "The file or folder")->required()->type_name("");
+    add_external(info);
+    // Fallthrough and extras: wrong words come back to us, so that we can hint at the right ones.
+    app.allow_extras();
+  }
+
+  using Choice = std::pair<CLI::App*, Command::Kind>;
+
+  /// The command that was given, if any.
+  std::optional<Choice> find_parsed() const {
+    using Kind = Command::Kind;
+    for (const Choice& choice : {Choice{run, Kind::run}, Choice{check, Kind::check}, Choice{plan, Kind::plan},
+                                 Choice{info, Kind::info}, Choice{schema, Kind::schema}}) {
+      if (choice.first->parsed()) return choice;
+    }
+    return std::nullopt;
+  }
+
+  CLI::App* add(const char* name, const char* description, const char* help) {
+    CLI::App* sub = app.add_subcommand(name, description);
+    sub->footer(help);
+    sub->group("Commands");
+    sub->set_help_flag("-h,--help", "Print this help");
+    sub->allow_extras();
+    return sub;
+  }
+
+  void add_plan_options() {
+    // Not the library's own list of values, which leaves out empty ones.
+    plan->add_option_function<std::string>(
+            "-n,--ranks", [this](const std::string& text) { command.rank_counts = read_rank_counts(text); },
+            "Numbers of ranks, with commas between them")
+        ->required()
+        ->type_name("N,...");
+    const CLI::Validator zero_or_more = at_least(0, "zero or more"), one_or_more = at_least(1, "at least 1");
+    const CLI::Validator above_zero = at_least(std::numeric_limits<double>::min(), "above zero");
+    const auto figure = [&](const char* name, double& value, const CLI::Validator& valid, const char* unit,
+                            const char* what) {
+      plan->add_option(name, value, fmt::format("{} (default: {:g})", what, value))
+          ->type_name(unit)
+          ->allow_extra_args(false)
+          ->check(valid);
+    };
+    PlanFigures& f = command.figures;
+    figure("--latency", f.latency, zero_or_more, "SECONDS", "Time that a message takes, whatever its size");
+    figure("--bandwidth", f.bandwidth, above_zero, "BYTE/S", "Bytes that a rank sends in a second");
+    figure("--element-ns", f.element_ns, above_zero, "NS", "Time of a core for an element and step");
+    figure("--contact-node-ns", f.contact_node_ns, zero_or_more, "NS",
+           "Time of a core for a contact node or face and step");
+    figure("--iterations", f.iterations, zero_or_more, "COUNT", "Iterations of the contact enforcement in a step");
+    figure("--steps-per-search", f.steps_per_search, one_or_more, "COUNT", "Steps between two contact searches");
+  }
+
+  void add_deck(CLI::App* sub) {
+    sub->add_option("DECK", command.file, "The deck (YAML); docs/deck.md describes it")->required()->type_name("");
+    sub->add_option("-s,--set", command.settings, "Change a value of the deck; lists by index from 0; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+    add_external(sub);
+  }
+
+  void add_external(CLI::App* sub) {
+    sub->add_flag("--allow-external", command.allow_external,
+                  "Let HDF5 files (meshes, checkpoints) take data from other files");
+  }
+};
+
+Answer wrong(const std::string& problem, const std::string& help_for = "") {
+  const std::string help = help_for.empty() ? "percuss --help" : "percuss " + help_for + " --help";
+  return {fmt::format("percuss: error: {}\nTry '{}'.\n", problem, help), ExitCode::wrong_input};
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+Answer refuse_extra(const std::string& extra, const CLI::App& app, const std::string& command) {
+  if (extra.starts_with('-') && extra.size() > 1) {
+    const std::string name = extra.substr(0, extra.find('='));
+    const auto known = option_names(app);
+    if (std::find(known.begin(), known.end(), name) != known.end()) {
+      return wrong(fmt::format("option '{}' stands before the command (it belongs after percuss {})", name, command),
+                   command);
+    }
+    return wrong(fmt::format("unknown option '{}'{}", name, name_hint(name, known)), command);
+  }
+  if (command.empty()) {
+    return wrong(fmt::format("unknown command '{}'{}", extra,
+                             name_hint(extra, {"run", "check", "plan", "info", "schema", "help", "version"})));
+  }
+  const char* takes = command == "schema" ? "none" : "one file";
+  return wrong(fmt::format("'{}' is one argument too many (percuss {} takes {})", extra, command, takes), command);
+}
+
+// CLI11's own reasons, in the words of this program.
+Answer explain(const CLI::ParseError& error, Parser& parser) {
+  const auto chosen = parser.find_parsed();
+  if (!chosen) return wrong(error.what());
+  const CLI::App& sub = *chosen->first;
+  const std::string name = sub.get_name();
+  if (!sub.remaining().empty()) return refuse_extra(sub.remaining().front(), sub, name);
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+    return wrong("an option at the end has no value (" + std::string(error.what()) + ")", name);
+  }
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    const bool lacks_ranks = chosen->second == Command::Kind::plan && sub.get_option("DECK")->count() > 0;
+    const std::string needed = lacks_ranks                             ? "--ranks, the numbers of ranks to plan for"
+                               : chosen->second == Command::Kind::info ? "a file"
+                                                                       : "a deck";
+    return wrong(fmt::format("percuss {} needs {}", name, needed), name);
+  }
+  return wrong(error.what(), name);
+}
+
+constexpr const char* why_empty = "the shell variable that it was taken from is probably not set";
+
+// Before the library parses: it takes the word after "--out=" for the value, and what a value means is not its
+// business.
+std::optional<Answer> refuse_empty_argument(int argc, const char* const* argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i], before = argv[i - 1];
+    const bool is_open = word.starts_with("--") && word.find('=') + 1 == word.size();
+    if (!word.empty() && !is_open) continue;
+    const bool is_flag = before == "-q" || before == "--quiet" || before == "-f" || before == "--force";
+    const bool follows_option = word.empty() && i > 1 && before.size() > 1 && before.starts_with('-') && !is_flag;
+    if (!is_open && !follows_option)
+      return wrong(fmt::format("an argument is empty ({}): give the name of a file or folder", why_empty));
+    const std::string option = is_open ? word.substr(0, word.size() - 1) : before;
+    return wrong(fmt::format("option '{}' has an empty value ({}): give it a value, or leave the option out", option,
+                             why_empty));
+  }
+  return std::nullopt;
+}
+
+std::optional<Answer> refuse_empty_setting(const Command& command) {
+  for (const std::string& setting : command.settings) {
+    if (setting.find('=') + 1 != setting.size()) continue;
+    return wrong(fmt::format("'--set {}' gives no value ({}): write the value behind the '='", setting, why_empty));
+  }
+  return std::nullopt;
+}
+
+/// Answers `help`, `help COMMAND` and `version`, which stand for options; nothing for other words. They are no commands
+/// of the library, which would then take a deck of such a name for one.
+std::optional<Answer> answer_word(const std::vector<std::string>& words, const Parser& parser) {
+  if (words.empty() || (words[0] != "help" && words[0] != "version")) return std::nullopt;
+  const bool is_help = words[0] == "help";
+  if (words.size() > (is_help ? 2 : 1)) {
+    return wrong(fmt::format("'{}' is one argument too many (percuss {})", words.back(),
+                             is_help ? "help takes one command" : "version takes none"));
+  }
+  if (!is_help) return Answer{describe_version(), ExitCode::done};
+  if (words.size() == 1 || words[1] == "help" || words[1] == "version" || words[1].starts_with('-')) {
+    return Answer{parser.app.help(), ExitCode::done};
+  }
+  const auto named =
+      parser.app.get_subcommands([&](const CLI::App* command) { return command->get_name() == words[1]; });
+  if (named.empty()) return refuse_extra(words[1], parser.app, "");
+  return Answer{named.front()->help("percuss"), ExitCode::done};
+}
+
+}  // namespace
+
+std::variant<Command, Answer> parse_command_line(int argc, const char* const* argv) {
+  if (const auto refusal = refuse_empty_argument(argc, argv)) return *refusal;
+  Parser parser;
+  if (auto answer = answer_word({argv + std::min(argc, 1), argv + argc}, parser)) return *std::move(answer);
+  try {
+    parser.app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    if (const auto chosen = parser.find_parsed()) return Answer{chosen->first->help("percuss"), ExitCode::done};
+    return Answer{parser.app.help(), ExitCode::done};
+  } catch (const CLI::ParseError& error) {
+    return explain(error, parser);
+  }
+  if (parser.version) return Answer{describe_version(), ExitCode::done};
+  const auto chosen = parser.find_parsed();
+  if (!chosen) {
+    const auto extras = parser.app.remaining();
+    if (!extras.empty()) return refuse_extra(extras.front(), parser.app, "");
+    return Answer{parser.app.help(), ExitCode::wrong_input};
+  }
+  const auto extras = parser.app.remaining(true);
+  if (!extras.empty()) return refuse_extra(extras.front(), *chosen->first, chosen->first->get_name());
+  parser.command.kind = chosen->second;
+  if (const auto refusal = refuse_empty_setting(parser.command)) return *refusal;
+  return parser.command;
+}
+
+}  // namespace percuss

@@ -1,0 +1,57 @@
+#include "src/app/start/external_files.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <variant>
+
+#include "src/error.hpp"
+#include "src/hdf5/hdf5_structure.hpp"
+#include "src/mesh/exodus/trial_process.hpp"
+#include "src/output/checkpoint/sealed_file.hpp"
+#include "src/regular_file.hpp"
+
+namespace percuss {
+namespace {
+
+/// Throws InputError if the file's links lead to others, or astray; its message begins with `place`.
+void refuse_external(const std::string& path, const std::string& place) {
+  if (!describe_irregular_file(path).empty() || !hdf5::has_hdf5_signature(path)) return;
+  std::error_code ignored;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, ignored);
+  try {
+    run_trial_process([&] { hdf5::check_structure(path, hdf5::ExternalFiles::refuse); }, find_patience(bytes));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", place, error.what()));
+  }
+}
+
+}  // namespace
+
+void refuse_external_meshes(const Deck& deck) {
+  for (const PartDeck& part : deck.parts) {
+    const auto* exodus = std::get_if<ExodusMesh>(&part.shape);
+    if (exodus == nullptr) continue;
+    refuse_external(exodus->file,
+                    fmt::format("{}: error: part '{}': {}", deck.where(part.place), part.name, exodus->file));
+  }
+}
+
+void refuse_external_checkpoint(const std::string& path) { refuse_external(path, path + ": error"); }
+
+void check_results_to_go_on_with(const std::string& folder, const std::string& checkpoint, bool allow_external) {
+  for (const char* name : {"history.csv", "fields.vtkhdf", "checkpoint.h5", "summary.json"}) {
+    const std::string path = folder + "/" + name;
+    if (const std::string kind = describe_irregular_file(path); !kind.empty())
+      throw InputError(fmt::format("{}: error: this is {}", path, kind));
+  }
+  if (allow_external) return;
+  const std::string fields = folder + "/fields.vtkhdf", newest = folder + "/checkpoint.h5";
+  refuse_external(fields, fields + ": error");
+  // One that is damaged, which is why the run goes on from an older one, is not opened.
+  std::error_code ignored;
+  if (!std::filesystem::equivalent(newest, checkpoint, ignored) && is_sealed(newest))
+    refuse_external(newest, newest + ": error");
+}
+
+}  // namespace percuss

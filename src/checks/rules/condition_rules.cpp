@@ -1,0 +1,235 @@
+// Velocities that conditions undo, motions and loads that no material follows, gravity that pulls bodies away.
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/material/pressure/equation_of_state.hpp"
+#include "src/checks/rules.hpp"
+#include "src/mesh/hex_geometry.hpp"
+
+namespace percuss {
+namespace {
+
+/// At which a curve is looked at over a run.
+constexpr int samples = 512;
+
+/// Largest size of a curve, or of its slope, over the run.
+double find_largest(const Curve& curve, double end, bool of_slope) {
+  double largest = 0;
+  for (int i = 0; i < samples; ++i) {
+    const double here = curve(end * i / samples), next = curve(end * (i + 1) / samples);
+    const double value = of_slope ? (next - here) / (end / samples) : std::max(std::abs(here), std::abs(next));
+    largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
+/// The parts of a selector, and the fastest wave in any of them.
+double find_fastest_wave(const Deck& deck, const Selector& where) {
+  double fastest = 0;
+  for (const std::size_t p : find_named_parts(deck, where))
+    fastest = std::max(fastest, find_wave_speed(find_material(deck, deck.parts[p])));
+  return fastest;
+}
+
+/// The speed of a part at the start beside the other parts, or beside the walls and what conditions hold [length /
+/// time]. A body that flies with all the others is under no load.
+class RelativeSpeed {
+ public:
+  explicit RelativeSpeed(const CheckedScene& scene)
+      : scene_(scene), has_fixed_frame_(!scene.deck.walls.empty() || !scene.deck.conditions.empty()) {
+    const std::vector<PartMeasures>& parts = scene.measures->parts;
+    low_ = parts.front().velocity_low;
+    high_ = parts.front().velocity_high;
+    for (const PartMeasures& part : parts) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        low_[k] = std::min(low_[k], part.velocity_low[k]);
+        high_[k] = std::max(high_[k], part.velocity_high[k]);
+      }
+    }
+  }
+
+  double operator()(std::size_t p) const {
+    const PartMeasures& part = scene_.measures->parts[p];
+    if (has_fixed_frame_) return part.speed;
+    Vec3 farthest{};
+    for (std::size_t k = 0; k < 3; ++k)
+      farthest[k] = std::max(high_[k] - part.velocity_low[k], part.velocity_high[k] - low_[k]);
+    return std::min(part.speed, std::sqrt(dot(farthest, farthest)));
+  }
+
+ private:
+  const CheckedScene& scene_;
+  bool has_fixed_frame_;
+  Vec3 low_{}, high_{};  // of the velocities of all parts
+};
+
+/// "initial.N" of the last entry that names a part.
+std::string find_initial_path(const Deck& deck, std::size_t part) {
+  for (std::size_t i = deck.initial.size(); i-- > 0;) {
+    const std::vector<std::size_t> parts = find_named_parts(deck, deck.initial[i].where);
+    if (std::find(parts.begin(), parts.end(), part) != parts.end()) return join_path("initial", i);
+  }
+  return "initial";
+}
+
+/// Whether the values of a table only rise or only fall, as those of a ramp to a value that is held.
+bool is_monotone(const std::vector<std::pair<double, double>>& rows) {
+  const auto rises = [](const auto& a, const auto& b) { return a.second < b.second; };
+  const auto falls = [](const auto& a, const auto& b) { return a.second > b.second; };
+  return std::is_sorted(rows.begin(), rows.end(), rises) || std::is_sorted(rows.begin(), rows.end(), falls);
+}
+
+/// Whether a table was cut off: it has a course of its own, and neither ends flat nor at zero.
+bool is_cut_off(const std::vector<std::pair<double, double>>& rows, double end) {
+  constexpr double flat = 1e-3;  // of the largest value
+  if (rows.empty() || is_monotone(rows) || rows.back().first >= end) return false;
+  double largest = 0;
+  for (const auto& row : rows) largest = std::max(largest, std::abs(row.second));
+  const double last = rows.back().second, before = rows[rows.size() - 2].second;
+  return std::abs(last) > flat * largest && std::abs(last - before) > flat * largest;
+}
+
+constexpr const char* directions[] = {"x", "y", "z", "rx", "ry", "rz"};
+
+}  // namespace
+
+std::vector<Warning> check_stopped_velocity(const CheckedScene& scene) {
+  constexpr double least = 0.5;  // of the nodes: the foot of a bar that is held where it hits is meant
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < scene.deck.initial.size(); ++i) {
+    const InitialMeasures& entry = scene.measures->initial[i];
+    if (entry.stopped == 0 || static_cast<double>(entry.stopped) < least * static_cast<double>(entry.moving)) continue;
+    const Place holding = scene.deck.places.find(join_path("conditions", static_cast<std::size_t>(entry.condition)));
+    warnings.push_back(warn_at(
+        scene.deck, "stopped_velocity", join_path("initial", i),
+        fmt::format(
+            "{} of {} nodes with this velocity are held in its direction (by the condition at {}): remove one of "
+            "them",
+            entry.stopped, entry.moving, scene.deck.where(holding))));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_unused_velocity(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < scene.deck.initial.size(); ++i) {
+    const InitialMeasures& entry = scene.measures->initial[i];
+    if (entry.governed > 0 || entry.selected == 0) continue;
+    warnings.push_back(
+        warn_at(scene.deck, "unused_velocity", join_path("initial", i),
+                fmt::format("all {} nodes get another velocity from later entries (the last one that names "
+                            "a node wins): drop this entry or move it down",
+                            entry.selected)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_fast_velocity(const CheckedScene& scene) {
+  constexpr double most_of_solid = 1, most_of_state = 5;  // in wave speeds: without and with an equation of state
+  std::vector<Warning> warnings;
+  const RelativeSpeed find_speed(scene);
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    const MaterialDeck& material = find_material(scene.deck, part);
+    const auto& state = material.equation_of_state;
+    if (state && state->model == IdealGasState::name) continue;  // cold gases run into each other at any speed
+    const double wave = find_wave_speed(material), speed = find_speed(p);
+    if (speed <= (state ? most_of_state : most_of_solid) * wave) continue;
+    const char* why = state ? "light-gas guns reach 2" : "such a shock needs an equation of state";
+    warnings.push_back(warn_at(scene.deck, "fast_velocity", find_initial_path(scene.deck, p),
+                               fmt::format("part '{}' starts at {:.4g}, {:.3g} times the wave speed {:.4g} of material "
+                                           "'{}' ({}): check the unit of the velocity",
+                                           part.name, speed, speed / wave, wave, material.name, why)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_prescribed_speed(const CheckedScene& scene) {
+  std::vector<Warning> warnings;
+  for (std::size_t c = 0; c < scene.deck.conditions.size(); ++c) {
+    const ConditionDeck& condition = scene.deck.conditions[c];
+    const bool is_displacement = condition.kind == ConditionDeck::Kind::displacement;
+    if (!is_displacement && condition.kind != ConditionDeck::Kind::velocity) continue;
+    const double wave = find_fastest_wave(scene.deck, condition.where);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double speed =
+          condition.active[k] ? find_largest(condition.value[k], scene.deck.time.end, is_displacement) : 0;
+      if (speed <= wave) continue;
+      const std::string path = join_path("conditions", c) + (is_displacement ? ".displacement." : ".velocity.");
+      warnings.push_back(
+          warn_at(scene.deck, "prescribed_speed", path + directions[k],
+                  fmt::format("these nodes are moved at up to {:.4g} along {} (waves in their material run at "
+                              "{:.4g}, so that nothing can follow): check the units of the curve",
+                              speed, directions[k], wave)));
+    }
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_curve_end(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  const auto check = [&](const Curve& curve, const std::string& path) {
+    const auto rows = curve.rows();
+    if (!is_cut_off(rows, deck.time.end)) return;
+    warnings.push_back(
+        warn_at(deck, "curve_end", path,
+                fmt::format("the table ends at t = {:g}, the run at {:g} (its last value, {:g}, is held from there "
+                            "on): extend it, or end it flat or at 0",
+                            rows.back().first, deck.time.end, rows.back().second)));
+  };
+  for (std::size_t c = 0; c < deck.conditions.size(); ++c) {
+    const bool is_velocity = deck.conditions[c].kind == ConditionDeck::Kind::velocity;
+    for (std::size_t k = 0; k < 6; ++k)
+      check(deck.conditions[c].value[k],
+            join_path("conditions", c) + (is_velocity ? ".velocity." : ".displacement.") + directions[k]);
+  }
+  for (std::size_t i = 0; i < deck.pressures.size(); ++i)
+    check(deck.pressures[i].value, join_path("loads.pressure", i) + ".value");
+  for (std::size_t i = 0; i < deck.nodal_loads.size(); ++i) {
+    for (std::size_t k = 0; k < 6; ++k)
+      check(deck.nodal_loads[i].value[k],
+            join_path("loads.nodal", i) + (k < 3 ? ".force." : ".moment.") + directions[k % 3]);
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_pressure_size(const CheckedScene& scene) {
+  constexpr double most = 0.5;  // of lambda + 2 mu, which resists both pressure and crushing of a sheet: far beyond use
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < scene.deck.pressures.size(); ++i) {
+    const PressureDeck& load = scene.deck.pressures[i];
+    double stiffness = 0;
+    for (const std::size_t p : find_named_parts(scene.deck, load.where))
+      stiffness = std::max(stiffness, find_wave_modulus(find_material(scene.deck, scene.deck.parts[p])));
+    const double largest = find_largest(load.value, scene.deck.time.end, false);
+    if (stiffness == 0 || largest <= most * stiffness) continue;  // a cold gas has none
+    warnings.push_back(
+        warn_at(scene.deck, "pressure_size", join_path("loads.pressure", i) + ".value",
+                fmt::format("the pressure reaches {:.3g}, {:.3g} times the stiffness {:.3g} of what it acts "
+                            "on (solids are crushed long before): check its unit",
+                            largest, largest / stiffness, stiffness)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_gravity_direction(const CheckedScene& scene) {
+  constexpr double least = 0.5;  // of gravity along the normal: less is a wall at the side
+  const Vec3& g = scene.deck.gravity;
+  const double size = std::sqrt(dot(g, g));
+  if (size == 0 || scene.deck.walls.empty()) return {};
+  double up = 0;
+  for (const WallDeck& wall : scene.deck.walls) {
+    const double along = dot(g, wall.normal) / size;
+    if (along < 0) return {};
+    up = std::max(up, along);
+  }
+  if (up < least) return {};
+  return {
+      warn_at(scene.deck, "gravity_direction", "loads.gravity",
+              "gravity pulls all bodies away from every wall (normals point to the side where bodies live): turn its "
+              "sign, or the normal")};
+}
+
+}  // namespace percuss

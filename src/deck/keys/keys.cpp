@@ -1,0 +1,35 @@
+#include "src/deck/keys/keys.hpp"
+
+#include <algorithm>
+
+namespace percuss {
+
+namespace {
+
+/// What stands behind the comma of {end: 1,5} is a key without a value in YAML.
+bool is_digits(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+}  // namespace
+
+void refuse_key(const Reader& reader, const Entry& entry, std::vector<std::string> known, const OtherKeys& others) {
+  std::string hint = others.hint ? others.hint(entry.name) : "";
+  if (hint.empty()) hint = name_hint(entry.name, known);
+  // {a:1} is one key "a:1" in YAML, and "a b" without a colon is a key with nothing.
+  const auto colon = entry.name.find(':');
+  if (colon != std::string::npos) {
+    hint = fmt::format(" (a space must follow the colon: '{}: {}')", entry.name.substr(0, colon),
+                       entry.name.substr(colon + 1));
+  }
+  if (entry.value.kind == Node::Kind::null && is_digits(entry.name)) hint = " (decimals take a point, not a comma)";
+  const std::string where = reader.self() == "the deck" ? "" : " in " + reader.self();
+  reader.error(entry.value.key, fmt::format("unknown key {}{}{}", quote(entry.name), where, hint));
+}
+
+void refuse_missing(const Reader& reader, const Node& node, const std::string& name, const std::string& takes) {
+  if (node.broken) return;
+  reader.error(node.key, fmt::format("{} is missing{} (required: {})", reader.name_of(name), reader.in(), takes));
+}
+
+}  // namespace percuss

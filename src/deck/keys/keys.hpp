@@ -1,0 +1,174 @@
+#pragma once
+// Tables of keys: each row names a key, whether it must be there, the member that it fills and the reader of its value.
+// From the same tables come unknown-key hints, missing-key errors, the list that docs/deck.md is checked against and
+// the schema for editors.
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/deck/keys/values.hpp"
+
+namespace percuss {
+
+template <class Owner>
+struct Key {
+  std::string name;
+  bool required = false;
+  std::string takes;
+  std::function<bool(const Reader&, const Node&, Owner&)> read;
+  std::function<Form()> form;
+};
+
+template <class Owner>
+using Keys = std::vector<Key<Owner>>;
+
+/// A row whose value is read by `read(value, reader, name, node, owner)`.
+template <class Owner, class Value, class Read>
+Key<Owner> make_key(std::string name, bool required, Value value, Read read) {
+  Key<Owner> key{std::move(name), required, value.takes(), {}, {}};
+  key.read = [name = key.name, value, read](const Reader& reader, const Node& node, Owner& owner) {
+    return read(value, reader, reader.name_of(name), node, owner);
+  };
+  key.form = [value] { return value.form(); };
+  return key;
+}
+
+template <class Owner, class Member, class Value>
+Key<Owner> member_key(std::string name, bool required, Member Owner::*member, Value value) {
+  return make_key<Owner>(
+      std::move(name), required, std::move(value),
+      [member](const Value& v, const Reader& reader, const std::string& full, const Node& node, Owner& owner) {
+        if constexpr (requires { (owner.*member).emplace(); }) {
+          typename Member::value_type inner{};
+          if (!v.read(reader, full, node, inner)) return false;
+          owner.*member = std::move(inner);
+          return true;
+        } else {
+          return v.read(reader, full, node, owner.*member);
+        }
+      });
+}
+
+/// A key that must be there, and the member that it fills.
+template <class Owner, class Member, class Value>
+Key<Owner> need(std::string name, Member Owner::*member, Value value) {
+  return member_key(std::move(name), true, member, std::move(value));
+}
+
+/// A key that may be absent; the member's initial value is the default.
+template <class Owner, class Member, class Value>
+Key<Owner> may(std::string name, Member Owner::*member, Value value) {
+  return member_key(std::move(name), false, member, std::move(value));
+}
+
+/// A key whose value fills members of the owner itself (a map that groups them).
+template <class Owner, class Value>
+Key<Owner> group(std::string name, Value value) {
+  return make_key<Owner>(std::move(name), false, std::move(value),
+                         [](const Value& v, const Reader& reader, const std::string& full, const Node& node,
+                            Owner& owner) { return v.read(reader, full, node, owner); });
+}
+
+/// Keys of the same map that another table reads, and a better hint for keys that are unknown here (or nothing).
+struct OtherKeys {
+  std::vector<std::string> names;
+  std::function<std::string(const std::string& name)> hint;
+};
+
+void refuse_key(const Reader& reader, const Entry& entry, std::vector<std::string> known, const OtherKeys& others);
+void refuse_missing(const Reader& reader, const Node& node, const std::string& name, const std::string& takes);
+
+/// Reads a map by its table: unknown keys are hinted at, missing ones told. Returns whether all went well.
+template <class Owner>
+bool read_keys(const Reader& reader, const Node& node, const Keys<Owner>& keys, Owner& out,
+               const OtherKeys& others = {}) {
+  std::vector<std::string> known = others.names;
+  for (const Key<Owner>& key : keys) known.push_back(key.name);
+  bool good = true;
+  for (const Entry& entry : node.entries) {
+    const auto key = std::find_if(keys.begin(), keys.end(), [&](const Key<Owner>& k) { return k.name == entry.name; });
+    if (key != keys.end()) {
+      good = !entry.value.broken && key->read(reader, entry.value, out) && good;
+    } else if (std::find(others.names.begin(), others.names.end(), entry.name) == others.names.end()) {
+      refuse_key(reader, entry, known, others);
+      good = false;
+    }
+  }
+  for (const Key<Owner>& key : keys) {
+    if (!key.required || node.find(key.name) != nullptr) continue;
+    refuse_missing(reader, node, key.name, key.takes);
+    good = false;
+  }
+  return good;
+}
+
+template <class Owner>
+Form form_of(const Keys<Owner>& keys) {
+  Form form = map_form({});
+  for (const Key<Owner>& key : keys) form.keys.push_back({key.name, key.required, key.takes, key.form()});
+  return form;
+}
+
+/// A map read by its table; `check` then sees to what concerns several keys, if each was read without error.
+template <class T>
+struct MapValue {
+  const Keys<T>& (*keys)();
+  bool (*check)(const Reader&, const Node&, T&) = nullptr;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, T& out) const {
+    return reader.expect(node, Node::Kind::map, name, takes()) && read_inside(reader.inside(name), node, out);
+  }
+  bool read_inside(const Reader& inner, const Node& node, T& out) const {
+    return read_keys(inner, node, keys(), out) && (check == nullptr || check(inner, node, out));
+  }
+  std::string takes() const { return "a map"; }
+  Form form() const { return form_of(keys()); }
+};
+
+/// A map from names that the user gives to things of one kind ("part", "material"); T has `name` and `place`.
+template <class T, class Inner>
+struct NamedMapValue {
+  std::string kind;
+  Inner inner;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<T>& out) const {
+    if (!reader.expect(node, Node::Kind::map, name, takes())) return false;
+    bool good = true;
+    for (const Entry& entry : node.entries) {
+      T item{};
+      item.name = entry.name;
+      item.place = entry.value.key.place;
+      const Reader named = reader.inside_named(kind, entry.name);
+      good = check_name(reader, entry) && good;
+      if (entry.value.broken || !reader.expect(entry.value, Node::Kind::map, kind + " '" + entry.name + "'", "a map") ||
+          !inner.read_inside(named, entry.value, item)) {
+        good = false;
+      }
+      out.push_back(std::move(item));  // even if bad: its name exists
+    }
+    return good;
+  }
+
+  std::string takes() const { return "a map from names to maps"; }
+  Form form() const {
+    Form form{Form::Kind::named_maps};
+    form.inner.push_back(inner.form());
+    return form;
+  }
+
+ private:
+  bool check_name(const Reader& reader, const Entry& entry) const {
+    if (is_name(entry.name) && entry.name != "all") return true;
+    reader.error(entry.value.key,
+                 fmt::format("{} name {} cannot be used (must be letters, digits, '_' or '-', begin with a "
+                             "letter, and not be the word all)",
+                             kind, quote(entry.name)));
+    return false;
+  }
+};
+
+}  // namespace percuss

@@ -1,0 +1,233 @@
+// What must hold between the sections of a deck.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "kernels/material/point/elastic.hpp"
+#include "kernels/shell/thickness_points.hpp"
+#include "src/deck/mesh_size.hpp"
+#include "src/deck/reading/deck_keys.hpp"
+
+namespace percuss {
+namespace {
+
+template <class T>
+std::vector<std::string> names_of(const std::vector<T>& things) {
+  std::vector<std::string> names;
+  names.reserve(things.size());
+  for (const T& thing : things) names.push_back(thing.name);
+  return names;
+}
+
+void check_materials(const Deck& deck, const Node& root, Reading& reading) {
+  const std::vector<std::string> known = names_of(deck.materials);
+  std::set<std::string> used;
+  for (const NameUse& use : reading.materials) {
+    used.insert(use.name);
+    if (known.empty() || std::find(known.begin(), known.end(), use.name) != known.end()) continue;
+    reading.errors.add(use.spot,
+                       fmt::format("unknown material {}{}{}", quote(use.name), use.in, name_hint(use.name, known)));
+  }
+  const Node* materials = root.find("materials");
+  for (const std::string& name : known) {
+    if (used.count(name) == 0)
+      reading.errors.warn(materials->find(name)->key, "unused_material",
+                          fmt::format("material '{}' is used by no part", name));
+  }
+}
+
+void check_selector(const NameUse& use, const std::map<std::string, const PartDeck*>& parts, Reading& reading) {
+  const auto slash = use.name.find('/');
+  const std::string part_name = use.name.substr(0, slash);
+  const auto part = parts.find(part_name);
+  if (part == parts.end()) {
+    std::vector<std::string> known;
+    known.reserve(parts.size());
+    for (const auto& entry : parts) known.push_back(entry.first);
+    reading.errors.add(use.spot,
+                       fmt::format("unknown part {}{}{}", quote(part_name), use.in, name_hint(part_name, known)));
+    return;
+  }
+  if (slash == std::string::npos || reading.shapeless.count(part_name) > 0) return;
+  const std::string side = use.name.substr(slash + 1);
+  const std::vector<std::string> sides = side_names(part->second->shape);
+  if (sides.empty() && !side.empty()) return;  // sets of a mesh file are known when it is read
+  if (std::find(sides.begin(), sides.end(), side) != sides.end()) return;
+  reading.errors.add(
+      use.spot, fmt::format("part '{}' has no side {}{}{}", part_name, quote(side), use.in, name_hint(side, sides)));
+}
+
+void check_selectors(const Deck& deck, Reading& reading) {
+  if (deck.parts.empty()) return;
+  std::map<std::string, const PartDeck*> parts;
+  for (const PartDeck& part : deck.parts) parts.emplace(part.name, &part);
+  for (const NameUse& use : reading.selectors) check_selector(use, parts, reading);
+}
+
+void check_size(const Deck& deck, const Node& root, Reading& reading) {
+  MeshSize total;
+  for (const PartDeck& part : deck.parts) {
+    const MeshSize size = count_cells(part);
+    if (size.elements > largest_mesh || size.nodes > largest_mesh) return;  // told already
+    total.elements += size.elements;
+    total.nodes += size.nodes;
+  }
+  if (total.elements <= largest_mesh && total.nodes <= largest_mesh) return;
+  reading.errors.add(root.find("parts")->key,
+                     fmt::format("the parts have {:.4g} elements and {:.4g} nodes (a mesh can have {:.0f} "
+                                 "of each) make them coarser",
+                                 total.elements, total.nodes, largest_mesh));
+}
+
+/// Rotations are held of nodes of shells only.
+void check_rotations(const Deck& deck, Reading& reading) {
+  const auto may_have_shells = [](const PartDeck& part) {
+    return part.thickness || std::holds_alternative<ExodusMesh>(part.shape);
+  };
+  if (std::any_of(deck.parts.begin(), deck.parts.end(), may_have_shells)) return;
+  for (const NameUse& use : reading.rotations) {
+    reading.errors.add(use.spot, fmt::format("{} is of no use{} (no part has shells, whose nodes alone have rotations)",
+                                             use.name, use.in));
+  }
+}
+
+/// The eigenvalue of the mesh is that of hexahedra.
+void check_step_estimate(const Deck& deck, const Node& root, Reading& reading) {
+  if (deck.time.step_estimate != TimeDeck::StepEstimate::global) return;
+  const auto shells =
+      std::find_if(deck.parts.begin(), deck.parts.end(), [](const auto& part) { return part.thickness; });
+  if (shells == deck.parts.end()) return;
+  reading.errors.add(root.find("time")->find("step_estimate")->spot,
+                     fmt::format("time.step_estimate is global (part '{}' has shells, of which only the bound of the "
+                                 "element is known) leave it out",
+                                 shells->name));
+}
+
+void check_curves(const Deck& deck, Reading& reading) {
+  constexpr int samples = 64;
+  for (const CurveUse& use : reading.curves) {
+    for (int i = 0; i <= samples; ++i) {
+      const double t = deck.time.end * i / samples;
+      const double value = use.curve(t);
+      if (std::isfinite(value)) continue;
+      reading.errors.add(use.spot, fmt::format("{} is {} at t = {} (must be finite from 0 to time.end)", use.name,
+                                               std::isnan(value) ? "not a number" : "infinite", t));
+      break;
+    }
+  }
+}
+
+/// What the step watches of elements is not kept for those that die.
+void check_estimate(const Deck& deck, const Node& root, Reading& reading) {
+  const Node* materials = root.find("materials");
+  if (deck.time.step_estimate != TimeDeck::StepEstimate::global) return;
+  for (const MaterialDeck& material : deck.materials) {
+    if (!material.failure) continue;
+    reading.errors.add(materials->find(material.name)->key,
+                       fmt::format("material '{}' can fail (time.step_estimate: global is for meshes that stay whole) "
+                                   "use time.step_estimate: element",
+                                   material.name));
+  }
+}
+
+/// One point needs hourglass control, which but for `viscous` holds a fluid in its shape. Who names it, knows.
+void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
+  const Node* elements = root.find("elements");
+  if (elements != nullptr && (elements->find("hourglass") != nullptr || elements->find("integration") != nullptr)) {
+    return;
+  }
+  for (const MaterialDeck& material : deck.materials) {
+    if (material.law.model != "fluid") continue;
+    reading.errors.warn(root.find("materials")->find(material.name)->key, "fluid_hourglass",
+                        fmt::format("material '{}' is a fluid (the default elements.hourglass holds it in its shape as "
+                                    "if it had a hundredth of its bulk modulus in shear): for flows set "
+                                    "elements: {{hourglass: viscous}}",
+                                    material.name));
+  }
+}
+
+/// Points of the shells of a part that does not say: what is not elastic yields, where shells know it.
+int find_usual_points(const Deck& deck, const PartDeck& part) {
+  const auto material = std::find_if(deck.materials.begin(), deck.materials.end(),
+                                     [&](const MaterialDeck& of) { return of.name == part.material; });
+  const bool is_elastic = material != deck.materials.end() && material->law.model == Elastic::name;
+  return is_elastic ? points_of_elastic_shells : points_of_plastic_shells;
+}
+
+/// Most points that a shell of a part can have.
+int find_most_points(const Deck& deck) {
+  int most = 0;
+  for (const PartDeck& part : deck.parts) {
+    if (part.thickness) most = std::max(most, part.points.value_or(find_usual_points(deck, part)));
+    if (is_shell_shape(part.shape) && !part.thickness) return most_thickness_points;  // which is told already
+  }
+  return most;
+}
+
+/// A point of shells that no part can have.
+void check_points(const Deck& deck, const Node& root, Reading& reading) {
+  const int most = find_most_points(deck);
+  for (const std::string& field : deck.output.fields) {
+    const int point = std::max(find_thickness_point(field, stress_points).value_or(0),
+                               find_thickness_point(field, plastic_strain_points).value_or(0));
+    if (point <= most || deck.parts.empty() || !reading.shapeless.empty()) continue;
+    const std::vector<Node>& items = root.find("output")->find("fields")->find("write")->items;
+    const auto item = std::find_if(items.begin(), items.end(), [&](const Node& node) { return node.text == field; });
+    const std::string text =
+        most == 0 ? "no part has shells"
+                  : fmt::format("shells have at most {} points; say more with points of their part", most);
+    reading.errors.add(item->spot, fmt::format("output.fields.write has {} ({})", field, text));
+  }
+}
+
+/// Settings of contact that nothing reads as the others stand: accepted, for a switch may come and go by --set.
+void check_idle_contact(const Deck& deck, const Node& root, Reading& reading) {
+  using Enforcement = ContactDeck::Enforcement;
+  const Node* contact = root.find("contact");
+  if (contact == nullptr || contact->kind != Node::Kind::map) return;
+  const auto warn = [&](const char* key, bool is_idle, const char* why) {
+    const Node* node = contact->find(key);
+    if (node != nullptr && is_idle)
+      reading.errors.warn(node->key, "key_without_effect", fmt::format("contact.{} does nothing ({})", key, why));
+  };
+  const ContactDeck& read = deck.contact;
+  warn("penalty_scale", read.enforcement != Enforcement::penalty, "it is of contact.enforcement: penalty");
+  warn("tolerance", read.enforcement != Enforcement::kinematic, "it is of contact.enforcement: kinematic");
+  for (const char* key : {"friction", "edges", "search", "reuse_search", "rebalance"})
+    warn(key, read.surfaces == ContactDeck::Surfaces::none, "contact.surfaces is none");
+}
+
+void check_frames(const Deck& deck, const Node& root, Reading& reading) {
+  constexpr double most_frames = 1e6;
+  if (!deck.output.fields_every || deck.time.end / *deck.output.fields_every <= most_frames) return;
+  const Node* every = root.find("output")->find("fields")->find("every");
+  reading.errors.add(
+      every->spot,
+      fmt::format("output.fields.every is {} (it would write {:.3g} frames by time.end, {}; at most {:.0f})",
+                  *deck.output.fields_every, deck.time.end / *deck.output.fields_every, deck.time.end, most_frames));
+}
+
+}  // namespace
+
+void check_deck(const Deck& deck, const Node& root, Reading& reading) {
+  for (const char* section : {"parts", "materials"}) {
+    const Node* node = root.find(section);
+    if (node == nullptr || node->kind != Node::Kind::map || !node->entries.empty()) continue;
+    reading.errors.add(node->key, fmt::format("{} is empty (there must be at least one)", section));
+  }
+  check_materials(deck, root, reading);
+  check_selectors(deck, reading);
+  check_size(deck, root, reading);
+  check_rotations(deck, reading);
+  check_step_estimate(deck, root, reading);
+  check_curves(deck, reading);
+  check_estimate(deck, root, reading);
+  check_fluids(deck, root, reading);
+  check_idle_contact(deck, root, reading);
+  check_frames(deck, root, reading);
+  check_points(deck, root, reading);
+}
+
+}  // namespace percuss

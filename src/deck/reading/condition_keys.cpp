@@ -1,0 +1,283 @@
+// Keys of `initial`, `loads`, `conditions` and `walls`.
+
+#include "src/deck/reading/deck_keys.hpp"
+
+namespace percuss {
+namespace {
+
+// No default of the centre: the centre of mass of a quarter is not the centre of the whole.
+const Keys<RadialVelocityDeck>& radial_velocity_keys() {
+  static const Keys<RadialVelocityDeck> keys = {
+      need("speed", &RadialVelocityDeck::speed, NumberValue{}),
+      need("center", &RadialVelocityDeck::center, vector3()),
+      may("axis", &RadialVelocityDeck::axis, DirectionValue{}),
+  };
+  return keys;
+}
+
+const Keys<InitialDeck>& initial_keys() {
+  static const Keys<InitialDeck> keys = {
+      may("part", &InitialDeck::where, SelectorValue{}),
+      may("nodes", &InitialDeck::where, SelectorValue{}),
+      may("velocity", &InitialDeck::velocity, vector3()),
+      may("angular_velocity", &InitialDeck::angular_velocity, vector3()),
+      may("center", &InitialDeck::center, vector3()),
+      may("radial_velocity", &InitialDeck::radial_velocity, MapValue<RadialVelocityDeck>{radial_velocity_keys}),
+  };
+  return keys;
+}
+
+bool check_initial(const Reader& reader, const Node& node, InitialDeck& initial) {
+  initial.where.place = node.spot.place;
+  if (const Node* both = node.find("part") != nullptr ? node.find("nodes") : nullptr) {
+    reader.error(both->key, fmt::format("{} has both part and nodes (must be one of them)", reader.self()));
+    return false;
+  }
+  const bool spins = node.find("angular_velocity") != nullptr;
+  if (!spins && !initial.radial_velocity && node.find("velocity") == nullptr) {
+    reader.error(node.spot, fmt::format("{} has no velocity (required: velocity, angular_velocity or radial_velocity)",
+                                        reader.self()));
+    return false;
+  }
+  if (initial.center && !spins) {
+    reader.error(node.find("center")->key,
+                 fmt::format("{} is of no use (there is no angular_velocity)", reader.name_of("center")));
+    return false;
+  }
+  return true;
+}
+
+const Keys<PressureDeck>& pressure_keys() {
+  static const Keys<PressureDeck> keys = {
+      need("faces", &PressureDeck::where, SelectorValue{}),
+      need("value", &PressureDeck::value, CurveValue{}),
+      may("direction", &PressureDeck::direction, DirectionValue{}),
+  };
+  return keys;
+}
+
+// The directions that a key names: sets them in `active`.
+bool read_direction(const Reader& reader, const std::string& name, const Node& node, std::array<bool, 6>& active) {
+  const ChoiceValue<std::size_t> axis{{{"x", 0}, {"y", 1}, {"z", 2}, {"rx", 3}, {"ry", 4}, {"rz", 5}}};
+  std::size_t i = 0;
+  if (!axis.read(reader, name, node, i)) return false;
+  if (active[i]) {
+    reader.error(node.spot, fmt::format("{} is {} again (each axis once)", name, node.text));
+    return false;
+  }
+  if (i > 2) reader.reading().rotations.push_back({node.spot, node.text, reader.in()});
+  active[i] = true;
+  return true;
+}
+
+struct FixedValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {
+    out.kind = ConditionDeck::Kind::fixed;
+    if (node.kind == Node::Kind::scalar) return read_direction(reader, name, node, out.active);
+    if (node.kind != Node::Kind::list || node.items.empty()) {
+      reader.refuse(node, name, takes());
+      return false;
+    }
+    bool good = true;
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      good = read_direction(reader, fmt::format("{}.{}", name, i), node.items[i], out.active) && good;
+    }
+    return good;
+  }
+  std::string takes() const { return "a list of directions: x, y, z, rx, ry, rz"; }
+  Form form() const {
+    const Form direction = word_form({"x", "y", "z", "rx", "ry", "rz"});
+    return any_form({direction, list_form(direction, 1)});
+  }
+};
+
+struct SymmetryValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {
+    out.kind = ConditionDeck::Kind::symmetry;
+    const ChoiceValue<std::size_t> normal{{{"x", 0}, {"y", 1}, {"z", 2}}};
+    std::size_t axis = 0;
+    if (!normal.read(reader, name, node, axis)) return false;
+    out.active[axis] = true;
+    for (std::size_t i = 0; i < 3; ++i) out.active[3 + i] = i != axis;  // the normals of shells stay in the plane
+    return true;
+  }
+  std::string takes() const { return "x | y | z, the normal of the plane"; }
+  Form form() const { return word_form({"x", "y", "z"}); }
+};
+
+/// Reads a map from directions, at least one of them: read_one(place in `names`, inner reader, entry).
+template <class ReadOne>
+bool read_directions(const Reader& reader, const std::string& name, const Node& node, const std::string& takes,
+                     const std::vector<std::string>& names, const ReadOne& read_one) {
+  if (node.kind != Node::Kind::map || node.entries.empty()) {
+    reader.refuse(node, name, takes);
+    return false;
+  }
+  const Reader inner = reader.inside(name);
+  bool good = true;
+  for (const Entry& entry : node.entries) {
+    const auto i = static_cast<std::size_t>(std::find(names.begin(), names.end(), entry.name) - names.begin());
+    if (i < names.size()) {
+      good = read_one(i, inner, entry) && good;
+    } else {
+      refuse_key(inner, entry, names, {});
+      good = false;
+    }
+  }
+  return good;
+}
+
+Form directions_form(const std::vector<std::string>& names) {
+  Form form = map_form({});
+  for (const std::string& name : names) form.keys.push_back({name, false, CurveValue{}.takes(), CurveValue{}.form()});
+  form.least = 1;
+  form.listed_as = "";
+  return form;
+}
+
+/// {x: curve, y: curve, z: curve}, at least one of them; of velocities also {rx: curve, ...}.
+struct MotionValue {
+  ConditionDeck::Kind kind;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {
+    out.kind = kind;
+    const auto read_one = [&](std::size_t i, const Reader& inner, const Entry& entry) {
+      if (i > 2) reader.reading().rotations.push_back({entry.value.key, entry.name, reader.in()});
+      out.active[i] = true;
+      return read_motion(inner, entry, out.value[i]);
+    };
+    return read_directions(reader, name, node, takes(), list_directions(), read_one);
+  }
+  std::string takes() const {
+    return fmt::format("a map from directions {} to curves", fmt::join(list_directions(), ", "));
+  }
+  Form form() const { return directions_form(list_directions()); }
+
+ private:
+  std::vector<std::string> list_directions() const {
+    if (kind == ConditionDeck::Kind::velocity) return {"x", "y", "z", "rx", "ry", "rz"};
+    return {"x", "y", "z"};
+  }
+
+  bool read_motion(const Reader& reader, const Entry& entry, Curve& curve) const {
+    const std::string name = reader.name_of(entry.name);
+    if (!CurveValue{}.read(reader, name, entry.value, curve)) return false;
+    if (kind != ConditionDeck::Kind::displacement || curve(0) == 0) return true;
+    reader.error(entry.value.spot,
+                 fmt::format("{} is {:g} at time 0 (must be 0 there: the node would jump) start the table at [0, 0]",
+                             name, curve(0)));
+    return false;
+  }
+};
+
+/// The forces, or the moments, of a load on nodes: {x: curve, y: curve, z: curve}, at least one of them.
+struct NodalValue {
+  std::size_t first;  // 0: forces; 3: moments
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, NodalLoadDeck& out) const {
+    const auto read_one = [&](std::size_t i, const Reader& inner, const Entry& entry) {
+      if (first > 0) reader.reading().rotations.push_back({entry.value.key, "moment." + entry.name, reader.in()});
+      out.active[first + i] = true;
+      return CurveValue{}.read(inner, inner.name_of(entry.name), entry.value, out.value[first + i]);
+    };
+    return read_directions(reader, name, node, takes(), {"x", "y", "z"}, read_one);
+  }
+  std::string takes() const { return "a map from directions x, y, z to curves"; }
+  Form form() const { return directions_form({"x", "y", "z"}); }
+};
+
+const Keys<NodalLoadDeck>& nodal_load_keys() {
+  static const Keys<NodalLoadDeck> keys = {
+      need("nodes", &NodalLoadDeck::where, SelectorValue{}),
+      group<NodalLoadDeck>("force", NodalValue{0}),
+      group<NodalLoadDeck>("moment", NodalValue{3}),
+  };
+  return keys;
+}
+
+bool check_nodal_load(const Reader& reader, const Node& node, NodalLoadDeck&) {
+  if (node.find("force") != nullptr || node.find("moment") != nullptr) return true;
+  reader.error(node.spot, fmt::format("{} does nothing (must have a force, a moment or both)", reader.self()));
+  return false;
+}
+
+const Keys<ConditionDeck>& condition_kind_keys() {
+  static const Keys<ConditionDeck> keys = {
+      group<ConditionDeck>("fixed", FixedValue{}),
+      group<ConditionDeck>("symmetry", SymmetryValue{}),
+      group<ConditionDeck>("velocity", MotionValue{ConditionDeck::Kind::velocity}),
+      group<ConditionDeck>("displacement", MotionValue{ConditionDeck::Kind::displacement}),
+  };
+  return keys;
+}
+
+const Keys<ConditionDeck>& condition_keys() {
+  static const Keys<ConditionDeck> keys = [] {
+    Keys<ConditionDeck> all = {need("nodes", &ConditionDeck::where, SelectorValue{})};
+    for (const auto& key : condition_kind_keys()) all.push_back(key);
+    return all;
+  }();
+  return keys;
+}
+
+/// One selector or a list of them.
+struct SelectorsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<Selector>& out) const {
+    if (node.kind == Node::Kind::list) return ListValue<SelectorValue>{}.read(reader, name, node, out);
+    Selector one;
+    if (!SelectorValue{}.read(reader, name, node, one)) return false;
+    out.push_back(std::move(one));
+    return true;
+  }
+  std::string takes() const { return "a selector or a list of them"; }
+  Form form() const { return any_form({SelectorValue{}.form(), list_form(SelectorValue{}.form())}); }
+};
+
+const Keys<WallDeck>& wall_keys() {
+  static const Keys<WallDeck> keys = {
+      may("point", &WallDeck::point, vector3()),
+      need("normal", &WallDeck::normal, DirectionValue{}),
+      may("friction", &WallDeck::friction, NumberValue{not_negative}),
+      may("nodes", &WallDeck::nodes, SelectorsValue{}),
+  };
+  return keys;
+}
+
+bool check_wall(const Reader&, const Node& node, WallDeck& wall) {
+  wall.place = node.spot.place;
+  // A list that names the whole mesh says nothing more than no list.
+  const auto all =
+      std::find_if(wall.nodes.begin(), wall.nodes.end(), [](const Selector& s) { return s.name.empty() && !s.inside; });
+  if (all != wall.nodes.end()) wall.nodes.clear();
+  return true;
+}
+
+}  // namespace
+
+MapValue<InitialDeck> initial_value() { return {initial_keys, check_initial}; }
+MapValue<PressureDeck> pressure_value() { return {pressure_keys}; }
+MapValue<NodalLoadDeck> nodal_load_value() { return {nodal_load_keys, check_nodal_load}; }
+MapValue<WallDeck> wall_value() { return {wall_keys, check_wall}; }
+
+bool ConditionValue::read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {
+  if (!reader.expect(node, Node::Kind::map, name, takes())) return false;
+  const Reader inner = reader.inside(name);
+  const bool good = read_keys(inner, node, condition_keys(), out);
+  std::vector<std::string> given, known;
+  for (const auto& key : condition_kind_keys()) {
+    known.push_back(key.name);
+    if (node.find(key.name) != nullptr) given.push_back(key.name);
+  }
+  if (given.size() == 1) return good;
+  const std::string what = given.empty() ? "does nothing" : fmt::format("has {}", fmt::join(given, " and "));
+  reader.error(node.spot, fmt::format("'{}' {} (must have exactly one of {})", name, what, fmt::join(known, ", ")));
+  return false;
+}
+
+Form ConditionValue::form() const {
+  Form form = form_of(condition_keys());
+  for (const auto& key : condition_kind_keys()) form.exactly_one.push_back(key.name);
+  return form;
+}
+
+}  // namespace percuss

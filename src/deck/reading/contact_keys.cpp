@@ -1,0 +1,141 @@
+// Keys of `contact`.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "src/deck/reading/deck_keys.hpp"
+
+namespace percuss {
+namespace {
+
+const Keys<SurfacePairDeck>& pair_keys() {
+  static const Keys<SurfacePairDeck> keys = {
+      need("a", &SurfacePairDeck::a, SelectorValue{}),
+      need("b", &SurfacePairDeck::b, SelectorValue{}),
+      may("friction", &SurfacePairDeck::friction, NumberValue{not_negative}),
+  };
+  return keys;
+}
+
+/// [a, b] or {a: ..., b: ..., friction: ...}.
+struct PairValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, SurfacePairDeck& out) const {
+    if (node.kind == Node::Kind::map) return MapValue<SurfacePairDeck>{pair_keys}.read(reader, name, node, out);
+    std::array<Selector, 2> surfaces;
+    if (node.kind != Node::Kind::list || node.items.size() != 2) {
+      reader.refuse(node, name, takes());
+      return false;
+    }
+    if (!TupleValue<SelectorValue, 2>{}.read(reader, name, node, surfaces)) return false;
+    out.a = surfaces[0];
+    out.b = surfaces[1];
+    return true;
+  }
+  std::string takes() const { return "a pair [a, b] or {a: ..., b: ..., friction: ...}"; }
+  Form form() const { return any_form({TupleValue<SelectorValue, 2>{}.form(), form_of(pair_keys())}); }
+};
+
+const Keys<TieDeck>& tie_keys() {
+  static const Keys<TieDeck> keys = {
+      need("a", &TieDeck::a, SelectorValue{}),
+      need("b", &TieDeck::b, SelectorValue{}),
+      may("distance", &TieDeck::distance, NumberValue{positive}),
+  };
+  return keys;
+}
+
+bool note_place(const Reader&, const Node& node, TieDeck& tie) {
+  tie.place = node.spot.place;
+  return true;
+}
+
+bool is_same(const Selector& a, const Selector& b) { return a.name == b.name && a.inside == b.inside; }
+
+/// Refuses a pair that an earlier one names, either way round: its friction would never act.
+bool are_different(const Reader& reader, const std::string& name, const Node& node,
+                   const std::vector<SurfacePairDeck>& pairs) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const SurfacePairDeck& one = pairs[i];
+    const bool is_repeated =
+        std::any_of(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(i), [&](const SurfacePairDeck& other) {
+          return (is_same(one.a, other.a) && is_same(one.b, other.b)) ||
+                 (is_same(one.a, other.b) && is_same(one.b, other.a));
+        });
+    if (!is_repeated) continue;
+    reader.error(node.items[i].spot,
+                 fmt::format("{}.{} names '{}' and '{}' again (the first such pair gives the friction) leave out one",
+                             name, i, one.a.name, one.b.name));
+    return false;
+  }
+  return true;
+}
+
+/// all, none or a list of pairs.
+struct SurfacesValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, ContactDeck& out) const {
+    using Surfaces = ContactDeck::Surfaces;
+    if (node.kind == Node::Kind::list) {
+      out.surfaces = Surfaces::pairs;
+      if (node.items.empty()) {
+        reader.refuse(node, name, "all, none or at least one pair [a, b]");
+        return false;
+      }
+      return ListValue<PairValue>{}.read(reader, name, node, out.pairs) && are_different(reader, name, node, out.pairs);
+    }
+    const ChoiceValue<Surfaces> word{{{"all", Surfaces::all}, {"none", Surfaces::none}}};
+    if (node.kind == Node::Kind::scalar) return word.read(reader, name, node, out.surfaces);
+    reader.refuse(node, name, takes());
+    return false;
+  }
+  std::string takes() const { return "all | none or a list of pairs"; }
+  Form form() const { return any_form({word_form({"all", "none"}), list_form(PairValue{}.form(), 1)}); }
+};
+
+const Keys<ContactDeck>& contact_keys() {
+  using Overlap = ContactDeck::Overlap;
+  using Rebalance = ContactDeck::Rebalance;
+  using Enforcement = ContactDeck::Enforcement;
+  using Search = ContactDeck::Search;
+  static const Keys<ContactDeck> keys = {
+      group<ContactDeck>("surfaces", SurfacesValue{}),
+      may("friction", &ContactDeck::friction, NumberValue{not_negative}),
+      may("ties", &ContactDeck::ties, ListValue<MapValue<TieDeck>>{{tie_keys, note_place}}),
+      may("overlap", &ContactDeck::overlap,
+          ChoiceValue<Overlap>{{{"accept", Overlap::accept}, {"push_out", Overlap::push_out}}}),
+      may("enforcement", &ContactDeck::enforcement,
+          ChoiceValue<Enforcement>{{{"kinematic", Enforcement::kinematic},
+                                    {"lagrange", Enforcement::lagrange},
+                                    {"penalty", Enforcement::penalty}}}),
+      may("penalty_scale", &ContactDeck::penalty_scale, NumberValue{positive}),
+      may("tolerance", &ContactDeck::tolerance, NumberValue{positive}),
+      may("edges", &ContactDeck::edges, BooleanValue{}),
+      may("search", &ContactDeck::search,
+          ChoiceValue<Search>{{{"blocks", Search::blocks}, {"points_in_box", Search::points_in_box}}}),
+      may("reuse_search", &ContactDeck::reuse_search, BooleanValue{}),
+      may("rebalance", &ContactDeck::rebalance,
+          ChoiceValue<Rebalance>{
+              {{"auto", Rebalance::automatic}, {"always", Rebalance::always}, {"never", Rebalance::never}}}),
+  };
+  return keys;
+}
+
+/// Springs that hold ties as they hold contact would let tied bodies part; ties by impulses beside springs are neither.
+bool check_contact(const Reader& reader, const Node& node, ContactDeck& contact) {
+  if (contact.ties.empty() || contact.enforcement != ContactDeck::Enforcement::penalty) return true;
+  reader.error(node.find("ties")->spot,
+               "ties cannot be held by contact.enforcement: penalty (springs would let them part) use kinematic or "
+               "lagrange");
+  return false;
+}
+
+}  // namespace
+
+bool ContactValue::read(const Reader& reader, const std::string& name, const Node& node, ContactDeck& out) const {
+  out.surfaces = ContactDeck::Surfaces::all;
+  return MapValue<ContactDeck>{contact_keys, check_contact}.read(reader, name, node, out);
+}
+
+Form ContactValue::form() const { return form_of(contact_keys()); }
+
+}  // namespace percuss

@@ -1,0 +1,165 @@
+// CurveValue and SelectorValue: values that a scalar or a map may give.
+
+#include <stdexcept>
+
+#include "src/deck/reading/deck_keys.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr const char* curve_forms = "a number, {table: [[time, value], ...]} or {expression: \"...\"}";
+
+bool read_table(const Reader& reader, const std::string& name, const Node& node, Curve& out) {
+  std::vector<std::array<double, 2>> rows;
+  if (!ListValue<TupleValue<NumberValue, 2>>{}.read(reader, name, node, rows)) return false;
+  std::vector<std::pair<double, double>> points;
+  for (const auto& row : rows) {
+    if (!points.empty() && !(row[0] > points.back().first)) {
+      const Node& item = node.items[points.size()];
+      reader.error(item.spot, fmt::format("{}.{} has time {} after {} (times must ascend)", name, points.size(), row[0],
+                                          points.back().first));
+      return false;
+    }
+    points.emplace_back(row[0], row[1]);
+  }
+  if (points.empty()) {
+    reader.refuse(node, name, "at least one row [time, value]");
+    return false;
+  }
+  out = Curve::table(std::move(points));
+  return true;
+}
+
+bool read_expression(const Reader& reader, const std::string& name, const Node& node, Curve& out) {
+  if (!reader.expect(node, Node::Kind::scalar, name, "a text, an expression of t")) return false;
+  try {
+    out = Curve::expression(node.text);
+    return true;
+  } catch (const std::invalid_argument& reason) {
+    reader.error(node.spot, fmt::format("{} is {}{} ({})", name, quote(node.text), reader.in(), reason.what()));
+    return false;
+  }
+}
+
+bool read_curve_map(const Reader& reader, const std::string& name, const Node& node, Curve& out) {
+  const Reader inner = reader.inside(name);
+  bool good = true;
+  for (const Entry& entry : node.entries) {
+    if (entry.name == "table")
+      good = read_table(inner, inner.name_of(entry.name), entry.value, out) && good;
+    else if (entry.name == "expression")
+      good = read_expression(inner, inner.name_of(entry.name), entry.value, out) && good;
+    else {
+      refuse_key(inner, entry, {"table", "expression"}, {});
+      good = false;
+    }
+  }
+  if (good && node.entries.size() != 1) {
+    const char* what = node.entries.empty() ? "neither table nor expression" : "both table and expression";
+    reader.error(node.key, fmt::format("{} has {}{} (must be {})", name, what, reader.in(), curve_forms));
+    return false;
+  }
+  return good;
+}
+
+bool check_inside(const Reader& reader, const std::string& name, const Node& node, const Selector& selector) {
+  if (!selector.inside) return true;
+  const auto& [low, high] = *selector.inside;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (low[i] <= high[i]) continue;
+    reader.error(node.find("inside")->spot,
+                 fmt::format("{}.inside holds nothing{} (the lowest corner comes first, but {} > {} in {})", name,
+                             reader.in(), low[i], high[i], "xyz"[i]));
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+const Keys<Selector>& selector_keys() {
+  static const Keys<Selector> keys = {may("name", &Selector::name, TextValue{}),
+                                      may("inside", &Selector::inside, TupleValue<TupleValue<NumberValue, 3>, 2>{})};
+  return keys;
+}
+
+Form CurveValue::form() const {
+  const auto one_key = [](const char* name, const char* takes, Form value) {
+    Form form = map_form({{name, true, takes, std::move(value)}});
+    form.listed_as = "";
+    return form;
+  };
+  const Form rows = list_form(TupleValue<NumberValue, 2>{}.form(), 1);
+  return any_form({number_form(), one_key("table", "rows [time, value], times ascending", rows),
+                   one_key("expression", "a text, an expression of t", TextValue{}.form())});
+}
+
+bool CurveValue::read(const Reader& reader, const std::string& name, const Node& node, Curve& out) const {
+  if (node.kind == Node::Kind::map) {
+    if (!read_curve_map(reader, name, node, out)) return false;
+    reader.reading().curves.push_back({node.spot, name, out});
+    return true;
+  }
+  if (node.kind != Node::Kind::scalar) {
+    reader.refuse(node, name, curve_forms);
+    return false;
+  }
+  double value = 0;
+  if (!NumberValue{}.read(reader, name, node, value)) return false;
+  out = Curve::constant(value);
+  return true;
+}
+
+bool SelectorValue::read(const Reader& reader, const std::string& name, const Node& node, Selector& out) const {
+  Selector selector;
+  const Node* name_node = &node;
+  if (node.kind == Node::Kind::map) {
+    if (!read_keys(reader.inside(name), node, selector_keys(), selector) || !check_inside(reader, name, node, selector))
+      return false;
+    if (node.entries.empty()) {
+      reader.refuse(node, name, "a map with name, inside or both");
+      return false;
+    }
+    name_node = node.find("name");
+  } else if (node.kind == Node::Kind::scalar) {
+    selector.name = node.text;
+  } else {
+    reader.refuse(node, name, "a part, \"part/side\", all or {name: ..., inside: [...]}");
+    return false;
+  }
+  selector.place = node.spot.place;
+  if (name_node != nullptr) {
+    if (selector.name.empty()) {
+      reader.refuse(*name_node, name, "a part, \"part/side\" or all");
+      return false;
+    }
+    if (selector.name == "all")
+      selector.name.clear();
+    else
+      reader.reading().selectors.push_back({name_node->spot, selector.name, reader.in()});
+  }
+  out = std::move(selector);
+  return true;
+}
+
+Form SelectorValue::form() const {
+  Form map = form_of(selector_keys());
+  map.least = 1;
+  map.listed_as = "SELECTOR";
+  return any_form({TextValue{}.form(), std::move(map)});
+}
+
+bool PartNameValue::read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const {
+  if (!reader.expect(node, Node::Kind::scalar, name, takes())) return false;
+  if (node.text.find('/') != std::string::npos) {
+    reader.refuse(node, name, takes());
+    return false;
+  }
+  if (node.text != "all") {
+    out = node.text;
+    reader.reading().selectors.push_back({node.spot, node.text, reader.in()});
+  }
+  return true;
+}
+
+}  // namespace percuss

@@ -1,0 +1,216 @@
+// Keys of `time`, `elements` and `audit`, and the top of the deck.
+
+#include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/reading/read_deck.hpp"
+#include "src/deck/units.hpp"
+#include "src/deck/warning_rules.hpp"
+
+namespace percuss {
+namespace {
+
+const Keys<MassScalingDeck>& mass_scaling_keys() {
+  static const Keys<MassScalingDeck> keys = {
+      need("step", &MassScalingDeck::step, NumberValue{positive}),
+      may("max_added", &MassScalingDeck::max_added, NumberValue{positive}),
+  };
+  return keys;
+}
+
+bool note_place(const Reader&, const Node& node, MassScalingDeck& scaling) {
+  scaling.place = node.spot.place;
+  return true;
+}
+
+const Keys<TimeDeck>& time_keys() {
+  using StepEstimate = TimeDeck::StepEstimate;
+  static const Keys<TimeDeck> keys = {
+      need("end", &TimeDeck::end, NumberValue{positive}),
+      may("step_scale", &TimeDeck::step_scale, NumberValue{{"above 0, at most 1", 0, 1, true}}),
+      may("step_estimate", &TimeDeck::step_estimate,
+          ChoiceValue<StepEstimate>{{{"element", StepEstimate::element}, {"global", StepEstimate::global}}}),
+      may("mass_scaling", &TimeDeck::mass_scaling, mass_scaling_value()),
+      may("max_step", &TimeDeck::max_step, NumberValue{positive}),
+      may("max_steps", &TimeDeck::max_steps, IntegerValue{1, std::numeric_limits<long>::max()}),
+      may("collapse_ratio", &TimeDeck::collapse_ratio, NumberValue{{"at least 0 and below 1", 0, 1, false, true}}),
+  };
+  return keys;
+}
+
+using Hourglass = ElementDeck::Hourglass;
+
+ChoiceValue<Hourglass> hourglass_kind() {
+  return {{{"assumed_strain", Hourglass::assumed_strain},
+           {"stiffness", Hourglass::stiffness},
+           {"viscous", Hourglass::viscous}}};
+}
+
+const Keys<ElementDeck>& hourglass_keys() {
+  static const Keys<ElementDeck> keys = {
+      may("kind", &ElementDeck::hourglass, hourglass_kind()),
+      may("coefficient", &ElementDeck::hourglass_coefficient, NumberValue{{"from 0 to 1", 0, 1}}),
+  };
+  return keys;
+}
+
+bool check_hourglass(const Reader& reader, const Node& node, ElementDeck& deck) {
+  const Node* coefficient = node.find("coefficient");
+  if (coefficient == nullptr || deck.hourglass != Hourglass::assumed_strain) return true;
+  reader.error(coefficient->key, fmt::format("{} is of no use (assumed_strain follows from the material) "
+                                             "give kind: stiffness or kind: viscous",
+                                             reader.name_of("coefficient")));
+  return false;
+}
+
+/// The kind alone, or a map.
+struct HourglassValue {
+  MapValue<ElementDeck> map{hourglass_keys, check_hourglass};
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, ElementDeck& out) const {
+    if (node.kind == Node::Kind::scalar) return hourglass_kind().read(reader, name, node, out.hourglass);
+    return map.read(reader, name, node, out);
+  }
+  std::string takes() const { return hourglass_kind().takes() + ", or a map"; }
+  Form form() const { return any_form({hourglass_kind().form(), map.form()}); }
+};
+
+const Keys<ElementDeck>& viscosity_keys() {
+  static const Keys<ElementDeck> keys = {
+      may("linear", &ElementDeck::linear_viscosity, NumberValue{not_negative}),
+      may("quadratic", &ElementDeck::quadratic_viscosity, NumberValue{not_negative}),
+  };
+  return keys;
+}
+
+const Keys<ElementDeck>& element_keys() {
+  using Integration = ElementDeck::Integration;
+  static const Keys<ElementDeck> keys = {
+      may("integration", &ElementDeck::integration,
+          ChoiceValue<Integration>{{{"one_point", Integration::one_point}, {"full", Integration::full}}}),
+      group<ElementDeck>("hourglass", HourglassValue{}),
+      group<ElementDeck>("bulk_viscosity", MapValue<ElementDeck>{viscosity_keys}),
+      may("skip_resting", &ElementDeck::skip_resting, BooleanValue{}),
+  };
+  return keys;
+}
+
+bool check_elements(const Reader& reader, const Node& node, ElementDeck& deck) {
+  const Node* hourglass = node.find("hourglass");
+  if (hourglass == nullptr || deck.integration == ElementDeck::Integration::one_point) return true;
+  reader.error(hourglass->key, fmt::format("{} is of no use (integration is full, which leaves no hourglass modes)",
+                                           reader.name_of("hourglass")));
+  return false;
+}
+
+const Keys<AuditDeck>& audit_keys() {
+  static const Keys<AuditDeck> keys = {
+      may("max_energy_error", &AuditDeck::max_energy_error, NumberValue{positive}),
+      may("max_momentum_error", &AuditDeck::max_momentum_error, NumberValue{positive}),
+  };
+  return keys;
+}
+
+const Keys<Deck>& load_keys() {
+  static const Keys<Deck> keys = {
+      may("gravity", &Deck::gravity, vector3()),
+      may("pressure", &Deck::pressures, ListValue<MapValue<PressureDeck>>{pressure_value()}),
+      may("nodal", &Deck::nodal_loads, ListValue<MapValue<NodalLoadDeck>>{nodal_load_value()}),
+  };
+  return keys;
+}
+
+/// Names of rules, each of which a warning may have.
+struct RulesValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, Deck& out) const {
+    if (!reader.expect(node, Node::Kind::list, name, takes())) return false;
+    const std::vector<std::string> known = list_names();
+    bool good = true;
+    for (const Node& item : node.items) {
+      if (item.broken) {
+        good = false;
+      } else if (item.kind != Node::Kind::scalar || std::find(known.begin(), known.end(), item.text) == known.end()) {
+        const std::string near = item.kind == Node::Kind::scalar ? nearest_name(item.text, known) : "";
+        const std::string hint = near.empty() ? "docs/checks.md lists them" : "did you mean '" + near + "'?";
+        reader.error(item.spot, fmt::format("{} names {} (no warning has this rule): {}", name, describe(item), hint));
+        good = false;
+      } else {
+        out.silenced.insert(item.text);
+      }
+    }
+    return good;
+  }
+  std::string takes() const { return "a list of rules"; }
+  Form form() const { return list_form(word_form(list_names())); }
+
+ private:
+  static std::vector<std::string> list_names() {
+    std::vector<std::string> names;
+    for (const WarningRule& rule : warning_rules()) names.push_back(rule.name);
+    return names;
+  }
+};
+
+void list_keys(const Form& form, const std::string& path, std::vector<DeckKey>& out) {
+  if (form.listed_as) return;
+  for (const FormKey& key : form.keys) {
+    const std::string full = path.empty() ? key.name : path + "." + key.name;
+    out.push_back({full, key.takes, key.required});
+    list_keys(key.form, full, out);
+  }
+  const std::string step = form.kind == Form::Kind::list ? ".N" : form.kind == Form::Kind::named_maps ? ".NAME" : "";
+  for (const Form& inner : form.inner) list_keys(inner, path + step, out);
+}
+
+/// Units by their names; kept in the form of Units::text().
+struct UnitsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const {
+    if (!reader.expect(node, Node::Kind::scalar, name, takes())) return false;
+    const std::optional<Units> units = find_units(node.text);
+    if (!units) {
+      reader.refuse(node, name,
+                    fmt::format("a length, a mass and a time, such as '{}', or others of {}, in this order",
+                                fmt::join(list_unit_systems(), "', '"), list_base_units()));
+      return false;
+    }
+    out = units->text();
+    return true;
+  }
+  std::string takes() const { return "a system of units"; }
+  Form form() const { return TextValue{}.form(); }
+};
+
+}  // namespace
+
+MapValue<TimeDeck> time_value() { return {time_keys}; }
+MapValue<MassScalingDeck> mass_scaling_value() { return {mass_scaling_keys, note_place}; }
+MapValue<ElementDeck> element_value() { return {element_keys, check_elements}; }
+MapValue<AuditDeck> audit_value() { return {audit_keys}; }
+
+const Keys<Deck>& deck_keys() {
+  static const Keys<Deck> keys = {
+      may("title", &Deck::title, TextValue{}),
+      may("units", &Deck::units, UnitsValue{}),
+      group<Deck>("silence", RulesValue{}),
+      need("time", &Deck::time, time_value()),
+      need("parts", &Deck::parts, NamedMapValue<PartDeck, PartValue>{"part", {}}),
+      need("materials", &Deck::materials, NamedMapValue<MaterialDeck, MaterialValue>{"material", {}}),
+      may("elements", &Deck::elements, element_value()),
+      may("erosion", &Deck::erosion, erosion_value()),
+      may("initial", &Deck::initial, ListValue<MapValue<InitialDeck>>{initial_value()}),
+      group<Deck>("loads", MapValue<Deck>{load_keys}),
+      may("conditions", &Deck::conditions, ListValue<ConditionValue>{}),
+      may("walls", &Deck::walls, ListValue<MapValue<WallDeck>>{wall_value()}),
+      may("contact", &Deck::contact, ContactValue{}),
+      may("output", &Deck::output, output_value()),
+      may("audit", &Deck::audit, audit_value()),
+  };
+  return keys;
+}
+
+std::vector<DeckKey> list_deck_keys() {
+  std::vector<DeckKey> all;
+  list_keys(form_of(deck_keys()), "", all);
+  list_keys(form_of(selector_keys()), "SELECTOR", all);
+  return all;
+}
+
+}  // namespace percuss

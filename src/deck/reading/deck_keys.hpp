@@ -1,0 +1,65 @@
+#pragma once
+// The tables of keys, one function for each section of the deck. A new key is one row in one of them, a member in
+// deck.hpp and a row in docs/deck.md.
+
+#include "src/deck/keys/keys.hpp"
+
+namespace percuss {
+
+/// A part: one shape, where it stands, its copies and its material.
+struct PartValue {
+  bool read_inside(const Reader& reader, const Node& node, PartDeck& out) const;
+  Form form() const;
+};
+
+/// A material: `model` says which table its other keys come from.
+struct MaterialValue {
+  bool read_inside(const Reader& reader, const Node& node, MaterialDeck& out) const;
+  Form form() const;
+};
+
+/// `failure` in a material.
+MapValue<FailureDeck> failure_value();
+MapValue<ErosionDeck> erosion_value();
+
+MapValue<InitialDeck> initial_value();
+
+/// `conditions`: each entry holds nodes in one way.
+struct ConditionValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const;
+  Form form() const;
+  std::string takes() const { return "a map"; }
+};
+
+MapValue<PressureDeck> pressure_value();
+MapValue<NodalLoadDeck> nodal_load_value();
+MapValue<WallDeck> wall_value();
+
+/// `contact`: a deck that has the section means all surfaces unless it says otherwise.
+struct ContactValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, ContactDeck& out) const;
+  Form form() const;
+  std::string takes() const { return "a map"; }
+};
+
+MapValue<TimeDeck> time_value();
+MapValue<MassScalingDeck> mass_scaling_value();
+MapValue<ElementDeck> element_value();
+MapValue<OutputDeck> output_value();
+MapValue<AuditDeck> audit_value();
+
+const Keys<Selector>& selector_keys();
+
+/// The deck itself.
+const Keys<Deck>& deck_keys();
+
+/// The keys of a part of which it has exactly one.
+const Keys<PartDeck>& shape_keys();
+
+/// Names that output.fields.write takes.
+const std::vector<std::string>& field_names();
+
+/// What must hold between sections: names that exist, a size that can be run, curves that stay finite.
+void check_deck(const Deck& deck, const Node& root, Reading& reading);
+
+}  // namespace percuss

@@ -1,0 +1,262 @@
+// Keys of `materials`: `model` says which law, whose own table of keys is in kernels/material.
+
+#include "kernels/material/laws/materials.hpp"
+#include "kernels/material/pressure/equations_of_state.hpp"
+#include "src/deck/make_material.hpp"
+#include "src/deck/reading/deck_keys.hpp"
+
+namespace percuss {
+namespace {
+
+const Range& find_range(KeyRange range) {
+  // Outside this range the bulk or shear modulus is not positive.
+  static const Range poissons_ratio{"between -1 and 0.5, both excluded", -1, 0.5, true, true};
+  static const Range share{"from 0 to 1", 0, 1};
+  static const Range above_one{"above 1", 1, std::numeric_limits<double>::infinity(), true};
+  static const Range not_positive{"zero or negative", -std::numeric_limits<double>::infinity(), 0};
+  switch (range) {
+    case KeyRange::positive:
+      return positive;
+    case KeyRange::not_negative:
+      return not_negative;
+    case KeyRange::not_positive:
+      return not_positive;
+    case KeyRange::above_one:
+      return above_one;
+    case KeyRange::share:
+      return share;
+    case KeyRange::poissons_ratio:
+      return poissons_ratio;
+    case KeyRange::any:
+      break;
+  }
+  return any_number;
+}
+
+/// Rows [x, y], x ascending.
+struct TableValue {
+  Range range;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node,
+            std::vector<std::array<double, 2>>& out) const {
+    std::vector<std::array<double, 2>> rows;
+    if (!ListValue<TupleValue<NumberValue, 2>>{}.read(reader, name, node, rows)) return false;
+    if (rows.empty() || rows.size() > MaterialTable::most_rows) {
+      reader.error(node.spot, fmt::format("{} has {} rows{} (must have 1 to {})", name, rows.size(), reader.in(),
+                                          MaterialTable::most_rows));
+      return false;
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const std::string row = fmt::format("{}.{}", name, i);
+      if (i > 0 && !(rows[i][0] > rows[i - 1][0])) {
+        reader.error(node.items[i].spot, fmt::format("{} begins with {} after {}{} (rows must ascend)", row, rows[i][0],
+                                                     rows[i - 1][0], reader.in()));
+        return false;
+      }
+      if (!range.holds(rows[i][1])) {
+        reader.error(node.items[i].spot,
+                     fmt::format("{} has the value {}{} (must be {})", row, rows[i][1], reader.in(), range.text));
+        return false;
+      }
+    }
+    out = std::move(rows);
+    return true;
+  }
+  std::string takes() const {
+    return "a table [[x, y], ...]" + (range.text.empty() ? std::string() : ", y " + range.text);
+  }
+  Form form() const { return list_form(tuple_form({number_form(), number_form(range)}), 1); }
+};
+
+/// A row of the deck's table from one of a law's.
+template <class C>
+Key<LawDeck> make_law_key(const MaterialKey<C>& key) {
+  const auto into = [name = std::string(key.name)](auto LawDeck::*map) {
+    return [name, map](const auto& value, const Reader& reader, const std::string& full, const Node& node,
+                       LawDeck& law) { return value.read(reader, full, node, (law.*map)[name]); };
+  };
+  const Range& range = find_range(key.range);
+  if (key.table != nullptr) return make_key<LawDeck>(key.name, key.required, TableValue{range}, into(&LawDeck::tables));
+  if (key.vector != nullptr) return make_key<LawDeck>(key.name, key.required, vector3(range), into(&LawDeck::vectors));
+  return make_key<LawDeck>(key.name, key.required, NumberValue{range}, into(&LawDeck::numbers));
+}
+
+constexpr const char* state_key = "equation_of_state";
+
+struct Model {
+  enum class State { none, may, must };
+  std::string name;
+  State state;  // whether it has an equation of state
+  Keys<LawDeck> keys;
+  std::string (*find_fault)(const LawDeck&);             // what is wrong between several constants; empty: nothing
+  std::string (*find_fault_with_state)(const LawDeck&);  // likewise, only with an equation of state
+};
+
+template <class Law>
+Model make_model() {
+  constexpr Model::State state = needs_equation_of_state<Law>   ? Model::State::must
+                                 : takes_equation_of_state<Law> ? Model::State::may
+                                                                : Model::State::none;
+  Model model{Law::name, state, {}, {}, {}};
+  model.find_fault = [](const LawDeck& law) {
+    if constexpr (requires(const typename Law::Constants& c) { c.find_fault(); }) {
+      return std::string(find_constants<Law>(law).find_fault());
+    }
+    return std::string();
+  };
+  model.find_fault_with_state = [](const LawDeck& law) {
+    if constexpr (requires(const typename Law::Constants& c) { c.find_fault_with_state(); }) {
+      return std::string(find_constants<Law>(law).find_fault_with_state());
+    }
+    return std::string();
+  };
+  for (const auto& key : Law::keys()) model.keys.push_back(make_law_key(key));
+  return model;
+}
+
+template <class... Law>
+std::vector<Model> make_models(TypeList<Law...>) {
+  return {make_model<Law>()...};
+}
+
+const std::vector<Model>& states() {
+  static const std::vector<Model> all = make_models(EquationsOfState());
+  return all;
+}
+
+const std::vector<Model>& models() {
+  static const std::vector<Model> all = make_models(Materials());
+  return all;
+}
+
+ChoiceValue<const Model*> choose_model(const std::vector<Model>& models) {
+  ChoiceValue<const Model*> value;
+  for (const Model& model : models) value.choices.emplace_back(model.name, &model);
+  return value;
+}
+
+/// Adds a key of a model; one that several have is there once, in every form that one of them takes.
+void add_key(const Key<LawDeck>& key, std::vector<FormKey>& all) {
+  const auto known = std::find_if(all.begin(), all.end(), [&](const FormKey& k) { return k.name == key.name; });
+  if (known == all.end())
+    all.push_back({key.name, key.required, key.takes, key.form(), true});
+  else if (known->takes != key.takes)
+    known->form = any_form({std::move(known->form), key.form()});
+}
+
+/// A map that has the keys of `common` and those of the model that its key `chooser` names.
+Form form_of_models(const std::vector<Model>& models, const char* chooser, Form common) {
+  const auto choices = choose_model(models);
+  common.keys.insert(common.keys.begin(), {chooser, true, choices.takes(), choices.form()});
+  Form all = common;
+  all.chooser = chooser;
+  for (const Model& model : models) {
+    FormCase& its = all.cases.emplace_back(FormCase{model.name, {}, {}});
+    for (const FormKey& key : common.keys) {
+      const bool is_state = key.name == state_key;
+      if (!is_state || model.state != Model::State::none) its.keys.push_back(key.name);
+      if (is_state && model.state == Model::State::must) its.required.push_back(key.name);
+    }
+    for (const Key<LawDeck>& key : model.keys) {
+      add_key(key, all.keys);
+      its.keys.push_back(key.name);
+      if (key.required) its.required.push_back(key.name);
+    }
+  }
+  return all;
+}
+
+// " (a key of model j2_plasticity, not of elastic)" for a key that another model has.
+std::string find_other_model(const std::vector<Model>& models, const char* kind, const std::string& key,
+                             const Model& own) {
+  for (const Model& model : models) {
+    for (const Key<LawDeck>& other : model.keys) {
+      if (other.name == key) return fmt::format(" (a key of {} {}, not of {})", kind, model.name, own.name);
+    }
+  }
+  return {};
+}
+
+/// Reads which model a map chooses with the key `kind`.
+const Model* read_choice(const std::vector<Model>& models, const char* kind, const Reader& reader, const Node& node,
+                         LawDeck& out) {
+  const auto choices = choose_model(models);
+  const Node* choice = node.find(kind);
+  if (choice == nullptr) {
+    refuse_missing(reader, node, kind, choices.takes());
+    return nullptr;
+  }
+  const Model* model = nullptr;
+  if (!choices.read(reader, reader.name_of(kind), *choice, model)) return nullptr;
+  out.model = model->name;
+  out.place = choice->spot.place;
+  return model;
+}
+
+bool check_faults(const Model& model, const Reader& reader, const Node& node, const LawDeck& law) {
+  std::string fault = model.find_fault(law);
+  if (fault.empty() && node.find(state_key) != nullptr) fault = model.find_fault_with_state(law);
+  if (!fault.empty()) reader.error(node.key, reader.self() + " has " + fault);
+  return fault.empty();
+}
+
+/// equation_of_state: `kind` says which.
+struct StateValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, LawDeck& out) const {
+    if (!reader.expect(node, Node::Kind::map, name, takes())) return false;
+    const Reader inner = reader.inside(name);
+    const Model* model = read_choice(states(), "kind", inner, node, out);
+    if (model == nullptr) return false;
+    const OtherKeys others{{"kind"},
+                           [model](const std::string& key) { return find_other_model(states(), "kind", key, *model); }};
+    return read_keys(inner, node, model->keys, out, others) && check_faults(*model, inner, node, out);
+  }
+  std::string takes() const { return "a map"; }
+  Form form() const { return form_of_models(states(), "kind", map_form({})); }
+};
+
+/// The keys that materials have whatever their law.
+const Keys<MaterialDeck>& common_keys() {
+  static const Keys<MaterialDeck> keys = {
+      need("density", &MaterialDeck::density, NumberValue{positive}),
+      may(state_key, &MaterialDeck::equation_of_state, StateValue{}),
+      may("failure", &MaterialDeck::failure, failure_value()),
+  };
+  return keys;
+}
+
+bool check_state(const Model& model, const Reader& reader, const Node& node) {
+  const Node* const state = node.find(state_key);
+  if (model.state == Model::State::must && state == nullptr) {
+    refuse_missing(reader, node, state_key, "a map");
+    return false;
+  }
+  if (model.state != Model::State::none || state == nullptr) return true;
+  reader.error(state->key,
+               fmt::format("{} has an equation_of_state, which model {} does not take", reader.self(), model.name));
+  return false;
+}
+
+}  // namespace
+
+bool MaterialValue::read_inside(const Reader& reader, const Node& node, MaterialDeck& out) const {
+  const Model* model = read_choice(models(), "model", reader, node, out.law);
+  if (model == nullptr) return false;
+  // One pass over the map tells what is unknown, in the order of the deck.
+  Keys<MaterialDeck> keys = common_keys();
+  for (const Key<LawDeck>& key : model->keys) {
+    Key<MaterialDeck> row{key.name, key.required, key.takes, {}, {}};
+    row.read = [&key](const Reader& inner, const Node& value, MaterialDeck& material) {
+      return key.read(inner, value, material.law);
+    };
+    keys.push_back(std::move(row));
+  }
+  const OtherKeys others{{"model"},
+                         [model](const std::string& key) { return find_other_model(models(), "model", key, *model); }};
+  const bool good = read_keys(reader, node, keys, out, others);
+  return check_state(*model, reader, node) && good && check_faults(*model, reader, node, out.law);
+}
+
+Form MaterialValue::form() const { return form_of_models(models(), "model", form_of(common_keys())); }
+
+}  // namespace percuss

@@ -1,0 +1,207 @@
+// Keys of `output`.
+
+#include <charconv>
+#include <set>
+#include <string_view>
+
+#include "kernels/shell/thickness_points.hpp"
+#include "src/deck/history_parts.hpp"
+#include "src/deck/reading/deck_keys.hpp"
+
+namespace percuss {
+namespace {
+
+/// Names of fields, each once.
+struct FieldsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<std::string>& out) const {
+    if (!reader.expect(node, Node::Kind::list, name, takes())) return false;
+    bool good = true;
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      const Node& item = node.items[i];
+      const std::string item_name = fmt::format("{}.{}", name, i);
+      if (!reader.expect(item, Node::Kind::scalar, item_name, "the name of a field")) {
+        good = false;
+      } else if (const auto& known = field_names(); std::find(known.begin(), known.end(), item.text) == known.end()) {
+        reader.error(item.spot,
+                     fmt::format("unknown field {} in {}{}", quote(item.text), name, name_hint(item.text, known)));
+        good = false;
+      } else if (std::find(out.begin(), out.end(), item.text) != out.end()) {
+        reader.error(item.spot, fmt::format("field '{}' is named twice in {}", item.text, name));
+        good = false;
+      } else {
+        out.push_back(item.text);
+      }
+    }
+    return good;
+  }
+  std::string takes() const { return "a list of fields"; }
+  Form form() const { return list_form(word_form(field_names())); }
+};
+
+const Keys<OutputDeck>& field_keys() {
+  static const Keys<OutputDeck> keys = {
+      need("every", &OutputDeck::fields_every, NumberValue{positive}),
+      may("write", &OutputDeck::fields, FieldsValue{}),
+  };
+  return keys;
+}
+
+const Keys<HistoryPoint>& point_keys() {
+  static const Keys<HistoryPoint> keys = {
+      need("name", &HistoryPoint::name, NameValue{}),
+      may("near", &HistoryPoint::near, vector3()),
+      may("id", &HistoryPoint::id, IntegerValue{1, std::numeric_limits<long>::max()}),
+      may("part", &HistoryPoint::part, PartNameValue{}),
+  };
+  return keys;
+}
+
+bool check_point(const Reader& reader, const Node& node, HistoryPoint& point) {
+  point.place = node.spot.place;
+  if (point.near.has_value() != point.id.has_value()) return true;
+  reader.error(node.spot, fmt::format("{} has {} (must have one of near and id)", reader.self(),
+                                      point.near ? "both near and id" : "neither near nor id"));
+  return false;
+}
+
+/// history.nodes or history.elements.
+struct PointsValue {
+  bool elements;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, OutputDeck& out) const {
+    std::vector<HistoryPoint> points;
+    const bool good = value().read(reader, name, node, points);
+    for (HistoryPoint& point : points) {
+      point.is_element = elements;
+      out.points.push_back(std::move(point));
+    }
+    return good;
+  }
+  std::string takes() const { return value().takes(); }
+  Form form() const { return value().form(); }
+  static ListValue<MapValue<HistoryPoint>> value() { return {{point_keys, check_point}}; }
+};
+
+/// history.parts: each a point without a place, that of `all` without a part.
+struct PartsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, OutputDeck& out) const {
+    if (node.kind == Node::Kind::scalar && node.text == "all") {
+      out.points.push_back(whole_part("", node));
+      return true;
+    }
+    if (!reader.expect(node, Node::Kind::list, name, takes())) return false;
+    bool good = true;
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < node.items.size(); ++i) {
+      if (!read_part(reader, fmt::format("{}.{}", name, i), node.items[i], parts)) {
+        good = false;
+      } else {
+        out.points.push_back(whole_part(parts.back(), node.items[i]));
+      }
+    }
+    return good;
+  }
+  std::string takes() const { return "all or a list of parts"; }
+  Form form() const { return any_form({word_form({"all"}), list_form(PartNameValue{}.form())}); }
+
+ private:
+  static HistoryPoint whole_part(const std::string& name, const Node& node) {
+    HistoryPoint point;
+    point.name = point.part = name;
+    point.place = node.spot.place;
+    return point;
+  }
+
+  static bool read_part(const Reader& reader, const std::string& name, const Node& item,
+                        std::vector<std::string>& parts) {
+    std::string part;
+    if (item.kind == Node::Kind::scalar && item.text == "all") {
+      reader.refuse(item, name, "a name from parts");
+      return false;
+    }
+    if (!PartNameValue{}.read(reader, name, item, part)) return false;
+    if (std::find(parts.begin(), parts.end(), part) != parts.end()) {
+      reader.error(item.spot, fmt::format("part '{}' is named twice in output.history.parts", part));
+      return false;
+    }
+    parts.push_back(std::move(part));
+    return true;
+  }
+};
+
+const Keys<OutputDeck>& history_keys() {
+  static const Keys<OutputDeck> keys = {
+      may("every", &OutputDeck::history_every, NumberValue{not_negative}),
+      group<OutputDeck>("nodes", PointsValue{false}),
+      group<OutputDeck>("elements", PointsValue{true}),
+      group<OutputDeck>("parts", PartsValue{}),
+  };
+  return keys;
+}
+
+bool check_history(const Reader& reader, const Node& node, OutputDeck& output) {
+  if (!output.history_every) output.history_every = 0;  // the section is there: every step
+  std::set<std::string_view> names;
+  for (const HistoryPoint& point : output.points) {
+    if (names_parts(point) || names.insert(point.name).second) continue;  // columns of parts end with their name
+    reader.error(point.place.line > 0 ? Spot{point.place, -1} : node.key,
+                 fmt::format("name '{}' is given twice in {} (columns of history.csv need different names)", point.name,
+                             reader.self()));
+    return false;
+  }
+  return true;
+}
+
+const Keys<OutputDeck>& checkpoint_keys() {
+  static const Keys<OutputDeck> keys = {
+      may("every", &OutputDeck::checkpoint_every, NumberValue{positive}),
+      may("wall", &OutputDeck::checkpoint_wall, NumberValue{positive}),
+  };
+  return keys;
+}
+
+bool check_checkpoint(const Reader& reader, const Node& node, OutputDeck& output) {
+  if (output.checkpoint_every || output.checkpoint_wall) return true;
+  reader.error(node.spot, fmt::format("{} has neither every nor wall (one of them says when to write)", reader.self()));
+  return false;
+}
+
+const Keys<OutputDeck>& output_keys() {
+  static const Keys<OutputDeck> keys = {
+      group<OutputDeck>("fields", MapValue<OutputDeck>{field_keys}),
+      group<OutputDeck>("history", MapValue<OutputDeck>{history_keys, check_history}),
+      group<OutputDeck>("checkpoint", MapValue<OutputDeck>{checkpoint_keys, check_checkpoint}),
+  };
+  return keys;
+}
+
+}  // namespace
+
+MapValue<OutputDeck> output_value() { return {output_keys}; }
+
+std::optional<int> find_thickness_point(std::string_view field, std::string_view quantity) {
+  if (field.substr(0, quantity.size()) != quantity) return std::nullopt;
+  const std::string_view digits = field.substr(quantity.size());
+  int point = 0;
+  const auto [end, error] = std::from_chars(digits.begin(), digits.end(), point);
+  if (error != std::errc() || end != digits.end()) return std::nullopt;
+  return point;
+}
+
+const std::vector<std::string>& field_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all = {"displacement",  "velocity",        "contact_force", "mass",
+                                    "contact_rank",  // of nodes
+                                    "stress",        "pressure",        "von_mises",     "equivalent_plastic_strain",
+                                    "temperature",   "internal_energy", "alive",         "damage",  // of elements
+                                    "stress_bottom", "stress_top",      "thickness",                // of shells
+                                    "body",          "chunk",           "fe_rank"};
+    for (const std::string_view quantity : {stress_points, plastic_strain_points}) {
+      for (int point = 1; point <= most_thickness_points; ++point) all.push_back(fmt::format("{}{}", quantity, point));
+    }
+    return all;
+  }();
+  return names;
+}
+
+}  // namespace percuss

@@ -1,0 +1,185 @@
+// Keys of `parts`.
+
+#include <cmath>
+#include <numbers>
+
+#include "kernels/shell/thickness_points.hpp"
+#include "src/deck/mesh_size.hpp"
+#include "src/deck/reading/deck_keys.hpp"
+
+namespace percuss {
+namespace {
+
+const Keys<ArrayCopies>& array_keys() {
+  static const Keys<ArrayCopies> keys = {
+      need("count", &ArrayCopies::count, TupleValue<IntegerValue, 3>{}),
+      need("pitch", &ArrayCopies::pitch, vector3()),
+      may("stagger", &ArrayCopies::stagger, NumberValue{{"from -1 to 1", -1, 1}}),
+  };
+  return keys;
+}
+
+bool check_array(const Reader& reader, const Node& node, ArrayCopies& array) {
+  bool good = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (array.count[i] == 1 || array.pitch[i] != 0) continue;
+    reader.error(node.find("pitch")->items[i].spot,
+                 fmt::format("{}.{} is 0{} (the {} copies along {} would coincide)", reader.name_of("pitch"), i,
+                             reader.in(), array.count[i], "xyz"[i]));
+    good = false;
+  }
+  return good;
+}
+
+const Keys<Rotation>& rotation_keys() {
+  static const Keys<Rotation> keys = {
+      need("axis", &Rotation::axis, DirectionValue{}),
+      need("angle", &Rotation::degrees, NumberValue{}),
+      may("center", &Rotation::center, vector3()),
+  };
+  return keys;
+}
+
+// The shortest turn that takes local +z onto a direction; none if it is +z already.
+std::optional<Rotation> turn_z_onto(const Vec3& direction) {
+  const double sine = std::hypot(direction[0], direction[1]);
+  if (sine == 0 && direction[2] > 0) return std::nullopt;
+  if (sine == 0) return Rotation{{1, 0, 0}, 180, {}};
+  const double cosine = direction[2];
+  const double degrees = cosine == 0 ? 90 : std::atan2(sine, cosine) * (180 / std::numbers::pi);
+  return Rotation{{-direction[1] / sine, direction[0] / sine, 0}, degrees, {}};
+}
+
+struct MaterialNameValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const {
+    if (!TextValue{}.read(reader, name, node, out)) return false;
+    reader.reading().materials.push_back({node.spot, out, reader.in()});
+    return true;
+  }
+  std::string takes() const { return "a name from materials"; }
+  Form form() const { return TextValue{}.form(); }
+};
+
+/// Points across the thickness of a shell.
+struct ThicknessPointsValue {
+  static constexpr int most = most_thickness_points;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, int& out) const {
+    return IntegerValue{1, most}.read(reader, name, node, out);
+  }
+  std::string takes() const { return fmt::format("an integer, from 1 to {}", most); }
+  Form form() const { return IntegerValue{1, most}.form(); }
+};
+
+/// Which surface of the shells the mesh is. What it is of the thickness is known when that is read.
+struct ReferenceValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, double& out) const {
+    if (node.kind == Node::Kind::scalar && !node.quoted && is_surface(node.text)) {
+      out = 0;
+      return true;
+    }
+    const bool may_be_number = node.kind == Node::Kind::scalar && node.text.find_first_of("0123456789") < 3;
+    if (!may_be_number) {
+      reader.refuse(node, name, takes());
+      return false;
+    }
+    double height = 0;
+    if (!NumberValue{}.read(reader, name, node, height)) return false;
+    out = -height;
+    return true;
+  }
+  std::string takes() const { return "middle | bottom | top or a number"; }
+  Form form() const { return any_form({word_form({"middle", "bottom", "top"}), number_form()}); }
+
+  static bool is_surface(const std::string& text) { return text == "middle" || text == "bottom" || text == "top"; }
+};
+
+void set_offset(const Node& node, PartDeck& part) {
+  const Node* reference = node.find("reference");
+  if (reference == nullptr || !part.thickness) return;
+  if (reference->text == "bottom") part.offset = 0.5 * *part.thickness;
+  if (reference->text == "top") part.offset = -0.5 * *part.thickness;
+}
+
+bool read_axis(const DirectionValue& value, const Reader& reader, const std::string& name, const Node& node,
+               PartDeck& part) {
+  Vec3 direction{};
+  if (!value.read(reader, name, node, direction)) return false;
+  if (const auto turn = turn_z_onto(direction)) part.rotate.insert(part.rotate.begin(), *turn);
+  return true;
+}
+
+const Keys<PartDeck>& part_keys() {
+  static const Keys<PartDeck> keys = [] {
+    Keys<PartDeck> all = shape_keys();
+    all.push_back(need("material", &PartDeck::material, MaterialNameValue{}));
+    all.push_back(may("thickness", &PartDeck::thickness, NumberValue{positive}));
+    all.push_back(may("points", &PartDeck::points, ThicknessPointsValue{}));
+    all.push_back(may("reference", &PartDeck::offset, ReferenceValue{}));
+    all.push_back(may("array", &PartDeck::array, MapValue<ArrayCopies>{array_keys, check_array}));
+    all.push_back(make_key<PartDeck>("axis", false, DirectionValue{}, read_axis));
+    all.push_back(may("rotate", &PartDeck::rotate, ListValue<MapValue<Rotation>>{{rotation_keys}}));
+    all.push_back(may("at", &PartDeck::at, vector3()));
+    all.push_back(may("mass_scaling", &PartDeck::mass_scaling, mass_scaling_value()));
+    return all;
+  }();
+  return keys;
+}
+
+bool check_one_shape(const Reader& reader, const Node& node) {
+  std::vector<std::string> given, known;
+  for (const Key<PartDeck>& key : shape_keys()) {
+    known.push_back(key.name);
+    if (node.find(key.name) != nullptr) given.push_back(key.name);
+  }
+  if (given.size() == 1) return true;
+  const std::string what =
+      given.empty() ? "no shape" : fmt::format("{} shapes, {}", given.size(), fmt::join(given, " and "));
+  const Spot spot = given.empty() ? node.key : node.find(given[1])->key;
+  reader.error(spot, fmt::format("{} has {} (must be one of {})", reader.self(), what, fmt::join(known, ", ")));
+  return false;
+}
+
+/// Shells need a thickness; of solids it is of no use. What a file holds is seen when it is read.
+bool check_thickness(const Reader& reader, const Node& node, const PartDeck& part) {
+  if (std::holds_alternative<ExodusMesh>(part.shape)) return true;
+  const bool is_shell = is_shell_shape(part.shape);
+  if (is_shell && !part.thickness) {
+    if (node.find("thickness") != nullptr) return false;  // told already
+    reader.error(node.key, fmt::format("{} has no thickness (its shells need one)", reader.self()));
+    return false;
+  }
+  for (const char* key : {"thickness", "points", "reference"}) {
+    if (is_shell || node.find(key) == nullptr) continue;
+    reader.error(node.find(key)->key,
+                 fmt::format("{} is of no use{} (only shells have a thickness)", reader.name_of(key), reader.in()));
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool PartValue::read_inside(const Reader& reader, const Node& node, PartDeck& out) const {
+  const bool good = read_keys(reader, node, part_keys(), out);
+  if (!check_one_shape(reader, node)) {
+    reader.reading().shapeless.insert(out.name);
+    return false;
+  }
+  if (!check_thickness(reader, node, out) || !good) return false;
+  set_offset(node, out);
+  const MeshSize size = count_cells(out);
+  if (size.elements <= largest_mesh && size.nodes <= largest_mesh) return true;
+  reader.error(node.key,
+               fmt::format("{} has {:.4g} elements and {:.4g} nodes (a mesh can have {:.0f} of each) make it coarser",
+                           reader.self(), size.elements, size.nodes, largest_mesh));
+  return false;
+}
+
+Form PartValue::form() const {
+  Form form = form_of(part_keys());
+  for (const Key<PartDeck>& key : shape_keys()) form.exactly_one.push_back(key.name);
+  return form;
+}
+
+}  // namespace percuss

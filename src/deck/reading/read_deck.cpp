@@ -1,0 +1,64 @@
+#include "src/deck/reading/read_deck.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/text/deck_text.hpp"
+#include "src/deck/yaml/deck_values.hpp"
+#include "src/deck/yaml/overrides.hpp"
+
+namespace percuss {
+namespace {
+
+Node parse_tree(std::string text, const std::vector<std::string>& overrides, DeckErrors& errors) {
+  if (!check_deck_text(text, errors)) errors.throw_if_any();
+  std::optional<Node> root = parse_yaml(text, errors);
+  if (!root) errors.throw_if_any();
+  if (root->kind == Node::Kind::null && !root->broken && overrides.empty()) {
+    errors.add({{1, 1}, -1}, "the deck is empty (it needs at least time, parts and materials)");
+    errors.throw_if_any();
+  }
+  if (root->kind == Node::Kind::null) root->kind = Node::Kind::map;
+  if (root->kind != Node::Kind::map) {
+    errors.add(root->spot, fmt::format("the deck is {} (must be a map of keys such as time, parts and materials)",
+                                       describe(*root)));
+    errors.throw_if_any();
+  }
+  root->spot = root->key = {{1, 1}, -1};  // where a missing section is told
+  for (std::size_t i = 0; i < overrides.size(); ++i) apply_override(overrides[i], static_cast<int>(i), *root, errors);
+  return *std::move(root);
+}
+
+}  // namespace
+
+Deck parse_deck(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {
+  std::vector<std::string> paths;
+  for (const std::string& argument : overrides) paths.push_back(override_path(argument));
+  Deck deck;
+  deck.file = file;
+  deck.overrides = paths;
+  Reading reading{
+      DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string(), {}, {}, {}, {}, {}};
+  const Node root = parse_tree(text, overrides, reading.errors);
+  read_keys(Reader(reading), root, deck_keys(), deck);
+  check_deck(deck, root, reading);
+  reading.errors.throw_if_any();
+  deck.motion_values = list_motion_values(root);
+  deck.places = KeyPlaces(root);
+  deck.warnings = reading.errors.warnings();
+  return deck;
+}
+
+Deck read_deck(const std::string& file, const std::vector<std::string>& overrides) {
+  return parse_deck(load_deck_text(file), file, overrides);
+}
+
+std::string Deck::where(Place place) const {
+  if (place.line < 0) return "--set " + overrides.at(static_cast<std::size_t>(-place.line - 1));
+  return place.line > 0 ? fmt::format("{}:{}:{}", file, place.line, place.column) : file;
+}
+
+}  // namespace percuss

@@ -1,0 +1,20 @@
+#pragma once
+// The values of a deck as text, to compare two decks by.
+
+#include <string>
+#include <vector>
+
+#include "src/deck/yaml/yaml_tree.hpp"
+
+namespace percuss {
+
+/// Every value on which the motion depends, "time.step_scale = 0.9", in ascending order of their paths; equal numbers
+/// have equal texts. Left out is what a run may change when it goes on: output, audit, title, units, time.end,
+/// time.max_steps, time.collapse_ratio, contact.rebalance; and the names of mesh files, whose content counts.
+std::vector<std::string> list_motion_values(const Node& deck);
+
+/// What differs between two such lists, a text each: "time.step_scale is 0.5 (0.9 in the checkpoint)".
+std::vector<std::string> compare_motion_values(const std::vector<std::string>& now,
+                                               const std::vector<std::string>& checkpoint);
+
+}  // namespace percuss

@@ -1,0 +1,30 @@
+#pragma once
+// The chunks of a scene, numbered, and the graph that their decomposition divides.
+
+#include <cstdint>
+#include <vector>
+
+#include "comm/partition/graph_partition.hpp"
+#include "src/mesh/decomposition/chunk_pieces.hpp"
+#include "src/mesh/numbering.hpp"
+
+namespace percuss {
+
+/// Work of a chunk in thirty-seconds of an element's: its elements, and, in a scene with contact, its exterior faces,
+/// which take part in the search. Faces weigh little because the contact work is divided otherwise and only what each
+/// rank does for its own nodes and faces stays with it.
+inline constexpr int element_cost = 32, contact_face_cost = 1;
+
+/// Pieces whose nodes have their numbers in the whole mesh.
+struct NumberedChunks {
+  std::vector<std::int64_t> numbers;  // [nodes of the pieces]
+  Numbering numbering;                // the same on every rank; nobody holds any chunk yet (no ranks)
+  Graph graph;  // rank 0: a vertex a chunk, an edge where chunks share nodes or, with contact, lie next to each other
+};
+
+/// Gives every node to the lowest chunk that uses it and numbers the nodes of each chunk by first use; counts what
+/// chunks share. pieces: every chunk of the scene on one rank. Collective. Throws MpiError.
+NumberedChunks number_chunks(const Deck& deck, const Communicator& ranks, const SceneParts& scene,
+                             const ChunkPieces& pieces);
+
+}  // namespace percuss

@@ -1,0 +1,274 @@
+#include "src/mesh/parts/scene_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "comm/agreement.hpp"
+#include "src/deck/mesh_size.hpp"
+#include "src/error.hpp"
+#include "src/fail_together.hpp"
+#include "src/mesh/exodus/exodus_mesh.hpp"
+#include "src/mesh/id_allotment.hpp"
+#include "src/mesh/ordering.hpp"
+#include "src/mesh/quality/check_mesh.hpp"
+#include "src/mesh/quality/mesh_doubts.hpp"
+#include "src/mesh/topology.hpp"
+
+namespace percuss {
+namespace {
+
+/// Nodes and elements of the parts so far.
+struct Totals {
+  double nodes = 0, elements = 0;
+};
+
+/// Nodes and elements are counted in int; a step beyond is refused before memory is asked for.
+void check_size(const Totals& so_far, double nodes, double elements) {
+  nodes += so_far.nodes;
+  elements += so_far.elements;
+  if (nodes <= largest_mesh && elements <= largest_mesh) return;
+  throw InputError(
+      fmt::format("the mesh would have {:.3g} elements and {:.3g} nodes (percuss counts up to {:.0f}); use fewer cells",
+                  elements, nodes, largest_mesh));
+}
+
+double count_copies(const PartDeck& part) {
+  return part.array ? double(part.array->count[0]) * part.array->count[1] * part.array->count[2] : 1.0;
+}
+
+int find_material(const Deck& deck, const std::string& name) {
+  const auto found =
+      std::find_if(deck.materials.begin(), deck.materials.end(), [&](const auto& m) { return m.name == name; });
+  if (found == deck.materials.end()) throw InputError(fmt::format("material '{}' is not in the deck", name));
+  return static_cast<int>(found - deck.materials.begin());
+}
+
+/// Puts the elements of the part, their ids and its side sets in chunk order.
+void order_elements(FilePart& file) {
+  PartMesh& mesh = file.mesh;
+  const ElementOrder order = bisect_elements(mesh);
+  file.first_of_chunk = order.first_of_chunk;
+  std::vector<int> new_place(order.elements.size());
+  std::vector<std::array<int, 8>> elements(order.elements.size());
+  std::vector<std::int64_t> ids(order.elements.size());
+  for (std::size_t i = 0; i < order.elements.size(); ++i) {
+    const auto old = static_cast<std::size_t>(order.elements[i]);
+    new_place[old] = static_cast<int>(i);
+    elements[i] = mesh.elements[old];
+    ids[i] = mesh.element_ids[old];
+  }
+  mesh.elements = std::move(elements);
+  mesh.element_ids = std::move(ids);
+  for (auto& [name, faces] : mesh.side_sets) {
+    for (ElementFace& f : faces) f.element = new_place[static_cast<std::size_t>(f.element)];
+  }
+}
+
+template <class Sets>
+std::vector<std::string> list_names(const Sets& sets) {
+  std::vector<std::string> names;
+  for (const auto& [name, set] : sets) names.push_back(name);
+  return names;
+}
+
+/// Shells need a thickness, and only they.
+void check_thickness(const PartDeck& deck, const PartMesh& mesh) {
+  const bool has_shells =
+      std::any_of(mesh.elements.begin(), mesh.elements.end(), [](const auto& e) { return is_shell(e); });
+  if (has_shells && !deck.thickness) throw InputError("thickness is missing (the shells of the file need one)");
+  if (!has_shells && (deck.thickness || deck.points)) {
+    throw InputError("it has a thickness or points (the file has no shells, which alone have them)");
+  }
+}
+
+void read_file_part(const PartDeck& deck, const Totals& so_far, ScenePart& part) {
+  auto file = std::make_unique<FilePart>();
+  PartMesh& mesh = file->mesh;
+  mesh = read_exodus_mesh(std::get<ExodusMesh>(deck.shape));
+  check_thickness(deck, mesh);
+  const double copies = count_copies(deck);
+  check_size(so_far, copies * double(mesh.nodes.size()), copies * double(mesh.elements.size()));
+  const std::size_t own_elements = mesh.elements.size();
+  place_part(mesh, deck);
+  const GeometryFindings findings = check_geometry(mesh);
+  if (!findings.problems().empty()) throw InputError(findings.problems().join(""));
+  findings.warn(mesh.warnings);
+  warn_of_doubts(mesh, own_elements, mesh.warnings);
+  add_side_nodes(mesh);
+  order_elements(*file);
+  file->exterior = mark_exterior_faces(mesh.elements, mesh.nodes.size());
+  file->bodies = find_bodies(mesh.elements, mesh.nodes.size());
+  part.nodes = static_cast<std::int64_t>(mesh.nodes.size());
+  part.elements = static_cast<std::int64_t>(mesh.elements.size());
+  part.chunks = static_cast<int>(file->first_of_chunk.size()) - 1;
+  part.bodies = 1 + *std::max_element(file->bodies.begin(), file->bodies.end());
+  part.node_sets = list_names(mesh.node_sets);
+  part.side_sets = list_names(mesh.side_sets);
+  part.warnings = mesh.warnings;
+  part.file = std::move(file);
+}
+
+void describe_generated_part(const PartDeck& deck, ScenePart& part) {
+  std::unique_ptr<ShapeSource> source = make_source(deck.shape);
+  const PartPlacement place(deck);
+  PartTiling tiling(*source, place.copies());
+  part.nodes = std::int64_t{source->node_count()} * place.copies();
+  part.elements = std::int64_t{source->element_count()} * place.copies();
+  part.chunks = tiling.chunk_count();
+  part.bodies = place.copies();
+  part.node_sets = part.side_sets = side_names(deck.shape);
+  part.generated.emplace(GeneratedPart{std::move(source), place, std::move(tiling)});
+}
+
+/// All that the deck and the file say of a part; on other ranks than 0 the files are left for later.
+ScenePart describe_part(const Deck& deck, const PartDeck& from, const Totals& so_far, bool reads_files) {
+  ScenePart part;
+  part.name = from.name;
+  part.thickness = from.thickness.value_or(0);
+  part.points = from.points.value_or(0);
+  try {
+    part.material = find_material(deck, from.material);
+    const MeshSize size = count_cells(from);
+    check_size(so_far, size.nodes, size.elements);
+    if (!std::holds_alternative<ExodusMesh>(from.shape)) {
+      describe_generated_part(from, part);
+    } else if (reads_files) {
+      read_file_part(from, so_far, part);
+    }
+  } catch (const InputError& error) {
+    part.error = error.what();
+  } catch (const SystemError& error) {
+    throw SystemError(fmt::format("{}: error: {}{}", deck.where(from.place), describe_source(from), error.what()));
+  }
+  return part;
+}
+
+/// Gives each part its ids; those of files are raised where an earlier part has them.
+void assign_ids(SceneParts& scene) {
+  IdAllotment nodes, elements;
+  const auto take = [](std::vector<std::int64_t>& ids) { return std::exchange(ids, {}); };
+  for (ScenePart& part : scene.parts) {
+    nodes.add(part.file ? take(part.file->mesh.node_ids) : std::vector<std::int64_t>{}, part.nodes);
+    elements.add(part.file ? take(part.file->mesh.element_ids) : std::vector<std::int64_t>{}, part.elements);
+  }
+  nodes.assign();
+  elements.assign();
+  for (std::size_t p = 0; p < scene.parts.size(); ++p) {
+    ScenePart& part = scene.parts[p];
+    part.first_node_id = nodes.first_id(p);
+    part.first_element_id = elements.first_id(p);
+    if (!part.file) continue;
+    part.file->mesh.node_ids = nodes.ids(p);
+    part.file->mesh.element_ids = elements.ids(p);
+    if (!nodes.raised(p) && !elements.raised(p)) continue;
+    scene.warnings.push_back(
+        {"raised_ids",
+         fmt::format("the file's {} ids are used by an earlier part (they are raised above the others)",
+                     !nodes.raised(p)      ? "element"
+                     : !elements.raised(p) ? "node"
+                                           : "node and element"),
+         "part '" + part.name + "'", 0, 1});
+  }
+}
+
+/// What rank 0 alone knows of a part.
+struct PartNumbers {
+  std::int64_t nodes, elements, first_node_id, first_element_id;
+  int chunks, bodies;
+  bool failed;
+};
+
+void share_numbers(const Communicator& ranks, SceneParts& scene) {
+  std::vector<PartNumbers> numbers;
+  for (const ScenePart& part : scene.parts) {
+    numbers.push_back({part.nodes, part.elements, part.first_node_id, part.first_element_id, part.chunks, part.bodies,
+                       !part.error.empty()});
+  }
+  broadcast_values(ranks, numbers, 0);
+  for (std::size_t p = 0; p < numbers.size(); ++p) {
+    ScenePart& part = scene.parts[p];
+    const PartNumbers& n = numbers[p];
+    part.nodes = n.nodes;
+    part.elements = n.elements;
+    part.first_node_id = n.first_node_id;
+    part.first_element_id = n.first_element_id;
+    part.chunks = n.chunks;
+    part.bodies = n.bodies;
+    if (n.failed) part.generated.reset();
+  }
+}
+
+/// Names as one text; none of them holds a character 0.
+void share_names(const Communicator& ranks, std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += name + '\0';
+  text = broadcast_text(ranks, text, 0);
+  names.clear();
+  for (std::size_t first = 0; first < text.size();) {
+    names.emplace_back(text.c_str() + first);
+    first += names.back().size() + 1;
+  }
+}
+
+/// Where keys, chunks, bodies and sets of each part begin.
+void lay_out(SceneParts& scene) {
+  int chunks = 0, bodies = 0, node_sets = 0, side_sets = 0;
+  for (ScenePart& part : scene.parts) {
+    part.first_key = std::exchange(scene.keys, scene.keys + part.nodes);
+    part.first_chunk = std::exchange(chunks, chunks + part.chunks);
+    part.first_body = std::exchange(bodies, bodies + part.bodies);
+    part.first_node_set = std::exchange(node_sets, node_sets + static_cast<int>(part.node_sets.size()));
+    part.first_side_set = std::exchange(side_sets, side_sets + static_cast<int>(part.side_sets.size()));
+  }
+}
+
+void count_elements(const Communicator& ranks, SceneParts& scene) {
+  scene.first_element.assign(1, 0);
+  for (const ScenePart& part : scene.parts) {
+    std::vector<int> counts;
+    if (part.generated) {
+      for (int c = 0; c < part.chunks; ++c) counts.push_back(part.generated->tiling.count_elements(c));
+    } else {
+      for (int c = 0; part.file && c < part.chunks; ++c) {
+        const auto at = static_cast<std::size_t>(c);
+        counts.push_back(part.file->first_of_chunk[at + 1] - part.file->first_of_chunk[at]);
+      }
+      broadcast_values(ranks, counts, 0);
+    }
+    for (const int count : counts) scene.first_element.push_back(scene.first_element.back() + count);
+  }
+}
+
+}  // namespace
+
+std::string describe_source(const PartDeck& part) {
+  const auto* exodus = std::get_if<ExodusMesh>(&part.shape);
+  return exodus ? fmt::format("part '{}': {}: ", part.name, exodus->file) : fmt::format("part '{}': ", part.name);
+}
+
+SceneParts describe_parts(const Deck& deck, const Communicator& ranks) {
+  SceneParts scene;
+  fail_together(ranks, [&] {
+    Totals so_far;
+    for (const PartDeck& part : deck.parts) {
+      scene.parts.push_back(describe_part(deck, part, so_far, ranks.rank() == 0));
+      so_far.nodes += double(scene.parts.back().nodes);
+      so_far.elements += double(scene.parts.back().elements);
+    }
+    if (ranks.rank() == 0) assign_ids(scene);
+  });
+  share_numbers(ranks, scene);
+  for (ScenePart& part : scene.parts) {
+    if (part.generated) continue;
+    share_names(ranks, part.node_sets);
+    share_names(ranks, part.side_sets);
+  }
+  lay_out(scene);
+  count_elements(ranks, scene);
+  return scene;
+}
+
+}  // namespace percuss

@@ -1,0 +1,168 @@
+#include "src/mesh/quality/mesh_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+#include "src/mesh/hex_geometry.hpp"
+#include "src/mesh/quality/check_mesh.hpp"
+
+namespace percuss {
+namespace {
+
+/// The thinnest elements are slivers if they are a few, thinner than the median by the first ratio and than all others
+/// by the second: a graded mesh grows by less from layer to layer, and means it.
+constexpr double sliver_ratio = 5, gap_ratio = 3, few_share = 0.01;
+constexpr std::size_t few_least = 4;
+
+/// Elements that a warning names.
+constexpr std::size_t most_named = 5;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+/// Across the thinnest direction, to which the stable step is proportional: the edge of a cube or a square, the height
+/// of a triangle.
+double find_height(const PartMesh& mesh, const std::array<int, 8>& element) {
+  HexCorners x;
+  for (std::size_t c = 0; c < 8; ++c) x[c] = mesh.nodes[at(element[c])];
+  if (is_shell(element)) {
+    double longest = 0;
+    for (std::size_t c = 0; c < 4; ++c) longest = std::max(longest, find_distance(x[c], x[(c + 1) % 4]));
+    return (is_triangle(element) ? 2 : 1) * find_shell_area_size(x) / longest;
+  }
+  double largest = 0;
+  for (const auto& face : hex_faces) {
+    const Vec3 twice = cross(subtract(x[at(face[2])], x[at(face[0])]), subtract(x[at(face[3])], x[at(face[1])]));
+    largest = std::max(largest, 0.5 * std::sqrt(dot(twice, twice)));
+  }
+  return find_hex_volume(x) / largest;
+}
+
+void warn_of_slivers(const PartMesh& mesh, std::size_t element_count, std::vector<Warning>& warnings) {
+  std::vector<double> heights;
+  for (std::size_t e = 0; e < element_count; ++e) heights.push_back(find_height(mesh, mesh.elements[e]));
+  if (heights.empty()) return;
+  const auto element = static_cast<std::size_t>(std::min_element(heights.begin(), heights.end()) - heights.begin());
+  std::sort(heights.begin(), heights.end());
+  const double least = heights.front(), middle = heights[heights.size() / 2];
+  const auto most = std::max(few_least, static_cast<std::size_t>(few_share * static_cast<double>(heights.size())));
+  std::size_t slivers = 1;
+  while (slivers <= most && slivers < heights.size() && heights[slivers] < gap_ratio * heights[slivers - 1]) ++slivers;
+  if (middle < sliver_ratio * least || slivers > most || slivers == heights.size()) return;
+  warnings.push_back(
+      {"sliver_element",
+       fmt::format("element {} is a sliver: {:.3g} across, the median element {:.3g}{} (the step of the whole scene is "
+                   "no longer than it allows, about 1/{:.0f} of what the median element does): repair the mesh there",
+                   id_of(mesh.element_ids, element), least, middle,
+                   slivers > 1 ? fmt::format(" ({} elements are like it)", slivers) : "", middle / least),
+       "", 0, 1});
+}
+
+/// An edge of a shell, and whether the shell goes along it from its lower node to its higher.
+struct Edge {
+  int low = 0, high = 0, element = 0;
+  bool rises = false;
+  friend auto operator<=>(const Edge&, const Edge&) = default;
+};
+
+struct Neighbour {
+  int element = 0, other = 0;
+  bool agrees = false;  // whether their normals are on the same side
+  friend auto operator<=>(const Neighbour&, const Neighbour&) = default;
+};
+
+/// Pairs of shells that alone share an edge, both ways. Where three meet no side goes on.
+std::vector<Neighbour> list_neighbours(const PartMesh& mesh, std::size_t element_count) {
+  std::vector<Edge> edges;
+  for (int e = 0; e < static_cast<int>(element_count); ++e) {
+    const std::array<int, 8>& corners = mesh.elements[at(e)];
+    if (!is_shell(corners)) continue;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const int a = corners[c], b = corners[(c + 1) % 4];
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), e, a < b});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Neighbour> neighbours;
+  const auto nodes = [](const Edge& edge) { return std::pair(edge.low, edge.high); };
+  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
+    while (next < edges.size() && nodes(edges[next]) == nodes(edges[i])) ++next;
+    if (next - i != 2) continue;
+    const bool agrees = edges[i].rises != edges[i + 1].rises;
+    neighbours.push_back({edges[i].element, edges[i + 1].element, agrees});
+    neighbours.push_back({edges[i + 1].element, edges[i].element, agrees});
+  }
+  std::sort(neighbours.begin(), neighbours.end());
+  return neighbours;
+}
+
+/// The shells that are turned against most of those that they are joined to.
+class TurnedShells {
+ public:
+  TurnedShells(std::size_t element_count, const std::vector<Neighbour>& neighbours)
+      : neighbours_(neighbours), side_(element_count, 0) {}
+
+  /// Ascending.
+  std::vector<int> find() {
+    for (const Neighbour& neighbour : neighbours_) {
+      if (side_[at(neighbour.element)] == 0) visit_piece(neighbour.element);
+    }
+    std::sort(turned_.begin(), turned_.end());
+    return std::move(turned_);
+  }
+
+ private:
+  /// Gives each shell that is joined to the first the side 1 or -1 on which it is, and notes those of the fewer.
+  void visit_piece(int first) {
+    std::vector<int> piece{first};
+    side_[at(first)] = 1;
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      const Neighbour from{piece[i], -1, false};
+      for (auto n = std::lower_bound(neighbours_.begin(), neighbours_.end(), from);
+           n != neighbours_.end() && n->element == piece[i]; ++n) {
+        if (side_[at(n->other)] != 0) continue;
+        side_[at(n->other)] = n->agrees ? side_[at(n->element)] : -side_[at(n->element)];
+        piece.push_back(n->other);
+      }
+    }
+    const auto with_first = std::count_if(piece.begin(), piece.end(), [&](int e) { return side_[at(e)] == 1; });
+    const int fewer = 2 * with_first < static_cast<std::ptrdiff_t>(piece.size()) ? 1 : -1;
+    std::copy_if(piece.begin(), piece.end(), std::back_inserter(turned_), [&](int e) { return side_[at(e)] == fewer; });
+  }
+
+  const std::vector<Neighbour>& neighbours_;
+  std::vector<int> side_;  // 0: not visited
+  std::vector<int> turned_;
+};
+
+void warn_of_turned_shells(const PartMesh& mesh, std::size_t element_count, std::vector<Warning>& warnings) {
+  const std::vector<Neighbour> neighbours = list_neighbours(mesh, element_count);
+  const std::vector<int> turned = TurnedShells(element_count, neighbours).find();
+  if (turned.empty()) return;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(turned.size(), most_named); ++i)
+    names += fmt::format("{}{}", i > 0 ? ", " : "", id_of(mesh.element_ids, at(turned[i])));
+  if (turned.size() > most_named) names += ", ...";
+  warnings.push_back(
+      {"shell_normals",
+       fmt::format(
+           "{} shell{} turned against {} neighbours, with normals to the other side: element{} {} (their top is "
+           "the others' bottom, for pressures, side sets and stresses): turn them over",
+           turned.size(), turned.size() == 1 ? " is" : "s are", turned.size() == 1 ? "its" : "their",
+           turned.size() == 1 ? "" : "s", names),
+       "", 0, 1});
+}
+
+}  // namespace
+
+void warn_of_doubts(const PartMesh& mesh, std::size_t element_count, std::vector<Warning>& warnings) {
+  warn_of_slivers(mesh, element_count, warnings);
+  warn_of_turned_shells(mesh, element_count, warnings);
+}
+
+}  // namespace percuss

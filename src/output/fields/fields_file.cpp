@@ -1,0 +1,212 @@
+#include "src/output/fields/fields_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
+#include "src/hdf5/hdf5_handle.hpp"
+#include "src/output/fields/field_units.hpp"
+#include "src/output/fields/fields_restart.hpp"
+#include "src/output/fields/vtkhdf_file.hpp"
+#include "src/output/fields/xdmf_text.hpp"
+#include "src/output/files/atomic_file.hpp"
+#include "src/output/files/first_rank.hpp"
+
+namespace percuss {
+namespace {
+
+const std::string displacement_name = "displacement";
+
+XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options, const Communicator& ranks) {
+  XdmfIndex index;
+  index.file = "fields.vtkhdf";
+  index.title = options.title;
+  index.units = options.units;
+  index.walls = options.walls;
+  for (const auto& part : chunked.mesh.parts) index.parts.push_back(part.name);
+  index.extents = find_part_extents(chunked, ranks);
+  index.mesh = join_extents(index.extents);
+  return index;
+}
+
+// The index by parts has a text for every part and frame. It is replaced when the frames are this share more than it
+// has, so that all that is written of it in a run is some ten times its length.
+constexpr std::size_t frames_per_new_one = 16;
+
+EarlierFrames find_kept(const ChunkedMesh& chunked, std::int64_t frames) {
+  return {static_cast<hsize_t>(frames), static_cast<hsize_t>(chunked.numbering.node_count()),
+          static_cast<hsize_t>(chunked.numbering.element_count())};
+}
+
+}  // namespace
+
+struct FieldsFile::Impl {
+  Impl(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+       const Communicator& all_ranks)
+      : ranks(all_ranks),
+        xdmf_path(directory + "/fields.xdmf"),
+        parts_path(directory + "/fields.xdmf2"),
+        initial(chunked.mesh.nodes),
+        elements(chunked.mesh.elements.size()),
+        precision(options.precision),
+        index(make_index(chunked, options, all_ranks)),
+        file(directory + "/fields.vtkhdf", chunked, options, all_ranks) {
+    write_index();
+    write_parts_index();
+  }
+
+  Impl(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+       const Communicator& all_ranks, std::vector<double> times)
+      : ranks(all_ranks),
+        xdmf_path(directory + "/fields.xdmf"),
+        parts_path(directory + "/fields.xdmf2"),
+        initial(chunked.mesh.nodes),
+        elements(chunked.mesh.elements.size()),
+        precision(options.precision),
+        index(make_index(chunked, options, all_ranks)),
+        file(directory + "/fields.vtkhdf", chunked, options, all_ranks, static_cast<std::int64_t>(times.size())) {
+    index.times = std::move(times);
+  }
+
+  void write_index() const;
+  void write_parts_index();
+  void write_parts_index_if_due();
+  std::vector<FieldData> complete_fields(std::span<const double> positions, std::span<const FieldData> given);
+  void check_fields(std::span<const FieldData> fields) const;
+  void remember_fields(std::span<const FieldData> fields);
+
+  Communicator ranks;
+  std::string xdmf_path, parts_path;
+  std::vector<Vec3> initial;         // [local nodes] positions of the mesh
+  std::size_t elements;              // local ones
+  std::vector<double> displacement;  // of the frame being written, [local nodes][3]
+  FieldPrecision precision;
+  XdmfIndex index;
+  std::size_t frames_in_parts_index = 0;
+  VtkhdfFile file;
+};
+
+// Rank 0 writes the text for all.
+void FieldsFile::Impl::write_index() const {
+  run_on_first_rank(ranks, [&] { write_file_atomically(xdmf_path, make_xdmf_text(index), Durability::system); });
+}
+
+void FieldsFile::Impl::write_parts_index() {
+  run_on_first_rank(ranks,
+                    [&] { write_file_atomically(parts_path, make_xdmf_text_by_parts(index), Durability::system); });
+  frames_in_parts_index = index.times.size();
+}
+
+void FieldsFile::Impl::write_parts_index_if_due() {
+  const std::size_t frames = index.times.size();
+  if (frames - frames_in_parts_index > frames_in_parts_index / frames_per_new_one) write_parts_index();
+}
+
+// The fields of a frame with the displacement, which is put first unless it was given.
+std::vector<FieldData> FieldsFile::Impl::complete_fields(std::span<const double> positions,
+                                                         std::span<const FieldData> given) {
+  std::vector<FieldData> fields(given.begin(), given.end());
+  const auto is_displacement = [](const FieldData& field) { return field.name == displacement_name; };
+  if (std::any_of(fields.begin(), fields.end(), is_displacement)) return fields;
+  displacement.resize(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) displacement[i] = positions[i] - initial[i / 3][i % 3];
+  fields.insert(fields.begin(), {displacement_name, FieldPlace::node, 3, displacement});
+  return fields;
+}
+
+void FieldsFile::Impl::check_fields(std::span<const FieldData> fields) const {
+  for (const auto& field : fields) {
+    const std::size_t items = field.place == FieldPlace::node ? initial.size() : elements;
+    if (field.values.size() != items * static_cast<std::size_t>(field.components))
+      throw std::logic_error(fmt::format("field {} has {} values (it has {} components on {} items)", field.name,
+                                         field.values.size(), field.components, items));
+  }
+  if (index.fields.empty()) return;
+  const bool same = std::equal(fields.begin(), fields.end(), index.fields.begin(), index.fields.end(),
+                               [](const FieldData& a, const XdmfField& b) {
+                                 return a.name == b.name && a.place == b.place && a.components == b.components;
+                               });
+  if (!same) throw std::logic_error("a frame has other fields than the first one (every frame must have the same)");
+}
+
+void FieldsFile::Impl::remember_fields(std::span<const FieldData> fields) {
+  const int bytes = precision == FieldPrecision::float32 ? 4 : 8;
+  index.fields.clear();
+  for (const auto& field : fields)
+    index.fields.push_back({field.name, field.place, field.components, field.number == FieldNumber::byte ? 1 : bytes,
+                            name_field_unit(field.name, index.units)});
+}
+
+FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+                       const Communicator& ranks) {
+  const hdf5::QuietErrors quiet;
+  impl_ = std::make_unique<Impl>(directory, chunked, options, ranks);
+}
+
+FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+                       const Communicator& ranks, std::int64_t frames, std::span<const std::string> fields) {
+  const hdf5::QuietErrors quiet;
+  const EarlierFrames kept = find_kept(chunked, frames);
+  const std::string path = directory + "/fields.vtkhdf";
+  std::vector<double> times;
+  run_on_first_rank(ranks, [&] {
+    times = check_fields_file(path, kept, fields);
+    cut_fields_file(path, kept);
+  });
+  broadcast_values(ranks, times, 0);
+  impl_ = std::make_unique<Impl>(directory, chunked, options, ranks, std::move(times));
+}
+
+void FieldsFile::check(const std::string& directory, const ChunkedMesh& chunked, const Communicator& ranks,
+                       std::int64_t frames, std::span<const std::string> fields) {
+  run_on_first_rank(ranks,
+                    [&] { check_fields_file(directory + "/fields.vtkhdf", find_kept(chunked, frames), fields); });
+}
+
+void FieldsFile::sync() {
+  if (!impl_) return;
+  const hdf5::QuietErrors quiet;
+  impl_->file.sync();
+}
+
+FieldsFile::~FieldsFile() {
+  const hdf5::QuietErrors quiet;
+  impl_.reset();
+}
+
+FieldsFile::FieldsFile(FieldsFile&&) noexcept = default;
+
+FieldsFile& FieldsFile::operator=(FieldsFile&& other) noexcept {
+  const hdf5::QuietErrors quiet;
+  impl_ = std::move(other.impl_);
+  return *this;
+}
+
+void FieldsFile::write_frame(double time, long step, std::span<const double> positions,
+                             std::span<const FieldData> fields) {
+  if (!impl_) throw std::logic_error("a frame is written to a closed fields file");
+  const hdf5::QuietErrors quiet;
+  const auto all = impl_->complete_fields(positions, fields);
+  impl_->check_fields(all);
+  impl_->file.append_frame(time, step, positions, all);
+  impl_->remember_fields(all);
+  impl_->index.times.push_back(time);
+  impl_->write_index();
+  impl_->write_parts_index_if_due();
+}
+
+void FieldsFile::close() {
+  if (!impl_) return;
+  const hdf5::QuietErrors quiet;
+  const auto impl = std::move(impl_);
+  impl->file.close();
+  const bool has_written = !impl->index.fields.empty();  // else it goes on with a file and has added nothing
+  if (has_written && impl->frames_in_parts_index < impl->index.times.size()) impl->write_parts_index();
+}
+
+bool FieldsFile::is_in_place() const { return !impl_ || impl_->file.is_in_place(); }
+
+}  // namespace percuss

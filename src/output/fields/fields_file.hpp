@@ -1,0 +1,95 @@
+#pragma once
+// fields.vtkhdf: the fields of a run over time, one HDF5 file in VTK's UnstructuredGrid layout (version 2, temporal),
+// and two indexes in XDMF beside it over the same datasets. docs/output.md lists every dataset.
+//
+// The cells are stored once, the positions of the nodes at every frame. Displacement is always among the fields. All
+// ranks write the file together; it is the same whatever their number, nodes and elements in ascending global number.
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "comm/communicator.hpp"
+#include "src/mesh/ordering.hpp"
+
+namespace percuss {
+
+enum class FieldPlace { node, element };
+
+/// How the numbers of a field are stored: as FieldsOptions says, or, of whole numbers from 0 to 255, in a byte each.
+enum class FieldNumber { real, byte };
+
+/// One field of one frame; values has components * (local nodes or elements) numbers, item by item. Of a node that
+/// several ranks hold, the values of its owner are written.
+struct FieldData {
+  std::string name;
+  FieldPlace place = FieldPlace::node;
+  int components = 1;  // 1, 3 (vector) or 6 (xx, yy, zz, xy, yz, zx)
+  std::span<const double> values;
+  FieldNumber number = FieldNumber::real;
+};
+
+/// How real fields are stored; positions and times are always float64.
+enum class FieldPrecision { float64, float32 };
+
+/// A rigid plane; bodies live on the side to which the unit normal points.
+struct WallPlane {
+  Vec3 point{};  // [length]
+  Vec3 normal{};
+};
+
+struct FieldsOptions {
+  std::string title;  // of the deck
+  std::string units;  // of the deck: "m, kg, s"; units of fields follow from it (src/output/fields/field_units.hpp)
+  FieldPrecision precision = FieldPrecision::float64;
+  std::vector<WallPlane> walls{};  // for pictures
+};
+
+class FieldsFile {
+ public:
+  /// Creates DIR/fields.vtkhdf, DIR/fields.xdmf and DIR/fields.xdmf2 (old ones are replaced) with the mesh: cells, ids,
+  /// part numbers.
+  /// `chunked` is this rank's share of the mesh. Collective over `ranks`, as everything below, the destructor included.
+  /// Throws SystemError with the path and the reason, on all ranks alike.
+  FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+             const Communicator& ranks);
+  /// Goes on with the files of an earlier run behind their first `frames`; what lies there is cut off. Throws what
+  /// check() throws, which is asked first.
+  FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
+             const Communicator& ranks, std::int64_t frames, std::span<const std::string> fields);
+
+  /// Throws InputError, on all ranks, if the folder's fields file has not this mesh, so many frames and the fields of
+  /// these names; changes nothing.
+  static void check(const std::string& directory, const ChunkedMesh& chunked, const Communicator& ranks,
+                    std::int64_t frames, std::span<const std::string> fields);
+
+  /// Closes the file if close() was not called; an error is lost then.
+  ~FieldsFile();
+  FieldsFile(FieldsFile&&) noexcept;
+  FieldsFile& operator=(FieldsFile&&) noexcept;
+
+  /// Appends a frame and flushes it: it survives the end of the process, even kill -9, from then on.
+  /// positions: [local nodes][3] [length] at `time`. Every frame must give the same fields in the same order
+  /// (std::logic_error otherwise); names are unique and have neither '/' nor quotes. "displacement" (positions less
+  /// those of the mesh) is added unless it is given. Throws SystemError (disk full) on all ranks alike; the frames
+  /// before then stay readable, and the file takes no more. With several ranks a write that fails although there was
+  /// room ends the program at once (exit code 4).
+  void write_frame(double time, long step, std::span<const double> positions, std::span<const FieldData> fields);
+
+  /// Waits until the disk has the frames written so far. Throws SystemError.
+  void sync();
+
+  /// Waits until the disk has all, closes the file and looks whether all frames are in it; errors are thrown here
+  /// rather than lost in the destructor.
+  void close();
+
+  /// Whether the file still has its name, as rank 0 sees it: not if somebody removed or replaced it.
+  bool is_in_place() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace percuss

@@ -1,0 +1,35 @@
+#pragma once
+// Room on the disk, asked for before it is needed: a disk that is too full is found while nothing is half written.
+
+#include <cstdint>
+#include <string>
+
+#include "src/output/files/posix_file.hpp"
+
+namespace percuss {
+
+/// A second descriptor of a file that another library writes. All functions throw SystemError with path and reason.
+class DiskReservation {
+ public:
+  DiskReservation() = default;
+  explicit DiskReservation(const std::string& path);
+
+  /// Makes the disk hold `bytes` more behind the first `size` bytes; if it cannot, the file is `size` bytes long after.
+  /// Throws as well if the path no longer leads to the file.
+  void reserve(std::uint64_t size, std::uint64_t bytes);
+
+  /// Gives back what lies behind the first `size` bytes.
+  void trim(std::uint64_t size) const;
+
+  /// The same as trim() for an owner that has cut the file to its data by itself, unless they fitted in before: if the
+  /// file is still as long as reserve() made it, all that was reserved is given back.
+  void trim_if_unused() const;
+
+  const PosixFile& file() const { return file_; }
+
+ private:
+  PosixFile file_;
+  std::int64_t begin_ = 0, end_ = 0;  // what was reserved last
+};
+
+}  // namespace percuss

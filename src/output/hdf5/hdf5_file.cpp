@@ -1,0 +1,170 @@
+#include "src/output/hdf5/hdf5_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <thread>
+
+#include "src/output/files/atomic_file.hpp"
+#include "src/output/files/first_rank.hpp"
+#include "src/output/files/safe_text.hpp"
+
+namespace percuss::hdf5 {
+namespace {
+
+// HDF5 closes what is open when the program ends, and when MPI ends if MPI ran when HDF5 started. It crashes there
+// where it meets a file that it could not write (HDF5 1.10); every other file is closed by who opened it. So both are
+// kept from it, before anybody can start HDF5 or MPI, in every program that writes such files.
+bool leave_open_at_exit() noexcept { return H5dont_atexit() >= 0 && H5open() >= 0; }
+[[maybe_unused]] const bool leaves_open_at_exit = leave_open_at_exit();
+
+// A B-tree node of the chunk index holds 2 k entries. A node that does not split is only ever added to, which lets a
+// file survive a crash between any two writes of its metadata; so only every 512th frame of a field has such a weak
+// moment.
+constexpr unsigned chunk_index_k = 256;
+
+// Metadata leave the cache at a flush only, so that a crash while a frame is computed or written changes nothing.
+void keep_metadata_until_flush(hid_t file, const std::string& action) {
+  H5AC_cache_config_t cache{};
+  cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+  check(H5Fget_mdc_config(file, &cache), action);
+  cache.evictions_enabled = false;
+  cache.metadata_write_strategy = H5AC_METADATA_WRITE_STRATEGY__PROCESS_0_ONLY;
+  cache.incr_mode = H5C_incr__off;
+  cache.decr_mode = H5C_decr__off;
+  cache.flash_incr_mode = H5C_flash_incr__off;
+  check(H5Fset_mdc_config(file, &cache), action);
+}
+
+Handle create_access(const Communicator& ranks, const std::string& action) {
+  Handle access(check(H5Pcreate(H5P_FILE_ACCESS), action), H5Pclose);
+  // No lock, so that ParaView can look at a run that goes on. No chunk cache and no sieve buffer: data go to the system
+  // as they come, and the call that brings them tells of a failure; what a buffer held back could only fail later.
+  check(H5Pset_file_locking(access.get(), false, true), action);
+  check(H5Pset_cache(access.get(), 0, 1, 0, 1.0), action);
+  check(H5Pset_sieve_buf_size(access.get(), 0), action);
+  if (ranks.size() > 1) check(H5Pset_fapl_mpio(access.get(), ranks.handle(), MPI_INFO_NULL), action);
+  return access;
+}
+
+// Rank 0 makes the file, so that the reason of a failure is the system's own; MPI-IO would hide it.
+void make_empty_file(const std::string& path) {
+  ::unlink(path.c_str());  // who still reads an older run keeps its file
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) throw make_io_error("create", path, errno);
+  ::close(descriptor);
+}
+
+// Open MPI 4.1 waits for ever where one rank cannot open what others can: a folder that only one machine has, say.
+void agree_that_all_reach(const std::string& path, const Communicator& ranks) {
+  if (ranks.size() == 1) return;
+  fail_together(ranks, [&] {
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (descriptor < 0)
+      throw SystemError(fmt::format("rank {} of {} cannot open '{}' ({}); results need a folder that all ranks share",
+                                    ranks.rank(), ranks.size(), path, std::strerror(errno)));
+    ::close(descriptor);
+  });
+}
+
+// Each rank goes on with a file of its own. One that cannot would leave the others waiting when the file is closed.
+void turn_to_memory(MPI_File& file, const Communicator& ranks) {
+  const int memory = ::memfd_create("abandoned", MFD_CLOEXEC);
+  const std::string path = fmt::format("/proc/self/fd/{}", memory);
+  MPI_File_close(&file);
+  if (MPI_File_open(MPI_COMM_SELF, path.c_str(), MPI_MODE_RDWR, MPI_INFO_NULL, &file) != MPI_SUCCESS)
+    ranks.abort(static_cast<int>(ExitCode::system_failed));
+  ::close(memory);
+}
+
+// The duplicate stays open: the system must not give the file's number to another one, which HDF5 would then take for
+// this one.
+void turn_to_null(int descriptor) {
+  const int null = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+  if (null < 0 || ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0) < 0) return;
+  ::dup2(null, descriptor);
+  ::close(null);
+}
+
+}  // namespace
+
+Handle create_durable_file(const std::string& path, const Communicator& ranks) {
+  const std::string action = "create the file";
+  const bool together = ranks.size() > 1;
+  const Handle access = create_access(ranks, action);
+  const Handle creation(check(H5Pcreate(H5P_FILE_CREATE), action), H5Pclose);
+  check(H5Pset_istore_k(creation.get(), chunk_index_k), action);
+  if (together) {
+    run_on_first_rank(ranks, [&] { make_empty_file(path); });
+  } else {
+    ::unlink(path.c_str());
+  }
+  agree_that_all_reach(path, ranks);
+  Handle file(check(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), action), H5Fclose);
+  keep_metadata_until_flush(file.get(), action);
+  return file;
+}
+
+Handle open_durable_file(const std::string& path, const Communicator& ranks) {
+  const std::string action = "open the file";
+  const Handle access = create_access(ranks, action);
+  agree_that_all_reach(path, ranks);
+  Handle file(check(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()), action), H5Fclose);
+  keep_metadata_until_flush(file.get(), action);
+  return file;
+}
+
+void end_all_ranks(const Communicator& ranks, const std::string& message) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(250) * std::min(ranks.rank(), 20));
+  std::fprintf(stderr, "percuss: error: %s\n", make_printable(message).c_str());
+  std::fflush(nullptr);
+  ranks.abort(static_cast<int>(ExitCode::system_failed));
+}
+
+Handle create_collective_transfer() {
+  Handle transfer(check(H5Pcreate(H5P_DATASET_XFER), "describe a transfer"), H5Pclose);
+  check(H5Pset_dxpl_mpio(transfer.get(), H5FD_MPIO_COLLECTIVE), "describe a transfer");
+  // Each rank writes its block itself: blocks have no gaps, so there is nothing to put together on some of the ranks
+  // first, and a rank whose write fails is told. Open MPI 4.1 loses that error where ranks write for each other.
+  check(H5Pset_dxpl_mpio_collective_opt(transfer.get(), H5FD_MPIO_INDIVIDUAL_IO), "describe a transfer");
+  return transfer;
+}
+
+void turn_away(const Handle& file, const Communicator& ranks) {
+  void* handle = nullptr;
+  if (!file || H5Fget_vfd_handle(file.get(), H5P_DEFAULT, &handle) < 0) return;
+  if (ranks.size() > 1) {
+    turn_to_memory(*static_cast<MPI_File*>(handle), ranks);
+  } else {
+    turn_to_null(*static_cast<int*>(handle));
+  }
+}
+
+}  // namespace percuss::hdf5
+
+// Stands before the MPI library's function of this name, as MPI's profiling interface provides for. With several ranks
+// all that HDF5 writes passes here. HDF5 1.10 goes on in a flush after a failed write, past what the other ranks wait
+// for, and Open MPI 4.1 tells of one by the count alone: both would be a hang. So a failed write ends all ranks.
+extern "C" int MPI_File_write_at(MPI_File file, MPI_Offset offset, const void* data, int count, MPI_Datatype type,
+                                 MPI_Status* status) {
+  MPI_Status own;
+  const int code = PMPI_File_write_at(file, offset, data, count, type, &own);
+  MPI_Count written = 0, item = 0;
+  MPI_Get_elements_x(&own, MPI_BYTE, &written);
+  MPI_Type_size_x(type, &item);
+  if (code != MPI_SUCCESS || written != item * count) {
+    percuss::hdf5::end_all_ranks(
+        percuss::Communicator::world(),
+        fmt::format("cannot write a file of results ({} of {} bytes written; is the disk sound?)", written,
+                    item * count));
+  }
+  if (status != MPI_STATUS_IGNORE) *status = own;
+  return code;
+}

@@ -1,0 +1,207 @@
+#include "src/step/audit/audit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "comm/exact_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/step/model/moving_nodes.hpp"
+
+namespace percuss {
+
+namespace {
+
+using S = AuditSum;
+
+double find_length(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
+
+void subtract(ExactSum& from, const ExactSum& sum) {
+  for (int i = 0; i < ExactSum::limb_count; ++i) from.limb[i] -= sum.limb[i];
+  from.normalize();
+}
+
+using NodeSums = ExactSums<AuditSum::count_of_nodes>;
+
+NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model, const State& state) {
+  const MovingNodes nodes = find_translations(model, state);
+  const auto x = state.x, v = state.v, start = model.start;
+  const auto mass = state.mass;
+  const auto inverse_mass = state.inverse_mass;
+  const auto gravity = model.gravity;
+  const double first_dt = state.step == 0 ? state.next_dt : 0.0;
+  const Kokkos::Array<double, 3> center{{model.mass_center[0], model.mass_center[1], model.mass_center[2]}};
+  return sums(
+      ExecSpace(), model.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, S::count_of_nodes>& sum) {
+        double f[3];
+        nodes.find_force(n, f);
+        const double m = mass(n);
+        const double p[3] = {m * v(n, 0), m * v(n, 1), m * v(n, 2)};
+        const double r[3] = {x(n, 0) - center[0], x(n, 1) - center[1], x(n, 2) - center[2]};
+        for (int k = 0; k < 3; ++k) {
+          sum[S::kinetic] += nodes.find_energy(n, k, f[k]);
+          sum[S::half_steps] += 0.125 * inverse_mass(n, k) * (first_dt * f[k]) * (first_dt * f[k]);
+          sum[S::potential] += m * gravity.g[k] * (x(n, k) - start(n, k));
+          sum[S::momentum + k] += p[k];
+        }
+        const double l[3] = {r[1] * p[2] - r[2] * p[1], r[2] * p[0] - r[0] * p[2], r[0] * p[1] - r[1] * p[0]};
+        for (int k = 0; k < 3; ++k) sum[S::angular + k] += l[k];
+        sum[S::momentum_size] += sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+        sum[S::moment_size] +=
+            sqrt((r[0] * r[0] + r[1] * r[1] + r[2] * r[2]) * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]));
+      });
+}
+
+/// Adds what the rotations of the nodes of shells hold to the same sums.
+void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model, const State& state,
+               NodeSums::Totals& totals) {
+  if (!model.has_shells) return;
+  const MovingNodes nodes = find_rotations(model, state);
+  const auto w = state.w;
+  const auto inertia = state.inertia;
+  const auto inverse_inertia = state.inverse_inertia;
+  const double first_dt = state.step == 0 ? state.next_dt : 0.0;
+  const auto of_spins = sums(
+      ExecSpace(), model.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, S::count_of_nodes>& sum) {
+        double size = 0, moment[3];
+        nodes.find_force(n, moment);
+        for (int k = 0; k < 3; ++k) {
+          const double spin = inertia(n) * w(n, k);
+          sum[S::kinetic] += nodes.find_energy(n, k, moment[k]);
+          sum[S::half_steps] += 0.125 * inverse_inertia(n, k) * (first_dt * moment[k]) * (first_dt * moment[k]);
+          sum[S::angular + k] += spin;
+          size += spin * spin;
+        }
+        sum[S::moment_size] += sqrt(size);
+      });
+  for (std::size_t i = 0; i < totals.size(); ++i) totals[i].merge(of_spins[i]);
+}
+
+/// Mass of the nodes of this rank that have vanished: where they may, masses are the state's own.
+ExactSum sum_vanished_mass(const Model& model, const State& state) {
+  if (state.mass.data() == model.mass.data()) return {};
+  const auto left = state.mass, before = model.mass;
+  return OwnedNodeSums<1>("percuss::vanished_mass")(
+      ExecSpace(), model.owned_nodes,
+      KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 1>& mass) { mass[0] += before(n) - left(n); })[0];
+}
+
+}  // namespace
+
+void AuditResult::archive(CheckpointArchive& archive) {
+  EnergySummary& e = energy;
+  double energies[] = {e.initial, e.kinetic,  e.internal, e.hourglass, e.viscous,
+                       e.contact, e.friction, e.external, e.error};
+  archive.numbers("audited/energy", energies);
+  e = {energies[0], energies[1], energies[2], energies[3], energies[4],
+       energies[5], energies[6], energies[7], energies[8]};
+  archive.numbers("audited/linear", momentum.linear);
+  archive.numbers("audited/angular", momentum.angular);
+  archive.number("audited/linear_error", momentum.linear_error);
+  archive.number("audited/angular_error", momentum.angular_error);
+  archive.number("audited/eroded_elements", eroded.elements);
+  archive.number("audited/eroded_mass", eroded.mass);
+  archive.number("audited/eroded_energy", eroded.energy);
+  archive.number("audited/vanished_mass", eroded.vanished_mass);
+}
+
+Audit::Audit(const Model& model) : model_(model) {}
+
+Audit::Totals Audit::sum_all(const State& state) {
+  std::array<ExactSum, S::count> sums{};
+  auto of_nodes = sum_nodes(node_sums_, model_, state);
+  add_spins(node_sums_, model_, state, of_nodes);
+  std::copy(of_nodes.begin(), of_nodes.end(), sums.begin());
+  const auto work = to_host(state.results.work);
+  for (std::size_t c = 0; c < work.extent(0); ++c) {
+    for (std::size_t k = 0; k < 3; ++k) sums[S::internal + k].add(work(c, k));
+  }
+  sums[S::external] = state.books.external_work;
+  std::copy_n(state.books.impulse, 3, sums.begin() + S::impulse);
+  std::copy_n(state.books.moment_impulse, 3, sums.begin() + S::moment_impulse);
+  const Books& books = state.books;
+  const ExactSum eroded[] = {books.eroded_internal, books.eroded_hourglass, books.eroded_viscous, books.eroded_kinetic,
+                             books.eroded_mass};
+  std::copy_n(eroded, 5, sums.begin() + S::eroded_internal);
+  for (std::size_t k = 0; k < 3; ++k) subtract(sums[S::internal + k], eroded[k]);
+  sums[S::vanished_mass] = sum_vanished_mass(model_, state);
+  sum_over_ranks(model_.ranks, sums);
+  Totals totals{};
+  for (std::size_t i = 0; i < S::count; ++i) totals[i] = sums[i].round();
+  return totals;
+}
+
+void Audit::note_start(const State& state, const Totals& totals, double held) {
+  if (started_) return;
+  started_ = true;
+  start_half_steps_ = totals[S::half_steps];
+  initial_energy_ =
+      held - totals[S::external] - totals[S::potential] - state.books.contact_work - state.books.friction_work;
+  for (std::size_t k = 0; k < 3; ++k) {
+    initial_momentum_[k] = totals[S::momentum + k] - totals[S::impulse + k];
+    initial_moment_[k] = totals[S::angular + k] - totals[S::moment_impulse + k];
+  }
+}
+
+EnergySummary Audit::balance_energy(const State& state, const Totals& totals) {
+  EnergySummary e;
+  e.kinetic = totals[S::kinetic];
+  e.internal = totals[S::internal];
+  e.hourglass = totals[S::hourglass];
+  e.viscous = totals[S::viscous];
+  e.contact = state.books.contact_work;
+  e.friction = state.books.friction_work;
+  e.external = totals[S::external] + totals[S::potential];
+  const double gone =
+      totals[S::eroded_internal] + totals[S::eroded_hourglass] + totals[S::eroded_viscous] + totals[S::eroded_kinetic];
+  const double held = e.kinetic + e.internal + e.hourglass + e.viscous + gone;
+  const double balanced = held - totals[S::half_steps];
+  note_start(state, totals, balanced);
+  e.initial = initial_energy_;
+  // A gas that expands gives its energy away: then what moves is more than what is held besides.
+  largest_energy_ = std::max({largest_energy_, std::abs(initial_energy_), held, e.kinetic});
+  if (largest_energy_ > 0) {
+    e.error = (balanced - e.external - e.contact - e.friction - initial_energy_) / largest_energy_;
+  }
+  return e;
+}
+
+MomentumSummary Audit::balance_momentum(const Totals& totals) {
+  MomentumSummary m;
+  double linear[3], moment[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    m.linear[k] = totals[S::momentum + k];
+    m.angular[k] = totals[S::angular + k];
+    linear[k] = totals[S::momentum + k] - totals[S::impulse + k] - initial_momentum_[k];
+    moment[k] = totals[S::angular + k] - totals[S::moment_impulse + k] - initial_moment_[k];
+  }
+  momentum_scale_ = std::max(momentum_scale_, totals[S::momentum_size]);
+  moment_scale_ = std::max(moment_scale_, totals[S::moment_size]);
+  if (momentum_scale_ > 0) m.linear_error = find_length(linear[0], linear[1], linear[2]) / momentum_scale_;
+  if (moment_scale_ > 0) m.angular_error = find_length(moment[0], moment[1], moment[2]) / moment_scale_;
+  return m;
+}
+
+void Audit::archive(CheckpointArchive& archive) {
+  archive.integer("audit/started", started_);
+  archive.number("audit/initial_energy", initial_energy_);
+  archive.number("audit/start_half_steps", start_half_steps_);
+  archive.number("audit/largest_energy", largest_energy_);
+  archive.numbers("audit/initial_momentum", initial_momentum_);
+  archive.numbers("audit/initial_moment", initial_moment_);
+  archive.number("audit/momentum_scale", momentum_scale_);
+  archive.number("audit/moment_scale", moment_scale_);
+}
+
+AuditResult Audit::operator()(const State& state) {
+  const Totals totals = sum_all(state);
+  AuditResult result;
+  result.energy = balance_energy(state, totals);
+  result.momentum = balance_momentum(totals);
+  result.eroded = {
+      state.books.eroded_elements, totals[S::eroded_mass],
+      totals[S::eroded_internal] + totals[S::eroded_hourglass] + totals[S::eroded_viscous] + totals[S::eroded_kinetic],
+      totals[S::vanished_mass]};
+  return result;
+}
+
+}  // namespace percuss

@@ -1,0 +1,319 @@
+#include "src/step/audit/books.hpp"
+
+#include "comm/exact_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/step/model/whole_mesh.hpp"
+
+namespace percuss {
+
+namespace {
+
+/// Calls add(first + i, ...) for the impulse j at position r (relative to the point of moments) and its moment: three
+/// sums each.
+template <class Add>
+KOKKOS_INLINE_FUNCTION void add_impulse(const double (&r)[3], const double (&j)[3], int first, const Add& add) {
+  for (int k = 0; k < 3; ++k) add(first + k, j[k]);
+  add(first + 3, r[1] * j[2] - r[2] * j[1]);
+  add(first + 4, r[2] * j[0] - r[0] * j[2]);
+  add(first + 5, r[0] * j[1] - r[1] * j[0]);
+}
+
+/// Merges three sums of impulse and three of its moment into the books.
+void add_to_books(const ExactSum* impulse, const ExactSum* moment, Books& books) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    books.impulse[k].merge(impulse[k]);
+    books.impulse[k].normalize();
+    books.moment_impulse[k].merge(moment[k]);
+    books.moment_impulse[k].normalize();
+  }
+}
+
+/// The same of sums that stand one after the other from `first` on, impulse first.
+template <std::size_t K>
+void add_to_books(const std::array<ExactSum, K>& sums, std::size_t first, Books& books) {
+  add_to_books(&sums[first], &sums[first + 3], books);
+}
+
+void add_work(const ExactSum& work, Books& books) {
+  books.external_work.merge(work);
+  books.external_work.normalize();
+}
+
+Vec3 round_total(const Communicator& ranks, std::array<ExactSum, 3> sums) {
+  sum_over_ranks(ranks, sums);
+  return {sums[0].round(), sums[1].round(), sums[2].round()};
+}
+
+struct Center {
+  double at[3];
+  explicit Center(const Vec3& c) : at{c[0], c[1], c[2]} {}
+};
+
+/// Whatever holds a direction gives J = m (v+ - v-) - dt_mean (f + m g) - P. Its work is what the kinetic energy gains
+/// and the other forces take over the step; this is the part of it that is known before the elements are computed.
+void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, double dt, double dt_mean) {
+  if (model.owned_held.extent(0) == 0) return;
+  const auto held = model.held;
+  const auto owned = model.owned_held;
+  const auto mass = state.mass;
+  const auto gravity = model.gravity;
+  const auto x = state.x, v = state.v, v_before = state.v_before, force = state.force, impulse = state.impulse;
+  const Center center(model.mass_center);
+  const auto sums = held_sums(
+      ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+        const int n = held.node(owned(i));
+        const int k = held.direction(owned(i));
+        const double m = mass(n), v_mean = 0.5 * (v(n, k) + v_before(n, k));
+        double j[3] = {0, 0, 0};
+        j[k] = m * (v(n, k) - v_before(n, k)) - dt_mean * (force(n, k) + m * gravity.g[k]) - impulse(n, k);
+        add(0, (m * (v(n, k) - v_before(n, k)) - impulse(n, k)) * v_mean -
+                   dt * v(n, k) * (0.5 * force(n, k) + m * gravity.g[k]));
+        const double r[3] = {x(n, 0) - center.at[0], x(n, 1) - center.at[1], x(n, 2) - center.at[2]};
+        add_impulse(r, j, 1, add);
+      });
+  add_work(sums[0], state.books);
+  add_to_books(sums, 1, state.books);
+}
+
+/// The same for held rotations: J = I (w+ - w-) - dt_mean m, a moment impulse without a lever.
+void book_spin_conditions(const Model& model, ExactSums<7>& held_sums, State& state, double dt, double dt_mean) {
+  if (model.owned_held_spins.extent(0) == 0) return;
+  const auto held = model.held_spins;
+  const auto owned = model.owned_held_spins;
+  const auto inertia = state.inertia;
+  const auto w = state.w, w_before = state.w_before, moment = state.moment;
+  const auto sums = held_sums(
+      ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+        const int n = held.node(owned(i));
+        const int k = held.direction(owned(i));
+        const double change = inertia(n) * (w(n, k) - w_before(n, k));
+        add(0, 0.5 * change * (w(n, k) + w_before(n, k)) - 0.5 * dt * w(n, k) * moment(n, k));
+        add(4 + k, change - dt_mean * moment(n, k));
+      });
+  add_work(sums[0], state.books);
+  add_to_books(sums, 1, state.books);
+}
+
+/// The rest of the work of held directions: half a step of what the forces, or moments, at n+1 take, which stand in
+/// the slots. velocity: at n+1/2.
+void book_rest_of_work(const Model& model, ExactSums<1>& held_force_sum, const HeldDirections& held,
+                       const Array<int>& owned, const Rows3<double>& velocity, const Rows3<double>& slots, double dt,
+                       Books& books) {
+  if (!model.is_driven || owned.extent(0) == 0) return;
+  const auto nodes_to_slots = model.nodes_to_slots;
+  const auto work = held_force_sum(
+      ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+        const int n = held.node(owned(i));
+        const int k = held.direction(owned(i));
+        double sum = 0;
+        for (int s = nodes_to_slots.first(n); s < nodes_to_slots.first(n + 1); ++s) {
+          sum += slots(nodes_to_slots.slots(s), k);
+        }
+        add(0, -0.5 * dt * velocity(n, k) * sum);
+      });
+  add_work(work[0], books);
+}
+
+/// Impulses and the first half of the work of the pressure forces at n, which stand in the slots.
+void book_pressure(const Model& model, ExactSums<7>& pressure_sums, State& state, double dt, double dt_mean) {
+  const PressureFaces faces = state.pressure_faces;
+  if (faces.count == 0) return;
+  const auto x = state.x, v = state.v, slot_force = state.slot_force;
+  const Center center(model.mass_center);
+  const auto sums = pressure_sums(
+      ExecSpace(), faces.count, KOKKOS_LAMBDA(const int f, const ExactAdder& add) {
+        for (int i = 0; i < 4; ++i) {
+          const int s = faces.first_slot + 4 * f + i;
+          const int n = faces.nodes(f, i);
+          const double share[3] = {slot_force(s, 0), slot_force(s, 1), slot_force(s, 2)};
+          add(0, 0.5 * dt * (share[0] * v(n, 0) + share[1] * v(n, 1) + share[2] * v(n, 2)));
+          const double j[3] = {dt_mean * share[0], dt_mean * share[1], dt_mean * share[2]};
+          const double r[3] = {x(n, 0) - center.at[0], x(n, 1) - center.at[1], x(n, 2) - center.at[2]};
+          add_impulse(r, j, 1, add);
+        }
+      });
+  add_work(sums[0], state.books);
+  add_to_books(sums, 1, state.books);
+}
+
+/// The other half of that work, of the forces at n+1.
+void book_pressure_power(ExactSums<1>& power_sum, State& state, double dt) {
+  const PressureFaces faces = state.pressure_faces;
+  if (faces.count == 0) return;
+  const auto v = state.v, slot_force = state.slot_force;
+  const auto work = power_sum(
+      ExecSpace(), faces.count, KOKKOS_LAMBDA(const int f, const ExactAdder& add) {
+        double power = 0;
+        for (int i = 0; i < 4; ++i) {
+          const int s = faces.first_slot + 4 * f + i;
+          const int n = faces.nodes(f, i);
+          for (int k = 0; k < 3; ++k) power += slot_force(s, k) * v(n, k);
+        }
+        add(0, 0.5 * dt * power);
+      });
+  add_work(work[0], state.books);
+}
+
+/// Work of the loads on node i of the list: that of its force and of its moment. w: only with shells.
+KOKKOS_INLINE_FUNCTION double find_nodal_power(const NodalLoads& loads, int i, const Rows3<double>& slot_force,
+                                               const Rows3<double>& slot_moment, const Rows3<double>& v,
+                                               const Rows3<double>& w) {
+  const int s = loads.first_slot + i, n = loads.node(i);
+  double power = 0;
+  for (int k = 0; k < 3; ++k) power += slot_force(s, k) * v(n, k);
+  for (int k = 0; slot_moment.extent(0) > 0 && k < 3; ++k) power += slot_moment(s, k) * w(n, k);
+  return power;
+}
+
+/// As book_pressure(), of the loads on nodes.
+void book_nodal_loads(const Model& model, ExactSums<7>& nodal_sums, State& state, double dt, double dt_mean) {
+  const NodalLoads loads = state.nodal_loads;
+  if (loads.count == 0) return;
+  const auto x = state.x, v = state.v, w = state.w, slot_force = state.slot_force, slot_moment = state.slot_moment;
+  const auto inertia = model.inertia;
+  const Center center(model.mass_center);
+  const auto sums = nodal_sums(
+      ExecSpace(), loads.count, KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+        const int s = loads.first_slot + i, n = loads.node(i);
+        add(0, 0.5 * dt * find_nodal_power(loads, i, slot_force, slot_moment, v, w));
+        const double j[3] = {dt_mean * slot_force(s, 0), dt_mean * slot_force(s, 1), dt_mean * slot_force(s, 2)};
+        const double r[3] = {x(n, 0) - center.at[0], x(n, 1) - center.at[1], x(n, 2) - center.at[2]};
+        add_impulse(r, j, 1, add);
+        const bool turns = slot_moment.extent(0) > 0 && inertia(n) > 0;  // others do not feel a moment
+        for (int k = 0; turns && k < 3; ++k) add(4 + k, dt_mean * slot_moment(s, k));
+      });
+  add_work(sums[0], state.books);
+  add_to_books(sums, 1, state.books);
+}
+
+void book_nodal_power(ExactSums<1>& power_sum, State& state, double dt) {
+  const NodalLoads loads = state.nodal_loads;
+  if (loads.count == 0) return;
+  const auto v = state.v, w = state.w, slot_force = state.slot_force, slot_moment = state.slot_moment;
+  const auto work = power_sum(
+      ExecSpace(), loads.count, KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+        add(0, 0.5 * dt * find_nodal_power(loads, i, slot_force, slot_moment, v, w));
+      });
+  add_work(work[0], state.books);
+}
+
+/// Gravity acts on the mass centre, which moves with the momentum of all ranks: no sum over nodes. Rank 0 books it.
+void book_gravity(const Model& model, const Vec3& start_momentum, double dt, double dt_mean, Vec3& center,
+                  State& state) {
+  const double* g = model.gravity.g;
+  if (g[0] == 0 && g[1] == 0 && g[2] == 0) return;
+  const double weight = dt_mean * state.total_mass;
+  const double r[3] = {center[0], center[1], center[2]};
+  const double j[3] = {weight * g[0], weight * g[1], weight * g[2]};
+  std::array<ExactSum, 6> sums{};
+  if (model.ranks.rank() == 0) add_impulse(r, j, 0, [&](int k, double v) { sums[static_cast<std::size_t>(k)].add(v); });
+  add_to_books(sums, 0, state.books);
+  const Vec3 impulse = round_total(model.ranks, std::to_array(state.books.impulse));
+  if (!(state.total_mass > 0)) return;
+  for (std::size_t k = 0; k < 3; ++k) center[k] += dt * (start_momentum[k] + impulse[k]) / state.total_mass;
+}
+
+}  // namespace
+
+Bookkeeper::Bookkeeper(const Deck& deck, const Model& model) : deck_(deck), model_(model) {}
+
+void Bookkeeper::start(const State& state) {
+  const auto v = state.v;
+  const auto mass = model_.mass;
+  momentum_ = round_total(
+      model_.ranks, OwnedNodeSums<3>("percuss::start_momentum")(
+                        ExecSpace(), model_.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 3>& sum) {
+                          for (int k = 0; k < 3; ++k) sum[k] += mass(n) * v(n, k);
+                        }));
+}
+
+void Bookkeeper::archive(CheckpointArchive& archive) {
+  archive.numbers("books/start_momentum", momentum_);
+  archive.numbers("books/center_shift", center_shift_);
+  archive.number("books/wall_dt", wall_dt_);
+  archive.sums("books/wall_impulse", wall_impulse_);
+}
+
+void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, const WallSums& walls) {
+  book_conditions(model_, held_sums_, state, dt, dt_mean);
+  book_spin_conditions(model_, held_sums_, state, dt, dt_mean);
+  wall_dt_ = 0;
+  if (!deck_.walls.empty()) {
+    add_to_books(walls.impulse, walls.moment, state.books);
+    wall_impulse_ = std::to_array(walls.impulse);
+    wall_dt_ = dt;
+  }
+  book_pressure(model_, pressure_sums_, state, dt, dt_mean);
+  book_nodal_loads(model_, nodal_sums_, state, dt, dt_mean);
+  book_gravity(model_, momentum_, dt, dt_mean, center_shift_, state);
+}
+
+void Bookkeeper::book_new_forces(State& state, double dt) {
+  book_rest_of_work(model_, held_force_sum_, model_.held, model_.owned_held, state.v, state.slot_force, dt,
+                    state.books);
+  book_rest_of_work(model_, held_force_sum_, model_.held_spins, model_.owned_held_spins, state.w, state.slot_moment, dt,
+                    state.books);
+  book_pressure_power(power_sum_, state, dt);
+  book_nodal_power(power_sum_, state, dt);
+}
+
+/// The rotation of a node that vanishes: its energy, and its angular momentum as a moment impulse without a lever.
+void Bookkeeper::book_vanished_spins(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) const {
+  if (!model_.has_shells) return;
+  const auto inertia = to_host(state.inertia);
+  const auto w = to_host(state.w);
+  for (const int node : nodes) {
+    if (!owns_node(chunked, node)) continue;
+    const auto n = static_cast<std::size_t>(node);
+    double square = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      square += w(n, k) * w(n, k);
+      state.books.moment_impulse[k].add(-inertia(n) * w(n, k));
+    }
+    state.books.eroded_kinetic.add(0.5 * inertia(n) * square);
+  }
+}
+
+void Bookkeeper::book_vanished(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) {
+  const auto mass = to_host(state.mass);
+  const auto x = to_host(state.x), v = to_host(state.v), inverse_mass = to_host(state.inverse_mass);
+  const auto start = to_host(model_.start);
+  std::array<ExactSum, 6> impulse{};
+  std::array<ExactSum, 4> moved{};  // mass and its first moment
+  for (const int node : nodes) {
+    if (!owns_node(chunked, node)) continue;
+    const auto n = static_cast<std::size_t>(node);
+    double j[3], r[3], kinetic = 0, fallen = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double g = model_.gravity.g[k], gained = inverse_mass(n, k) > 0 ? state.dt * g : 0;
+      kinetic += 0.5 * mass(n) * v(n, k) * (v(n, k) + gained);
+      fallen += mass(n) * g * (x(n, k) - start(n, k));
+      j[k] = -mass(n) * v(n, k);
+      r[k] = x(n, k) - model_.mass_center[k];
+      moved[1 + k].add(mass(n) * r[k]);
+    }
+    moved[0].add(mass(n));
+    state.books.eroded_kinetic.add(kinetic);
+    state.books.external_work.add(fallen);  // what gravity did stays booked
+    add_impulse(r, j, 0, [&](int k, double value) { impulse[static_cast<std::size_t>(k)].add(value); });
+  }
+  book_vanished_spins(chunked, nodes, state);
+  add_to_books(impulse, 0, state.books);
+  state.books.eroded_kinetic.normalize();
+  state.books.external_work.normalize();
+  sum_over_ranks(model_.ranks, moved);
+  const double before = state.total_mass;
+  state.total_mass = before - moved[0].round();
+  if (!(state.total_mass > 0)) return;
+  for (std::size_t k = 0; k < 3; ++k) {
+    center_shift_[k] = (before * center_shift_[k] - moved[1 + k].round()) / state.total_mass;
+  }
+}
+
+Vec3 Bookkeeper::find_wall_force() const {
+  if (wall_dt_ == 0) return {};
+  const Vec3 impulse = round_total(model_.ranks, wall_impulse_);
+  return {impulse[0] / wall_dt_, impulse[1] / wall_dt_, impulse[2] / wall_dt_};
+}
+
+}  // namespace percuss

@@ -1,0 +1,58 @@
+#pragma once
+// Books of what the surroundings do to the scene: the work and the impulses of conditions, walls, pressure and gravity.
+//
+// Every impulse P of a step does the work P . (v(n-1/2) + v(n+1/2)) / 2, and every force f(n) the half step's work
+// dt v(n+1/2) . f(n) / 2 on either side of it: with the kinetic energy of audit.hpp this closes the balance of the
+// explicit midpoint rule exactly.
+
+#include <array>
+
+#include "kernels/contact/rows/wall_sums.hpp"
+#include "src/mesh/ordering.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
+#include "src/step/model/owned_sums.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+class Bookkeeper {
+ public:
+  Bookkeeper(const Deck& deck, const Model& model);
+
+  /// Notes the momentum at time 0. Collective.
+  void start(const State& state);
+
+  /// What the books remember besides those of the state.
+  void archive(CheckpointArchive& archive);
+
+  /// Books the impulses of a step and the first half of the work of pressure and conditions. Call with v at n+1/2, x
+  /// and forces at n. walls: this rank's share, moments about Model::mass_center. Collective.
+  void book_impulses(State& state, double dt, double dt_mean, const WallSums& walls);
+
+  /// Books the second half of that work. Call with v at n+1/2 and the slots' forces at n+1.
+  void book_new_forces(State& state, double dt);
+
+  /// Nodes of this rank vanish with what they have: momentum, energy, work of gravity. Call with the state that still
+  /// has them; sets its total mass. Collective.
+  void book_vanished(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state);
+
+  /// Force of all walls on the scene in the last step: their impulses over dt. Collective.
+  Vec3 find_wall_force() const;
+
+ private:
+  void book_vanished_spins(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) const;
+
+  const Deck& deck_;
+  const Model& model_;
+  ExactSums<7> held_sums_{"percuss::held_sums"};  // work, impulse, moment of impulse
+  ExactSums<1> held_force_sum_{"percuss::held_force_sum"};
+  ExactSums<7> pressure_sums_{"percuss::pressure_sums"};  // work, impulse, moment of impulse
+  ExactSums<7> nodal_sums_{"percuss::nodal_sums"};        // likewise, of loads on nodes
+  ExactSums<1> power_sum_{"percuss::power_sum"};
+  std::array<ExactSum, 3> wall_impulse_{};  // of the last step; this rank's share
+  double wall_dt_ = 0;                      // of that step; 0: the walls did nothing
+  Vec3 momentum_{};                         // at time 0
+  Vec3 center_shift_{};                     // of the mass centre since time 0, from the booked impulses
+};
+
+}  // namespace percuss

@@ -1,0 +1,189 @@
+#include "src/step/audit/part_energies.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
+#include "comm/exact_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/deck/history_parts.hpp"
+#include "src/step/model/moving_nodes.hpp"
+
+namespace percuss {
+
+namespace {
+
+/// What is summed of each part; the last two have columns where it can fail.
+struct PartSum {
+  enum : int { kinetic, internal, momentum = internal + 3, mass = momentum + 3, eroded_mass, eroded_energy, count };
+};
+using P = PartSum;
+
+/// What is summed over the nodes of a chunk.
+struct NodeSum {
+  enum : int { kinetic, momentum, mass = momentum + 3, rotation, count };
+};
+using NodeSums = Kokkos::View<double**, Kokkos::LayoutRight, MemSpace>;
+
+const std::vector<std::string>& find_headings(bool can_fail) {
+  static const std::vector<std::string> always = {"kinetic",    "internal",   "hourglass",  "viscous",
+                                                  "momentum_x", "momentum_y", "momentum_z", "mass"};
+  static const std::vector<std::string> failing = [] {
+    std::vector<std::string> all = always;
+    all.insert(all.end(), {"eroded_mass", "eroded_energy"});
+    return all;
+  }();
+  return can_fail ? failing : always;
+}
+
+bool can_fail(const Deck& deck, const PartDeck& part) {
+  return std::any_of(deck.materials.begin(), deck.materials.end(), [&](const MaterialDeck& material) {
+    return material.name == part.material && material.failure.has_value();
+  });
+}
+
+/// Sums over the nodes of the listed chunks, in ascending order. A chunk is the same everywhere.
+void sum_nodes(const Model& model, const State& state, const Array<int>& listed, const NodeSums& sums) {
+  const MovingNodes moving = find_translations(model, state);
+  const MovingNodes turning = model.has_shells ? find_rotations(model, state) : MovingNodes{};
+  const bool turns = model.has_shells;
+  const NodeRuns owned = model.owned_nodes;
+  Kokkos::parallel_for(
+      "percuss::sum_parts", Range(ExecSpace(), 0, static_cast<int>(listed.extent(0))), KOKKOS_LAMBDA(const int i) {
+        double sum[NodeSum::count] = {}, f[3];
+        for (int n = owned.first(listed(i)); n < owned.end(listed(i)); ++n) {
+          moving.find_force(n, f);
+          for (int k = 0; k < 3; ++k) {
+            sum[NodeSum::kinetic] += moving.find_energy(n, k, f[k]);
+            sum[NodeSum::momentum + k] += moving.inertia(n) * moving.velocity(n, k);
+          }
+          sum[NodeSum::mass] += moving.inertia(n);
+          if (!turns) continue;
+          turning.find_force(n, f);
+          for (int k = 0; k < 3; ++k) sum[NodeSum::rotation] += turning.find_energy(n, k, f[k]);
+        }
+        for (int k = 0; k < NodeSum::count; ++k) sums(i, k) = sum[k];
+      });
+}
+
+/// Takes the work that went into dead elements of a chunk out of its part's, as the books of the scene do.
+class DeadElements {
+ public:
+  DeadElements(const ChunkedMesh& chunked, const Model& model, const State& state)
+      : dead_(chunked.mesh.eroded.dead),
+        first_element_(to_host(model.chunks.first_element)),
+        first_pack_(to_host(model.failing.first_pack)),
+        work_(to_host(state.lives.work)),
+        mass_(to_host(model.element_mass)) {}
+
+  void take_out(int chunk, ExactSum* sums) const {
+    if (first_pack_.extent(0) == 0 || first_pack_(chunk) < 0) return;  // none of this rank can fail; it cannot
+    const int first = first_element_(chunk);
+    for (int e = first; e < first_element_(chunk + 1); ++e) {
+      if (dead_[static_cast<std::size_t>(e)] == 0) continue;
+      const int lane = first_pack_(chunk) * width + e - first;
+      for (int k = 0; k < 3; ++k) {
+        const double work = work_(static_cast<std::size_t>((lane / width * 3 + k) * width + lane % width));
+        sums[P::internal + k].add(-work);
+        sums[P::eroded_energy].add(work);
+      }
+      sums[P::eroded_mass].add(mass_(e));
+    }
+  }
+
+ private:
+  static constexpr int width = pack_size<Real>;
+  const std::vector<std::uint8_t>& dead_;
+  decltype(to_host(Array<int>())) first_element_, first_pack_;
+  decltype(to_host(Array<double>())) work_, mass_;
+};
+
+/// Adds the work of a chunk to the sums of its part.
+void add_work(const decltype(to_host(Rows3<double>()))& work, const std::optional<DeadElements>& dead, int chunk,
+              ExactSum* part) {
+  for (int k = 0; k < 3; ++k)
+    part[P::internal + k].add(work(static_cast<std::size_t>(chunk), static_cast<std::size_t>(k)));
+  if (dead) dead->take_out(chunk, part);
+}
+
+}  // namespace
+
+std::vector<PartEnergy> sum_part_energies(const ChunkedMesh& chunked, const Model& model, const State& state) {
+  const auto work = to_host(state.results.work);
+  std::optional<DeadElements> dead;
+  if (chunked.mesh.eroded.any) dead.emplace(chunked, model, state);
+  std::vector<ExactSum> sums(P::count * chunked.mesh.parts.size());
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c)
+    add_work(work, dead, static_cast<int>(c), &sums[P::count * static_cast<std::size_t>(chunked.chunks[c].part)]);
+  sum_over_ranks(model.ranks, sums);
+  std::vector<PartEnergy> parts;
+  for (std::size_t p = 0; p < chunked.mesh.parts.size(); ++p)
+    parts.push_back({sums[P::count * p + P::internal].round(), sums[P::count * p + P::internal + 1].round()});
+  return parts;
+}
+
+std::vector<BookedPart> find_booked_parts(const Deck& deck) {
+  std::vector<BookedPart> parts;
+  for (const HistoryPoint& point : deck.output.points) {
+    for (std::size_t p = 0; names_parts(point) && p < deck.parts.size(); ++p) {
+      if (!point.part.empty() && point.part != deck.parts[p].name) continue;
+      parts.push_back({deck.parts[p].name, static_cast<int>(p), can_fail(deck, deck.parts[p])});
+    }
+  }
+  return parts;
+}
+
+std::vector<std::string> name_columns(const std::vector<BookedPart>& parts) {
+  std::vector<std::string> columns;
+  for (const BookedPart& part : parts) {
+    for (const std::string& heading : find_headings(part.can_fail)) columns.push_back(heading + ":" + part.name);
+  }
+  return columns;
+}
+
+PartEnergies::PartEnergies(const Deck& deck, const ChunkedMesh& chunked)
+    : chunked_(chunked), parts_(find_booked_parts(deck)) {
+  if (parts_.empty()) return;
+  std::vector<int> place(chunked.mesh.parts.size(), -1);
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    place[static_cast<std::size_t>(parts_[p].index)] = static_cast<int>(p);
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    const int part = place[static_cast<std::size_t>(chunked.chunks[c].part)];
+    if (part < 0) continue;
+    chunks_.push_back(static_cast<int>(c));
+    part_of_chunk_.push_back(part);
+  }
+  listed_ = to_view("percuss::chunks_of_booked_parts", chunks_);
+  node_sums_ = NodeSums("percuss::part_sums", chunks_.size(), NodeSum::count);
+}
+
+/// The sums of this rank, part after part.
+std::vector<ExactSum> PartEnergies::sum_parts(const Model& model, const State& state) {
+  sum_nodes(model, state, listed_, node_sums_);
+  const auto of_nodes = to_host(node_sums_);
+  const auto work = to_host(state.results.work);
+  std::optional<DeadElements> dead;
+  if (chunked_.mesh.eroded.any) dead.emplace(chunked_, model, state);
+  std::vector<ExactSum> sums(P::count * parts_.size());
+  for (std::size_t i = 0; i < chunks_.size(); ++i) {
+    ExactSum* const part = &sums[P::count * static_cast<std::size_t>(part_of_chunk_[i])];
+    part[P::kinetic].add(of_nodes(i, NodeSum::kinetic));
+    part[P::kinetic].add(of_nodes(i, NodeSum::rotation));
+    for (int k = 0; k < 3; ++k) part[P::momentum + k].add(of_nodes(i, NodeSum::momentum + k));
+    part[P::mass].add(of_nodes(i, NodeSum::mass));
+    add_work(work, dead, chunks_[i], part);
+  }
+  return sums;
+}
+
+void PartEnergies::append(const Model& model, const State& state, std::vector<double>& row) {
+  if (parts_.empty()) return;
+  std::vector<ExactSum> sums = sum_parts(model, state);
+  sum_over_ranks(model.ranks, sums);
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const std::size_t columns = find_headings(parts_[p].can_fail).size();
+    for (std::size_t k = 0; k < columns; ++k) row.push_back(sums[P::count * p + k].round());
+  }
+}
+
+}  // namespace percuss

@@ -1,0 +1,56 @@
+#pragma once
+// What each part has of the scene's energies, momentum and mass: columns of the history, where the deck asks for them.
+//
+// A part consists of whole chunks, and no other part has its nodes. So the sums of the audit, which are exact sums of
+// those of the chunks, fall apart into sums of the parts: these have the same bits on any number of ranks and threads,
+// and add up to those of the scene.
+
+#include <string>
+#include <vector>
+
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+/// A part that the deck names in output.history.parts.
+struct BookedPart {
+  std::string name;
+  int index = 0;          // into Mesh::parts
+  bool can_fail = false;  // then it has columns of what is eroded
+};
+
+/// In the order of the deck's list; of `all`, in that of the parts.
+std::vector<BookedPart> find_booked_parts(const Deck& deck);
+
+/// Headings of the columns, part after part.
+std::vector<std::string> name_columns(const std::vector<BookedPart>& parts);
+
+/// What a part holds, without what its dead elements took [energy].
+struct PartEnergy {
+  double internal = 0, hourglass = 0;
+};
+
+/// [Mesh::parts] of all ranks, the same bits on any number of them. Collective.
+std::vector<PartEnergy> sum_part_energies(const ChunkedMesh& chunked, const Model& model, const State& state);
+
+class PartEnergies {
+ public:
+  /// chunked outlives this.
+  PartEnergies(const Deck& deck, const ChunkedMesh& chunked);
+
+  /// Appends the values of the columns to a row, the same on every rank. One message a rank. Collective; does nothing
+  /// where the deck names no part.
+  void append(const Model& model, const State& state, std::vector<double>& row);
+
+ private:
+  std::vector<ExactSum> sum_parts(const Model& model, const State& state);
+
+  const ChunkedMesh& chunked_;
+  std::vector<BookedPart> parts_;
+  std::vector<int> chunks_;                                          // of this rank that belong to these parts
+  std::vector<int> part_of_chunk_;                                   // [those] into parts_
+  Array<int> listed_;                                                // the same chunks, for the kernel
+  Kokkos::View<double**, Kokkos::LayoutRight, MemSpace> node_sums_;  // [those][sums]
+};
+
+}  // namespace percuss

@@ -1,0 +1,141 @@
+#pragma once
+// Which compiled variant of the element computes a chunk, with which constants, and what its records hold: the place
+// where the materials of a deck become those of the kernels.
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "kernels/core/host_copy.hpp"
+#include "kernels/material/call_material.hpp"
+#include "src/deck/make_material.hpp"
+#include "src/step/build/build_shells.hpp"
+#include "src/step/model/model.hpp"
+
+namespace percuss {
+
+inline HexKind find_kind(const ElementDeck& deck) {
+  if (deck.integration == ElementDeck::Integration::full) return HexKind::full;
+  switch (deck.hourglass) {
+    case ElementDeck::Hourglass::stiffness:
+      return HexKind::stiffness;
+    case ElementDeck::Hourglass::viscous:
+      return HexKind::viscous;
+    case ElementDeck::Hourglass::assumed_strain:
+      break;
+  }
+  return HexKind::assumed_strain;
+}
+
+/// Calls f with the material of an element's kernel: the law itself, or one that calls it.
+template <class F>
+void visit_kernel_material(const MaterialDeck& material, const F& f) {
+  visit_law(material, [&]<class Law>(const Law& law) {
+    if (material.equation_of_state) {
+      if constexpr (takes_equation_of_state<Law>) {
+        visit_state(*material.equation_of_state,
+                    [&](const auto& state) { f(law, make_called_material(law, material.density, state)); });
+      }
+    } else if constexpr (is_compiled_in<Law>) {
+      f(law, law);
+    } else {
+      f(law, make_called_material(law, material.density));
+    }
+  });
+}
+
+/// Where the named scalars of a history are, counted from its first; -1: it has none of that name.
+template <class Law, class Material>
+std::array<int, history_scalars> find_named_history(const Law&, const Material& material) {
+  std::array<int, history_scalars> places;
+  places.fill(-1);
+  int place = 0;
+  if constexpr (is_called<Material>) {
+    place = CalledMaterial::law_place;
+    places[static_cast<std::size_t>(HistoryScalar::internal_energy)] = material.find_state_place();
+  }
+  if constexpr (requires { Law::history_names; }) {
+    for (const HistoryScalar name : Law::history_names) places[static_cast<std::size_t>(name)] = place++;
+  }
+  return places;
+}
+
+/// Adds the chunks of one material to the variant that computes it, and says how long its records are.
+struct BlockBuilder {
+  const Deck& deck;
+  const ChunkedMesh& chunked;
+  std::vector<int> record_size, history, points, parameters, scalars;
+  std::vector<std::size_t> first_start;  // by chunk, into start_values
+  std::vector<int> start_count;
+  std::vector<double> start_values;
+
+  template <class Material, HexKind Kind>
+  void build(HexBlock<Material, Kind>& block) {
+    std::vector<int> chunks;
+    std::vector<HexParameters<Material>> rows;
+    std::map<int, int> row_of_material;
+    const bool wanted = find_kind(deck.elements) == Kind;
+    for (std::size_t c = 0; wanted && c < chunked.chunks.size(); ++c) {
+      if (is_shell_chunk(chunked, chunked.chunks[c])) continue;
+      const int index = chunked.mesh.parts[static_cast<std::size_t>(chunked.chunks[c].part)].material;
+      const MaterialDeck& deck_material = deck.materials[static_cast<std::size_t>(index)];
+      visit_kernel_material(deck_material, [&](const auto& law, const auto& material) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(material)>, Material>) {
+          const auto [row, is_new] = row_of_material.emplace(index, static_cast<int>(rows.size()));
+          if (is_new) rows.push_back(make_parameters(material));
+          chunks.push_back(static_cast<int>(c));
+          parameters[c] = row->second;
+          describe_records<Kind>(c, material, find_named_history(law, material));
+          if constexpr (is_called<Material>) add_start_history(c, material);
+        }
+      });
+    }
+    block.chunks = to_view("percuss::chunks_of_block", chunks);
+    block.parameters = to_view("percuss::parameters", rows);
+  }
+
+  template <HexKind Kind, class Material>
+  void describe_records(std::size_t c, const Material& material, const std::array<int, history_scalars>& named) {
+    int count = Material::history_count;
+    if constexpr (is_called<Material>) count = material.count_history();
+    record_size[c] = HexRecord::find_size<Kind>(count);
+    points[c] = hex_points<Kind>;
+    history[c] = count > 0 ? HexRecord::history<Kind> : -1;
+    for (std::size_t k = 0; k < named.size(); ++k) {
+      scalars[c * history_scalars + k] = named[k] < 0 ? -1 : HexRecord::history<Kind> + hex_points<Kind> * named[k];
+    }
+  }
+
+  /// The history of the elements of a chunk at the start.
+  void add_start_history(std::size_t c, const CalledMaterial& material) {
+    const Chunk& chunk = chunked.chunks[c];
+    const auto count = static_cast<std::size_t>(material.count_history());
+    first_start[c] = start_values.size();
+    start_count[c] = material.count_history();
+    for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
+      double center[3] = {0, 0, 0};
+      for (const int n : chunked.mesh.elements[static_cast<std::size_t>(e)]) {
+        for (std::size_t k = 0; k < 3; ++k) center[k] += chunked.mesh.nodes[static_cast<std::size_t>(n)][k] / 8;
+      }
+      start_values.resize(start_values.size() + count);
+      start_history(material, &start_values[start_values.size() - count], center);
+    }
+  }
+
+  template <class Material>
+  HexParameters<Material> make_parameters(const Material& material) const {
+    HexParameters<Material> p;
+    p.material = material;
+    const LameConstants c = material.moduli();
+    p.lambda = std::max(c.lambda, 0.0);
+    p.mu = c.mu;
+    p.hourglass = deck.elements.hourglass_coefficient;
+    p.viscosity = {deck.elements.linear_viscosity, deck.elements.quadratic_viscosity};
+    return p;
+  }
+};
+
+}  // namespace percuss

@@ -1,0 +1,201 @@
+#include "src/step/build/build_conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
+#include "comm/exact_reduction.hpp"
+#include "comm/merge_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/error.hpp"
+#include "src/step/model/whole_mesh.hpp"
+
+namespace percuss {
+
+namespace {
+
+/// Held directions by (node, direction), so that the first condition of the deck that holds one is known.
+struct HeldDirection {
+  int motion = 0;
+  const ConditionDeck* condition = nullptr;
+};
+using HeldMap = std::map<std::pair<int, int>, HeldDirection>;
+
+/// The first contradiction between conditions in the order of the deck, and the rank that found it.
+struct Contradiction {
+  static constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+  std::int64_t condition = none;  // place in the deck
+  std::int64_t direction = 0;
+  std::int64_t node = 0;  // number in the whole mesh
+  std::int64_t rank = 0;
+
+  void merge(const Contradiction& other) {
+    const auto key = [](const Contradiction& c) { return std::tuple(c.condition, c.direction, c.node, c.rank); };
+    if (key(other) < key(*this)) *this = other;
+  }
+};
+
+bool is_rest(const ConditionDeck& condition) {
+  return condition.kind == ConditionDeck::Kind::fixed || condition.kind == ConditionDeck::Kind::symmetry;
+}
+
+/// Rotations come after translations: directions 3, 4, 5.
+constexpr int first_rotation = 3, direction_count = 6;
+
+const char* name_direction(int k) {
+  constexpr const char* names[direction_count] = {"x", "y", "z", "rx", "ry", "rz"};
+  return names[k];
+}
+
+/// The held directions of this rank's nodes; of contradictions it notes the first, with its message.
+class HeldDirectionFinder {
+ public:
+  HeldDirectionFinder(const Deck& deck, const ChunkedMesh& chunked, Model& model)
+      : deck_(deck), chunked_(chunked), model_(model) {}
+
+  HeldMap operator()() {
+    model_.motions.push_back({});  // row 0: at rest
+    for (std::size_t c = 0; c < deck_.conditions.size(); ++c) {
+      const std::vector<int> nodes = select_nodes(chunked_.mesh, deck_, deck_.conditions[c].where);
+      require_rotations(deck_.conditions[c], nodes);
+      for (int k = 0; k < (model_.has_shells ? direction_count : first_rotation); ++k) {
+        if (deck_.conditions[c].active[static_cast<std::size_t>(k)]) hold(c, k, nodes);
+      }
+    }
+    throw_contradiction();
+    return std::move(held_);
+  }
+
+ private:
+  void hold(std::size_t c, int k, const std::vector<int>& nodes) {
+    const ConditionDeck& condition = deck_.conditions[c];
+    int row = 0;
+    if (!is_rest(condition)) {
+      row = static_cast<int>(model_.motions.size());
+      model_.motions.push_back(
+          {condition.value[static_cast<std::size_t>(k)], condition.kind == ConditionDeck::Kind::displacement});
+      model_.is_driven = true;
+    }
+    for (const int node : nodes) {
+      const auto [entry, is_new] = held_.emplace(std::pair{node, k}, HeldDirection{row, &condition});
+      const bool agrees = is_new || (entry->second.motion == 0 && row == 0);
+      if (!agrees && first_.condition == Contradiction::none) note(c, k, node, *entry->second.condition);
+    }
+  }
+
+  /// Throws, on all ranks, if rotations are held and no node of any rank has one. Symmetry holds those that there are.
+  void require_rotations(const ConditionDeck& condition, const std::vector<int>& nodes) const {
+    const auto first = condition.active.begin() + first_rotation;
+    const auto active = std::find(first, condition.active.end(), true);
+    if (condition.kind == ConditionDeck::Kind::symmetry || active == condition.active.end()) return;
+    int some = 0;
+    if (model_.has_shells) {
+      const auto inertia = to_host(model_.inertia);
+      some = std::any_of(nodes.begin(), nodes.end(), [&](int n) { return inertia(static_cast<std::size_t>(n)) > 0; });
+    }
+    all_reduce(model_.ranks, Reduce::largest, some);
+    if (some != 0) return;
+    throw InputError(fmt::format(
+        "{}: error: {} is of no use here (none of these nodes is one of shells, which alone "
+        "have rotations)",
+        deck_.where(condition.where.place), name_direction(static_cast<int>(active - condition.active.begin()))));
+  }
+
+  void note(std::size_t c, int k, int node, const ConditionDeck& other) {
+    const auto n = static_cast<std::size_t>(node);
+    first_ = {static_cast<std::int64_t>(c), k, chunked_.mesh.node_numbers[n], model_.ranks.rank()};
+    message_ = fmt::format(
+        "{}: error: node {} is held in direction {} by two conditions that move it (the other is at {}); leave it out "
+        "of one of them",
+        deck_.where(deck_.conditions[c].where.place), chunked_.mesh.node_ids[n], name_direction(k),
+        deck_.where(other.where.place));
+  }
+
+  /// On all ranks, if any has found one.
+  void throw_contradiction() {
+    MergeReduction<Contradiction>()(model_.ranks, first_);
+    if (first_.condition == Contradiction::none) return;
+    throw InputError(broadcast_text(model_.ranks, message_, static_cast<int>(first_.rank)));
+  }
+
+  const Deck& deck_;
+  const ChunkedMesh& chunked_;
+  Model& model_;
+  HeldMap held_;
+  Contradiction first_;
+  std::string message_;
+};
+
+/// Held translations or rotations, with what of them this rank owns.
+struct HeldLists {
+  HeldDirections all;
+  Array<int> owned;
+  Rows3<double> inverse;  // [nodes] 1 / mass, 0 in held directions and where there is no mass
+};
+
+/// Those of three directions from the first on. mass: [node] mass, or rotary inertia.
+HeldLists list_held(const HeldMap& held, int first, const ChunkedMesh& chunked, const std::vector<double>& mass) {
+  std::vector<std::array<double, 3>> inverse(mass.size());
+  for (std::size_t n = 0; n < mass.size(); ++n) {
+    if (mass[n] > 0) inverse[n] = {1 / mass[n], 1 / mass[n], 1 / mass[n]};
+  }
+  std::vector<int> node, direction, motion, owned;
+  std::vector<double> start;
+  for (const auto& [key, value] : held) {
+    if (key.second < first || key.second >= first + 3) continue;
+    const auto n = static_cast<std::size_t>(key.first);
+    const auto k = static_cast<std::size_t>(key.second - first);
+    inverse[n][k] = 0;
+    if (mass[n] == 0) continue;  // the rotation of a node without shells
+    if (owns_node(chunked, key.first)) owned.push_back(static_cast<int>(node.size()));
+    node.push_back(key.first);
+    direction.push_back(static_cast<int>(k));
+    motion.push_back(value.motion);
+    start.push_back(first == 0 ? chunked.mesh.nodes[n][k] : 0);
+  }
+  return {
+      {to_view("percuss::held_node", node), to_view("percuss::held_direction", direction),
+       to_view("percuss::held_motion", motion), to_view("percuss::held_start", start), static_cast<int>(node.size())},
+      to_view("percuss::owned_held", owned),
+      to_rows("percuss::inverse_mass", inverse)};
+}
+
+}  // namespace
+
+void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
+                           Model& model) {
+  const HeldMap held = HeldDirectionFinder(deck, chunked, model)();
+  const HeldLists moves = list_held(held, 0, chunked, mass);
+  model.held = moves.all;
+  model.owned_held = moves.owned;
+  model.inverse_mass = moves.inverse;
+  if (!model.has_shells) return;
+  const auto inertia = to_host(model.inertia);
+  const HeldLists spins =
+      list_held(held, first_rotation, chunked, {inertia.data(), inertia.data() + inertia.extent(0)});
+  model.held_spins = spins.all;
+  model.owned_held_spins = spins.owned;
+  model.inverse_inertia = spins.inverse;
+}
+
+MassPoint find_mass_point(const ChunkedMesh& chunked, const std::vector<int>& nodes, const std::vector<double>& mass) {
+  std::array<ExactSum, 4> sums{};
+  for (const int node : nodes) {
+    if (!owns_node(chunked, node)) continue;
+    const auto n = static_cast<std::size_t>(node);
+    for (std::size_t k = 0; k < 3; ++k) sums[k].add(mass[n] * chunked.mesh.nodes[n][k]);
+    sums[3].add(mass[n]);
+  }
+  sum_over_ranks(find_ranks(chunked.mesh), sums);
+  const double total = sums[3].round();
+  return {total, {sums[0].round() / total, sums[1].round() / total, sums[2].round() / total}};
+}
+
+}  // namespace percuss

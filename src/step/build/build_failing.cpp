@@ -1,0 +1,104 @@
+#include "src/step/build/build_failing.hpp"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "kernels/core/host_copy.hpp"
+#include "kernels/material/laws/johnson_cook.hpp"
+#include "kernels/shell/layer_lives.hpp"
+#include "src/deck/make_material.hpp"
+#include "src/error.hpp"
+
+namespace percuss {
+
+namespace {
+
+constexpr int width = pack_size<Real>;
+
+FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
+  const FailureDeck& deck = *material.failure;
+  FailureLimits limits;
+  constexpr double none = FailureLimits::none;
+  limits.plastic_strain = deck.plastic_strain.value_or(none);
+  limits.principal_stress = deck.principal_stress.value_or(none);
+  limits.principal_strain = deck.principal_strain.value_or(none);
+  limits.tension = deck.pressure.value_or(none);
+  limits.yield_time = deck.yield_time.value_or(none);
+  if (const auto& d = deck.johnson_cook) {
+    limits.johnson_cook = {d->d1, d->d2, d->d3, d->d4, d->d5, d->reference_rate};
+  }
+  if (has_scalar(material, HistoryScalar::temperature)) {
+    const auto& numbers = material.law.numbers;  // those that the deck gives
+    const auto room = numbers.find("room_temperature");
+    limits.room_temperature = room == numbers.end() ? JohnsonCook{}.room_temperature : room->second;
+    limits.melt_temperature = numbers.at("melt_temperature");
+  }
+  limits.least_step = deck.step.value_or(0) / step_scale;
+  limits.takes_inverted = deck.inverted;
+  limits.fade_steps = deck.fade_steps;
+  limits.layers = deck.layers;
+  return limits;
+}
+
+/// Criteria of plastic strain are for materials that have one.
+void check_failure(const Deck& deck, const MaterialDeck& material) {
+  const FailureDeck& failure = *material.failure;
+  const bool can_yield = has_scalar(material, HistoryScalar::equivalent_plastic_strain);
+  if (can_yield || !(failure.plastic_strain || failure.johnson_cook || failure.yield_time)) return;
+  throw InputError(
+      fmt::format("{}: error: material '{}' is to fail by {} (its model never yields) choose a model that yields, or "
+                  "another criterion",
+                  deck.where(material.place), material.name,
+                  failure.plastic_strain ? "plastic_strain" : (failure.johnson_cook ? "johnson_cook" : "yield_time")));
+}
+
+/// Where the layers of the chunks of shells are that can fail.
+void build_failing_layers(Model& model) {
+  if (!model.has_shells) return;
+  FailingChunks& failing = model.failing;
+  const auto list = to_host(failing.list), is_shell = to_host(model.chunks.is_shell),
+             points = to_host(model.chunks.points), first_pack = to_host(model.chunks.first_pack);
+  std::vector<std::size_t> first(static_cast<std::size_t>(model.chunks.count), 0);
+  for (std::size_t i = 0; i < list.extent(0); ++i) {
+    const auto c = static_cast<std::size_t>(list(i));
+    if (is_shell(c) == 0) continue;
+    first[c] = failing.layer_scalars;
+    failing.layer_scalars += static_cast<std::size_t>((first_pack(c + 1) - first_pack(c)) * width) *
+                             static_cast<std::size_t>(LayerLives::count_rows(points(c)));
+  }
+  if (failing.layer_scalars > 0) failing.first_layer = to_view("percuss::first_failing_layer", first);
+}
+
+}  // namespace
+
+void build_failing_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
+  std::vector<FailureLimits> limits;
+  std::vector<int> row_of_material(deck.materials.size(), -1);
+  for (std::size_t m = 0; m < deck.materials.size(); ++m) {
+    if (!deck.materials[m].failure) continue;
+    check_failure(deck, deck.materials[m]);
+    row_of_material[m] = static_cast<int>(limits.size());
+    limits.push_back(make_limits(deck.materials[m], deck.time.step_scale));
+  }
+  if (limits.empty()) return;
+  model.can_erode = true;
+  const auto first_pack = to_host(model.chunks.first_pack);
+  std::vector<int> list, first, row;
+  FailingChunks& failing = model.failing;
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    const int material = chunked.mesh.parts[static_cast<std::size_t>(chunked.chunks[c].part)].material;
+    row.push_back(row_of_material[static_cast<std::size_t>(material)]);
+    first.push_back(row.back() < 0 ? -1 : failing.pack_count);
+    if (row.back() < 0) continue;
+    list.push_back(static_cast<int>(c));
+    failing.pack_count += first_pack(c + 1) - first_pack(c);
+  }
+  failing.list = to_view("percuss::failing_chunks", list);
+  failing.first_pack = to_view("percuss::first_failing_pack", first);
+  failing.row = to_view("percuss::row_of_limits", row);
+  failing.limits = to_view("percuss::failure_limits", limits);
+  build_failing_layers(model);
+}
+
+}  // namespace percuss

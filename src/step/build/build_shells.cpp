@@ -1,0 +1,173 @@
+#include "src/step/build/build_shells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <type_traits>
+#include <utility>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/deck/make_material.hpp"
+#include "src/error.hpp"
+#include "src/mesh/hex_geometry.hpp"
+
+namespace percuss {
+
+namespace {
+
+// --- materials: the one place that turns a deck's material into that of a layer
+
+PlaneElasticity find_layer_elasticity(const LameConstants& c) {
+  const double sum = c.lambda + c.mu;
+  return find_plane_elasticity(c.mu * (3 * c.lambda + 2 * c.mu) / sum, 0.5 * c.lambda / sum);
+}
+
+ElasticLayer make_layer(const Elastic& law, double /*density*/) { return {find_layer_elasticity(law.moduli())}; }
+
+J2Layer make_layer(const J2Plasticity& law, double /*density*/) {
+  return {find_layer_elasticity(law.moduli()), law.yield_stress, law.hardening_modulus};
+}
+
+template <class Law>
+requires requires(const Law& law, const double* history) { law.start_flow(history, 1.0); }
+HardeningLayer make_layer(const Law& law, double density) {
+  return HardeningLayer::make(law, find_layer_elasticity(law.moduli()), density);
+}
+
+/// Calls use(law, layer) with the layer of a material. Returns false if shells do not know it.
+template <class Use>
+bool visit_layer(const MaterialDeck& material, const Use& use) {
+  if (material.equation_of_state) return false;
+  bool known = false;
+  visit_law(material, [&](const auto& law) {
+    if constexpr (requires { make_layer(law, material.density); }) {
+      use(law, make_layer(law, material.density));
+      known = true;
+    }
+  });
+  return known;
+}
+
+/// On all ranks alike: every deck names every part.
+void check_materials(const Deck& deck, const Mesh& mesh) {
+  for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+    if (mesh.parts[p].thickness == 0) continue;
+    const MaterialDeck& material = deck.materials[static_cast<std::size_t>(mesh.parts[p].material)];
+    if (visit_layer(material, [](const auto&, const auto&) {})) continue;
+    throw InputError(
+        fmt::format("{}: error: part '{}' has shells of material '{}' (shells know elastic, j2_plasticity, "
+                    "power_law_plasticity, voce_plasticity, tabulated_plasticity, combined_hardening and johnson_cook, "
+                    "without an equation of state)",
+                    deck.where(deck.parts[p].place), mesh.parts[p].name, material.name));
+  }
+}
+
+bool holds_triangle(const ChunkedMesh& chunked, const Chunk& chunk) {
+  const auto first = chunked.mesh.elements.begin() + chunk.first_element;
+  return std::any_of(first, first + chunk.element_count, [](const auto& corners) { return is_triangle(corners); });
+}
+
+/// What the launchers and readers need to know of the records of chunk c.
+template <class Law, class Layer>
+void describe_records(const Law&, const Layer& layer, int points, std::size_t c, const ChunkRecords& records) {
+  const int history = ShellRecord::layers + ShellRecord::stress_count;
+  records.record_size[c] = find_shell_record_size(points, layer.count_history());
+  records.points[c] = points;
+  records.history[c] = layer.count_history() > 0 ? history : -1;
+  int place = history;
+  const std::size_t first = c * history_scalars;
+  for (std::size_t k = 0; k < history_scalars; ++k) records.scalars[first + k] = -1;
+  if constexpr (requires { Law::history_names; }) {
+    for (const HistoryScalar name : Law::history_names)
+      records.scalars[first + static_cast<std::size_t>(name)] = place++;
+  }
+}
+
+/// The history of the layers of a chunk at the start, the same of all.
+template <class Layer>
+void add_start_history(const Layer& layer, int elements, std::size_t c, const ChunkRecords& records) {
+  if constexpr (requires(double* history) { layer.start(history); }) {
+    std::vector<double> row(static_cast<std::size_t>(layer.count_history()));
+    layer.start(row.data());
+    if (std::all_of(row.begin(), row.end(), [](double value) { return value == 0; })) return;
+    records.first_start[c] = records.start_values.size();
+    records.start_count[c] = layer.count_history();
+    for (int e = 0; e < elements; ++e) {
+      records.start_values.insert(records.start_values.end(), row.begin(), row.end());
+    }
+  }
+}
+
+template <class Layer>
+void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, ShellBlock<Layer>& block) {
+  std::vector<int> chunks;
+  std::vector<ShellParameters<Layer>> rows;
+  std::map<int, int> row_of_part;
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    if (!is_shell_chunk(chunked, chunked.chunks[c])) continue;
+    const int part_index = chunked.chunks[c].part;
+    const MeshPart& part = chunked.mesh.parts[static_cast<std::size_t>(part_index)];
+    visit_layer(deck.materials[static_cast<std::size_t>(part.material)], [&](const auto& law, const auto& layer) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(layer)>, Layer>) {
+        constexpr int usual = Layer::can_yield ? points_of_plastic_shells : points_of_elastic_shells;
+        const int points = part.points > 0 ? part.points : usual;
+        const auto [row, is_new] = row_of_part.emplace(part_index, static_cast<int>(rows.size()));
+        const double offset = deck.parts[static_cast<std::size_t>(part_index)].offset;
+        if (is_new) rows.push_back({layer, find_thickness_points(points), offset});
+        block.has_triangles = block.has_triangles || holds_triangle(chunked, chunked.chunks[c]);
+        chunks.push_back(static_cast<int>(c));
+        records.parameters[c] = row->second;
+        describe_records(law, layer, points, c, records);
+        add_start_history(layer, chunked.chunks[c].element_count, c, records);
+      }
+    });
+  }
+  block.chunks = to_view("percuss::chunks_of_shell_block", chunks);
+  block.parameters = to_view("percuss::shell_parameters", rows);
+}
+
+/// The rules of all numbers of points, by number.
+std::vector<ThicknessPoints> list_thickness_rules() {
+  std::vector<ThicknessPoints> rules(1);
+  for (int count = 1; count <= most_thickness_points; ++count) rules.push_back(find_thickness_points(count));
+  return rules;
+}
+
+}  // namespace
+
+bool is_shell_chunk(const ChunkedMesh& chunked, const Chunk& chunk) {
+  return is_shell(chunked.mesh.elements[static_cast<std::size_t>(chunk.first_element)]);
+}
+
+void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, Model& model) {
+  const std::vector<MeshPart>& parts = chunked.mesh.parts;
+  model.has_shells = std::any_of(parts.begin(), parts.end(), [](const MeshPart& part) { return part.thickness > 0; });
+  if (!model.has_shells) return;
+  check_materials(deck, chunked.mesh);
+  std::apply([&](auto&... block) { (build_block(deck, chunked, records, block), ...); }, model.shell_blocks);
+  std::vector<int> kinds;
+  std::vector<double> thickness;
+  for (const Chunk& chunk : chunked.chunks) {
+    kinds.push_back(is_shell_chunk(chunked, chunk) ? 1 : 0);
+    thickness.push_back(parts[static_cast<std::size_t>(chunk.part)].thickness);
+  }
+  model.chunks.is_shell = to_view("percuss::is_shell", kinds);
+  model.start_thickness = to_view("percuss::start_thickness", thickness);
+  model.thickness_rules = to_view("percuss::thickness_rules", list_thickness_rules());
+}
+
+std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh) {
+  std::vector<double> squares(mesh.elements.size(), 0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (!is_shell(mesh.elements[e])) continue;
+    HexCorners corners;
+    for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[e][i])];
+    const auto part = static_cast<std::size_t>(mesh.element_part[e]);
+    const double t = mesh.parts[part].thickness, offset = deck.parts[part].offset;
+    squares[e] = t * t / 12 + find_shell_area_size(corners) / 8 + offset * offset;
+  }
+  return squares;
+}
+
+}  // namespace percuss

@@ -1,0 +1,54 @@
+#include <cmath>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/mesh/hex_geometry.hpp"
+#include "src/step/build/build_conditions.hpp"
+
+namespace percuss {
+namespace {
+
+/// Share of the mesh's diagonal below which a distance from the centre is round-off, as of `inside` of a selector.
+constexpr double center_margin = 1e-9;
+
+/// Outward along the line from the centre or the axis; at the centre, where there is no direction, nothing.
+Vec3 find_radial_velocity(const RadialVelocityDeck& radial, const Vec3& point, double least_radius) {
+  Vec3 out = subtract(point, radial.center);
+  if (radial.axis) {
+    const double along = dot(*radial.axis, out);
+    for (std::size_t k = 0; k < 3; ++k) out[k] -= along * (*radial.axis)[k];
+  }
+  const double radius = std::hypot(out[0], out[1], out[2]);
+  if (radius <= least_radius) return {};
+  for (double& component : out) component *= radial.speed / radius;
+  return out;
+}
+
+}  // namespace
+
+void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
+                              Model& model) {
+  const Mesh& mesh = chunked.mesh;
+  const Vec3 extent = subtract(mesh.high, mesh.low);
+  const double least_radius = center_margin * std::hypot(extent[0], extent[1], extent[2]);
+  std::vector<Vec3> velocity(mesh.nodes.size(), Vec3{});
+  std::vector<Vec3> spin(model.has_shells ? mesh.nodes.size() : 0, Vec3{});
+  for (const InitialDeck& initial : deck.initial) {
+    const std::vector<int> nodes = select_nodes(mesh, deck, initial.where);
+    const Vec3 center = initial.center ? *initial.center : find_mass_point(chunked, nodes, mass).center;
+    for (const int node : nodes) {
+      const auto n = static_cast<std::size_t>(node);
+      const Vec3 turn = cross(initial.angular_velocity, subtract(mesh.nodes[n], center));
+      for (std::size_t k = 0; k < 3; ++k) velocity[n][k] = initial.velocity[k] + turn[k];
+      if (model.has_shells) spin[n] = initial.angular_velocity;
+      if (!initial.radial_velocity) continue;
+      // No spin: the directors of shells that are concentric with the field keep their directions. Others would turn
+      // with the fibres of a solid; theirs begin at rest, which is a transverse shear rate.
+      const Vec3 out = find_radial_velocity(*initial.radial_velocity, mesh.nodes[n], least_radius);
+      for (std::size_t k = 0; k < 3; ++k) velocity[n][k] += out[k];
+    }
+  }
+  model.start_velocity = to_rows("percuss::start_velocity", velocity);
+  model.start_spin = to_rows("percuss::start_spin", spin);
+}
+
+}  // namespace percuss

@@ -1,0 +1,156 @@
+#include "src/step/build/mass_scaling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comm/all_reduce.hpp"
+#include "comm/exact_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/error.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr int width = pack_size<Real>;
+
+/// What the deck asks of a part; none: its masses stay.
+const MassScalingDeck* find_request(const Deck& deck, std::size_t part) {
+  const auto& own = deck.parts[part].mass_scaling;
+  if (own) return &*own;
+  return deck.time.mass_scaling ? &*deck.time.mass_scaling : nullptr;
+}
+
+bool is_asked_for(const Deck& deck) {
+  return deck.time.mass_scaling || std::any_of(deck.parts.begin(), deck.parts.end(),
+                                               [](const PartDeck& part) { return part.mass_scaling.has_value(); });
+}
+
+/// Shells have no such bound. Other laws take the change of volume from the density, which is not the material's own
+/// where mass is added.
+void refuse_other_laws(const Deck& deck, const Mesh& mesh, std::size_t part, const MassScalingDeck& request) {
+  if (mesh.parts[part].thickness > 0) {
+    throw InputError(fmt::format("{}: error: mass scaling of part '{}', which is of shells: only hexahedra are scaled",
+                                 deck.where(request.place), deck.parts[part].name));
+  }
+  const MaterialDeck& material = deck.materials[static_cast<std::size_t>(mesh.parts[part].material)];
+  const std::string& model = material.law.model;
+  if ((model == "elastic" || model == "j2_plasticity") && !material.equation_of_state) return;
+  throw InputError(
+      fmt::format("{}: error: mass scaling of part '{}', whose material '{}' is {}{} (its law takes the volume from "
+                  "the density) leave "
+                  "its masses, or use elastic or j2_plasticity without an equation of state",
+                  deck.where(request.place), deck.parts[part].name, material.name, model,
+                  material.equation_of_state ? " with an equation of state" : ""));
+}
+
+/// Step bound of each element at rest in its first shape.
+std::vector<double> find_element_bounds(const Model& model, const std::vector<double>& element_mass) {
+  Model resting = model;
+  resting.has_shells = false;  // only hexahedra are looked at: what shells need beside follows from the scaled masses
+  resting.element_mass = to_view("percuss::unscaled_mass", element_mass);
+  resting.start_velocity = Rows3<double>("percuss::rest", static_cast<std::size_t>(model.node_count));
+  const State state = make_initial_state(resting);
+  StepWatch watch;
+  watch.bound = Array<Real>("percuss::element_bounds", model.chunks.corner_slots.extent(0) / 8);
+  watch.reference = watch.bound;
+  watch.growth = Array<double>("percuss::growth", static_cast<std::size_t>(model.chunks.count));
+  for (const HexBlocks& blocks : {model.sending_blocks, model.blocks}) {
+    advance_elements(ExecSpace(), model.chunks, blocks, {state.x, state.v, 0, false, 0, watch}, state.elements,
+                     state.slot_force, state.results);
+  }
+  const auto lanes = to_host(watch.bound);
+  const auto first_element = to_host(model.chunks.first_element), first_pack = to_host(model.chunks.first_pack);
+  std::vector<double> bounds(element_mass.size());
+  for (std::size_t c = 0; c < static_cast<std::size_t>(model.chunks.count); ++c) {
+    for (int e = first_element(c); e < first_element(c + 1); ++e) {
+      bounds[static_cast<std::size_t>(e)] =
+          lanes(static_cast<std::size_t>(first_pack(c) * width + e - first_element(c)));
+    }
+  }
+  return bounds;
+}
+
+struct Least {
+  double bound = INFINITY;
+  std::int64_t scaled = 0, all = 0;
+};
+
+/// What a part gets, before it is added up over ranks.
+struct PartShare {
+  ExactSum mass, added;
+  Least least;
+};
+
+void take_element(const MassScalingDeck& request, double bound, double& mass, PartShare& share) {
+  ++share.least.all;
+  share.mass.add(mass);
+  share.least.bound = std::min(share.least.bound, bound);
+  if (!(bound > 0 && bound < request.step)) return;  // one without volume is told elsewhere
+  const double ratio = request.step / bound;
+  const double scaled = ratio * ratio * mass;
+  share.added.add(scaled - mass);
+  ++share.least.scaled;
+  mass = scaled;
+}
+
+AddedMass sum_over_ranks(const Communicator& ranks, const std::string& part, PartShare& share) {
+  ExactSum sums[] = {share.mass, share.added};
+  percuss::sum_over_ranks(ranks, sums);
+  std::int64_t counts[] = {share.least.scaled, share.least.all};
+  double bound = share.least.bound;
+  all_reduce(ranks, Reduce::sum, counts);
+  all_reduce(ranks, Reduce::least, bound);
+  return {part, counts[0], counts[1], sums[0].round(), sums[1].round(), bound};
+}
+
+void check_limit(const Deck& deck, const MassScalingDeck& request, const AddedMass& part) {
+  if (part.added <= request.max_added * part.mass) return;
+  throw InputError(fmt::format(
+      "{}: error: a step of {:g} adds {:.3g} of its mass to part '{}' (more than max_added = {:g}; {} of its {} "
+      "elements "
+      "have bounds below the step, the least {:.4g}) lower the step, make the mesh coarser there, or raise max_added",
+      deck.where(request.place), request.step, part.added / part.mass, part.part, request.max_added, part.scaled,
+      part.elements, part.least_bound));
+}
+
+}  // namespace
+
+void scale_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<double>& element_mass, Model& model) {
+  if (!is_asked_for(deck)) return;
+  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
+    if (const MassScalingDeck* request = find_request(deck, p)) refuse_other_laws(deck, chunked.mesh, p, *request);
+  }
+  const std::vector<double> bounds = find_element_bounds(model, element_mass);
+  std::vector<PartShare> shares(deck.parts.size());
+  for (std::size_t e = 0; e < element_mass.size(); ++e) {
+    const auto part = static_cast<std::size_t>(chunked.mesh.element_part[e]);
+    const MassScalingDeck* request = find_request(deck, part);
+    if (request != nullptr) take_element(*request, bounds[e], element_mass[e], shares[part]);
+  }
+  for (std::size_t p = 0; p < shares.size(); ++p) {
+    const MassScalingDeck* request = find_request(deck, p);
+    if (request == nullptr) continue;
+    model.added_masses.push_back(sum_over_ranks(model.ranks, deck.parts[p].name, shares[p]));
+    check_limit(deck, *request, model.added_masses.back());
+  }
+}
+
+std::vector<std::string> describe_added_masses(const Model& model) {
+  std::vector<std::string> lines;
+  double added = 0;
+  for (const AddedMass& part : model.added_masses) {
+    added += part.added;
+    lines.push_back(fmt::format("mass scaling of part '{}': {:.4g} added to {:.4g} ({:.2g} %), to {} of {} elements",
+                                part.part, part.added, part.mass, 100 * part.added / part.mass, part.scaled,
+                                part.elements));
+  }
+  if (lines.empty()) return lines;
+  lines.push_back(fmt::format("mass scaling in all: {:.4g} added to {:.4g} ({:.2g} %)", added, model.total_mass - added,
+                              100 * added / (model.total_mass - added)));
+  return lines;
+}
+
+}  // namespace percuss

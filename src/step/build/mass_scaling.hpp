@@ -1,0 +1,24 @@
+#pragma once
+// Mass scaling on request: elements whose step bound is below a wanted step are given mass until it is that step.
+//
+// At rest every term of the bound goes with the square root of the element's mass (section 3.5 of docs/theory.md), so
+// that (step / bound)^2 times the mass gives the bound exactly. The mass is added once, at time 0, and is mass in all
+// that follows: inertia, weight, momentum and energy.
+
+#include <string>
+#include <vector>
+
+#include "src/mesh/ordering.hpp"
+#include "src/step/model/model.hpp"
+
+namespace percuss {
+
+/// Adds to the masses of elements of the parts that the deck asks to scale, and to model.added_masses what they got.
+/// element_mass: [elements of this rank], in and out; model: chunks, blocks and start are there. Collective. Throws
+/// InputError, the same on all ranks, where a part would get more than its limit.
+void scale_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<double>& element_mass, Model& model);
+
+/// A line for each part that was given mass, and one for all together.
+std::vector<std::string> describe_added_masses(const Model& model);
+
+}  // namespace percuss

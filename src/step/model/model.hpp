@@ -1,0 +1,112 @@
+#pragma once
+// What a run never changes after set-up: connectivity in chunks, masses, materials, conditions and loads.
+//
+// Each rank has the model of its share of the mesh. Nodes that others use too are there as copies, which go through the
+// same motions; the owner alone counts them in sums.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "comm/communicator.hpp"
+#include "comm/halo/halo_plan.hpp"
+#include "kernels/core/views.hpp"
+#include "kernels/element/internal_force.hpp"
+#include "kernels/node/conditions.hpp"
+#include "kernels/node/motion.hpp"
+#include "kernels/node/nodal_load.hpp"
+#include "kernels/node/pressure.hpp"
+#include "kernels/shell/shell_force.hpp"
+#include "src/deck/deck.hpp"
+#include "src/mesh/mesh.hpp"
+#include "src/mesh/ordering.hpp"
+
+namespace percuss {
+
+/// A prescribed motion: one curve for one direction of one condition.
+struct Motion {
+  Curve curve;
+  bool is_displacement = false;
+};
+
+/// The nodes that this rank owns, by the chunk that they belong to: each chunk has a contiguous run of them.
+struct NodeRuns {
+  int count = 0;     // chunks
+  Array<int> first;  // [count] first node of the run
+  Array<int> end;    // [count] node past its last
+};
+
+/// History that does not start at zero: that of the called materials. A row an element: [element of the chunk][scalar].
+struct StartHistory {
+  Array<std::size_t> first;  // [chunks] where the rows of a chunk begin
+  Array<int> count;          // [chunks] scalars of a row; 0: the history of the chunk starts at zero
+  Array<double> values;
+};
+
+/// What mass scaling gave to a part, over all ranks.
+struct AddedMass {
+  std::string part;
+  std::int64_t scaled = 0, elements = 0;  // elements that got mass; all of the part
+  double mass = 0, added = 0;             // of the part before; added to it
+  double least_bound = 0;                 // smallest step bound before
+};
+
+struct Model {
+  Communicator ranks{MPI_COMM_SELF};  // those that hold the scene together
+  int node_count = 0;                 // of this rank, copies included
+  int element_count = 0;              // of this rank
+
+  HexChunks chunks;
+  HexBlocks sending_blocks;    // chunks whose forces other ranks need, and wait for
+  HexBlocks blocks;            // the other chunks
+  std::size_t state_size = 0;  // scalars of all element records
+  StartHistory start_history;
+  FailingChunks failing;   // those whose material can fail
+  bool can_erode = false;  // whether there are any on any rank
+
+  bool has_shells = false;           // whether any rank has some; without them what follows is empty
+  ShellBlocks sending_shell_blocks;  // as sending_blocks
+  ShellBlocks shell_blocks;
+  Array<double> start_thickness;                             // [chunks] of shells [length]
+  Kokkos::View<ThicknessPoints*, MemSpace> thickness_rules;  // by number of points
+  Array<double> gyration_square;                             // [elements] rotary inertia over mass [length^2]
+  Array<double> inertia;                                     // [nodes] rotary, about any axis; 0 without a shell
+  Rows3<double> inverse_inertia;                             // 0 in held directions
+  Rows3<double> start_spin;                                  // [nodes] angular velocity at time 0
+  HeldDirections held_spins;                                 // directions 0, 1, 2: about x, y, z
+  Array<int> owned_held_spins;                               // as owned_held
+
+  NodeSlots nodes_to_slots;
+  HaloPlan halo;
+  int slot_count = 0;  // chunk slots, four a pressure face, one a loaded node, then those received from other ranks
+
+  NodeRuns owned_nodes;
+  Array<std::int64_t> node_numbers;    // [nodes] place in the whole mesh
+  Array<std::int64_t> first_elements;  // [chunks] number of the first element of each in the whole mesh
+
+  Rows3<double> start;                  // position at time 0
+  Rows3<double> start_velocity;         // velocity at time 0
+  Array<double> element_mass;           // at time 0; it does not change
+  Array<double> mass;                   // lumped: an eighth of each element's mass to its corners
+  Rows3<double> inverse_mass;           // 0 in held directions
+  double total_mass = 0;                // of all ranks
+  Vec3 mass_center{};                   // of all ranks, at time 0; moments are taken about it
+  std::vector<AddedMass> added_masses;  // of the parts that the deck asks to scale
+
+  Gravity gravity;
+  PressureFaces pressure_faces;
+  std::vector<Curve> pressures;  // by load
+  NodalLoads nodal_loads;
+  std::vector<std::array<Curve, 6>> nodal_values;  // by load: forces, moments
+  HeldDirections held;
+  Array<int> owned_held;        // entries of `held` whose nodes this rank owns
+  std::vector<Motion> motions;  // by HeldDirections::motion; row 0 is "at rest"
+  bool is_driven = false;       // whether a prescribed motion other than rest exists
+};
+
+/// Builds the model of a chunked mesh. Collective over the mesh's ranks. Throws InputError with the deck's place, the
+/// same on all ranks: unknown sets, contradicting conditions.
+Model build_model(const Deck& deck, const ChunkedMesh& chunked);
+
+}  // namespace percuss

@@ -1,0 +1,260 @@
+#include "src/step/model/state.hpp"
+
+#include "comm/all_reduce.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "kernels/core/same_bits.hpp"
+#include "kernels/shell/shell_failure.hpp"
+#include "src/step/model/streamed_view.hpp"
+
+namespace percuss {
+
+namespace {
+
+constexpr int width = pack_size<Real>;
+
+/// Each element starts undeformed: R = V = I, no stress, its mass from its own volume and density.
+Array<Real> make_element_records(const Model& model) {
+  const auto elements = make_streamed<Array<Real>>("percuss::elements", model.state_size);
+  const HexChunks chunks = model.chunks;
+  Kokkos::parallel_for(
+      "percuss::start_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        if (is_shell(chunks, c)) return;
+        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
+        const int size = chunks.record_size(c);
+        for (int i = 0; i < packs * width; ++i) {
+          Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          for (int k = 0; k < 3; ++k) {
+            record[(HexRecord::rotation + 4 * k) * width] = 1;
+            record[(HexRecord::stretch + k) * width] = 1;
+          }
+        }
+      });
+  return elements;
+}
+
+/// Element masses into the records.
+void set_element_masses(const Model& model, const Array<Real>& elements) {
+  const HexChunks chunks = model.chunks;
+  const Array<double> mass = model.element_mass;
+  Kokkos::parallel_for(
+      "percuss::set_element_masses", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        const int first = chunks.first_element(c);
+        const int count = chunks.first_element(c + 1) - first;
+        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
+        for (int i = 0; i < packs * width; ++i) {
+          const int lane_element = i < count ? i : count - 1;
+          elements(chunks.first_state(c) +
+                   static_cast<std::size_t>(i / width) * static_cast<std::size_t>(chunks.record_size(c)) * width +
+                   static_cast<std::size_t>(HexRecord::mass * width + i % width)) =
+              static_cast<Real>(mass(first + lane_element));
+        }
+      });
+}
+
+/// History that does not start at zero, at every point of an element the same.
+void set_start_history(const Model& model, const Array<Real>& elements) {
+  if (model.start_history.values.extent(0) == 0) return;
+  const HexChunks chunks = model.chunks;
+  const StartHistory start = model.start_history;
+  Kokkos::parallel_for(
+      "percuss::set_start_history", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
+        const int elements_here = chunks.first_element(c + 1) - chunks.first_element(c);
+        const int size = chunks.record_size(c), points = chunks.points(c);
+        const bool layered = is_shell(chunks, c);
+        const int to_point = layered ? find_layer_size(chunks, c) : 1, to_scalar = layered ? 1 : points;
+        for (int i = 0; i < packs * width; ++i) {
+          Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          const int row = i < elements_here ? i : elements_here - 1;
+          for (int k = 0; k < start.count(c); ++k) {
+            const double value = start.values(start.first(c) + static_cast<std::size_t>(row * start.count(c) + k));
+            const auto kept = static_cast<Real>(value);
+            for (int p = 0; p < points; ++p) {
+              Real* const scalar = record + (chunks.history(c) + to_scalar * k + to_point * p) * width;
+              *scalar = kept;
+              if (is_single_precision && !layered) {  // its rest
+                scalar[points * start.count(c) * width] = static_cast<Real>(value - static_cast<double>(kept));
+              }
+            }
+          }
+        }
+      });
+}
+
+/// Thickness and rotary inertia of shells into the records.
+void start_shells(const Model& model, const Array<Real>& elements) {
+  if (!model.has_shells) return;
+  const HexChunks chunks = model.chunks;
+  const Array<double> gyration_square = model.gyration_square, thickness = model.start_thickness;
+  Kokkos::parallel_for(
+      "percuss::start_shells", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        if (!is_shell(chunks, c)) return;
+        const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
+        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c), size = chunks.record_size(c);
+        for (int i = 0; i < packs * width; ++i) {
+          Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          record[ShellRecord::gyration_square * width] =
+              static_cast<Real>(gyration_square(first + (i < count ? i : count - 1)));
+          record[ShellRecord::thickness * width] = static_cast<Real>(thickness(c));
+        }
+      });
+}
+
+KOKKOS_INLINE_FUNCTION std::uint64_t find_bits(double value) {
+  union {
+    double d;
+    std::uint64_t u;
+  } both;
+  both.d = value;
+  return both.u;
+}
+
+/// Every element whole.
+ElementLives make_lives(const FailingChunks& failing) {
+  if (failing.pack_count == 0) return {};
+  const auto lanes = static_cast<std::size_t>(failing.pack_count) * width;
+  ElementLives lives{
+      Array<Real>("percuss::force_share", lanes),        Array<Real>("percuss::work_share", lanes),
+      Array<double>("percuss::element_work", 3 * lanes), Array<int>("percuss::steps_left", lanes),
+      Array<double>("percuss::plastic_strain", lanes),   Array<double>("percuss::damage", lanes),
+      Array<double>("percuss::time_at_yield", lanes),    Array<double>("percuss::layer_lives", failing.layer_scalars)};
+  Kokkos::deep_copy(lives.force_share, Real(1));
+  Kokkos::deep_copy(lives.work_share, Real(1));
+  Kokkos::deep_copy(lives.steps_left, ElementLives::whole);
+  return lives;
+}
+
+/// Every layer of shells that can fail whole.
+void start_layers(const Model& model, const ElementLives& lives) {
+  const FailingChunks failing = model.failing;
+  if (failing.layer_scalars == 0) return;
+  const HexChunks chunks = model.chunks;
+  Kokkos::parallel_for(
+      "percuss::start_layers", Range(ExecSpace(), 0, static_cast<int>(failing.list.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const int c = failing.list(i);
+        if (!is_shell(chunks, c)) return;
+        for (int e = 0; e < (chunks.first_pack(c + 1) - chunks.first_pack(c)) * width; ++e) {
+          double* const rows = find_layer_lives(lives, failing, c, chunks.points(c), e);
+          for (int p = 0; p < chunks.points(c); ++p) set_layer_left(find_layer_life(rows, p), ElementLives::whole, 1);
+        }
+      });
+}
+
+}  // namespace
+
+State make_initial_state(const Model& model) {
+  State s;
+  const auto nodes = static_cast<std::size_t>(model.node_count);
+  s.x = make_streamed<Rows3<double>>("percuss::x", nodes);
+  s.v = make_streamed<Rows3<double>>("percuss::v", nodes);
+  s.v_before = make_streamed<Rows3<double>>("percuss::v_before", nodes);
+  s.force = make_streamed<Rows3<double>>("percuss::force", nodes);
+  s.impulse = make_streamed<Rows3<double>>("percuss::impulse", nodes);
+  Kokkos::deep_copy(s.x, model.start);
+  Kokkos::deep_copy(s.v, model.start_velocity);
+  s.elements = make_element_records(model);
+  set_element_masses(model, s.elements);
+  set_start_history(model, s.elements);
+  start_shells(model, s.elements);
+  s.slot_force = make_streamed<Rows3<double>>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
+  if (model.has_shells) {
+    s.w = Rows3<double>("percuss::w", nodes);
+    s.w_before = Rows3<double>("percuss::w_before", nodes);
+    s.moment = Rows3<double>("percuss::moment", nodes);
+    s.slot_moment = Rows3<double>("percuss::slot_moment", static_cast<std::size_t>(model.slot_count));
+    Kokkos::deep_copy(s.w, model.start_spin);
+    s.inertia = model.inertia;
+    s.inverse_inertia = model.inverse_inertia;
+  }
+  const auto chunks = static_cast<std::size_t>(model.chunks.count);
+  s.results = {Array<double>("percuss::stable_step", chunks), Array<int>("percuss::controlling_element", chunks),
+               Array<int>("percuss::failed_element", chunks), Rows3<double>("percuss::work", chunks),
+               Array<int>("percuss::is_settled", chunks),     Array<std::int64_t>("percuss::skipped", chunks)};
+  s.lives = make_lives(model.failing);
+  start_layers(model, s.lives);
+  s.mass = model.mass;
+  s.inverse_mass = model.inverse_mass;
+  s.total_mass = model.total_mass;
+  s.pressure_faces = model.pressure_faces;
+  s.nodal_loads = model.nodal_loads;
+  return s;
+}
+
+namespace {
+
+std::uint64_t hash_nodes(const Model& model, const State& state) {
+  const auto x = state.x, v = state.v, w = state.w;
+  const bool has_shells = model.has_shells;
+  const auto owned = model.owned_nodes;
+  const auto numbers = model.node_numbers;
+  std::uint64_t hash = 0;
+  Kokkos::parallel_reduce(
+      "percuss::hash_nodes", Range(ExecSpace(), 0, owned.count),
+      KOKKOS_LAMBDA(const int c, std::uint64_t& sum) {
+        for (int n = owned.first(c); n < owned.end(c); ++n) {
+          std::uint64_t h = mix_bits(static_cast<std::uint64_t>(numbers(n)));
+          for (int k = 0; k < 3; ++k) h = mix_bits(mix_bits(h ^ find_bits(x(n, k))) ^ find_bits(v(n, k)));
+          for (int k = 0; has_shells && k < 3; ++k) h = mix_bits(h ^ find_bits(w(n, k)));
+          sum += h;  // integers: any order gives the same sum
+        }
+      },
+      hash);
+  return hash;
+}
+
+/// What an element that can fail has come to; nothing of one that is as it was.
+KOKKOS_INLINE_FUNCTION std::uint64_t mix_life(const ElementLives& lives, int lane, std::uint64_t h) {
+  if (lives.steps_left(lane) != ElementLives::whole)
+    h = mix_bits(h ^ static_cast<std::uint64_t>(lives.steps_left(lane) + 1));
+  if (lives.damage(lane) > 0) h = mix_bits(h ^ find_bits(lives.damage(lane)));
+  if (lives.time_at_yield(lane) > 0) h = mix_bits(h ^ find_bits(lives.time_at_yield(lane)));
+  return h;
+}
+
+/// Which layers of a shell that can fail have failed.
+KOKKOS_INLINE_FUNCTION std::uint64_t mix_layers(double* rows, int points, std::uint64_t h) {
+  for (int p = 0; p < points; ++p) {
+    const auto left = static_cast<int>(find_layer_life(rows, p)[LayerLives::left * pack_size<double>]);
+    if (left != ElementLives::whole) h = mix_bits(h ^ static_cast<std::uint64_t>(points * (left + 1) + p));
+  }
+  return h;
+}
+
+std::uint64_t hash_elements(const Model& model, const State& state) {
+  const HexChunks chunks = model.chunks;
+  const auto elements = state.elements;
+  const FailingChunks failing = model.failing;
+  const ElementLives lives = state.lives;
+  const auto first_numbers = model.first_elements;
+  std::uint64_t hash = 0;
+  Kokkos::parallel_reduce(
+      "percuss::hash_elements", Range(ExecSpace(), 0, chunks.count),
+      KOKKOS_LAMBDA(const int c, std::uint64_t& sum) {
+        const int first = chunks.first_element(c);
+        for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
+          const int size = chunks.record_size(c);
+          const Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          std::uint64_t h = mix_bits(~static_cast<std::uint64_t>(first_numbers(c) + i));
+          const int lane = failing.find_pack(c) < 0 ? -1 : failing.find_pack(c) * width + i;
+          if (lane >= 0) h = mix_life(lives, lane, h);
+          if (lane >= 0 && is_shell(chunks, c))
+            h = mix_layers(find_layer_lives(lives, failing, c, chunks.points(c), i), chunks.points(c), h);
+          const bool is_dead = lane >= 0 && lives.steps_left(lane) == 0;
+          for (int s = 0; s < size && !is_dead; ++s) h = mix_bits(h ^ find_bits(record[s * width]));
+          sum += h;
+        }
+      },
+      hash);
+  return hash;
+}
+
+}  // namespace
+
+std::uint64_t hash_state(const Model& model, const State& state) {
+  std::uint64_t sums[2] = {hash_nodes(model, state), hash_elements(model, state)};
+  all_reduce(model.ranks, Reduce::sum, sums);
+  return mix_bits(sums[0]) + sums[1];
+}
+
+}  // namespace percuss

@@ -1,0 +1,78 @@
+#pragma once
+// What changes in the loop. All of it is needed to continue a run; the rest can be derived.
+
+#include <cstdint>
+#include <string>
+
+#include "kernels/core/exact_sum.hpp"
+#include "src/step/model/model.hpp"
+
+namespace percuss {
+
+/// Sums that the audit needs, from the start of the run. Those that are exact hold the share of this rank and are added
+/// up over ranks only when they are looked at.
+struct Books {
+  ExactSum eroded_internal, eroded_hourglass, eroded_viscous;  // work that dead elements took with them
+  ExactSum eroded_kinetic;                                     // energy of nodes that vanished
+  ExactSum eroded_mass;                                        // of dead elements
+  std::int64_t eroded_elements = 0;                            // of all ranks
+  ExactSum external_work;      // pressure and driven conditions; gravity's follows from the positions
+  ExactSum impulse[3];         // external: pressure, conditions, walls and gravity [force x time]
+  ExactSum moment_impulse[3];  // about Model::mass_center
+  double contact_work = 0;     // of all ranks: normal impulses; positive where contact adds energy
+  double friction_work = 0;    // of all ranks: tangential impulses; negative where they dissipate
+};
+
+/// The controlling step bound and what failed, after the elements of a step; of all ranks. Elements by their number in
+/// the whole mesh.
+struct StepBound {
+  double step = 0;                   // smallest bound of all elements, without the deck's scale
+  std::int64_t element = 0;          // that has it, the lowest of several
+  std::int64_t element_id = 0;       // the user's id of that
+  std::int64_t failed_element = -1;  // lowest element without positive volume or step, -1: none
+  std::int64_t broken_chunk = -1;    // lowest chunk whose work is not finite, -1: none
+  bool died = false;                 // whether an element lost the last of its force in the step
+};
+
+struct State {
+  double time = 0;     // n
+  long step = 0;       // n
+  double dt = 0;       // between n-1 and n; 0 before the first step
+  double next_dt = 0;  // between n and n+1
+  StepBound bound;     // at n
+
+  Rows3<double> x;           // position, at n
+  Rows3<double> v;           // velocity, at n-1/2 (at n = 0: at 0)
+  Rows3<double> v_before;    // velocity one step earlier; scratch of the step
+  Rows3<double> force;       // assembled force, at n
+  Rows3<double> impulse;     // contact impulse of the last step
+  Array<Real> elements;      // element records, at n
+  Rows3<double> slot_force;  // internal force (negative) and pressure by slot, at n; also those of other ranks
+  ChunkResults results;      // by chunk, at n; work since the start
+  ElementLives lives;        // of the chunks that can fail, at n
+
+  // The model's, unless nodes may vanish.
+  Array<double> mass;            // of the nodes, at n; 0: vanished
+  Rows3<double> inverse_mass;    // 0 in held directions and of vanished nodes
+  double total_mass = 0;         // of all ranks
+  PressureFaces pressure_faces;  // those of dead elements have no area
+  NodalLoads nodal_loads;        // those of nodes that have vanished are gone
+
+  // Of scenes with shells; empty otherwise.
+  Rows3<double> w;                // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)
+  Rows3<double> w_before;         // one step earlier; scratch of the step
+  Array<double> inertia;          // rotary, of the nodes: the model's, unless nodes may vanish
+  Rows3<double> inverse_inertia;  // 0 in held directions and of vanished nodes
+  Rows3<double> moment;           // assembled moment, at n
+  Rows3<double> slot_moment;      // internal moment (negative) by slot, at n; also those of other ranks
+  Books books;
+};
+
+/// The state at time 0: elements at rest in their first shape, held directions at their prescribed velocity.
+State make_initial_state(const Model& model);
+
+/// 64 bits of all positions, velocities and element records, by number in the whole mesh: independent of ranks, threads
+/// and order. Collective; the same on all ranks.
+std::uint64_t hash_state(const Model& model, const State& state);
+
+}  // namespace percuss

@@ -1,0 +1,135 @@
+#include "src/step/restart/archive_lives.hpp"
+
+#include <span>
+#include <vector>
+
+#include "kernels/core/host_copy.hpp"
+#include "kernels/shell/shell_failure.hpp"
+
+namespace percuss {
+
+namespace {
+
+constexpr std::size_t lanes = pack_size<Real>, across = pack_size<double>;  // packs of elements, of layers
+
+/// What the elements carry that can fail, element after element.
+void archive_elements_that_fail(CheckpointArchive& archive, const Model& model, const State& state) {
+  constexpr std::size_t columns = 7;  // steps left, plastic strain, damage, time at yield, three works
+  const auto first_element = to_host(model.chunks.first_element), first_pack = to_host(model.failing.first_pack),
+             row = to_host(model.failing.row);
+  const auto limits = to_host(model.failing.limits);
+  const ElementLives& lives = state.lives;
+  const auto steps_left = to_host(lives.steps_left);
+  const auto plastic_strain = to_host(lives.plastic_strain), damage = to_host(lives.damage),
+             time_at_yield = to_host(lives.time_at_yield), work = to_host(lives.work);
+  const auto force_share = to_host(lives.force_share), work_share = to_host(lives.work_share);
+  ChunkRows rows;
+  std::vector<std::size_t> places;  // lanes
+  std::vector<int> fade_steps;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(model.chunks.count); ++c) {
+    const bool can_fail = model.failing.pack_count > 0 && first_pack(c) >= 0;
+    rows.counts.push_back(can_fail ? first_element(c + 1) - first_element(c) : 0);
+    for (std::int64_t i = 0; i < rows.counts.back(); ++i) {
+      places.push_back(static_cast<std::size_t>(first_pack(c)) * lanes + static_cast<std::size_t>(i));
+      fade_steps.push_back(limits(static_cast<std::size_t>(row(c))).fade_steps);
+    }
+  }
+  std::vector<double> values(columns * places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t l = places[i], first_work = l / lanes * 3 * lanes + l % lanes;
+    double* const v = &values[columns * i];
+    v[0] = steps_left(l);
+    v[1] = plastic_strain(l);
+    v[2] = damage(l);
+    v[3] = time_at_yield(l);
+    for (std::size_t k = 0; k < 3; ++k) v[4 + k] = work(first_work + k * lanes);
+  }
+  archive.rows("elements/lives", rows, static_cast<int>(columns), std::span<double>(values));
+  if (!archive.is_loading()) return;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t l = places[i], first_work = l / lanes * 3 * lanes + l % lanes;
+    const double* const v = &values[columns * i];
+    steps_left(l) = static_cast<int>(v[0]);
+    plastic_strain(l) = v[1];
+    damage(l) = v[2];
+    time_at_yield(l) = v[3];
+    for (std::size_t k = 0; k < 3; ++k) work(first_work + k * lanes) = v[4 + k];
+    const LifeShares shares = find_life_shares(steps_left(l), fade_steps[i]);
+    force_share(l) = static_cast<Real>(shares.force);
+    work_share(l) = static_cast<Real>(shares.work);
+  }
+  Kokkos::deep_copy(lives.steps_left, steps_left);
+  Kokkos::deep_copy(lives.plastic_strain, plastic_strain);
+  Kokkos::deep_copy(lives.damage, damage);
+  Kokkos::deep_copy(lives.time_at_yield, time_at_yield);
+  Kokkos::deep_copy(lives.work, work);
+  Kokkos::deep_copy(lives.force_share, force_share);
+  Kokkos::deep_copy(lives.work_share, work_share);
+}
+
+/// Calls visit(places in ElementLives::layers of the first row of each element, number of layers) chunk after chunk, of
+/// chunks whose shells can fail.
+template <class Visit>
+void visit_failing_shells(const Model& model, const Visit& visit) {
+  const FailingChunks& failing = model.failing;
+  const auto list = to_host(failing.list), is_shell = to_host(model.chunks.is_shell),
+             points = to_host(model.chunks.points), first_element = to_host(model.chunks.first_element);
+  const auto first_layer = to_host(failing.first_layer);
+  for (std::size_t l = 0; failing.layer_scalars > 0 && l < list.extent(0); ++l) {
+    const auto c = static_cast<std::size_t>(list(l));
+    if (is_shell(c) == 0) continue;
+    const auto rows = static_cast<std::size_t>(LayerLives::count_rows(points(c)));
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(first_element(c + 1) - first_element(c)); ++i) {
+      places.push_back(first_layer(c) + i / across * rows * across + i % across);
+    }
+    visit(c, places, points(c));
+  }
+}
+
+/// What the layers of shells carry that can fail, element after element: the strains of the element, then of each
+/// layer the evaluations left, plastic strain, damage, time at yield.
+void archive_layers(CheckpointArchive& archive, const Model& model, const State& state) {
+  if (!model.has_shells) return;
+  using L = LayerLives;
+  constexpr int columns[] = {L::left, L::plastic_strain, L::damage, L::time_at_yield};
+  ChunkRows rows{std::vector<std::int64_t>(static_cast<std::size_t>(model.chunks.count), 0), {}};
+  const auto layers = to_host(state.lives.layers);
+  std::vector<double> values;
+  std::vector<std::size_t> scalars;  // of the layers, as they stand in `values`
+  visit_failing_shells(model, [&](std::size_t c, const std::vector<std::size_t>& places, int points) {
+    for (const std::size_t first : places) {
+      for (std::size_t k = 0; k < L::layers; ++k) scalars.push_back(first + k * across);
+      for (int p = 0; p < points; ++p) {
+        for (const int k : columns)
+          scalars.push_back(first + static_cast<std::size_t>(L::layers + p * L::layer_size + k) * across);
+      }
+    }
+    rows.counts[c] = static_cast<std::int64_t>(places.size()) * (L::layers + 4 * points);
+  });
+  for (const std::size_t s : scalars) values.push_back(layers(s));
+  archive.rows("elements/layers", rows, 1, std::span<double>(values));
+  if (!archive.is_loading()) return;
+  for (std::size_t i = 0; i < scalars.size(); ++i) layers(scalars[i]) = values[i];
+  const auto row = to_host(model.failing.row);
+  const auto limits = to_host(model.failing.limits);
+  visit_failing_shells(model, [&](std::size_t c, const std::vector<std::size_t>& places, int points) {
+    for (const std::size_t first : places) {
+      for (int p = 0; p < points; ++p) {
+        double* const layer = find_layer_life(&layers(first), p);
+        set_layer_left(layer, static_cast<int>(layer[L::left * across]),
+                       limits(static_cast<std::size_t>(row(c))).fade_steps);
+      }
+    }
+  });
+  Kokkos::deep_copy(state.lives.layers, layers);
+}
+
+}  // namespace
+
+void archive_lives(CheckpointArchive& archive, const Model& model, const State& state) {
+  archive_elements_that_fail(archive, model, state);
+  archive_layers(archive, model, state);
+}
+
+}  // namespace percuss

@@ -1,0 +1,234 @@
+#include "src/step/restart/checkpoint.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+
+#include "comm/all_reduce.hpp"
+#include "comm/halo/node_copies.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "kernels/core/same_bits.hpp"
+#include "src/deck/yaml/deck_values.hpp"
+#include "src/error.hpp"
+#include "src/step/model/whole_mesh.hpp"
+#include "src/step/restart/archive_lives.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr std::size_t lanes = pack_size<Real>;
+
+/// Calls visit(scalars of a record, whether the lane only repeats the element before, first scalar) for every lane of
+/// this rank's packs: lanes behind the last element of a chunk repeat that one.
+template <class Visit>
+void visit_records(const HexChunks& chunks, const Visit& visit) {
+  const auto first_element = to_host(chunks.first_element), first_pack = to_host(chunks.first_pack);
+  const auto first_state = to_host(chunks.first_state);
+  const auto record_size = to_host(chunks.record_size);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(chunks.count); ++c) {
+    const auto elements = static_cast<std::size_t>(first_element(c + 1) - first_element(c));
+    const std::size_t in_packs = lanes * static_cast<std::size_t>(first_pack(c + 1) - first_pack(c));
+    const auto size = static_cast<std::size_t>(record_size(c));
+    for (std::size_t i = 0; i < in_packs; ++i) {
+      visit(size, i >= elements, first_state(c) + i / lanes * size * lanes + i % lanes);
+    }
+  }
+}
+
+/// Element records, element after element: without the packs, whose width depends on the machine.
+void archive_elements(CheckpointArchive& archive, const Model& model, const State& state) {
+  const auto record_size = to_host(model.chunks.record_size);
+  const auto first_element = to_host(model.chunks.first_element);
+  ChunkRows rows;
+  std::size_t total = 0;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(model.chunks.count); ++c) {
+    rows.counts.push_back(std::int64_t{first_element(c + 1) - first_element(c)} * record_size(c));
+    total += static_cast<std::size_t>(rows.counts.back());
+  }
+  std::vector<double> records(total);
+  const auto packs = to_host(state.elements);
+  std::size_t next = 0;
+  if (!archive.is_loading()) {
+    visit_records(model.chunks, [&](std::size_t size, bool is_repeated, std::size_t first) {
+      if (is_repeated) return;
+      for (std::size_t s = 0; s < size; ++s) records[next++] = packs(first + s * lanes);
+    });
+  }
+  archive.rows("elements/records", rows, 1, records);
+  if (!archive.is_loading()) return;
+  visit_records(model.chunks, [&](std::size_t size, bool is_repeated, std::size_t first) {
+    if (is_repeated) next -= size;  // the last element's again
+    for (std::size_t s = 0; s < size; ++s) packs(first + s * lanes) = static_cast<Real>(records[next++]);
+  });
+  Kokkos::deep_copy(state.elements, packs);
+}
+
+void archive_eroded(CheckpointArchive& archive, State& state) {
+  Books& books = state.books;
+  archive.sum("books/eroded_internal", books.eroded_internal);
+  archive.sum("books/eroded_hourglass", books.eroded_hourglass);
+  archive.sum("books/eroded_viscous", books.eroded_viscous);
+  archive.sum("books/eroded_kinetic", books.eroded_kinetic);
+  archive.sum("books/eroded_mass", books.eroded_mass);
+  archive.number("books/eroded_elements", books.eroded_elements);
+  archive.number("books/total_mass", state.total_mass);
+}
+
+/// The chunks' own slots; those of pressure follow from the positions, those of other ranks come from them.
+void archive_slots(CheckpointArchive& archive, const char* name, const Model& model, const Rows3<double>& slots) {
+  const auto first_slot = to_host(model.chunks.first_slot);
+  const auto count = static_cast<std::size_t>(model.chunks.count);
+  ChunkRows rows;
+  for (std::size_t c = 0; c < count; ++c) rows.counts.push_back(first_slot(c + 1) - first_slot(c));
+  const auto own = static_cast<std::size_t>(first_slot(count));
+  archive.rows(name, rows, 3, Kokkos::subview(slots, std::pair(std::size_t{0}, own), Kokkos::ALL));
+}
+
+/// What shells add.
+void archive_spins(CheckpointArchive& archive, const ChunkRows& nodes, const Model& model, State& state) {
+  if (!model.has_shells) return;
+  archive.rows("nodes/w", nodes, 3, state.w);
+  archive_slots(archive, "elements/slot_moment", model, state.slot_moment);
+}
+
+void archive_bound(CheckpointArchive& archive, StepBound& bound) {
+  archive.number_or_infinity("bound/step", bound.step);  // no element left: no bound
+  archive.number("bound/element", bound.element);
+  archive.number("bound/element_id", bound.element_id);
+}
+
+void archive_books(CheckpointArchive& archive, Books& books) {
+  archive.sum("books/external_work", books.external_work);
+  archive.sums("books/impulse", books.impulse);
+  archive.sums("books/moment_impulse", books.moment_impulse);
+  archive.number("books/contact_work", books.contact_work);
+  archive.number("books/friction_work", books.friction_work);
+}
+
+/// 16 hexadecimal digits of ids, places and corners of the whole mesh.
+std::string hash_mesh(const ChunkedMesh& chunked, const Communicator& ranks) {
+  const Mesh& mesh = chunked.mesh;
+  std::uint64_t sum = 0;
+  for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
+    if (!owns_node(chunked, static_cast<int>(n))) continue;
+    std::uint64_t h = mix_bits(static_cast<std::uint64_t>(mesh.node_numbers[n]));
+    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.node_ids[n]));
+    for (const double x : mesh.nodes[n]) h = mix_bits(h ^ std::bit_cast<std::uint64_t>(x));
+    sum += h;
+  }
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    std::uint64_t h = mix_bits(~static_cast<std::uint64_t>(find_element_number(chunked, static_cast<int>(e))));
+    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.element_ids[e]));
+    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.element_part[e]));
+    for (const int n : mesh.elements[e]) {
+      h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.node_numbers[static_cast<std::size_t>(n)]));
+    }
+    sum += h;
+  }
+  all_reduce(ranks, Reduce::sum, sum);
+  return fmt::format("{:016x}", sum);
+}
+
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const auto end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// The first few of a list, and how many more there are.
+std::string join_first(const std::vector<std::string>& items) {
+  constexpr std::size_t most = 5;
+  const auto end = items.begin() + static_cast<std::ptrdiff_t>(std::min(most, items.size()));
+  std::string text = fmt::format("{}", fmt::join(items.begin(), end, ", "));
+  if (items.size() > most) text += fmt::format(" and {} more", items.size() - most);
+  return text;
+}
+
+}  // namespace
+
+void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const Model& model, State& state) {
+  archive.number("time", state.time);
+  archive.integer("step", state.step);
+  archive.number("dt", state.dt);
+  archive.number("next_dt", state.next_dt);
+  archive_bound(archive, state.bound);
+  const ChunkRows nodes = find_owned_node_rows(chunked);
+  archive.rows("nodes/x", nodes, 3, state.x);
+  archive.rows("nodes/v", nodes, 3, state.v);
+  archive.rows("nodes/impulse", nodes, 3, state.impulse);
+  archive_elements(archive, model, state);
+  archive_slots(archive, "elements/slot_force", model, state.slot_force);
+  archive_spins(archive, nodes, model, state);
+  const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
+  archive.rows("chunks/work", chunks, 3, state.results.work);
+  archive_books(archive, state.books);
+  if (!model.can_erode) return;
+  archive_lives(archive, model, state);
+  archive_eroded(archive, state);
+}
+
+void complete_state(const ChunkedMesh& chunked, const Model& model, const State& state) {
+  if (model.ranks.size() == 1) return;
+  UnstructuredExchange exchange(model.ranks);
+  SharedNodes shared = find_shared_nodes(exchange, chunked.mesh.node_numbers);
+  for (std::size_t n = 0; n < shared.owners.size(); ++n) {
+    shared.owners[n] = chunked.numbering.find_node_owner(chunked.mesh.node_numbers[n]);
+  }
+  NodeCopies copies(model.ranks, shared);
+  std::vector<Rows3<double>> rows{state.x, state.v, state.impulse};
+  if (model.has_shells) rows.push_back(state.w);
+  for (const auto& values : rows) {
+    copies.begin(ExecSpace(), values);
+    copies.end(ExecSpace(), values);
+  }
+}
+
+CheckpointHeader make_checkpoint_header(const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+                                        const State& state) {
+  CheckpointHeader header;
+  header.version = PERCUSS_VERSION;
+  header.precision = precision_name;
+  header.title = deck.title;
+  header.deck = fmt::format("{}", fmt::join(deck.motion_values, "\n"));
+  header.mesh = hash_mesh(chunked, model.ranks);
+  header.written = fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::chrono::system_clock::now()));
+  header.elements = chunked.numbering.element_count();
+  header.nodes = chunked.numbering.node_count();
+  header.step = state.step;
+  header.time = state.time;
+  return header;
+}
+
+void check_checkpoint_header(const std::string& path, const CheckpointHeader& checkpoint, const CheckpointHeader& now,
+                             const Deck& deck) {
+  if (checkpoint.version != now.version || checkpoint.precision != now.precision) {
+    throw InputError(
+        fmt::format("{}: error: the checkpoint is of percuss {} in {} precision (this is {}, {}) go on with "
+                    "the one that wrote it",
+                    path, checkpoint.version, checkpoint.precision, now.version, now.precision));
+  }
+  const auto differences = compare_motion_values(deck.motion_values, split_lines(checkpoint.deck));
+  if (!differences.empty()) {
+    throw InputError(
+        fmt::format("{}: error: the deck is not the one of {} (a run goes on with the scene that it had): "
+                    "{}; only title, units, output, audit, time.end, time.max_steps, time.collapse_ratio "
+                    "and contact.rebalance may change",
+                    deck.file, path, join_first(differences)));
+  }
+  if (checkpoint.mesh != now.mesh) {
+    throw InputError(fmt::format(
+        "{}: error: the mesh is not the one of {} ({} elements, {} nodes, hash {}; there {} "
+        "elements, {} nodes, hash {}) was a mesh file changed?",
+        deck.file, path, now.elements, now.nodes, now.mesh, checkpoint.elements, checkpoint.nodes, checkpoint.mesh));
+  }
+}
+
+}  // namespace percuss

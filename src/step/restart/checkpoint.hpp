@@ -1,0 +1,27 @@
+#pragma once
+// What a checkpoint holds of model and state, and whether it belongs to the scene at hand.
+
+#include <string>
+
+#include "src/output/checkpoint/checkpoint_file.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+/// Everything of the state that a step reads. Loaded, copies of nodes and the slots of other ranks are not filled in:
+/// complete_state() and Stepper::resume() do that. Collective.
+void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const Model& model, State& state);
+
+/// Gives the copies of nodes what their owners have read. Collective.
+void complete_state(const ChunkedMesh& chunked, const Model& model, const State& state);
+
+/// The header of a checkpoint of this state. Collective.
+CheckpointHeader make_checkpoint_header(const Deck& deck, const ChunkedMesh& chunked, const Model& model,
+                                        const State& state);
+
+/// Throws InputError if the checkpoint is of another version, precision, mesh or deck, and says what differs. `now`:
+/// the header of the scene at hand.
+void check_checkpoint_header(const std::string& path, const CheckpointHeader& checkpoint, const CheckpointHeader& now,
+                             const Deck& deck);
+
+}  // namespace percuss

@@ -1,0 +1,258 @@
+#include "src/step/results/element_fields.hpp"
+
+#include <cmath>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/step/results/shell_fields.hpp"
+
+namespace percuss {
+
+namespace {
+
+constexpr int width = pack_size<Real>;
+
+/// The record of an element: record[width * i] is its scalar i. c: its chunk.
+KOKKOS_INLINE_FUNCTION const Real* find_record(const HexChunks& chunks, const Array<Real>& elements, int c, int e) {
+  const int i = e - chunks.first_element(c);
+  return &elements(chunks.first_state(c)) +
+         static_cast<std::size_t>(i / width) * static_cast<std::size_t>(chunks.record_size(c)) * width + i % width;
+}
+
+/// What the reading of an element needs besides its record.
+struct Lives {
+  FailingChunks failing;
+  ElementLives lives;
+
+  /// Of element i of chunk c among the lanes that can fail; -1: it cannot.
+  KOKKOS_INLINE_FUNCTION int find_lane(int c, int i) const {
+    const int pack = failing.find_pack(c);
+    return pack < 0 ? -1 : pack * width + i;
+  }
+  /// Share of its force that an element has at n.
+  KOKKOS_INLINE_FUNCTION double find_share(int c, int i) const {
+    const int lane = find_lane(c, i);
+    return lane < 0 ? 1 : find_life_shares(lives.steps_left(lane), failing.limits(failing.row(c)).fade_steps).now;
+  }
+  KOKKOS_INLINE_FUNCTION double find_damage(int c, int i) const {
+    const int lane = find_lane(c, i);
+    if (lane < 0) return 0;
+    if (lives.steps_left(lane) != ElementLives::whole) return 1;
+    const FailureLimits& limits = failing.limits(failing.row(c));
+    const double strain = lives.plastic_strain(lane) / limits.plastic_strain,
+                 time = lives.time_at_yield(lane) / limits.yield_time;
+    return larger(lives.damage(lane), larger(strain, time));
+  }
+};
+
+KOKKOS_INLINE_FUNCTION int find_chunk(const HexChunks& chunks, int e) {
+  int low = 0, high = chunks.count;
+  while (high - low > 1) {
+    const int middle = low + (high - low) / 2;
+    (chunks.first_element(middle) <= e ? low : high) = middle;
+  }
+  return low;
+}
+
+/// The stress, turned into space axes; of a hexahedron with several points their mean.
+struct ReadStress {
+  static constexpr int components = 6;
+  static constexpr bool fades = true;
+  ShellTables shells;
+  int point = ShellPoint::mean;
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const Real* record, double* row) const {
+    if (is_shell(chunks, c)) {
+      read_shell_stress(shells, chunks, c, e, record, point, row);
+      return;
+    }
+    const Real* s = record + HexRecord::stress * width;
+    const Real* r = record + HexRecord::rotation * width;
+    const int points = chunks.points(c);
+    double mean[6];
+    for (int k = 0; k < 6; ++k) {
+      double sum = s[k * width];
+      for (int p = 1; p < points; ++p) sum += s[(6 * p + k) * width];
+      mean[k] = sum / points;
+    }
+    const Symmetric3<double> stress{mean[0], mean[1], mean[2], mean[3], mean[4], mean[5]};
+    Matrix3<double> rotation{};
+    for (int i = 0; i < 3; ++i) {
+      rotation.row[i] = {r[3 * i * width], r[(3 * i + 1) * width], r[(3 * i + 2) * width]};
+    }
+    const Symmetric3<double> t = push_forward(rotation, stress);
+    row[0] = t.xx;
+    row[1] = t.yy;
+    row[2] = t.zz;
+    row[3] = t.xy;
+    row[4] = t.yz;
+    row[5] = t.zx;
+  }
+};
+
+/// A scalar of the history; of an element with several points their mean, 0 where the material has none.
+struct ReadScalar {
+  static constexpr int components = 1;
+  static constexpr bool fades = false;
+  ShellTables shells;
+  HistoryScalar name;
+  int point = ShellPoint::mean;
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const Real* record,
+                                         double* row) const {
+    if (is_shell(chunks, c)) {
+      const auto& rule = shells.rules(chunks.points(c));
+      const int place = chunks.find_scalar(c, name);
+      const auto whole = [](int) { return 1.0; };
+      const bool has = place >= 0 && point < rule.count;
+      row[0] = has ? read_layers(chunks, c, rule, record, place - ShellRecord::layers, point, whole) : 0;
+      return;
+    }
+    const int place = chunks.find_scalar(c, name);
+    const int points = place < 0 ? 0 : chunks.points(c);
+    row[0] = 0;
+    for (int p = 0; p < points; ++p) row[0] += double{record[(place + p) * width]} / points;
+  }
+};
+
+/// Of a shell; 0 of others.
+struct ReadThickness {
+  static constexpr int components = 1;
+  static constexpr bool fades = false;
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const Real* record,
+                                         double* row) const {
+    row[0] = is_shell(chunks, c) ? record[ShellRecord::thickness * width] : 0;
+  }
+};
+
+/// What an element has lost of it.
+template <class Read>
+KOKKOS_INLINE_FUNCTION void scale(const Lives& lives, int c, int i, double* row) {
+  const double share = lives.find_share(c, i);
+  if (share == 1) return;
+  for (int k = 0; k < Read::components; ++k) {
+    if (Read::fades) row[k] *= share;
+    if (share == 0) row[k] = 0;  // also of a record that is not finite
+  }
+}
+
+std::vector<double> copy_out(const Array<double>& view) {
+  const auto host = to_host(view);
+  return {host.data(), host.data() + host.extent(0)};
+}
+
+template <class Read>
+std::vector<double> read_all(const Model& model, const State& state, const Read& read) {
+  const Array<double> out("percuss::element_field", Read::components * static_cast<std::size_t>(model.element_count));
+  const HexChunks chunks = model.chunks;
+  const auto elements = state.elements;
+  const Lives lives{model.failing, state.lives};
+  Kokkos::parallel_for(
+      "percuss::read_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        for (int e = chunks.first_element(c); e < chunks.first_element(c + 1); ++e) {
+          double* const row = &out(Read::components * static_cast<std::size_t>(e));
+          read(chunks, c, e, find_record(chunks, elements, c, e), row);
+          scale<Read>(lives, c, e - chunks.first_element(c), row);
+        }
+      });
+  return copy_out(out);
+}
+
+template <class Read>
+std::vector<double> read_some(const Model& model, const State& state, const std::vector<int>& wanted,
+                              const Read& read) {
+  const Array<double> out("percuss::element_values", Read::components * wanted.size());
+  const Array<int> list = to_view("percuss::wanted_elements", wanted);
+  const HexChunks chunks = model.chunks;
+  const auto elements = state.elements;
+  const Lives lives{model.failing, state.lives};
+  Kokkos::parallel_for(
+      "percuss::read_some_elements", Range(ExecSpace(), 0, static_cast<int>(wanted.size())),
+      KOKKOS_LAMBDA(const int i) {
+        const int c = find_chunk(chunks, list(i));
+        double* const row = &out(Read::components * static_cast<std::size_t>(i));
+        read(chunks, c, list(i), find_record(chunks, elements, c, list(i)), row);
+        scale<Read>(lives, c, list(i) - chunks.first_element(c), row);
+      });
+  return copy_out(out);
+}
+
+/// read(lives, chunk, i) of every element.
+template <class Read>
+std::vector<double> read_lives(const Model& model, const State& state, const Read& read) {
+  const Array<double> out("percuss::element_field", static_cast<std::size_t>(model.element_count));
+  const HexChunks chunks = model.chunks;
+  const Lives lives{model.failing, state.lives};
+  Kokkos::parallel_for(
+      "percuss::read_lives", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        const int first = chunks.first_element(c);
+        for (int e = first; e < chunks.first_element(c + 1); ++e) out(e) = read(lives, c, e - first);
+      });
+  return copy_out(out);
+}
+
+}  // namespace
+
+std::vector<double> find_alive(const Model& model, const State& state) {
+  return read_lives(model, state,
+                    [](const Lives& lives, int c, int i) { return lives.find_share(c, i) > 0 ? 1.0 : 0.0; });
+}
+
+std::vector<double> find_damage(const Model& model, const State& state) {
+  return read_lives(model, state, [](const Lives& lives, int c, int i) { return lives.find_damage(c, i); });
+}
+
+std::vector<double> find_stresses(const Model& model, const State& state) {
+  return read_all(model, state, ReadStress{{model, state}});
+}
+
+std::vector<double> find_point_stresses(const Model& model, const State& state, int point) {
+  return read_all(model, state, ReadStress{{model, state}, point});
+}
+
+std::vector<double> find_thicknesses(const Model& model, const State& state) {
+  return read_all(model, state, ReadThickness{});
+}
+
+std::vector<double> find_plastic_strains(const Model& model, const State& state) {
+  return read_all(model, state, ReadScalar{{model, state}, HistoryScalar::equivalent_plastic_strain});
+}
+
+std::vector<double> find_point_plastic_strains(const Model& model, const State& state, int point) {
+  return read_all(model, state, ReadScalar{{model, state}, HistoryScalar::equivalent_plastic_strain, point});
+}
+
+std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name) {
+  return read_all(model, state, ReadScalar{{model, state}, name});
+}
+
+std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name,
+                                 const std::vector<int>& elements) {
+  return read_some(model, state, elements, ReadScalar{{model, state}, name});
+}
+
+std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements) {
+  return read_some(model, state, elements, ReadStress{{model, state}});
+}
+
+std::vector<double> find_plastic_strains(const Model& model, const State& state, const std::vector<int>& elements) {
+  return read_some(model, state, elements, ReadScalar{{model, state}, HistoryScalar::equivalent_plastic_strain});
+}
+
+std::vector<double> find_pressures(const std::vector<double>& stresses) {
+  std::vector<double> out(stresses.size() / 6);
+  for (std::size_t e = 0; e < out.size(); ++e) {
+    const double* s = &stresses[6 * e];
+    out[e] = -(s[0] + s[1] + s[2]) / 3;
+  }
+  return out;
+}
+
+std::vector<double> find_von_mises(const std::vector<double>& stresses) {
+  std::vector<double> out(stresses.size() / 6);
+  for (std::size_t e = 0; e < out.size(); ++e) {
+    const double* s = &stresses[6 * e];
+    const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
+    out[e] = std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+  }
+  return out;
+}
+
+}  // namespace percuss

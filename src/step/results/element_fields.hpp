@@ -1,0 +1,54 @@
+#pragma once
+// Reads element records for output: stress in space axes and what follows from it.
+
+#include <vector>
+
+#include "src/step/model/model.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+/// Cauchy stress in space axes, one row of xx, yy, zz, xy, yz, zx an element. Bulk viscosity is not part of it. Of an
+/// element that fails it is the share that is left, of a dead one zero.
+/// Of a shell the mean across its thickness.
+std::vector<double> find_stresses(const Model& model, const State& state);
+
+/// Which of the points across the thickness of a shell: a number from 0, the lowest, or one of these.
+struct ShellPoint {
+  static constexpr int mean = -1, highest = -2, lowest = 0;
+};
+
+/// The same at one point of shells, 0 where they have no such point; of hexahedra as find_stresses().
+std::vector<double> find_point_stresses(const Model& model, const State& state, int point);
+
+/// Thickness of shells; 0 of hexahedra.
+std::vector<double> find_thicknesses(const Model& model, const State& state);
+
+/// Equivalent plastic strain an element, the mean of its points; 0 where the material has none.
+std::vector<double> find_plastic_strains(const Model& model, const State& state);
+
+/// The same at one point of shells, 0 where they have no such point; of hexahedra as find_plastic_strains().
+std::vector<double> find_point_plastic_strains(const Model& model, const State& state, int point);
+
+/// A named scalar of the materials' history an element, at several points their mean; 0 where the material has none.
+std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name);
+std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name,
+                                 const std::vector<int>& elements);
+/// 1 for elements that have any force, 0 for dead ones.
+std::vector<double> find_alive(const Model& model, const State& state);
+
+/// How far an element has come on the way to failure by plastic strain, time at yield or Johnson-Cook's damage, the
+/// largest of these; 1: failed, by whatever criterion.
+std::vector<double> find_damage(const Model& model, const State& state);
+
+/// The same of some elements alone, in their order.
+std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements);
+std::vector<double> find_plastic_strains(const Model& model, const State& state, const std::vector<int>& elements);
+
+/// Pressure -tr(stress)/3 of each row.
+std::vector<double> find_pressures(const std::vector<double>& stresses);
+
+/// von Mises equivalent stress of each row.
+std::vector<double> find_von_mises(const std::vector<double>& stresses);
+
+}  // namespace percuss

@@ -1,0 +1,67 @@
+#pragma once
+// The rows of history.csv: energies, momentum, step, contact, and the nodes and elements that the deck chose.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/output/history_file.hpp"
+#include "src/step/audit/audit.hpp"
+#include "src/step/audit/part_energies.hpp"
+#include "src/step/step.hpp"
+
+namespace percuss {
+
+/// A node or element that the deck follows.
+struct FollowedPoint {
+  std::string name;
+  bool is_element = false;
+  std::int64_t number = 0;  // of the node or element in the whole mesh
+  int index = -1;           // in this rank's share, if it owns the node or has the element; else -1
+};
+
+/// Finds the deck's history points: the nearest node or element centre of all ranks, lowest number among equals, or the
+/// one with the id. Collective. Throws InputError with the deck's place, the same on all ranks.
+std::vector<FollowedPoint> find_history_points(const Deck& deck, const ChunkedMesh& chunked);
+
+class History {
+ public:
+  /// Creates history.csv in the directory: rank 0 writes it. Collective. Throws SystemError, InputError, the same on
+  /// all ranks.
+  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked);
+
+  /// Goes on with the history.csv of an earlier run behind its first `bytes`. Collective. Throws likewise.
+  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes);
+
+  /// Throws on all ranks what that would throw, and changes nothing. Collective.
+  static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes);
+
+  /// wall_force: only with walls; pair_work: ContactStage::sum_pair_work(). Collective. Throws SystemError on all ranks
+  /// if rank 0 cannot write.
+  void write(const Model& model, const State& state, const AuditResult& audit, const ContactReport& contact,
+             const Vec3& wall_force, const std::vector<double>& pair_work);
+  /// Collective; throws likewise.
+  void flush();
+  /// Hands all rows to the system and returns the length of the file [byte]. Collective; throws likewise.
+  std::int64_t find_length();
+  /// Waits until the disk has all rows. Collective; throws likewise.
+  void sync();
+  /// The same, and closes the file. Collective; throws likewise.
+  void close();
+  /// Whether the file still has its name: not if somebody removed or replaced it. Collective.
+  bool is_in_place() const;
+
+ private:
+  void gather_points(const Model& model, const State& state, std::vector<double>& row) const;
+
+  Communicator ranks_;
+  bool has_walls_, removes_nodes_;
+  ContactDeck::Enforcement enforcement_;
+  std::vector<FollowedPoint> points_;
+  PartEnergies parts_;
+  std::vector<HistoryScalar> thermal_;  // columns of followed elements that only some materials fill
+  std::optional<HistoryFile> file_;     // of rank 0
+};
+
+}  // namespace percuss

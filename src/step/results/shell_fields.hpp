@@ -1,0 +1,86 @@
+#pragma once
+// Reads the records of shells for output. Internal to element_fields.cpp.
+
+#include "kernels/shell/shell_failure.hpp"
+#include "src/step/model/model.hpp"
+#include "src/step/model/state.hpp"
+#include "src/step/results/element_fields.hpp"
+
+namespace percuss {
+
+/// What a reader of shells needs besides the records; empty in a scene without shells.
+struct ShellTables {
+  Rows3<const double> x;
+  Kokkos::View<ThicknessPoints*, MemSpace> rules;
+  FailingChunks failing;
+  ElementLives lives;
+
+  ShellTables(const Model& model, const State& state)
+      : x(state.x), rules(model.thickness_rules), failing(model.failing), lives(state.lives) {}
+
+  /// What layer p of element i of chunk c has of its stress at n.
+  KOKKOS_INLINE_FUNCTION double find_share(int c, int i, int points, int p) const {
+    constexpr int width = pack_size<double>;
+    if (failing.first_layer.extent(0) == 0 || failing.find_pack(c) < 0) return 1;
+    const double* const life = find_layer_life(find_layer_lives(lives, failing, c, points, i), p);
+    return find_life_shares(static_cast<int>(life[LayerLives::left * width]), failing.limits(failing.row(c)).fade_steps)
+        .now;
+  }
+};
+
+/// Scalar `place` of one point (a number below the rule's count, or as in ShellPoint). record: its scalars lie a pack
+/// apart; share(p): what counts of layer p.
+template <class Share>
+KOKKOS_INLINE_FUNCTION double read_layers(const HexChunks& chunks, int c, const ThicknessPoints& rule,
+                                          const Real* record, int place, int point, const Share& share) {
+  constexpr int width = pack_size<Real>;
+  const int size = find_layer_size(chunks, c), count = rule.count;
+  const auto value = [&](int p) { return share(p) * record[(ShellRecord::layers + size * p + place) * width]; };
+  if (point == ShellPoint::highest) return value(count - 1);
+  if (point != ShellPoint::mean) return value(point);
+  double mean = 0;
+  for (int p = 0; p < count; ++p) mean += rule.weight[p] * value(p);
+  return mean;
+}
+
+/// Axes of element e of chunk c as rows.
+KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const HexChunks& chunks, int c, int e,
+                                                        const Rows3<const double>& x) {
+  constexpr int width = pack_size<Real>;
+  const int i = e - chunks.first_element(c);
+  const std::size_t pack = static_cast<std::size_t>(chunks.first_pack(c)) + static_cast<std::size_t>(i / width);
+  Vector3<double> corners[4];
+  for (int k = 0; k < 4; ++k) {
+    const int slot =
+        chunks.corner_slots((pack * 8 + static_cast<std::size_t>(k)) * width + static_cast<std::size_t>(i % width));
+    const int n = chunks.slots_to_nodes(chunks.first_slot(c) + slot);
+    corners[k] = {x(n, 0), x(n, 1), x(n, 2)};
+  }
+  return find_shell_geometry(find_differences(corners)).frame;
+}
+
+/// Stress in space axes: xx, yy, zz, xy, yz, zx. Transverse shear is that of all layers.
+KOKKOS_INLINE_FUNCTION void read_shell_stress(const ShellTables& tables, const HexChunks& chunks, int c, int e,
+                                              const Real* record, int point, double* row) {
+  constexpr int width = pack_size<Real>, shear = 3;  // ShellState::shear
+  const ThicknessPoints& rule = tables.rules(chunks.points(c));
+  if (point >= rule.count) {
+    for (int k = 0; k < 6; ++k) row[k] = 0;
+    return;
+  }
+  const auto share = [&](int p) { return tables.find_share(c, e - chunks.first_element(c), rule.count, p); };
+  const auto in_plane = [&](int k) { return read_layers(chunks, c, rule, record, k, point, share); };
+  double left = 1;  // of the whole section
+  for (int p = 0; p < rule.count; ++p) left -= rule.weight[p] * (1 - share(p));
+  const Symmetric3<double> stress{
+      in_plane(0), in_plane(1), 0, in_plane(2), left * record[(shear + 1) * width], left * record[shear * width]};
+  const Symmetric3<double> t = pull_back(find_shell_frame(chunks, c, e, tables.x), stress);
+  row[0] = t.xx;
+  row[1] = t.yy;
+  row[2] = t.zz;
+  row[3] = t.xy;
+  row[4] = t.yz;
+  row[5] = t.zx;
+}
+
+}  // namespace percuss

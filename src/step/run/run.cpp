@@ -1,0 +1,501 @@
+#include "src/step/run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "comm/rendezvous.hpp"
+#include "src/checks/rules.hpp"
+#include "src/contact/contact_stage.hpp"
+#include "src/contact/start/start_overlap.hpp"
+#include "src/fail_together.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
+#include "src/output/files/first_rank.hpp"
+#include "src/step/audit/audit.hpp"
+#include "src/step/build/mass_scaling.hpp"
+#include "src/step/erosion.hpp"
+#include "src/step/model/whole_mesh.hpp"
+#include "src/step/phases.hpp"
+#include "src/step/restart/checkpoint.hpp"
+#include "src/step/restart/restart_removals.hpp"
+#include "src/step/restart/run_checkpoints.hpp"
+#include "src/step/results/run_output.hpp"
+#include "src/step/run/run_checks.hpp"
+#include "src/step/run/run_notes.hpp"
+#include "src/step/run/run_summary.hpp"
+#include "src/step/run/run_totals.hpp"
+#include "src/step/run/run_warnings.hpp"
+#include "src/step/run/stop_request.hpp"
+#include "src/step/step.hpp"
+#include "src/step/turned_corners.hpp"
+
+namespace percuss {
+
+namespace {
+
+/// Energy and momentum are judged at least this often, also without output.
+constexpr long steps_between_audits = 500;
+
+using Clock = std::chrono::steady_clock;
+
+double find_seconds(Clock::time_point since) { return std::chrono::duration<double>(Clock::now() - since).count(); }
+
+/// Everything a run holds between its start and its summary.
+class Run {
+ public:
+  Run(const Deck& deck, const RunOptions& options);
+  RunResult operator()();
+
+ private:
+  bool speaks() const { return ranks_.rank() == 0 && options_.progress != Progress::Style::quiet; }
+  void say(const std::vector<std::string>& lines) const;
+  ChunkedMesh load_scene();
+  void begin();
+  void restart();
+  void open_files();
+  void check_removals() const;
+  void open_results();
+  bool is_finished() const;
+  void loop();
+  void advance();
+  void erode();
+  void observe();
+  void observe_last();
+  void save_interrupted();
+  void look_at_corners();
+  void audit();
+  void note_contact();
+  void check_step_made() const;
+  CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }
+  StepWishes find_wishes() const;
+  void archive(CheckpointArchive& archive);
+  void save_checkpoint();
+  void write_checkpoint();
+  void announce();
+  long steps_done() const { return state_.step - start_step_; }
+  Summary make_summary(const std::string& status, const std::string& error) const;
+  EnergyScales find_scales() const;
+  void finish(const std::string& status, const std::string& error);
+  SummedRun summed() const {
+    return {chunked_, model_, state_, stepper_, contact_, audited_, steps_done(), compute_seconds() - compute_start_};
+  }
+  void fail(const std::exception& error);
+  void write_failed_state();
+  ProgressState find_progress() const;
+
+  const Deck& deck_;
+  RunOptions options_;
+  Clock::time_point setup_start_ = Clock::now();
+  const Communicator ranks_ = Communicator::world();
+  std::optional<Progress> progress_;  // once the scene is read
+  RunWarnings warnings_;
+  Rendezvous rendezvous_{ranks_};
+  ChunkedMesh chunked_;
+  Model model_;
+  ContactStage contact_;
+  State state_;
+  Stepper stepper_;
+  Erosion erosion_;
+  Audit audit_;
+  AuditResult audited_;
+  long audited_step_ = -1;
+  RunOutput output_;
+  RunCheckpoints checkpoints_;
+  const SceneMeasures measures_;  // at time 0
+  bool is_state_whole_ = true;    // false while a step is made
+  long start_step_ = 0;           // where this run began
+  double first_dt_ = 0;
+  std::int64_t limiting_element_id_ = 0;  // bounded the last step
+  Clock::time_point loop_start_;
+  double compute_start_ = 0;  // compute_seconds() when the clocks of the phases began
+  Summary summary_;           // what is noted on the way
+  Summary result_;            // at the end
+};
+
+Run::Run(const Deck& deck, const RunOptions& options)
+    : deck_(deck),
+      options_(options),
+      warnings_(deck.silenced, ranks_),
+      chunked_(load_scene()),
+      model_(build_model(deck, chunked_)),
+      contact_(chunked_, deck, ranks_),
+      state_(make_initial_state(model_)),
+      stepper_(deck, chunked_, model_, contact_),
+      erosion_(deck, chunked_, model_, contact_),
+      audit_(model_),
+      output_(deck, chunked_, model_, contact_, options.out_dir),
+      checkpoints_(deck, options.out_dir),
+      measures_(measure_scene(deck, chunked_, model_.start_velocity)) {
+  stop_if_requested(ranks_, "after contact was made");
+  progress_.emplace(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet);
+  warnings_.print_over(*progress_);
+  warnings_.add(find_start_warnings(deck_, chunked_));
+  warnings_.add(check_input({deck_, &measures_, nullptr, 0}));
+  warnings_.end_input();
+  say(describe_added_masses(model_));
+  if (options.restart.empty()) {
+    begin();
+  } else {
+    restart();
+  }
+  stop_if_requested(ranks_, "before the first step");
+  open_files();  // last: to close a file that several ranks write takes all of them, should one fail alone
+  summary_.setup_s = find_seconds(setup_start_);
+}
+
+/// Tells what is known before the mesh, which may be refused. Of the members above the mesh only.
+ChunkedMesh Run::load_scene() {
+  warnings_.add(deck_.warnings);
+  warnings_.add(options_.warnings);
+  ChunkedMesh chunked = load_mesh(deck_, ranks_);
+  stop_if_requested(ranks_, "after the mesh was made");
+  return chunked;
+}
+
+void Run::begin() {
+  if (contact_.is_active()) {
+    if (const std::string notice = contact_.prepare(state_.x, state_.v); !notice.empty()) say({notice});
+    warnings_.note_pushed(find_pushed_square(contact_.start_overlap(), deck_.contact.overlap));
+  }
+  say(contact_.start_notes());
+  compute_start_ = compute_seconds();
+  stepper_.start(state_);
+  warnings_.add(check_start({deck_, &measures_, &contact_.start_overlap(), state_.bound.step}));
+  erode();
+  first_dt_ = state_.next_dt;
+  limiting_element_id_ = state_.bound.element_id;
+  checkpoints_.begin(state_.time);  // none at time 0
+}
+
+void Run::restart() {
+  CheckpointReader reader(options_.restart, chunked_, ranks_);
+  check_checkpoint_header(options_.restart, reader.header(), make_checkpoint_header(deck_, chunked_, model_, state_),
+                          deck_);
+  archive(reader);
+  warnings_.restore(reader.header(), options_.restart);
+  if (deck_.time.end < state_.time * (1 - 1e-12)) {
+    throw InputError(fmt::format("{}: error: time.end is {:g}, before the checkpoint's time {:g} (a run goes forward)",
+                                 deck_.file, deck_.time.end, state_.time));
+  }
+  complete_state(chunked_, model_, state_);
+  compute_start_ = compute_seconds();
+  stepper_.resume(state_);
+  start_step_ = state_.step;
+  checkpoints_.note(options_.restart, state_);
+  if (speaks()) print_quietly(stderr, "goes on from step {}, t = {:.6g}\n", state_.step, state_.time);
+}
+
+void Run::say(const std::vector<std::string>& lines) const {
+  if (!speaks()) return;
+  for (const std::string& line : lines) print_quietly(stderr, "{}\n", line);
+}
+
+void Run::open_files() {
+  open_results();
+  run_on_first_rank(ranks_, [&] { checkpoints_.remove_unfinished(); });
+}
+
+void Run::open_results() {
+  if (!options_.out_dir.empty() && deck_.output.history_every) {
+    find_history_points(deck_, chunked_);  // an unknown id is told before earlier results go
+  }
+  if (options_.goes_on_in_place) {
+    output_.check_earlier();
+    run_on_first_rank(ranks_, [&] { check_removals(); });
+    output_.go_on();
+    return;
+  }
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() == 0 && options_.prepare_output) options_.prepare_output();
+  });
+  output_.create();
+}
+
+/// A run that goes on in place cuts off what lies behind its checkpoint.
+void Run::check_removals() const {
+  RestartInPlace restart{options_.out_dir, options_.restart, {state_.time, state_.step}, {deck_.time.end, 0}};
+  restart.end.step = deck_.time.max_steps.value_or(std::numeric_limits<std::int64_t>::max());
+  const std::string removals = describe_removals(restart, output_.find_cut_states(restart.from, restart.end));
+  if (removals.empty()) return;
+  if (!options_.may_remove_results) throw InputError(refuse_removals(restart, removals));
+  say({"note: removed, since --force is given: " + removals});
+}
+
+bool Run::is_finished() const {
+  return deck_.time.end - state_.time <= 1e-12 * deck_.time.end ||
+         (deck_.time.max_steps && state_.step >= *deck_.time.max_steps);
+}
+
+void Run::loop() {
+  if (options_.restart.empty()) {
+    summary_.dt.min = first_dt_;
+    check_step_made();
+    audit();  // what later audits compare with, whatever the output
+    observe();
+  }
+  while (!is_finished() && !stepper_.is_stop_agreed()) advance();
+  // The checkpoint goes before the last row and frame, which a run that goes on does not have.
+  if (!is_finished()) {
+    save_interrupted();
+  } else if (checkpoints_.step() != state_.step && checkpoints_.are_wanted()) {
+    write_checkpoint();
+  }
+  observe_last();
+}
+
+/// A step, and all that is due after it.
+void Run::advance() {
+  limiting_element_id_ = state_.bound.element_id;
+  is_state_whole_ = false;
+  stepper_.advance(state_, find_wishes());
+  is_state_whole_ = true;
+  summary_.dt.min = std::min(summary_.dt.min, state_.dt);
+  summary_.dt.max = std::max(summary_.dt.max, state_.dt);
+  note_contact();
+  check_step_made();
+  erode();
+  observe();
+  if (stepper_.is_stop_agreed()) return;  // save_interrupted() writes the checkpoint, without a wait for other files
+  if (stepper_.is_checkpoint_agreed() || checkpoints_.is_due(state_.time)) write_checkpoint();
+  if (!is_finished()) progress_->report(find_progress());  // finish() has the last word
+}
+
+/// (1.1) Redefine the contact surface: where elements have died, everything else follows before the state is looked at.
+void Run::erode() {
+  if (!state_.bound.died) return;
+  PhaseClock& clock = stepper_.clocks().reduce;
+  const PhaseClock before = contact_.clocks().sum();
+  {
+    const Phase phase("percuss::erosion", clock);
+    erosion_.redefine(state_, stepper_.bookkeeper());
+    if (!deck_.pressures.empty() || !deck_.nodal_loads.empty()) stepper_.renew_loads(state_);
+  }
+  clock += before;  // contact has phases of its own
+  clock -= contact_.clocks().sum();
+}
+
+StepWishes Run::find_wishes() const {
+  StepWishes wishes;
+  wishes.stop = is_stop_requested();
+  wishes.checkpoint = is_checkpoint_requested() || (ranks_.rank() == 0 && checkpoints_.is_clock_due());
+  return wishes;
+}
+
+void Run::note_contact() { warnings_.note_step(stepper_.contact_report(), state_.time); }
+
+void Run::audit() {
+  if (audited_step_ == state_.step) return;
+  const Phase phase("percuss::reduce", stepper_.clocks().reduce);
+  audited_ = audit_(state_);
+  audited_step_ = state_.step;
+}
+
+/// Audit and output of a state, where they are due. A row of the history is written before the balance is judged, so
+/// that it shows what grew; a frame only after.
+void Run::observe() {
+  const bool row_due = output_.is_row_due(state_.time), frame_due = output_.is_frame_due(state_.time);
+  if (!row_due && !frame_due && state_.step % steps_between_audits != 0) return;
+  audit();
+  const Phase phase("percuss::output", stepper_.clocks().output);
+  if (row_due) output_.write_row(state_, audited_, stepper_);
+  check_balance(seen(), audited_);
+  if (frame_due) output_.write_frame(state_);
+  if (frame_due) look_at_corners();
+  output_.advance(state_.time);
+}
+
+void Run::look_at_corners() {
+  const std::vector<std::int64_t> counts = count_turned_corners(chunked_, model_, state_);
+  warnings_.renew(describe_turned_corners(counts, chunked_.mesh.parts, state_.time));
+}
+
+/// Whoever interrupts a run may end it by force a second later: what is needed to go on comes first, then what tells
+/// that it was interrupted, and only then all other output and the wait for the disk.
+void Run::save_interrupted() {
+  if (checkpoints_.step() != state_.step) save_checkpoint();
+  audit();
+  const Summary summary = make_summary("interrupted", "");
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() == 0 && !options_.out_dir.empty()) write_summary(options_.out_dir + "/summary.json", summary);
+  });
+  output_.sync();
+}
+
+/// The same of the last state, due or not.
+void Run::observe_last() {
+  audit();
+  const Phase phase("percuss::output", stepper_.clocks().output);
+  output_.write_row(state_, audited_, stepper_);
+  look_at_corners();
+  check_balance(seen(), audited_);
+  output_.write_frame(state_);
+}
+
+void Run::check_step_made() const {
+  check_elements(seen());
+  if (!is_finished()) check_step(seen(), first_dt_);
+}
+
+/// Everything that a run needs to go on as if it had never stopped.
+void Run::archive(CheckpointArchive& archive) {
+  archive_state(archive, chunked_, model_, state_);
+  if (archive.is_loading() && model_.can_erode) erosion_.restore(state_);
+  stepper_.archive(archive);
+  audit_.archive(archive);
+  output_.archive(archive, state_.time);
+  archive.number("run/first_dt", first_dt_);
+  archive.number("run/dt_min", summary_.dt.min);
+  archive.number("run/dt_max", summary_.dt.max);
+  archive.number("run/limiting_element_id", limiting_element_id_);
+  archive.integer("run/audited_step", audited_step_);
+  audited_.archive(archive);
+  warnings_.archive(archive);
+}
+
+void Run::write_checkpoint() {
+  output_.sync();
+  save_checkpoint();
+}
+
+void Run::save_checkpoint() {
+  if (options_.out_dir.empty()) return;
+  const Phase phase("percuss::output", stepper_.clocks().output);
+  output_.note_lengths();
+  CheckpointHeader header = make_checkpoint_header(deck_, chunked_, model_, state_);
+  header.warnings = warnings_.write();
+  checkpoints_.write(header, chunked_, ranks_, state_, [&](CheckpointArchive& to) { archive(to); });
+  forget_checkpoint_request();
+}
+
+ProgressState Run::find_progress() const {
+  return {state_.step,
+          state_.time,
+          deck_.time.end,
+          state_.dt,
+          audited_.energy.error,
+          stepper_.contact_report().interactions,
+          state_.books.eroded_elements};
+}
+
+/// A folder whose summary says "running" and that no run holds is of a run that was killed. Collective.
+void Run::announce() {
+  Summary summary = summary_;
+  summary.status = "running";
+  summary.warnings = warnings_.list();
+  fill_scene(summed(), summary);
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() == 0 && !options_.out_dir.empty()) write_summary(options_.out_dir + "/summary.json", summary);
+  });
+}
+
+/// Collective.
+Summary Run::make_summary(const std::string& status, const std::string& error) const {
+  Summary summary = summary_;
+  summary.status = status;
+  summary.error = error;
+  summary.dt.last = state_.dt;
+  summary.dt.element = limiting_element_id_;
+  summary.loop_s = find_seconds(loop_start_);
+  summary.warnings = warnings_.list();
+  fill_summary(summed(), summary);
+  return summary;
+}
+
+/// Contact that pushes nodes of mass m out by g in steps of dt compresses elements, or springs of its own, at most as
+/// stiff as m / dt^2. What else it may give holds the forces that were there at the start.
+EnergyScales Run::find_scales() const {
+  const auto nodes = static_cast<double>(chunked_.numbering.node_count());
+  const double steps = static_cast<double>(state_.step), node_mass = model_.total_mass / nodes;
+  EnergyScales scales;
+  scales.largest = audit_.largest_energy();
+  scales.resolved = find_resolved_energy(chunked_, model_, steps > 0 ? state_.time / steps : 0);
+  scales.stored = stepper_.contact_report().stored;
+  scales.granted = audit_.start_half_steps();
+  if (warnings_.pushed_square() > 0)
+    scales.granted += 0.5 * node_mass * warnings_.pushed_square() / (first_dt_ * first_dt_);
+  return scales;
+}
+
+/// Collective.
+void Run::finish(const std::string& status, const std::string& error) {
+  const std::vector<RankRow> rows = gather_rows(ranks_, make_rank_row(summed()));
+  result_ = make_summary(status, error);
+  progress_->finish(find_progress());
+  const EnergyScales scales = find_scales();
+  warnings_.add(
+      find_end_warnings(result_, scales, find_hourglassed_parts(chunked_, model_, state_, scales), deck_.units));
+  result_.warnings = warnings_.list();
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() != 0 || options_.out_dir.empty()) return;
+    write_summary(options_.out_dir + "/summary.json", result_);  // first: it tells how the run ended
+    write_ranks(options_.out_dir + "/ranks.csv", rows);
+  });
+}
+
+/// The state in which a run failed, if it can be looked at: a row and a frame more.
+void Run::write_failed_state() {
+  if (!is_state_whole_) return;
+  output_.write_row(state_, audit_(state_), stepper_);
+  if (!has_finite_positions(model_, state_)) return;
+  output_.write_frame(state_);
+  if (speaks() && !options_.out_dir.empty() && deck_.output.fields_every)
+    print_quietly(stderr, "the last frame is the state that failed, t = {:.6g}; the one before it is sound\n",
+                  state_.time);
+}
+
+/// Writes what there is of a failed run, if all ranks have come here; only then may they talk to each other.
+void Run::fail(const std::exception& error) {
+  if (!rendezvous_.meet()) {
+    if (options_.end_all_ranks) options_.end_all_ranks();
+    ranks_.abort(static_cast<int>(ExitCode::system_failed));
+  }
+  try {
+    if (dynamic_cast<const RunError*>(&error) != nullptr) write_failed_state();
+    // The state is sound where files were taken away: from a checkpoint the run can go on in another folder. That of a
+    // run that failed by itself would only fail again.
+    const bool is_sound = is_state_whole_ && dynamic_cast<const SystemError*>(&error) != nullptr;
+    if (is_sound && !output_.are_files_in_place()) save_checkpoint();
+    finish("failed", error.what());
+    output_.close();
+  } catch (const std::exception& second) {  // a full disk must not hide why the run failed, and is told once
+    if (ranks_.rank() == 0 && dynamic_cast<const SystemError*>(&error) == nullptr)
+      print_quietly(stderr, "percuss: error: {}\n", second.what());
+  }
+  if (!speaks() || options_.out_dir.empty()) return;
+  print_quietly(stderr, "results: {}\n", options_.out_dir);
+  if (const std::string hint = checkpoints_.describe(); !hint.empty()) say({hint});
+  if (const std::string hint = describe_warnings(result_, options_.out_dir); !hint.empty()) say({hint});
+}
+
+RunResult Run::operator()() {
+  loop_start_ = Clock::now();
+  try {
+    announce();
+    ranks_.mark_profiled(true);
+    loop();
+    ranks_.mark_profiled(false);
+    output_.close();
+  } catch (const std::exception& error) {
+    fail(error);
+    throw;
+  }
+  const bool interrupted = stepper_.is_stop_agreed() && !is_finished();
+  finish(interrupted ? "interrupted" : "completed", "");
+  return {interrupted ? ExitCode::interrupted : ExitCode::done, result_, checkpoints_.path()};
+}
+
+}  // namespace
+
+RunResult run_scene(const Deck& deck, const RunOptions& options) {
+  Run run(deck, options);
+  const RunResult result = run();
+  forget_stop_request();
+  return result;
+}
+
+}  // namespace percuss

@@ -1,0 +1,156 @@
+#include "src/step/run/run_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/error.hpp"
+#include "src/mesh/hex_geometry.hpp"
+#include "src/step/model/whole_mesh.hpp"
+#include "src/step/results/element_fields.hpp"
+
+namespace percuss {
+namespace {
+
+HexCorners find_corners(const CheckedRun& run, int element) {
+  const auto x = to_host(run.state.x);
+  HexCorners corners{};
+  for (std::size_t i = 0; i < 8; ++i) {
+    const auto n = static_cast<std::size_t>(run.chunked.mesh.elements[static_cast<std::size_t>(element)][i]);
+    for (std::size_t k = 0; k < 3; ++k) corners[i][k] = x(n, k);
+  }
+  return corners;
+}
+
+/// "element 5 of part 'bar' at (2.75, 0.5, 0.5)", of an element of this rank.
+std::string name_with_place(const CheckedRun& run, int element) {
+  Vec3 center{};
+  for (const Vec3& corner : find_corners(run, element)) {
+    for (std::size_t k = 0; k < 3; ++k) center[k] += corner[k] / 8;
+  }
+  return fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_element(run.chunked.mesh, element), center[0], center[1],
+                     center[2]);
+}
+
+/// describe(element) in the words of the rank that has an element of the whole mesh. Collective.
+template <class Describe>
+std::string describe_there(const CheckedRun& run, std::int64_t number, const Describe& describe) {
+  const int element = find_local_element(run.chunked, number);
+  const std::string text = element < 0 ? "" : describe(element);
+  return broadcast_text(run.model.ranks, text, run.chunked.numbering.find_element_owner(number));
+}
+
+std::string describe_element(const CheckedRun& run, std::int64_t number) {
+  return describe_there(run, number, [&](int element) { return name_with_place(run, element); });
+}
+
+std::string describe_failed_element(const CheckedRun& run) {
+  return describe_there(run, run.state.bound.failed_element, [&](int element) {
+    const HexCorners corners = find_corners(run, element);
+    const bool shell = is_shell(run.chunked.mesh.elements[static_cast<std::size_t>(element)]);
+    const double volume = shell ? find_shell_area_size(corners) : find_hex_volume(corners);
+    const std::string name = name_with_place(run, element);
+    if (std::isnan(volume)) return name + " is not finite any more (a corner's position is no number)";
+    if (shell) return fmt::format("{} has no area or no stable step any more (its area is {:.3g})", name, volume);
+    if (volume <= 0) return fmt::format("{} has inverted (its volume is {:.3g})", name, volume);
+    return fmt::format("{} has no stable step any more (its volume is {:.3g})", name, volume);
+  });
+}
+
+/// The first element of a chunk whose stress is not finite, or its first one.
+std::string describe_broken_chunk(const CheckedRun& run) {
+  const auto chunk = static_cast<std::size_t>(run.state.bound.broken_chunk);
+  const std::int64_t number = run.chunked.numbering.first_element[chunk];
+  return describe_there(run, number, [&](int first) {
+    const auto count = static_cast<int>(run.chunked.numbering.first_element[chunk + 1] - number);
+    for (int e = first; e < first + count; ++e) {
+      for (const double stress : find_stresses(run.model, run.state, {e})) {
+        if (!std::isfinite(stress)) return name_with_place(run, e) + " has a stress that is not finite";
+      }
+    }
+    return "the work of the elements from " + name_with_place(run, first) + " on is not finite";
+  });
+}
+
+/// Empty if no contact node lies deep. Collective.
+std::string describe_deepest_node(const CheckedRun& run) {
+  const ContactReport& contact = run.stepper.contact_report();
+  if (contact.deepest_node < 0) return "";
+  const int node = find_local_node(run.chunked, contact.deepest_node);
+  std::string text;
+  if (node >= 0) {
+    const auto x = to_host(run.state.x);
+    const auto n = static_cast<std::size_t>(node);
+    text = fmt::format("; the deepest contact node is {} at ({:.6g}, {:.6g}, {:.6g}), {:.3g} of a face edge",
+                       run.chunked.mesh.node_ids[n], x(n, 0), x(n, 1), x(n, 2), contact.deepest);
+  }
+  return broadcast_text(run.model.ranks, text, run.chunked.numbering.find_node_owner(contact.deepest_node));
+}
+
+std::string describe_step(const State& state) {
+  return fmt::format("in step {} at t = {:.6g}", state.step, state.time);
+}
+
+void check_energy(const CheckedRun& run, const EnergySummary& e) {
+  const double bound = run.deck.audit.max_energy_error;
+  if (std::abs(e.error) <= bound) return;  // false for NaN
+  throw RunError(fmt::format(
+      "the energy balance is off by {:.3g} of the largest energy, more than audit.max_energy_error = {:g}, {} (kinetic "
+      "{:.6g}, internal {:.6g}, hourglass {:.6g}, contact {:.6g}; {} has the smallest step{}); look at history.csv for "
+      "what grows, try a smaller time.step_scale (now {})",
+      e.error, bound, describe_step(run.state), e.kinetic, e.internal, e.hourglass, e.contact,
+      describe_element(run, run.state.bound.element), describe_deepest_node(run), run.deck.time.step_scale));
+}
+
+void check_momentum(const CheckedRun& run, const char* which, double error) {
+  const double bound = run.deck.audit.max_momentum_error;
+  if (error <= bound) return;  // false for NaN
+  throw RunError(fmt::format(
+      "{} momentum has changed by {:.3g} of the largest that there was, more than audit.max_momentum_error = {:g}, "
+      "without an impulse that explains it, {} ({} has the smallest step{}); look at history.csv for when it began; if "
+      "the scene hardly moves, raise the bound",
+      which, error, bound, describe_step(run.state), describe_element(run, run.state.bound.element),
+      describe_deepest_node(run)));
+}
+
+}  // namespace
+
+void check_elements(const CheckedRun& run) {
+  const StepBound& bound = run.state.bound;
+  if (bound.failed_element < 0 && bound.broken_chunk < 0) return;
+  const std::string what = bound.failed_element >= 0 ? describe_failed_element(run) : describe_broken_chunk(run);
+  throw RunError(fmt::format(
+      "{}, {} (the mesh is crushed beyond what it can follow, or the run is unstable{}); try a finer mesh there, a "
+      "stronger material, or a smaller time.step_scale (now {})",
+      what, describe_step(run.state), describe_deepest_node(run), run.deck.time.step_scale));
+}
+
+void check_step(const CheckedRun& run, double first_dt) {
+  const double least = run.deck.time.collapse_ratio * first_dt;
+  if (run.state.next_dt >= least || run.deck.time.step_scale * run.state.bound.step >= least) return;
+  throw RunError(
+      fmt::format("the time step has collapsed to {:.3g} (it began at {:.3g}) {}; {} controls it; try a coarser mesh "
+                  "there, or lower "
+                  "time.collapse_ratio (now {:g}) to go on",
+                  run.state.next_dt, first_dt, describe_step(run.state), describe_element(run, run.state.bound.element),
+                  run.deck.time.collapse_ratio));
+}
+
+void check_balance(const CheckedRun& run, const AuditResult& audit) {
+  check_energy(run, audit.energy);
+  check_momentum(run, "linear", audit.momentum.linear_error);
+  check_momentum(run, "angular", audit.momentum.angular_error);
+}
+
+bool has_finite_positions(const Model& model, const State& state) {
+  const auto x = to_host(state.x);
+  int finite = std::all_of(x.data(), x.data() + x.size(), [](double value) { return std::isfinite(value); }) ? 1 : 0;
+  all_reduce(model.ranks, Reduce::least, finite);
+  return finite != 0;
+}
+
+}  // namespace percuss

@@ -1,0 +1,31 @@
+#pragma once
+// Whether a run may go on after a step, and what is said if not: what is worst, where, and what to do about it.
+
+#include "src/step/audit/audit.hpp"
+#include "src/step/step.hpp"
+
+namespace percuss {
+
+/// What the checks look at; all of it outlives them.
+struct CheckedRun {
+  const Deck& deck;
+  const ChunkedMesh& chunked;
+  const Model& model;
+  const State& state;
+  const Stepper& stepper;
+};
+
+/// Throws RunError, on all ranks, if an element has inverted, or anything of the state or its work is not finite, in
+/// the step just made. Collective.
+void check_elements(const CheckedRun& run);
+
+/// Throws RunError, on all ranks, if the step has collapsed. first_dt: the first step of the run. Collective.
+void check_step(const CheckedRun& run, double first_dt);
+
+/// Throws RunError, on all ranks, if the balance of energy or of momentum is off. Collective.
+void check_balance(const CheckedRun& run, const AuditResult& audit);
+
+/// Whether every position is a number. Collective.
+bool has_finite_positions(const Model& model, const State& state);
+
+}  // namespace percuss

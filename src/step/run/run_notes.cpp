@@ -1,0 +1,125 @@
+#include "src/step/run/run_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/contact/geometry/contact_limits.hpp"
+#include "src/deck/units.hpp"
+#include "src/step/audit/coordinate_precision.hpp"
+#include "src/step/model/whole_mesh.hpp"
+#include "src/step/run/run_totals.hpp"
+
+namespace percuss {
+
+namespace {
+
+/// Of the internal energy of a part: more in its hourglass modes is told ...
+constexpr double noted_hourglass_share = 0.1;
+/// ... unless it is so small beside the largest energy of the scene that it means nothing.
+constexpr double noted_energy_share = 1e-3;
+
+/// Of the largest energy: contact gives back what its springs hold and what it was asked for, and no more.
+constexpr double noted_contact_share = 0.01;
+
+/// Of the largest energy: a balance that is off by more is told, long before audit.max_energy_error ends the run.
+constexpr double noted_energy_error = 0.01;
+
+/// Of a face edge, beyond what was accepted at the start: the contact of a node is lost at a quarter.
+constexpr double noted_depth = 0.1;
+
+/// Motions of so many times contact's play in a step are round-off of contact, too.
+constexpr double motions_in_play = 10;
+
+Warning describe_contact_energy(double given, double largest, const std::string& units, double time) {
+  const std::string share = largest > 0 ? fmt::format(", {:.0f} % of the largest", 100 * given / largest) : "";
+  return {"contact_energy",
+          fmt::format("contact has given {:.3g}{} of energy{} (contact can only take energy, or give back what it "
+                      "stored): look where the column contact of history.csv jumps, at elements crushed to slivers and "
+                      "at parts that overlap",
+                      given, unit_suffix(units, dimensions::energy), share),
+          "", time, 1};
+}
+
+Warning describe_hourglass(const PartHourglass& part, double time) {
+  return {"hourglass_energy",
+          fmt::format("hourglass modes hold {:.0f} % of the internal energy, most near {} (it bends within single "
+                      "elements, or is loaded at single nodes): refine the mesh there, spread the load, or use "
+                      "elements: {{integration: full}}",
+                      100 * part.hourglass / part.internal, part.element),
+          "part '" + part.part + "'", time, 1};
+}
+
+}  // namespace
+
+std::vector<Warning> find_start_warnings(const Deck& deck, const ChunkedMesh& chunked) {
+  std::vector<Warning> warnings = chunked.mesh.warnings;
+  for (const Warning& warning : check_coordinate_precision(deck, chunked)) warnings.push_back(warning);
+  const int ranks = find_ranks(chunked.mesh).size();
+  if (const int idle = count_idle_ranks(chunked.numbering, ranks); idle > 0) {
+    warnings.push_back(
+        {"idle_ranks",
+         fmt::format("{} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never divided): "
+                     "start it on fewer ranks",
+                     idle, ranks, chunked.numbering.chunk_count()),
+         "", 0, 1});
+  }
+  return warnings;
+}
+
+std::vector<Warning> find_step_warnings(const ContactReport& contact, double accepted_depth, double time) {
+  std::vector<Warning> warnings;
+  if (!contact.converged) {
+    warnings.push_back({"unconverged_contact",
+                        "the contact enforcement did not converge in a step (some penetration is left over): judge it "
+                        "by the column residual of history.csv",
+                        "", time, 1});
+  }
+  if (contact.deepest > accepted_depth + noted_depth) {
+    warnings.push_back(
+        {"deep_penetration",
+         fmt::format("a contact node is deeper than {:g} of a face edge (contact is lost at {:g}): use a "
+                     "finer mesh there, a smaller time.step_scale, or with penalty a larger "
+                     "contact.penalty_scale",
+                     noted_depth, contact_limits::history_depth),
+         "", time, 1});
+  }
+  return warnings;
+}
+
+double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, double dt) {
+  if (!(dt > 0)) return 0;
+  double farthest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    farthest = std::max({farthest, std::abs(chunked.mesh.low[k]), std::abs(chunked.mesh.high[k])});
+  const double speed = motions_in_play * contact_limits::play * farthest / dt;
+  return 0.5 * model.total_mass * speed * speed;
+}
+
+std::vector<PartHourglass> find_hourglassed_parts(const ChunkedMesh& chunked, const Model& model, const State& state,
+                                                  const EnergyScales& scales) {
+  return find_hourglassed_parts(chunked, model, state, noted_hourglass_share,
+                                std::max(scales.resolved, noted_energy_share * scales.largest));
+}
+
+std::vector<Warning> find_end_warnings(const Summary& summary, const EnergyScales& scales,
+                                       const std::vector<PartHourglass>& parts, const std::string& units) {
+  std::vector<Warning> warnings;
+  const EnergySummary& energy = summary.energy;
+  if (std::abs(energy.error) > noted_energy_error && scales.largest > scales.resolved) {
+    warnings.push_back(
+        {"energy_error",
+         fmt::format("the energy balance is off by {:.2g} % of the largest energy (it closes to round-off "
+                     "where steps are stable): use a smaller time.step_scale and look at history.csv",
+                     100 * energy.error),
+         "", summary.time, 1});
+  }
+  const double given = energy.contact + scales.stored - scales.granted;
+  if (given > std::max(noted_contact_share * scales.largest, scales.resolved))
+    warnings.push_back(describe_contact_energy(given, scales.largest, units, summary.time));
+  for (const PartHourglass& part : parts) warnings.push_back(describe_hourglass(part, summary.time));
+  return warnings;
+}
+
+}  // namespace percuss

@@ -1,0 +1,49 @@
+#pragma once
+// What a run warns of besides its results: before the loop what its input and its ranks ask attention for, in a step
+// what contact did not do, after the loop what the results must be read with. Who tells it is the run's business
+// (run.cpp).
+
+#include <string>
+#include <vector>
+
+#include "src/contact/contact_stage.hpp"
+#include "src/deck/deck.hpp"
+#include "src/mesh/decomposition/decompose.hpp"
+#include "src/output/summary.hpp"
+#include "src/step/audit/hourglass_report.hpp"
+#include "src/step/model/model.hpp"
+#include "src/warning.hpp"
+
+namespace percuss {
+
+/// Doubts about the mesh, elements that coordinates hardly resolve, ranks without elements. Collective. Throws
+/// InputError, the same on all ranks, where coordinates do not resolve the elements.
+std::vector<Warning> find_start_warnings(const Deck& deck, const ChunkedMesh& chunked);
+
+/// Contact that was not enforced to its tolerance, or that is deep. accepted_depth: the deepest at the start / face
+/// edge.
+std::vector<Warning> find_step_warnings(const ContactReport& contact, double accepted_depth, double time);
+
+/// What the energies of a run are judged by at its end [energy].
+struct EnergyScales {
+  double largest = 0;   // that was held in any state
+  double resolved = 0;  // below this it is of motions that positions do not resolve: round-off
+  double stored = 0;    // in the springs of contact
+  double granted =
+      0;  // that contact may have given: to push out overlap as asked, to hold what was loaded at the start
+};
+
+/// Energy of a velocity that moves the scene in a step by no more than what contact takes for round-off.
+double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, double dt);
+
+/// Parts in which hourglass modes hold more than a tenth of the internal energy, and energy that is not round-off.
+/// Collective.
+std::vector<PartHourglass> find_hourglassed_parts(const ChunkedMesh& chunked, const Model& model, const State& state,
+                                                  const EnergyScales& scales);
+
+/// A balance that is off, contact that gave energy, hourglass modes. `summary` is that of the run's end; units: of the
+/// deck.
+std::vector<Warning> find_end_warnings(const Summary& summary, const EnergyScales& scales,
+                                       const std::vector<PartHourglass>& parts, const std::string& units);
+
+}  // namespace percuss

@@ -1,0 +1,48 @@
+#include "src/step/run/run_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include "comm/agreement.hpp"
+#include "src/error.hpp"
+#include "src/step/run/run_notes.hpp"
+
+namespace percuss {
+
+RunWarnings::RunWarnings(const std::set<std::string>& silenced, const Communicator& ranks)
+    : ranks_(ranks), log_(silenced, [this](const Warning& warning) { tell(warning); }) {}
+
+/// Also of a quiet run: warnings are never hidden.
+void RunWarnings::tell(const Warning& warning) const {
+  if (ranks_.rank() != 0) return;
+  if (progress_ != nullptr) progress_->clear();
+  print_quietly(stderr, "{}\n", format_warning(warning));
+}
+
+void RunWarnings::renew(const std::vector<Warning>& warnings) {
+  for (const Warning& warning : warnings) log_.renew(warning);
+}
+
+void RunWarnings::note_step(const ContactReport& report, double time) {
+  if (accepted_depth_ < 0) accepted_depth_ = report.deepest;
+  log_.add(find_step_warnings(report, accepted_depth_, time));
+}
+
+void RunWarnings::archive(CheckpointArchive& archive) {
+  archive.number("warnings/pushed_square", pushed_square_);
+  archive.number("warnings/accepted_depth", accepted_depth_);
+}
+
+std::string RunWarnings::write() const {
+  const auto first = log_.list().begin() + static_cast<std::ptrdiff_t>(input_count_);
+  return broadcast_text(ranks_, write_warnings({first, log_.list().end()}), 0);
+}
+
+void RunWarnings::restore(const CheckpointHeader& header, const std::string& path) {
+  try {
+    log_.restore(read_warnings(header.warnings));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: error: the warnings in it cannot be read ({})", path, error.what()));
+  }
+}
+
+}  // namespace percuss

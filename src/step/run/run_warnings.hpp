@@ -1,0 +1,61 @@
+#pragma once
+// The warnings of a run: told on rank 0 as they are found, kept over restarts, listed in the summary.
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "comm/communicator.hpp"
+#include "src/contact/contact_stage.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
+#include "src/output/checkpoint/checkpoint_file.hpp"
+#include "src/output/progress.hpp"
+#include "src/output/warning_log.hpp"
+
+namespace percuss {
+
+class RunWarnings {
+ public:
+  /// silenced: rules that nobody wants to hear of. This is not moved: the log tells through it.
+  RunWarnings(const std::set<std::string>& silenced, const Communicator& ranks);
+  RunWarnings(const RunWarnings&) = delete;
+  RunWarnings& operator=(const RunWarnings&) = delete;
+
+  /// From here on a warning takes the place of an open live line. progress outlives this.
+  void print_over(Progress& progress) { progress_ = &progress; }
+
+  void add(const std::vector<Warning>& warnings) { log_.add(warnings); }
+  /// As WarningLog::renew().
+  void renew(const std::vector<Warning>& warnings);
+  const std::vector<Warning>& list() const { return log_.list(); }
+
+  /// All so far are of the input: a restart finds them again, so that no checkpoint needs to keep them.
+  void end_input() { input_count_ = log_.list().size(); }
+
+  /// Overlap at the start that is pushed out: find_pushed_square().
+  void note_pushed(double pushed_square) { pushed_square_ = pushed_square; }
+  /// Contact of a step.
+  void note_step(const ContactReport& report, double time);
+
+  /// note_pushed() of the start, also after a restart.
+  double pushed_square() const { return pushed_square_; }
+
+  /// What is remembered besides the warnings, which write() gives as a text.
+  void archive(CheckpointArchive& archive);
+  /// Those that a restart does not find again, for a checkpoint's header; the same on all ranks. Collective.
+  std::string write() const;
+  /// Takes them back. Throws InputError that names the checkpoint.
+  void restore(const CheckpointHeader& header, const std::string& path);
+
+ private:
+  void tell(const Warning& warning) const;
+
+  Communicator ranks_;
+  Progress* progress_ = nullptr;
+  WarningLog log_;
+  std::size_t input_count_ = 0;
+  double pushed_square_ = 0;
+  double accepted_depth_ = -1;  // deepest contact node / face edge in the first step; negative: none was made
+};
+
+}  // namespace percuss

@@ -1,0 +1,138 @@
+// Fields that show how a run is divided among ranks, as its frames have them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "comm/agreement.hpp"
+#include "src/step/run/run.hpp"
+#include "tests/src/output/hdf5_file_view.hpp"
+#include "tests/src/step/scene.hpp"
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+using sample::Hdf5FileView;
+
+// Two cubes of 4 x 4 x 4 elements, the upper one about to land on the lower one. They are searched in the first step.
+const std::string two_cubes = R"yaml(
+time: {end: 1, max_steps: 2}
+parts:
+  low: {box: {size: [1, 1, 1], cells: [4, 4, 4]}, material: steel}
+  high: {box: {size: [1, 1, 1], cells: [4, 4, 4]}, at: [0.3, 0.2, 1.0001], material: steel}
+initial: [{part: high, velocity: [0, 0, -10]}]
+contact: {surfaces: all}
+output: {fields: {every: 1, write: [contact_rank, fe_rank]}}
+)yaml" + steel_text;
+
+constexpr std::size_t nodes = 2 * 5 * 5 * 5, inner_nodes = 2 * 3 * 3 * 3, elements = 2 * 4 * 4 * 4;
+
+/// What a frame has of the division.
+struct Frame {
+  std::vector<double> contact_ranks, fe_ranks;
+};
+
+/// The first and the last frame of the scene, read on rank 0.
+std::vector<Frame> write_and_read(const Communicator& ranks) {
+  std::optional<TemporaryFolder> folder;
+  if (ranks.rank() == 0) folder.emplace();
+  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  run_scene(parse_deck(two_cubes, "deck.yaml"), {path, Progress::Style::quiet});
+  if (ranks.rank() > 0) return {};
+  const Hdf5FileView file(path + "/fields.vtkhdf");
+  const std::vector<double> contact = file.numbers("VTKHDF/PointData/contact_rank");
+  const std::vector<double> fe = file.numbers("VTKHDF/CellData/fe_rank");
+  EXPECT_EQ(contact.size(), 2 * nodes);
+  EXPECT_EQ(fe.size(), 2 * elements);
+  std::vector<Frame> frames;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto n = static_cast<std::ptrdiff_t>(i * nodes), e = static_cast<std::ptrdiff_t>(i * elements);
+    frames.push_back({{contact.begin() + n, contact.begin() + n + static_cast<std::ptrdiff_t>(nodes)},
+                      {fe.begin() + e, fe.begin() + e + static_cast<std::ptrdiff_t>(elements)}});
+  }
+  return frames;
+}
+
+std::size_t count(const std::vector<double>& values, double value) {
+  return static_cast<std::size_t>(std::count(values.begin(), values.end(), value));
+}
+
+TEST(FramesOnRanks, ShowWhoOwnsEveryContactNodeAndComputesEveryElement) {
+  const Communicator ranks = Communicator::world();
+  const std::vector<Frame> frames = write_and_read(ranks);
+  if (ranks.rank() > 0) return;
+  const Frame& last = frames.back();
+  EXPECT_EQ(count(last.contact_ranks, -1), inner_nodes);
+  // Nodes and faces together are divided evenly; nodes alone nearly so.
+  const double share = static_cast<double>(nodes - inner_nodes) / ranks.size();
+  std::size_t owned = 0, computed = 0;
+  for (int r = 0; r < ranks.size(); ++r) {
+    EXPECT_NEAR(static_cast<double>(count(last.contact_ranks, r)), share, 0.2 * share) << "rank " << r;
+    owned += count(last.contact_ranks, r);
+    computed += count(last.fe_ranks, r);
+  }
+  EXPECT_EQ(owned, nodes - inner_nodes);
+  EXPECT_EQ(computed, elements);
+}
+
+// A plate of two elements, bent by its ends beyond yield.
+const std::string bent_plate = R"yaml(
+time: {end: 1, max_steps: 60, max_step: 1.0e-6}
+parts: {plate: {shell_plate: {size: [1, 1], cells: [1, 2]}, thickness: 0.1, points: 5, material: steel}}
+materials: {steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 4.0e5}}
+conditions:
+  - {nodes: plate, fixed: [x, y, z, rx, rz]}
+  - {nodes: plate/x_min, velocity: {ry: -2}}
+  - {nodes: plate/x_max, velocity: {ry: 2}}
+output: {fields: {every: 1, write: [stress_bottom, stress_top, stress_point_1, stress_point_5, equivalent_plastic_strain_point_1, equivalent_plastic_strain_point_3]}}
+)yaml";
+
+TEST(FramesOnRanks, HaveTheFirstPointOfShellsAtTheBottomAndTheLastAtTheTop) {
+  const Communicator ranks = Communicator::world();
+  std::optional<TemporaryFolder> folder;
+  if (ranks.rank() == 0) folder.emplace();
+  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  run_scene(parse_deck(bent_plate, "deck.yaml"), {path, Progress::Style::quiet});
+  if (ranks.rank() > 0) return;
+  const Hdf5FileView file(path + "/fields.vtkhdf");
+  const std::vector<double> bottom = file.numbers("VTKHDF/CellData/stress_bottom");
+  EXPECT_EQ(file.numbers("VTKHDF/CellData/stress_point_1"), bottom);
+  EXPECT_EQ(file.numbers("VTKHDF/CellData/stress_point_5"), file.numbers("VTKHDF/CellData/stress_top"));
+  EXPECT_GT(std::abs(bottom.at(2 * 6)), 4e5);  // of the last frame, along x
+  EXPECT_GT(file.numbers("VTKHDF/CellData/equivalent_plastic_strain_point_1").back(), 1e-6);
+  EXPECT_EQ(file.numbers("VTKHDF/CellData/equivalent_plastic_strain_point_3").back(), 0);
+}
+
+TEST(FramesOnRanks, ShowTheDivisionFromTheFirstFrameOn) {
+  const Communicator ranks = Communicator::world();
+  const std::vector<Frame> frames = write_and_read(ranks);
+  if (ranks.rank() > 0) return;
+  EXPECT_EQ(count(frames.front().contact_ranks, -1), inner_nodes);
+}
+
+// A bar that is pulled apart at its end; its deck does not name the field.
+TEST(FramesOnRanks, TellWhoLivesWhereverElementsCanDie) {
+  const Communicator ranks = Communicator::world();
+  std::optional<TemporaryFolder> folder;
+  if (ranks.rank() == 0) folder.emplace();
+  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  run_scene(parse_deck(R"yaml(
+time: {end: 0.02, max_step: 1.0e-3}
+parts: {bar: {box: {size: [3, 1, 1], cells: [3, 1, 1]}, material: weak}}
+materials: {weak: {model: elastic, density: 2, youngs_modulus: 100, poissons_ratio: 0, failure: {principal_stress: 1}}}
+conditions: [{nodes: bar/x_min, fixed: x}, {nodes: bar/x_max, velocity: {x: 1}}]
+output: {fields: {every: 1, write: [velocity]}}
+)yaml",
+                       "deck.yaml"),
+            {path, Progress::Style::quiet});
+  if (ranks.rank() > 0) return;
+  const Hdf5FileView file(path + "/fields.vtkhdf");
+  EXPECT_EQ(file.numbers("VTKHDF/CellData/alive"), (std::vector<double>{1, 1, 1, 1, 1, 0}));
+  EXPECT_EQ(file.bytes_of_number("VTKHDF/CellData/alive"), 1u);
+}
+
+}  // namespace
+}  // namespace percuss::test

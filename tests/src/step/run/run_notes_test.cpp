@@ -1,0 +1,99 @@
+// What a run warns of in its steps and at its end, by the numbers of its contact and its energies.
+
+#include "src/step/run/run_notes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/src/step/scene.hpp"
+
+namespace percuss::test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+std::vector<std::string> format_all(const std::vector<Warning>& warnings) {
+  std::vector<std::string> lines;
+  for (const Warning& warning : warnings) lines.push_back(format_warning(warning));
+  return lines;
+}
+
+/// Of a run in which contact has given so much.
+std::vector<std::string> find_texts(double contact, const EnergyScales& scales, const std::string& units = "") {
+  Summary summary;
+  summary.energy.contact = contact;
+  return format_all(find_end_warnings(summary, scales, {}, units));
+}
+
+TEST(EndWarnings, AreNoneOfARunWithoutDoubts) {
+  EXPECT_THAT(find_texts(0, {}), IsEmpty());
+  EXPECT_THAT(find_texts(0.9, {.largest = 100}), IsEmpty());
+  EXPECT_THAT(find_texts(-30, {.largest = 100}), IsEmpty());
+}
+
+TEST(EndWarnings, TellContactThatGivesEnergyInTheUnitsOfTheDeck) {
+  EXPECT_THAT(find_texts(30, {.largest = 100}), ElementsAre(HasSubstr("given 30 of energy, 30 % of the largest")));
+  EXPECT_THAT(find_texts(30, {.largest = 100}, "mm, t, s"), ElementsAre(HasSubstr("given 30 mJ of energy, 30 %")));
+  EXPECT_THAT(find_texts(30, {}), ElementsAre(AllOf(StartsWith("warning: contact has given 30 of energy ("),
+                                                    HasSubstr("[contact_energy]"))));
+}
+
+TEST(EndWarnings, AreNotOfEnergyThatIsRoundOffOrWasAskedFor) {
+  EXPECT_THAT(find_texts(5e-26, {.largest = 5e-26, .resolved = 1e-20}), IsEmpty());
+  EXPECT_THAT(find_texts(30, {.largest = 100, .granted = 29.5}), IsEmpty());
+  EXPECT_THAT(find_texts(30, {.largest = 100, .granted = 10}), ElementsAre(HasSubstr("given 20 of energy")));
+}
+
+TEST(EndWarnings, CountWhatTheSpringsOfContactHold) {
+  EXPECT_THAT(find_texts(-10, {.largest = 100, .stored = 10}), IsEmpty());
+  EXPECT_THAT(find_texts(-10, {.largest = 100, .stored = 30}), ElementsAre(HasSubstr("given 20 of energy")));
+}
+
+TEST(EndWarnings, TellABalanceThatIsOff) {
+  Summary summary;
+  summary.energy.error = -0.009;
+  EXPECT_THAT(find_end_warnings(summary, {.largest = 1}, {}, ""), IsEmpty());
+  summary.energy.error = -0.023;
+  EXPECT_THAT(format_all(find_end_warnings(summary, {.largest = 1}, {}, "")),
+              ElementsAre(AllOf(HasSubstr("off by -2.3 % of the largest energy"), HasSubstr("[energy_error]"))));
+  EXPECT_THAT(find_end_warnings(summary, {.largest = 1e-20, .resolved = 1e-19}, {}, ""), IsEmpty());
+}
+
+TEST(EndWarnings, NameThePartAndTheElementThatHourglass) {
+  EXPECT_THAT(
+      format_all(
+          find_end_warnings({}, {.largest = 100}, {{"bar", 10, 2.5, "element 7 of part 'bar' at (1, 2, 3)"}}, "")),
+      ElementsAre(AllOf(StartsWith("part 'bar': warning: hourglass modes hold 25 % of the internal energy, most "
+                                   "near element 7 of part 'bar' at (1, 2, 3) ("),
+                        HasSubstr("[hourglass_energy]"))));
+}
+
+TEST(StepWarnings, TellContactThatDidNotConvergeOrIsDeep) {
+  ContactReport report;
+  report.deepest = 0.09;
+  EXPECT_THAT(find_step_warnings(report, 0, 0.5), IsEmpty());
+  report.converged = false;
+  EXPECT_THAT(
+      format_all(find_step_warnings(report, 0, 0.5)),
+      ElementsAre(AllOf(HasSubstr("did not converge in a step"), HasSubstr("[unconverged_contact] (t = 0.5)"))));
+  report.converged = true;
+  report.deepest = 0.2;
+  EXPECT_THAT(format_all(find_step_warnings(report, 0, 0.5)), ElementsAre(HasSubstr("[deep_penetration]")));
+  EXPECT_THAT(find_step_warnings(report, 0.15, 0.5), IsEmpty());  // 0.15 were accepted at the start
+}
+
+TEST(ResolvedEnergy, IsThatOfAMotionByTheRoundOffOfContact) {
+  const Scene scene(
+      "time: {end: 1}\nparts: {a: {box: {size: [1, 1, 4], cells: [1, 1, 1]}, at: [0, 0, -8], material: m}}\n"
+      "materials: {m: {model: elastic, density: 3, youngs_modulus: 1, poissons_ratio: 0}}\n");
+  // mass 12, ten times 1e-14 of the largest coordinate 8 in a step of 0.1
+  EXPECT_NEAR(find_resolved_energy(scene.chunked, scene.model, 0.1), 0.5 * 12 * 8e-12 * 8e-12, 1e-32);
+  EXPECT_EQ(find_resolved_energy(scene.chunked, scene.model, 0), 0);
+}
+
+}  // namespace
+}  // namespace percuss::test

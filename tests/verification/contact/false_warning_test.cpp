@@ -1,0 +1,86 @@
+// Runs in which contact gives energy for a good reason, and that do not warn of it.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "src/step/run/run.hpp"
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+using testing::Contains;
+using testing::IsEmpty;
+using testing::Not;
+
+std::vector<std::string> list_rules(const Outcome& outcome) {
+  std::vector<std::string> rules;
+  for (const Warning& warning : outcome.summary.warnings) rules.push_back(warning.rule);
+  return rules;
+}
+
+const std::string steel =
+    "materials: {s: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n";
+
+TEST(FalseWarnings, AreNotGivenOfRoundOffBetweenBodiesAtRest) {
+  // An overlap that is accepted: contact works at the round-off of places, for want of anything else to do.
+  const std::string resting =
+      "time: {end: 4.0e-4}\n"
+      "parts:\n"
+      "  a: {box: {size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, material: s}\n"
+      "  b: {box: {size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, at: [0.013, 0.007, 0.09975], material: s}\n"
+      "contact: {overlap: accept}\n"
+      "silence: [still_scene]\n" +
+      steel;
+  const Outcome outcome = run_deck(resting);
+  EXPECT_NE(outcome.summary.energy.contact, 0);  // else the scene tests nothing
+  EXPECT_LT(outcome.summary.energy.contact, 1e-20);
+  EXPECT_THAT(outcome.summary.warnings, IsEmpty());
+}
+
+TEST(FalseWarnings, AreNotGivenOfATieThatIsLoadedAtOnce) {
+  // A gas that is tied to a cold one: the tie halves the first half step of the pressure, whose work is in no store
+  // yet.
+  const std::string tied =
+      "time: {end: 1.0e-6, max_step: 1.0e-6}\n"
+      "parts:\n"
+      "  hot: {box: {size: [0.0025, 0.0025, 0.0025], cells: [1, 1, 1]}, material: h}\n"
+      "  cold: {box: {size: [0.1, 0.0025, 0.0025], cells: [40, 1, 1]}, at: [0.0025, 0, 0], material: c}\n"
+      "materials:\n"
+      "  h: {model: fluid, density: 1.0, equation_of_state: {kind: ideal_gas, gamma: 1.4, start_energy: 27.0}}\n"
+      "  c: {model: fluid, density: 1.0, equation_of_state: {kind: ideal_gas, gamma: 1.4, start_energy: 1.0e-6}}\n"
+      "elements: {hourglass: viscous}\n"
+      "conditions:\n"
+      "  - {nodes: hot, fixed: [y, z]}\n"
+      "  - {nodes: cold, fixed: [y, z]}\n"
+      "  - {nodes: hot/x_min, fixed: [x]}\n"
+      "contact: {surfaces: none, ties: [{a: hot/x_max, b: cold/x_min}]}\n";
+  const Outcome outcome = run_deck(tied);
+  EXPECT_GT(outcome.summary.energy.contact, 0.3 * outcome.summary.energy.kinetic);
+  EXPECT_THAT(list_rules(outcome), Not(Contains("contact_energy")));
+}
+
+/// Two blocks between walls that overlap by so much.
+std::string make_press_fit(double overlap) {
+  return "time: {end: 1.5e-4}\n"
+         "parts:\n"
+         "  a: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, material: s}\n"
+         "  b: {box: {size: [0.1, 0.1, 0.1], cells: [4, 4, 4]}, at: [0, 0, " +
+         std::to_string(0.1 - overlap) +
+         "], material: s}\n"
+         "conditions: [{nodes: a/z_min, fixed: z}, {nodes: b/z_max, fixed: z}]\n" +
+         steel;
+}
+
+TEST(FalseWarnings, AreNotGivenOfOverlapThatIsPushedOutAsAsked) {
+  for (const char* enforcement : {"kinematic", "lagrange", "penalty"}) {
+    const std::vector<std::string> overrides = {std::string("contact={overlap: push_out, enforcement: ") + enforcement +
+                                                "}"};
+    const Outcome outcome = run_deck(make_press_fit(2e-4), overrides);
+    EXPECT_GT(outcome.summary.energy.contact, 10) << enforcement;
+    EXPECT_THAT(list_rules(outcome), Not(Contains("contact_energy"))) << enforcement;
+  }
+}
+
+}  // namespace
+}  // namespace percuss::test

@@ -1,0 +1,58 @@
+// What is skipped changes no bit: chunks of elements that rest.
+
+#include <gtest/gtest.h>
+
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+// 2048 elements in a row of chunks; the wave has gone through a quarter of them at the end.
+const std::string bar = R"(
+title: a wave runs into a bar at rest
+time: {end: 1.0, max_steps: 120}
+parts: {bar: {box: {size: [5.12, 0.04, 0.04], cells: [512, 2, 2]}, material: steel}}
+materials:
+  steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 100e6, hardening_modulus: 1e9}
+conditions: [{nodes: bar/x_min, velocity: {x: 5}}]
+output: {history: {every: 0, nodes: [{name: a, near: [0.1, 0.02, 0.02]}]}}
+)";
+
+void expect_same_without(const std::string& deck, const std::vector<std::string>& settings, double least) {
+  std::vector<std::string> every = settings;
+  every.emplace_back("elements.skip_resting=false");
+  const Outcome all = run_deck(deck, every), some = run_deck(deck, settings);
+  EXPECT_EQ(some.summary.state_hash, all.summary.state_hash);
+  EXPECT_EQ(all.summary.skipped.chunk_updates, 0);
+  EXPECT_GE(some.summary.skipped.chunk_updates, least);
+  EXPECT_LT(some.summary.skipped.chunk_updates, 1);
+  ASSERT_EQ(some.history.rows(), all.history.rows());
+  for (const char* column : {"kinetic", "internal", "hourglass", "viscous", "energy_error", "a_vx"})
+    EXPECT_EQ(some.history[column], all.history[column]) << column;
+}
+
+}  // namespace
+
+TEST(Skip, ChunksAheadOfAWaveAreLeftAlone) {
+  for (const char* choice : {"elements.hourglass=assumed_strain", "elements.hourglass=stiffness",
+                             "elements.hourglass=viscous", "elements.integration=full"}) {
+    SCOPED_TRACE(choice);
+    expect_same_without(bar, {choice}, 0.7);
+  }
+}
+
+TEST(Skip, AnElasticBarWakesAndRestsAgain) {
+  // Pushed for a moment, held later: what has rung out to nothing may rest again, what has not must go on.
+  expect_same_without(
+      bar,
+      {"materials.steel={model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0}",
+       "conditions.0.velocity={x: {table: [[0, 0], [1e-5, 1], [2e-5, 0], [1, 0]]}}", "time.max_steps=400"},
+      0.2);
+}
+
+TEST(Skip, NothingRestsUnderGravity) {
+  const Outcome run = run_deck(bar, {"loads={gravity: [0, 0, -9.81]}"});
+  EXPECT_EQ(run.summary.skipped.chunk_updates, 0);
+}
+
+}  // namespace percuss::test
