@@ -106,8 +106,8 @@ PERCUSS_FORCE_INLINE ShellDifferences<T> step_back(const ShellDifferences<T>& x,
 
 /// Forces on the rates of the element at n+1.
 template <bool CanFail, class T, class Shapes>
-PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, const LayerSums<T>& layers,
-                                                 const T& area, [[maybe_unused]] const Shapes& shapes) {
+PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, const LayerSums<T>& layers, const T& area,
+                                                 [[maybe_unused]] const Shapes& shapes) {
   const T volume = area * state.thickness, lever = T(0.5) * state.thickness * volume;
   ShellRates<T> on;
   for (int k = 0; k < 3; ++k) {

@@ -3,9 +3,9 @@
 //
 // They are stored, and advanced by the rates of the step; their work is booked as that of the hourglass modes.
 
+#include "kernels/shell/geometry/shell_rates.hpp"
 #include "kernels/shell/layer_lives.hpp"
 #include "kernels/shell/plane_stress.hpp"
-#include "kernels/shell/geometry/shell_rates.hpp"
 #include "kernels/shell/shell_state.hpp"
 
 namespace percuss {
@@ -18,13 +18,14 @@ inline constexpr double shell_least_membrane_hourglass = 0.05;
 
 template <class T>
 PERCUSS_FORCE_INLINE T find_membrane_fade(const ShellGeometry<T>& g, const T& thickness) {
-  const T warp = T(4) * g.z * (T(1) / thickness);
-  return T(shell_least_membrane_hourglass) + T(1 - shell_least_membrane_hourglass) * (T(1) / (T(1) + warp * warp));
+  const T square = thickness * thickness;
+  return T(shell_least_membrane_hourglass) +
+         T(1 - shell_least_membrane_hourglass) * square * (T(1) / (square + T(16) * g.z * g.z));
 }
 
-/// Stiffness against drilling, in units of the shear modulus (Hughes and Brezzi 1989): of the mean of the corners, which
-/// bending in the plane does not meet; and of a triangle that of what its corners turn beyond the mean, which only has to
-/// tell them apart: more of it would hinder bending in the plane.
+/// Stiffness against drilling, in units of the shear modulus (Hughes and Brezzi 1989): of the mean of the corners,
+/// which bending in the plane does not meet; and of a triangle that of what its corners turn beyond the mean, which
+/// only has to tell them apart: more of it would hinder bending in the plane.
 inline constexpr double shell_drilling = 0.1, triangle_corner_drilling = 0.01;
 
 /// What plastic flow leaves of stored forces: the mean of the layers' radial returns, in proportion to what each
@@ -107,8 +108,8 @@ PERCUSS_FORCE_INLINE ModeChanges<T> find_membrane_changes(const PlaneElasticity&
   const T nu = T(e.poissons_ratio);
   const T stiffness = find_membrane_fade(g, thickness) * T(e.youngs_modulus) * thickness * dt;
   const T(&m)[2] = rate.membrane_hourglass;
-  ModeChanges<T> of{
-      {stiffness * (h.xx * m[0] - nu * h.xy * m[1]), stiffness * (h.yy * m[1] - nu * h.xy * m[0])}, {m[0], m[1]}};
+  ModeChanges<T> of{{stiffness * (h.xx * m[0] - nu * h.xy * m[1]), stiffness * (h.yy * m[1] - nu * h.xy * m[0])},
+                    {m[0], m[1]}};
   if constexpr (Shapes::has_triangles) {
     const T drilling = T(triangle_corner_drilling * e.shear_modulus) * thickness * g.area * dt;
     for (int k = 0; k < 2; ++k) {
@@ -128,8 +129,9 @@ PERCUSS_FORCE_INLINE ModeChanges<T> find_bending_changes(const PlaneElasticity& 
   const T stiffness = T(e.youngs_modulus / (12 * (1 - e.poissons_ratio * e.poissons_ratio))) * t * t * t * dt;
   const T mixed = T(0.5) * (T(1) + T(e.poissons_ratio)) * h.xy;  // a + nu
   const T(&b)[2] = rate.bending_hourglass;
-  return {{stiffness * ((h.xx + a * h.yy) * b[0] + mixed * b[1]), stiffness * ((h.yy + a * h.xx) * b[1] + mixed * b[0])},
-          {b[0], b[1]}};
+  return {
+      {stiffness * ((h.xx + a * h.yy) * b[0] + mixed * b[1]), stiffness * ((h.yy + a * h.xx) * b[1] + mixed * b[0])},
+      {b[0], b[1]}};
 }
 
 /// Advances the stored forces by their rates: the stiffness of the element's own membrane, bending and shear beyond

@@ -4,8 +4,8 @@
 // With nodal masses m / 4 the largest frequency is 2 c sqrt(l), c^2 = E t A / (m (1 - nu^2)): what follows bounds l. Of
 // a quadrilateral every part is an upper bound of its own (docs/theory_shells.md, "Mass and step"), whatever its shape.
 
-#include "kernels/shell/plane_stress.hpp"
 #include "kernels/shell/geometry/shear_modes.hpp"
+#include "kernels/shell/plane_stress.hpp"
 #include "kernels/shell/shell_hourglass.hpp"
 
 namespace percuss {
@@ -32,52 +32,33 @@ PERCUSS_FORCE_INLINE T find_largest_product(const GradientProducts<T>& b, double
   return half_trace + square_root(larger(half_trace * half_trace - T(share) * determinant, T(0)));
 }
 
-/// What the parts of a quadrilateral's bound have in common.
-template <class T>
-struct QuadrilateralModes {
-  GradientProducts<T> b;
-  T uniform;     // largest eigenvalue in plane stress
-  T deflection;  // of a scalar field
-  T skew;        // square of what the hourglass mode has of uniform gradients, against its other 4
-  T over_inertia;
-};
-
-template <class T>
-PERCUSS_FORCE_INLINE QuadrilateralModes<T> find_quadrilateral_modes(const ShellGeometry<T>& g, const T& thickness,
-                                                                    const T& gyration_square, double stiffness) {
-  const GradientProducts<T> b = find_gradient_products(g, Quadrilaterals{});
-  return {b, find_largest_product(b, stiffness), find_largest_product(b, 1),
-          g.hx * g.hx * b.xx + T(2) * g.hx * g.hy * b.xy + g.hy * g.hy * b.yy,
-          T(1) / smaller(gyration_square, find_gyration_square(g, thickness))};
-}
-
 /// Of a quadrilateral. Membrane (with its hourglass modes) and rotations (shear and bending) each have a bound; on a
 /// warped element they share velocities: shear takes those in the plane along directors that lean, hourglass modes take
 /// deflections by the warp, and the spin turns directors that differ.
 template <class T>
 PERCUSS_FORCE_INLINE T bound_quadrilateral(const ShellGeometry<T>& g, const T& thickness, const T& gyration_square,
                                            double poissons_ratio) {
-  const double nu = poissons_ratio, stiffness = 1 - nu * nu, a = (1 - nu) / 2;
-  const QuadrilateralModes<T> modes = find_quadrilateral_modes(g, thickness, gyration_square, stiffness);
-  const T trace = modes.b.xx + modes.b.yy, square = thickness * thickness;
+  const double nu = poissons_ratio, stiffness = 1 - nu * nu, a = (1 - nu) / 2, shear = shell_shear_correction * a;
+  const T over_inertia = T(1) / smaller(gyration_square, find_gyration_square(g, thickness));
   const EdgeDirectors<T> directors = find_edge_directors(g);
+  const GradientProducts<T> b = find_gradient_products(g, Quadrilaterals{});
+  const T trace = b.xx + b.yy, uniform = find_largest_product(b, stiffness);
+  const T deflection = smaller(uniform, trace);  // not below the largest product of a scalar field
 
-  const T hourglass = T(4 * stiffness / 3) * modes.deflection, sixteenth = T(1.0 / 16.0);
-  const T by_warp = hourglass * find_membrane_fade(g, thickness) * g.z * g.z * modes.deflection;
-  const T of_membrane = join_modes(modes.uniform, sixteenth * hourglass * (T(4) + modes.skew) + by_warp,
-                                   sixteenth * modes.uniform * hourglass * modes.skew);
-  const T of_drilling = T(shell_drilling * (1 - nu) / 8) * (modes.over_inertia + trace);
+  // Hourglass modes: those of bending, which are the stiffer ones, serve for the membrane too.
+  const T skew = g.hx * g.hx * b.xx + T(2) * g.hx * g.hy * b.xy + g.hy * g.hy * b.yy;
+  const T hourglass = T(1.0 / 12.0) * (T(a) * trace + T(1 - a) * deflection);
+  const T plane = join_modes(uniform, hourglass * (T(4) + skew), uniform * hourglass * skew);
 
-  const T of_shear = T(shell_shear_correction * a) * bound_shear_modes(g, directors, modes.over_inertia);
-  const T twelfth = T(1.0 / 12.0), bending_hourglass = twelfth * (T(a) * trace + T(1 - a) * modes.deflection);
-  const T of_bending = twelfth * square *
-                       join_modes(modes.uniform, bending_hourglass * (T(4) + modes.skew),
-                                  modes.uniform * bending_hourglass * modes.skew);
-  const T by_spin = T(4) * modes.deflection * (T(1) - directors.mean_square);
-  const T leaning = T(2 * shell_shear_correction * a) * directors.leaning *
-                    (modes.deflection + T(1.0 / 3.0) * trace * (T(1) + T(0.25) * modes.skew));
-  return join_modes(of_membrane + of_drilling, of_shear + of_bending * (modes.over_inertia + by_spin),
-                    of_membrane * (leaning + of_bending * by_spin) + by_warp * of_shear);
+  const T by_warp = T(4 * stiffness / 3) * deflection * deflection * find_membrane_fade(g, thickness) * g.z * g.z;
+  const T of_membrane = plane + by_warp;
+  const T of_drilling = T(shell_drilling * (1 - nu) / 8) * (over_inertia + trace);
+  const T of_shear = T(shear) * bound_shear_modes(g, directors, over_inertia);
+  const T of_bending = T(1.0 / 12.0) * thickness * thickness * plane;
+  const T by_spin = T(4) * deflection * (T(1) - directors.mean_square);
+  const T by_leaning = T(2 * shear) * directors.leaning * (deflection + T(1.0 / 3.0) * trace * (T(1) + T(0.25) * skew));
+  return join_modes(of_membrane + of_drilling, of_shear + of_bending * (over_inertia + by_spin),
+                    of_membrane * (by_leaning + of_bending * by_spin) + by_warp * of_shear);
 }
 
 /// Of a triangle. The membrane's largest eigenvalue is exact, it has no other modes in its plane. In shear, with the
@@ -107,7 +88,8 @@ PERCUSS_FORCE_INLINE T find_shell_step(const ShellGeometry<T>& g, const ShellSec
   const double nu = elastic.poissons_ratio;
   T bound = bound_quadrilateral(g, section.thickness, section.gyration_square, nu);
   if constexpr (Shapes::has_triangles) {
-    bound = select(shapes.is_triangle, bound_triangle(g, section.thickness, section.gyration_square, nu, shapes), bound);
+    bound =
+        select(shapes.is_triangle, bound_triangle(g, section.thickness, section.gyration_square, nu, shapes), bound);
   }
   const T modulus = T(elastic.youngs_modulus / (1 - nu * nu));
   return square_root(section.mass * (T(1) / (modulus * section.thickness * g.area * bound)));

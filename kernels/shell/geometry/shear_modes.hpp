@@ -77,22 +77,21 @@ PERCUSS_FORCE_INLINE T bound_shear_modes(const ShellGeometry<T>& g, const EdgeDi
   const ShearProducts<T> p = find_shear_products(g, directors, over_inertia);
   const T xi_xi = g.xi_x * g.xi_x + g.xi_y * g.xi_y, eta_eta = g.eta_x * g.eta_x + g.eta_y * g.eta_y,
           xi_eta = g.xi_x * g.eta_x + g.xi_y * g.eta_y, quarter = T(0.25), third = T(1.0 / 3.0);
-  // The point's shear: gradients times means. The determinant of the gradients is 4 / A.
-  const T half_trace = T(0.5) * (xi_xi * p.xx + eta_eta * p.ee) + xi_eta * p.xe, over_area = T(4) / g.area;
-  const T determinant = over_area * over_area * (p.xx * p.ee - p.xe * p.xe);
+  // The point's shear: gradients times means.
+  const T half_trace = T(0.5) * (xi_xi * p.xx + eta_eta * p.ee) + xi_eta * p.xe;
+  const T of_gradients = g.xi_x * g.eta_y - g.xi_y * g.eta_x;
+  const T determinant = of_gradients * of_gradients * (p.xx * p.ee - p.xe * p.xe);
   const T of_point = half_trace + square_root(larger(half_trace * half_trace - determinant, T(0)));
   // What changes, less what a uniform shear changes by itself: a along xi and b along eta.
   const T a = quarter * (g.hx * g.xi_x + g.hy * g.xi_y), b = quarter * (g.hx * g.eta_x + g.hy * g.eta_y);
   const T half = T(0.5), x = p.x1 - a * p.xx - b * p.xe, e = half * p.e2 - a * p.xe - b * p.ee;  // of 1 with the means
   const T x_2 = x - half * p.x1, e_2 = e + half * p.e2;                                          // of 2
   const T one = p.xx - a * (p.x1 + x) - b * (half * p.e2 + e), two = p.ee - a * (half * p.x1 + x_2) - b * (p.e2 + e_2);
-  const T both = p.twelve - a * (p.x1 + x_2) - b * (half * p.e2 + e_2);
   const T first = third * xi_xi, second = third * eta_eta;  // of the stiffness
   const auto couple = [&](const T& along_xi, const T& along_eta) {
     return xi_xi * along_xi * along_xi + T(2) * xi_eta * along_xi * along_eta + eta_eta * along_eta * along_eta;
   };
-  return join_modes(of_point, join_modes(first * one, second * two, first * second * both * both),
-                    first * couple(x, e) + second * couple(x_2, e_2));
+  return join_modes(of_point, first * one + second * two, first * couple(x, e) + second * couple(x_2, e_2));
 }
 
 }  // namespace percuss

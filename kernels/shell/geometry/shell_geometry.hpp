@@ -77,16 +77,23 @@ PERCUSS_FORCE_INLINE void find_directors(const ShellDifferences<T>& d, [[maybe_u
   const T twice = g.z + g.z, least_height = T(shell_least_normal) * g.area;
   const T nx[4] = {twice * d.s.y, twice * d.r.y, -twice * d.s.y, -twice * d.r.y};
   const T ny[4] = {-twice * d.s.x, -twice * d.r.x, twice * d.s.x, twice * d.r.x};
+  T nz[4], length[4];
   for (int i = 0; i < 4; ++i) {
     const int next = (i + 1) % 4, previous = (i + 3) % 4;
-    T nz = (g.x[next] - g.x[i]) * (g.y[previous] - g.y[i]) - (g.y[next] - g.y[i]) * (g.x[previous] - g.x[i]);
-    if constexpr (Shapes::has_triangles) nz = select(shapes.is_triangle, g.area + g.area, nz);
-    const T height = larger(nz, least_height), in_plane = nx[i] * nx[i] + ny[i] * ny[i];
-    const T over_length = T(1) / square_root(in_plane + height * height);
+    nz[i] = (g.x[next] - g.x[i]) * (g.y[previous] - g.y[i]) - (g.y[next] - g.y[i]) * (g.x[previous] - g.x[i]);
+    if constexpr (Shapes::has_triangles) nz[i] = select(shapes.is_triangle, g.area + g.area, nz[i]);
+    g.pz[i] = larger(nz[i], least_height);
+    length[i] = square_root(nx[i] * nx[i] + ny[i] * ny[i] + g.pz[i] * g.pz[i]);
+  }
+  const T first = length[0] * length[1], last = length[2] * length[3];
+  const T over_all = T(1) / (first * last);  // one division for four
+  const T over_first = over_all * last, over_last = over_all * first;
+  for (int i = 0; i < 4; ++i) {
+    const T over_length = (i < 2 ? over_first : over_last) * length[i ^ 1];
     g.px[i] = over_length * nx[i];
     g.py[i] = over_length * ny[i];
-    g.pz[i] = over_length * height;
-    const T cosine = over_length * nz;
+    g.pz[i] = over_length * g.pz[i];
+    const T cosine = over_length * nz[i];
     g.least_cosine = i == 0 ? cosine : smaller(g.least_cosine, cosine);
   }
 }
