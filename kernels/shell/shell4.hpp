@@ -171,16 +171,11 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
 
   const ShellGeometry<T> end = find_shell_geometry(x, shapes);
   ShellRates<T> on = join_stresses<Lives::can_fail>(state, layers, end.area, shapes);
-  ShellSection<T> section{state.thickness, state.mass, state.gyration_square};
-  T offset_share(1);
-  if (par.offset != 0) {
-    move_to_corners(T(par.offset), on);
-    offset_share = find_offset_share(end, state.thickness, state.gyration_square, par.offset);
-    section.gyration_square = find_gyration_square(end, state.thickness);
-  }
+  if (par.offset != 0) move_to_corners(T(par.offset), on);
+  const ShellSection<T> section{state.thickness, state.mass, state.gyration_square, par.offset};
   find_shell_forces(end, on, force, moment, shapes);
   return {{half * (old_thickness + state.thickness) * middle.area * work, hourglass_work},
-          offset_share * find_shell_step(end, section, elastic, shapes),
+          find_shell_step(end, section, elastic, shapes),
           end.area,
           end.least_cosine};
 }

@@ -13,10 +13,12 @@ namespace percuss {
 /// Share of a triangle's step of transverse shear that covers what is neglected there (tests/kernels/shell).
 inline constexpr double triangle_shear_step_share = 0.8;
 
-/// What the step depends on besides the shape. gyration_square: rotary inertia over mass [length^2].
+/// What the step depends on besides the shape. gyration_square: rotary inertia over mass [length^2]; offset: as in
+/// ShellParameters.
 template <class T>
 struct ShellSection {
   T thickness, mass, gyration_square;
+  double offset = 0;
 };
 
 /// t^2 / 12 + A / 8: the rotary inertia over mass that the current shape would be given.
@@ -81,20 +83,6 @@ PERCUSS_FORCE_INLINE T bound_triangle(const ShellGeometry<T>& g, const T& thickn
   return over_deficit * larger(membrane, find_shear_share(g, thickness, shapes) * shear + bending);
 }
 
-/// Largest step of central differences.
-template <class T, class Shapes = Quadrilaterals>
-PERCUSS_FORCE_INLINE T find_shell_step(const ShellGeometry<T>& g, const ShellSection<T>& section,
-                                       const PlaneElasticity& elastic, [[maybe_unused]] const Shapes& shapes = {}) {
-  const double nu = elastic.poissons_ratio;
-  T bound = bound_quadrilateral(g, section.thickness, section.gyration_square, nu);
-  if constexpr (Shapes::has_triangles) {
-    bound =
-        select(shapes.is_triangle, bound_triangle(g, section.thickness, section.gyration_square, nu, shapes), bound);
-  }
-  const T modulus = T(elastic.youngs_modulus / (1 - nu * nu));
-  return square_root(section.mass * (T(1) / (modulus * section.thickness * g.area * bound)));
-}
-
 /// What an offset d of the middle of the section leaves of the step that the shape's own inertia, j, would allow. The
 /// masses at the corners, m and m g^2, bound those of the motion of the middle, v + d b: m (v + d b)^2 + m j b^2 is at
 /// most 1 + d / g times m v^2 + m g^2 b^2 if g^2 is j + d^2; of less, in proportion.
@@ -105,6 +93,24 @@ PERCUSS_FORCE_INLINE T find_offset_share(const ShellGeometry<T>& g, const T& thi
   const T coupling = T(1) + T(offset < 0 ? -offset : offset) * (T(1) / square_root(whole));
   const T real = smaller(gyration_square * (T(1) / whole), T(1));
   return square_root(real * (T(1) / coupling));
+}
+
+/// Largest step of central differences.
+template <class T, class Shapes = Quadrilaterals>
+PERCUSS_FORCE_INLINE T find_shell_step(const ShellGeometry<T>& g, const ShellSection<T>& section,
+                                       const PlaneElasticity& elastic, [[maybe_unused]] const Shapes& shapes = {}) {
+  const double nu = elastic.poissons_ratio;
+  T gyration_square = section.gyration_square, share(1);
+  if (section.offset != 0) {
+    share = find_offset_share(g, section.thickness, gyration_square, section.offset);
+    gyration_square = find_gyration_square(g, section.thickness);
+  }
+  T bound = bound_quadrilateral(g, section.thickness, gyration_square, nu);
+  if constexpr (Shapes::has_triangles) {
+    bound = select(shapes.is_triangle, bound_triangle(g, section.thickness, gyration_square, nu, shapes), bound);
+  }
+  const T modulus = T(elastic.youngs_modulus / (1 - nu * nu));
+  return share * square_root(section.mass * (T(1) / (modulus * section.thickness * g.area * bound)));
 }
 
 }  // namespace percuss
