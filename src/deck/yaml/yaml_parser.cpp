@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t deepest = 32;
 constexpr std::size_t most_values = 1'000'000;
 
-// Ends the parse after an error that makes what follows meaningless; the error is told already.
+// Ends the parse after an error that makes what follows meaningless; the error is reported already.
 struct GiveUp {};
 
 class TreeBuilder final : public YAML::EventHandler {
@@ -176,7 +176,7 @@ std::string explain(const std::string& reason, const TreeBuilder& builder) {
   if (reason == "illegal EOF in scalar") return "a quote is not closed";
   if (reason == "unknown token") return "a value cannot begin with this character; put it in quotes";
   if (reason == "illegal map value") return "a ':' does not belong here; check the line above it and its indentation";
-  if (reason == "the referenced anchor is not defined")
+  if (reason.starts_with("the referenced anchor is not defined"))  // yaml-cpp 0.8 adds the name
     return "aliases are not supported; to begin a text with '*', put it in quotes";
   return reason;
 }
@@ -208,7 +208,7 @@ std::optional<Node> parse_yaml(const std::string& text, DeckErrors& errors, int 
     }
     return builder.take_root();
   } catch (const GiveUp&) {
-    // told already
+    // reported already
   } catch (const YAML::DeepRecursion& error) {
     errors.add(builder.spot(error.mark), "maps and lists are nested too deep (no deck needs that)");
   } catch (const YAML::ParserException& error) {
