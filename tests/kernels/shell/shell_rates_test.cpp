@@ -86,7 +86,8 @@ TEST(ShellRates, RigidMotionGivesNone) {
 
 TEST(ShellGeometry, DirectorOfACornerThatFoldsOverStaysUpright) {
   const double height = 0.1;
-  const ShellCorners dart{Vec{0, 0, height}, Vec{1, 0, 0}, Vec{0.3, 0.3, height}, Vec{0, 1, 0}};  // concave at the third
+  const ShellCorners dart{Vec{0, 0, height}, Vec{1, 0, 0}, Vec{0.3, 0.3, height},
+                          Vec{0, 1, 0}};  // concave at the third
   const auto g = find_shell_geometry(find_differences(dart));
   EXPECT_LT(g.least_cosine, 0);
   for (int i = 0; i < 4; ++i) {

@@ -313,10 +313,9 @@ TEST(ShellTriangle, QuadrilateralsAmongTrianglesHaveTheSameBits) {
     gyration[lane] = alone[static_cast<std::size_t>(lane)].state.gyration_square;
   }
   ShellState<Lanes> state{};
-  for (auto* value :
-       {&state.shear[0], &state.shear[1], &state.membrane_hourglass[0], &state.membrane_hourglass[1],
-        &state.bending_hourglass[0], &state.bending_hourglass[1], &state.shear_hourglass[0], &state.shear_hourglass[1],
-        &state.drilling})
+  for (auto* value : {&state.shear[0], &state.shear[1], &state.membrane_hourglass[0], &state.membrane_hourglass[1],
+                      &state.bending_hourglass[0], &state.bending_hourglass[1], &state.shear_hourglass[0],
+                      &state.shear_hourglass[1], &state.drilling})
     *value = Lanes(0.0);
   state.mass = load_pack(mass);
   state.gyration_square = load_pack(gyration);

@@ -13,8 +13,8 @@
 namespace percuss::test {
 namespace {
 
-/// Plate a at 10 m/s on plate b at rest, b of `ratio` times its mass by its thickness; unlike meshes. The steps, 0.72 of
-/// the bound, are short against the contact.
+/// Plate a at 10 m/s on plate b at rest, b of `ratio` times its mass by its thickness; unlike meshes. The steps, 0.72
+/// of the bound, are short against the contact.
 Outcome collide_plates(const std::string& enforcement, double ratio, const char* cells, const char* end) {
   return run_deck(fmt::format(R"(
 title: two plates, {0}
