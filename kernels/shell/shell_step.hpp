@@ -54,12 +54,13 @@ PERCUSS_FORCE_INLINE T bound_quadrilateral(const ShellGeometry<T>& g, const T& t
 
   const T by_warp = T(4 * stiffness / 3) * deflection * deflection * find_membrane_fade(g, thickness) * g.z * g.z;
   const T of_membrane = plane + by_warp;
-  const T of_drilling = T(shell_drilling * (1 - nu) / 8) * (over_inertia + trace);
+  const T drilling = T(shell_drilling * (1 - nu) / 8);
+  const T in_plane = join_modes(of_membrane, drilling * (over_inertia + trace), of_membrane * drilling * trace);
   const T of_shear = T(shear) * bound_shear_modes(g, directors, over_inertia);
   const T of_bending = T(1.0 / 12.0) * thickness * thickness * plane;
   const T by_spin = T(4) * deflection * (T(1) - directors.mean_square);
   const T by_leaning = T(2 * shear) * directors.leaning * (deflection + T(1.0 / 3.0) * trace * (T(1) + T(0.25) * skew));
-  return join_modes(of_membrane + of_drilling, of_shear + of_bending * (over_inertia + by_spin),
+  return join_modes(in_plane, of_shear + of_bending * (over_inertia + by_spin),
                     of_membrane * (by_leaning + of_bending * by_spin) + by_warp * of_shear);
 }
 
