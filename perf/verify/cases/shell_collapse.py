@@ -109,9 +109,10 @@ def shell_tube(bench):
 
 @case("shell_crash_box", "shells", "A crash box")
 def shell_crash_box(bench):
-    """A square tube of steel, 60 x 60 x 1.5 mm and 250 mm long, of elements of 5 mm, is crushed by 300 kg at 10 m/s for 20 ms, to less than half of its length. No answer is published: the
-    case holds what a crushed tube must keep. The step stays above 0.4 of the first, hourglass energy (with that of drilling) below 10 % of the internal, the energy balance below
-    1e-5."""
+    """A square tube of steel, 60 x 60 x 1.5 mm and 250 mm long, with elements of 5 mm, is crushed by 300 kg at 10 m/s
+    for 20 ms, to less than half of its length. No answer is published: the case checks what every crushed tube must
+    keep. The step stays above 0.4 of the first. Hourglass energy, with that of drilling, is below 10 % of the internal
+    energy. The energy balance is below 1e-5."""
     if bench.quick:
         return
     run = bench.run("""

@@ -232,10 +232,13 @@ output: {{history: {{every: $every, nodes: [{{name: a, near: [12, 0, 0]}}]}}}}
 
 @case("shell_torsion", "shells", "Curved strips that twist")
 def shell_torsion(bench):
-    """Twist passes the kinks between the flat elements of a curved strip only through drilling (theory_shells.md). A quarter of a ring of strip (radius 46, width 20, thickness 2,
-    E = 3300, nu = 0.35), clamped at one end, with a force of 0.01 along its width at the other: hexahedra converge to 4.26e-3. Within 3 % with 12 elements along, 1 % with 24, 48
-    and 96. Raasch's hook (Knight 1997), arcs of 60 degrees and radius 14 and of 150 degrees and radius 46 of the same strip: 4.9352 for a force of 1, of which a hundredth is taken;
-    within 4 % with 18 x 3 elements, 1 % with 36 x 6 (a converged mesh of shells has 1 % more than the published figure)."""
+    """Twist passes the kinks between the flat elements of a curved strip only through drilling (theory_shells.md). A
+    quarter of a ring of strip (radius 46, width 20, thickness 2, E = 3300, nu = 0.35) is clamped at one end, with a
+    force of 0.01 along its width at the other: hexahedra converge to 4.26e-3. The tolerance is 3 % with 12 elements
+    along and 1 % with 24, 48 and 96. Raasch's hook (Knight 1997) is of the same strip: arcs of 60 degrees and radius
+    14 and of 150 degrees and radius 46. A force of 1 moves its end by 4.9352; a hundredth of it is applied. The
+    tolerance is 4 % with 18 x 3 elements, 1 % with 36 x 6. A converged mesh of shells has 1 % more than the published
+    figure."""
 
     def ring(u, v):
         return 46 * np.sin(0.5 * np.pi * u), 46 * np.cos(0.5 * np.pi * u), 20 * v
