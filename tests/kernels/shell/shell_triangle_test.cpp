@@ -324,9 +324,9 @@ TEST(ShellTriangle, QuadrilateralsAmongTrianglesHaveTheSameBits) {
   layers.fill(Lanes(0.0));
   const auto is_triangle = load_pack(repeated) > Lanes(0.5);
   const double dt = 1e-3;
-  const auto result =
-      advance_shell4(alone[0].par, percuss::find_differences(px), percuss::find_differences(pv), pw, Lanes(dt), state,
-                     layers.data(), force, moment, WholeLayers{}, MixedShapes<std::remove_const_t<decltype(is_triangle)>>{is_triangle});
+  const auto result = advance_shell4(alone[0].par, percuss::find_differences(px), percuss::find_differences(pv), pw,
+                                     Lanes(dt), state, layers.data(), force, moment, WholeLayers{},
+                                     MixedShapes<std::remove_const_t<decltype(is_triangle)>>{is_triangle});
   const auto lane_of = [](const Lanes& pack, int lane) {
     alignas(64) double values[width];
     store_pack(values, pack);
