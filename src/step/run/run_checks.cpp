@@ -55,7 +55,7 @@ std::string describe_failed_element(const CheckedRun& run) {
     const double volume = shell ? find_shell_area_size(corners) : find_hex_volume(corners);
     const std::string name = name_with_place(run, element);
     if (std::isnan(volume)) return name + " is not finite any more (a corner's position is no number)";
-    if (shell) return fmt::format("{} has folded: it is not convex any more (its area is {:.3g})", name, volume);
+    if (shell) return fmt::format("{} has no area or no stable step any more (its area is {:.3g})", name, volume);
     if (volume <= 0) return fmt::format("{} has inverted (its volume is {:.3g})", name, volume);
     return fmt::format("{} has no stable step any more (its volume is {:.3g})", name, volume);
   });
