@@ -54,6 +54,7 @@ struct SurfaceShare {
   Array<const int> pair_number;               // likewise: which of the deck's pairs; -1: none
   std::vector<EdgeTopology> edges;            // feature edges whose home this rank is, ascending number; those searched
   std::vector<std::array<int, 2>> edge_ends;  // mesh nodes of this rank
+  double edge_piece = 0;                      // longest of the pieces by which edges are searched [length]
   std::int64_t total_edges = 0;               // of all ranks
   std::int64_t total_nodes = 0, total_faces = 0, total_searched_faces = 0;  // of all ranks
 
