@@ -4,6 +4,9 @@
 // Elements and nodes are numbered chunk after chunk and part after part, and parts share no node, so a part is one run
 // of elements, of corners in Connectivity and of nodes.
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -16,12 +19,18 @@ namespace percuss {
 struct MeshExtent {
   std::int64_t first_node = 0, nodes = 0;
   std::int64_t first_element = 0, elements = 0;
-  std::int64_t shells = 0, triangles = 0;  // of the elements; triangles are shells too
-  std::int64_t first_corner = 0;           // row in Connectivity
+  std::array<std::int64_t, topology_count> of_topology{};  // of the elements
+  std::int64_t first_corner = 0;                           // row in Connectivity
 
-  std::int64_t corners() const { return 8 * elements - 4 * shells - triangles; }
-  /// Whether there are elements of several kinds: hexahedra, quadrilaterals, triangles.
-  bool is_mixed() const { return (shells > 0 && shells < elements) || (triangles > 0 && triangles < elements); }
+  std::int64_t corners() const {
+    std::int64_t count = 0;
+    for (std::size_t k = 0; k < topology_count; ++k) count += topologies[k].corner_count * of_topology[k];
+    return count;
+  }
+  /// Whether there are elements of several topologies.
+  bool is_mixed() const {
+    return std::count_if(of_topology.begin(), of_topology.end(), [](auto count) { return count > 0; }) > 1;
+  }
 };
 
 /// [parts] of the whole mesh, the same on every rank. Collective. Throws MpiError.

@@ -80,7 +80,7 @@ struct BlockBuilder {
     const bool wanted = find_kind(deck.elements) == Kind;
     for (std::size_t c = 0; wanted && c < chunked.chunks.size(); ++c) {
       if (is_shell_chunk(chunked, chunked.chunks[c])) continue;
-      const int index = chunked.mesh.parts[static_cast<std::size_t>(chunked.chunks[c].part)].material;
+      const int index = find_block(chunked, chunked.chunks[c]).material;
       const MaterialDeck& deck_material = deck.materials[static_cast<std::size_t>(index)];
       visit_kernel_material(deck_material, [&](const auto& law, const auto& material) {
         if constexpr (std::is_same_v<std::decay_t<decltype(material)>, Material>) {
@@ -117,7 +117,7 @@ struct BlockBuilder {
     start_count[c] = material.count_history();
     for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
       double center[3] = {0, 0, 0};
-      for (const int n : chunked.mesh.elements[static_cast<std::size_t>(e)]) {
+      for (const int n : chunked.mesh.corners(static_cast<std::size_t>(e))) {
         for (std::size_t k = 0; k < 3; ++k) center[k] += chunked.mesh.nodes[static_cast<std::size_t>(n)][k] / 8;
       }
       start_values.resize(start_values.size() + count);

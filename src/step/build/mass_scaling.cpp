@@ -30,12 +30,13 @@ bool is_asked_for(const Deck& deck) {
 
 /// Shells have no such bound. Other laws take the change of volume from the density, which is not the material's own
 /// where mass is added.
-void refuse_other_laws(const Deck& deck, const Mesh& mesh, std::size_t part, const MassScalingDeck& request) {
-  if (mesh.parts[part].thickness > 0) {
+void refuse_other_laws(const Deck& deck, const ElementBlock& block, const MassScalingDeck& request) {
+  const auto part = static_cast<std::size_t>(block.part);
+  if (find_topology(block.topology).is_surface()) {
     throw InputError(fmt::format("{}: error: mass scaling of part '{}', which is of shells: only hexahedra are scaled",
                                  deck.where(request.place), deck.parts[part].name));
   }
-  const MaterialDeck& material = deck.materials[static_cast<std::size_t>(mesh.parts[part].material)];
+  const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
   const std::string& model = material.law.model;
   if ((model == "elastic" || model == "j2_plasticity") && !material.equation_of_state) return;
   throw InputError(
@@ -120,13 +121,14 @@ void check_limit(const Deck& deck, const MassScalingDeck& request, const AddedMa
 
 void scale_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<double>& element_mass, Model& model) {
   if (!is_asked_for(deck)) return;
-  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
-    if (const MassScalingDeck* request = find_request(deck, p)) refuse_other_laws(deck, chunked.mesh, p, *request);
+  for (const ElementBlock& block : chunked.mesh.elements.blocks) {
+    if (const auto* request = find_request(deck, static_cast<std::size_t>(block.part)))
+      refuse_other_laws(deck, block, *request);
   }
   const std::vector<double> bounds = find_element_bounds(model, element_mass);
   std::vector<PartShare> shares(deck.parts.size());
   for (std::size_t e = 0; e < element_mass.size(); ++e) {
-    const auto part = static_cast<std::size_t>(chunked.mesh.element_part[e]);
+    const auto part = static_cast<std::size_t>(chunked.mesh.part_of(e));
     const MassScalingDeck* request = find_request(deck, part);
     if (request != nullptr) take_element(*request, bounds[e], element_mass[e], shares[part]);
   }

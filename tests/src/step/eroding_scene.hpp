@@ -61,7 +61,7 @@ struct ErodingScene {
 
   Vec3 find_center(int element) const {
     Vec3 center{};
-    for (const int n : scene.chunked.mesh.elements[static_cast<std::size_t>(element)])
+    for (const int n : scene.chunked.mesh.corners(static_cast<std::size_t>(element)))
       for (std::size_t k = 0; k < 3; ++k) center[k] += scene.chunked.mesh.nodes[static_cast<std::size_t>(n)][k] / 8;
     return center;
   }
