@@ -103,7 +103,7 @@ std::string format_reading(const std::string& file, const ExodusContents& conten
   if (contents.dimensions != 3)
     return line("percuss", fmt::format("runs meshes of 3 dimensions only, this has {}", contents.dimensions));
   if (chosen.empty())
-    return line("percuss", "runs none of this (only hexahedra of eight nodes, HEX8, and shells of three or four)");
+    return line("percuss", fmt::format("runs none of this (of all kinds of elements only {})", list_kinds()));
   const PartMesh mesh = name_file(file, [&] { return read_mesh(file, all ? std::vector<std::string>{} : chosen); });
   std::string text = line("percuss", "reads " + format_elements(mesh));
   if (!all) text += line("", fmt::format("with blocks: [{}]", fmt::join(chosen, ", ")));

@@ -77,11 +77,9 @@ void check_kinds(const ExodusFile& file, const std::vector<ExodusBlock>& chosen)
   std::string problems, others;
   for (const ExodusBlock& block : chosen) {
     if (can_run(block)) continue;
-    problems += fmt::format(
-        "{}block '{}' has {} elements of kind {} with {} nodes (only eight-node hexahedra, HEX8, and shells of three "
-        "or "
-        "four nodes, SHELL3 and SHELL4, can be run)",
-        problems.empty() ? "" : "\n", block.name, block.elements, block.topology, block.nodes_per_element);
+    problems += fmt::format("{}block '{}' has {} elements of kind {} with {} nodes (of all kinds only {} can be run)",
+                            problems.empty() ? "" : "\n", block.name, block.elements, block.topology,
+                            block.nodes_per_element, list_kinds());
   }
   if (problems.empty()) return;
   for (const ExodusBlock& block : file.blocks()) {
@@ -300,6 +298,15 @@ PartMesh read_file(const ExodusMesh& source) {
 }
 
 }  // namespace
+
+std::string list_kinds() {
+  std::string list;
+  for (const Topology& topology : topologies) {
+    for (const std::string_view name : topology.exodus_names)
+      if (!name.empty()) list += fmt::format("{}{}{}", list.empty() ? "" : ", ", name, topology.corner_count);
+  }
+  return list;
+}
 
 bool can_run(const ExodusBlock& block) { return find_kind(block).has_value(); }
 

@@ -12,6 +12,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/material/call_material.hpp"
 #include "src/deck/make_material.hpp"
+#include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/build_shells.hpp"
 #include "src/step/model/model.hpp"
 
@@ -116,12 +117,9 @@ struct BlockBuilder {
     first_start[c] = start_values.size();
     start_count[c] = material.count_history();
     for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
-      double center[3] = {0, 0, 0};
-      for (const int n : chunked.mesh.corners(static_cast<std::size_t>(e))) {
-        for (std::size_t k = 0; k < 3; ++k) center[k] += chunked.mesh.nodes[static_cast<std::size_t>(n)][k] / 8;
-      }
+      const Vec3 x = find_center(gather_lanes(chunked.mesh.elements, static_cast<std::size_t>(e), chunked.mesh.nodes));
       start_values.resize(start_values.size() + count);
-      start_history(material, &start_values[start_values.size() - count], center);
+      start_history(material, &start_values[start_values.size() - count], {x[0], x[1], x[2]});
     }
   }
 

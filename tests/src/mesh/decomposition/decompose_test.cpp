@@ -258,7 +258,7 @@ TEST_F(Decomposition, MakesNoMoreThanItsShareOfTheGeneratedChunks) {
     }
   }
   EXPECT_LE(made, generated / world.size() + 1);
-  EXPECT_EQ(pieces.corners.size(), at(pieces.first_element.back()));
+  EXPECT_EQ(pieces.element_ids.size(), at(pieces.first_element.back()));
 }
 
 TEST_F(Decomposition, OwnersAreTheRanksOfTheLowestChunks) {
