@@ -1,5 +1,5 @@
 #pragma once
-// A failure that one rank has seen becomes the failure of all, so that nobody waits in a collective that others skip.
+// All ranks agree on a failure of one rank, so that no rank waits in a collective that others skip.
 //
 // comm does not know what kinds of errors there are: a kind travels as a code, its message as text.
 // src/fail_together.hpp turns exceptions into these and back.

@@ -75,7 +75,7 @@ MpiSession::MpiSession(int& argc, char**& argv) {
   choose_work_clock(ranks > 1 ? WorkClock::thread : WorkClock::usual);
 }
 
-// A failing end cannot be told to anybody; the results are on disk by now.
+// A failure at the end cannot be reported; the results are on disk by now.
 MpiSession::~MpiSession() { MPI_Finalize(); }
 
 Communicator Communicator::world() {
@@ -102,7 +102,7 @@ void Communicator::abort(int exit_code) const {
   std::abort();  // if MPI_Abort itself failed
 }
 
-// Errors return to the caller here too, whatever the MPI library lets new communicators inherit.
+// Errors return to the caller here too, independent of what new communicators inherit from the MPI library.
 OwnedCommunicator::OwnedCommunicator(MPI_Comm handle) : ranks_(handle) {
   check_mpi(MPI_Comm_set_errhandler(handle, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
 }
@@ -139,7 +139,7 @@ OwnedCommunicator OwnedCommunicator::of_machine(const Communicator& ranks) {
   return OwnedCommunicator(part);
 }
 
-// As in ~MpiSession, a failure here cannot be told to anybody.
+// As in ~MpiSession, a failure here cannot be reported.
 OwnedCommunicator::~OwnedCommunicator() {
   if (!ranks_) return;
   MPI_Comm handle = ranks_->handle();

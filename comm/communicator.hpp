@@ -30,7 +30,7 @@ void choose_work_clock(WorkClock clock);
 /// yield; neither is work.
 double compute_seconds();
 
-/// Tells compute_seconds() that the calling thread waits for other ranks while this lives.
+/// During its lifetime compute_seconds() counts the calling thread as waiting for other ranks.
 class WaitScope {
  public:
   WaitScope();
@@ -82,7 +82,7 @@ class Communicator {
   /// Returns when every rank has called it. Collective.
   void barrier() const;
 
-  /// Tells MPI profilers that what they are to look at begins or ends (MPI_Pcontrol); without one it does nothing.
+  /// Marks the begin or end of the profiled region for MPI profilers (MPI_Pcontrol); no effect without one.
   void mark_profiled(bool begins) const;
 
   /// Ends every rank at once with an exit code: for a failure that one rank alone has seen. Does not return.

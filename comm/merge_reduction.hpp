@@ -9,7 +9,7 @@
 namespace percuss {
 
 /// T is trivially copyable and has `void merge(const T& other)`, which must be associative, commutative and exact, so
-/// that every rank gets the same bits whatever order MPI takes. Made once, between MPI's start and end.
+/// that every rank gets the same bits for any order that MPI takes. Made once, between MPI's start and end.
 template <class T>
 class MergeReduction {
   static_assert(std::is_trivially_copyable_v<T>, "a reduced struct travels as bytes");

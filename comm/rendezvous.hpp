@@ -1,8 +1,8 @@
 #pragma once
-// Tells a failure that all ranks have met from one that this rank has met alone.
+// Distinguishes a failure of all ranks from a failure of this rank alone.
 //
-// Ranks that have thrown the same error at the same place all come here. A rank that failed alone waits in vain, for
-// the others hang in the collective that it has left, and must end them.
+// Ranks that have thrown the same error at the same place all come here. A rank that failed alone waits without an
+// answer, since the others hang in the collective that it has left. It must end them.
 
 #include "comm/communicator.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
-// What stands at a path, asked before it is opened: what is opened for reading must be a regular file, since a pipe or
-// a device may keep its reader waiting for ever, or never end.
+// Checks the type of a file before it is opened. Files to read must be regular, since a pipe or a device may block its
+// reader for ever, or never end.
 
 #include <sys/stat.h>
 

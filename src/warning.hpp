@@ -7,7 +7,7 @@
 
 namespace percuss {
 
-/// One warning, with everything that a message, summary.json and `percuss info` tell of it.
+/// One warning, with all data for messages, summary.json and `percuss info`.
 struct Warning {
   std::string rule;   // name of what was looked for, such as "one_unit_system"; a deck silences it by this name
   std::string text;   // problem (why it is one): what to do

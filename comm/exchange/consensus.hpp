@@ -3,7 +3,7 @@
 //
 // Hoefler, Siebert, Lumsdaine, "Scalable communication protocols for dynamic sparse data exchange", PPoPP 2010,
 // algorithm NBX. A synchronous send completes only once its message is received. A rank whose sends are complete enters
-// a non-blocking barrier, and goes on receiving until that barrier is passed by all: then every message has arrived.
+// a non-blocking barrier, and continues receiving until that barrier is passed by all: then every message has arrived.
 
 #include <vector>
 

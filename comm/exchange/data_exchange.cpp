@@ -72,7 +72,7 @@ void copy_own(const PeerRun& from, const PeerRun& to, const std::byte* send, std
 
 }  // namespace
 
-// Receives first, so that messages find their place.
+// Posts receives first, so that messages find their buffers.
 void DataExchange::begin_bytes(const ExchangePlan& plan, const std::byte* send, std::byte* receive,
                                std::size_t item_bytes) {
   PeerRun own;

@@ -1,8 +1,8 @@
 #pragma once
 // Who sends how many items to whom: the pattern of an exchange, apart from its data and its buffers.
 //
-// An item is whatever the caller exchanges (a contact node, a slot's force): a fixed number of bytes, chosen when data
-// are sent. A plan is made once (comm/exchange/unstructured_exchange.hpp) and used for any number of exchanges
+// An item is the unit that the caller exchanges (a contact node, a slot's force): a fixed number of bytes, chosen when
+// data are sent. A plan is made once (comm/exchange/unstructured_exchange.hpp) and used for any number of exchanges
 // (comm/exchange/data_exchange.hpp), in either direction.
 
 #include <cstdint>
@@ -38,7 +38,7 @@ struct SendOrder {
 };
 
 /// Puts items in ascending order of destination; those of one destination keep their order.
-/// destinations: [items] rank that each goes to. An item wanted by several ranks is listed once for each by the caller.
+/// destinations: [items] rank that each goes to. An item for several ranks is listed once for each by the caller.
 /// Linear in the items; memory beyond the result grows with the number of different destinations only.
 SendOrder order_by_destination(const std::vector<int>& destinations);
 

@@ -5,7 +5,7 @@
 // the local contributions of a shared node and then swaps and adds those sums, which makes the bits depend on the
 // decomposition. Here a rank sends each of its slots of a shared node. Received slots are stored after the local ones
 // in the same array, and a node's list names all of them in one global order (ascending chunk id), local and remote
-// mixed: every copy of the node adds the same numbers in the same order, whatever the number of ranks.
+// mixed: every copy of the node adds the same numbers in the same order, for any number of ranks.
 
 #include <cstdint>
 #include <vector>

@@ -10,7 +10,7 @@ namespace percuss {
 
 namespace {
 
-/// A node as its holder knows it: the place in the message to the home stands for the local node.
+/// A node as its holder knows it: the index in the message to the home identifies the local node.
 struct Holding {
   std::int64_t id = 0;
   int rank = 0;
@@ -18,7 +18,7 @@ struct Holding {
   friend auto operator<=>(const Holding&, const Holding&) = default;
 };
 
-/// Tells a holder that another rank holds the node too.
+/// Message to a holder: another rank holds the node too.
 struct Sighting {
   std::int64_t place = 0;
   int other_rank = 0;
@@ -43,7 +43,7 @@ std::vector<int> find_homes(const Communicator& ranks, const std::vector<std::in
   return homes;
 }
 
-/// What a home was told, in ascending id and rank.
+/// Data received by a home, in ascending id and rank.
 std::vector<Holding> sort_holdings(const ExchangePlan& plan, const std::vector<std::int64_t>& ids) {
   std::vector<Holding> holdings;
   holdings.reserve(ids.size());

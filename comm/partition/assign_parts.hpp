@@ -18,7 +18,7 @@ struct Overlap {
   std::int64_t points = 0;
 };
 
-/// As many overlaps as a rank tells of; smaller ones would hardly be heeded.
+/// Largest number of overlaps that a rank reports; smaller ones have little effect.
 inline constexpr std::size_t most_overlaps = 8;
 
 /// The largest overlaps of a rank, largest first. parts: [points of the rank].

@@ -1,6 +1,6 @@
 #pragma once
-// Mends the balance of a partition: METIS treats it as one wish among others, and with few vertices a part it leaves
-// parts empty or far too heavy. Both functions are greedy and take ties in ascending order, so they are deterministic.
+// Corrects the balance of a partition: METIS trades it against the cut, and with few vertices a part it leaves parts
+// empty or far too heavy. Both functions are greedy and take ties in ascending order, so they are deterministic.
 
 #include <vector>
 

@@ -40,8 +40,8 @@ struct Partition {
   long long cut = 0;       // weight of the edges between parts
 };
 
-/// Divides the graph in parts of equal cost with a small cut. The same on every call: METIS is seeded, and what it
-/// leaves uneven is mended greedily in a fixed order. With at most as many vertices as parts, each vertex is a part of
+/// Divides the graph in parts of equal cost with a small cut. The same on every call: METIS is seeded, and its
+/// imbalance is corrected greedily in a fixed order. With at most as many vertices as parts, each vertex is a part of
 /// its own. Throws PartitionError; std::invalid_argument if part_count is not positive.
 Partition partition_graph(const Graph& graph, int part_count);
 

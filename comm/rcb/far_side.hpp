@@ -22,8 +22,8 @@ struct PointRecord {
   std::int64_t weight;
 };
 
-/// The points that a rank holds while the bisection goes on: the caller's own arrays until the first point moves, then
-/// copies. Its memory is kept from one bisection to the next.
+/// The points that a rank holds while the bisection continues: the caller's own arrays until the first point moves,
+/// then copies. Its memory is kept from one bisection to the next.
 class TravellingPoints {
  public:
   /// Begins a bisection with the caller's points, which must not change during it.

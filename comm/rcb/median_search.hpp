@@ -1,10 +1,10 @@
 #pragma once
-// Step (4.2) of the paper: position the cut so that it divides the points as asked, to the point.
+// Step (4.2) of the paper: position the cut so that it divides the points in the required numbers exactly.
 //
 // The cut is the key of one point: the first whose predecessors, with itself, weigh more than the lower side's share.
 // It is found by rounds of one reduction each. A round counts the points between 15 probes and keeps the bin that the
 // cut is in; the probes of the first round lie around the previous step's cut. Once few points are left, their keys are
-// gathered and the cut is picked. Every choice follows from reduced numbers: all ranks of the group take the same way.
+// gathered and the cut is picked. Every choice follows from reduced numbers, so all ranks of the group make the same.
 
 #include <vector>
 

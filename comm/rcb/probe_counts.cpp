@@ -10,7 +10,7 @@ namespace {
 /// Points that one thread counts before its counts are merged with the others'.
 constexpr int block_length = 4096;
 
-/// Room for n entries; grows by a quarter more than asked for, because counts change from step to step.
+/// Room for n entries; grows by a quarter more than requested, because counts change from step to step.
 template <class View>
 void make_room(View& view, const std::string& label, int n) {
   const auto wanted = static_cast<std::size_t>(n);
@@ -93,7 +93,7 @@ struct PointExtents {
 
 }  // namespace
 
-// Whole numbers and least keys: the same whatever the order of threads.
+// Whole numbers and least keys: the same for any order of threads.
 template <class Source, class Extents>
 Survey PointCounter::count_blocks(const ExecSpace& space, const Source& source, int n, const Probes& probes,
                                   const Extents& extents) {

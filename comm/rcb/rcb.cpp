@@ -46,7 +46,7 @@ void check_and_report(const GroupSurvey& survey, RcbReport& report) {
   report.weight = survey.weight;
 }
 
-/// What a rank tells all others at the end.
+/// Data that a rank sends to all others at the end.
 struct CutNotice {
   Cut cut;  // of the group whose upper ranks begin with this rank
   std::int64_t weight = 0;

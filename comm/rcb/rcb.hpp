@@ -3,8 +3,8 @@
 //
 // Points = contact nodes and face centres. Each cut divides the points of a group of ranks exactly in proportion to the
 // ranks on its two sides, whatever their number. Cuts follow from the points, their weights and, through the choice of
-// axes, from the previous cuts; not from who holds the points, and not from where the search begins: a warm start and
-// a cold one with the same axes give the same owners. Cuts are history: they belong into a checkpoint.
+// axes, from the previous cuts; neither the holders of the points nor the start of the search matter: a warm start and
+// a cold one with the same axes give the same owners. Cuts depend on history, so they belong in a checkpoint.
 
 #include <cstdint>
 #include <stdexcept>
@@ -42,7 +42,7 @@ class Rcb {
   /// Collective over `ranks`. Throws MpiError.
   explicit Rcb(const Communicator& ranks);
 
-  /// Bisects the points anew, starting from the previous cuts if there are any. It costs least when the points are
+  /// Bisects the points again, starting from the previous cuts if there are any. It costs least when the points are
   /// where the previous cuts put them (step (5.1)). Collective. Throws RcbError on all ranks if a coordinate is not
   /// finite or a weight not positive; MpiError.
   RcbReport decompose(const ExecSpace& space, const RcbPoints& points);
@@ -56,7 +56,7 @@ class Rcb {
   /// Takes cuts as the previous ones; those made for another number of ranks are of no use and leave a cold start.
   void restore(const std::vector<Cut>& cuts);
 
-  /// Adapts what boxes reach to where the points are now, owners unchanged: until the next bisection points leave the
+  /// Adapts the reach of boxes to the current points, with the same owners: until the next bisection points leave the
   /// side of the cut that they were on. positions: [n][3] of the points that this rank owns. Collective. Throws
   /// MpiError.
   void refit(const ExecSpace& space, const Rows3<const double>& positions);

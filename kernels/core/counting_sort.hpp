@@ -29,7 +29,7 @@ BucketsOf<Item, Place> collect_buckets(std::size_t key_count, const Visit& visit
   return buckets;
 }
 
-/// Places in a list by the key of each. keys: [items] in [0, key_count).
+/// Indexes in a list by the key of each. keys: [items] in [0, key_count).
 inline Buckets sort_into_buckets(const std::vector<int>& keys, std::size_t key_count) {
   return collect_buckets<int>(key_count, [&](auto&& put) {
     for (std::size_t i = 0; i < keys.size(); ++i) put(static_cast<std::size_t>(keys[i]), static_cast<int>(i));

@@ -1,9 +1,9 @@
 #pragma once
 // Sums of doubles without rounding: the same bits in any order, on any number of threads and ranks.
 //
-// A number of 2176 bits with a fixed point, wide enough for every finite double (Kulisch and Miranker 1986), in limbs
-// of 32 bits that are held in 64: the upper halves take up the carries of 2^31 additions. An addition touches three
-// limbs. Sums are merged limb by limb, as integers, and rounded once, at the end.
+// The sum is a fixed-point number of 2176 bits, wide enough for every finite double (Kulisch and Miranker 1986). Its
+// limbs have 32 bits and are stored in 64; the upper halves take up the carries of 2^31 additions. An addition touches
+// three limbs. Sums are merged limb by limb, as integers, and rounded once, at the end.
 
 #include <array>
 #include <cmath>

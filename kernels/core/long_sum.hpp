@@ -1,12 +1,13 @@
 #pragma once
-// Sums that grow by little, in float: value and rest together hold 48 bits, where a float alone would lose what is
-// below half of its last place in every step (Kahan, Comm. ACM 8, 1965). Doubles have no rest and no code for one.
+// Sums of small increments in single precision. Value and remainder together hold 48 bits; a single-precision value
+// alone would lose in every step what is below half of its last digit (Kahan, Comm. ACM 8, 1965). Doubles have no
+// remainder and no code for one.
 
 #include "kernels/core/short_scalar.hpp"
 
 namespace percuss {
 
-/// Takes the place of a rest that a double does not need.
+/// Stands for the remainder that a double does not need.
 template <class Value>
 struct NoRest {};
 
@@ -14,7 +15,8 @@ struct NoRest {};
 template <class T, class Value>
 using RestOf = std::conditional_t<is_short<T>, Value, NoRest<Value>>;
 
-/// value + rest += more. The rest is at most half of the value's last place unless `more` is larger than the value.
+/// value + rest += more. The remainder is at most half of the value's last digit unless `more` is larger than the
+/// value.
 template <class T>
 PERCUSS_FORCE_INLINE void add_to(T& value, T& rest, const T& more) {
   const T wanted = more + rest;

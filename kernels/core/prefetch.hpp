@@ -1,5 +1,5 @@
 #pragma once
-// Asks for memory before it is needed, where the hardware does not foresee what comes next. On a device nothing.
+// Prefetches memory whose addresses the hardware cannot predict. No effect on a device.
 
 #include <cstddef>
 

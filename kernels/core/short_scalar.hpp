@@ -19,7 +19,7 @@ struct ScalarOf<std::experimental::simd<Scalar, Abi>> {
 };
 #endif
 
-/// Whether T is a float or a pack of them: where it loses what double keeps, code asks for this.
+/// Whether T is a float or a pack of them: code that would lose digits in single precision tests this.
 template <class T>
 inline constexpr bool is_short = std::is_same_v<typename ScalarOf<T>::type, float>;
 

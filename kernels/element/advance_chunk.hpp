@@ -16,16 +16,17 @@ namespace percuss {
 template <class Material, HexKind Kind>
 using LaneState = HexState<HexLanes, Material, Kind>;
 
-/// Asks for a third of the next pack's record while this one is computed: the hardware does not see across the pack's
-/// long body. In thirds, because a core that asks for all at once has to wait until its requests are taken.
+/// Prefetches a third of the next pack's record during the work on this one: the hardware does not look ahead across
+/// the pack's long body. In thirds, because a core that requests all at once has to wait until its requests are
+/// accepted.
 template <int Size>
 PERCUSS_FORCE_INLINE void fetch_third(const Real* record, int third) {
   constexpr int line = static_cast<int>(cache_line / sizeof(Real)), lines = (Size + line - 1) / line;
   for (int i = lines * third / 3; i < lines * (third + 1) / 3; ++i) fetch_to_write(record + line * i);
 }
 
-/// How many rows ahead of its copy the row of a node is asked for: numbers of a chunk's nodes jump where others own
-/// them. 48 takes 0.95 to 0.97 of the whole step's time without; 24 is as good, 12 and 96 less so.
+/// How many rows ahead of its copy the row of a node is prefetched: numbers of a chunk's nodes jump where other chunks
+/// own them. 48 takes 0.95 to 0.97 of the whole step's time without; 24 is as good, 12 and 96 less so.
 inline constexpr int rows_ahead = 48;
 
 /// Smallest step of a chunk, the element that has it (the lowest among equals), and the lowest element that failed.
@@ -189,7 +190,7 @@ struct AdvanceChunk {
     return changed;
   }
 
-  /// Numbers of a pack's record: known to the compiler, but for a called material, of which each remembers its own.
+  /// Numbers of a pack's record: known to the compiler, except for called materials, each of which has its own number.
   KOKKOS_FUNCTION auto find_record_size(int c) const {
     if constexpr (is_called<Material>) {
       return chunks.record_size(c) * width;

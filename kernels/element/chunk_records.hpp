@@ -115,8 +115,8 @@ struct ChunkScratch {
     return policy;
   }
 
-  /// How many teams a thread takes at a time, a power of two: each time it waits until what it has stored has left. One
-  /// thread alone takes all, several leave each other enough to even out.
+  /// How many teams a thread takes at a time, a power of two: after each it waits until its stores have left. One
+  /// thread alone takes all; several take fewer, so that their work stays balanced.
   static int find_share(const ExecSpace& space, int count) {
     constexpr int shares_of_thread = 64;
     const int threads = space.concurrency(), most = threads == 1 ? count : count / (shares_of_thread * threads);
@@ -147,8 +147,8 @@ PERCUSS_FORCE_INLINE void copy_force_rows(const double* records, int count, doub
   if (count > 0) copy_row(records + force_record * (count - 1), to + 3 * (count - 1));
 }
 
-/// A row of positions or velocities into a chunk's record of it, where a float holds what is left of it about `origin`,
-/// a row of a node of the chunk: its digits go into shape and not into place.
+/// A row of positions or velocities into a chunk's record of it, in single precision relative to `origin`, a row of a
+/// node of the chunk: its digits then describe the shape and not the position.
 PERCUSS_FORCE_INLINE void fill_row(const double* from, const double* /*origin*/, double* to) {
 #if defined(PERCUSS_HAS_SIMD) && defined(__AVX__)  // three of four lanes, without a look beyond the row
   _mm256_store_pd(to, _mm256_maskload_pd(from, _mm256_setr_epi64x(-1, -1, -1, 0)));

@@ -31,7 +31,7 @@ struct ProbeChunk {
       fill_row(probe.u.data() + n, probe.u.data() + middle, nodes + node_record * s + 4);
       clear_record(forces + force_record * s);
     }
-    // A called material tells its moduli with the bound alone.
+    // A called material gives its moduli with the bound only.
     if constexpr (is_called<Material>) {
       add_bound(c, forces);
     } else if (results.stable_step(c) > probe.coarse) {

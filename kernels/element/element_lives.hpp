@@ -1,9 +1,9 @@
 #pragma once
-// Which elements live: what elements of materials that can fail carry besides their records.
+// Failure state of elements: what elements of materials that can fail store besides their records.
 //
 // An element that meets a criterion fails: its force falls to zero in equal parts over the next evaluations, one or
-// more, and then it is dead. The work of a step counts by the mean of the shares at its ends, the trapezoid of the
-// audit: what is booked is what the element has taken. Only chunks whose material can fail have entries.
+// more, and then it is eroded. The work of a step uses the mean of the factors at its ends, the trapezoid of the audit:
+// the booked work is what the element has absorbed. Only chunks whose material can fail have entries.
 
 #include <cstddef>
 #include <limits>

@@ -1,8 +1,8 @@
 #pragma once
 // Chunks of hexahedra as the launchers see them: fixed runs of packs with their own list of nodes.
 //
-// A slot is one chunk's copy of one of its nodes. Chunks write nodal forces to their own slots only; a node then sums
-// its slots in ascending order of chunk id, which fixes the order of every sum whatever the number of threads.
+// A slot is one chunk's copy of one of its nodes. Chunks write nodal forces to their own slots only. A node then sums
+// its slots in ascending order of chunk id, which fixes the order of every sum for any number of threads.
 
 #include <cstddef>
 #include <cstdint>

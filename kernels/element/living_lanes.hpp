@@ -1,6 +1,6 @@
 #pragma once
-// Which lanes of a chunk's packs live, as the launcher of the element step sees it: dead ones gather what a living lane
-// gathers and leave nothing; a failed one leaves the share that it has left.
+// Active lanes of a chunk's packs, as the launcher of the element step sees them. Inactive lanes gather the data of an
+// active lane and add nothing; a failed lane adds its remaining share.
 
 #include <cstdint>
 
@@ -26,7 +26,7 @@ class LivingLanes {
 
   KOKKOS_FUNCTION bool can_fail() const { return next_ >= 0; }
 
-  /// Goes on to the next pack; returns whether any lane lives. corners: [8][W]; out: those to gather from.
+  /// Continues to the next pack; returns whether any lane is active. corners: [8][W]; out: those to gather from.
   KOKKOS_FUNCTION bool take_pack(const std::uint16_t*& corners) {
     const int pack = next_++;
     first_ = pack * width;
@@ -41,7 +41,7 @@ class LivingLanes {
     return true;
   }
 
-  /// What the pack leaves: forces and work by their shares, nothing of dead lanes and of those that must not go on.
+  /// Output of the pack: forces and work by their shares; nothing from inactive lanes and from those that must stop.
   KOKKOS_FUNCTION void settle(HexResult<Lanes>& result, Lanes (&f)[3][8]) const {
     const Lanes zero(0);
     const Lanes share = take_force_share(result.stable_step, result.volume);
@@ -57,7 +57,7 @@ class LivingLanes {
   }
 
  protected:
-  /// Share of its force that each lane leaves; negative: it is dead or must not go on. size: not positive where the
+  /// Share of its force that each lane leaves; negative: it is eroded or must stop. size: not positive where the
   /// element is inverted.
   KOKKOS_FUNCTION Lanes take_force_share(const Lanes& step, const Lanes& size) const {
     const Lanes zero(0), dead(static_cast<Real>(ElementLives::dead));

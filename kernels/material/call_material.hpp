@@ -24,8 +24,8 @@ CalledMaterial make_called_material(const Law& law, double density) {
   return called;
 }
 
-/// With an equation of state. Its bulk modulus takes the place of the law's, and what is without strength is given a
-/// little stiffness for hourglass control alone.
+/// With an equation of state. Its bulk modulus takes the place of the law's, and a material without strength gets a
+/// small stiffness for hourglass control only.
 template <class Law, class State>
 CalledMaterial make_called_material(const Law& law, double density, const State& state) {
   constexpr double least_share = 0.01;

@@ -1,9 +1,9 @@
 #pragma once
 // Any material of the list, called through its number: one compiled element serves them all.
 //
-// The element's body is long, and it is compiled anew for each material that is compiled into it, for some nanoseconds
-// an element. What a called material computes (powers, logarithms, tables) costs more than the call. The lists are seen
-// only by who makes and who calls one (call_material.hpp).
+// The element's body is long, and each material that is compiled into it needs its own copy, which saves some
+// nanoseconds an element. The work of a called material (powers, logarithms, tables) takes longer than the call. Only
+// call_material.hpp and the code that makes a material include the lists.
 
 #include "kernels/material/point/elastic.hpp"
 #include "kernels/material/point/point_step.hpp"

@@ -5,7 +5,7 @@
 
 namespace percuss {
 
-/// One held direction of one node an entry; const after set-up. A node and direction occurs once.
+/// One fixed direction of one node an entry; const after set-up. A node and direction occurs once.
 struct HeldDirections {
   Array<int> node;
   Array<int> direction;  // 0, 1, 2
@@ -20,7 +20,7 @@ struct PrescribedMotions {
   Array<int> is_displacement;
 };
 
-/// Sets v(n+1/2) of every held direction. A prescribed displacement u gives the velocity that lands on start + u.
+/// Sets v(n+1/2) of every fixed direction. A prescribed displacement u gives the velocity that reaches start + u.
 void hold_velocities(const ExecSpace& space, const HeldDirections& held, const PrescribedMotions& motions,
                      const Rows3<const double>& x, double dt, const Rows3<double>& v);
 

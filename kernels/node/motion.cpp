@@ -7,8 +7,8 @@ namespace percuss {
 
 namespace {
 
-/// How many entries ahead of a sum its slots are asked for: a node's slots lie in several chunks, which the hardware
-/// does not foresee. 48 to 96 are equally good, 24 and 200 less so.
+/// How many entries ahead of a sum its slots are prefetched: a node's slots lie in several chunks, which the hardware
+/// does not predict. 48 to 96 are equally good, 24 and 200 less so.
 constexpr int slots_ahead = 64;
 
 /// The node's slots, summed in ascending order.

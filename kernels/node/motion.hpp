@@ -24,12 +24,12 @@ void assemble_forces(const ExecSpace& space, const NodeSlots& nodes_to_slots, co
 struct NodeForces {
   NodeSlots nodes_to_slots;
   Rows3<const double> slot_force;
-  Rows3<const double> inverse_mass;  // 0 in held directions
+  Rows3<const double> inverse_mass;  // 0 in fixed directions
   Gravity gravity;
 };
 
-/// v(n+1/2) = v(n-1/2) + dt_mean (f / m + g) in each direction with a finite mass; held directions keep their velocity.
-/// force, v_before: out, f(n) as assemble_forces gives it and v(n-1/2), for what acts on nodes besides.
+/// v(n+1/2) = v(n-1/2) + dt_mean (f / m + g) in each direction with a finite mass; fixed directions keep their
+/// velocity. force, v_before: out, f(n) as assemble_forces gives it and v(n-1/2), for what acts on nodes besides.
 void predict_velocities(const ExecSpace& space, const NodeForces& forces, double dt_mean, const Rows3<double>& force,
                         const Rows3<double>& v_before, const Rows3<double>& v);
 

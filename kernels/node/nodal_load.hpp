@@ -5,8 +5,8 @@
 
 namespace percuss {
 
-/// Loaded nodes; const after set-up but for `share`. Entry i writes its force and its moment to the slot first_slot +
-/// i.
+/// Loaded nodes; const after set-up except for `share`. Entry i writes its force and its moment to the slot first_slot
+/// + i.
 struct NodalLoads {
   Array<int> node;
   Array<int> load;      // which load acts on it

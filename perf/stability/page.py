@@ -201,7 +201,7 @@ def tell_impacts(page, stored):
     done = [r for r in rows if r["code"] == 0]
     page.texts["impact_count"] = f"{len(rows)}"
     page.texts["impact_bad"] = "none crashes and none hangs" if not bad else f"**{len(bad)} crash or hang**"
-    page.texts["impact_momentum"] = (f"linear momentum is kept to {max(r['linear_error'] for r in done):.0e}, angular momentum to "
+    page.texts["impact_momentum"] = (f"linear momentum is conserved to {max(r['linear_error'] for r in done):.0e}, angular momentum to "
                                      f"{max(r['angular_error'] for r in done):.0e}") if done else ""
     page.texts["impact_kinds"] = ", ".join(
         f"{sum(r['kind'] == kind for r in done)} with {kind}" for kind in kinds) + f" of {len(rows) // len(kinds)} each"
@@ -218,8 +218,8 @@ def tell_impacts(page, stored):
     page.texts["impact_messages"] = "; ".join(f"{words}: {count}" for words, count in sorted(messages.items(), key=lambda m: -m[1])) or "none stopped"
     thrown = sum(find_distance(r["error"]) > 10 for r in rows if r["verdict"] == "named")
     page.texts["impact_thrown"] = (
-        f"In {thrown} of these runs the element that is named lies far away from the scene: the iteration of contact between elements crushed to "
-        "slivers has diverged in that step, and its impulses threw nodes away." if thrown else "")
+        f"In {thrown} of these runs the named element is far away from the scene: the iteration of contact between elements crushed to "
+        "slivers diverged in that step, and its impulses accelerated nodes without bound." if thrown else "")
     plots.draw_impacts(rows, page.images / "impacts.svg")
 
 

@@ -61,7 +61,8 @@ def write_scene(name, scene, points):
         for p in curve:
             text += f"| {choice} | {p.mesh} | {p.elements} | {p.steps} | {p.seconds:.2f} | {p.error:.2e} |\n"
     default = dict((choice, seconds) for seconds, choice in known).get("default")
-    text += f"\nFor an error of {error:.1e}: " + ", ".join(f"{choice} {seconds:.2g} s" for seconds, choice in known) + ". "
+    text += f"\nRun time for an error of {error:.1e}:\n\n| choice | run time [s] |\n|---|---|\n"
+    text += "".join(f"| {choice} | {seconds:.2g} |\n" for seconds, choice in known) + "\n"
     if unknown:
         text += f"No such error with: {', '.join(unknown)}. "
     text += f"**Best: {known[0][1]}**"

@@ -36,8 +36,8 @@ ExitCode finish_output(ExitCode code) {
   return code == ExitCode::done ? tell({ExitCode::system_failed, "standard output cannot be written to"}) : code;
 }
 
-// The work of a rank among others. Rank 0 tells of a failure that all have met; one that a rank has met alone, it tells
-// itself and ends the others, which wait for it.
+// The work of a rank among others. Rank 0 reports a failure of all ranks. A rank that fails alone reports it and ends
+// the others, which wait for it.
 ExitCode guard_on_ranks(const Communicator& ranks, const Work& work) {
   Rendezvous rendezvous(ranks);
   ExitCode code = ExitCode::done;
@@ -102,7 +102,7 @@ ExitCode print_answer(const Answer& answer) {
 }  // namespace
 
 int run_program(int argc, char** argv) {
-  // A reader that went away or a file size limit is an error of the write, which is told; not a silent death.
+  // A reader that went away or a file size limit is an error of the write, which is reported, not a silent end.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   const ExitCode code = guard([&] {

@@ -1,5 +1,5 @@
 #pragma once
-// What the rules on suspicious input look at, and how they tell what they find.
+// Input of the rules on suspicious input, and how they report warnings.
 
 #include <fmt/format.h>
 

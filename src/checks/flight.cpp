@@ -11,7 +11,7 @@ namespace {
 /// Pieces of a run, in which distances change along straight lines.
 constexpr int pieces = 256;
 
-/// Share of a part's size to which it is told apart from a wall.
+/// Resolution of the distance to a wall, as a share of the part's size.
 constexpr double wall_margin = 0.05;
 
 double find_size(const Flight::Box& box) {

@@ -1,6 +1,6 @@
 #pragma once
-// The rules on suspicious input: a scene can be run and is yet hardly meant so. Pure functions from a scene to
-// warnings; docs/checks.md says what each looks for, from which limit on and why.
+// The rules on suspicious input: valid decks that are probably not what the user meant. Pure functions from a scene to
+// warnings; docs/checks.md has the purpose, limit and reason of each.
 
 #include <string>
 #include <vector>
@@ -43,7 +43,7 @@ std::vector<Warning> check_failure_strain(const CheckedScene& scene);
 std::vector<Warning> check_viscosity(const CheckedScene& scene);
 std::vector<Warning> check_mass_scaling(const CheckedScene& scene);
 
-// Sizes and places of parts (size_rules.cpp)
+// Sizes and positions of parts (size_rules.cpp)
 std::vector<Warning> check_part_size(const CheckedScene& scene);
 std::vector<Warning> check_shell_thickness(const CheckedScene& scene);
 std::vector<Warning> check_single_layer(const CheckedScene& scene);

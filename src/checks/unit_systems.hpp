@@ -16,7 +16,7 @@ inline constexpr double least_wave_speed = 10, largest_wave_speed = 20000;
 /// The materials of parts.
 std::vector<const MaterialDeck*> list_used_materials(const Deck& deck);
 
-/// Whether waves of a material have a speed that tells its units: an ideal gas may be as cold as it likes.
+/// Whether the wave speed of a material identifies its units; not so for an ideal gas, which may have any temperature.
 bool has_wave_speed(const MaterialDeck& material);
 
 /// Whether a material is one that exists if the deck is meant in these units.

@@ -97,7 +97,7 @@ bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   if (bound.covers_near(motion)) return false;
   const bool is_due = !bound.covers(motion);
   if (is_due) candidates = finder->search(motion, bound.restart(motion));
-  // Where elements die step by step, a list would serve a single one.
+  // Where elements are eroded step by step, a list would serve a single one.
   finder->narrow(is_new_surface ? NearWay{} : bound.restart_near(motion));
   is_new_surface = false;
   return is_due;
@@ -133,8 +133,8 @@ bool ContactStage::Impl::is_anything_touched(int num_touches) const {
   return num_touches > 0;
 }
 
-/// Whether enforcement would do what it did in the last step, on every rank: nothing, for all that touches lies still.
-/// The second such step in a row computes what is remembered from what the first one left, the third the same again.
+/// Whether enforcement would repeat the last step on every rank, without impulses, because all contacts are at rest.
+/// The second such step in a row computes the history from that of the first, the third the same again.
 bool ContactStage::Impl::is_repetition(int num_touches) {
   int is_same = finder->has_found_nothing_new() && num_touches == touches_last ? 1 : 0;
   touches_last = num_touches;
@@ -198,7 +198,7 @@ const std::vector<std::string>& ContactStage::start_notes() const { return impl_
 
 std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) {
   Impl& stage = *impl_;
-  // The finder of the run: its first step searches anew, but the decomposition is made here and seen in the first
+  // The finder of the run: its first step searches again, but the decomposition is made here and seen in the first
   // frame.
   const ContactDeck::Overlap overlap = stage.contact.overlap;
   stage.start_overlap = seed_history(stage.look_for_overlap(*stage.finder), {x, v, 0}, overlap, stage.history);

@@ -1,8 +1,8 @@
 #pragma once
 // The contact stage of a step (the paper's (1.7) to (1.9)): search if due, detailed check, enforcement.
 //
-// The stage is asked once a step, after the motion was predicted without contact, and corrects the velocities so that
-// no contact node ends behind a face or a wall. Everything is in the order of global numbers: the same bits for any
+// The stage is called once a step, after the motion was predicted without contact. It corrects the velocities so that
+// no contact node ends behind a face or a wall. All work follows the order of global numbers: the same bits for any
 // number of ranks and threads.
 
 #include <memory>
@@ -53,13 +53,13 @@ class ContactStage {
   /// What prepare() found, of all ranks; empty before it.
   const StartOverlap& start_overlap() const;
 
-  /// What the stage remembers from step to step. Loaded, the last search is done again, so that what is counted of it
-  /// is the same; then prepare() must not be called. Collective.
+  /// State of the stage from step to step. After loading, the last search is done again, so that its counts are the
+  /// same; then prepare() must not be called. Collective.
   void archive(CheckpointArchive& archive);
 
-  /// The surface that erosion has left of the mesh: Mesh::eroded and Mesh::exterior are new. What contacts remember
-  /// stays with them; overlap of faces and nodes that have come to light is taken like that of the start. Call between
-  /// steps, with x and v of the state.
+  /// Rebuilds the surface after erosion: Mesh::eroded and Mesh::exterior are new. Contacts keep their history; overlap
+  /// of faces and nodes that have been exposed is taken like that of the start. Call between steps, with x and v of the
+  /// state.
   void redefine(Rows3<const double> x, Rows3<const double> v);
 
   /// The same for a state from a checkpoint, before archive(): the surface alone.
@@ -68,8 +68,8 @@ class ContactStage {
   /// Corrects motion.v and fills motion.impulse. Throws RunError, on all ranks, if conditions tear a tie apart.
   ContactReport apply(const ContactMotion& motion);
 
-  /// Work of pushes and of rubs since the start by name_contact_pairs(), of all ranks: 2 a pair; booked only for decks
-  /// that write a history. Collective.
+  /// Work of normal and tangential impulses since the start by name_contact_pairs(), of all ranks: 2 a pair; booked
+  /// only for decks that write a history. Collective.
   std::vector<double> sum_pair_work() const;
 
   std::int64_t contact_nodes() const;  // of the whole scene

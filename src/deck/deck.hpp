@@ -169,11 +169,11 @@ struct FailureDeck {
   std::optional<JohnsonCookDamageDeck> johnson_cook;
   std::optional<double> yield_time;  // at yield, in all
   std::optional<double> step;        // the step that the element allows falls below this
-  bool inverted = false;             // no positive volume: the element fails, and the run goes on
+  bool inverted = false;             // no positive volume: the element fails, and the run continues
   int fade_steps = 1;                // steps in which its force falls to zero
   double layers = 1;                 // of shells: share of the thickness that has to fail
 };
-/// What becomes of nodes whose elements are all dead.
+/// Treatment of nodes whose elements are all eroded.
 struct ErosionDeck {
   enum class FreeNodes { keep, remove };
   FreeNodes free_nodes = FreeNodes::keep;
@@ -222,8 +222,8 @@ struct ConditionDeck {
   std::array<Curve, 6> value;    // velocity, displacement or angular velocity [rad / time] in each active direction
 };
 
-/// Pressure on faces, positive pushes against the outward normal, on the current area. With a direction (a unit
-/// vector): a dead load along it, on the area at the start.
+/// Pressure on faces, positive acts against the outward normal, on the current area. With a direction (a unit vector):
+/// a dead load along it, on the area at the start.
 struct PressureDeck {
   Selector where;
   Curve value;
@@ -270,12 +270,12 @@ struct ContactDeck {
   Enforcement enforcement = Enforcement::kinematic;
   double tolerance = 1e-3;     // kinematic: of what is left, as a share of the largest predicted penetration
   double penalty_scale = 0.5;  // penalty: of the stiffness
-  bool reuse_search = true;    // keep candidate pairs while a guaranteed bound allows it, leave out what lies still
+  bool reuse_search = true;    // keep candidate pairs while a guaranteed bound allows it, leave out what is at rest
   /// How candidate pairs are found. The pairs are the same.
   enum class Search { blocks, points_in_box };
   Search search = Search::blocks;
   bool edges = true;  // contact between edges, besides that of nodes and faces
-  /// When contact nodes and faces are divided anew over the ranks. No result depends on it.
+  /// When contact nodes and faces are divided again over the ranks. No result depends on it.
   enum class Rebalance { automatic, always, never };
   Rebalance rebalance = Rebalance::automatic;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Parts with books of their own in the history, among the points that it follows.
+// Parts with their own energies in the history, beside the points that it follows.
 
 #include "src/deck/deck.hpp"
 

@@ -41,8 +41,8 @@ struct Units {
   std::string name_of(const Dimension& quantity) const;
 };
 
-/// The units of a text such as "mm, kg, ms": a length, a mass and a time that are known, in this order, and if wanted a
-/// temperature, K or C. Nothing: the text is another.
+/// The units of a text such as "mm, kg, ms": a length, a mass and a time that are known, in this order, and optionally
+/// a temperature, K or C. Nothing: the text is another.
 std::optional<Units> find_units(std::string_view text);
 
 /// "m, kg, s", "mm, t, s" ...: the systems that are usual.

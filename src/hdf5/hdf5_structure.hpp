@@ -1,6 +1,6 @@
 #pragma once
-// The links of an HDF5 file, followed once before anybody reads it: libraries follow a loop of them without end, and
-// read other files of the disk where a link, a virtual dataset or external storage says so.
+// Checks the links of an HDF5 file once, before any reader. Libraries follow a loop of links without end, and read
+// other files of the disk through a link, a virtual dataset or external storage.
 
 #include <cstdint>
 #include <string>

@@ -1,10 +1,10 @@
 #pragma once
-// The mesh of a scene on the host: nodes, elements in blocks, parts and sets. Const after set-up, but for what erosion
-// leaves of it: `eroded` and `exterior`.
+// The mesh of a scene on the host: nodes, elements in blocks, parts and sets. Const after set-up, except for erosion:
+// `eroded` and `exterior`.
 //
-// Node and element indexes are 0-based positions in these arrays; elements lie chunk after chunk, and the user's ids
-// stay with them. Where several ranks hold the mesh together, these are the elements of one of them and the nodes that
-// they use.
+// Node and element indexes are 0-based positions in these arrays. Elements are ordered by chunk, and the user's ids
+// stay with them. Where several ranks share the mesh, these are the elements of one of them and the nodes that they
+// use.
 
 #include <algorithm>
 #include <cstddef>

@@ -1,9 +1,9 @@
 #pragma once
-// Which nodes and elements of the whole mesh belong to which chunk, and to which rank: the same table on every rank.
+// The chunk and the rank of each node and element of the whole mesh: the same table on every rank.
 //
 // Elements are numbered chunk after chunk. A node belongs to the lowest chunk that uses it, and nodes are numbered
-// chunk after chunk too, so that a node's number tells its chunk and its owner. The one table of the mesh that does not
-// shrink with the number of ranks: five words a chunk.
+// chunk after chunk too, so that a node's number gives its chunk and its owner. This is the one table of the mesh that
+// does not shrink with the number of ranks: five words a chunk.
 
 #include <algorithm>
 #include <cstddef>
@@ -30,7 +30,7 @@ struct Numbering {
   }
 };
 
-/// The owners of nodes that are asked for in nearly ascending order: the next is mostly of the same chunk.
+/// The owners of nodes that are requested in nearly ascending order: the next is mostly of the same chunk.
 class NodeOwners {
  public:
   explicit NodeOwners(const Numbering& numbering) : numbering_(numbering) {}

@@ -53,7 +53,7 @@ std::string make_heading(std::span<const std::string> columns) {
 
 constexpr std::uint64_t empty_hash = 0xcbf29ce484222325ull;
 
-/// FNV-1a (Fowler, Noll and Vo), which goes on byte by byte.
+/// FNV-1a (Fowler, Noll and Vo), which continues byte by byte.
 std::uint64_t add_to_hash(std::uint64_t hash, std::string_view bytes) {
   for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ull;
   return hash;

@@ -17,7 +17,7 @@ class HistoryFile {
  public:
   /// Creates the file with its heading row. Throws SystemError.
   HistoryFile(const std::string& path, std::span<const std::string> columns);
-  /// Goes on with a file of an earlier run behind its first `bytes`, and cuts off what lies there. Throws what
+  /// Continues with a file of an earlier run behind its first `bytes`, and cuts off what lies there. Throws what
   /// check_history_file() throws, which is asked first.
   HistoryFile(const std::string& path, std::span<const std::string> columns, std::int64_t bytes);
   /// Flushes and closes; an error is lost here, so close() first.

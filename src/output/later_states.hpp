@@ -1,5 +1,5 @@
 #pragma once
-// What files of results hold behind the point from which a restart goes on.
+// Content of result files after the point of a restart.
 
 #include <cstdint>
 #include <vector>

@@ -13,8 +13,8 @@
 
 namespace percuss {
 
-/// Prints what is only told on the way. That nobody reads it (a closed pipe, a full disk) must not end a run, so errors
-/// of the stream are ignored, where fmt::print would throw. What a terminal would obey is made visible.
+/// Prints progress messages. A closed pipe or a full disk must not end a run, so errors of the stream are ignored,
+/// where fmt::print would throw. Control characters are made visible.
 template <class... Args>
 void print_quietly(std::FILE* stream, fmt::format_string<Args...> format, Args&&... args) {
   std::fputs(make_printable(fmt::format(format, std::forward<Args>(args)...)).c_str(), stream);
@@ -28,7 +28,7 @@ struct ProgressState {
   double time = 0, end_time = 0, dt = 0;
   double energy_error = 0;  // relative
   long contacts = 0;        // interactions in force
-  std::int64_t eroded = 0;  // dead elements
+  std::int64_t eroded = 0;  // eroded elements
 };
 
 class Progress {
@@ -42,7 +42,7 @@ class Progress {
   /// Cheap to call every step: prints only when a line is due (live: 10 a second; plain: every 10 % and every 30 s).
   void report(const ProgressState& state);
 
-  /// Removes an open live line, so that something else can be printed in its place; the next report draws it anew.
+  /// Removes an open live line, so that something else can be printed in its place; the next report draws it again.
   void clear();
 
   /// Prints the last line (100 % if the run is complete) and ends the live line.

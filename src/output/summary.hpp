@@ -23,8 +23,8 @@ struct EnergySummary {
          error = 0;
 };
 
-/// What dead elements took with them: their mass, how much of it has left the scene with nodes that vanished, their
-/// internal, hourglass and viscous energy and that of such nodes.
+/// Eroded elements: their mass, the share of it that has left the scene with removed nodes, their internal, hourglass
+/// and viscous energy, and the energy of such nodes.
 struct ErodedSummary {
   std::int64_t elements = 0;
   double mass = 0, energy = 0, vanished_mass = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// The warnings of a run, of deck, mesh, start, steps and end alike: told when they are found, counted when they are
-// found again, and listed at the end.
+// The warnings of a run, of deck, mesh, start, steps and end: printed when first found, then counted, and listed at the
+// end.
 
 #include <functional>
 #include <set>
@@ -18,7 +18,7 @@ class WarningLog {
   /// silenced: rules whose warnings are dropped; tell: called for each new warning, may be empty.
   explicit WarningLog(std::set<std::string> silenced, Tell tell = {});
 
-  /// Tells a new warning. One with the rule, place and text of an earlier one is added to its count instead.
+  /// Reports a new warning. One with the rule, place and text of an earlier one is added to its count instead.
   void add(const Warning& warning);
   void add(const std::vector<Warning>& warnings);
 
@@ -26,7 +26,7 @@ class WarningLog {
   /// becomes the new one. Its time stays that of the first.
   void renew(const Warning& warning);
 
-  /// Takes what an earlier part of the run has found, untold, since it was told then.
+  /// Takes the warnings of an earlier part of the run without printing, since they were printed then.
   void restore(const std::vector<Warning>& warnings);
 
   /// In the order in which they were found.

@@ -1,5 +1,5 @@
 #pragma once
-// How elements that can fail die, lane by lane: what the passes over hexahedra and over shells share.
+// Loss of force of failed elements, lane by lane: shared by the loops over hexahedra and over shells.
 
 #include <cstddef>
 
@@ -49,7 +49,7 @@ KOKKOS_INLINE_FUNCTION bool go_on_dying(const ElementLives& lives, int lane, con
   return left > 1;
 }
 
-/// Dead lanes of each pack repeat the lowest that lives: record and, in the evaluation, corners.
+/// Inactive lanes of each pack repeat the lowest active one: record and, in the evaluation, corners.
 KOKKOS_INLINE_FUNCTION void repeat_living_lanes(const ElementLives& lives, const FailingRecords& of) {
   constexpr int width = FailingRecords::width;
   for (int p = 0; p < of.packs; ++p) {
@@ -65,7 +65,7 @@ KOKKOS_INLINE_FUNCTION void repeat_living_lanes(const ElementLives& lives, const
   }
 }
 
-/// Whether an element has begun to fail and is not dead yet.
+/// Whether an element has begun to fail and is not eroded yet.
 KOKKOS_INLINE_FUNCTION bool is_any_ending(const ElementLives& lives, int first_lane, int count) {
   for (int lane = first_lane; lane < first_lane + count; ++lane) {
     if (lives.steps_left(lane) > 0 || (lives.steps_left(lane) < 0 && lives.force_share(lane) < 0)) return true;
@@ -73,7 +73,7 @@ KOKKOS_INLINE_FUNCTION bool is_any_ending(const ElementLives& lives, int first_l
   return false;
 }
 
-/// Lanes past the end are dead when the last element is, so that no pack lives by them.
+/// Lanes past the end are inactive when the last element is, so that they keep no pack active.
 KOKKOS_INLINE_FUNCTION void end_lanes_past_end(const ElementLives& lives, const FailingRecords& of, int count) {
   const int last = of.first_lane + count - 1;
   for (int lane = last + 1; lane < of.first_lane + of.packs * FailingRecords::width; ++lane) {

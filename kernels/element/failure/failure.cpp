@@ -44,7 +44,7 @@ KOKKOS_INLINE_FUNCTION ElementLoad read_load(const HexChunks& chunks, int c, con
   return load;
 }
 
-/// One element: whole, failing, taken out by its evaluation, or dead. Returns whether anything has changed.
+/// One element: undamaged, failing, removed by its evaluation, or eroded. Returns whether anything has changed.
 KOKKOS_INLINE_FUNCTION bool judge(const ElementLives& lives, int lane, const FailureLimits& limits,
                                   const ElementLoad& load, double dt, FailureCounts& counts) {
   if (go_on_dying(lives, lane, limits, counts)) return true;

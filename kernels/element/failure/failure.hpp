@@ -12,9 +12,9 @@ struct FailureCounts {
   int died = 0;     // lost the last of their force
 };
 
-/// Judges the elements that are whole and brings those that fail one evaluation nearer to death. elements: records at
-/// n+1. lives: in and out. results: chunks in which anything changed are no longer settled. Dead lanes of a pack become
-/// copies of a lane that lives.
+/// Tests the undamaged elements against the criteria and advances failing ones by one evaluation. elements: records at
+/// n+1. lives: in and out. results: chunks in which anything changed are no longer settled. Inactive lanes of a pack
+/// become copies of an active lane.
 FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing, double dt,
                             const Array<Real>& elements, const ElementLives& lives, const ChunkResults& results);
 

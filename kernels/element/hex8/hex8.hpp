@@ -12,7 +12,7 @@
 
 namespace percuss {
 
-/// What one element, or a pack of them, remembers between steps; stress and history are in the unrotated frame. The
+/// State of one element, or of a pack of them, between steps; stress and history are in the unrotated frame. The
 /// members lie like the scalars of a record (HexRecord), so that a record of packs is read and written in place.
 template <class T, class Material, HexKind Kind>
 struct HexState {
@@ -89,15 +89,15 @@ PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& t, const Hourg
   finish_forces(fx, fy, fz);
 }
 
-/// What a material is told of the step, and lambda + 2 mu at n.
+/// Input of a material for the step, and lambda + 2 mu at n.
 template <class T>
 struct ToldMotion {
   PointMotion<T> point;
   T modulus;
 };
 
-/// A called material is told what the end of the step looks like; others are compiled to do without, so that their
-/// stress is done with before the end geometry needs the registers.
+/// A called material gets the geometry at the end of the step. Others are compiled without it, so that their stress is
+/// complete before the end geometry needs the registers.
 template <class T, class Material, class State>
 PERCUSS_FORCE_INLINE ToldMotion<T> tell_motion(const HexParameters<Material>& par, const VectorModes<T>& a,
                                                [[maybe_unused]] const State& state, const StepMotion<T>& step,

@@ -45,7 +45,7 @@ struct NoHourglass {};
 template <class T, HexKind Kind>
 using StoredHourglass = std::conditional_t<Kind == HexKind::viscous, NoHourglass, HourglassModes<T>>;
 
-/// Where Q of the step lies: where it is kept, or else in a place of the step's own.
+/// Storage of Q of the step: its record, or else a local of the step.
 template <class T>
 PERCUSS_FORCE_INLINE HourglassModes<T>& find_hourglass_place(HourglassModes<T>& stored, HourglassModes<T>& /*own*/) {
   return stored;
@@ -57,10 +57,10 @@ PERCUSS_FORCE_INLINE HourglassModes<T>& find_hourglass_place(NoHourglass& /*stor
 
 /// How stored forces follow a step of plastic flow, and the guard of near-inverted elements.
 ///
-/// They are scaled by the radial return of the centre; new ones meet the plastic tangent, of which `flowing` is a fair
-/// share, and what they stand for at the surface cannot pass what yield leaves beside the centre's own stress (a single
-/// element through the thickness would never yield otherwise). Without the guard, corner nodes of crushed
-/// elements meet no resistance. The constants are tuned on Taylor bars, plastic cantilevers and crushed cubes.
+/// They are scaled by the radial return of the centre. New ones use the plastic tangent, approximated by the share
+/// `flowing`. The stress that they represent at the surface is limited to the yield stress left by the centre's own
+/// stress; otherwise a single element through the thickness would never yield. Without the guard, corner nodes of
+/// crushed elements meet no resistance. The constants are tuned on Taylor bars, plastic cantilevers and crushed cubes.
 template <class T>
 struct PlasticHourglass {
   static constexpr double flowing = 0.1, headroom = 1.5, least_headroom = 0.1, guard_coefficient = 0.1;

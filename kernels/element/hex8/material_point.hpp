@@ -1,5 +1,5 @@
 #pragma once
-// The materials as an element sees them: what they remember at its points, and how their stress is advanced.
+// The materials as an element sees them: their history at its points, and the update of their stress.
 
 #include "kernels/core/widen.hpp"
 #include "kernels/element/hex8/modes.hpp"
@@ -8,8 +8,8 @@
 
 namespace percuss {
 
-/// What a material remembers at the points of an element: scalar i of point p is value[i][p]; no room for nothing. In
-/// float the rests of the `count` scalars of a material follow them.
+/// History of a material at the points of an element: scalar i of point p is value[i][p]; empty if there is none. In
+/// single precision the remainders of the `count` scalars follow them.
 template <class T, class Material, int Points, int Count = Material::history_count>
 struct MaterialHistory {
   T value[is_short<T> ? 2 * Count : Count][Points];
@@ -87,15 +87,15 @@ PERCUSS_FORCE_INLINE Symmetric3<Wide<T>> widen_tensor(const Symmetric3<T>& a) {
           widen<Part>(a.xy), widen<Part>(a.yz), widen<Part>(a.zx)};
 }
 
-/// What a called material is told, part of its lanes in double.
+/// Input of a called material, part of its lanes in double.
 template <int Part, class T>
 PERCUSS_FORCE_INLINE PointMotion<Wide<T>> widen_motion(const PointMotion<T>& m) {
   return {widen_tensor<Part>(m.de), widen<Part>(m.dt),        widen<Part>(m.volume_ratio),
           widen<Part>(m.length),    widen<Part>(m.viscosity), m.time};
 }
 
-/// A called material works in double whatever the element does: its laws are written for that, and its powers and
-/// logarithms cost more than the way there and back.
+/// A called material works in double for any precision of the element: its powers and logarithms cost more than the
+/// conversion to double and back.
 template <class T, class Material, int Points>
 PERCUSS_FORCE_INLINE CalledResponse<T> call_in_double(const Material& material, Symmetric3<T>& stress,
                                                       Symmetric3<T>& rest,

@@ -80,8 +80,8 @@ PERCUSS_FORCE_INLINE T find_damping_rate(const GradientSize<T>& g, const T& volu
   return T(8) * tangent * g.trace * ((T(1) / mass) * (T(1) / volume));
 }
 
-/// What the round-off of floats can raise a step bound by, with room: that of positions about a node of the chunk is
-/// some 1e-7 of the chunk's extent, which is some hundreds of the thinnest edge at most.
+/// Bound of the increase of a step bound by single-precision round-off, with margin: that of positions about a node of
+/// the chunk is some 1e-7 of the chunk's extent, which is some hundreds of the thinnest edge at most.
 inline constexpr double short_step_margin = 1e-4;
 
 /// Largest dt with omega^2 dt^2 / 4 + rate dt / 2 <= 1: central differences with velocities that lag half a step.

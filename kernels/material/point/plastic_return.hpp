@@ -1,5 +1,5 @@
 #pragma once
-// What the plastic return of a step tells the rest of the element.
+// Results of the plastic return of a step for the rest of the element.
 
 #include "kernels/core/simd.hpp"
 

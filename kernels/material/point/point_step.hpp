@@ -1,5 +1,5 @@
 #pragma once
-// What a material is told of a step at one of its points, and what it tells the element in return.
+// Input and output of a material for a step at one of its points.
 
 #include "kernels/core/tensor.hpp"
 #include "kernels/material/point/plastic_return.hpp"
@@ -32,7 +32,7 @@ struct PointStep {
   T lambda{}, mu{};            // out; elastic moduli now, preset to those at the start
 };
 
-/// What an equation of state tells laws that have a temperature.
+/// Output of an equation of state for laws with a temperature.
 template <class T>
 struct StateChange {
   T volume;     // J(n+1) - J(n)

@@ -105,8 +105,8 @@ PERCUSS_FORCE_INLINE Matrix3<T> find_deformation_increment(const Matrix3<T>& a) 
   return scale * Matrix3<T>{{{own, c1.x, c2.x}, {c0.y, dot(a.row[1], c1), c2.y}, {c0.z, c1.z, dot(a.row[2], c2)}}};
 }
 
-/// As advance_polar() for floats, which lose what the steps add to 1: all that is small stays apart from what it is
-/// added to, and what R does not hold goes to its rest.
+/// As advance_polar() in single precision, which would lose small increments of 1: increments are kept apart from their
+/// sums, and the digits that R does not hold go to its remainder.
 template <class T>
 PERCUSS_FORCE_INLINE void advance_short_polar(const Matrix3<T>& l, const T& dt, Polar<T>& polar, Matrix3<T>& turn) {
   const Matrix3<T> grown = find_deformation_increment((number<T>(0.5) * dt) * l) * full(polar.stretch);
@@ -117,8 +117,8 @@ PERCUSS_FORCE_INLINE void advance_short_polar(const Matrix3<T>& l, const T& dt, 
   polar.stretch = symmetric_product(stretched, identity_matrix<T>() + turn);
 }
 
-/// Advances R and V from n to n+1, in place, with the velocity gradient l of the mid-point. turn: out, what R was
-/// turned by: R(n+1) = turn R(n), or (I + turn) R(n) in float (turn_along()).
+/// Advances R and V from n to n+1, in place, with the velocity gradient l of the mid-point. turn: out, the rotation
+/// increment: R(n+1) = turn R(n), or (I + turn) R(n) in float (turn_along()).
 template <class T>
 PERCUSS_FORCE_INLINE void advance_polar(const Matrix3<T>& l, const T& dt, Polar<T>& polar, Matrix3<T>& turn) {
   // x(n+1) - x(n) = dt L (x(n) + x(n+1)) / 2, hence F(n+1) = f F(n) with f = (I - dt/2 L)^-1 (I + dt/2 L).

@@ -87,8 +87,8 @@ KOKKOS_INLINE_FUNCTION void return_stress(const ElasticTrial<T>& trial, double r
   step.plastic = {share, flow_stress, smaller(ratio * ratio, T(1))};
 }
 
-/// The update of a material whose flow stress depends on p, which is history[0], and its rate, and on what else it
-/// remembers: start_flow(history, dt) is that of a step (RateFlow in rate_hardening.hpp). Some heat themselves.
+/// The update of a material whose flow stress depends on p, which is history[0], its rate, and the rest of its history:
+/// start_flow(history, dt) is that of a step (RateFlow in rate_hardening.hpp). Some heat themselves.
 template <class T, class Material>
 KOKKOS_INLINE_FUNCTION void return_by_isotropic_hardening(const Material& m, PointStep<T>& step) {
   const LameConstants c = m.moduli();

@@ -12,7 +12,7 @@ namespace percuss {
 using EquationsOfState =
     TypeList<LinearState, MieGrueneisenState, PolynomialState, IdealGasState, TillotsonState, JwlState>;
 
-/// What an equation of state remembers: e, J, and when an explosive is lit.
+/// History of an equation of state: e, J, and the lighting time of an explosive.
 inline constexpr int state_history_count = 3;
 
 /// Adiabatic bulk modulus at the start.
@@ -31,8 +31,8 @@ void start_state(const State& state, double* history, const double (&x)[3]) {
   if constexpr (requires { State::is_lit; }) history[2] = state.find_lighting_time(x);
 }
 
-/// Replaces the mean stress that the law has found by the pressure at n+1, and books its energy. old: stress at n;
-/// history: e, J, lighting time; least_bulk: modulus below which none is told.
+/// Replaces the law's mean stress by the pressure at n+1, and updates its energy. old: stress at n; history: e, J,
+/// lighting time; least_bulk: least modulus that is returned.
 template <class T, class State>
 PERCUSS_NO_INLINE StateChange<T> advance_state(const State& state, const Symmetric3<T>& old, T* history,
                                                double least_bulk, PointStep<T>& step) {

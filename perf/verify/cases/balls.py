@@ -59,14 +59,19 @@ HERTZ_TABLE = ["run", "quantity", "measured", "Hertz, mass of the mesh", "differ
 
 @case("hertz_wall", "impact", "Hertz: a ball on a rigid wall")
 def hertz_wall(bench):
-    """A steel ball (R = 10 mm, 210 GPa, 0.3, 7850 kg/m^3) hits a rigid wall. Hertz: E* = E / (1 - nu^2),
-    delta = (15 m v^2 / (16 E* sqrt R))^(2/5), F = 4/3 E* sqrt(R) delta^(3/2), time 2.9433 delta / v; at 1 m/s 17.80 um, 2309.8 N, 52.37 us. A quarter
-    of the ball, its cells drawn together at the pole by a Moebius map, so that 4 and 10 elements lie across the contact radius of 0.42 mm; at least 5 are wanted, so the second is judged and the first
-    shown. The approach is what the centre of mass falls from the first touch on, the integral of its speed. The mass in the formula is
-    that of the mesh: large facets at the far side cut off a fifth of the ball, and approach and time go with m^0.4, the force with m^0.6; the table shows the exact ball too. Approach and time, which are
-    proportional to each other, may be 3 % off, the force 5 %: Hertz's half-spaces are the limit of a
-    small contact, and a wave needs 3.4 us through the ball. The rebound keeps more than 99 % of the speed (Hunter, *J. Mech. Phys. Solids* 5, 1957:
-    vibration takes 0.02 % at this speed)."""
+    """A steel ball (R = 10 mm, 210 GPa, 0.3, 7850 kg/m^3) hits a rigid wall. Hertz gives, with `E* = E / (1 - nu^2)`, the
+    approach `delta = (15 m v^2 / (16 E* sqrt R))^(2/5)`, the force `F = 4/3 E* sqrt(R) delta^(3/2)` and the time
+    `2.9433 delta / v`. At 1 m/s they are 17.80 um, 2309.8 N and 52.37 us.
+
+    A quarter of the ball is used, its cells concentrated at the pole by a Moebius map, so that 4 and 10 elements lie
+    across the contact radius of 0.42 mm. At least 5 are required, so the second is judged and the first shown. The
+    approach is the travel of the centre of mass from the first touch on, the integral of its speed.
+
+    The mass in the formula is that of the mesh, since large facets at the far side cut off a fifth of the ball.
+    Approach and time go with m^0.4, the force with m^0.6. The table shows the exact ball too. Approach and time, which
+    are proportional to each other, may be 3 % off, the force 5 %: Hertz's half-spaces are the limit of a small contact,
+    and a wave needs 3.4 us through the ball. The rebound keeps more than 99 % of the speed (Hunter, *J. Mech. Phys.
+    Solids* 5, 1957: vibration takes 0.02 % at this speed)."""
     speed = 1.0
     exact = 4 / 3 * np.pi * RADIUS**3 * DENSITY
     curves, rows = [], []
@@ -100,9 +105,11 @@ def hertz_wall(bench):
 
 @case("hertz_balls", "impact", "Hertz: two balls")
 def hertz_balls(bench):
-    """Two such balls of different meshes (5 and 6 elements across the contact radius of 0.32 mm) meet at a relative speed of 1 m/s; 1 / E* = 2 (1 - nu^2) / E, curvature radius R / 2, reduced mass m / 2: 20.44 um,
-    1005.4 N, 60.16 us. The approach is the integral of the speed at which the centres of mass near each other, from the first touch on; the force is the rate of the momentum of one ball (a mean over 2 us); the formula takes the masses of the meshes, and tolerances are as on the wall. Momentum has to stay to round-off
-    although the meshes do not match."""
+    """Two such balls of different meshes (5 and 6 elements across the contact radius of 0.32 mm) meet at a relative speed
+    of 1 m/s. 1 / E* = 2 (1 - nu^2) / E, curvature radius R / 2, reduced mass m / 2: 20.44 um, 1005.4 N, 60.16 us. The
+    approach is the integral of the closing speed of the centres of mass, from the first touch on. The force is the rate
+    of the momentum of one ball (a mean over 2 us). The formula takes the masses of the meshes, and tolerances are as on
+    the wall. Momentum must be conserved to round-off although the meshes do not match."""
     speed = 1.0
     exact = 4 / 3 * np.pi * RADIUS**3 * DENSITY
     low = meshes.write_exodus(bench.file("low.exo"), *meshes.quarter_ball(bench, RADIUS, 28, 0.84))
@@ -152,9 +159,10 @@ output: {fields: {every: 1e-6, write: [velocity, mass]}, history: {every: 1e-7}}
 
 @case("sphere_drop", "impact", "Restitution of an elastic ball", quick=True)
 def sphere_drop(bench):
-    """The scene `inputs/elastic_sphere_drop` on coarser and finer meshes: a steel ball at 15 m/s on a rigid plane comes back with its speed but for what
-    stays as vibration (Hunter 1957: 1.04 v^(3/5) c^(-3/5) of the energy or so, 1 % of the speed) and the energy of the rows of nodes that stop, of first order in h:
-    restitution above 0.99 on the finest."""
+    """The scene `inputs/elastic_sphere_drop` on coarser and finer meshes: a steel ball at 15 m/s on a rigid plane. It
+    rebounds with its speed except for two losses. Vibration keeps about 1.04 v^(3/5) c^(-3/5) of the energy, 1 % of the
+    speed (Hunter 1957). The layers of nodes that stop lose energy of first order in h. Restitution must be above 0.99
+    on the finest mesh."""
     rows = []
     for across in (16, 32) if bench.quick else (16, 32, 48):
         run = bench.run("""

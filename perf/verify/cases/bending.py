@@ -101,13 +101,23 @@ COOK = {"assumed strain": (7.32, 7.90), "full": (6.80, 7.89)}
 
 @case("free_bar", "bending", "First bending frequency of a free bar", quick=True)
 def free_bar(bench):
-    """A free steel bar of square section, 20 times as long as high, starts with the speeds of its first bending mode (those of Euler and Bernoulli's beam) at
-    amplitudes of 1e-5 of its height. The frequency is the strongest line of six periods of the motion of its ends, within 0.2 %; exact is Timoshenko's beam with Cowper's shear
-    coefficient. One and two elements through the height, cubes, elements four times as long as high, and trapezoids, whose sides lean by an angle to one side and the other in turn. The tolerances are the figures
-    of a prototype of the assumed-strain and of the fully integrated element (which shears when long elements bend, whatever the code), with half of their last digit and 0.05 % for reading the frequency. On trapezoids "of 20 degrees" the prototype has +6.6 % with assumed strain,
-    -31 % with stiffness and -3 % with full integration, and does not say how they are measured. Sides that lean by 20 degrees do not give these figures (all choices are stiffer; assumed strain is off by more than 6.6 %), nor do 20 degrees between two sides (a lean of 10: full integration is off by more than 3 %).
-    Near 13 degrees stiffness (-30.7 %) and full integration (-3.5 %) come close to the prototype's figures, and assumed strain (+4.3 %) is better. Assumed strain is judged at 10 and 13 degrees against 6.6 %; full integration on trapezoids, and all at 20 degrees, are shown. Hourglass stiffness and viscosity have no bending stiffness of their own in an element, their
-    coefficient decides: shown, not judged."""
+    """A free steel bar of square section, 20 times as long as high, starts with the speeds of its first bending mode
+    (those of Euler and Bernoulli's beam) at amplitudes of 1e-5 of its height. The frequency is the strongest line of
+    six periods of the motion of its ends, within 0.2 %. The exact answer is Timoshenko's beam with Cowper's shear
+    coefficient. Meshes have one and two elements through the height: cubes, elements four times as long as high, and
+    trapezoids, whose sides lean by an angle alternately to one side and the other.
+
+    The tolerances are the figures of a prototype of the assumed-strain and of the fully integrated element (which
+    shears when long elements bend, in any code). Half of their last digit and 0.05 % for reading the frequency are
+    added. On trapezoids "of 20 degrees" the prototype has +6.6 % with assumed strain, -31 % with stiffness and -3 %
+    with full integration, without a definition of the angle. Sides that lean by 20 degrees do not give these figures:
+    all choices are stiffer, and assumed strain is off by more than 6.6 %. Neither do 20 degrees between two sides: a
+    lean of 10, where full integration is off by more than 3 %.
+
+    Near 13 degrees stiffness (-30.7 %) and full integration (-3.5 %) come close to the prototype's figures, and assumed
+    strain (+4.3 %) is better. Assumed strain is judged at 10 and 13 degrees against 6.6 %. Full integration on
+    trapezoids, and all at 20 degrees, are shown. Hourglass stiffness and viscosity have no bending stiffness of their
+    own in an element; their coefficient decides. They are shown, not judged."""
     slenderness = 20
     ratio, euler = find_timoshenko(slenderness)
     exact = ratio * euler
@@ -149,10 +159,12 @@ def make_cook(n):
 
 @case("cooks_membrane", "bending", "Cook's membrane, nearly incompressible")
 def cooks_membrane(bench):
-    """A tapered panel, clamped at one end, is sheared at the other (E = 240.565, load 100, thickness 1, plane strain, nu = 0.4999): elements that lock when they
-    cannot change their volume deflect a fraction of the limit, 8.05 at the upper corner of the loaded end. Here the load is a ten-thousandth of that, so that the problem is
-    linear, and a dead load on the end that rises smoothly over three periods of the first mode; the deflection is the mean of the next two. Assumed strain and full integration have to
-    reach what independent implementations give on 4 x 4 and 16 x 16 elements, within 0.5 %; the other choices are shown."""
+    """A tapered panel, clamped at one end, is sheared at the other (E = 240.565, load 100, thickness 1, plane strain, nu =
+    0.4999). Elements that lock when they cannot change their volume reach a fraction of the limit, 8.05 at the upper
+    corner of the loaded end. Here the load is a ten-thousandth of that, so that the problem is linear. It is a dead
+    load on the end that rises smoothly over three periods of the first mode; the deflection is the mean of the next
+    two. Assumed strain and full integration must agree with independent implementations on 4 x 4 and 16 x 16 elements,
+    within 0.5 %. The other choices are shown."""
     ends, rows = (4, 8) if bench.quick else (4, 16), []
     for name, text in choices.list_elements(bench).items():
         row = [name]
@@ -183,10 +195,12 @@ output: {history: {every: 0.1, nodes: [{name: corner, near: [48, 0, 60]}]}}
 
 @case("plastic_cantilever", "bending", "A plastic cantilever")
 def plastic_cantilever(bench):
-    """A clamped steel cantilever, 100 x 10 x 10 mm (yield 300 MPa, hardening 500 MPa), starts at 60 m/s across: it folds at the clamp, and after 2 ms a permanent deflection is left (the mean
-    from 1.5 to 2 ms). No exact answer: the reference is the mean of assumed strain and full integration on 8 elements through the height, which must agree within 1.5 %. One to four
-    elements through, every choice; assumed strain has to be within 5 % with 2 through. One-point elements whose hourglass forces do not yield with the material come out stiff; full
-    integration locks with one through."""
+    """A clamped steel cantilever, 100 x 10 x 10 mm (yield 300 MPa, hardening 500 MPa), starts at 60 m/s across. It folds
+    at the clamp, and after 2 ms a permanent deflection is left (the mean from 1.5 to 2 ms). There is no exact answer.
+    The reference is the mean of assumed strain and full integration on 8 elements through the height, which must agree
+    within 1.5 %. Meshes have one to four elements through, with every choice; assumed strain must be within 5 % with 2
+    through. One-point elements whose hourglass forces do not yield with the material are stiff; full integration locks
+    with one through."""
     def deflect(text, through):
         run = bench.run("""
 title: plastic cantilever

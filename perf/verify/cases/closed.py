@@ -16,11 +16,15 @@ PUSHED = {"wall": 0.02, "blocks": 2e-3, "cradle": 2e-3}  # at least this way [m]
 
 @case("closed_scenes", "closed", "Wall, blocks and cradle: momentum and energy", quick=True)
 def closed_scenes(bench):
-    """*Wall*: loose bricks face to face, struck askew by an elastic-plastic rod at 200 m/s, friction 0.3. *Blocks*: elastic blocks and a ball fly into each other edge
-    first, corner first and spinning. *Cradle*: four elastic balls in a row, at the origin and 1000 m from it. Linear and angular momentum stay
-    within 1e-12 (round-off of 1e4 pushes and sums of 1e3 nodes); the energy balance closes within 0.1 % of the largest energy held where all is elastic, at
-    default settings, and 1 % otherwise. Contact may take energy, never give it, and friction does no positive work. All of this would hold without contact as well, so every scene has to have
-interactions, the wall's friction has to take energy, the far brick, the first block and the last ball have to be pushed."""
+    """*Wall*: loose bricks face to face, hit obliquely by an elastic-plastic rod at 200 m/s, friction 0.3. *Blocks*:
+    elastic blocks and a ball collide edge first, corner first and spinning. *Cradle*: four elastic balls in a row, at
+    the origin and 1000 m from it.
+
+    Linear and angular momentum stay within 1e-12 (round-off of 1e4 impulses and sums of 1e3 nodes). The energy balance
+    closes within 0.1 % of the largest energy where all is elastic, at default settings, and 1 % otherwise. Contact may
+    take energy, never give it, and friction does no positive work. All of this would hold without contact as well. So
+    every scene must have interactions, the wall's friction must take energy, and the far brick, the first block and the
+    last ball must be moved."""
     for name, text in choices.list_enforcements(bench).items():
         wall = bench.run("""
 time: {end: 8e-4}
@@ -85,12 +89,18 @@ output: {history: {every: $every, nodes: [{name: n, near: [0.1, 0.1, 0.18]}, {na
 
 @case("resting_pile", "hard", "A pile of bricks that rests for a million steps")
 def resting_pile(bench):
-    """Six soft bricks in three layers, every second a quarter of a brick farther, lie on a floor under gravity, friction 0.5, at rest and without gaps at the start. Weight
-    comes all at once. The bricks are elastic, and nothing damps what bends and shears them: a hum is left, which may neither grow nor carry anything away. Measured from a tenth
-    of the run on: the mean places of two nodes of the upper layer in the second and in the last tenth of it over a brick's height, kinetic energy over m g H of the pile, and its largest value in the last third over
-    that in the middle third. The balance is relative to what the weight presses into the pile, 1e-4 of m g H; springs miss some of it when it comes, and none later.
-    The kinematic iteration is run with its default tolerance as well, which leaves more of a hum: there the limit is a seventh of what the weight rings with at first (7e-5).
-    Lagrange runs 20 000 steps only: it takes six times as long a step and more, two hours for a million, and still rings out at their end."""
+    """Six soft bricks in three layers, each layer shifted by a quarter of a brick, rest on a floor under gravity, friction
+    0.5, at rest and without gaps at the start. The weight is applied at once. The bricks are elastic, and nothing damps
+    their bending and shear. A vibration remains, which may neither grow nor move anything.
+
+    Three quantities are measured from a tenth of the run on. The first is the mean position of two nodes of the upper
+    layer in the second and in the last tenth of it over a brick's height. The second is kinetic energy over m g H of
+    the pile. The third is its largest value in the last third over that in the middle third. The balance is relative to
+    the work of the weight on the pile, 1e-4 of m g H; springs miss some of it at the start, and none later.
+
+    The kinematic iteration is run with its default tolerance as well, which leaves more vibration: there the limit is a
+    seventh of the initial vibration (7e-5). Lagrange runs 20 000 steps only: a step takes six times as long and more,
+    two hours for a million, and the vibration still decays at their end."""
     runs = {name: (text, 1e-6) for name, text in choices.list_enforcements(bench).items()}
     runs["kinematic"] = runs["kinematic"][0], 1e-5
     runs["kinematic, tolerance 1e-5"] = runs["kinematic"][0] + ", tolerance: 1e-5", 1e-6
@@ -112,7 +122,8 @@ def resting_pile(bench):
 
 @case("pile_on_ranks", "hard", "The pile of bricks on four ranks", quick=True)
 def pile_on_ranks(bench):
-    """The pile above by every enforcement for 3000 steps (Lagrange: 300, of a sixth of the speed), in which its weight comes and it rings, on one rank and on four: the same bits."""
+    """The pile above by every enforcement for 3000 steps (Lagrange: 300, of a sixth of the speed), in which its weight is
+    applied and it vibrates, on one rank and on four: the same bits."""
     for name, text in choices.list_enforcements(bench).items():
         steps = 300 if name == "lagrange" or bench.quick else 3_000
         one, four = (bench.run(PILE, ranks=ranks, steps=steps, every=1e-4, enforcement=text) for ranks in (1, 4))

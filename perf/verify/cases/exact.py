@@ -30,9 +30,9 @@ def distort(bench, size, cells, amount, seed):
 
 @case("mass_and_fall", "exact", "Mass and free fall", quick=True)
 def mass_and_fall(bench):
-    """The mass of every generated shape, and of a block of distorted elements, is density times the volume of its mesh; and
-    under gravity every node falls with g, not less. The volume is integrated apart from percuss (2 x 2 x 2 Gauss points are
-    exact for a trilinear element); mass and speed may differ by round-off."""
+    """The mass of every generated shape, and of a block of distorted elements, is density times the volume of its mesh.
+    Under gravity every node falls with exactly g. The volume is integrated independently of percuss (2 x 2 x 2 Gauss
+    points are exact for a trilinear element). Mass and speed may differ by round-off."""
     points, corners, _ = distort(bench, (0.3, 0.3, 0.3), (3, 3, 3), 0.25, 1)
     path = meshes.write_exodus(bench.file("distorted.exo"), points, corners)
     for name, shape in (SHAPES | {"distorted hexahedra": f"exodus: {{file: {path}}}"}).items():
@@ -72,10 +72,11 @@ def find_log(a):
 
 @case("patch", "exact", "Patch test", quick=True)
 def patch(bench):
-    """A block of 3 x 3 x 3 elements with its eight inner nodes at random places. All nodes start in a linear velocity field v = G x; those of
-    the surface keep their velocity, the inner ones are free. Every element must have the same stress to round-off, the inner
-    nodes must follow the field, and as G is symmetric the stress is that of the strain ln(1 + G t). The mid-point rates of a
-    hundred steps leave 1e-9 of strain there; viscosity is off because its pressure depends on the element."""
+    """A block of 3 x 3 x 3 elements has its eight inner nodes at random positions. All nodes start in a linear velocity
+    field v = G x; those of the surface keep their velocity, the inner ones are free. Every element must have the same
+    stress to round-off, and the inner nodes must follow the field. Since G is symmetric, the stress is that of the
+    strain ln(1 + G t). The mid-point rates of a hundred steps leave an error of 1e-9 of strain. Viscosity is off
+    because its pressure depends on the element."""
     points, corners, inside = distort(bench, (1, 1, 1), (3, 3, 3), 0.2, 7)
     points -= 0.5
     path = meshes.write_exodus(bench.file("patch.exo"), points, corners)

@@ -26,10 +26,12 @@ output:
 
 @case("spall", "failure", "A plate spalls")
 def spall(bench):
-    """A plate of 50 mm hits one of 100 mm at 100 m/s, in uniaxial strain, and elements fail at half of the tension rho c v / 2. The pulse comes back from the far end as
-    tension and meets the release from the flyer's far end in the middle of the target, 3 L / c after the impact. Elements fail there, none elsewhere: their middle within
-    half an element, the time within 2 %. Viscosity spreads the rise of the tension over some elements, which therefore reach the strength together; how thick that
-    layer is goes with the elements. The wave speed at the far end is v until then."""
+    """A plate of 50 mm hits one of 100 mm at 100 m/s, in uniaxial strain, and elements fail at half of the tension rho c v
+    / 2. The pulse returns from the far end as tension. It meets the release from the flyer's far end in the middle of
+    the target, 3 L / c after the impact. Elements must fail there and nowhere else: their middle within half an
+    element, the time within 2 %. Viscosity spreads the rise of the tension over some elements, which therefore reach
+    the strength together; the thickness of that layer depends on the elements. The wave speed at the far end is v until
+    then."""
     rows, far = [], None
     for cells in (50, 100) if bench.quick else (50, 100, 200):
         run = bench.run(SPALL, cells=cells, twice=2 * cells, edge=0.05 / cells, strength=0.25 * DENSITY * SPEED * 100)
@@ -58,8 +60,9 @@ def spall(bench):
 
 @case("rod_through_plates", "failure", "A thin rod goes through three plates")
 def rod_through_plates(bench):
-    """The scene `inputs/rod_through_plates`: rod and plates erode by plastic strain, and new surfaces come into contact. No exact answer: momentum to round-off with what left booked,
-    energy within 1 %, and the same bits of the whole run on one rank and on four."""
+    """The scene `inputs/rod_through_plates`: rod and plates erode by plastic strain, and new surfaces come into contact.
+    There is no exact answer. Momentum is conserved to round-off, with the momentum of removed mass booked, energy
+    within 1 %, and the whole run has the same bits on one rank and on four."""
     text = read_deck("rod_through_plates")
     if bench.quick:
         text = text.replace("time: {", "time: {max_steps: 160, ")

@@ -14,9 +14,11 @@ BLOCK = "block: {box: {size: [0.4, 0.4, 0.1], cells: [4, 4, 2]}, material: soft}
 
 @case("sliding_block", "friction", "A block slides to rest", quick=True)
 def sliding_block(bench):
-    """A block at 5 m/s on a floor with mu = 0.3 stops after v^2 / (2 mu g) = 4.2474 m and v / (mu g) = 1.6989 s; friction takes m v^2 / 2. On a rigid wall and, at
-    2 m/s, over the faces of a plate (0.6796 m, corners must not steer it). The block is elastic, and weight comes all at once and rings for a while; all is within 0.1 % all the same.
-    Its bending is damped (viscous hourglass control), because an undamped one flutters. Energy: contact work and viscosity hold the ringing; friction alone and all together are within 0.1 % each."""
+    """A block at 5 m/s on a floor with mu = 0.3 stops after v^2 / (2 mu g) = 4.2474 m and v / (mu g) = 1.6989 s; friction
+    takes m v^2 / 2. It slides on a rigid wall and, at 2 m/s, over the faces of a plate (0.6796 m; their corners must
+    not deflect it). The block is elastic, and its weight is applied at once and vibrates for a while; all is still
+    within 0.1 %. Its bending is damped (viscous hourglass control), because an undamped one flutters. Contact work and
+    viscosity contain the energy of the vibration. Friction alone and the sum are within 0.1 % each."""
     run = bench.run("""
 time: {end: 1.9}
 parts: {""" + BLOCK + """}
@@ -62,9 +64,12 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [0.3, 0.4, 0.05], part: 
 
 @case("incline", "friction", "A block on an incline")
 def incline(bench):
-    """30 degrees: with mu = 0.3 it slides at a = g (sin - mu cos) = 2.3563 m/s^2; with mu = 0.7 > tan it sticks. Weight comes all at once, and while that rings
-    single nodes slip a little (below 1 mm); after that nothing may creep: from 1 to 2 s the mean place stays within 1 um and friction does no work. Bending is damped as above: *without that damping it does not stick*. With the
-    default hourglass control the block flutters and creeps down (see the open points); that is no answer but what is measured, held below 2 % of the way without friction, g sin t^2 / 2 = 9.81 m in 2 s."""
+    """The slope is 30 degrees. With mu = 0.3 the block slides at a = g (sin - mu cos) = 2.3563 m/s^2; with mu = 0.7 > tan
+    it sticks. The weight is applied at once, and during the vibration single nodes slip a little (below 1 mm). After
+    that nothing may creep: from 1 to 2 s the mean position stays within 1 um and friction does no work. Bending is
+    damped as above: *without that damping it does not stick*. With the default hourglass control the block flutters and
+    creeps down (see the open points). This is no answer but a measurement, limited to 2 % of the distance without
+    friction, g sin t^2 / 2 = 9.81 m in 2 s."""
     template = """
 time: {end: $end}
 parts: {""" + BLOCK + """}
@@ -87,8 +92,9 @@ output: {history: {every: 1e-3, nodes: [{name: n, near: [0.2, 0.2, 0.05]}]}}
 
 @case("oblique_impact", "friction", "Oblique impact that slides throughout", quick=True)
 def oblique_impact(bench):
-    """A ball at 20 m/s along and 2 m/s onto a wall with mu = 0.1 slides throughout: every push takes mu times its normal impulse along, so that
-    dv_t = mu (1 + e) v_n, whatever the restitution e. To round-off of some hundred pushes."""
+    """A ball at 20 m/s along and 2 m/s onto a wall with mu = 0.1 slides throughout. Every contact impulse has mu times its
+    normal part along the wall, so that dv_t = mu (1 + e) v_n for any restitution e. The tolerance is round-off of some
+    hundred impulses."""
     h = bench.run("""
 time: {end: 6e-4}
 parts: {ball: {sphere: {radius: 0.05, cells: 6}, at: [0, 0, 0.0501], material: steel}}

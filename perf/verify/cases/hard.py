@@ -44,9 +44,9 @@ def last_line(run):
 
 @case("box_of_spheres", "hard", "A crushed box of spheres")
 def box_of_spheres(bench):
-    """125 elastic-plastic balls of 32 elements in a rigid box, its lid driven down by 40 % of its height at 50 m/s (1 % of the
-    speed of sound); friction 0.2. Enforcement may leave 1 % of an edge. The balls of the middle column have to stay one above the other, none through its
-    neighbour, under the lid: their middles at least half a radius apart."""
+    """125 elastic-plastic balls of 32 elements in a rigid box, its lid driven down by 40 % of its height at 50 m/s (1 % of
+    the speed of sound); friction 0.2. Enforcement may leave 1 % of an edge. The balls of the middle column must stay
+    one above the other under the lid, none through its neighbour: their middles at least half a radius apart."""
     run = survive(bench, """
 title: Crushed box of spheres
 time: {end: 8e-4}
@@ -81,8 +81,8 @@ output: {history: {every: 1e-6, nodes: [$nodes]}}
 
 @case("crossed_cubes", "hard", "Two rotated cubes pressed edge to edge")
 def crossed_cubes(bench):
-    """Two cubes meet with crossed edges, one turned by 45 degrees about x, the other about y, at 2 m/s: only their edges
-    touch. They have to bounce off: had the edges passed, the cubes would still approach."""
+    """Two cubes meet with crossed edges, one rotated by 45 degrees about x, the other about y, at 2 m/s: only their edges
+    touch. They must rebound. If the edges had passed, the cubes would still approach."""
     run = survive(bench, """
 title: Two cubes edge to edge
 time: {end: 4e-4}
@@ -101,8 +101,8 @@ output: {history: {every: 1e-6, nodes: [{name: low, near: [0.05, 0.05, -0.0208],
 
 @case("folding_plate", "hard", "A plate that folds onto itself")
 def folding_plate(bench):
-    """A steel plate, two elements thick, whose ends approach at 100 m/s each from 0.2 m to 0.04 m: it buckles and folds until its
-    own surfaces press on each other."""
+    """A steel plate, two elements thick, whose ends approach at 100 m/s each from 0.2 m to 0.04 m. It buckles and folds
+    until its own surfaces come into contact."""
     run = survive(bench, """
 title: Folding plate
 time: {end: 8e-4}
@@ -133,9 +133,9 @@ output: {history: {every: 1e-6, nodes: [{name: low, near: [0.05, 0.05, 0.1], par
 
 @case("overlap", "hard", "Bodies that overlap at the start")
 def overlap(bench):
-    """A block lies by 2, 20 and 60 % of an element's edge (20 mm) in another, both at rest. Accepted overlap is the new reference:
-    nothing may move. Pushed out, the blocks part slowly: the faces at the speed that recovers 1e-4 edges a step, the bodies at twice that. They do part:
-    of the overlap at most half is left at the end."""
+    """A block overlaps another by 2, 20 and 60 % of an element's edge (20 mm), both at rest. Accepted overlap is the new
+    reference: nothing may move. Pushed out, the blocks separate slowly: the faces at the speed that removes 1e-4 edges
+    a step, the bodies at twice that. At most half of the overlap is left at the end."""
     for share in 0.02, 0.2, 0.6:
         z = 0.1 - share * 0.02
         run = survive(bench, OVERLAP, z=z, treatment="accept", which=f"{100 * share:.0f} %, accepted", energy=None)
@@ -168,10 +168,12 @@ output: {history: {every: 1e-6, nodes: [$nodes]}}
 
 @case("node_on_edge", "hard", "A node exactly on an edge or a corner")
 def node_on_edge(bench):
-    """A cube falls corner first onto a free plate of 4 x 4 elements at 5 m/s: exactly onto a corner of four faces, onto the edge of two,
-    and onto the very corner and rim of the plate. Nothing passes and nothing is lost. Clearance: height of the cube's corner over the plate at that place; beside the plate
-    it is more by the slope of the cube's edges, 1 / sqrt 2 of the way out. A cube that passed would have -1.4 mm at the end; one that bounced or slid off has some. On the way it may miss 1 % of
-    an element's edge, 0.3 mm: on the rim, where neither the node nor the edges beside it have a face under them for long, it sinks by half of that before the edges hold it."""
+    """A cube falls corner first onto a free plate of 4 x 4 elements at 5 m/s. It hits a corner of four faces exactly, the
+    edge of two, and the corner and rim of the plate. Nothing passes and nothing is lost. The clearance is the height of
+    the cube's corner over the plate at that place. Beside the plate it is more by the slope of the cube's edges, 1 /
+    sqrt 2 of the way out. A cube that passed would have -1.4 mm at the end; one that rebounded or slid off has a
+    positive clearance. On the way it may miss 1 % of an element's edge, 0.3 mm. On the rim neither the node nor the
+    edges beside it have a face under them for long, and it sinks by half of that before the edges hold it."""
     places = ("inner corner", 0, 0, (0, 0), (0, 0)), ("inner edge", 0.015, 0, (0, 0), (0.03, 0)), \
         ("outer corner", 0.06, 0.06, (0.06, 0.06), (0.06, 0.06)), ("outer edge", 0.06, 0.015, (0.06, 0), (0.06, 0.03))
     for name, x, y, a, b in places:
@@ -194,8 +196,9 @@ def find_clearance(h):
 
 @case("glued_meshes", "hard", "Coincident faces of separate meshes")
 def glued_meshes(bench):
-    """Eight cubes that share coincident faces, edges and corners without being joined. Flying together and spinning, they must not feel
-    each other; hit on a side, they pass the push on. (Free cubes that spin together part: each flies on along its tangent. In a turn of 0.06 by a little: 0.04 mm.)"""
+    """Eight cubes share coincident faces, edges and corners without being joined. Flying together and spinning, they must
+    not affect each other; hit on a side, they transmit the impulse. (Free cubes that spin together separate, as each
+    flies on along its tangent. In a turn of 0.06 this is small: 0.04 mm.)"""
     template = """
 title: Coincident faces
 time: {end: $end}
@@ -222,8 +225,8 @@ output: {history: {every: 1e-6}}
 
 @case("corner_crush", "hard", "A cube crushed on its corner")
 def corner_crush(bench):
-    """An elastic-plastic cube of 6 x 6 x 6 elements hits a rigid wall on its corner at 5, 10 and 20 % of the speed of sound. The corner is crushed flat; the run has to reach its
-    end with a closed energy balance."""
+    """An elastic-plastic cube of 6 x 6 x 6 elements hits a rigid wall on its corner at 5, 10 and 20 % of the speed of
+    sound. The corner is crushed flat; the run must reach its end with a closed energy balance."""
     for share in 0.05, 0.1, 0.2:
         survive(bench, """
 title: Corner crush
@@ -238,7 +241,8 @@ output: {history: {every: 1e-6}}
 
 @case("bad_input", "hard", "Input that no run can start from")
 def bad_input(bench):
-    """No density, no size, elements without volume and turned inside out: refused with exit code 2 and the place, before anything is computed."""
+    """No density, no size, elements without volume and inverted elements are refused with exit code 2 and the place,
+    before anything is computed."""
     good = "box: {size: [1, 1, 1], cells: [1, 1, 1]}"
     points, corners = meshes.make_box((1, 1, 1), (2, 1, 1))
     flat = np.array(points)
@@ -261,8 +265,8 @@ materials:
 
 @case("ten_wave_speeds", "hard", "Impact at ten times the speed of sound")
 def ten_wave_speeds(bench):
-    """A ball hits a plate at 50 km/s. Without erosion or an equation of state nothing sensible can come of it: the run has to end with
-    exit code 3 and name the element."""
+    """A ball hits a plate at 50 km/s. Without erosion or an equation of state no valid result is possible: the run must
+    end with exit code 3 and name the element."""
     survive(bench, """
 title: Ten wave speeds
 time: {end: 1e-5}
@@ -277,7 +281,7 @@ output: {history: {every: 1e-7}}
 
 @case("driven_inversion", "hard", "An element driven to inversion")
 def driven_inversion(bench):
-    """The top of a block is driven through its bottom. The run ends with exit code 3 and names the element and what to do."""
+    """The top of a block is driven through its bottom. The run ends with exit code 3 and names the element and a remedy."""
     survive(bench, """
 title: Driven to inversion
 time: {end: 1e-3}

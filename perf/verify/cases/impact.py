@@ -17,10 +17,12 @@ def find_contact(history, column):
 
 @case("bar_on_wall", "impact", "A bar on a rigid wall", quick=True)
 def bar_on_wall(bench):
-    """A bar of 10 in at 202.2 in/s hits a rigid wall 0.01 in away (E = 3e7 psi, 0.73e-3 lbf s^2/in^4, 1 in^2; a published problem of
-    PRONTO's and DYNA3D's manuals; the numbers follow from d'Alembert): c = 202721 in/s, impact at 4.9456e-5 s, separation 2 L / c later at
-    1.48114e-4 s, force rho c v A = 29923 lbf, rebound at the impact speed. The impact is seen at the end of its step. The row of nodes that hits
-    loses its energy, which is of first order in h: rebound and contact time have to converge, and are within 1 % with 200 elements."""
+    """A bar of 10 in at 202.2 in/s hits a rigid wall 0.01 in away (E = 3e7 psi, 0.73e-3 lbf s^2/in^4, 1 in^2). It is a
+    published problem of PRONTO's and DYNA3D's manuals; the numbers follow from d'Alembert. With c = 202721 in/s the
+    impact is at 4.9456e-5 s and the separation 2 L / c later, at 1.48114e-4 s. The force is rho c v A = 29923 lbf, and
+    the rebound is at the impact speed. The impact is detected at the end of its step. The layer of nodes that hits
+    loses its energy, which is of first order in h. Rebound and contact time must therefore converge, and are within 1 %
+    with 200 elements."""
     sizes, rebound, curves = [], [], []
     for cells in (25, 50, 100, 200):
         run = bench.run("""
@@ -84,11 +86,13 @@ def strike(bench, enforcement, left, right, cells, speeds, end, young=YOUNG, den
 
 @case("two_bars", "impact", "Two bars: equal, of different impedance, of different length", quick=True)
 def two_bars(bench):
-    """Bars in touch at the start, the left one faster. *Equal* (0.5 m, 200 elements, 8 and -2 m/s): the interface moves at (v1 + v2) / 2 under
-    rho c (v1 - v2) / 2, and after 2 L / c the bars part with exchanged speeds. *Steel on aluminium* (10 m/s on a bar at rest): with Z = rho c A
-    the interface moves at Z1 v / (Z1 + Z2) under the force Z1 Z2 v / (Z1 + Z2). *Short on long* (0.2 and 0.6 m): the short bar stops after its
-    2 L / c, and a pulse as long runs in the long one. Speeds within 1 % of the difference, stresses 0.2 %: nodes that meet lose their energy
-    (order h), and fronts are some elements wide. Linear viscosity is 0.02: 0.06 would round the fronts enough to keep 1 % of the speed."""
+    """Bars in contact at the start, the left one faster. *Equal* (0.5 m, 200 elements, 8 and -2 m/s): the interface moves
+    at (v1 + v2) / 2 under rho c (v1 - v2) / 2, and after 2 L / c the bars separate with exchanged speeds. *Steel on
+    aluminium* (10 m/s on a bar at rest): with Z = rho c A the interface moves at Z1 v / (Z1 + Z2) under the force Z1 Z2
+    v / (Z1 + Z2). *Short on long* (0.2 and 0.6 m): the short bar stops after its 2 L / c, and a pulse of the same
+    length travels in the long one. Tolerances are 1 % of the difference for speeds and 0.2 % for stresses: nodes that
+    meet lose their energy (order h), and fronts are some elements wide. Linear viscosity is 0.02; 0.06 would round the
+    fronts enough to lose 1 % of the speed."""
     for name, text in choices.list_enforcements(bench).items():
         transit = 0.5 / SPEED
         run = strike(bench, text, 0.5, 0.5, (200, 200), (8, -2), 4.3 * transit)

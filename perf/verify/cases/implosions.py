@@ -107,9 +107,11 @@ def octant(cells):
 
 @case("noh_cylinder", "shocks", "Noh's problem in the cylinder")
 def noh_cylinder(bench):
-    """Cold gas, gamma 5/3, runs to the axis at speed 1: behind a shock that leaves it at 1/3 its density is 16 and its pressure 16/3, ahead of it the density is 1 + t / r (Noh,
-    *J. Comput. Phys.* 72, 1987). A quarter of a disc in rays, 180 x 16 elements around a rod of radius 0.01 (a hexahedron has no edge without length). Within 5 % from r = 0.06
-    on, the outer edge of the gas that viscosity heats too much where it meets itself first, for good; ahead of the shock within 2 %."""
+    """Cold gas, gamma 5/3, runs to the axis at speed 1. Behind a shock that leaves it at 1/3 its density is 16 and its
+    pressure 16/3; ahead of it the density is 1 + t / r (Noh, *J. Comput. Phys.* 72, 1987). A quarter of a disc is
+    meshed in rays, 180 x 16 elements around a rod of radius 0.01 (a hexahedron has no edge without length). Results are
+    within 5 % from r = 0.06 on, the outer edge of the gas that viscosity permanently overheats where it first meets
+    itself. Ahead of the shock they are within 2 %."""
     points, corners = meshes.make_box([1, 0.5 * np.pi, 0.01], [180, 16, 1])
     r = 0.01 + 0.99 * points[:, 0]
     points = np.stack([r * np.cos(points[:, 1]), r * np.sin(points[:, 1]), points[:, 2]], axis=1)
@@ -125,10 +127,12 @@ def noh_cylinder(bench):
 
 @case("noh_ball", "shocks", "Noh's problem in the ball")
 def noh_ball(bench):
-    """The same to a point: 64 times the density and a pressure of 64/3, ahead of the shock (1 + t / r)^2. An octant in rays, 27 elements a layer around a ball of radius 0.02.
-    The viscosity of a shock that runs together heats too much by the first order of the layers' thickness: a code in one dimension with the same viscosity and energy equation has a density of
-    48.4, 56.6 and 60.2 with 150, 300 and 600 layers. So the density is judged where it goes, by the straight line through both meshes, within 5 %; ahead of the shock within 2 %.
-    The front does not stay round on thin, wide elements, which run ahead along some rays and keep motion across them; that is what the pressure lacks."""
+    """The same to a point: 64 times the density and a pressure of 64/3, ahead of the shock (1 + t / r)^2. An octant is
+    meshed in rays, 27 elements a layer around a ball of radius 0.02. The viscosity of a converging shock overheats by
+    the first order of the layers' thickness. A one-dimensional code with the same viscosity and energy equation has a
+    density of 48.4, 56.6 and 60.2 with 150, 300 and 600 layers. The density is therefore extrapolated by the straight
+    line through both meshes, and must be within 5 %; ahead of the shock within 2 %. The front does not stay round on
+    thin, wide elements, which run ahead along some rays and keep motion across them. This explains the low pressure."""
     means = []
     for layers in (150, 300):
         points, corners = make_rays(*octant(3), np.linspace(0.02, 1, layers + 1))
@@ -145,8 +149,9 @@ def noh_ball(bench):
 
 @case("noh_ray", "shocks", "Noh's problem in a ray of the ball")
 def noh_ray(bench):
-    """The ball again, as one ray of 900 elements between two planes of symmetry and two rigid walls that lean by 0.02, around a core of radius 0.01: what keeps its direction needs no round front.
-    Density and pressure behind the shock within 5 %, ahead of it within 2 %. On wider rays elements come to be ten times as wide as thick, and tangle."""
+    """The ball again, as one ray of 900 elements between two planes of symmetry and two rigid walls that lean by 0.02,
+    around a core of radius 0.01: a fixed direction needs no round front. Density and pressure behind the shock are
+    within 5 %, ahead of it within 2 %. On wider rays elements become ten times as wide as thick, and tangle."""
     lean, layers = 0.02, 900
     t = np.tan(lean)
     directions = np.array([[0, 0, 1], [t, 0, 1], [t, t, 1], [0, t, 1]])

@@ -43,8 +43,9 @@ def run_scene(bench, scene, elements, end, closed, same_bits_steps):
 
 @case("brick_wall", "paper", "Brick wall")
 def brick_wall(bench):
-    """The scene `inputs/brick_wall`: 140 loose bricks of 54 elements and a rod, 8400 elements in all, as in the paper (Attaway et al. 1996). No exact answer:
-    momentum to round-off, energy within 1 %, the same bits on one and on four ranks."""
+    """The scene `inputs/brick_wall`: 140 loose bricks of 54 elements and a rod, 8400 elements in all, as in the paper
+    (Attaway et al. 1996). There is no exact answer: momentum to round-off, energy within 1 %, the same bits on one and
+    on four ranks."""
     run_scene(bench, "brick_wall", 8400, 5e-3, True, 150)
 
 

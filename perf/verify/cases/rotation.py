@@ -44,9 +44,9 @@ COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "zx")
 
 @case("imposed_turns", "exact", "A hundred imposed turns", quick=True)
 def imposed_turns(bench):
-    """Eight distorted elements, every node of them led around an axis for a hundred turns. Stress has to stay 0 within 1e-12 of
-    Young's modulus, and so does the energy of hourglass control (1e-13 J: strains of 1e-12 in a cubic metre of steel). Chords
-    of 2 degrees a step are what a rotation looks like to central differences."""
+    """Every node of eight distorted elements is rotated around an axis for a hundred turns. Stress must stay 0 within
+    1e-12 of Young's modulus, and so must the energy of hourglass control (1e-13 J: strains of 1e-12 in a cubic metre of
+    steel). For central differences a rotation is a sequence of chords, of 2 degrees a step."""
     points, corners, _ = distort(bench, (1, 1, 1), (2, 2, 2), 0.15, 3)
     points -= 0.5
     path = meshes.write_exodus(bench.file("turns.exo"), points, corners)
@@ -61,9 +61,9 @@ def imposed_turns(bench):
 
 @case("prestressed_turn", "exact", "A stretched body that turns")
 def prestressed_turn(bench):
-    """The same elements are stretched by 0.1 % and then turned 10 times. Stress turns with the body, sigma = R sigma0 R^T, and nothing
-    else happens to it; sigma0 = E-modulus times ln(1.001) of uniaxial strain. Round-off of 1 m over elements of half a metre in
-    2e4 steps is 1e-12 of Young's modulus; the stretch itself is off by the mid-point rule, 1e-9 of strain."""
+    """The same elements are stretched by 0.1 % and then rotated 10 times. The stress must only rotate with the body, sigma
+    = R sigma0 R^T. sigma0 is the E-modulus times ln(1.001) of uniaxial strain. Round-off of 1 m over elements of half a
+    metre in 2e4 steps is 1e-12 of Young's modulus. The stretch itself is off by the mid-point rule, 1e-9 of strain."""
     points, corners, _ = distort(bench, (1, 1, 1), (2, 2, 2), 0.15, 3)
     points -= 0.5
     path = meshes.write_exodus(bench.file("turn.exo"), points, corners)
@@ -90,10 +90,11 @@ def prestressed_turn(bench):
 
 @case("free_turns", "exact", "A hundred free turns")
 def free_turns(bench):
-    """A free block of 4 x 2 x 1 elements spins so fast that its ends move at 1 % of the speed of sound. Angular momentum has to stay to
-    round-off and kinetic energy to 1e-6; the energy of hourglass control must not grow (a code that turns rates with the rotation at
-    the end of the step gains energy exponentially). The block starts without its centrifugal stress and rings with a share of
-    1e-4 of its energy until viscosity has taken that: the reading begins after ten turns."""
+    """A free block of 4 x 2 x 1 elements spins so fast that its ends move at 1 % of the speed of sound. Angular momentum
+    must be conserved to round-off and kinetic energy to 1e-6. The energy of hourglass control must not grow. (A code
+    that rotates rates with the rotation at the end of the step gains energy exponentially.) The block starts without
+    its centrifugal stress and vibrates with 1e-4 of its energy until viscosity has damped it: the measurement begins
+    after ten turns."""
     a = 0.2
     w = 0.01 * SPEED / a
     turn = 2 * np.pi / w
@@ -125,16 +126,17 @@ output: {history: {every: $every}}
         axes.set(xlabel="turns", ylabel="change of kinetic energy")
         axes.legend()
 
-    bench.figure("Kinetic energy of the spinning block: it rings until viscosity has taken what the start lacked, then stays.", draw)
+    bench.figure("Kinetic energy of the spinning block: it vibrates until viscosity has damped the initial imbalance, then stays constant.", draw)
 
 
 @case("dzhanibekov", "exact", "Dzhanibekov's tumbling block")
 def dzhanibekov(bench):
-    """A free block spun about its middle axis, disturbed by 5 %, flips over again and again. Euler's equations of the rigid body, with
-    the moments of inertia of masses lumped to nodes (L^2 / 12 (1 + 2 / n^2) for n elements along L), are solved apart; places of two nodes
-    are compared for 12 turns. Elasticity changes the inertia by (w a / c)^2 = 4e-6, magnified as orbits part near the unstable axis.
-Not for viscous hourglass control: it damps the bending of a block one element thick, which takes 1e-3 of the energy here and the
-body to its stable axis, as damping does in nature."""
+    """A free block spins about its middle axis, disturbed by 5 %, and flips over repeatedly. Euler's equations of the
+    rigid body are solved independently, with the moments of inertia of masses lumped to nodes (L^2 / 12 (1 + 2 / n^2)
+    for n elements along L). Positions of two nodes are compared for 12 turns. Elasticity changes the inertia by (w a /
+    c)^2 = 4e-6, magnified as orbits separate near the unstable axis. Viscous hourglass control is left out. It damps
+    the bending of a block one element thick, which takes 1e-3 of the energy here and turns the body to its stable axis,
+    as damping does in nature."""
     size, cells, a = np.array([0.4, 0.2, 0.1]), np.array([4, 2, 1]), 0.2
     w = 0.002 * SPEED / a
     end = 12 * 2 * np.pi / w
@@ -184,11 +186,11 @@ output: {history: {every: $every, nodes: [{name: corner, near: [0.2, 0.1, 0.05]}
 
 @case("spinning_bar", "exact", "Centrifugal stress of a spinning bar")
 def spinning_bar(bench):
-    """A free bar of half length a spins about its middle: sigma(x) = rho w^2 (a^2 - x^2) / 2. Between two planes of lumped masses, h apart, the
-    force is that of the continuum with a^2 + h^2 / 4, an error of order 2 that the three meshes have to show. Poisson's ratio is 0, so that the bar does not contract.
-It is one element wide, and
-    masses at its sides pull it apart with rho w^2 b^2, b its half width: that is part of the exact von Mises stress used here. Linear
-    viscosity of 1 damps the ringing of the start, and means over the last 75 of its periods (a window of Hann) take the rest."""
+    """A free bar of half length a spins about its middle: sigma(x) = rho w^2 (a^2 - x^2) / 2. Between two planes of lumped
+    masses, h apart, the force is that of the continuum with a^2 + h^2 / 4: an error of order 2, which the three meshes
+    must show. Poisson's ratio is 0, so that the bar does not contract. It is one element wide, and masses at its sides
+    pull it apart with rho w^2 b^2, b its half width. That is part of the exact von Mises stress used here. Linear
+    viscosity of 1 damps the initial vibration; means over the last 75 of its periods (a Hann window) remove the rest."""
     a, b = 0.5, 0.0125
     w = 0.001 * SPEED / a
     sizes, errors, curves = [], [], []

@@ -9,8 +9,9 @@ STEEL = "materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e
 
 @case("shell_strip", "shells", "A strip of shells is pulled")
 def shell_strip(bench):
-    """A strip of 1 m x 0.4 m (a quarter of 20 x 4 elements) is pulled by 0.1 % over fifty traversals by waves: E times the strain along, nothing across, and a
-    thickness of 1 - nu times the strain. 0.5 %: the strip still waves a little, and true stress is on the thinned section."""
+    """A strip of 1 m x 0.4 m (a quarter of 20 x 4 elements) is stretched by 0.1 % over fifty wave traversals. The stress
+    is E times the strain along and zero across, and the thickness falls by nu times the strain. The tolerance is 0.5 %:
+    the strip still vibrates a little, and true stress is on the thinned section."""
     run = bench.run("""
 title: A strip is pulled
 time: {end: 0.02}
@@ -34,9 +35,10 @@ output:
 
 @case("shell_plate", "shells", "Lowest frequency of a simply supported plate")
 def shell_plate(bench):
-    """A square plate of 1 m and 10 mm starts with the speeds of its first mode, sin(pi x) sin(pi y), so slow that nothing stretches (its nodes do not turn yet, which
-    puts 1e-4 of the energy into other modes). Exact is Kirchhoff's w = 2 pi^2 / a^2 sqrt(D / rho t); shear and rotary inertia of a plate this thin lower it by
-    0.02 %. 1 %, and an error that falls with the mesh."""
+    """A square plate of 1 m and 10 mm starts with the speeds of its first mode, sin(pi x) sin(pi y), so slow that nothing
+    stretches. (Its nodes do not rotate yet, which puts 1e-4 of the energy into other modes.) The exact answer is
+    Kirchhoff's w = 2 pi^2 / a^2 sqrt(D / rho t); shear and rotary inertia of such a thin plate lower it by 0.02 %. The
+    tolerance is 1 %, and the error must fall with the mesh."""
     rigidity = 200e9 * 0.01**3 / (12 * 0.91)
     exact = 2 * np.pi**2 * np.sqrt(rigidity / (7850 * 0.01)) / (2 * np.pi)
     errors, curve = [], None
@@ -74,13 +76,14 @@ output: {history: {every: $every, nodes: [{name: m, near: [0.5, 0.5, 0]}]}}
         axes.plot(1e3 * curve[0], 1e6 * curve[1])
         axes.set(xlabel="time [ms]", ylabel="middle of the plate [um]")
 
-    bench.figure("The plate swings.", draw)
+    bench.figure("Vibration of the plate.", draw)
 
 
 @case("shell_spin", "shells", "A ball of shells spins and bounces")
 def shell_spin(bench):
-    """A hollow ball, turning, falls on a wall with friction and leaves it: angular momentum about all axes follows from the impulses of the wall to round-off, energy
-    closes to 1e-3. A free one keeps its kinetic energy to 2e-3 over a hundred turns (it breathes: its centrifugal stress is not there at the start)."""
+    """A hollow, rotating ball falls on a wall with friction and leaves it. Angular momentum about all axes follows from
+    the impulses of the wall to round-off, and energy closes to 1e-3. A free one conserves its kinetic energy to 2e-3
+    over a hundred turns (it vibrates radially, because it starts without centrifugal stress)."""
     ball = """
 parts: {ball: {shell_sphere: {radius: 0.5, cells: 4}, thickness: 0.02, at: [0, 0, 0.501], material: alloy}}
 materials: {alloy: {model: elastic, density: 2700, youngs_modulus: 70e9, poissons_ratio: 0.3}}
@@ -107,10 +110,14 @@ def bring_up(bench, deck, end, **values):
 
 @case("shell_pinched", "shells", "Pinched hemisphere")
 def shell_pinched(bench):
-    """A hemisphere with a hole of 18 degrees (R = 10, t = 0.04, E = 6.825e7, nu = 0.3) is pulled along x and pushed along y by P = 200, 100 on the quarter: 3.406 and -5.902
-    (Sze, Liu and Lo 2004), within 6 % with 8 x 8 elements a quarter and 2 % with 16 x 16. The linear answer for P = 2 is 0.0935 (MacNeal and Harder 1985), within 1 %; with P = 2
-    itself the shell already gives way by more than that, so it is taken with P = 0.02. Then also with nodes moved at random by up to 0.3 of a cell: 0.95 of the linear answer
-    with 16 x 16 elements (theory_shells.md). Loads grow slowly, over some periods of the lowest mode; what is left of it is averaged."""
+    """A hemisphere with a hole of 18 degrees (R = 10, t = 0.04, E = 6.825e7, nu = 0.3) is pulled along x and compressed
+    along y by P = 200, 100 on the quarter. The answers are 3.406 and -5.902 (Sze, Liu and Lo 2004), within 6 % with 8 x
+    8 elements a quarter and 2 % with 16 x 16.
+
+    The linear answer for P = 2 is 0.0935 (MacNeal and Harder 1985), within 1 %. With P = 2 itself the deformation
+    already exceeds the linear answer by more than that, so P = 0.02 is used. A further run has nodes moved at random by
+    up to 0.3 of a cell: 0.95 of the linear answer with 16 x 16 elements (theory_shells.md). Loads grow slowly, over
+    some periods of the lowest mode; the rest of its vibration is averaged."""
 
     def place(u, v):
         around, up = 0.5 * np.pi * u, 0.4 * np.pi * v
@@ -151,9 +158,9 @@ output: {history: {every: $every, nodes: [{name: a, near: [10, 0, 0]}, {name: b,
 
 @case("shell_cylinder", "shells", "Pinched cylinder between diaphragms")
 def shell_cylinder(bench):
-    """An octant of a cylinder (R = 300, L = 600, t = 3, E = 3e6, nu = 0.3) pinched in its middle by P = 1: 1.82488e-5 under the load (Belytschko et al. 1985). Bending that
-    dies out over a few elements: 0.93 with 16 x 16 of elements of this kind, 0.99 with 32 x 32 (theory_shells.md), 0.91 and 0.975 where nodes
-    are moved at random by up to 0.3 of a cell."""
+    """An octant of a cylinder (R = 300, L = 600, t = 3, E = 3e6, nu = 0.3) is pinched in its middle by P = 1: 1.82488e-5
+    under the load (Belytschko et al. 1985). Bending decays within a few elements. Elements of this kind reach 0.93 with
+    16 x 16, 0.99 with 32 x 32 (theory_shells.md), and 0.91 and 0.975 with nodes moved at random by up to 0.3 of a cell."""
 
     def place(u, v):
         return 300 * v, 300 * np.sin(0.5 * np.pi * u), 300 * np.cos(0.5 * np.pi * u)
@@ -185,9 +192,11 @@ output: {history: {every: $every, nodes: [{name: a, near: [0, 0, 300]}]}}
 
 @case("shell_twisted", "shells", "Twisted beam")
 def shell_twisted(bench):
-    """A beam of 12 x 1.1 x 0.32 twisted by 90 degrees (E = 29e6, nu = 0.22), clamped, a force of 1 at its end: 5.424e-3 along the width of the end, 1.754e-3 across
-    (MacNeal and Harder 1985). Elements that take their warp for flat fail here. Within 3 % with 12 x 2 elements, 1 % with 24 x 4. With a thickness of 0.05 the converged answers
-    are 1.386 and 0.3424 for a force of 1 (Belytschko, Wong and Stolarski 1989), of which a millionth is taken: 1 % with 24 x 4."""
+    """A beam of 12 x 1.1 x 0.32 twisted by 90 degrees (E = 29e6, nu = 0.22) is clamped, with a force of 1 at its end:
+    5.424e-3 along the width of the end, 1.754e-3 across (MacNeal and Harder 1985). Elements that ignore their warp fail
+    here. Results are within 3 % with 12 x 2 elements, 1 % with 24 x 4. With a thickness of 0.05 the converged answers
+    are 1.386 and 0.3424 for a force of 1 (Belytschko, Wong and Stolarski 1989). A millionth of that force is used: 1 %
+    with 24 x 4."""
 
     def place(u, v):
         return 12 * u, 1.1 * (v - 0.5) * np.cos(0.5 * np.pi * u), 1.1 * (v - 0.5) * np.sin(0.5 * np.pi * u)

@@ -68,9 +68,10 @@ def check_shock(bench, which, history, target, up):
 
 @case("flyer_plates", "shocks", "Flyer plates")
 def flyer_plates(bench):
-    """A plate of 4 mm hits another, in uniaxial strain, 200 elements each. The jump conditions give everything behind the shock: Us = c + s up, P = rho Us up,
-    energy rho up^2 / 2, with up half of the impact speed for equal plates, and where the two Hugoniots cross for copper on aluminium (697.68 m/s, 11.852 GPa).
-    1 %: what is left of the ringing behind a front of some five elements."""
+    """A plate of 4 mm hits another, in uniaxial strain, 200 elements each. The jump conditions give the state behind the
+    shock: Us = c + s up, P = rho Us up, energy rho up^2 / 2. For equal plates up is half of the impact speed. For
+    copper on aluminium it is the intersection of the two Hugoniots (697.68 m/s, 11.852 GPa). The tolerance of 1 % is
+    the oscillation behind a front of some five elements."""
     curves = []
     for name, end in (("copper", 0.8e-6), ("aluminium", 0.7e-6), ("tantalum", 0.95e-6)):
         metal = METALS[name]
@@ -96,9 +97,10 @@ def flyer_plates(bench):
 
 @case("flyer_strength", "shocks", "Flyer plates with strength: the elastic precursor")
 def flyer_strength(bench):
-    """Aluminium with a yield stress of 300 MPa at 500 m/s. An elastic wave of the height of the Hugoniot elastic limit, P(Y / 2 mu) + 2 Y / 3 = 596 MPa, runs
-    ahead; behind the plastic shock the axial stress is 2 Y / 3 above the pressure, and the momentum through both waves gives it: limit + rho U (u - u_e).
-    Linear viscosity 0.2: with 0.06 the front overshoots by 1 % and leaves the material unloaded by a twentieth of Y. Tolerance 1 %, of Y for the difference."""
+    """Aluminium with a yield stress of 300 MPa at 500 m/s. An elastic wave with the height of the Hugoniot elastic limit,
+    P(Y / 2 mu) + 2 Y / 3 = 596 MPa, runs ahead. Behind the plastic shock the axial stress is 2 Y / 3 above the
+    pressure. The momentum through both waves gives it: limit + rho U (u - u_e). Linear viscosity is 0.2: with 0.06 the
+    front overshoots by 1 % and unloads the material by a twentieth of Y. The tolerance is 1 %, of Y for the difference."""
     metal, strength, nu = METALS["aluminium"], 300e6, 0.33
     young = 3 * (1 - 2 * nu) * metal.density * metal.c**2  # its bulk modulus is that of the equation of state
     text = (f"{{model: j2_plasticity, density: {metal.density}, youngs_modulus: {young!r}, poissons_ratio: {nu}, yield_stress: {strength}, "
@@ -160,9 +162,10 @@ def find_sod_pressure(x, t):
 
 @case("sod", "shocks", "Sod's shock tube")
 def sod(bench):
-    """Gas at density and pressure (1, 1) beside gas at (0.125, 0.1), gamma 1.4, to t = 0.2: rarefaction, contact and shock of the exact solution
-    (Sod, *J. Comput. Phys.* 27, 1978). Plateaus and the speed of the shock within 1 %, with 200 elements a side. The L1 error of the pressure is that of fronts
-    spread over some elements, of first order at the best; Lagrangian meshes move with the gas and have nothing of the contact to smear."""
+    """Gas at density and pressure (1, 1) beside gas at (0.125, 0.1), gamma 1.4, to t = 0.2: rarefaction, contact and shock
+    of the exact solution (Sod, *J. Comput. Phys.* 27, 1978). Plateaus and the speed of the shock are within 1 %, with
+    200 elements a side. The L1 error of the pressure is that of fronts spread over some elements, of first order at
+    best. Lagrangian meshes move with the gas and do not smear the contact."""
     errors, sizes, profile = [], [], None
     for cells in (100, 200, 400):
         run = bench.run(SOD, cells=cells, edge=0.5 / cells)
@@ -201,8 +204,9 @@ def sod(bench):
 
 @case("noh", "shocks", "Noh's problem in the plane")
 def noh(bench):
-    """Cold gas, gamma 5/3, runs into a wall at speed 1: behind a shock that leaves at 1/3 (in the material at 4/3) its density is 4 and its pressure 4/3
-    (Noh, *J. Comput. Phys.* 72, 1987). Density within 5 % and the others within 2 %: viscosity heats the elements at the wall too much, for good."""
+    """Cold gas, gamma 5/3, runs into a wall at speed 1. Behind a shock that leaves at 1/3 (in the material at 4/3) its
+    density is 4 and its pressure 4/3 (Noh, *J. Comput. Phys.* 72, 1987). Density is within 5 % and the others within 2
+    %: viscosity permanently overheats the elements at the wall."""
     h = bench.run("""
 title: Noh's problem, plane
 time: {end: 0.6}
@@ -227,8 +231,9 @@ output: {history: {every: 2e-3, elements: [{name: near, near: [0.2, 0, 0]}, {nam
 
 @case("detonation", "shocks", "A rod of TNT")
 def detonation(bench):
-    """A rod of TNT (Jones, Wilkins and Lee's equation of state with programmed burn), lit at its closed end: half of the pressure of Chapman and Jouguet is passed at
-    the speed of detonation, 6930 m/s, within 1 %; the energy balance, in which the burn is booked, closes to 1 % at the end."""
+    """A rod of TNT (Jones, Wilkins and Lee's equation of state with programmed burn) is lit at its closed end. The point
+    of half the Chapman-Jouguet pressure must travel at the speed of detonation, 6930 m/s, within 1 %. The energy
+    balance, which includes the burn, closes to 1 % at the end."""
     h = bench.run("""
 title: A rod of TNT, lit at its end
 time: {end: 14e-6}

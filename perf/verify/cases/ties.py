@@ -25,9 +25,10 @@ TIE = "contact: {ties: [{a: right/x_min, b: left/x_max}], enforcement: %s}"
 
 @case("tied_bars", "waves", "A wave goes through a tie", quick=True)
 def tied_bars(bench):
-    """A bar of 1 m is pushed at 1 m/s, its halves tied end to end. Nothing may come back from the tie (d'Alembert: the section does not change) and the
-    front must go on as in one bar. Meshes that match are one bar to round-off. With 2 x 2 elements on 3 x 3 the tie has a local field of
-    its own, and the finer half another lateral inertia: 2 % of the stress. The tie does no work."""
+    """A bar of 1 m is driven at 1 m/s, its halves tied end to end. Nothing may be reflected by the tie (d'Alembert: the
+    section does not change) and the front must continue as in one bar. Matching meshes are one bar to round-off. With 2
+    x 2 elements on 3 x 3 the tie has a local field of its own, and the finer half has another lateral inertia: 2 % of
+    the stress. The tie does no work."""
     whole = bench.run(PUSHED, parts=WHOLE, contact="", end="bar/x_min").history
     drawn = [("one bar", whole)]
     for enforcement in ("kinematic", "lagrange"):

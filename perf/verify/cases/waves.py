@@ -21,11 +21,12 @@ output: {history: {every: 5e-7, elements: [{name: a, near: [0.505, 0.015, 0.015]
 
 @case("bar_waves", "waves", "Wave speeds: slender bar, bar on rollers", quick=True)
 def bar_waves(bench):
-    """The end of a bar of 200 x 2 x 2 elements is pushed at 1 m/s. Slender, the front runs with c = sqrt(E / rho); held sideways, with
-    c_L = sqrt(E (1 - nu) / ((1 + nu)(1 - 2 nu) rho)). The speed is taken between two stations 100 elements apart and may be wrong
-    by a fifth of an element; behind the front the stress is rho c v and the material moves with v. In the slender bar lateral inertia makes the
-    front an integral of Airy's function (Skalak, *J. Appl. Mech.* 24, 1957) that passes one third of its height at c t and rings for
-    long: levels and means are taken accordingly."""
+    """The end of a bar of 200 x 2 x 2 elements is driven at 1 m/s. In the slender bar the front travels with c = sqrt(E /
+    rho); with lateral restraint the speed is c_L = sqrt(E (1 - nu) / ((1 + nu)(1 - 2 nu) rho)). The speed is measured
+    between two stations 100 elements apart and may be wrong by a fifth of an element. Behind the front the stress is
+    rho c v and the material moves with v. In the slender bar lateral inertia makes the front an integral of Airy's
+    function (Skalak, *J. Appl. Mech.* 24, 1957). It passes one third of its height at c t and oscillates for long:
+    levels and means are chosen accordingly."""
     nu = 0.3
     dilatational = np.sqrt(YOUNG * (1 - nu) / ((1 + nu) * (1 - 2 * nu) * DENSITY))
     run = bench.run(PUSHED, rollers="  - {nodes: bar, fixed: [y, z]}")
@@ -84,10 +85,11 @@ def move_slabs(cells, speed):
 
 @case("velocity_step", "waves", "A fixed bar with a step in velocity: the series")
 def velocity_step(bench):
-    """A bar of length L moves at V when its end x = 0 is stopped. Its displacement is the series
-    u = sum 8 L V sqrt(rho / E) / ((2n - 1)^2 pi^2) sin(w_n t) sin((2n - 1) pi x / 2L), at the free end a triangle of height V L / c. For one
-    period, 4 L / c. The velocity has jumps, which a scheme of second order spreads over a width ~ h^(2/3) (dispersion): the L2 error of the
-    displacement, whose derivative jumps, falls with h^(2/3 * 3/2) = h. 1 % of V L / c at the end with 200 elements."""
+    """A bar of length L moves at V when its end x = 0 is stopped. Its displacement is the series `u = sum 8 L V sqrt(rho /
+    E) / ((2n - 1)^2 pi^2) sin(w_n t) sin((2n - 1) pi x / 2L)`, at the free end a triangle of height V L / c. The run
+    lasts one period, 4 L / c. The velocity has jumps, which a scheme of second order spreads over a width ~ h^(2/3)
+    (dispersion). The L2 error of the displacement, whose derivative jumps, therefore falls with h^(2/3 * 3/2) = h. The
+    tolerance is 1 % of V L / c at the end with 200 elements."""
     sizes, norms, last = [], [], None
     period = 4 / SPEED
     for cells in (25, 50, 100, 200):
@@ -115,7 +117,7 @@ def velocity_step(bench):
         axes.set(xlabel="time over L / c", ylabel="displacement over V L / c")
         axes.legend()
 
-    bench.figure("The fixed bar that was in motion: percuss against the series.", draw)
+    bench.figure("The fixed bar with initial velocity: percuss against the series.", draw)
 
 
 def discrete_frequency(cells):
@@ -125,10 +127,12 @@ def discrete_frequency(cells):
 
 @case("wave_order", "waves", "Orders of convergence in space and time", quick=True)
 def wave_order(bench):
-    """The same bar in its first mode, u = A sin(pi x / 2) sin(w t), w = pi c / 2, smooth: what is seen is the order of the scheme. In space: steps so short
-    that their error does not count, meshes of 8 to 64 elements, against the exact solution; the phase of a chain of lumped masses is off by
-    (pi h / 2)^2 / 24. In time: one mesh of 8 elements, steps halved, against the exact motion of its chain of masses, w_h = (2 c / h) sin(pi h / 4).
-    Both errors are of order 2; space makes waves slow and time makes them fast. Amplitude 1e-6 L, so that nothing is nonlinear."""
+    """The same bar in its first mode, u = A sin(pi x / 2) sin(w t), w = pi c / 2, is smooth and shows the order of the
+    scheme. In space: the steps are so short that their error is negligible. Meshes of 8 to 64 elements are compared
+    with the exact solution; the phase of a chain of lumped masses is off by (pi h / 2)^2 / 24. In time: one mesh of 8
+    elements with halved steps is compared with the exact motion of its chain of masses, w_h = (2 c / h) sin(pi h / 4).
+    Both errors are of order 2; the error in space makes waves slow and that in time makes them fast. The amplitude is
+    1e-6 L, so that the problem is linear."""
     period = 4 / SPEED
     end, speed = 1.25 * period, 1e-6 * SPEED
 

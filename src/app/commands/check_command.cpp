@@ -41,7 +41,7 @@ class Findings {
   std::string text_;
 };
 
-// Every selector of the deck, so that all wrong ones are told at once.
+// Every selector of the deck, so that all wrong ones are reported at once.
 void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& findings) {
   const Mesh& mesh = chunked.mesh;
   const auto nodes = [&](const Selector& where) { findings.gather([&] { select_nodes(mesh, deck, where); }); };

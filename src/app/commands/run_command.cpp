@@ -43,7 +43,7 @@ std::string choose_folder(const Command& command) {
   return command.restart.empty() ? default_output_folder(command.file) : find_restart_folder(command.restart);
 }
 
-/// Whether the run goes on in the folder of its checkpoint. Ranks on several machines may see other folders: rank 0
+/// Whether the run continues in the folder of its checkpoint. Ranks on several machines may see other folders: rank 0
 /// decides. Collective.
 bool check_restart(const Command& command, const std::string& out_dir, const Communicator& ranks) {
   if (command.restart.empty()) return false;

@@ -65,7 +65,7 @@ bool has_no_links(int error_number) {
   return error_number == EPERM || error_number == EOPNOTSUPP || error_number == ENOSYS || error_number == EMLINK;
 }
 
-// Over NFS the answer to link() may be lost although the link was made: the count of links tells.
+// Over NFS the answer to link() may be lost although the link was made: the count of links decides.
 bool link_exclusively(const std::string& from, const std::string& to) {
   if (::link(from.c_str(), to.c_str()) == 0) return true;
   const int error_number = errno;

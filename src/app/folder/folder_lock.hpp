@@ -26,7 +26,7 @@ class FolderLock {
   const std::string& path() const { return path_; }
   /// What the file holds; of this lock alone.
   const std::string& text() const { return text_; }
-  /// What to tell the user of a lock that was taken over; empty if there was none.
+  /// Message for the user on a lock that was taken over; empty if there was none.
   const std::string& note() const { return note_; }
 
  private:
@@ -45,7 +45,7 @@ class FolderLock {
 /// Removes the lock file at `path` if `text` is what it holds: for a rank that ends all ranks at once. Throws nothing.
 void remove_lock(const std::string& path, const std::string& text) noexcept;
 
-/// Who holds the folder's lock and whether that run still goes on, a line; empty if there is no lock.
+/// Who holds the folder's lock and whether that run is active, as one line; empty if there is no lock.
 std::string describe_lock(const std::string& folder);
 
 }  // namespace percuss

@@ -5,7 +5,7 @@
 
 namespace percuss {
 
-/// A process as others can find it again. Ids of processes are used anew; with the start time they are not.
+/// Identity of a process for others. Process ids are reused; together with the start time they are unique.
 struct LockHolder {
   std::string host;
   std::string boot;           // id of the running kernel, new at every boot

@@ -12,7 +12,7 @@
 
 namespace percuss {
 
-/// What a step does, as far as it decides what ranks tell each other.
+/// The parts of a step that determine its messages.
 struct StepPattern {
   bool has_gravity = false;
   bool has_pairs = false;  // surfaces that may touch

@@ -1,5 +1,5 @@
 #pragma once
-// A plan in words: the answer of `percuss plan`. docs/plan.md tells what every line means.
+// A plan in words: the answer of `percuss plan`. docs/plan.md explains every line.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// What is planned, whatever the number of ranks.
+/// Input of the plan, the same for any number of ranks.
 struct PlannedScene {
   const Deck& deck;
   std::int64_t elements = 0, nodes = 0, chunks = 0, contact_nodes = 0, contact_faces = 0;

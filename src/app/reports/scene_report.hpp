@@ -29,7 +29,7 @@ struct SceneReport {
   std::vector<std::string> contact_notes = {};  // what contact says of the start
 };
 
-/// What the mesh tells: parts, counts and extent, of all ranks together. Collective. Throws MpiError.
+/// Report of the mesh: parts, counts and extent, of all ranks together. Collective. Throws MpiError.
 SceneReport describe_scene(const Deck& deck, const ChunkedMesh& chunked);
 
 /// "element 7 of part 'bar'"; number: in the whole mesh. Collective. Throws MpiError.

@@ -18,7 +18,7 @@ namespace percuss {
 namespace {
 
 constexpr const char* about =
-    "percuss simulates impact: solids that move fast, deform far and touch anywhere, by explicit finite elements.";
+    "percuss simulates impact with explicit finite elements: solids and shells, with contact between all surfaces.";
 
 constexpr const char* general_help = R"(
 Examples:
@@ -32,37 +32,39 @@ Exit codes:
   2    the deck, a mesh or the command is wrong
   3    the run failed: an element inverted, the energy balance broke, a value is not finite
   4    the system failed: files, memory, MPI
-  130  interrupted (Ctrl-C, SIGTERM, SIGUSR1, SIGHUP or SIGXCPU); what was computed is written, and a checkpoint to go on
-       from; before the first step nothing is changed
-mpirun passes these on, but its own code counts after a signal to itself (1 of Open MPI after Ctrl-C or SIGTERM) and when
-a rank is killed (137 after SIGKILL). `status` in summary.json tells then: `running` is of a run that was killed.
+  130  interrupted (Ctrl-C, SIGTERM, SIGUSR1, SIGHUP or SIGXCPU); results and a checkpoint for a restart are written;
+       before the first step nothing is changed
+mpirun passes these on, with two exceptions: it ends with a code of its own after a signal to itself (Open MPI: 1 after
+Ctrl-C or SIGTERM) and when a rank is killed (137 after SIGKILL). See `status` in summary.json then: `running` means that
+the run was killed.
 
 Environment:
-  OMP_NUM_THREADS   threads of each rank; without it, every core that the rank may use: ranks of a machine that are not
-                    bound to cores share them
-  OMP_PROC_BIND     how OpenMP binds threads to cores; without it, not at all
-  OMP_WAIT_POLICY   how threads wait; without it, they spin for some 20 microseconds and then sleep
+  OMP_NUM_THREADS   threads of each rank; default: one for every core that the rank may use. Ranks of a machine that
+                    are not bound to cores share them
+  OMP_PROC_BIND     how OpenMP binds threads to cores; default: no binding
+  OMP_WAIT_POLICY   how threads wait; default: they spin for some 20 microseconds and then sleep
 
-`percuss help COMMAND` or `percuss COMMAND --help` tells more about a command; `percuss version` prints the version. docs/deck.md describes the deck.
+`percuss help COMMAND` or `percuss COMMAND --help` explains a command; `percuss version` prints the version.
+docs/deck.md describes the deck.
 )";
 
 constexpr const char* run_help = R"(
-Writes, as the deck's `output` asks, fields.vtkhdf with fields.xdmf2 (ParaView) and fields.xdmf (VisIt) beside it and
-history.csv; always summary.json. Results go to the folder of --out; without it, to out/SCENE in the current folder, where SCENE is the
-deck's name, or the name of its folder if it is called deck.yaml. A folder that is not empty is left alone unless
---force is given, which overwrites an earlier run's files and nothing else. A folder that another run writes into is
-refused in any case; run.lock in it names that run.
+Always writes summary.json. The deck's `output` selects fields.vtkhdf, with fields.xdmf2 (ParaView) and fields.xdmf
+(VisIt) beside it, and history.csv. Results go to the folder of --out, by default out/SCENE in the current folder. SCENE
+is the deck's name, or the name of its folder if it is called deck.yaml. A folder that is not empty is refused unless
+--force is given, which overwrites an earlier run's files and nothing else. A folder of an active run is always refused;
+run.lock in it names that run.
 
-Ctrl-C, SIGTERM, SIGUSR1, SIGHUP and SIGXCPU end the run after its step; a checkpoint is written first. A second Ctrl-C ends
-it at once. On ranks use `kill -USR1 PID_OF_MPIRUN`: it reaches them at once and leaves them the time they need. After
-Ctrl-C mpirun waits a second before it tells its ranks, and one more before it kills them; `mpirun --mca
-odls_base_sigkill_timeout 10` makes both ten (Open MPI 4). While the run is under way summary.json says `running`; where no
-run is, that means it was killed. `output.checkpoint` of the deck writes checkpoints on the way.
+Ctrl-C, SIGTERM, SIGUSR1, SIGHUP and SIGXCPU end the run after its step; a checkpoint is written first. A second Ctrl-C
+ends it at once. On ranks use `kill -USR1 PID_OF_MPIRUN`: it reaches them at once and gives them enough time. After Ctrl-C
+mpirun waits a second before it signals its ranks, and one more before it kills them; `mpirun --mca
+odls_base_sigkill_timeout 10` makes both ten (Open MPI 4). During the run summary.json says `running`; without an active
+run that means it was killed. `output.checkpoint` of the deck writes checkpoints during the run.
 
---restart goes on from a checkpoint, on any number of ranks and threads, to the same bits as if the run had never stopped:
-in the checkpoint's folder, whose history and fields are continued, or in the empty folder of --out, where they begin
-anew. time.end may be later than before. What the restart would remove and not compute again (results beyond its end) is
-told and left alone, unless --force is given.
+--restart continues from a checkpoint, on any number of ranks and threads, to the same bits as if the run had never
+stopped. It continues history and fields in the checkpoint's folder, or begins new ones in the empty folder of --out.
+time.end may be later than before. A restart that would remove results without computing them again (beyond its end) is
+refused with a message, unless --force is given.
 
 Examples:
   percuss run inputs/taylor_bar/deck.yaml
@@ -73,8 +75,8 @@ Examples:
 )";
 
 constexpr const char* check_help = R"(
-Reads the deck, makes or reads its meshes, resolves every name, sums the masses and finds the first time step; tells of
-overlap at the start. Runs nothing and writes no file.
+Reads the deck, makes or reads its meshes, resolves every name, sums the masses, computes the first time step and
+reports overlap at the start. Runs nothing and writes no file.
 
 Examples:
   percuss check inputs/brick_wall/deck.yaml
@@ -82,10 +84,10 @@ Examples:
 )";
 
 constexpr const char* plan_help = R"(
-Finds on one process, without mpirun, how the scene would be divided among ranks: elements and contact surfaces of each
-rank, what they send each other, memory, and from a few figures of the machine the time of a step, the parallel
-efficiency, the run time and the core hours. A column for each number of ranks; docs/plan.md tells what every line means. Runs nothing and writes no file;
-takes memory for the whole mesh.
+Predicts on one process, without mpirun, how the scene would be divided among ranks: elements and contact surfaces of
+each rank, messages and memory. From a few figures of the machine it estimates the time of a step, the parallel
+efficiency, the run time and the core hours. The table has a column for each number of ranks; docs/plan.md explains every
+line. Runs nothing and writes no file; needs memory for the whole mesh.
 
 Examples:
   percuss plan inputs/brick_wall/deck.yaml --ranks 1,8,64
@@ -94,9 +96,9 @@ Examples:
 )";
 
 constexpr const char* schema_help = R"(
-A JSON Schema (draft 2020-12) for editors: which keys there are and what they mean, what they take and which of them must be
-there. What concerns several keys at once is left to percuss check. Editors that understand schemas of YAML, such as VS Code with its
-YAML extension, look for a comment in the deck:
+A JSON Schema (draft 2020-12) for editors: all keys with their meaning and values, and which are required. percuss check
+alone checks conditions on several keys. Editors for YAML schemas, such as VS Code with its YAML extension, look for a
+comment in the deck:
 
   # yaml-language-server: $schema=percuss.schema.json
 
@@ -161,16 +163,16 @@ struct Parser {
     app.add_flag("--version", version, "Print the version");
     run = add("run", "Run the scene of a deck", run_help);
     check = add("check", "Read a deck and its meshes and say whether they can be run", check_help);
-    plan = add("plan", "Foretell how a deck's scene would run on many ranks", plan_help);
-    info = add("info", "Say what a file of results or a mesh holds", info_help);
-    schema = add("schema", "Print what a deck may hold as a JSON Schema, for editors", schema_help);
+    plan = add("plan", "Predict how a deck's scene would run on many ranks", plan_help);
+    info = add("info", "Describe a results file or a mesh", info_help);
+    schema = add("schema", "Print a JSON Schema of the deck, for editors", schema_help);
     add_deck(run);
     add_deck(check);
     add_deck(plan);
     add_plan_options();
     run->add_option("-o,--out", command.out_dir, "Folder for the results (default: out/SCENE)")->type_name("DIR");
     run->add_option("-r,--restart", command.restart,
-                    "Go on from a checkpoint of this deck's run, or the one in a folder")
+                    "Continue from a checkpoint of this deck's run, or the one in a folder")
         ->type_name("FILE|DIR");
     run->add_flag("-f,--force", command.force, "Overwrite the results of an earlier run in that folder");
     run->add_flag("-q,--quiet", command.quiet, "No progress, no report");
@@ -218,7 +220,7 @@ struct Parser {
           ->check(valid);
     };
     PlanFigures& f = command.figures;
-    figure("--latency", f.latency, zero_or_more, "SECONDS", "Time that a message takes, whatever its size");
+    figure("--latency", f.latency, zero_or_more, "SECONDS", "Time of a message of any size");
     figure("--bandwidth", f.bandwidth, above_zero, "BYTE/S", "Bytes that a rank sends in a second");
     figure("--element-ns", f.element_ns, above_zero, "NS", "Time of a core for an element and step");
     figure("--contact-node-ns", f.contact_node_ns, zero_or_more, "NS",

@@ -1,5 +1,5 @@
 #pragma once
-// What the user asks for on the command line.
+// The request of the user on the command line.
 
 #include <string>
 #include <variant>
@@ -25,7 +25,7 @@ struct Command {
   std::string file;                   // the deck; for info, any file or folder of results
   std::vector<std::string> settings;  // --set path.to.key=value
   std::string out_dir;                // run: empty for the default
-  std::string restart = {};           // run: checkpoint to go on from
+  std::string restart = {};           // run: checkpoint to continue from
   bool force = false;                 // run: earlier results may be overwritten
   bool quiet = false;                 // run: no progress
   bool allow_external = false;        // run, check, plan, info: HDF5 files may take data from other files

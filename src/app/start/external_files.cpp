@@ -14,7 +14,7 @@
 namespace percuss {
 namespace {
 
-/// Throws InputError if the file's links lead to others, or astray; its message begins with `place`.
+/// Throws InputError if the file's links lead to other files, or nowhere; its message begins with `place`.
 void refuse_external(const std::string& path, const std::string& place) {
   if (!describe_irregular_file(path).empty() || !hdf5::has_hdf5_signature(path)) return;
   std::error_code ignored;
@@ -48,7 +48,7 @@ void check_results_to_go_on_with(const std::string& folder, const std::string& c
   if (allow_external) return;
   const std::string fields = folder + "/fields.vtkhdf", newest = folder + "/checkpoint.h5";
   refuse_external(fields, fields + ": error");
-  // One that is damaged, which is why the run goes on from an older one, is not opened.
+  // One that is damaged, which is why the run continues from an older one, is not opened.
   std::error_code ignored;
   if (!std::filesystem::equivalent(newest, checkpoint, ignored) && is_sealed(newest))
     refuse_external(newest, newest + ": error");

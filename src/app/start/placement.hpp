@@ -1,5 +1,5 @@
 #pragma once
-// Whether ranks and threads have cores enough. Nothing is changed: the user is told.
+// Checks whether ranks and threads have enough cores. Reports to the user and changes nothing.
 
 #include <optional>
 

@@ -43,7 +43,7 @@ Marks mark_stopped(const Deck& deck, const WallDeck& wall) {
   return marks;
 }
 
-/// Whether a material sets things in motion by itself: a gas, an explosive, whatever has an energy at the start.
+/// Whether a material starts motion by itself: a gas, an explosive, or any material with energy at the start.
 bool is_energetic(const MaterialDeck& material) {
   if (!material.equation_of_state) return false;
   const auto& numbers = material.equation_of_state->numbers;

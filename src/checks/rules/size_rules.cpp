@@ -1,4 +1,4 @@
-// Parts whose sizes and places do not go with each other.
+// Parts whose sizes and positions do not fit each other.
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,7 @@ namespace percuss {
 struct SurfaceLists {
   std::vector<int> nodes;                          // [nodes] row of the motion
   std::vector<int> node_class;                     // [nodes]
-  std::vector<std::array<int, 4>> corners, backs;  // [faces] places of nodes, rows of the motion; -1: not here
+  std::vector<std::array<int, 4>> corners, backs;  // [faces] indexes of nodes, rows of the motion; -1: not here
   std::vector<int> face_class, face_body;          // [faces]
   std::vector<int> searched_nodes, searched_faces;
   std::vector<double> face_offset;  // [faces] FaceTopology::offset; empty: nothing is checked
@@ -25,9 +25,9 @@ struct SurfaceLists {
 
 ContactSurface make_contact_surface(const SurfaceLists& lists, const SurfaceShare& share);
 
-/// What the next checks may leave out, by how far no node, also of those behind faces, will be from its place of now.
+/// What the next checks may leave out, by a bound on the travel of all nodes, those behind faces included.
 struct NearWay {
-  double near = 0;           // until the near pairs are listed anew [length]; 0: none are listed
+  double near = 0;           // until the near pairs are listed again [length]; 0: none are listed
   double search = 0;         // until the next search [length], for a first list that is to be made now; 0: none is
   bool keeps_first = false;  // the first list of before still holds; otherwise it is dropped
 };
@@ -95,7 +95,7 @@ struct CheckSpace {
   PairCounts counts;
   FaceState faces;
   StillFaces still;
-  bool keeps_still = true;  // what the last check found of nodes that lie still, with all around them
+  bool keeps_still = true;  // what the last check found of nodes that are at rest, with all around them
   TouchTable touches;
   Array<int> history_face;  // [3 nodes] faces that pushed in the last step, -1: none, or not here
 
@@ -103,7 +103,7 @@ struct CheckSpace {
   const CandidateList& checked_pairs() const { return near.checked_pairs(candidates); }
   const CandidateList& read_pairs() const { return near.read_pairs(candidates); }
 
-  /// Whether all that the last check found was found by the one before it as well, and lies still.
+  /// Whether all that the last check found was found by the one before it as well, and is at rest.
   bool has_found_nothing_new() const { return touches.num_new == 0; }
 };
 
@@ -116,7 +116,7 @@ inline void forget_touches(CheckSpace& check) {
   check.still.forget();
 }
 
-/// Place of a face by its number; -1 if it is not here.
+/// Index of a face by its number; -1 if it is not here.
 KOKKOS_INLINE_FUNCTION int find_face(const Array<const std::int64_t>& numbers, std::int64_t number) {
   int first = 0, last = static_cast<int>(numbers.extent(0));
   while (first < last) {
@@ -132,7 +132,7 @@ KOKKOS_INLINE_FUNCTION int find_face(const Array<const std::int64_t>& numbers, s
 /// The detailed check of the candidate pairs that are near (the paper's section 4.2).
 void check_candidates(const SurfaceMotion& motion, CheckSpace& check);
 
-/// Measures the faces of all candidate pairs at the places of a motion with dt = 0.
+/// Measures the faces of all candidate pairs at the positions of a motion with dt = 0.
 void measure_all_faces(const SurfaceMotion& motion, CheckSpace& check);
 
 /// A contact node inside another body.
@@ -146,7 +146,7 @@ struct Penetration {
   double limit = 0;        // depth up to which contact can hold it [length]
 };
 
-/// How deep contact nodes are inside other bodies at the places of a motion with dt = 0.
+/// How deep contact nodes are inside other bodies at the positions of a motion with dt = 0.
 PenetrationTable measure_candidates(const SurfaceMotion& motion, CheckSpace& check);
 
 /// The gap between two parts, or two bodies of one part: from a contact node to the closest face.

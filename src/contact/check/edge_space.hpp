@@ -43,10 +43,10 @@ struct EdgeSpace {
   EdgePairs pairs;
   Boxes boxes = Boxes("contact::edge_step_boxes", 0);  // [edges] over the step, of those in pairs
   StillEdges still;
-  bool keeps_still = true;  // what the last check found of pairs that lie still
+  bool keeps_still = true;  // what the last check found of pairs that are at rest
   EdgeTouchTable touches;
 
-  /// Whether all that the last check found was found by the one before it as well, and lies still.
+  /// Whether all that the last check found was found by the one before it as well, and is at rest.
   bool has_found_nothing_new() const { return touches.num_new == 0; }
 };
 
@@ -66,7 +66,7 @@ int check_edge_pairs(const SurfaceMotion& motion, const EdgeHistory& history, Ed
 /// mesh nodes.
 void append_edge_touches(const EdgeSpace& space, int count, Array<RowTouch>& touches);
 
-/// Pairs inside one another at the places of a motion with dt = 0, in the order of the pairs.
+/// Pairs inside one another at the positions of a motion with dt = 0, in the order of the pairs.
 std::vector<EdgePenetration> measure_edge_pairs(const SurfaceMotion& motion, EdgeSpace& space);
 
 }  // namespace percuss

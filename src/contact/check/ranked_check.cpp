@@ -81,7 +81,7 @@ void RankedCheck::begin_pairs(std::int64_t total_pairs) {
   if (total_pairs_ > 0) of_all_ = select(space_.candidates);
 }
 
-/// Tells the FE owners what the check of a list of pairs reads. Collective.
+/// Requests from the FE owners the input of the check of a list of pairs. Collective.
 RankedCheck::CheckPart RankedCheck::select(const CandidateList& pairs) {
   reserve(wanted_, space_.surface.num_nodes);
   run_where_it_pays(space_.surface.num_nodes / 10,
@@ -133,7 +133,7 @@ void RankedCheck::select_near() {
   asked_ = {};
 }
 
-/// The motion of the nodes that the check reads, and what FE owners remember of the checked ones.
+/// The motion of the nodes that the check reads, and the contact history of the checked ones from the FE owners.
 SurfaceMotion RankedCheck::receive(const SurfaceMotion& motion, const ContactHistory& history) {
   const CheckPart& part = *read_;
   motion_.begin(data_, part.motion, motion);
@@ -181,7 +181,7 @@ SurfaceMotion RankedCheck::receive(const SurfaceMotion& motion, const ContactHis
   return here;
 }
 
-/// Results to the FE owners of their nodes, among those of a part whose histories were asked for.
+/// Results to the FE owners of their nodes, among those of a part whose histories were requested.
 template <class Record>
 std::vector<Record> RankedCheck::send_results_to_fe_owners(const CheckPart& part, std::vector<Record> records) {
   std::vector<int> owners;

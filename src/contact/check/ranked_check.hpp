@@ -1,10 +1,10 @@
 #pragma once
-// The detailed check in the contact decomposition, in every step: what it reads comes from the FE owners, what it finds
-// goes back.
+// The detailed check in the contact decomposition, in every step: its input comes from the FE owners, its result goes
+// back to them.
 //
-// After a search the rank tells the FE owners of nodes which places and velocities, and which remembered contacts, the
-// check of the candidate pairs reads. Until it tells them otherwise a step costs no more than these, and the touches
-// that go back: nodes and faces far from any contact are not sent at all. Where near pairs are listed, only theirs are.
+// After a search the rank requests from the FE owners the motion and the contact history that the check of the
+// candidate pairs reads. Until the next request, a step sends only these and the touches that go back. Nodes and faces
+// far from any contact are not sent at all. Where near pairs are listed, only theirs are sent.
 
 #include "src/contact/check/check_space.hpp"
 #include "src/contact/exchange/motion_copy.hpp"
@@ -28,7 +28,8 @@ class RankedCheck {
   /// Takes a surface into use and names its nodes to their FE owners. Throws MpiError.
   void take_surface(KnownSurface known, const ContactSurface& surface, UnstructuredExchange& exchange);
 
-  /// A search has listed other candidate pairs, so many on all ranks: tells the FE owners what their check reads.
+  /// A search has listed other candidate pairs, so many on all ranks: requests the input of their check from the FE
+  /// owners.
   void begin_pairs(std::int64_t total_pairs);
 
   /// ContactFinder::narrow().
@@ -44,7 +45,7 @@ class RankedCheck {
   CheckSpace& space() { return space_; }
   const CheckSpace& space() const { return space_; }
 
-  /// Place of a contact node that this rank owns in the FE decomposition, by its number; -1: of another.
+  /// Index of a contact node that this rank owns in the FE decomposition, by its number; -1: of another.
   int find_contact_node(std::int64_t number) const { return contact_nodes_.find(number); }
 
   Traffic traffic() const { return history_data_.traffic(); }
@@ -81,7 +82,7 @@ class RankedCheck {
   RemoteItems history_;           // of searched nodes, from their FE owners
   std::int64_t total_pairs_ = 0;  // of all ranks
 
-  // What is asked for of others: for all pairs, for those that can come near before the next search, for the near ones.
+  // Requests to other ranks: for all pairs, for those that can come near before the next search, for the near ones.
   CheckPart of_all_, of_reachable_, of_near_;
   const CheckPart *base_ = &of_all_, *read_ = &of_all_;  // where no near pairs are listed, and in the next check
   NearWay asked_;                                        // of lists that the next check makes

@@ -83,7 +83,7 @@ std::vector<std::int64_t> RankedEdgeCheck::keep_paired_edges(const std::vector<E
   return nodes;
 }
 
-/// Names the edges that are A of some pair to their homes, which remember their contacts.
+/// Names the edges that are A of some pair to their homes, which have their contact history.
 void RankedEdgeCheck::name_history(UnstructuredExchange& exchange, DataExchange& data) {
   const auto a = to_host(space_.pairs.a);
   std::vector<int> homes;
@@ -100,7 +100,7 @@ void RankedEdgeCheck::name_history(UnstructuredExchange& exchange, DataExchange&
   });
 }
 
-/// What the homes remember of the paired edges' contacts: names, marks and normals.
+/// Contact history of the paired edges from their homes: names, marks and normals.
 EdgeHistory RankedEdgeCheck::receive_history(const EdgeHistory& history, DataExchange& data) {
   const auto a = to_host(history.a), b = to_host(history.b);
   const auto holds = to_host(history.holds);
@@ -184,7 +184,7 @@ std::vector<RankedEdgeCheck::TouchRecord> RankedEdgeCheck::list_touches() const 
   return records;
 }
 
-/// The row's touch but for its key and records. foreign: number of the next foreign node.
+/// The row's touch except for its key and records. foreign: number of the next foreign node.
 RowTouch RankedEdgeCheck::make_row_touch(const TouchRecord& record, int& foreign) const {
   RowTouch row = make_edge_row_touch(record.touch);
   row.face = record.b;

@@ -1,6 +1,6 @@
 #pragma once
 // The check of edge pairs in the contact decomposition, in every step: motion and history come from homes, touches go
-// back. The home of an edge A, where its first face is, remembers its contacts and has their rows.
+// back. The home of an edge A, where its first face is, stores its contact history and has its rows.
 
 #include "src/contact/check/edge_space.hpp"
 #include "src/contact/exchange/motion_copy.hpp"
@@ -14,7 +14,7 @@ class RankedEdgeCheck {
   RankedEdgeCheck(const ContactRanks& ranks, const SurfaceShare& share, bool keeps_still);
 
   /// A search has listed other pairs among `edges`, those of space(), so many on all ranks: keeps the edges of pairs,
-  /// and asks for the motion of their nodes and for what is remembered of their contacts. Throws MpiError.
+  /// and requests the motion of their nodes and their contact history. Throws MpiError.
   void take_pairs(const std::vector<EdgeTopology>& edges, std::int64_t total_pairs, UnstructuredExchange& exchange,
                   DataExchange& data);
 

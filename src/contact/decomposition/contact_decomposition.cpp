@@ -135,8 +135,8 @@ void ContactDecomposition::begin_search(const SurfaceMotion& motion) {
   locate_points(motion);
 }
 
-/// A surface that goes on with the cuts of one before does not know yet whose its points are by them. Returns whether
-/// nodes have other owners now, on any rank.
+/// Finds the owners of the points of a new surface by the cuts of the previous one. Returns whether nodes have other
+/// owners now, on any rank.
 bool ContactDecomposition::adopt_cuts() { return !knows_owners_ && report_.rebalances > 0 && find_new_owners(); }
 
 void ContactDecomposition::locate_points(const SurfaceMotion& motion) {
@@ -226,7 +226,7 @@ std::vector<int> ContactDecomposition::node_owners() const {
   return {owners_.begin(), owners_.begin() + static_cast<std::ptrdiff_t>(searched_nodes_.size())};
 }
 
-/// Tells the owners of nodes which these are.
+/// Sends the owners of nodes their numbers.
 void ContactDecomposition::send_nodes_to_owners() {
   const SendOrder order = order_by_destination(node_owners());
   node_plan_ = exchange_.plan(order.to);

@@ -3,11 +3,11 @@
 // of the elements. Steps (5.1) to (5.5) of the paper, each a function (ContactDecomposition::update()).
 //
 // Four things differ from the paper. A face goes straight from its FE owner to every rank that its capture box reaches,
-// one message instead of two. A part goes to the rank that has most of its points in the FE decomposition: they need no
-// messages then. The cuts are kept until copies of faces on several ranks have grown by a share: the
-// owners of points stay, so the balance stays, and nothing moves in between. And what a node or a face is is told once:
-// from search to search only places and boxes are sent, until a face reaches a rank that does not know it. Nothing
-// physical depends on the cuts, nor on which ranks know a face that they need not.
+// one message instead of two. A part goes to the rank that has most of its points in the FE decomposition; these need
+// no messages. The cuts are kept until copies of faces on several ranks have grown by a share: the owners of points
+// stay, so the balance stays and nothing moves. The topology of nodes and faces is sent once and cached: each search
+// sends only positions and boxes, until a face reaches a rank that does not know it. No physical result depends on the
+// cuts, nor on extra faces that ranks know.
 
 #include <cstdint>
 #include <memory>
@@ -20,9 +20,9 @@
 
 namespace percuss {
 
-/// Margins of a search by which a box is wider, beside its own, for the choice of the ranks that are told of its face:
-/// so that faces move on for some searches before others have to be. Not the first time: where erosion redefines the
-/// surface in every other step, there is no second one.
+/// Extra width of a box, in margins of a search, for the choice of the ranks that receive its face: faces can then move
+/// for some searches before more ranks need them. Not the first time: where erosion rebuilds the surface in every other
+/// step, there is no second one.
 inline constexpr double told_margins = 2;
 
 /// A contact node as the search needs it.
@@ -46,7 +46,7 @@ class ContactDecomposition {
   /// Collective. The share outlives this.
   ContactDecomposition(const Communicator& ranks, const SurfaceShare& share, ContactDeck::Rebalance rebalance);
 
-  /// Goes on with the cuts and the counts of the decomposition of another surface of the same scene. Collective.
+  /// Continues with the cuts and the counts of the decomposition of another surface of the same scene. Collective.
   void take_over(const ContactDecomposition& before);
 
   /// Brings searched contact nodes to their owners and searched faces to the ranks that their boxes, widened by
@@ -68,11 +68,11 @@ class ContactDecomposition {
   /// Those of faces() whose boxes reached this rank.
   std::int64_t count_reaching_here() const;
 
-  /// The cuts, and whether the last update() made them anew.
+  /// The cuts, and whether the last update() renewed them.
   const AssignedParts& parts() const { return *parts_; }
   bool was_rebalanced() const { return just_rebalanced_; }
 
-  /// Tells how many copies of faces there are on all ranks beyond one each; decides whether the next update rebalances.
+  /// Takes the number of ghost faces on all ranks; decides whether the next update rebalances.
   void note_ghost_faces(std::int64_t ghosts);
 
   /// The owner of each searched contact node of this rank's FE share, ascending; -1 before the first update().
@@ -104,7 +104,7 @@ class ContactDecomposition {
   ContactDeck::Rebalance rebalance_;
   UnstructuredExchange exchange_;
   DataExchange data_;
-  std::shared_ptr<AssignedParts> parts_;  // goes on from one surface of the scene to the next
+  std::shared_ptr<AssignedParts> parts_;  // kept from one surface of the scene to the next
   SharePoints points_;
   std::vector<int> searched_nodes_;  // places in OwnedContactNodes
   std::vector<int> owners_;          // [points] ranks in the contact decomposition; empty before the first rebalance

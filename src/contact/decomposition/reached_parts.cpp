@@ -9,7 +9,7 @@
 namespace percuss {
 namespace {
 
-/// A node that runs away makes every box reach every part: told before faces are sent to all. most: of all ranks.
+/// A node that diverges makes every box reach every part: reported before faces are sent to all. most: of all ranks.
 void refuse_too_many_copies(std::int64_t most, double margin) {
   constexpr std::int64_t most_indexed = 1'000'000'000;
   if (most <= most_indexed) return;

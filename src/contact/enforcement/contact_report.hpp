@@ -23,7 +23,7 @@ struct ContactMotion {
   Point3 center{};                   // about which moments of walls' impulses are taken
 };
 
-/// What one step's contact did, on all ranks, and the same on each. Work is positive where contact adds energy to the
+/// Result of one step's contact on all ranks, the same on each. Work is positive where contact adds energy to the
 /// bodies; every impulse P of a node does the work P . (v(n-1/2) + v(n+1/2)) / 2, which closes the energy balance of
 /// the explicit midpoint rule exactly.
 struct ContactReport {

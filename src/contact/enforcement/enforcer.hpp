@@ -1,10 +1,9 @@
 #pragma once
 // Enforcement (1.9) in the FE decomposition, on all ranks together (the paper's section 4.3.2).
 //
-// A row belongs to the rank that owns its contact node; corners of its face may be owned elsewhere. In each iteration
-// the rows' forces on such foreign nodes go to their owners, who add up all forces on a node in one global order, and
-// the accelerations that they cause come back. The reduction that tells whether the iteration has converged is under
-// way with them.
+// A row belongs to the rank that owns its contact node; other ranks may own corners of its face. In each iteration the
+// rows' forces on such foreign nodes go to their owners. An owner adds up all forces on a node in one global order and
+// sends the accelerations back. The reduction for convergence runs at the same time.
 
 #include "comm/halo/node_copies.hpp"
 #include "kernels/contact/enforcement/row_solution.hpp"
@@ -30,7 +29,7 @@ class Enforcer {
   void redefine(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
                 const Array<const TieGeometry>& ties);
 
-  /// A step in which nothing touches on any rank: no impulses, nothing to remember.
+  /// A step without contact on any rank: no impulses, no history.
   void rest(const ContactMotion& motion, ContactHistory& history);
 
   /// A step like the last one, in which rows pushed nothing: what was remembered still is.

@@ -13,7 +13,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
-/// A foreign node as its owner is told of it.
+/// A foreign node in the message to its owner.
 struct RowExchange::ForeignNotice {
   std::int64_t node = 0;  // number
   std::int64_t key = 0;   // of the row
@@ -64,7 +64,7 @@ void RowExchange::announce_foreign_nodes(const Array<const RowTouch>& touches, i
   reserve(foreign_values_, system.num_foreign);
 }
 
-/// Places, velocities and masses of the foreign nodes, after those of the own ones.
+/// Positions, velocities and masses of the foreign nodes, after those of the own ones.
 void RowExchange::receive_nodes(RowSystem& system) {
   if (!has_many_ranks_) return;
   const Rows3<double>* const rows[4] = {&system.at.x, &system.at.v, &system.at.v_before, &system.at.inverse_mass};

@@ -1,5 +1,5 @@
 #pragma once
-// What rows tell other ranks about foreign nodes, and hear from them (the paper's section 4.3.2).
+// Data of foreign nodes that rows exchange with other ranks (the paper's section 4.3.2).
 
 #include <array>
 #include <vector>
@@ -18,8 +18,8 @@ class RowExchange {
  public:
   explicit RowExchange(const ContactRanks& ranks);
 
-  /// Tells the owners of foreign nodes which rows touch these; learns the same of the own nodes. Fills num_foreign,
-  /// num_remote, remote_node and remote_key of the system.
+  /// Sends the owners of foreign nodes the rows that touch these; receives the same for the own nodes. Fills
+  /// num_foreign, num_remote, remote_node and remote_key of the system.
   void announce_foreign_nodes(const Array<const RowTouch>& touches, int num_touches, RowSystem& system);
 
   void receive_nodes(RowSystem& system);

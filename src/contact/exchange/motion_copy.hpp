@@ -1,5 +1,5 @@
 #pragma once
-// Places and velocities of nodes that other ranks own, in every step.
+// Positions and velocities of nodes that other ranks own, in every step.
 
 #include <cstdint>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace percuss {
 
-/// Nodes whose motion is wanted.
+/// Nodes whose motion is requested.
 struct MotionPart {
   ExchangePlan request;
   Array<int> rows, published;      // in messages: rows of the copy, mesh nodes of this rank
@@ -25,7 +25,7 @@ class MotionCopy {
   void name(const ContactRanks& ranks, UnstructuredExchange& exchange, DataExchange& data,
             const std::vector<std::int64_t>& numbers);
 
-  /// All of them, and those wanted: [named nodes]. select() is collective.
+  /// All of them, and those requested: [named nodes]. select() is collective.
   MotionPart all() const;
   MotionPart select(DataExchange& data, const std::vector<char>& is_wanted) const;
 
@@ -41,7 +41,7 @@ class MotionCopy {
   }
 
  private:
-  /// Place and velocity of a node.
+  /// Position and velocity of a node.
   struct Item {
     double x[3], v[3];
   };

@@ -7,7 +7,7 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// What is wanted of a list, and the runs that are left of it.
+/// The requested items of a list, and the runs that are left of it.
 struct WantedRuns {
   std::vector<PeerRun> runs;
   std::vector<int> items;

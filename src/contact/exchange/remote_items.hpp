@@ -1,5 +1,5 @@
 #pragma once
-// Items that a rank asks others for by number, and parts of them that it asks for again without naming them.
+// Items that a rank requests from others by number, and subsets of them that it requests again without naming them.
 
 #include <cstdint>
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace percuss {
 
-/// Which of the named items are wanted: in messages, and on this rank.
+/// Which of the named items are requested: in messages, and on this rank.
 struct ItemPart {
   ExchangePlan request;         // to those who have the items, from those who asked this rank; without this rank
   std::vector<int> asked;       // item k of the answers is the asker's item asked[k]
@@ -50,7 +50,7 @@ class RemoteItems {
 
   const ItemPart& all() const { return all_; }
 
-  /// Those wanted. is_wanted: [numbers]. One message to each rank of the request. Collective. Throws MpiError.
+  /// Those requested. is_wanted: [numbers]. One message to each rank of the request. Collective. Throws MpiError.
   ItemPart select(DataExchange& data, const std::vector<char>& is_wanted) const;
 
  private:

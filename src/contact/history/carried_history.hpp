@@ -1,5 +1,5 @@
 #pragma once
-// Where erosion redefines the contact surface: what contacts remember goes from the old surface to the new one.
+// Erosion rebuilds the contact surface: carries the contact history from the old surface to the new one.
 
 #include <vector>
 

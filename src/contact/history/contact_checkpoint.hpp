@@ -1,5 +1,5 @@
 #pragma once
-// What contact needs of a checkpoint to go on to the same bits.
+// Contact data in a checkpoint for a restart to the same bits.
 
 #include "kernels/contact/rows/row_system.hpp"
 #include "src/contact/surface/surface_share.hpp"

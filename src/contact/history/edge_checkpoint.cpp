@@ -1,4 +1,4 @@
-// Records of edge pairs in a checkpoint: by the edge A that they belong to, whose place is that of its home's element.
+// Records of edge pairs in a checkpoint, by the edge A that they belong to, in the position of its home's element.
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the plan of contact counts with: who has what, who was told what, and how many items go from rank to rank.
+// Data of the plan of contact: the content of ranks, the cached topology, and the number of items between ranks.
 
 #include <map>
 #include <utility>
@@ -53,7 +53,7 @@ struct ContactPlanner::Places {
   int find_fe_rank(int mesh_node) const { return fe.find_node_owner(mesh_node); }
 };
 
-/// Marks nodes that a rank has been told of.
+/// Marks nodes that a rank knows.
 struct ContactPlanner::Visit {
   std::vector<int> last;  // [mesh nodes] rank that marked it last
   explicit Visit(std::size_t nodes) : last(nodes, -1) {}

@@ -1,10 +1,10 @@
 #pragma once
-// What the contact decomposition over many ranks would be at the starting positions, found by one process: who owns
-// which contact nodes and faces, how many copies of faces there are, and what ranks send each other.
+// Predicts on one process the contact decomposition over many ranks at the starting positions: the owners of contact
+// nodes and faces, the number of ghost faces, and the messages.
 //
-// Divided are the same points as in a run, by the same cuts (comm/partition/bisect_points.hpp), with capture boxes of
-// the same width. What is sent follows from the candidate pairs of the start, as if every node that has any touched the
-// nearest of its candidate faces: more than a scene of bodies apart sends, about what bodies face to face send.
+// The points and cuts are those of a run (comm/partition/bisect_points.hpp), with capture boxes of the same width.
+// Messages follow from the candidate pairs of the start. Every node with candidates counts as touching the nearest of
+// its candidate faces. This is more than a scene of separate bodies sends, and about right for bodies face to face.
 
 #include <cstdint>
 #include <vector>

@@ -111,8 +111,8 @@ void ContactPlanner::plan_search(const Places& places, ContactPlan& plan) const 
   faces.send(box_bytes, search, plan);
 }
 
-/// What a rank learns of the surface: the faces around its nodes and those of the faces that it was told of, by whose
-/// names it then asks for the motion of nodes and for history.
+/// Surface data that a rank receives: the faces around its nodes and around those of its ghost faces. With their names
+/// it then requests the motion of nodes and the history.
 void ContactPlanner::plan_telling(const Places& places, ContactPlan& plan) const {
   std::vector<std::vector<int>> nodes(plan.ranks.size()), faces(plan.ranks.size());  // by rank, mesh nodes and faces
   Flow history;

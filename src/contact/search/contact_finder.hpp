@@ -31,8 +31,8 @@ class ContactFinder {
   /// RunError, on all ranks, if they are absurdly many.
   virtual std::int64_t search(const SurfaceMotion& motion, double margin) = 0;
 
-  /// From the next check on leaves out the pairs of nodes and faces that it cannot accept before some node is farther
-  /// from its place of then than it may go.
+  /// From the next check on leaves out the pairs of nodes and faces that it cannot accept before some node has used up
+  /// its travel.
   virtual void narrow(const NearWay& way) = 0;
 
   /// Checks the candidate pairs. touches: those of this rank's contact nodes, by (node, face), then those of edges
@@ -40,18 +40,18 @@ class ContactFinder {
   /// they stay if it finds the same. Returns how many these are.
   virtual int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) = 0;
 
-  /// Whether all that the last check found on this rank was found by the one before it as well, and lies still: as many
+  /// Whether all that the last check found on this rank was found by the one before it as well, and is at rest: as many
   /// touches on all ranks are then the same ones.
   virtual bool has_found_nothing_new() const = 0;
 
-  /// Which of this rank's contact nodes are inside another body, among the candidate pairs, at the places of a motion
-  /// with dt = 0; ascending.
+  /// Which of this rank's contact nodes are inside another body, among the candidate pairs, at the positions of a
+  /// motion with dt = 0; ascending.
   virtual std::vector<Penetration> find_penetrations(const SurfaceMotion& motion) = 0;
 
   /// Which edges whose home this rank is are inside another edge of a higher number; as above.
   virtual std::vector<EdgePenetration> find_edge_penetrations(const SurfaceMotion& motion) = 0;
 
-  /// The smallest gap between parts among the candidate pairs of this rank, at the places of a motion with dt = 0.
+  /// The smallest gap between parts among the candidate pairs of this rank, at the positions of a motion with dt = 0.
   virtual std::vector<PartGap> find_gaps(const SurfaceMotion& motion) = 0;
 
   /// Rank that owns each searched contact node (ascending) in the contact decomposition; -1 before it is first made.
@@ -60,7 +60,7 @@ class ContactFinder {
   virtual SearchLoad load() const = 0;
   virtual PairCounts pair_counts() const = 0;  // of this rank
 
-  /// Goes on where a finder of the surface before left off: cuts, orders, counts and clocks.
+  /// Continues where a finder of the surface before left off: cuts, orders, counts and clocks.
   virtual void take_over(const ContactFinder& before) = 0;
 
   /// Of a search, what went into the decomposition: steps (5.1) to (5.5).

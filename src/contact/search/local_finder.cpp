@@ -57,7 +57,7 @@ LocalFinder::LocalFinder(const SurfaceShare& share, const ContactDeck& deck) : s
   edge_boxes_ = Boxes("contact::edge_boxes", share.edges.size());
 }
 
-/// A surface that has changed once may do so again: from now on the order of its search goes on.
+/// A surface that has changed once may do so again: from now on the tree of its search is kept.
 void LocalFinder::take_over(const ContactFinder& before) {
   const auto& other = dynamic_cast<const LocalFinder&>(before);  // of the same number of ranks
   check_.counts = other.check_.counts;

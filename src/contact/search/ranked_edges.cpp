@@ -57,7 +57,7 @@ void RankedEdges::find_owners(const SurfaceMotion& motion) {
   for (std::size_t e = 0; e < host.extent(0); ++e) owners_.push_back(parts_->find_rank(host(e)));
 }
 
-/// Tells owners where the points of their edges are, so that they know what boxes must reach them.
+/// Sends owners the points of their edges, so that they know which boxes must reach them.
 void RankedEdges::send_points_to_owners(const SurfaceMotion& motion, const ContactDecomposition& decomposition) {
   const AssignedParts& parts = decomposition.parts();
   if (!parts_ || parts_->rank_of_part() != parts.rank_of_part()) parts_.emplace(ranks_.ranks, parts.rank_of_part());

@@ -1,10 +1,10 @@
 #pragma once
 // Search and check of edge pairs in the contact decomposition.
 //
-// The cuts of contact nodes and faces divide the edges too: an edge belongs to the rank in whose part its middle was
-// when the cuts were made, with the points by which it is searched, and it reaches the ranks whose points its capture
-// box may hold. As for nodes and faces, a rank that has the points of an edge has every edge whose box holds one of
-// them, wherever the cuts are.
+// The cuts of contact nodes and faces divide the edges too. An edge belongs to the rank in whose part its middle was
+// when the cuts were made, with the points of its search. It is sent to the ranks whose points its capture box may
+// hold. As for nodes and faces, a rank that has the points of an edge has every edge whose box holds one of them,
+// wherever the cuts are.
 
 #include <optional>
 

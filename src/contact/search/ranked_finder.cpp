@@ -132,8 +132,8 @@ void RankedFinder::redefine_surface() {
     identify(list_numbers(decomposition_.nodes()), list_numbers(decomposition_.faces()), scratch_.blocks);
 }
 
-/// The searched nodes of this rank around which there are more faces than it was told of, and the other corners of
-/// faces, of which it does not know. Ascending.
+/// The searched nodes of this rank with faces around them that it does not know yet, and the other corners of its
+/// faces. Ascending.
 std::vector<std::int64_t> RankedFinder::list_nodes_of_unknown_faces() const {
   const std::vector<NodeRecord>& searched = decomposition_.nodes();
   NumberMap places;
@@ -155,7 +155,7 @@ std::vector<std::int64_t> RankedFinder::list_nodes_of_unknown_faces() const {
   return unknown;
 }
 
-/// Asks the FE owners of nodes for all faces around these. Each tells of a face once.
+/// Requests from the FE owners of nodes all faces around these. Each sends a face once.
 std::vector<FaceTopology> RankedFinder::ask_for_faces_around(const std::vector<std::int64_t>& nodes) {
   RemoteItems asked;
   asked.name(exchange_, data_, NodeOwners(ranks_.numbering).find(nodes), nodes,

@@ -1,9 +1,9 @@
 #pragma once
 // Search and check in the contact decomposition: Figure 5 of the paper, by search() and check().
 //
-// A rank knows the nodes that it owns there, the faces that reach it, and the faces around the nodes of both, for
-// normals: its part of the surface, which it is told once and uses for many searches, until faces reach other ranks or
-// erosion makes another surface. A search lists the candidate pairs; ranked_check.hpp checks them.
+// A rank knows its part of the surface: the nodes that it owns there, the faces that reach it, and the faces around the
+// nodes of both, for normals. This topology is sent once and cached for many searches, until faces reach other ranks or
+// erosion rebuilds the surface. A search lists the candidate pairs; ranked_check.hpp checks them.
 
 #include "src/contact/check/ranked_check.hpp"
 #include "src/contact/decomposition/contact_decomposition.hpp"

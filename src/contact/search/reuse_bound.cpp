@@ -16,9 +16,9 @@ constexpr double margin_edges = 0.5;
 /// the edges of a face, 2 sqrt(3) * contact_limits::capture < 1 times as much.
 constexpr double travels_in_margin = 3;
 
-/// Near pairs are listed anew after a share of the travel between two searches, or sooner if a step goes a short way:
-/// less often against more of them. What is left of the way to the next search is not worth a list if it is less than
-/// the least share, nor is one that would serve fewer steps than the least.
+/// Near pairs are listed again after a share of the travel between two searches, or sooner if a step goes a short way:
+/// fewer listings against more pairs. No list is made if the remaining travel to the next search is below the least
+/// share, or if it would serve fewer steps than the least.
 constexpr double near_share = 0.25, least_near_share = 0.06, near_steps = 12, least_near_steps = 3;
 
 }  // namespace

@@ -22,14 +22,14 @@ class ReuseBound {
   /// step, than that allowed. Then covers() holds as well.
   bool covers_near(const SurfaceMotion& motion) const;
 
-  /// Starts the way of the near pairs at this step's places, where covers() holds or restart() was called.
+  /// Starts the travel of the near pairs at this step's positions, where covers() holds or restart() was called.
   NearWay restart_near(const SurfaceMotion& motion);
 
-  /// Starts anew at this step's places; returns the margin by which capture boxes must be widened [length]. wide: also
-  /// where pairs are not used again, for what else asks for them.
+  /// Starts again at this step's positions; returns the margin by which capture boxes must be widened [length]. wide:
+  /// also where pairs are not reused, for other users of the margin.
   double restart(const SurfaceMotion& motion, bool wide = false);
 
-  /// The last search, so that it can be done again: its margin, places and velocities. Collective.
+  /// The last search, so that it can be done again: its margin, positions and velocities. Collective.
   void archive(CheckpointArchive& archive, const ChunkRows& contact_nodes);
 
   /// Whether there was a search; its margin [length], step, and rows of this rank's contact nodes.

@@ -170,7 +170,7 @@ void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, Conta
         std::binary_search(nodes.begin(), nodes.end(), search.share.nodes.numbers[static_cast<std::size_t>(p.node)]);
     const int record = contact_limits::max_touches * p.node;
     if (!is_new || p.depth <= contact_limits::overlap * p.size || p.depth > p.limit) continue;
-    if (history_face(record) >= 0) continue;  // a contact that goes on
+    if (history_face(record) >= 0) continue;  // a contact that continues
     history_face(record) = p.face;
     reference(record) = overlap == ContactDeck::Overlap::accept ? p.depth : 0;
   }

@@ -36,8 +36,8 @@ struct OverlapSearch {
   ContactFinder& finder;
 };
 
-/// Finds overlap at the places of `motion`, whose dt is 0, and writes it to the history: as accepted reference, or to
-/// be pushed out. Collective.
+/// Finds overlap at the positions of `motion`, whose dt is 0, and writes it to the history: as accepted reference, or
+/// to be pushed out. Collective.
 StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,
                           ContactHistory& history);
 
@@ -55,7 +55,7 @@ std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap ove
 /// Bound of the sum of the squares of the depths that contact is to push out [length^2]; 0 where overlap is accepted.
 double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overlap);
 
-/// Of overlap at the places of `motion`, whose dt is 0, takes into the history what a new node or a new face has, as
+/// Of overlap at the positions of `motion`, whose dt is 0, takes into the history what a new node or a new face has, as
 /// seed_history() does. What the surfaces before had is as it was. Looks at the candidate pairs that the finder has.
 /// Collective.
 void seed_opened(const OverlapSearch& search, const SurfaceMotion& motion, ContactDeck::Overlap overlap,

@@ -86,8 +86,8 @@ struct SidedFace {
   }
 };
 
-/// Sides of the edges whose lower node is this rank's: those of its own faces, made when they are looked at, and what
-/// other ranks tell.
+/// Sides of the edges whose lower node is this rank's: those of its own faces, made on demand, and those received from
+/// other ranks.
 class ToldSides {
  public:
   /// Collective.

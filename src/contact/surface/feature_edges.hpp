@@ -13,7 +13,7 @@ namespace percuss {
 
 struct FaceTopology;
 
-/// A feature edge as ranks tell each other about it.
+/// A feature edge in messages between ranks.
 struct EdgeTopology {
   std::int64_t number = -1;    // 128 * number of its lower node + place among that node's edges
   std::int64_t ends[2]{};      // node numbers, ascending

@@ -1,5 +1,5 @@
 #pragma once
-// From global numbers to their places in a list.
+// From global numbers to their positions in a list.
 
 #include <algorithm>
 #include <cstddef>
@@ -27,7 +27,7 @@ class NumberMap {
     if (size > entries_.size()) grow(size);
   }
 
-  /// Place of a number, not negative; if it is new, it comes after all others.
+  /// Index of a number, not negative; if it is new, it comes after all others.
   int add(std::int64_t number) {
     std::size_t i = find_entry(number);
     if (entries_[i].place >= 0) return entries_[i].place;
@@ -40,7 +40,7 @@ class NumberMap {
     return entries_[i].place;
   }
 
-  /// Place of a number, -1 if it is not there.
+  /// Index of a number, -1 if it is not there.
   int find(std::int64_t number) const { return entries_[find_entry(number)].place; }
 
   /// By place.
@@ -69,13 +69,13 @@ class NumberMap {
   std::vector<std::int64_t> numbers_;
 };
 
-/// Places in an ascending list of numbers that are asked for in nearly ascending order: from one to the next it is not
+/// Places in an ascending list of numbers that are requested in nearly ascending order: from one to the next it is not
 /// far.
 class NumberWalk {
  public:
   explicit NumberWalk(const std::vector<std::int64_t>& numbers) : numbers_(numbers) {}
 
-  /// Place of a number, -1 if it is not there.
+  /// Index of a number, -1 if it is not there.
   int find(std::int64_t number) {
     std::size_t first = place_ < numbers_.size() && numbers_[place_] <= number ? place_ : 0, step = 1;
     while (first + step < numbers_.size() && numbers_[first + step] < number) {
@@ -94,7 +94,7 @@ class NumberWalk {
   std::size_t place_ = 0;
 };
 
-/// Place of a number in an ascending list, -1 if it is not there.
+/// Index of a number in an ascending list, -1 if it is not there.
 inline int find_number(const std::vector<std::int64_t>& numbers, std::int64_t number) {
   const auto place = std::lower_bound(numbers.begin(), numbers.end(), number);
   return place != numbers.end() && *place == number ? static_cast<int>(place - numbers.begin()) : -1;

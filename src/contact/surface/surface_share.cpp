@@ -53,7 +53,7 @@ void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& face
   }
 }
 
-/// A face as it is told to the owner of one of its corners.
+/// A face in the message to the owner of one of its corners.
 struct CornerNotice {
   std::int64_t node = 0;
   double size = 0;    // shorter of the two edges that meet there
@@ -61,7 +61,7 @@ struct CornerNotice {
   FaceTopology face;
 };
 
-/// What an owned node is told of a face around it or, by a face without a number, of itself as a particle.
+/// Message to an owned node on a face around it or, by a face without a number, on itself as a particle.
 struct NodeNotice {
   int node = 0;  // of this rank's mesh
   int face = 0;  // SurfaceShare::face()
@@ -106,8 +106,8 @@ int find_last_face(const Topology& topology, int corner) {
   return last;
 }
 
-/// Of nodes that no element holds any more: what their dead elements say of them, without a face. part_classes: the
-/// class of each part's surface.
+/// Nodes without elements: data from their eroded elements, without a face. part_classes: the class of each part's
+/// surface.
 std::vector<CornerNotice> list_particles(const Mesh& mesh, const Deck& deck, const std::vector<int>& part_classes) {
   std::vector<CornerNotice> notices;
   std::vector<ElementFace> faces;  // a face at each corner, for its stiffness

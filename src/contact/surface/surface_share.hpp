@@ -15,7 +15,7 @@
 
 namespace percuss {
 
-/// A contact face as ranks tell each other about it.
+/// A contact face in messages between ranks.
 struct FaceTopology {
   std::int64_t number = -1;   // find_face_number()
   std::int64_t corners[4]{};  // node numbers, outward by the right-hand rule

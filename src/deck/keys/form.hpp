@@ -1,7 +1,7 @@
 #pragma once
-// The form of a deck's values as data, told by the same objects that read them. From it come the list of keys that
-// docs/deck.md is checked against (deck_keys.cpp) and the JSON Schema for editors (deck_schema.cpp). A form is never
-// narrower than its reader; what concerns several values at once, and names that must exist, it leaves to the reader.
+// The form of a deck's values as data, given by the same objects that read them. From it come the list of keys that
+// docs/deck.md is checked against (deck_keys.cpp) and the JSON Schema for editors (deck_schema.cpp). A form accepts all
+// that its reader accepts. Checks that concern several values, or names that must exist, are left to the reader.
 
 #include <cstddef>
 #include <limits>

@@ -82,7 +82,7 @@ struct OtherKeys {
 void refuse_key(const Reader& reader, const Entry& entry, std::vector<std::string> known, const OtherKeys& others);
 void refuse_missing(const Reader& reader, const Node& node, const std::string& name, const std::string& takes);
 
-/// Reads a map by its table: unknown keys are hinted at, missing ones told. Returns whether all went well.
+/// Reads a map by its table: unknown keys get a hint, missing ones an error. Returns whether all went well.
 template <class Owner>
 bool read_keys(const Reader& reader, const Node& node, const Keys<Owner>& keys, Owner& out,
                const OtherKeys& others = {}) {

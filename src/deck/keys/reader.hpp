@@ -33,7 +33,8 @@ struct Reading {
   std::set<std::string> shapeless;  // parts whose shape is unknown, so that their sides are too
 };
 
-/// Where a value stands: what is in parts.rod is told as "in part 'rod'", everything else by its path ("time.end").
+/// Where a value stands: messages name what is in parts.rod as "in part 'rod'", everything else by its path
+/// ("time.end").
 class Reader {
  public:
   explicit Reader(Reading& reading) : reading_(&reading) {}

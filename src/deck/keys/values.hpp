@@ -119,7 +119,7 @@ struct TupleValue {
 
 inline TupleValue<NumberValue, 3> vector3(Range range = any_number) { return {{std::move(range)}}; }
 
-/// A list of values of one kind; `reader` is told which item it reads.
+/// A list of values of one kind; `reader` gets the number of the item.
 template <class Item>
 struct ListValue {
   Item item;

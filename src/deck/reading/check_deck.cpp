@@ -70,7 +70,7 @@ void check_size(const Deck& deck, const Node& root, Reading& reading) {
   MeshSize total;
   for (const PartDeck& part : deck.parts) {
     const MeshSize size = count_cells(part);
-    if (size.elements > largest_mesh || size.nodes > largest_mesh) return;  // told already
+    if (size.elements > largest_mesh || size.nodes > largest_mesh) return;  // reported already
     total.elements += size.elements;
     total.nodes += size.nodes;
   }
@@ -119,7 +119,7 @@ void check_curves(const Deck& deck, Reading& reading) {
   }
 }
 
-/// What the step watches of elements is not kept for those that die.
+/// The step keeps no watched data of eroded elements.
 void check_estimate(const Deck& deck, const Node& root, Reading& reading) {
   const Node* materials = root.find("materials");
   if (deck.time.step_estimate != TimeDeck::StepEstimate::global) return;
@@ -132,7 +132,7 @@ void check_estimate(const Deck& deck, const Node& root, Reading& reading) {
   }
 }
 
-/// One point needs hourglass control, which but for `viscous` holds a fluid in its shape. Who names it, knows.
+/// One point needs hourglass control, which except for `viscous` holds a fluid in its shape. Who names it, knows.
 void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
   const Node* elements = root.find("elements");
   if (elements != nullptr && (elements->find("hourglass") != nullptr || elements->find("integration") != nullptr)) {

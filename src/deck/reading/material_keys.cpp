@@ -242,7 +242,7 @@ bool check_state(const Model& model, const Reader& reader, const Node& node) {
 bool MaterialValue::read_inside(const Reader& reader, const Node& node, MaterialDeck& out) const {
   const Model* model = read_choice(models(), "model", reader, node, out.law);
   if (model == nullptr) return false;
-  // One pass over the map tells what is unknown, in the order of the deck.
+  // One pass over the map finds unknown keys, in the order of the deck.
   Keys<MaterialDeck> keys = common_keys();
   for (const Key<LawDeck>& key : model->keys) {
     Key<MaterialDeck> row{key.name, key.required, key.takes, {}, {}};

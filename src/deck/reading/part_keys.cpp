@@ -145,7 +145,7 @@ bool check_thickness(const Reader& reader, const Node& node, const PartDeck& par
   if (std::holds_alternative<ExodusMesh>(part.shape)) return true;
   const bool is_shell = is_shell_shape(part.shape);
   if (is_shell && !part.thickness) {
-    if (node.find("thickness") != nullptr) return false;  // told already
+    if (node.find("thickness") != nullptr) return false;  // reported already
     reader.error(node.key, fmt::format("{} has no thickness (its shells need one)", reader.self()));
     return false;
   }

@@ -30,7 +30,7 @@ class PlaceFinder {
  private:
   std::string_view text_;
   std::vector<std::size_t> line_starts_;
-  // Where the last call ended: places are asked for in the order of the text, and a line may be megabytes long.
+  // Where the last call ended: positions are requested in the order of the text, and a line may be megabytes long.
   std::size_t line_ = 0, byte_ = 0;
   int characters_ = 0;
 };

@@ -9,7 +9,7 @@
 namespace percuss {
 
 /// Every value on which the motion depends, "time.step_scale = 0.9", in ascending order of their paths; equal numbers
-/// have equal texts. Left out is what a run may change when it goes on: output, audit, title, units, time.end,
+/// have equal texts. Left out is what a run may change when it continues: output, audit, title, units, time.end,
 /// time.max_steps, time.collapse_ratio, contact.rebalance; and the names of mesh files, whose content counts.
 std::vector<std::string> list_motion_values(const Node& deck);
 

@@ -8,7 +8,7 @@ namespace percuss {
 namespace {
 
 /// Lists that are longer than this are data, such as a thousand history points: their items keep a place each with the
-/// reader, and the keys inside them are told by the place of the list.
+/// reader, and the keys inside them are identified by the place of the list.
 constexpr std::size_t longest_list = 200;
 
 bool is_data(const Node& list) {

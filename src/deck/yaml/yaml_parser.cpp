@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t deepest = 32;
 constexpr std::size_t most_values = 1'000'000;
 
-// Ends the parse after an error that makes what follows meaningless; the error is told already.
+// Ends the parse after an error that makes what follows meaningless; the error is reported already.
 struct GiveUp {};
 
 class TreeBuilder final : public YAML::EventHandler {
@@ -208,7 +208,7 @@ std::optional<Node> parse_yaml(const std::string& text, DeckErrors& errors, int 
     }
     return builder.take_root();
   } catch (const GiveUp&) {
-    // told already
+    // reported already
   } catch (const YAML::DeepRecursion& error) {
     errors.add(builder.spot(error.mark), "maps and lists are nested too deep (no deck needs that)");
   } catch (const YAML::ParserException& error) {

@@ -66,7 +66,7 @@ std::vector<std::int64_t> count_faces(const Communicator& ranks, const ScenePart
   return faces;
 }
 
-/// A chunk as it is told to rank 0.
+/// A chunk in the message to rank 0.
 struct BoxNotice {
   int chunk = 0;
   ChunkBox box;

@@ -12,7 +12,7 @@
 namespace percuss {
 namespace {
 
-/// Pairs of boxes a chunk, on the mean, above which chunks are not compact enough for their boxes to tell anything.
+/// Pairs of boxes a chunk, on the mean, above which chunks are not compact enough for a comparison of boxes.
 constexpr std::size_t most_pairs = 64;
 
 Vec3 find_extents(const ChunkBox& chunk) {
@@ -65,7 +65,7 @@ std::vector<int> find_bodies(std::size_t chunks, const std::vector<GraphEdge>& s
   return body;
 }
 
-/// Whether METIS can add up the weights, each told from both sides, in an int.
+/// Whether METIS can add up the weights, each counted from both sides, in an int.
 bool is_countable(const std::vector<GraphEdge>& edges) {
   std::int64_t sum = 0;
   for (const GraphEdge& edge : edges) sum += 2 * static_cast<std::int64_t>(edge.weight);

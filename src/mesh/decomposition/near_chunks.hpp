@@ -16,7 +16,7 @@ struct ChunkBox {
   std::int64_t faces = 0;  // exterior
 };
 
-/// What a face across which chunks may touch weighs, in shared nodes: forces on its corners go to and fro in every
+/// Weight of a face across which chunks may touch, in shared nodes: forces on its corners are exchanged in every
 /// iteration of the enforcement, those of a shared node once a step.
 inline constexpr int near_face_weight = 4;
 

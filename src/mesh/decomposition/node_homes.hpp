@@ -1,6 +1,6 @@
 #pragma once
-// Who uses which node, known without anybody holding a list of all nodes: keys are dealt to home ranks in equal ranges,
-// and the home of a node learns all the chunks that use it.
+// The chunks that use each node, without a list of all nodes on any rank: home ranks own equal ranges of keys, and the
+// home of a node receives all the chunks that use it.
 
 #include <cstdint>
 #include <vector>

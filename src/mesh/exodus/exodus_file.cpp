@@ -56,7 +56,7 @@ std::vector<std::string> read_names(int file, ex_entity_type kind, std::int64_t 
   if (count > 0) check(ex_get_names(file, kind, pointers.data()), what);
   for (std::string& name : names) {
     name.resize(std::char_traits<char>::length(name.c_str()));
-    // Where names are told, a line is a block or a set: a name cannot make one of its own.
+    // A line of the report is a block or a set, so a name must not contain a line end.
     std::replace_if(
         name.begin(), name.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
     name.erase(name.find_last_not_of(' ') + 1);

@@ -1,6 +1,6 @@
 #pragma once
 // An open Exodus II file: every call of the library wrapped, every count checked against the length of the file before
-// memory is asked for. Indexes are 1-based as in the file.
+// memory is allocated. Indexes are 1-based as in the file.
 
 #include <cstdint>
 #include <string>

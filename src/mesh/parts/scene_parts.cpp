@@ -25,7 +25,7 @@ struct Totals {
   double nodes = 0, elements = 0;
 };
 
-/// Nodes and elements are counted in int; a step beyond is refused before memory is asked for.
+/// Nodes and elements are counted in int; a step beyond is refused before memory is allocated.
 void check_size(const Totals& so_far, double nodes, double elements) {
   nodes += so_far.nodes;
   elements += so_far.elements;

@@ -2,7 +2,7 @@
 // The parts of a scene before any of their elements is made: how many nodes, elements and chunks each has, from where
 // they are numbered, and what its sets are called. The same on every rank; only rank 0 holds the parts from files.
 //
-// A key tells nodes apart before they have numbers: nodes of a part, copy after copy, part after part.
+// A key identifies nodes before they have numbers: nodes of a part, copy after copy, part after part.
 
 #include <cstdint>
 #include <memory>

@@ -16,7 +16,7 @@ namespace percuss {
 namespace {
 
 /// The thinnest elements are slivers if they are a few, thinner than the median by the first ratio and than all others
-/// by the second: a graded mesh grows by less from layer to layer, and means it.
+/// by the second: the intended growth of a graded mesh from layer to layer is less.
 constexpr double sliver_ratio = 5, gap_ratio = 3, few_share = 0.01;
 constexpr std::size_t few_least = 4;
 
@@ -77,7 +77,7 @@ struct Neighbour {
   friend auto operator<=>(const Neighbour&, const Neighbour&) = default;
 };
 
-/// Pairs of shells that alone share an edge, both ways. Where three meet no side goes on.
+/// Pairs of shells that alone share an edge, both ways. Where three meet no side continues.
 std::vector<Neighbour> list_neighbours(const PartMesh& mesh, std::size_t element_count) {
   std::vector<Edge> edges;
   for (int e = 0; e < static_cast<int>(element_count); ++e) {

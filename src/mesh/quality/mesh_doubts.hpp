@@ -1,6 +1,6 @@
 #pragma once
-// What of a mesh from a file can be run and is hardly meant: a few elements that make the step of all, shells that are
-// turned over. Generated parts have neither.
+// Mesh-quality warnings for a mesh from a file: a few elements that determine the step of the whole scene, and shells
+// with reversed orientation. Generated parts have neither.
 
 #include <cstddef>
 #include <string>

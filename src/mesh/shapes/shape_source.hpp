@@ -36,7 +36,7 @@ class ShapeSource {
   /// Nodes of an element, in the order of its topology.
   virtual Corners corners(int element) const = 0;
 
-  /// Place of a node [length].
+  /// Position of a node [length].
   virtual Vec3 place(int node) const = 0;
 
   /// Side of each face of an element as an index into side_names() of the shape; `interior` for those between two

@@ -1,9 +1,9 @@
 #pragma once
-// What a run puts into a checkpoint and takes back out of it. One list serves both ways: whoever has state that a run
-// needs to go on names it in a function `void archive(CheckpointArchive&)`, a line each.
+// The content of a checkpoint, for saving and loading. One list serves both: the owner of state that a restart needs
+// names it in a function `void archive(CheckpointArchive&)`, one line each.
 //
-// Nothing in a checkpoint depends on ranks or threads. An array lies in it chunk after chunk, and a rank brings or
-// takes the rows of the chunks that it holds; numbers are the same on every rank; exact sums are those of all ranks.
+// Nothing in a checkpoint depends on ranks or threads. An array is stored chunk after chunk, and a rank writes or reads
+// the rows of its chunks. Numbers are the same on every rank; exact sums are those of all ranks.
 
 #include <bit>
 #include <cmath>

@@ -1,10 +1,10 @@
 #pragma once
-// checkpoint.h5: the state of a run, from which it goes on to the same bits on any number of ranks (docs/output.md).
+// checkpoint.h5: the state of a run, for a restart to the same bits on any number of ranks (docs/output.md).
 //
-// An HDF5 file with an array for each piece of state, chunk after chunk, and a seal behind it. It is written beside its
-// place, read back and compared with the state in memory, and renamed when the disk has it; the one before becomes
-// checkpoint_previous.h5. A hash of all that was given is an attribute of the header: readers compare it with what they
-// find.
+// An HDF5 file with an array for each piece of state, chunk after chunk, and a seal at its end. It is written under a
+// temporary name, read back and compared with the state in memory, and renamed when the disk has it. The previous one
+// becomes checkpoint_previous.h5. A hash of all data is an attribute of the header; readers compare it with what they
+// read.
 
 #include <cstdint>
 #include <map>

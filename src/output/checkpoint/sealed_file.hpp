@@ -1,8 +1,9 @@
 #pragma once
-// Files that tell whether they are whole: a seal at the end holds the length of what is before it and a hash of that.
+// Files that show whether they are complete: a seal at the end holds the length of the data before it and a hash of
+// them.
 //
-// A file that was cut off, or of which any byte has changed, is found out before anybody interprets it. HDF5 does not
-// mind what stands behind its own data.
+// A truncated file, or one with a changed byte, is detected before it is interpreted. HDF5 ignores bytes after its own
+// data.
 
 #include <string>
 

@@ -203,7 +203,7 @@ void FieldsFile::close() {
   const hdf5::QuietErrors quiet;
   const auto impl = std::move(impl_);
   impl->file.close();
-  const bool has_written = !impl->index.fields.empty();  // else it goes on with a file and has added nothing
+  const bool has_written = !impl->index.fields.empty();  // else it continues with a file and has added nothing
   if (has_written && impl->frames_in_parts_index < impl->index.times.size()) impl->write_parts_index();
 }
 

@@ -54,7 +54,7 @@ class FieldsFile {
   /// Throws SystemError with the path and the reason, on all ranks alike.
   FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks);
-  /// Goes on with the files of an earlier run behind their first `frames`; what lies there is cut off. Throws what
+  /// Continues with the files of an earlier run behind their first `frames`; what lies there is cut off. Throws what
   /// check() throws, which is asked first.
   FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks, std::int64_t frames, std::span<const std::string> fields);

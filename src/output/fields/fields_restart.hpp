@@ -1,5 +1,5 @@
 #pragma once
-// A fields file of an earlier run, before a restart goes on with it.
+// A fields file of an earlier run, before a restart continues it.
 
 #include <span>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace percuss {
 
-/// What a fields file must hold so that a run can go on with it.
+/// What a fields file must hold so that a run can continue with it.
 struct EarlierFrames {
   hsize_t frames = 0;               // that are kept
   hsize_t nodes = 0, elements = 0;  // of the mesh

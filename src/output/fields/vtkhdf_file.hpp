@@ -1,12 +1,13 @@
 #pragma once
 // The datasets of fields.vtkhdf: VTK's layout of an unstructured grid over time, version 2.0 of VTKHDF.
 //
-// One partition, whose cells are stored once: Steps/*Offsets send every step back to them. Points and fields lie frame
-// after frame in one dataset each. What VTK does not know (title, units, part names, step numbers) is in /percuss.
+// One partition, whose cells are stored once: Steps/*Offsets refer every step to them. Points and fields are stored
+// frame after frame in one dataset each. Data without a place in VTK (title, units, part names, step numbers) are in
+// /percuss.
 //
-// Several ranks write the file together, each a block of every dataset (src/output/hdf5/row_blocks.hpp). What can be
-// foreseen to fail (the folder, the room on the disk) fails on rank 0 first and then on all; what cannot ends the
-// program at once, because within HDF5 the other ranks wait for the one that failed.
+// Several ranks write the file together, each a block of every dataset (src/output/hdf5/row_blocks.hpp). Predictable
+// failures (the folder, the space on the disk) occur on rank 0 first and then on all. Other failures end the program at
+// once, because within HDF5 the other ranks wait for the one that failed.
 
 #include <cstdint>
 #include <span>
@@ -25,7 +26,7 @@ class VtkhdfFile {
   /// Creates the file with the mesh and no frame. Collective, as all below. Throws SystemError; no file is left then.
   VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks);
-  /// Goes on with a file that has so many frames and nothing else (cut_fields_file()).
+  /// Continues with a file that has so many frames and nothing else (cut_fields_file()).
   VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks, std::int64_t frames);
   /// Closes the file; errors are lost.

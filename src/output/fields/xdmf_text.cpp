@@ -66,7 +66,7 @@ std::string path_of(const XdmfField& field) {
 }
 
 // The rows of a grid in one frame, within a dataset that holds those of all nodes or elements in all frames.
-// component: the only one that is wanted; -1: all.
+// component: the only requested one; -1: all.
 void write_frame_rows(Out out, const XdmfIndex& index, const Grid& grid, const XdmfField& field, std::size_t frame,
                       int component = -1) {
   const bool on_nodes = field.place == FieldPlace::node;

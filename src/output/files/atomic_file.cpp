@@ -60,7 +60,7 @@ SystemError make_io_error(std::string_view action, const std::string& path, int 
 
 void write_file_atomically(const std::string& path, std::string_view text, Durability durability) {
   const std::string temporary = path + ".tmp";
-  // Made anew, never taken over: what stands there may be a link that leads elsewhere.
+  // Made again, never taken over: what stands there may be a link that leads elsewhere.
   ::unlink(temporary.c_str());
   PosixFile file(temporary, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW, path);
   try {

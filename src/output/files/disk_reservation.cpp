@@ -13,7 +13,7 @@ void DiskReservation::reserve(std::uint64_t size, std::uint64_t bytes) {
   begin_ = static_cast<std::int64_t>(size);
   end_ = begin_ + static_cast<std::int64_t>(bytes);
   try {
-    // A file system that cannot reserve tells of a full disk later, while writing.
+    // A file system that cannot reserve reports a full disk later, while writing.
     file_.reserve(begin_, end_ - begin_);
   } catch (const SystemError&) {
     try {

@@ -1,5 +1,5 @@
 #pragma once
-// Room on the disk, asked for before it is needed: a disk that is too full is found while nothing is half written.
+// Reserves disk space before it is needed, so that a full disk is detected before anything is half written.
 
 #include <cstdint>
 #include <string>

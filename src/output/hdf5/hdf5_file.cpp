@@ -45,8 +45,9 @@ void keep_metadata_until_flush(hid_t file, const std::string& action) {
 
 Handle create_access(const Communicator& ranks, const std::string& action) {
   Handle access(check(H5Pcreate(H5P_FILE_ACCESS), action), H5Pclose);
-  // No lock, so that ParaView can look at a run that goes on. No chunk cache and no sieve buffer: data go to the system
-  // as they come, and the call that brings them tells of a failure; what a buffer held back could only fail later.
+  // No lock, so that ParaView can look at a run that continues. No chunk cache and no sieve buffer: data go to the
+  // system as they come, and the call that brings them reports a failure; what a buffer held back could only fail
+  // later.
   check(H5Pset_file_locking(access.get(), false, true), action);
   check(H5Pset_cache(access.get(), 0, 1, 0, 1.0), action);
   check(H5Pset_sieve_buf_size(access.get(), 0), action);
@@ -74,7 +75,7 @@ void agree_that_all_reach(const std::string& path, const Communicator& ranks) {
   });
 }
 
-// Each rank goes on with a file of its own. One that cannot would leave the others waiting when the file is closed.
+// Each rank continues with a file of its own. One that cannot would leave the others waiting when the file is closed.
 void turn_to_memory(MPI_File& file, const Communicator& ranks) {
   const int memory = ::memfd_create("abandoned", MFD_CLOEXEC);
   const std::string path = fmt::format("/proc/self/fd/{}", memory);
@@ -132,7 +133,7 @@ Handle create_collective_transfer() {
   Handle transfer(check(H5Pcreate(H5P_DATASET_XFER), "describe a transfer"), H5Pclose);
   check(H5Pset_dxpl_mpio(transfer.get(), H5FD_MPIO_COLLECTIVE), "describe a transfer");
   // Each rank writes its block itself: blocks have no gaps, so there is nothing to put together on some of the ranks
-  // first, and a rank whose write fails is told. Open MPI 4.1 loses that error where ranks write for each other.
+  // first, and a rank whose write fails gets the error. Open MPI 4.1 loses that error where ranks write for each other.
   check(H5Pset_dxpl_mpio_collective_opt(transfer.get(), H5FD_MPIO_INDIVIDUAL_IO), "describe a transfer");
   return transfer;
 }
@@ -150,8 +151,8 @@ void turn_away(const Handle& file, const Communicator& ranks) {
 }  // namespace percuss::hdf5
 
 // Stands before the MPI library's function of this name, as MPI's profiling interface provides for. With several ranks
-// all that HDF5 writes passes here. HDF5 1.10 goes on in a flush after a failed write, past what the other ranks wait
-// for, and Open MPI 4.1 tells of one by the count alone: both would be a hang. So a failed write ends all ranks.
+// all that HDF5 writes passes here. HDF5 1.10 continues in a flush after a failed write, past what the other ranks wait
+// for, and Open MPI 4.1 reports one by the count alone: both would be a hang. So a failed write ends all ranks.
 extern "C" int MPI_File_write_at(MPI_File file, MPI_Offset offset, const void* data, int count, MPI_Datatype type,
                                  MPI_Status* status) {
   MPI_Status own;

@@ -15,11 +15,11 @@ namespace percuss::hdf5 {
 /// which one rank alone writes them. Collective. Throws Error, and SystemError on all ranks if the file cannot be made.
 Handle create_durable_file(const std::string& path, const Communicator& ranks);
 
-/// Opens such a file again to go on with it. Collective. Throws Error.
+/// Opens such a file again to continue with it. Collective. Throws Error.
 Handle open_durable_file(const std::string& path, const Communicator& ranks);
 
-/// Tells of a failure that other ranks may wait in HDF5 for, and ends them all. Where several have failed, the lowest
-/// tells of it: the others give it time to.
+/// Reports a failure while other ranks may wait in HDF5, and ends them all. Where several have failed, the lowest
+/// reports it; the others wait for it.
 [[noreturn]] void end_all_ranks(const Communicator& ranks, const std::string& message);
 
 /// How several ranks write data: all of them at once.

@@ -1,6 +1,5 @@
 #pragma once
-// Reading HDF5 files that may be damaged or come from elsewhere: whatever a file claims is checked before it is
-// believed.
+// Reads HDF5 files that may be damaged or untrusted: all claims of a file are checked before use.
 
 #include <cstdint>
 #include <string>

@@ -192,8 +192,9 @@ TEST(DeckSchema, RefusesWhatTheReaderRefuses) {
 // What a key takes, means and is measured in, and the keys that go with a model.
 TEST(DeckSchema, SaysOfAKeyWhatTheDocumentationSays) {
   const nlohmann::json& end = schema().at("properties").at("time").at("properties").at("end");
-  EXPECT_EQ(end.at("description"),
-            "a number, positive [time]; required. When the run ends; it starts at 0. The last step lands on it.");
+  EXPECT_EQ(
+      end.at("description"),
+      "a number, positive [time]; required. When the run ends; it starts at 0. The last step ends exactly there.");
   EXPECT_EQ(end.at("exclusiveMinimum"), 0);
   const nlohmann::json& material = schema().at("properties").at("materials").at("patternProperties").begin().value();
   EXPECT_EQ(material.at("required"), nlohmann::json::array({"model", "density"}));
