@@ -9,22 +9,22 @@
 
 namespace percuss {
 
-/// Places at the lanes of an element (Topology::lanes): its corners, then, if they are less than eight, some again.
-using HexCorners = std::array<Vec3, 8>;
+/// Places of the corners of an element as kernels see it (Topology::kernel_corners).
+using HexCorners = std::array<Vec3, kernel_corner_count>;
 
 /// place(node): where a node is.
 template <class Place>
-HexCorners gather_lanes(const Elements& elements, std::size_t element, const Place& place) {
+HexCorners gather_corners(const Elements& elements, std::size_t element, const Place& place) {
   HexCorners x;
-  const std::array<int, 8> nodes = elements.lane_nodes(element);
-  for (std::size_t i = 0; i < 8; ++i) x[i] = place(nodes[i]);
+  const auto nodes = elements.kernel_nodes(element);
+  for (std::size_t i = 0; i < nodes.size(); ++i) x[i] = place(nodes[i]);
   return x;
 }
-inline HexCorners gather_lanes(const Elements& elements, std::size_t element, const std::vector<Vec3>& nodes) {
-  return gather_lanes(elements, element, [&](int n) { return nodes[static_cast<std::size_t>(n)]; });
+inline HexCorners gather_corners(const Elements& elements, std::size_t element, const std::vector<Vec3>& nodes) {
+  return gather_corners(elements, element, [&](int n) { return nodes[static_cast<std::size_t>(n)]; });
 }
 
-/// Mean of the lanes. Chunks are cut by it: its last bits set the numbers of elements.
+/// Mean of these corners. Chunks are cut by it: its last bits set the numbers of elements.
 inline Vec3 find_center(const HexCorners& x) {
   Vec3 center{};
   for (const Vec3& corner : x) {
@@ -63,7 +63,7 @@ inline double find_shell_area_size(const HexCorners& x) {
 /// its four corners, so its share is the mean of its two triangulations.
 inline double find_solid_volume(const Topology& topology, const HexCorners& x) {
   double volume = 0;
-  for (const TopologyFace& face : topology.faces()) {
+  for (const FaceCorners& face : topology.faces()) {
     const auto corner = [&](std::size_t i) { return subtract(x[static_cast<std::size_t>(face.four[i])], x[0]); };
     const Vec3 a = corner(0), b = corner(1), c = corner(2), d = corner(3);
     volume += triple_product(a, b, add(c, d)) + triple_product(add(a, b), c, d);
@@ -73,7 +73,7 @@ inline double find_solid_volume(const Topology& topology, const HexCorners& x) {
 
 /// Volume of an element at time 0 [length^3]: of a shell its area times its thickness.
 inline double find_element_volume(const Mesh& mesh, std::size_t element) {
-  const HexCorners x = gather_lanes(mesh.elements, element, mesh.nodes);
+  const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
   if (mesh.topology_of(element).is_surface()) return mesh.block_of(element).section.thickness * find_shell_area_size(x);
   return find_solid_volume(mesh.topology_of(element), x);
 }

@@ -14,7 +14,8 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::vector<Vec3> find_element_centers(const PartMesh& mesh) {
   std::vector<Vec3> centers(mesh.elements.size());
-  for (std::size_t e = 0; e < centers.size(); ++e) centers[e] = find_center(gather_lanes(mesh.elements, e, mesh.nodes));
+  for (std::size_t e = 0; e < centers.size(); ++e)
+    centers[e] = find_center(gather_corners(mesh.elements, e, mesh.nodes));
   return centers;
 }
 

@@ -32,7 +32,7 @@ std::vector<std::int64_t> count_turned_corners(const ChunkedMesh& chunked, const
     const Topology& topology = mesh.topology_of(e);
     if (topology.is_surface()) continue;
     if (e < mesh.eroded.dead.size() && mesh.eroded.dead[e] != 0) continue;
-    const HexCorners x = gather_lanes(mesh.elements, e, [&](int node) {
+    const HexCorners x = gather_corners(mesh.elements, e, [&](int node) {
       const auto n = static_cast<std::size_t>(node);
       return Vec3{places(n, 0), places(n, 1), places(n, 2)};
     });

@@ -75,14 +75,14 @@ std::string format_elements(const PartMesh& mesh) {
   double volume = 0, area = 0;
   std::int64_t shells = 0, triangles = 0;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const HexCorners lanes = gather_lanes(mesh.elements, e, mesh.nodes);
+    const HexCorners corners = gather_corners(mesh.elements, e, mesh.nodes);
     const Topology& topology = mesh.elements.topology_of(e);
     if (topology.is_surface()) {
-      area += find_shell_area_size(lanes);
+      area += find_shell_area_size(corners);
       ++shells;
       triangles += topology.corner_count == 3 ? 1 : 0;
     } else {
-      volume += find_solid_volume(topology, lanes);
+      volume += find_solid_volume(topology, corners);
     }
   }
   const std::int64_t solids = static_cast<std::int64_t>(mesh.elements.size()) - shells;

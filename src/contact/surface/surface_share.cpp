@@ -23,7 +23,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 /// The node behind each corner of a face; of a shell that of the corner itself.
 std::array<int, 4> find_nodes_behind(const Mesh& mesh, const ElementFace& f) {
   const Topology& topology = mesh.topology_of(at(f.element));
-  const TopologyFace& face = topology.face_table[at(f.face)];
+  const FaceCorners& face = topology.face_table[at(f.face)];
   std::array<int, 4> behind{};
   for (std::size_t i = 0; i < 4; ++i)
     behind[i] = mesh.corners(at(f.element))[at(topology.find_corner_behind(face, face.four[i]))];

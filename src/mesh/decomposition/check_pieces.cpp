@@ -30,15 +30,15 @@ void check_chunk(const ChunkPieces& pieces, std::size_t chunk, const Topology& t
   std::vector<std::int64_t> node_ids;
   for (int e = pieces.first_element[chunk]; e < pieces.first_element[chunk + 1]; ++e) {
     const auto element = static_cast<std::size_t>(e);
-    HexCorners lanes;
-    for (std::size_t i = 0; i < lanes.size(); ++i) {
-      const auto corner = static_cast<std::size_t>(topology.lanes[i]);
-      lanes[i] = pieces.places[pieces.find_node(chunk, element, corner)];
+    HexCorners corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto corner = static_cast<std::size_t>(topology.kernel_corners[i]);
+      corners[i] = pieces.places[pieces.find_node(chunk, element, corner)];
     }
     node_ids.clear();
     for (std::size_t c = 0; c < pieces.count_corners(element); ++c)
       node_ids.push_back(pieces.node_ids[pieces.find_node(chunk, element, c)]);
-    findings.check_element(topology, pieces.element_ids[element], lanes, node_ids);
+    findings.check_element(topology, pieces.element_ids[element], corners, node_ids);
   }
 }
 

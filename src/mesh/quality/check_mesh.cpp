@@ -27,13 +27,13 @@ void report(Problems& problems, const Compose& compose) {
   }
 }
 
-std::string describe_element(std::int64_t id, const HexCorners& lanes) {
-  const Vec3 center = find_center(lanes);
+std::string describe_element(std::int64_t id, const HexCorners& corners) {
+  const Vec3 center = find_center(corners);
   return fmt::format("element {} at ({:.6g}, {:.6g}, {:.6g})", id, center[0], center[1], center[2]);
 }
 
 std::string describe_element(const PartMesh& mesh, std::size_t element) {
-  return describe_element(id_of(mesh.element_ids, element), gather_lanes(mesh.elements, element, mesh.nodes));
+  return describe_element(id_of(mesh.element_ids, element), gather_corners(mesh.elements, element, mesh.nodes));
 }
 
 /// The same for elements of one topology with the same corners.
@@ -202,19 +202,19 @@ void GeometryFindings::check_node(std::int64_t id, const Vec3& x) {
   });
 }
 
-void GeometryFindings::check_element(const Topology& topology, std::int64_t id, const HexCorners& lanes,
+void GeometryFindings::check_element(const Topology& topology, std::int64_t id, const HexCorners& corners,
                                      std::span<const std::int64_t> node_ids) {
   if (topology.family == ElementFamily::shells) {
-    const std::string problem = judge_shell(describe_element(id, lanes), lanes, node_ids);
+    const std::string problem = judge_shell(describe_element(id, corners), corners, node_ids);
     if (!problem.empty()) report(elements, [&] { return problem; });
     return;
   }
-  const ShapeVerdict verdict = judge_shape(topology, lanes);
+  const ShapeVerdict verdict = judge_shape(topology, corners);
   if (verdict.shape == SolidShape::good) return;
   if (verdict.shape != SolidShape::flat_corner) {
-    report(elements, [&] { return describe_verdict(describe_element(id, lanes), node_ids, verdict); });
+    report(elements, [&] { return describe_verdict(describe_element(id, corners), node_ids, verdict); });
   } else if (flat_corners++ == 0) {
-    first_flat = describe_element(id, lanes);
+    first_flat = describe_element(id, corners);
   }
 }
 
@@ -242,7 +242,7 @@ GeometryFindings check_geometry(const PartMesh& mesh) {
     node_ids.clear();
     for (const int n : mesh.elements.corners(e)) node_ids.push_back(id_of(mesh.node_ids, static_cast<std::size_t>(n)));
     findings.check_element(mesh.elements.topology_of(e), id_of(mesh.element_ids, e),
-                           gather_lanes(mesh.elements, e, mesh.nodes), node_ids);
+                           gather_corners(mesh.elements, e, mesh.nodes), node_ids);
   }
   return findings;
 }

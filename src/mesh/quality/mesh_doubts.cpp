@@ -28,7 +28,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 /// Across the thinnest direction, to which the stable step is proportional: the edge of a cube or a square, the height
 /// of a triangle.
 double find_height(const PartMesh& mesh, std::size_t element) {
-  const HexCorners x = gather_lanes(mesh.elements, element, mesh.nodes);
+  const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
   const Topology& topology = mesh.elements.topology_of(element);
   if (topology.family == ElementFamily::shells) {
     double longest = 0;
@@ -36,7 +36,7 @@ double find_height(const PartMesh& mesh, std::size_t element) {
     return (topology.corner_count == 3 ? 2 : 1) * find_shell_area_size(x) / longest;
   }
   double largest = 0;
-  for (const TopologyFace& face : topology.faces()) {
+  for (const FaceCorners& face : topology.faces()) {
     const auto corner = [&](std::size_t i) { return x[at(face.four[i])]; };
     const Vec3 twice = cross(subtract(corner(2), corner(0)), subtract(corner(3), corner(1)));
     largest = std::max(largest, 0.5 * std::sqrt(dot(twice, twice)));

@@ -101,12 +101,12 @@ class Elements {
     return key;
   }
 
-  /// Nodes at the eight places of an element in a pack.
-  std::array<int, 8> lane_nodes(std::size_t element) const {
+  /// Nodes of an element as kernels see it (Topology::kernel_corners).
+  std::array<int, kernel_corner_count> kernel_nodes(std::size_t element) const {
     const std::span<const int> nodes = corners(element);
-    std::array<int, 8> lanes = topology_of(element).lanes;
-    for (int& lane : lanes) lane = nodes[static_cast<std::size_t>(lane)];
-    return lanes;
+    std::array<int, kernel_corner_count> corners = topology_of(element).kernel_corners;
+    for (int& corner : corners) corner = nodes[static_cast<std::size_t>(corner)];
+    return corners;
   }
 
   /// nodes: as many as the topology of the block has corners.

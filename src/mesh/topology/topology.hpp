@@ -13,11 +13,14 @@ namespace percuss {
 /// The most of any topology. A face is numbered most_faces * element + face.
 inline constexpr std::size_t most_corners = 8, most_faces = 6, most_edges = 12;
 
+/// Corners that kernels see of every element (chunk tables).
+inline constexpr std::size_t kernel_corner_count = 8;
+
 /// Elements that one launcher computes, side by side in the packs of a chunk.
 enum class ElementFamily : std::uint8_t { hexahedra, shells };
 
 /// A face of a topology. Corners are places among those of the element, outward by the right-hand rule.
-struct TopologyFace {
+struct FaceCorners {
   std::array<int, 4> four{};  // as contact and loads take it: of a triangle one corner twice
   std::array<int, 4> once{};  // each corner once, `count` of them
   int count = 0;
@@ -26,8 +29,8 @@ struct TopologyFace {
 };
 
 /// A face with four corners; a triangle has two of them in a row equal.
-constexpr TopologyFace make_face(int a, int b, int c, int d) {
-  TopologyFace face{{a, b, c, d}, {}, 0};
+constexpr FaceCorners make_face(int a, int b, int c, int d) {
+  FaceCorners face{{a, b, c, d}, {}, 0};
   for (std::size_t i = 0; i < 4; ++i) {
     if (face.four[i] != face.four[(i + 3) % 4]) face.once[static_cast<std::size_t>(face.count++)] = face.four[i];
   }
@@ -41,12 +44,12 @@ struct Topology {
   ElementFamily family{};
   int dimension = 0;  // 3: a solid, 2: a surface with a thickness
   int corner_count = 0, face_count = 0, edge_count = 0;
-  std::array<TopologyFace, most_faces> face_table{};
+  std::array<FaceCorners, most_faces> face_table{};
   std::array<std::array<int, 2>, most_edges> edge_table{};  // of a surface around it, along its normal
   /// Of a solid: the three corners joined to each by an edge, right-handed.
   std::array<std::array<int, 3>, most_corners> corner_edges{};
-  /// The corners, and then some of them again up to the eight places that packs have for an element (chunk tables).
-  std::array<int, 8> lanes{};
+  /// What kernels see: the corners, then some of them again if there are fewer.
+  std::array<int, kernel_corner_count> kernel_corners{};
   std::uint8_t vtk_type = 0;                       // VTKCellType
   int xdmf_type = 0;                               // in a mixed topology of XDMF
   std::string_view xdmf_name;                      // of a topology with this kind alone
@@ -54,7 +57,7 @@ struct Topology {
   std::array<int, most_faces> exodus_sides{};      // face of the Exodus side with this number, less one
   std::array<std::string_view, 2> abaqus_names{};  // element types with its corners; unused: empty
 
-  constexpr std::span<const TopologyFace> faces() const {
+  constexpr std::span<const FaceCorners> faces() const {
     return {face_table.data(), static_cast<std::size_t>(face_count)};
   }
   constexpr std::span<const std::array<int, 2>> edges() const {
@@ -63,7 +66,7 @@ struct Topology {
   constexpr bool is_surface() const { return dimension == 2; }
 
   /// The corner behind one of a face: across the element along an edge. Of a surface the corner itself.
-  constexpr int find_corner_behind(const TopologyFace& face, int corner) const {
+  constexpr int find_corner_behind(const FaceCorners& face, int corner) const {
     for (const auto& [a, b] : edges()) {
       if (a != corner && b != corner) continue;
       const int other = a == corner ? b : a;

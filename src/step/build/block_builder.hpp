@@ -117,7 +117,8 @@ struct BlockBuilder {
     first_start[c] = start_values.size();
     start_count[c] = material.count_history();
     for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
-      const Vec3 x = find_center(gather_lanes(chunked.mesh.elements, static_cast<std::size_t>(e), chunked.mesh.nodes));
+      const Vec3 x =
+          find_center(gather_corners(chunked.mesh.elements, static_cast<std::size_t>(e), chunked.mesh.nodes));
       start_values.resize(start_values.size() + count);
       start_history(material, &start_values[start_values.size() - count], {x[0], x[1], x[2]});
     }

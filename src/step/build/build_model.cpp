@@ -51,7 +51,7 @@ void add_chunk(const Mesh& mesh, const Chunk& chunk, std::vector<int>& slot_of_n
   tables.corner_slots.resize(base + static_cast<std::size_t>(packs) * 8 * width);
   for (int i = 0; i < packs * width; ++i) {
     const int element = chunk.first_element + std::min(i, chunk.element_count - 1);
-    const std::array<int, 8> nodes = mesh.elements.lane_nodes(static_cast<std::size_t>(element));
+    const auto nodes = mesh.elements.kernel_nodes(static_cast<std::size_t>(element));
     for (int corner = 0; corner < 8; ++corner) {
       const std::size_t place = base +
                                 (static_cast<std::size_t>(i / width) * 8 + static_cast<std::size_t>(corner)) * width +
@@ -181,7 +181,7 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
 /// By the modes of the element's kernel.
 double find_kernel_volume(const Mesh& mesh, std::size_t element) {
   if (mesh.topology_of(element).family != ElementFamily::hexahedra) return find_element_volume(mesh, element);
-  const HexCorners corners = gather_lanes(mesh.elements, element, mesh.nodes);
+  const HexCorners corners = gather_corners(mesh.elements, element, mesh.nodes);
   double x[8], y[8], z[8];
   for (std::size_t i = 0; i < 8; ++i) {
     x[i] = corners[i][0];
@@ -196,9 +196,11 @@ double find_kernel_volume(const Mesh& mesh, std::size_t element) {
   return find_volume_gradient(a).volume;
 }
 
-/// What a lane has of the mass of an element, in eighths: corners have equal shares, divided over the lanes of each.
-double find_lane_share(const Topology& topology, std::size_t lane) {
-  const auto count = std::count(topology.lanes.begin(), topology.lanes.end(), topology.lanes[lane]);
+/// What one of the corners that kernels see has of the mass of an element, in eighths: all corners have equal shares,
+/// divided over the places of each.
+double find_corner_share(const Topology& topology, std::size_t place) {
+  const auto& places = topology.kernel_corners;
+  const auto count = std::count(places.begin(), places.end(), places[place]);
   return 8.0 / topology.corner_count / static_cast<double>(count);
 }
 
@@ -219,9 +221,9 @@ Rows3<double> sum_mass_by_slot(const Model& model, const Elements& elements, con
             static_cast<std::size_t>(i % width));
       };
       const Topology& topology = elements.topology_of(static_cast<std::size_t>(e));
-      for (int lane = 0; lane < 8; ++lane) {
-        const double eighths = find_lane_share(topology, static_cast<std::size_t>(lane));
-        host(static_cast<std::size_t>(first_slot(c) + slot(lane)), 0) += eighths * share;
+      for (int corner = 0; corner < 8; ++corner) {
+        const double eighths = find_corner_share(topology, static_cast<std::size_t>(corner));
+        host(static_cast<std::size_t>(first_slot(c) + slot(corner)), 0) += eighths * share;
       }
     }
   }

@@ -164,7 +164,7 @@ std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh) {
     if (!mesh.topology_of(e).is_surface()) continue;
     const ElementBlock& block = mesh.block_of(e);
     const double t = block.section.thickness, offset = deck.parts[static_cast<std::size_t>(block.part)].offset;
-    squares[e] = t * t / 12 + find_shell_area_size(gather_lanes(mesh.elements, e, mesh.nodes)) / 8 + offset * offset;
+    squares[e] = t * t / 12 + find_shell_area_size(gather_corners(mesh.elements, e, mesh.nodes)) / 8 + offset * offset;
   }
   return squares;
 }

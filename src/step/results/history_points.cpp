@@ -66,7 +66,7 @@ class SearchedItems {
     for (std::size_t i = 0; i < searched_.size(); ++i) {
       if (!searched_[i]) continue;
       items.push_back(
-          {is_element_ ? find_center(gather_lanes(mesh.elements, i, mesh.nodes)) : mesh.nodes[i], find_number(i)});
+          {is_element_ ? find_center(gather_corners(mesh.elements, i, mesh.nodes)) : mesh.nodes[i], find_number(i)});
     }
     return items;
   }

@@ -16,9 +16,9 @@
 namespace percuss {
 namespace {
 
-HexCorners find_lanes(const CheckedRun& run, int element) {
+HexCorners find_corners(const CheckedRun& run, int element) {
   const auto x = to_host(run.state.x);
-  return gather_lanes(run.chunked.mesh.elements, static_cast<std::size_t>(element), [&](int node) {
+  return gather_corners(run.chunked.mesh.elements, static_cast<std::size_t>(element), [&](int node) {
     const auto n = static_cast<std::size_t>(node);
     return Vec3{x(n, 0), x(n, 1), x(n, 2)};
   });
@@ -26,7 +26,7 @@ HexCorners find_lanes(const CheckedRun& run, int element) {
 
 /// "element 5 of part 'bar' at (2.75, 0.5, 0.5)", of an element of this rank.
 std::string name_with_place(const CheckedRun& run, int element) {
-  const Vec3 center = find_center(find_lanes(run, element));
+  const Vec3 center = find_center(find_corners(run, element));
   return fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_element(run.chunked.mesh, element), center[0], center[1],
                      center[2]);
 }
@@ -45,7 +45,7 @@ std::string describe_element(const CheckedRun& run, std::int64_t number) {
 
 std::string describe_failed_element(const CheckedRun& run) {
   return describe_there(run, run.state.bound.failed_element, [&](int element) {
-    const HexCorners corners = find_lanes(run, element);
+    const HexCorners corners = find_corners(run, element);
     const Topology& topology = run.chunked.mesh.topology_of(static_cast<std::size_t>(element));
     const bool shell = topology.is_surface();
     const double volume = shell ? find_shell_area_size(corners) : find_solid_volume(topology, corners);

@@ -54,7 +54,7 @@ inline PartMesh make_part_mesh(const Shape& shape) {
 
 template <class AnyMesh>
 HexCorners corners_of(const AnyMesh& mesh, std::size_t element) {
-  return gather_lanes(mesh.elements, element, mesh.nodes);
+  return gather_corners(mesh.elements, element, mesh.nodes);
 }
 
 /// Volume by 2 x 2 x 2 Gauss points: exact for the trilinear map, and nothing that the code under test uses.

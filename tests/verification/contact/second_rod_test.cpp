@@ -17,7 +17,7 @@ Deck read_scene(const std::vector<std::string>& settings) { return read_deck(PER
 /// Depth of a point below the mean planes of the faces of an element; negative outside [length].
 double find_depth(const HexCorners& x, const Vec3& point) {
   double depth = 1e300;
-  for (const TopologyFace& face : hex8_topology.faces()) {
+  for (const FaceCorners& face : hex8_topology.faces()) {
     const auto corner = [&](std::size_t i) { return x[static_cast<std::size_t>(face.four[i])]; };
     const Vec3 normal = cross(subtract(corner(2), corner(0)), subtract(corner(3), corner(1)));
     const Vec3 four = add(add(corner(0), corner(1)), add(corner(2), corner(3)));

@@ -20,7 +20,7 @@ Vec3 place_corner(int corner) {
   return {x[corner % 4], y[corner % 4], corner < 4 ? 0.0 : 1.0};
 }
 
-Vec3 find_area(const TopologyFace& face) {
+Vec3 find_area(const FaceCorners& face) {
   Vec3 area{};
   const auto corners = face.corners();
   for (std::size_t i = 2; i < corners.size(); ++i) {
@@ -48,7 +48,7 @@ TEST_P(EveryTopology, FitsTheLargestCounts) {
 
 TEST_P(EveryTopology, HasFacesThatLookOutwardAndCloseIt) {
   Vec3 sum{};
-  for (const TopologyFace& face : topology().faces()) {
+  for (const FaceCorners& face : topology().faces()) {
     const Vec3 area = find_area(face);
     EXPECT_GT(dot(area, area), 0);
     sum = add(sum, area);
@@ -62,7 +62,7 @@ TEST_P(EveryTopology, HasFacesThatLookOutwardAndCloseIt) {
 
 TEST_P(EveryTopology, HasEveryCornerOnItsFacesAndAtItsEdges) {
   std::set<int> on_faces, at_edges;
-  for (const TopologyFace& face : topology().faces()) on_faces.insert(face.corners().begin(), face.corners().end());
+  for (const FaceCorners& face : topology().faces()) on_faces.insert(face.corners().begin(), face.corners().end());
   for (const auto& edge : topology().edges()) at_edges.insert(edge.begin(), edge.end());
   EXPECT_EQ(on_faces.size(), static_cast<std::size_t>(topology().corner_count));
   EXPECT_EQ(at_edges, on_faces);
@@ -71,7 +71,7 @@ TEST_P(EveryTopology, HasEveryCornerOnItsFacesAndAtItsEdges) {
 
 TEST_P(EveryTopology, HasEveryEdgeInTwoFacesWhichPassItBothWays) {
   std::multiset<std::array<int, 2>> sides;
-  for (const TopologyFace& face : topology().faces()) {
+  for (const FaceCorners& face : topology().faces()) {
     const auto corners = face.corners();
     for (std::size_t i = 0; i < corners.size(); ++i) sides.insert({corners[i], corners[(i + 1) % corners.size()]});
   }
@@ -83,7 +83,7 @@ TEST_P(EveryTopology, HasEveryEdgeInTwoFacesWhichPassItBothWays) {
 }
 
 TEST_P(EveryTopology, HasFourCornersOfAFaceOfWhichATriangleHasOneTwice) {
-  for (const TopologyFace& face : topology().faces()) {
+  for (const FaceCorners& face : topology().faces()) {
     const std::set<int> of_four(face.four.begin(), face.four.end()), once(face.corners().begin(), face.corners().end());
     EXPECT_EQ(of_four, once);
     EXPECT_EQ(once.size(), face.corners().size());
@@ -91,7 +91,7 @@ TEST_P(EveryTopology, HasFourCornersOfAFaceOfWhichATriangleHasOneTwice) {
 }
 
 TEST_P(EveryTopology, HasCornersBehindAFaceOnlyIfItIsASolid) {
-  for (const TopologyFace& face : topology().faces()) {
+  for (const FaceCorners& face : topology().faces()) {
     const auto corners = face.corners();
     for (const int corner : corners) {
       const int behind = topology().find_corner_behind(face, corner);
@@ -103,10 +103,10 @@ TEST_P(EveryTopology, HasCornersBehindAFaceOnlyIfItIsASolid) {
   }
 }
 
-TEST_P(EveryTopology, HasEachCornerInTheLanesOfAPackAndEachSideOfExodusOnce) {
-  const auto& lanes = topology().lanes;
-  for (int c = 0; c < topology().corner_count; ++c) EXPECT_EQ(lanes[static_cast<std::size_t>(c)], c);
-  EXPECT_EQ(std::set<int>(lanes.begin(), lanes.end()).size(), static_cast<std::size_t>(topology().corner_count));
+TEST_P(EveryTopology, ShowsKernelsItsCornersFirstAndHasEachSideOfExodusOnce) {
+  const auto& corners = topology().kernel_corners;
+  for (int c = 0; c < topology().corner_count; ++c) EXPECT_EQ(corners[static_cast<std::size_t>(c)], c);
+  EXPECT_EQ(std::set<int>(corners.begin(), corners.end()).size(), static_cast<std::size_t>(topology().corner_count));
   const auto& sides = topology().exodus_sides;
   EXPECT_EQ(std::set<int>(sides.begin(), sides.begin() + topology().face_count).size(),
             static_cast<std::size_t>(topology().face_count));
@@ -131,7 +131,7 @@ TEST_P(EveryTopology, IsToldFromAllOthersByItsNames) {
 TEST_P(EveryTopology, OfASolidHasAVolumeWhichIsPositiveAtEachCorner) {
   if (topology().is_surface()) return;
   HexCorners x;
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = place_corner(topology().lanes[i]);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = place_corner(topology().kernel_corners[i]);
   EXPECT_GT(find_solid_volume(topology(), x), 0);
   for (int corner = 0; corner < topology().corner_count; ++corner) {
     EXPECT_GT(find_corner_jacobian(topology(), x, corner).value, 0);
@@ -159,7 +159,7 @@ TEST(ElementsOfAMesh, KnowCornersFacesAndBlockOfEach) {
   EXPECT_EQ(elements.face_nodes({0, top_face}), (std::array{7, 8, 9, 9}));
   EXPECT_EQ(elements.face_nodes({1, 4}), (std::array{0, 3, 2, 1}));
   EXPECT_EQ(elements.face_key({0, bottom_face}), elements.face_key({0, top_face}));
-  EXPECT_EQ(elements.lane_nodes(0), (std::array{7, 8, 9, 9, 7, 8, 9, 9}));
+  EXPECT_EQ(elements.kernel_nodes(0), (std::array{7, 8, 9, 9, 7, 8, 9, 9}));
   const Elements last = elements.select(std::array{1});
   ASSERT_EQ(last.size(), 1U);
   EXPECT_EQ(last.block_of(0).name, "solid");
