@@ -20,14 +20,27 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+/// Corners behind those of each face, by topology: surfaces are defined anew at each erosion.
+using CornersBehind = std::array<std::array<std::array<int, 4>, most_faces>, topology_count>;
+
+constexpr CornersBehind list_corners_behind() {
+  CornersBehind behind{};
+  for (std::size_t t = 0; t < topology_count; ++t) {
+    const auto faces = topologies[t].faces();
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      for (std::size_t i = 0; i < 4; ++i)
+        behind[t][f][i] = topologies[t].find_corner_behind(faces[f], faces[f].four[i]);
+    }
+  }
+  return behind;
+}
+
 /// The node behind each corner of a face; of a shell that of the corner itself.
 std::array<int, 4> find_nodes_behind(const Mesh& mesh, const ElementFace& f) {
-  const Topology& topology = mesh.topology_of(at(f.element));
-  const FaceCorners& face = topology.face_table[at(f.face)];
-  std::array<int, 4> behind{};
-  for (std::size_t i = 0; i < 4; ++i)
-    behind[i] = mesh.corners(at(f.element))[at(topology.find_corner_behind(face, face.four[i]))];
-  return behind;
+  static constexpr CornersBehind behind = list_corners_behind();
+  std::array<int, 4> nodes = behind[static_cast<std::size_t>(mesh.block_of(at(f.element)).topology)][at(f.face)];
+  for (int& node : nodes) node = mesh.corners(at(f.element))[at(node)];
+  return nodes;
 }
 
 void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& faces, SurfaceShare& share) {

@@ -42,8 +42,9 @@ using CornerKey = std::pair<TopologyKind, std::array<int, most_corners>>;
 CornerKey make_key(const Elements& elements, std::size_t element) {
   CornerKey key{elements.block_of(element).topology, {}};
   const std::span<const int> corners = elements.corners(element);
-  const auto end = std::copy(corners.begin(), corners.end(), key.second.begin());
-  std::sort(key.second.begin(), end);
+  key.second.fill(-1);
+  std::copy(corners.begin(), corners.end(), key.second.begin());
+  std::sort(key.second.begin(), key.second.end());
   return key;
 }
 

@@ -44,4 +44,37 @@ MeshExtent join_extents(const std::vector<MeshExtent>& parts) {
   return all;
 }
 
+std::vector<std::int64_t> list_cell_rows(const Mesh& mesh) {
+  std::vector<std::int64_t> rows(cell_row * mesh.elements.size(), 0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    auto entry = rows.begin() + static_cast<std::ptrdiff_t>(cell_row * e);
+    *entry++ = static_cast<std::int64_t>(mesh.block_of(e).topology);
+    for (const int node : mesh.corners(e)) *entry++ = mesh.node_numbers[static_cast<std::size_t>(node)];
+  }
+  return rows;
+}
+
+Cells list_cells(std::span<const std::int64_t> rows) {
+  Cells cells;
+  for (std::size_t first = 0; first < rows.size(); first += cell_row) {
+    cells.kinds.push_back(static_cast<TopologyKind>(rows[first]));
+    const auto corners =
+        rows.subspan(first + 1, static_cast<std::size_t>(find_topology(cells.kinds.back()).corner_count));
+    cells.corners.insert(cells.corners.end(), corners.begin(), corners.end());
+    cells.ends.push_back(static_cast<std::int64_t>(cells.corners.size()));
+  }
+  return cells;
+}
+
+std::vector<std::int64_t> list_mixed_topology(const Cells& cells) {
+  std::vector<std::int64_t> topology;
+  std::int64_t first = 0;
+  for (std::size_t e = 0; e < cells.kinds.size(); ++e) {
+    topology.push_back(find_topology(cells.kinds[e]).xdmf_type);
+    topology.insert(topology.end(), cells.corners.begin() + first, cells.corners.begin() + cells.ends[e]);
+    first = cells.ends[e];
+  }
+  return topology;
+}
+
 }  // namespace percuss

@@ -1,5 +1,5 @@
 #pragma once
-// Where each part of the mesh lies in the datasets of fields.vtkhdf.
+// Where each part of the mesh lies in the datasets of fields.vtkhdf, and what they hold of its elements.
 //
 // Elements and nodes are numbered chunk after chunk and part after part, and parts share no node, so a part is one run
 // of elements, of corners in Connectivity and of nodes.
@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "comm/communicator.hpp"
@@ -38,5 +39,30 @@ std::vector<MeshExtent> find_part_extents(const ChunkedMesh& chunked, const Comm
 
 /// All parts together.
 MeshExtent join_extents(const std::vector<MeshExtent>& parts);
+
+/// Numbers of an element on its way to the rank that writes it: its topology, then its corners as they are numbered in
+/// the whole mesh.
+inline constexpr std::size_t cell_row = 1 + most_corners;
+
+/// [elements][cell_row] of this rank.
+std::vector<std::int64_t> list_cell_rows(const Mesh& mesh);
+
+/// Cells of a run of elements.
+struct Cells {
+  std::vector<std::int64_t> corners, ends;  // ends: place behind the corners of each element, from the block's first
+  std::vector<TopologyKind> kinds;
+
+  std::vector<std::uint8_t> list_vtk_types() const {
+    std::vector<std::uint8_t> types;
+    for (const TopologyKind kind : kinds) types.push_back(find_topology(kind).vtk_type);
+    return types;
+  }
+};
+
+/// rows: [elements][cell_row]
+Cells list_cells(std::span<const std::int64_t> rows);
+
+/// The same as XDMF wants cells of several kinds: each begins with its type.
+std::vector<std::int64_t> list_mixed_topology(const Cells& cells);
 
 }  // namespace percuss

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
 #include "comm/all_reduce.hpp"
+#include "src/output/fields/mesh_extents.hpp"
 #include "src/output/files/atomic_file.hpp"
 #include "src/output/files/first_rank.hpp"
 #include "src/output/hdf5/hdf5_file.hpp"
@@ -39,55 +41,6 @@ std::vector<int> count_up(std::size_t count) {
   std::vector<int> items(count);
   std::iota(items.begin(), items.end(), 0);
   return items;
-}
-
-// What travels of an element: its topology, then its corners as they are numbered in the whole mesh.
-constexpr std::size_t cell_row = 1 + most_corners;
-
-std::vector<std::int64_t> list_cell_rows(const Mesh& mesh) {
-  std::vector<std::int64_t> rows(cell_row * mesh.elements.size(), 0);
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    auto entry = rows.begin() + static_cast<std::ptrdiff_t>(cell_row * e);
-    *entry++ = static_cast<std::int64_t>(mesh.block_of(e).topology);
-    for (const int node : mesh.corners(e)) *entry++ = mesh.node_numbers[static_cast<std::size_t>(node)];
-  }
-  return rows;
-}
-
-// Cells of a block of elements.
-struct Cells {
-  std::vector<std::int64_t> corners, ends;  // ends: place behind the corners of each element, from the block's first
-  std::vector<TopologyKind> kinds;
-
-  std::vector<std::uint8_t> list_vtk_types() const {
-    std::vector<std::uint8_t> types;
-    for (const TopologyKind kind : kinds) types.push_back(find_topology(kind).vtk_type);
-    return types;
-  }
-};
-
-Cells list_cells(std::span<const std::int64_t> rows) {
-  Cells cells;
-  for (std::size_t first = 0; first < rows.size(); first += cell_row) {
-    cells.kinds.push_back(static_cast<TopologyKind>(rows[first]));
-    const auto corners =
-        rows.subspan(first + 1, static_cast<std::size_t>(find_topology(cells.kinds.back()).corner_count));
-    cells.corners.insert(cells.corners.end(), corners.begin(), corners.end());
-    cells.ends.push_back(static_cast<std::int64_t>(cells.corners.size()));
-  }
-  return cells;
-}
-
-// The same as XDMF wants cells of several kinds: each begins with its type.
-std::vector<std::int64_t> list_mixed_topology(const Cells& cells) {
-  std::vector<std::int64_t> topology;
-  std::int64_t first = 0;
-  for (std::size_t e = 0; e < cells.kinds.size(); ++e) {
-    topology.push_back(find_topology(cells.kinds[e]).xdmf_type);
-    topology.insert(topology.end(), cells.corners.begin() + first, cells.corners.begin() + cells.ends[e]);
-    first = cells.ends[e];
-  }
-  return topology;
 }
 
 // Whether the cells of all ranks are of more than one kind.
