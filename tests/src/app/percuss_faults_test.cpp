@@ -108,7 +108,8 @@ TEST_P(PercussFaults, AFileSizeLimitEndsTheRunWithItsReason) {
     const ProcessResult result = run_percuss(
         {"run", deck_, "-o", out_, "--force", "--set", "output.fields.every=0.1", "--set", "time.end=1e5", "--set",
          "time.max_steps=3", "--set", "silence=[idle_part, no_contact, output_count]"},  // stderr is limited, too
-        launch() + " env OMPI_MCA_btl=self,tcp sh -c 'ulimit -f " + limit + "; exec \"$@\"' sh");
+        launch() + " env OMPI_MCA_btl=self,tcp OMPI_MCA_btl_tcp_if_include=lo sh -c 'ulimit -f " + limit +
+            "; exec \"$@\"' sh");
     EXPECT_EQ(result.exit_code, 4) << result.err;
     EXPECT_EQ(count(result.err, "percuss: error: "), 1) << result.err;
     EXPECT_THAT(result.err, HasSubstr("File too large): raise the limit on file sizes (ulimit -f)"));
