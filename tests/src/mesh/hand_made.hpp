@@ -1,6 +1,8 @@
 #pragma once
 // Meshes that tests make by hand: elements one by one, a block for each topology.
 
+#include <algorithm>
+#include <cstddef>
 #include <initializer_list>
 #include <vector>
 
