@@ -32,13 +32,10 @@ void widen(const Vec3& value, Vec3& low, Vec3& high) {
 }
 
 /// Takes the edges of an element into those of its part.
-void measure_edges(const Mesh& mesh, const std::array<int, 8>& corners, PartMeasures& part) {
-  constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
-                                {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
-  for (const auto& [a, b] : edges) {
-    const int from = corners[at(a)], to = corners[at(b)];
-    if (from == to) continue;  // of a shell, or of a triangle
-    const double length = find_distance(mesh.nodes[at(from)], mesh.nodes[at(to)]);
+void measure_edges(const Mesh& mesh, std::size_t element, PartMeasures& part) {
+  const std::span<const int> corners = mesh.corners(element);
+  for (const auto& [a, b] : mesh.topology_of(element).edges()) {
+    const double length = find_distance(mesh.nodes[at(corners[at(a)])], mesh.nodes[at(corners[at(b)])]);
     part.shortest_edge = std::min(part.shortest_edge, length);
     part.longest_edge = std::max(part.longest_edge, length);
   }
@@ -65,7 +62,7 @@ const Direction* find_layer_direction(std::uint8_t exterior) {
 void measure_layer(const Mesh& mesh, std::size_t element, PartMeasures& part) {
   const Direction* across = find_layer_direction(mesh.exterior[element]);
   if (across == nullptr) return;
-  const std::array<int, 8>& corners = mesh.elements[element];
+  const std::span<const int> corners = mesh.corners(element);
   ++part.single_layer;
   part.layer_thickness = std::max(
       part.layer_thickness, find_distance(mesh.nodes[at(corners[0])], mesh.nodes[at(corners[at(across->corner)])]));
@@ -73,15 +70,11 @@ void measure_layer(const Mesh& mesh, std::size_t element, PartMeasures& part) {
 
 void measure_elements(const Mesh& mesh, std::vector<PartMeasures>& parts) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    PartMeasures& part = parts[at(mesh.element_part[e])];
-    const std::array<int, 8>& corners = mesh.elements[e];
-    measure_edges(mesh, corners, part);
-    if (is_shell(corners)) {
-      ++part.shells;
-    } else {
-      ++part.solids;
-      measure_layer(mesh, e, part);
-    }
+    PartMeasures& part = parts[at(mesh.part_of(e))];
+    const Topology& topology = mesh.topology_of(e);
+    measure_edges(mesh, e, part);
+    ++(topology.is_surface() ? part.shells : part.solids);
+    if (topology.family == ElementFamily::hexahedra) measure_layer(mesh, e, part);
   }
 }
 

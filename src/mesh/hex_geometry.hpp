@@ -1,5 +1,5 @@
 #pragma once
-// Volume and corner Jacobians of a trilinear hexahedron; area of a shell.
+// Volume and corner Jacobians of a solid, area of a shell, centres.
 
 #include <array>
 #include <cmath>
@@ -9,11 +9,29 @@
 
 namespace percuss {
 
-using HexCorners = std::array<Vec3, 8>;
+/// Places of the corners of an element as kernels see it (Topology::kernel_corners).
+using HexCorners = std::array<Vec3, kernel_corner_count>;
 
-/// The three corners joined to a corner by an edge, right-handed (Exodus II order).
-inline constexpr int hex_corner_neighbors[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
-                                                   {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
+/// place(node): where a node is.
+template <class Place>
+HexCorners gather_corners(const Elements& elements, std::size_t element, const Place& place) {
+  HexCorners x;
+  const auto nodes = elements.kernel_nodes(element);
+  for (std::size_t i = 0; i < nodes.size(); ++i) x[i] = place(nodes[i]);
+  return x;
+}
+inline HexCorners gather_corners(const Elements& elements, std::size_t element, const std::vector<Vec3>& nodes) {
+  return gather_corners(elements, element, [&](int n) { return nodes[static_cast<std::size_t>(n)]; });
+}
+
+/// Mean of these corners. Chunks are cut by it: its last bits set the numbers of elements.
+inline Vec3 find_center(const HexCorners& x) {
+  Vec3 center{};
+  for (const Vec3& corner : x) {
+    for (std::size_t d = 0; d < 3; ++d) center[d] += 0.125 * corner[d];
+  }
+  return center;
+}
 
 inline Vec3 subtract(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline double find_distance(const Vec3& a, const Vec3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
@@ -40,17 +58,24 @@ inline double find_shell_area_size(const HexCorners& x) {
   return std::sqrt(dot(area, area));
 }
 
-/// Exact volume of the trilinear hexahedron [length^3]; it equals the mean-quadrature volume of Flanagan and Belytschko
-/// (1981, equation 14). By the divergence theorem: a bilinear face halves the tetrahedron of its four corners, so its
-/// share is the mean of its two triangulations.
-inline double find_hex_volume(const HexCorners& x) {
+/// Exact volume of a solid with bilinear or flat faces [length^3]; of a hexahedron it equals the mean-quadrature volume
+/// of Flanagan and Belytschko (1981, equation 14). By the divergence theorem: a bilinear face halves the tetrahedron of
+/// its four corners, so its share is the mean of its two triangulations.
+inline double find_solid_volume(const Topology& topology, const HexCorners& x) {
   double volume = 0;
-  for (const auto& face : hex_faces) {
-    const auto corner = [&](int i) { return subtract(x[static_cast<std::size_t>(face[i])], x[0]); };
+  for (const FaceCorners& face : topology.faces()) {
+    const auto corner = [&](std::size_t i) { return subtract(x[static_cast<std::size_t>(face.four[i])], x[0]); };
     const Vec3 a = corner(0), b = corner(1), c = corner(2), d = corner(3);
     volume += triple_product(a, b, add(c, d)) + triple_product(add(a, b), c, d);
   }
   return volume / 12;
+}
+
+/// Volume of an element at time 0 [length^3]: of a shell its area times its thickness.
+inline double find_element_volume(const Mesh& mesh, std::size_t element) {
+  const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
+  if (mesh.topology_of(element).is_surface()) return mesh.block_of(element).section.thickness * find_shell_area_size(x);
+  return find_solid_volume(mesh.topology_of(element), x);
 }
 
 /// Jacobian at a corner: the triple product of its three edges [length^3], and that of their lengths for comparison.
@@ -58,12 +83,13 @@ struct CornerJacobian {
   double value = 0;
   double edge_product = 0;
 };
-inline CornerJacobian find_corner_jacobian(const HexCorners& x, int corner) {
-  const auto edge = [&](int i) {
-    return subtract(x[static_cast<std::size_t>(hex_corner_neighbors[corner][i])], x[static_cast<std::size_t>(corner)]);
+inline CornerJacobian find_corner_jacobian(const Topology& topology, const HexCorners& x, int corner) {
+  const auto c = static_cast<std::size_t>(corner);
+  const auto edge = [&](std::size_t i) {
+    return subtract(x[static_cast<std::size_t>(topology.corner_edges[c][i])], x[c]);
   };
-  const Vec3 a = edge(0), b = edge(1), c = edge(2);
-  return {triple_product(a, b, c), std::sqrt(dot(a, a)) * std::sqrt(dot(b, b)) * std::sqrt(dot(c, c))};
+  const Vec3 p = edge(0), q = edge(1), r = edge(2);
+  return {triple_product(p, q, r), std::sqrt(dot(p, p)) * std::sqrt(dot(q, q)) * std::sqrt(dot(r, r))};
 }
 
 }  // namespace percuss

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <numeric>
 #include <span>
-#include <utility>
+
+#include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
@@ -13,11 +14,8 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::vector<Vec3> find_element_centers(const PartMesh& mesh) {
   std::vector<Vec3> centers(mesh.elements.size());
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    for (const int node : mesh.elements[e]) {
-      for (std::size_t d = 0; d < 3; ++d) centers[e][d] += 0.125 * mesh.nodes[at(node)][d];
-    }
-  }
+  for (std::size_t e = 0; e < centers.size(); ++e)
+    centers[e] = find_center(gather_corners(mesh.elements, e, mesh.nodes));
   return centers;
 }
 
@@ -91,13 +89,14 @@ std::vector<std::int64_t> list_element_numbers(const ChunkedMesh& chunked) {
 ElementOrder bisect_elements(const PartMesh& mesh) {
   ElementOrder order{std::vector<int>(mesh.elements.size()), {0}};
   std::iota(order.elements.begin(), order.elements.end(), 0);
-  const auto first_shell = std::stable_partition(order.elements.begin(), order.elements.end(),
-                                                 [&](int e) { return !is_shell(mesh.elements[at(e)]); });
+  const auto family_of = [&](int e) { return mesh.elements.topology_of(at(e)).family; };
+  std::stable_sort(order.elements.begin(), order.elements.end(),
+                   [&](int a, int b) { return family_of(a) < family_of(b); });
   const std::vector<Vec3> centers = find_element_centers(mesh);
-  const std::size_t all = mesh.elements.size(), solids = static_cast<std::size_t>(first_shell - order.elements.begin());
   Bisection bisection(centers, order);
-  for (const auto& [first, last] : {std::pair{std::size_t{0}, solids}, std::pair{solids, all}}) {
-    if (first == last) continue;
+  for (std::size_t first = 0, last = 0; first < order.elements.size(); first = last) {
+    const ElementFamily family = family_of(order.elements[first]);
+    while (last < order.elements.size() && family_of(order.elements[last]) == family) ++last;
     const auto limit = static_cast<std::size_t>(find_chunk_limit(static_cast<std::int64_t>(last - first)));
     const std::size_t units = Bisection::divide_up(last - first, chunk_granularity);
     bisection.cut(first, last, Bisection::divide_up(units, limit / chunk_granularity));

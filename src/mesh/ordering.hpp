@@ -28,7 +28,7 @@ inline int find_chunk_limit(std::int64_t part_elements) {
 /// empty (for any pack of up to 16 lanes).
 inline constexpr int chunk_granularity = 16;
 
-/// A contiguous run of elements of one part and of one kind.
+/// A contiguous run of elements of one part and of one family; all have the material and the section of the first.
 struct Chunk {
   int first_element = 0;
   int element_count = 0;
@@ -43,6 +43,11 @@ struct ChunkedMesh {
   std::vector<Chunk> chunks;  // in the order of their elements; together they cover every element once
   Numbering numbering;        // of the whole mesh, the same on every rank
 };
+
+/// What its elements have in common: the block of the first.
+inline const ElementBlock& find_block(const ChunkedMesh& chunked, const Chunk& chunk) {
+  return chunked.mesh.block_of(static_cast<std::size_t>(chunk.first_element));
+}
 
 /// Number of each element of the share in the whole mesh.
 std::vector<std::int64_t> list_element_numbers(const ChunkedMesh& chunked);

@@ -2,7 +2,6 @@
 // The mesh of one part from a file, all of it, before it is cut into chunks. Generated shapes are never held like this
 // (src/mesh/shapes/shape_source.hpp).
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -13,10 +12,10 @@
 
 namespace percuss {
 
-/// Nodes and hexahedra of one part; indexes are 0-based and count within the part.
+/// Nodes and elements of one part; indexes are 0-based and count within the part.
 struct PartMesh {
   std::vector<Vec3> nodes;                                    // [length]
-  std::vector<std::array<int, 8>> elements;                   // corners, Exodus II HEX8 order
+  Elements elements;                                          // blocks without part, material and section
   std::vector<std::int64_t> node_ids;                         // ids of the file; empty: counted from 1
   std::vector<std::int64_t> element_ids;                      // likewise
   std::map<std::string, std::vector<int>> node_sets;          // by the name without the part's; ascending, unique

@@ -1,8 +1,9 @@
-// Nodes and faces that a selector of the deck means.
+// Exterior faces; nodes and faces that a selector of the deck means.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -46,9 +47,8 @@ class InsideBox {
   }
 
   bool holds(const ElementFace& face) const {
-    const auto& corners = mesh_.elements[static_cast<std::size_t>(face.element)];
-    return std::all_of(std::begin(hex_faces[face.face]), std::end(hex_faces[face.face]),
-                       [&](int corner) { return holds(corners[static_cast<std::size_t>(corner)]); });
+    const std::array<int, 4> nodes = mesh_.elements.face_nodes(face);
+    return std::all_of(nodes.begin(), nodes.end(), [&](int node) { return holds(node); });
   }
 
  private:
@@ -126,7 +126,7 @@ std::vector<ElementFace> list_candidate_faces(const Mesh& mesh, const Deck& deck
   if (part != mesh.parts.end()) {
     const int index = static_cast<int>(part - mesh.parts.begin());
     std::copy_if(exterior.begin(), exterior.end(), std::back_inserter(faces), [&](const ElementFace& face) {
-      return mesh.element_part[static_cast<std::size_t>(face.element)] == index;
+      return mesh.part_of(static_cast<std::size_t>(face.element)) == index;
     });
     return faces;
   }
@@ -151,6 +151,17 @@ bool names_nodes_alone(const Mesh& mesh, const Deck& deck, const Selector& selec
 }
 
 }  // namespace
+
+std::vector<ElementFace> find_exterior_faces(const Mesh& mesh) {
+  std::vector<ElementFace> faces;
+  for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
+    const unsigned mask = mesh.exterior[static_cast<std::size_t>(e)];
+    for (int f = 0; mask >> f != 0; ++f) {
+      if ((mask >> f & 1) != 0) faces.push_back({e, f});
+    }
+  }
+  return faces;
+}
 
 std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector& selector) {
   const InsideBox box(mesh, selector);
@@ -180,25 +191,19 @@ std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const 
 
 SurfaceNodes select_surface_nodes(const Mesh& mesh, const Deck& deck, const Selector& selector) {
   SurfaceNodes selected;
-  const auto corners_of = [&](const ElementFace& face) {
-    std::array<int, 4> corners{};
-    const auto& element = mesh.elements[static_cast<std::size_t>(face.element)];
-    for (std::size_t i = 0; i < 4; ++i) corners[i] = element[static_cast<std::size_t>(hex_faces[face.face][i])];
-    return corners;
-  };
   selected.is_node_set = names_nodes_alone(mesh, deck, selector);
   if (selected.is_node_set) {
     selected.nodes = select_nodes(mesh, deck, selector);
     const auto is_selected = [&](int n) { return std::binary_search(selected.nodes.begin(), selected.nodes.end(), n); };
     for (const ElementFace& face : find_exterior_faces(mesh)) {
-      const std::array<int, 4> corners = corners_of(face);
+      const std::array<int, 4> corners = mesh.elements.face_nodes(face);
       if (std::any_of(corners.begin(), corners.end(), is_selected)) selected.faces.push_back(face);
     }
     return selected;
   }
   selected.faces = select_faces(mesh, deck, selector);
   for (const ElementFace& face : selected.faces) {
-    const std::array<int, 4> corners = corners_of(face);
+    const std::array<int, 4> corners = mesh.elements.face_nodes(face);
     selected.nodes.insert(selected.nodes.end(), corners.begin(), corners.end());
   }
   std::sort(selected.nodes.begin(), selected.nodes.end());

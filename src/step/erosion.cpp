@@ -1,6 +1,7 @@
 #include "src/step/erosion.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
@@ -17,14 +18,15 @@ constexpr int width = pack_size<Real>;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
+/// Numbers of the nodes of a face, ascending, each once; beyond the last the largest number.
 using FaceKey = std::array<std::int64_t, 4>;
 
-FaceKey sort_numbers(const Mesh& mesh, int element, int face) {
-  FaceKey key{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    key[i] = mesh.node_numbers[at(mesh.elements[at(element)][at(hex_faces[face][i])])];
-  }
-  std::sort(key.begin(), key.end());
+FaceKey make_key(const Mesh& mesh, const ElementFace& face) {
+  const std::array<int, 4> nodes = mesh.elements.face_key(face);
+  FaceKey key;
+  key.fill(std::numeric_limits<std::int64_t>::max());
+  for (std::size_t i = 0; i < 4 && nodes[i] != std::numeric_limits<int>::max(); ++i)
+    key[i] = mesh.node_numbers[at(nodes[i])];
   return key;
 }
 
@@ -90,42 +92,45 @@ std::vector<int> Erosion::list_newly_dead(const State& state) {
 
 void Erosion::find_neighbours() {
   const Mesh& mesh = chunked_.mesh;
-  std::vector<int> corners;
-  corners.reserve(8 * mesh.elements.size());
-  for (const auto& element : mesh.elements) corners.insert(corners.end(), element.begin(), element.end());
-  around_ = sort_into_buckets(corners, mesh.nodes.size());
+  around_ = collect_buckets<int>(mesh.nodes.size(), [&](auto&& put) {
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+      for (const int node : mesh.corners(e)) put(at(node), static_cast<int>(e));
+  });
 }
 
-/// The face of this rank with these nodes, of an element other than `but`, as 6 * element + face; -1: none here.
-int Erosion::find_across(const FaceKey& face, int but) const {
+/// The face of this rank with these nodes, of a solid other than `but`; without an element: none here.
+ElementFace Erosion::find_across(const FaceKey& face, int but) const {
+  constexpr ElementFace none{-1, 0};
   const Mesh& mesh = chunked_.mesh;
   const int node = find_local_node(chunked_, face[0]);
-  if (node < 0) return -1;
+  if (node < 0) return none;
   for (int i = around_.first[at(node)]; i < around_.first[at(node) + 1]; ++i) {
-    const int e = around_.items[at(i)] / 8;
-    if (is_shell(mesh.elements[at(e)])) continue;  // both of its faces are exterior as long as it lives
-    for (int f = 0; e != but && f < 6; ++f)
-      if (sort_numbers(mesh, e, f) == face) return 6 * e + f;
+    const int e = around_.items[at(i)];
+    const Topology& topology = mesh.topology_of(at(e));
+    if (topology.is_surface()) continue;  // its faces are exterior as long as it lives
+    for (int f = 0; e != but && f < topology.face_count; ++f)
+      if (make_key(mesh, {e, f}) == face) return {e, f};
   }
-  return -1;
+  return none;
 }
 
 /// Faces between a dead element and a living one belong to the surface.
 void Erosion::open_faces(const std::vector<int>& newly_dead) {
   Mesh& mesh = chunked_.mesh;
   if (!newly_dead.empty() && around_.items.empty()) find_neighbours();
-  const auto open = [&](int face) {
-    std::uint8_t& mask = mesh.exterior[at(face / 6)];
-    if (mesh.eroded.dead[at(face / 6)] == 0) mask = static_cast<std::uint8_t>(mask | (1U << (face % 6)));
+  const auto open = [&](const ElementFace& face) {
+    std::uint8_t& mask = mesh.exterior[at(face.element)];
+    if (mesh.eroded.dead[at(face.element)] == 0) mask = static_cast<std::uint8_t>(mask | (1U << face.face));
   };
   std::vector<FaceKey> elsewhere;  // faces whose other element some other rank has
   for (const int e : newly_dead) {
-    for (int f = 0; f < 6 && !is_shell(mesh.elements[at(e)]); ++f) {
+    const Topology& topology = mesh.topology_of(at(e));
+    for (int f = 0; f < topology.face_count && !topology.is_surface(); ++f) {
       if ((mesh.exterior[at(e)] >> f & 1) != 0) continue;
-      const FaceKey key = sort_numbers(mesh, e, f);
-      const int other = find_across(key, e);
-      if (other < 0) elsewhere.push_back(key);
-      if (other >= 0) open(other);
+      const FaceKey key = make_key(mesh, {e, f});
+      const ElementFace other = find_across(key, e);
+      if (other.element < 0) elsewhere.push_back(key);
+      if (other.element >= 0) open(other);
     }
   }
   for (const int e : newly_dead) mesh.exterior[at(e)] = 0;
@@ -133,8 +138,8 @@ void Erosion::open_faces(const std::vector<int>& newly_dead) {
   const std::vector<FaceKey> asked = gather_items(model_.ranks, elsewhere);
   if (!asked.empty() && around_.items.empty()) find_neighbours();
   for (const FaceKey& key : asked) {
-    const int other = find_across(key, -1);
-    if (other >= 0) open(other);
+    const ElementFace other = find_across(key, -1);
+    if (other.element >= 0) open(other);
   }
 }
 

@@ -43,14 +43,14 @@ class Erosion {
   void unload_faces(State& state, bool is_booked) const;
   void book_elements(State& state, const std::vector<int>& newly_dead) const;
   void find_neighbours();
-  int find_across(const std::array<std::int64_t, 4>& face, int but) const;
+  ElementFace find_across(const std::array<std::int64_t, 4>& face, int but) const;
 
   const Deck& deck_;
   ChunkedMesh& chunked_;
   const Model& model_;
   ContactStage& contact_;
   std::optional<HaloSwap> halo_;          // where anything can erode
-  Buckets around_;                        // corners of elements, 8 each, at each node; made when the first one dies
+  Buckets around_;                        // elements at each node; made when the first one dies
   std::vector<int> loaded_elements_;      // [pressure faces] the element of each
   Rows3<double> slot_holders_, holders_;  // living elements at each slot and node, in the first column
 };

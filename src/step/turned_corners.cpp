@@ -14,9 +14,9 @@ namespace {
 /// Of the product of the edges at a corner: what the checks of a mesh call zero.
 constexpr double zero_jacobian = 1e-10;
 
-bool has_turned_corner(const HexCorners& x) {
-  for (int corner = 0; corner < 8; ++corner) {
-    const CornerJacobian jacobian = find_corner_jacobian(x, corner);
+bool has_turned_corner(const Topology& topology, const HexCorners& x) {
+  for (int corner = 0; corner < topology.corner_count; ++corner) {
+    const CornerJacobian jacobian = find_corner_jacobian(topology, x, corner);
     if (jacobian.value < -zero_jacobian * jacobian.edge_product) return true;
   }
   return false;
@@ -29,13 +29,14 @@ std::vector<std::int64_t> count_turned_corners(const ChunkedMesh& chunked, const
   const auto places = to_host(state.x);
   std::vector<std::int64_t> counts(mesh.parts.size(), 0);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    if (is_shell(mesh.elements[e]) || (e < mesh.eroded.dead.size() && mesh.eroded.dead[e] != 0)) continue;
-    HexCorners x{};
-    for (std::size_t c = 0; c < 8; ++c) {
-      const auto n = static_cast<std::size_t>(mesh.elements[e][c]);
-      for (std::size_t k = 0; k < 3; ++k) x[c][k] = places(n, k);
-    }
-    if (has_turned_corner(x)) ++counts[static_cast<std::size_t>(mesh.element_part[e])];
+    const Topology& topology = mesh.topology_of(e);
+    if (topology.is_surface()) continue;
+    if (e < mesh.eroded.dead.size() && mesh.eroded.dead[e] != 0) continue;
+    const HexCorners x = gather_corners(mesh.elements, e, [&](int node) {
+      const auto n = static_cast<std::size_t>(node);
+      return Vec3{places(n, 0), places(n, 1), places(n, 2)};
+    });
+    if (has_turned_corner(topology, x)) ++counts[static_cast<std::size_t>(mesh.part_of(e))];
   }
   all_reduce(model.ranks, Reduce::sum, counts);
   return counts;

@@ -74,15 +74,15 @@ std::string format_sets(const std::vector<ExodusSet>& sets, const char* label, c
 std::string format_elements(const PartMesh& mesh) {
   double volume = 0, area = 0;
   std::int64_t shells = 0, triangles = 0;
-  for (const auto& element : mesh.elements) {
-    HexCorners corners;
-    for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[static_cast<std::size_t>(element[i])];
-    if (is_shell(element)) {
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const HexCorners corners = gather_corners(mesh.elements, e, mesh.nodes);
+    const Topology& topology = mesh.elements.topology_of(e);
+    if (topology.is_surface()) {
       area += find_shell_area_size(corners);
       ++shells;
-      triangles += is_triangle(element) ? 1 : 0;
+      triangles += topology.corner_count == 3 ? 1 : 0;
     } else {
-      volume += find_hex_volume(corners);
+      volume += find_solid_volume(topology, corners);
     }
   }
   const std::int64_t solids = static_cast<std::int64_t>(mesh.elements.size()) - shells;
@@ -103,7 +103,7 @@ std::string format_reading(const std::string& file, const ExodusContents& conten
   if (contents.dimensions != 3)
     return line("percuss", fmt::format("runs meshes of 3 dimensions only, this has {}", contents.dimensions));
   if (chosen.empty())
-    return line("percuss", "runs none of this (only hexahedra of eight nodes, HEX8, and shells of three or four)");
+    return line("percuss", fmt::format("runs none of this (of all kinds of elements only {})", list_kinds()));
   const PartMesh mesh = name_file(file, [&] { return read_mesh(file, all ? std::vector<std::string>{} : chosen); });
   std::string text = line("percuss", "reads " + format_elements(mesh));
   if (!all) text += line("", fmt::format("with blocks: [{}]", fmt::join(chosen, ", ")));

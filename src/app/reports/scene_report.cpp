@@ -111,26 +111,22 @@ std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chun
   const Mesh& mesh = chunked.mesh;
   const std::size_t count = mesh.parts.size();
   std::vector<std::int64_t> counts(2 * count, 0);  // elements, then nodes
-  std::vector<ExactSum> volumes(count);
+  std::vector<ExactSum> masses(count);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    HexCorners corners;
-    for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[index(mesh.elements[e][i])];
-    const MeshPart& part = mesh.parts[index(mesh.element_part[e])];
-    volumes[index(mesh.element_part[e])].add(is_shell(mesh.elements[e]) ? part.thickness * find_shell_area_size(corners)
-                                                                        : find_hex_volume(corners));
-    ++counts[index(mesh.element_part[e])];
+    const ElementBlock& block = mesh.block_of(e);
+    const double density = deck.materials.at(index(block.material)).density;
+    masses[index(block.part)].add(density * find_element_volume(mesh, e));
+    ++counts[index(block.part)];
   }
   for (std::size_t p = 0; p < count; ++p) {
     const std::vector<int>& nodes = mesh.node_sets.at(mesh.parts[p].name);
     counts[count + p] = std::count_if(nodes.begin(), nodes.end(), [&](int n) { return owns_node(chunked, n); });
   }
   all_reduce(ranks, Reduce::sum, counts);
-  sum_over_ranks(ranks, volumes);
+  sum_over_ranks(ranks, masses);
   std::vector<PartReport> parts;
   for (std::size_t p = 0; p < count; ++p) {
-    const MaterialDeck& material = deck.materials.at(index(mesh.parts[p].material));
-    parts.push_back(
-        {mesh.parts[p].name, material.name, counts[p], counts[count + p], material.density * volumes[p].round()});
+    parts.push_back({mesh.parts[p].name, deck.parts[p].material, counts[p], counts[count + p], masses[p].round()});
   }
   return parts;
 }

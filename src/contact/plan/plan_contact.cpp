@@ -77,7 +77,7 @@ void ContactPlanner::find_pairs(const Boxes& boxes, double margin) {
 int ContactPlanner::find_point_rank(const Places& places, std::size_t point) const {
   if (point < searched_nodes_.size()) return places.find_fe_rank(share_.nodes.mesh_nodes[at(searched_nodes_[point])]);
   const int face = share_.searched_faces[point - searched_nodes_.size()];
-  return places.fe.find_element_owner(share_.faces[at(face)].number / 6);
+  return places.fe.find_element_owner(find_element_of_face(share_.faces[at(face)].number));
 }
 
 ContactPlanner::Places ContactPlanner::divide(const std::vector<int>& chunk_ranks, int rank_count) const {

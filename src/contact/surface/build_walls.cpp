@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "comm/all_reduce.hpp"
 #include "comm/exchange/item_exchange.hpp"
@@ -37,21 +38,26 @@ struct HeldNode {
 
 /// Of the nodes of living hexahedra of this rank, [nodes]; part -1: none has it.
 std::vector<HeldNode> measure_held_nodes(const Mesh& mesh, const Deck& deck) {
-  std::vector<ElementFace> faces;
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e)
-    for (const int face : {0, 1, 4}) faces.push_back({static_cast<int>(e), face});  // one of each direction
-  const std::vector<double> springs = find_face_springs(mesh, deck, faces);
   std::vector<HeldNode> held(mesh.nodes.size());
+  std::vector<ElementFace> faces;
+  std::vector<std::size_t> solids;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    if (is_shell(mesh.elements[e]) || (mesh.eroded.any && mesh.eroded.dead[e] != 0)) continue;
-    const double spring = *std::max_element(springs.begin() + static_cast<std::ptrdiff_t>(3 * e),
-                                            springs.begin() + static_cast<std::ptrdiff_t>(3 * e + 3));
-    for (std::size_t i = 0; i < 8; ++i) {
-      const auto node = at(mesh.elements[e][i]);
-      HeldNode of_element{mesh.node_numbers[node], endless, elements_around * spring / 4, mesh.element_part[e]};
-      for (const int other : hex_corner_neighbors[i])
+    if (mesh.topology_of(e).is_surface() || (mesh.eroded.any && mesh.eroded.dead[e] != 0)) continue;
+    solids.push_back(e);
+    for (const int face : {0, 1, 4}) faces.push_back({static_cast<int>(e), face});  // one of each direction
+  }
+  const std::vector<double> springs = find_face_springs(mesh, deck, faces);
+  for (std::size_t s = 0; s < solids.size(); ++s) {
+    const std::size_t e = solids[s];
+    const auto first = springs.begin() + static_cast<std::ptrdiff_t>(3 * s);
+    const double spring = *std::max_element(first, first + 3);
+    const std::span<const int> corners = mesh.corners(e);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto node = at(corners[i]);
+      HeldNode of_element{mesh.node_numbers[node], endless, elements_around * spring / 4, mesh.part_of(e)};
+      for (const int other : mesh.topology_of(e).corner_edges[i])
         of_element.size =
-            std::min(of_element.size, find_distance(mesh.nodes[node], mesh.nodes[at(mesh.elements[e][at(other)])]));
+            std::min(of_element.size, find_distance(mesh.nodes[node], mesh.nodes[at(corners[at(other)])]));
       held[node].number = of_element.number;
       held[node].merge(of_element);
     }

@@ -1,5 +1,6 @@
 #include "src/contact/surface/face_springs.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "src/deck/make_material.hpp"
@@ -27,14 +28,13 @@ std::vector<double> find_face_springs(const Mesh& mesh, const Deck& deck, const 
   if (deck.contact.enforcement != ContactDeck::Enforcement::penalty) return springs;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto element = static_cast<std::size_t>(faces[f].element);
-    HexCorners x;
-    for (std::size_t i = 0; i < 8; ++i) x[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
-    const auto corner = [&](int i) { return x[static_cast<std::size_t>(hex_faces[faces[f].face][i])]; };
+    const std::array<int, 4> nodes = mesh.elements.face_nodes(faces[f]);
+    const auto corner = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(nodes[i])]; };
     const double area = find_area(corner(0), corner(1), corner(2), corner(3));
-    const MeshPart& part = mesh.parts[static_cast<std::size_t>(mesh.element_part[element])];
-    const bool of_shell = is_shell(mesh.elements[element]);
-    const double length = of_shell ? part.thickness : area * area / find_hex_volume(x);
-    springs[f] = find_modulus(deck.materials[static_cast<std::size_t>(part.material)], of_shell) * length;
+    const ElementBlock& block = mesh.block_of(element);
+    const bool of_shell = mesh.topology_of(element).is_surface();
+    const double length = of_shell ? block.section.thickness : area * area / find_element_volume(mesh, element);
+    springs[f] = find_modulus(deck.materials[static_cast<std::size_t>(block.material)], of_shell) * length;
   }
   return springs;
 }

@@ -29,7 +29,7 @@ struct EdgeSide {
   double offset = 0;
   Point3 normal{}, inward{};  // of the face, and from the edge into it
 
-  std::int64_t element() const { return face / 6; }
+  std::int64_t element() const { return find_element_of_face(face); }
   bool is_shell() const { return offset > 0; }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <span>
 
 #include "comm/all_reduce.hpp"
 #include "comm/exchange/item_exchange.hpp"
@@ -19,43 +20,43 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-/// The three corners of a hexahedron that share an edge with each corner (Exodus II order).
-constexpr int hex_neighbours[8][3] = {{1, 3, 4}, {0, 2, 5}, {1, 3, 6}, {0, 2, 7},
-                                      {0, 5, 7}, {1, 4, 6}, {2, 5, 7}, {3, 4, 6}};
+/// Corners behind those of each face, by topology: surfaces are defined anew at each erosion.
+using CornersBehind = std::array<std::array<std::array<int, 4>, most_faces>, topology_count>;
 
-/// The corner across the element from each corner of a face.
-using BackCorners = std::array<std::array<int, 4>, 6>;
-
-BackCorners list_back_corners() {
-  BackCorners backs{};
-  for (std::size_t face = 0; face < 6; ++face) {
-    const int* const on_face = hex_faces[face];
-    for (std::size_t i = 0; i < 4; ++i) {
-      const int* const around = hex_neighbours[on_face[i]];
-      backs[face][i] = *std::find_if(
-          around, around + 3, [&](int corner) { return std::find(on_face, on_face + 4, corner) == on_face + 4; });
+constexpr CornersBehind list_corners_behind() {
+  CornersBehind behind{};
+  for (std::size_t t = 0; t < topology_count; ++t) {
+    const auto faces = topologies[t].faces();
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      for (std::size_t i = 0; i < 4; ++i)
+        behind[t][f][i] = topologies[t].find_corner_behind(faces[f], faces[f].four[i]);
     }
   }
-  return backs;
+  return behind;
+}
+
+/// The node behind each corner of a face; of a shell that of the corner itself.
+std::array<int, 4> find_nodes_behind(const Mesh& mesh, const ElementFace& f) {
+  static constexpr CornersBehind behind = list_corners_behind();
+  std::array<int, 4> nodes = behind[static_cast<std::size_t>(mesh.block_of(at(f.element)).topology)][at(f.face)];
+  for (int& node : nodes) node = mesh.corners(at(f.element))[at(node)];
+  return nodes;
 }
 
 void list_faces(const ChunkedMesh& chunked, const std::vector<ElementFace>& faces, SurfaceShare& share) {
   const Mesh& mesh = chunked.mesh;
   const std::vector<std::int64_t> numbers = list_element_numbers(chunked);
-  const BackCorners back_corners = list_back_corners();
   share.faces.reserve(faces.size());
   share.face_corners.reserve(faces.size());
   share.face_backs.reserve(faces.size());
   for (const ElementFace& f : faces) {
     FaceTopology face;
-    face.number = 6 * numbers[at(f.element)] + f.face;
+    face.number = find_face_number(numbers[at(f.element)], f.face);
     face.body = mesh.bodies[at(f.element)];
-    face.part = mesh.element_part[at(f.element)];
-    if (is_shell(mesh.elements[at(f.element)])) face.offset = 0.5 * mesh.parts[at(face.part)].thickness;
-    std::array<int, 4> corners{}, backs{};
+    face.part = mesh.part_of(at(f.element));
+    face.offset = 0.5 * mesh.block_of(at(f.element)).section.thickness;
+    const std::array<int, 4> corners = mesh.elements.face_nodes(f), backs = find_nodes_behind(mesh, f);
     for (std::size_t i = 0; i < 4; ++i) {
-      corners[i] = mesh.elements[at(f.element)][at(hex_faces[f.face][i])];
-      backs[i] = mesh.elements[at(f.element)][at(back_corners[at(f.face)][i])];
       face.corners[i] = mesh.node_numbers[at(corners[i])];
       face.backs[i] = mesh.node_numbers[at(backs[i])];
     }
@@ -96,6 +97,28 @@ double find_corner_size(const std::array<int, 4>& corners, const std::array<doub
   return std::min(lengths[corners[next] == corners[corner] ? next : corner], lengths[previous]);
 }
 
+/// Shortest edge of an element at one of its corners.
+double find_shortest_edge_at(const Mesh& mesh, std::size_t element, int corner) {
+  const std::span<const int> nodes = mesh.corners(element);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b] : mesh.topology_of(element).edges()) {
+    if (a != corner && b != corner) continue;
+    const Vec3 &p = mesh.nodes[at(nodes[at(a)])], &q = mesh.nodes[at(nodes[at(b)])];
+    shortest = std::min(shortest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+  }
+  return shortest;
+}
+
+/// The last face of a topology that has the corner.
+int find_last_face(const Topology& topology, int corner) {
+  int last = 0;
+  for (int f = 0; f < topology.face_count; ++f) {
+    const std::span<const int> corners = topology.face_table[at(f)].corners();
+    if (std::find(corners.begin(), corners.end(), corner) != corners.end()) last = f;
+  }
+  return last;
+}
+
 /// Nodes without elements: data from their eroded elements, without a face. part_classes: the class of each part's
 /// surface.
 std::vector<CornerNotice> list_particles(const Mesh& mesh, const Deck& deck, const std::vector<int>& part_classes) {
@@ -103,27 +126,24 @@ std::vector<CornerNotice> list_particles(const Mesh& mesh, const Deck& deck, con
   std::vector<ElementFace> faces;  // a face at each corner, for its stiffness
   for (std::size_t e = 0; e < mesh.eroded.dead.size(); ++e) {
     if (mesh.eroded.dead[e] == 0) continue;
-    const auto place = [&](int corner) { return mesh.nodes[at(mesh.elements[e][at(corner)])]; };
-    for (int i = 0; i < (is_shell(mesh.elements[e]) ? 4 : 8); ++i) {
-      const int node = mesh.elements[e][at(i)];
-      if (mesh.eroded.nodes[at(node)] != ErodedMesh::particle || (i == 3 && is_triangle(mesh.elements[e]))) continue;
+    const Topology& topology = mesh.topology_of(e);
+    for (int corner = 0; corner < topology.corner_count; ++corner) {
+      const int node = mesh.corners(e)[at(corner)];
+      if (mesh.eroded.nodes[at(node)] != ErodedMesh::particle) continue;
       CornerNotice notice;
       notice.node = mesh.node_numbers[at(node)];
-      notice.size = std::numeric_limits<double>::infinity();
-      for (const int other : hex_neighbours[i]) {
-        if (mesh.elements[e][at(other)] == node) continue;  // across a shell
-        const Vec3 p = place(i), q = place(other);
-        notice.size = std::min(notice.size, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
-      }
-      notice.face.part = mesh.element_part[e];
+      notice.size = find_shortest_edge_at(mesh, e, corner);
+      notice.face.part = mesh.part_of(e);
       notice.face.surface_class = part_classes[at(notice.face.part)];
       notices.push_back(notice);
-      faces.push_back({static_cast<int>(e), i < 4 ? 4 : 5});
+      faces.push_back({static_cast<int>(e), find_last_face(topology, corner)});
     }
   }
   const std::vector<double> springs = find_face_springs(mesh, deck, faces);
-  for (std::size_t n = 0; n < notices.size(); ++n)
-    notices[n].spring = springs[n] / (is_triangle(mesh.elements[at(faces[n].element)]) ? 3 : 4);
+  for (std::size_t n = 0; n < notices.size(); ++n) {
+    const Topology& topology = mesh.topology_of(at(faces[n].element));
+    notices[n].spring = springs[n] / topology.face_table[at(faces[n].face)].count;
+  }
   return notices;
 }
 
@@ -292,8 +312,7 @@ void set_classes(const Deck& deck, const SurfaceClasses& of_faces, const Surface
 
 /// Thickness of the shells that may touch anything.
 void set_offsets(const Mesh& mesh, const Communicator& ranks, SurfaceShare& share) {
-  const auto has_shells = [](const MeshPart& part) { return part.thickness > 0; };
-  if (std::none_of(mesh.parts.begin(), mesh.parts.end(), has_shells)) return;
+  if (!has_shells(mesh)) return;
   double largest = 0;
   for (std::size_t f = 0; f < share.faces.size(); ++f)
     if (share.face_searched[f] != 0) largest = std::max(largest, share.faces[f].offset);

@@ -17,7 +17,7 @@ namespace percuss {
 
 /// A contact face in messages between ranks.
 struct FaceTopology {
-  std::int64_t number = -1;   // 6 * element number + side
+  std::int64_t number = -1;   // find_face_number()
   std::int64_t corners[4]{};  // node numbers, outward by the right-hand rule
   std::int64_t backs[4]{};    // nodes of the element behind the face, opposite each corner
   int body = 0;               // connected body

@@ -68,9 +68,9 @@ std::vector<Face> list_faces(const ChunkedMesh& chunked, const std::vector<Eleme
   std::vector<Face> faces;
   for (const ElementFace& f : selected) {
     Face face;
-    face.number = 6 * numbers[at(f.element)] + f.face;
+    face.number = find_face_number(numbers[at(f.element)], f.face);
     face.element = f.element;
-    for (std::size_t i = 0; i < 4; ++i) face.corners[i] = mesh.elements[at(f.element)][at(hex_faces[f.face][i])];
+    face.corners = mesh.elements.face_nodes(f);
     face.size = find_shortest_edge(load_face(mesh, face, mesh.nodes[at(face.corners[0])]));
     face.reach = distance.value_or(default_tie_distance * face.size);
     face.thickness = find_half_thickness(mesh, f);
@@ -91,7 +91,7 @@ Box find_reach(const Mesh& mesh, const Face& face) {
 void judge(const Mesh& mesh, const Face& face, const Query& query, ClosestFace& best) {
   for (const int corner : face.corners)
     if (mesh.node_numbers[at(corner)] == query.node) best.joined = 1;
-  for (const int node : mesh.elements[at(face.element)])
+  for (const int node : mesh.corners(at(face.element)))
     if (mesh.node_numbers[at(node)] == query.node) return;
   const FacePoints points = load_face(mesh, face, query.x);
   const FacePoint closest = find_closest_point(points);

@@ -57,13 +57,12 @@ void share_largest(const ChunkedMesh& chunked, const std::vector<int>& nodes, It
 }  // namespace
 
 double find_half_thickness(const Mesh& mesh, const ElementFace& face) {
-  if (!is_shell(mesh.elements[at(face.element)])) return 0;
-  return 0.5 * mesh.parts[at(mesh.element_part[at(face.element)])].thickness;
+  return 0.5 * mesh.block_of(at(face.element)).section.thickness;
 }
 
 double find_largest_half_thickness(const Mesh& mesh) {
   double largest = 0;
-  for (const MeshPart& part : mesh.parts) largest = std::max(largest, 0.5 * part.thickness);
+  for (const ElementBlock& block : mesh.elements.blocks) largest = std::max(largest, 0.5 * block.section.thickness);
   return largest;
 }
 
@@ -72,8 +71,7 @@ std::vector<double> find_node_thickness(const ChunkedMesh& chunked, const Surfac
   if (!(find_largest_half_thickness(mesh) > 0)) return {};
   std::vector<double> half(side.nodes.size(), 0);
   for (const ElementFace& face : side.faces) {
-    for (const int corner : hex_faces[face.face]) {
-      const int node = mesh.elements[at(face.element)][at(corner)];
+    for (const int node : mesh.elements.face_nodes(face)) {
       const std::size_t place = find_place(side.nodes, node);
       if (place < side.nodes.size() && side.nodes[place] == node)
         half[place] = std::max(half[place], find_half_thickness(mesh, face));
@@ -92,9 +90,9 @@ void leave_out_what_lies_behind(const ChunkedMesh& chunked, const std::vector<in
   std::vector<int> places(mesh.nodes.size(), -1);
   for (std::size_t i = 0; i < nodes.size(); ++i) places[at(nodes[i])] = static_cast<int>(i);
   std::vector<double> behind(nodes.size(), 0);
-  for (const std::array<int, 8>& element : mesh.elements) {
-    for (const int n : element) {
-      for (const int m : element) {
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    for (const int n : mesh.corners(e)) {
+      for (const int m : mesh.corners(e)) {
         if (n == m || places[at(n)] < 0 || places[at(m)] < 0) continue;
         const double farther = answers[at(places[at(n)])].distance - answers[at(places[at(m)])].distance;
         if (farther > steep * find_distance(mesh.nodes[at(n)], mesh.nodes[at(m)])) behind[at(places[at(n)])] = 1;
@@ -113,8 +111,8 @@ std::vector<ElementFace> add_other_sides(const Mesh& mesh, std::vector<ElementFa
   const std::size_t count = faces.size();
   for (std::size_t i = 0; i < count; ++i) {
     const ElementFace face = faces[i];
-    if (is_shell(mesh.elements[at(face.element)]))
-      faces.push_back({face.element, face.face == shell_top ? shell_bottom : shell_top});
+    if (mesh.topology_of(at(face.element)).is_surface())
+      faces.push_back({face.element, face.face == top_face ? bottom_face : top_face});
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "comm/all_reduce.hpp"
@@ -28,8 +29,8 @@ std::vector<ElementFace> keep_tied_faces(const Mesh& mesh, const std::vector<Ele
                                          const std::vector<int>& nodes, const std::vector<ClosestFace>& answers) {
   std::vector<ElementFace> kept;
   for (const ElementFace& f : faces) {
-    const bool some = std::any_of(hex_faces[f.face], hex_faces[f.face] + 4, [&](int corner) {
-      const int node = mesh.elements[at(f.element)][at(corner)];
+    const std::array<int, 4> corners = mesh.elements.face_nodes(f);
+    const bool some = std::any_of(corners.begin(), corners.end(), [&](int node) {
       const auto place = std::lower_bound(nodes.begin(), nodes.end(), node);
       return place != nodes.end() && *place == node &&
              is_tied(answers[static_cast<std::size_t>(place - nodes.begin())]);
@@ -151,7 +152,7 @@ TiedSurfaces keep_living_ties(const ChunkedMesh& chunked, const TiedSurfaces& ti
   left.nodes.clear();
   for (auto& sides : left.faces) {
     for (const ElementFace& face : sides[1])
-      if (is_dead(face)) dead_faces.push_back(6 * numbers[at(face.element)] + face.face);
+      if (is_dead(face)) dead_faces.push_back(find_face_number(numbers[at(face.element)], face.face));
     for (auto& side : sides) side.erase(std::remove_if(side.begin(), side.end(), is_dead), side.end());
   }
   dead_faces = gather_items(ranks, dead_faces);

@@ -25,17 +25,20 @@ void check_nodes(const ScenePart& part, const Communicator& ranks, GeometryFindi
   }
 }
 
-void check_chunk(const ChunkPieces& pieces, std::size_t chunk, GeometryFindings& findings) {
+/// All elements of a generated part have the same topology.
+void check_chunk(const ChunkPieces& pieces, std::size_t chunk, const Topology& topology, GeometryFindings& findings) {
+  std::vector<std::int64_t> node_ids;
   for (int e = pieces.first_element[chunk]; e < pieces.first_element[chunk + 1]; ++e) {
     const auto element = static_cast<std::size_t>(e);
     HexCorners corners;
-    std::array<std::int64_t, 8> node_ids{};
-    for (std::size_t c = 0; c < 8; ++c) {
-      const std::size_t node = pieces.find_node(chunk, element, c);
-      corners[c] = pieces.places[node];
-      node_ids[c] = pieces.node_ids[node];
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto corner = static_cast<std::size_t>(topology.kernel_corners[i]);
+      corners[i] = pieces.places[pieces.find_node(chunk, element, corner)];
     }
-    findings.check_element(pieces.element_ids[element], corners, node_ids);
+    node_ids.clear();
+    for (std::size_t c = 0; c < pieces.count_corners(element); ++c)
+      node_ids.push_back(pieces.node_ids[pieces.find_node(chunk, element, c)]);
+    findings.check_element(topology, pieces.element_ids[element], corners, node_ids);
   }
 }
 
@@ -48,7 +51,8 @@ std::vector<GeometryFindings> check_share(const SceneParts& scene, const Communi
   }
   for (std::size_t c = 0; c < pieces.chunks.size(); ++c) {
     const auto part = static_cast<std::size_t>(pieces.parts[c]);
-    if (scene.parts[part].generated) check_chunk(pieces, c, findings[part]);
+    const auto& generated = scene.parts[part].generated;
+    if (generated) check_chunk(pieces, c, find_topology(generated->source->topology()), findings[part]);
   }
   return findings;
 }

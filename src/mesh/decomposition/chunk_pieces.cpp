@@ -17,9 +17,11 @@ class PieceMaker {
     keys_.clear();
   }
 
-  /// Returns the place of the element in the pieces.
-  int add_element(const std::array<std::int64_t, 8>& keys, std::int64_t id, int body) {
-    keys_.insert(keys_.end(), keys.begin(), keys.end());
+  /// nodes: corners, which count from `first_key`. Returns the place of the element in the pieces.
+  int add_element(int block, std::span<const int> nodes, std::int64_t first_key, std::int64_t id, int body) {
+    for (const int node : nodes) keys_.push_back(first_key + node);
+    pieces_.first_corner.push_back(pieces_.first_corner.back() + nodes.size());
+    pieces_.blocks.push_back(block);
     pieces_.element_ids.push_back(id);
     pieces_.bodies.push_back(body);
     pieces_.exterior.push_back(0);
@@ -49,10 +51,9 @@ class PieceMaker {
         pieces_.keys.push_back(keys_[i]);
         add_node(keys_[i], static_cast<int>(pieces_.keys.size()) - 1);
       }
-      if (i % 8 == 0) pieces_.corners.emplace_back();
-      pieces_.corners.back()[i % 8] = static_cast<std::uint16_t>(local);
+      pieces_.corners.push_back(static_cast<std::uint16_t>(local));
     }
-    pieces_.first_element.push_back(static_cast<int>(pieces_.corners.size()));
+    pieces_.first_element.push_back(static_cast<int>(pieces_.element_ids.size()));
     pieces_.first_node.push_back(static_cast<int>(pieces_.keys.size()));
   }
 
@@ -69,13 +70,11 @@ void make_generated_chunk(const ScenePart& part, int part_index, int chunk, Piec
   const auto nodes = std::int64_t{source.node_count()}, elements = std::int64_t{source.element_count()};
   maker.begin(part.first_chunk + chunk, part_index);
   for (const SourceElement& e : part.generated->tiling.list_elements(chunk)) {
-    std::array<std::int64_t, 8> keys{};
-    const std::array<int, 8> corners = source.corners(e.element);
-    for (std::size_t c = 0; c < 8; ++c) keys[c] = part.first_key + e.copy * nodes + corners[c];
     const std::int64_t id = part.first_element_id + e.copy * elements + e.element;
-    const int added = maker.add_element(keys, id, part.first_body + e.copy);
-    const std::array<int, 6> sides = source.face_sides(e.element);
-    for (int face = 0; face < 6; ++face) {
+    const int added = maker.add_element(part.first_block, source.corners(e.element), part.first_key + e.copy * nodes,
+                                        id, part.first_body + e.copy);
+    const ShapeSource::FaceSides sides = source.face_sides(e.element);
+    for (int face = 0; face < find_topology(source.topology()).face_count; ++face) {
       const int side = sides[static_cast<std::size_t>(face)];
       if (side == ShapeSource::interior) continue;
       maker.mark_exterior(added, face);
@@ -138,9 +137,9 @@ void make_file_chunks(const ScenePart& part, int part_index, PieceMaker& maker) 
     const auto at = static_cast<std::size_t>(chunk);
     for (int e = file.first_of_chunk[at]; e < file.first_of_chunk[at + 1]; ++e) {
       const auto element = static_cast<std::size_t>(e);
-      std::array<std::int64_t, 8> keys{};
-      for (std::size_t c = 0; c < 8; ++c) keys[c] = part.first_key + mesh.elements[element][c];
-      const int added = maker.add_element(keys, mesh.element_ids[element], part.first_body + file.bodies[element]);
+      const int added =
+          maker.add_element(part.first_block + mesh.elements.block_index(element), mesh.elements.corners(element),
+                            part.first_key, mesh.element_ids[element], part.first_body + file.bodies[element]);
       maker.pieces().exterior.back() = file.exterior[element];
       for (const SetMember& m : face_sets.of(element)) maker.add_face(added, m.set, m.face);
     }

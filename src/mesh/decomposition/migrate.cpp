@@ -12,8 +12,8 @@ namespace {
 
 struct ElementItem {
   std::int64_t number = 0, id = 0;
-  std::array<std::int64_t, 8> corners{};
-  int part = 0, body = 0;
+  std::array<std::int64_t, most_corners> corners{};  // as many as its topology has
+  int block = 0, body = 0;
   std::uint8_t exterior = 0;
 };
 
@@ -57,9 +57,9 @@ class Packer {
     Parcels<ElementItem> parcels;
     for (std::size_t e = 0; e < element_chunk_.size(); ++e) {
       const std::size_t c = element_chunk_[e];
-      ElementItem item{find_number(e),   pieces_.element_ids[e], {},
-                       pieces_.parts[c], pieces_.bodies[e],      pieces_.exterior[e]};
-      for (std::size_t i = 0; i < 8; ++i) item.corners[i] = numbers_[pieces_.find_node(c, e, i)];
+      ElementItem item{find_number(e),    pieces_.element_ids[e], {},
+                       pieces_.blocks[e], pieces_.bodies[e],      pieces_.exterior[e]};
+      for (std::size_t i = 0; i < pieces_.count_corners(e); ++i) item.corners[i] = numbers_[pieces_.find_node(c, e, i)];
       parcels.add(find_rank(c), item);
     }
     return parcels;
@@ -141,12 +141,13 @@ void fill_nodes(Mesh& mesh, std::vector<NodeItem> items) {
 
 void fill_elements(Mesh& mesh, std::vector<ElementItem> items) {
   sort_by_number(items);
+  std::vector<int> corners;
   for (const ElementItem& item : items) {
-    std::array<int, 8> corners{};
-    for (std::size_t i = 0; i < 8; ++i) corners[i] = find_place(mesh.node_numbers, item.corners[i]);
-    mesh.elements.push_back(corners);
+    const ElementBlock& block = mesh.elements.blocks[static_cast<std::size_t>(item.block)];
+    corners.resize(static_cast<std::size_t>(find_topology(block.topology).corner_count));
+    for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = find_place(mesh.node_numbers, item.corners[i]);
+    mesh.elements.add(item.block, corners);
     mesh.element_ids.push_back(item.id);
-    mesh.element_part.push_back(item.part);
     mesh.bodies.push_back(item.body);
     mesh.exterior.push_back(item.exterior);
   }
@@ -158,7 +159,7 @@ void list_chunks(ChunkedMesh& share, int rank) {
   for (std::size_t c = 0; c < numbering.ranks.size(); ++c) {
     if (numbering.ranks[c] != rank) continue;
     const auto count = static_cast<int>(numbering.first_element[c + 1] - numbering.first_element[c]);
-    share.chunks.push_back({next, count, share.mesh.element_part[static_cast<std::size_t>(next)], static_cast<int>(c)});
+    share.chunks.push_back({next, count, share.mesh.part_of(static_cast<std::size_t>(next)), static_cast<int>(c)});
     next += count;
   }
 }
@@ -188,21 +189,28 @@ void sort_members(std::vector<SetItem>& members) {
   members.erase(std::unique(members.begin(), members.end()), members.end());
 }
 
+/// Nodes of the elements of each part. Elements lie part after part.
+void add_nodes_of_parts(Mesh& mesh, const SceneParts& scene) {
+  std::vector<std::vector<int>*> sets;
+  for (const ScenePart& part : scene.parts) sets.push_back(&mesh.node_sets[part.name]);
+  std::vector<int> last_part(mesh.nodes.size(), -1);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const int part = mesh.part_of(e);
+    for (const int n : mesh.corners(e)) {
+      if (std::exchange(last_part[static_cast<std::size_t>(n)], part) != part)
+        sets[static_cast<std::size_t>(part)]->push_back(n);
+    }
+  }
+  for (std::vector<int>* set : sets) std::sort(set->begin(), set->end());
+}
+
 void fill_node_sets(Mesh& mesh, const SceneParts& scene, std::vector<SetItem> members) {
   const auto sets = name_sets(scene, &ScenePart::node_sets, mesh.node_sets);
   sort_members(members);
   for (const SetItem& m : members) {
     sets[static_cast<std::size_t>(m.set)]->push_back(find_place(mesh.node_numbers, m.number));
   }
-  std::vector<int> part_of_node(mesh.nodes.size(), -1);
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    for (const int n : mesh.elements[e]) part_of_node[static_cast<std::size_t>(n)] = mesh.element_part[e];
-  }
-  std::vector<std::vector<int>*> whole_parts;
-  for (const ScenePart& part : scene.parts) whole_parts.push_back(&mesh.node_sets[part.name]);
-  for (std::size_t n = 0; n < part_of_node.size(); ++n) {
-    whole_parts[static_cast<std::size_t>(part_of_node[n])]->push_back(static_cast<int>(n));
-  }
+  add_nodes_of_parts(mesh, scene);
 }
 
 void fill_side_sets(ChunkedMesh& share, const SceneParts& scene, std::vector<SetItem> members) {
@@ -220,7 +228,9 @@ ChunkedMesh migrate_chunks(const Communicator& ranks, const SceneParts& scene, N
   ChunkedMesh share;
   share.numbering = std::move(numbering);
   for (const ScenePart& part : scene.parts) {
-    share.mesh.parts.push_back({part.name, part.material, part.thickness, part.points});
+    share.mesh.parts.push_back({part.name});
+    std::vector<ElementBlock>& blocks = share.mesh.elements.blocks;
+    blocks.insert(blocks.end(), part.blocks.begin(), part.blocks.end());
   }
   ItemExchange exchange(ranks);
   const Packer packer(share.numbering, pieces, numbers);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "src/deck/mesh_size.hpp"
@@ -22,27 +24,31 @@ constexpr int not_chosen = -1;
 /// Ids beyond this are hashes, not numbers that a person reads; they would overflow when parts are joined.
 constexpr std::int64_t highest_id = 1'000'000'000'000'000;
 
+/// Whether the name of a block's kind begins so, in capitals or not.
 bool is_called_kind(const ExodusBlock& block, std::string_view kind) {
-  return block.topology.size() >= kind.size() &&
+  return !kind.empty() && block.topology.size() >= kind.size() &&
          std::equal(kind.begin(), kind.end(), block.topology.begin(),
                     [](char a, char b) { return a == std::toupper(static_cast<unsigned char>(b)); });
 }
 
-bool is_hexahedral(const ExodusBlock& block) { return is_called_kind(block, "HEX") && block.nodes_per_element == 8; }
-
-bool is_quadrilateral(const ExodusBlock& block) {
-  return (is_called_kind(block, "SHELL") || is_called_kind(block, "QUAD")) && block.nodes_per_element == 4;
+/// None: elements of this kind cannot be run.
+std::optional<TopologyKind> find_kind(const ExodusBlock& block) {
+  for (std::size_t kind = 0; kind < topology_count; ++kind) {
+    const Topology& topology = topologies[kind];
+    const auto& names = topology.exodus_names;
+    const bool is_called =
+        std::any_of(names.begin(), names.end(), [&](std::string_view name) { return is_called_kind(block, name); });
+    if (is_called && block.nodes_per_element == topology.corner_count) return static_cast<TopologyKind>(kind);
+  }
+  return {};
 }
 
-bool is_triangular(const ExodusBlock& block) {
-  return (is_called_kind(block, "SHELL") || is_called_kind(block, "TRI")) && block.nodes_per_element == 3;
-}
-
-/// A shell of four corners; where two in a row are one node, a triangle, these come last. The normal stays as it is.
-std::array<int, 8> place_triangle(std::array<int, 4> nodes) {
+/// Turns a quadrilateral of which two corners in a row are one node so that these come last. The normal stays as it is.
+/// Returns whether they do: it is a triangle.
+bool turn_triangle(std::span<int> nodes) {
   for (std::size_t turn = 0; turn < 4 && nodes[2] != nodes[3]; ++turn)
     std::rotate(nodes.begin(), nodes.begin() + 1, nodes.end());
-  return make_shell(nodes);
+  return nodes[2] == nodes[3];
 }
 
 bool is_called(const ExodusBlock& block, const std::string& name) {
@@ -71,11 +77,9 @@ void check_kinds(const ExodusFile& file, const std::vector<ExodusBlock>& chosen)
   std::string problems, others;
   for (const ExodusBlock& block : chosen) {
     if (can_run(block)) continue;
-    problems += fmt::format(
-        "{}block '{}' has {} elements of kind {} with {} nodes (only eight-node hexahedra, HEX8, and shells of three "
-        "or "
-        "four nodes, SHELL3 and SHELL4, can be run)",
-        problems.empty() ? "" : "\n", block.name, block.elements, block.topology, block.nodes_per_element);
+    problems += fmt::format("{}block '{}' has {} elements of kind {} with {} nodes (of all kinds only {} can be run)",
+                            problems.empty() ? "" : "\n", block.name, block.elements, block.topology,
+                            block.nodes_per_element, list_kinds());
   }
   if (problems.empty()) return;
   for (const ExodusBlock& block : file.blocks()) {
@@ -137,15 +141,15 @@ class ExodusReader {
         const std::size_t in_file = static_cast<std::size_t>(block.first_element - 1) + e;
         file_to_part_element_[in_file] = static_cast<int>(mesh_.elements.size());
         mesh_.element_ids.push_back(file_element_ids_[in_file]);
-        mesh_.elements.push_back(read_corners(corners, e, block));
+        add_element(read_corners(corners, e, block), block);
       }
     }
   }
 
-  std::array<int, 8> read_corners(const std::vector<std::int64_t>& corners, std::size_t element,
-                                  const ExodusBlock& block) {
-    std::array<int, 8> nodes{};
+  std::vector<int> read_corners(const std::vector<std::int64_t>& corners, std::size_t element,
+                                const ExodusBlock& block) {
     const auto count = static_cast<std::size_t>(block.nodes_per_element);
+    std::vector<int> nodes(count, 0);
     for (std::size_t c = 0; c < count; ++c) {
       const std::int64_t node = corners[count * element + c];
       if (node >= 1 && node <= file_.node_count()) {
@@ -156,16 +160,36 @@ class ExodusReader {
           fmt::format("element {} of block '{}' has node number {} as its corner {} (the file has the nodes 1 to {})",
                       mesh_.element_ids.back(), block.name, node, c + 1, file_.node_count()));
     }
-    if (is_triangular(block)) return make_shell({nodes[0], nodes[1], nodes[2], nodes[2]});
-    if (is_quadrilateral(block)) return place_triangle({nodes[0], nodes[1], nodes[2], nodes[3]});
     return nodes;
+  }
+
+  void add_element(std::vector<int> nodes, const ExodusBlock& block) {
+    TopologyKind kind = *find_kind(block);
+    if (kind == TopologyKind::quad4 && turn_triangle(nodes)) {
+      kind = TopologyKind::tri3;
+      nodes.pop_back();
+    }
+    mesh_.elements.add(find_block(block.name, kind), nodes);
+  }
+
+  /// That of a block of the file, of which triangles among quadrilaterals are one of their own.
+  int find_block(const std::string& name, TopologyKind kind) {
+    std::vector<ElementBlock>& blocks = mesh_.elements.blocks;
+    const auto found = std::find_if(blocks.rbegin(), blocks.rend(), [&](const ElementBlock& block) {
+      return block.topology == kind && block.name == name;
+    });
+    if (found != blocks.rend()) return static_cast<int>(blocks.rend() - found) - 1;
+    ElementBlock& added = blocks.emplace_back();
+    added.topology = kind;
+    added.name = name;
+    return static_cast<int>(blocks.size()) - 1;
   }
 
   void drop_unused_nodes() {
     const std::vector<Vec3> nodes = file_.read_coordinates();
     std::vector<char> used(nodes.size(), 0);
-    for (const auto& element : mesh_.elements) {
-      for (const int node : element) used[static_cast<std::size_t>(node)] = 1;
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+      for (const int node : mesh_.elements.corners(e)) used[static_cast<std::size_t>(node)] = 1;
     }
     file_to_part_node_.assign(nodes.size(), not_chosen);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
@@ -174,8 +198,8 @@ class ExodusReader {
       mesh_.nodes.push_back(nodes[n]);
       mesh_.node_ids.push_back(file_node_ids_[n]);
     }
-    for (auto& element : mesh_.elements) {
-      for (int& node : element) node = file_to_part_node_[static_cast<std::size_t>(node)];
+    for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
+      for (int& node : mesh_.elements.corners(e)) node = file_to_part_node_[static_cast<std::size_t>(node)];
     }
     warn_of_unused_nodes();
   }
@@ -219,17 +243,17 @@ class ExodusReader {
         }
         const int in_part = file_to_part_element_[static_cast<std::size_t>(element - 1)];
         if (in_part == not_chosen) continue;
-        const bool shell = is_shell(mesh_.elements[static_cast<std::size_t>(in_part)]);
-        if (side < 1 || side > (shell ? 2 : 6)) {
-          problems_.add(fmt::format("side set '{}' names side {} of element {} ({})", set.name, side,
-                                    mesh_.element_ids[static_cast<std::size_t>(in_part)],
-                                    shell ? "of a shell the sides 1 and 2, its surfaces, can be named; nodes on its "
-                                            "edges belong into a node set"
-                                          : "a hexahedron has the sides 1 to 6"));
+        const Topology& topology = mesh_.elements.topology_of(static_cast<std::size_t>(in_part));
+        if (side < 1 || side > topology.face_count) {
+          problems_.add(fmt::format(
+              "side set '{}' names side {} of element {} ({})", set.name, side,
+              mesh_.element_ids[static_cast<std::size_t>(in_part)],
+              topology.is_surface() ? "of a shell the sides 1 and 2, its surfaces, can be named; nodes on its "
+                                      "edges belong into a node set"
+                                    : fmt::format("a {} has the sides 1 to {}", topology.noun, topology.face_count)));
           continue;
         }
-        const int surface = side == 1 ? shell_top : shell_bottom;
-        faces.push_back({in_part, shell ? surface : static_cast<int>(side - 1)});
+        faces.push_back({in_part, topology.exodus_sides[static_cast<std::size_t>(side - 1)]});
       }
       std::sort(faces.begin(), faces.end());
       faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -240,9 +264,9 @@ class ExodusReader {
   void name_sides_of_shells() {
     std::vector<ElementFace> tops, bottoms;
     for (int e = 0; e < static_cast<int>(mesh_.elements.size()); ++e) {
-      if (!is_shell(mesh_.elements[static_cast<std::size_t>(e)])) continue;
-      tops.push_back({e, shell_top});
-      bottoms.push_back({e, shell_bottom});
+      if (!mesh_.elements.topology_of(static_cast<std::size_t>(e)).is_surface()) continue;
+      tops.push_back({e, top_face});
+      bottoms.push_back({e, bottom_face});
     }
     if (tops.empty()) return;
     mesh_.side_sets.try_emplace("top", std::move(tops));
@@ -275,9 +299,16 @@ PartMesh read_file(const ExodusMesh& source) {
 
 }  // namespace
 
-bool can_run(const ExodusBlock& block) {
-  return is_hexahedral(block) || is_quadrilateral(block) || is_triangular(block);
+std::string list_kinds() {
+  std::string list;
+  for (const Topology& topology : topologies) {
+    for (const std::string_view name : topology.exodus_names)
+      if (!name.empty()) list += fmt::format("{}{}{}", list.empty() ? "" : ", ", name, topology.corner_count);
+  }
+  return list;
 }
+
+bool can_run(const ExodusBlock& block) { return find_kind(block).has_value(); }
 
 ExodusContents read_exodus_contents(const std::string& path) {
   const ExodusContainer container = inspect_exodus_container(path);

@@ -1,6 +1,7 @@
 #pragma once
 // Reads a part from an Exodus II file: classic netCDF, 64-bit offset, 64-bit data or netCDF-4; 32- or 64-bit integers.
 
+#include <string>
 #include <vector>
 
 #include "src/mesh/exodus/exodus_file.hpp"
@@ -21,8 +22,11 @@ struct ExodusContents {
 /// it cannot be opened or read; neither names the file.
 ExodusContents read_exodus_contents(const std::string& path);
 
-/// Whether the elements of a block are of a kind that can be run: hexahedra of eight nodes, shells of three or four.
+/// Whether the elements of a block are of a kind that can be run.
 bool can_run(const ExodusBlock& block);
+
+/// All these kinds: "HEX8, SHELL4, ...".
+std::string list_kinds();
 
 /// The chosen blocks (all if none is named) with their node sets, side sets and ids. Nodes that the blocks do not use
 /// are dropped, sets are cut to what is left. Throws InputError if the file does not hold a mesh that can be run

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "src/mesh/hex_geometry.hpp"
@@ -48,11 +49,12 @@ void copy_ids(std::vector<std::int64_t>& ids, std::size_t copies) {
 /// Elements, ids and sets of all copies; copies of nodes and elements follow each other.
 void copy_part(PartMesh& mesh, std::size_t copies, std::size_t node_count) {
   const std::size_t element_count = mesh.elements.size();
-  mesh.elements.reserve(element_count * copies);
+  std::vector<int> corners;
   for (std::size_t i = element_count; i < element_count * copies; ++i) {
-    std::array<int, 8> corners = mesh.elements[i % element_count];
+    const std::span<const int> first = mesh.elements.corners(i % element_count);
+    corners.assign(first.begin(), first.end());
     for (int& node : corners) node += static_cast<int>(i / element_count * node_count);
-    mesh.elements.push_back(corners);
+    mesh.elements.add(mesh.elements.block_index(i % element_count), corners);
   }
   copy_ids(mesh.node_ids, copies);
   copy_ids(mesh.element_ids, copies);
@@ -103,9 +105,8 @@ void add_side_nodes(PartMesh& mesh) {
     if (mesh.node_sets.contains(name)) continue;
     std::vector<int>& nodes = mesh.node_sets[name];
     for (const ElementFace& f : faces) {
-      for (const int corner : hex_faces[f.face]) {
-        nodes.push_back(mesh.elements[static_cast<std::size_t>(f.element)][static_cast<std::size_t>(corner)]);
-      }
+      const std::array<int, 4> corners = mesh.elements.face_nodes(f);
+      nodes.insert(nodes.end(), corners.begin(), corners.end());
     }
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());

@@ -15,7 +15,7 @@
 #include "src/mesh/ordering.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
 #include "src/mesh/quality/mesh_doubts.hpp"
-#include "src/mesh/topology.hpp"
+#include "src/mesh/topology/connectivity.hpp"
 
 namespace percuss {
 namespace {
@@ -52,15 +52,13 @@ void order_elements(FilePart& file) {
   const ElementOrder order = bisect_elements(mesh);
   file.first_of_chunk = order.first_of_chunk;
   std::vector<int> new_place(order.elements.size());
-  std::vector<std::array<int, 8>> elements(order.elements.size());
   std::vector<std::int64_t> ids(order.elements.size());
   for (std::size_t i = 0; i < order.elements.size(); ++i) {
     const auto old = static_cast<std::size_t>(order.elements[i]);
     new_place[old] = static_cast<int>(i);
-    elements[i] = mesh.elements[old];
     ids[i] = mesh.element_ids[old];
   }
-  mesh.elements = std::move(elements);
+  mesh.elements = mesh.elements.select(order.elements);
   mesh.element_ids = std::move(ids);
   for (auto& [name, faces] : mesh.side_sets) {
     for (ElementFace& f : faces) f.element = new_place[static_cast<std::size_t>(f.element)];
@@ -74,10 +72,11 @@ std::vector<std::string> list_names(const Sets& sets) {
   return names;
 }
 
+bool is_of_shells(const ElementBlock& block) { return find_topology(block.topology).is_surface(); }
+
 /// Shells need a thickness, and only they.
 void check_thickness(const PartDeck& deck, const PartMesh& mesh) {
-  const bool has_shells =
-      std::any_of(mesh.elements.begin(), mesh.elements.end(), [](const auto& e) { return is_shell(e); });
+  const bool has_shells = std::any_of(mesh.elements.blocks.begin(), mesh.elements.blocks.end(), is_of_shells);
   if (has_shells && !deck.thickness) throw InputError("thickness is missing (the shells of the file need one)");
   if (!has_shells && (deck.thickness || deck.points)) {
     throw InputError("it has a thickness or points (the file has no shells, which alone have them)");
@@ -104,6 +103,7 @@ void read_file_part(const PartDeck& deck, const Totals& so_far, ScenePart& part)
   part.nodes = static_cast<std::int64_t>(mesh.nodes.size());
   part.elements = static_cast<std::int64_t>(mesh.elements.size());
   part.chunks = static_cast<int>(file->first_of_chunk.size()) - 1;
+  part.blocks = mesh.elements.blocks;
   part.bodies = 1 + *std::max_element(file->bodies.begin(), file->bodies.end());
   part.node_sets = list_names(mesh.node_sets);
   part.side_sets = list_names(mesh.side_sets);
@@ -119,6 +119,8 @@ void describe_generated_part(const PartDeck& deck, ScenePart& part) {
   part.elements = std::int64_t{source->element_count()} * place.copies();
   part.chunks = tiling.chunk_count();
   part.bodies = place.copies();
+  part.blocks.resize(1);
+  part.blocks[0].topology = source->topology();
   part.node_sets = part.side_sets = side_names(deck.shape);
   part.generated.emplace(GeneratedPart{std::move(source), place, std::move(tiling)});
 }
@@ -127,10 +129,8 @@ void describe_generated_part(const PartDeck& deck, ScenePart& part) {
 ScenePart describe_part(const Deck& deck, const PartDeck& from, const Totals& so_far, bool reads_files) {
   ScenePart part;
   part.name = from.name;
-  part.thickness = from.thickness.value_or(0);
-  part.points = from.points.value_or(0);
   try {
-    part.material = find_material(deck, from.material);
+    find_material(deck, from.material);
     const MeshSize size = count_cells(from);
     check_size(so_far, size.nodes, size.elements);
     if (!std::holds_alternative<ExodusMesh>(from.shape)) {
@@ -177,7 +177,7 @@ void assign_ids(SceneParts& scene) {
 /// What rank 0 alone knows of a part.
 struct PartNumbers {
   std::int64_t nodes, elements, first_node_id, first_element_id;
-  int chunks, bodies;
+  int chunks, bodies, blocks;
   bool failed;
 };
 
@@ -185,7 +185,7 @@ void share_numbers(const Communicator& ranks, SceneParts& scene) {
   std::vector<PartNumbers> numbers;
   for (const ScenePart& part : scene.parts) {
     numbers.push_back({part.nodes, part.elements, part.first_node_id, part.first_element_id, part.chunks, part.bodies,
-                       !part.error.empty()});
+                       static_cast<int>(part.blocks.size()), !part.error.empty()});
   }
   broadcast_values(ranks, numbers, 0);
   for (std::size_t p = 0; p < numbers.size(); ++p) {
@@ -197,6 +197,7 @@ void share_numbers(const Communicator& ranks, SceneParts& scene) {
     part.first_element_id = n.first_element_id;
     part.chunks = n.chunks;
     part.bodies = n.bodies;
+    part.blocks.resize(static_cast<std::size_t>(n.blocks));
     if (n.failed) part.generated.reset();
   }
 }
@@ -213,13 +214,42 @@ void share_names(const Communicator& ranks, std::vector<std::string>& names) {
   }
 }
 
-/// Where keys, chunks, bodies and sets of each part begin.
+/// Topologies and names of the blocks of a file.
+void share_blocks(const Communicator& ranks, std::vector<ElementBlock>& blocks) {
+  std::vector<TopologyKind> kinds;
+  std::vector<std::string> names;
+  for (const ElementBlock& block : blocks) {
+    kinds.push_back(block.topology);
+    names.push_back(block.name);
+  }
+  broadcast_values(ranks, kinds, 0);
+  share_names(ranks, names);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    blocks[b].topology = kinds[b];
+    blocks[b].name = names[b];
+  }
+}
+
+/// Gives the blocks of each part its material, and its section to those of shells.
+void describe_blocks(const Deck& deck, SceneParts& scene) {
+  for (std::size_t p = 0; p < scene.parts.size(); ++p) {
+    const PartDeck& from = deck.parts[p];
+    for (ElementBlock& block : scene.parts[p].blocks) {
+      block.part = static_cast<int>(p);
+      block.material = find_material(deck, from.material);
+      if (is_of_shells(block)) block.section = {from.thickness.value_or(0), from.points.value_or(0)};
+    }
+  }
+}
+
+/// Where keys, chunks, bodies, blocks and sets of each part begin.
 void lay_out(SceneParts& scene) {
-  int chunks = 0, bodies = 0, node_sets = 0, side_sets = 0;
+  int chunks = 0, bodies = 0, blocks = 0, node_sets = 0, side_sets = 0;
   for (ScenePart& part : scene.parts) {
     part.first_key = std::exchange(scene.keys, scene.keys + part.nodes);
     part.first_chunk = std::exchange(chunks, chunks + part.chunks);
     part.first_body = std::exchange(bodies, bodies + part.bodies);
+    part.first_block = std::exchange(blocks, blocks + static_cast<int>(part.blocks.size()));
     part.first_node_set = std::exchange(node_sets, node_sets + static_cast<int>(part.node_sets.size()));
     part.first_side_set = std::exchange(side_sets, side_sets + static_cast<int>(part.side_sets.size()));
   }
@@ -265,7 +295,9 @@ SceneParts describe_parts(const Deck& deck, const Communicator& ranks) {
     if (part.generated) continue;
     share_names(ranks, part.node_sets);
     share_names(ranks, part.side_sets);
+    share_blocks(ranks, part.blocks);
   }
+  describe_blocks(deck, scene);
   lay_out(scene);
   count_elements(ranks, scene);
   return scene;

@@ -37,15 +37,13 @@ struct GeneratedPart {
 
 struct ScenePart {
   std::string name;
-  int material = 0;
-  double thickness = 0;  // as MeshPart
-  int points = 0;
+  std::vector<ElementBlock> blocks;  // with part, material and section, the same on every rank
   std::optional<GeneratedPart> generated;
   std::unique_ptr<FilePart> file;                        // rank 0, of a part from a file
   std::int64_t nodes = 0, elements = 0;                  // with all copies
   std::int64_t first_key = 0;                            // of its nodes
   std::int64_t first_node_id = 0, first_element_id = 0;  // the user's, of a generated part
-  int first_chunk = 0, chunks = 0, first_body = 0, bodies = 0;
+  int first_chunk = 0, chunks = 0, first_body = 0, bodies = 0, first_block = 0;
   std::vector<std::string> node_sets, side_sets;  // names without the part's; those of a shape are its sides
   int first_node_set = 0, first_side_set = 0;     // places among those of all parts
   std::string error;                              // what is wrong, without its place; such a part is left out

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "kernels/core/counting_sort.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -25,53 +27,47 @@ void report(Problems& problems, const Compose& compose) {
   }
 }
 
-HexCorners gather_corners(const PartMesh& mesh, std::size_t element) {
-  HexCorners x;
-  for (std::size_t i = 0; i < 8; ++i) x[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
-  return x;
-}
-
 std::string describe_element(std::int64_t id, const HexCorners& corners) {
-  Vec3 center{};
-  for (const Vec3& x : corners) {
-    for (std::size_t d = 0; d < 3; ++d) center[d] += 0.125 * x[d];
-  }
+  const Vec3 center = find_center(corners);
   return fmt::format("element {} at ({:.6g}, {:.6g}, {:.6g})", id, center[0], center[1], center[2]);
 }
 
 std::string describe_element(const PartMesh& mesh, std::size_t element) {
-  return describe_element(id_of(mesh.element_ids, element), gather_corners(mesh, element));
+  return describe_element(id_of(mesh.element_ids, element), gather_corners(mesh.elements, element, mesh.nodes));
 }
 
-/// The same for elements with the same corners, whichever of a triangle's stands twice.
-std::array<int, 8> sort_corners(std::array<int, 8> corners) {
-  if (is_triangle(corners))
-    for (std::size_t i = 3; i < 8; ++i) corners[i] = std::max({corners[0], corners[1], corners[2]});
-  std::sort(corners.begin(), corners.end());
-  return corners;
+/// The same for elements of one topology with the same corners.
+using CornerKey = std::pair<TopologyKind, std::array<int, most_corners>>;
+
+CornerKey make_key(const Elements& elements, std::size_t element) {
+  CornerKey key{elements.block_of(element).topology, {}};
+  const std::span<const int> corners = elements.corners(element);
+  key.second.fill(-1);
+  std::copy(corners.begin(), corners.end(), key.second.begin());
+  std::sort(key.second.begin(), key.second.end());
+  return key;
 }
 
-/// The first node that an element names more than once, -1: none. A shell's corners stand twice, the last of a triangle
-/// once more.
-int find_repeated_node(const std::array<int, 8>& element) {
-  const std::size_t count = is_triangle(element) ? 3 : is_shell(element) ? 4 : 8;
-  for (std::size_t i = 0; i < count; ++i) {
+/// The first node that an element names more than once, -1: none.
+int find_repeated_node(std::span<const int> corners) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (element[i] == element[j]) return element[i];
+      if (corners[i] == corners[j]) return corners[i];
     }
   }
   return -1;
 }
 
 void check_repeated_nodes(const PartMesh& mesh, std::size_t element, Problems& problems) {
-  const int repeated = find_repeated_node(mesh.elements[element]);
+  const int repeated = find_repeated_node(mesh.elements.corners(element));
   if (repeated < 0) return;
   report(problems, [&] {
+    const Topology& topology = mesh.elements.topology_of(element);
     return fmt::format("{} names node {} more than once ({}); mesh without degenerate elements",
                        describe_element(mesh, element), id_of(mesh.node_ids, static_cast<std::size_t>(repeated)),
-                       is_shell(mesh.elements[element])
+                       topology.is_surface()
                            ? "a shell needs four different corners, or three of which one stands twice in a row"
-                           : "a hexahedron needs eight different corners");
+                           : fmt::format("a {} needs {} different corners", topology.noun, topology.how_many));
   });
 }
 
@@ -79,14 +75,14 @@ void check_repeated_nodes(const PartMesh& mesh, std::size_t element, Problems& p
 Buckets bin_elements(const PartMesh& mesh) {
   return collect_buckets<int>(mesh.nodes.size(), [&](auto&& put) {
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-      const std::array<int, 8>& corners = mesh.elements[e];
+      const std::span<const int> corners = mesh.elements.corners(e);
       put(static_cast<std::size_t>(*std::min_element(corners.begin(), corners.end())), static_cast<int>(e));
     }
   });
 }
 
 void check_duplicates(const PartMesh& mesh, Problems& problems) {
-  using Key = std::pair<std::array<int, 8>, int>;  // sorted corners, element
+  using Key = std::pair<CornerKey, int>;  // and the element
   const Buckets bins = bin_elements(mesh);
   std::vector<std::pair<int, int>> pairs;  // the later element first
   std::vector<Key> keys;
@@ -95,7 +91,7 @@ void check_duplicates(const PartMesh& mesh, Problems& problems) {
     keys.clear();
     for (int i = bins.first[n]; i < bins.first[n + 1]; ++i) {
       const int e = bins.items[static_cast<std::size_t>(i)];
-      keys.emplace_back(sort_corners(mesh.elements[static_cast<std::size_t>(e)]), e);
+      keys.emplace_back(make_key(mesh.elements, static_cast<std::size_t>(e)), e);
     }
     std::sort(keys.begin(), keys.end());
     for (std::size_t i = 1; i < keys.size(); ++i) {
@@ -107,46 +103,44 @@ void check_duplicates(const PartMesh& mesh, Problems& problems) {
     report(problems, [&, e = static_cast<std::size_t>(later), first = static_cast<std::size_t>(earlier)] {
       return fmt::format("{} repeats element {} (both have the same {} corners); delete one of them",
                          describe_element(mesh, e), id_of(mesh.element_ids, first),
-                         is_triangle(mesh.elements[e]) ? "three"
-                         : is_shell(mesh.elements[e])  ? "four"
-                                                       : "eight");
+                         mesh.elements.topology_of(e).how_many);
     });
   }
 }
 
-enum class Shape8 { good, flat_corner, inverted_corner, zero_volume, inverted };
+enum class SolidShape { good, flat_corner, inverted_corner, zero_volume, inverted };
 
 struct ShapeVerdict {
-  Shape8 shape = Shape8::good;
+  SolidShape shape = SolidShape::good;
   int corner = 0;
   double value = 0;  // the volume, or the corner's Jacobian over the product of its edges
 };
 
-ShapeVerdict judge_shape(const HexCorners& x) {
+ShapeVerdict judge_shape(const Topology& topology, const HexCorners& x) {
   double edges = 0;
-  ShapeVerdict worst{Shape8::good, 0, 1};
-  for (int i = 0; i < 8; ++i) {
-    const CornerJacobian jacobian = find_corner_jacobian(x, i);
+  ShapeVerdict worst{SolidShape::good, 0, 1};
+  for (int i = 0; i < topology.corner_count; ++i) {
+    const CornerJacobian jacobian = find_corner_jacobian(topology, x, i);
     edges = std::max(edges, jacobian.edge_product);
     const double scaled = jacobian.edge_product > 0 ? jacobian.value / jacobian.edge_product : 0;
-    if (scaled < worst.value) worst = {Shape8::good, i, scaled};
+    if (scaled < worst.value) worst = {SolidShape::good, i, scaled};
   }
-  const double volume = find_hex_volume(x);
-  if (volume < -zero_share * edges) return {Shape8::inverted, 0, volume};
+  const double volume = find_solid_volume(topology, x);
+  if (volume < -zero_share * edges) return {SolidShape::inverted, 0, volume};
   // Written so that a volume that overflowed to NaN is refused as well.
-  if (!(volume > zero_share * edges)) return {Shape8::zero_volume, 0, volume};
-  if (worst.value < -zero_share) worst.shape = Shape8::inverted_corner;
-  if (std::abs(worst.value) <= zero_share) worst.shape = Shape8::flat_corner;
+  if (!(volume > zero_share * edges)) return {SolidShape::zero_volume, 0, volume};
+  if (worst.value < -zero_share) worst.shape = SolidShape::inverted_corner;
+  if (std::abs(worst.value) <= zero_share) worst.shape = SolidShape::flat_corner;
   return worst;
 }
 
-std::string describe_verdict(const std::string& element, const std::array<std::int64_t, 8>& node_ids,
+std::string describe_verdict(const std::string& element, std::span<const std::int64_t> node_ids,
                              const ShapeVerdict& verdict) {
   switch (verdict.shape) {
-    case Shape8::inverted:
+    case SolidShape::inverted:
       return fmt::format("{} is inverted (its volume is {:.6g}); check the order of its corners", element,
                          verdict.value);
-    case Shape8::zero_volume:
+    case SolidShape::zero_volume:
       return fmt::format("{} has no volume (it is {:.6g}); check the places of its corners", element, verdict.value);
     default:
       break;
@@ -157,7 +151,7 @@ std::string describe_verdict(const std::string& element, const std::array<std::i
 }
 
 /// What is wrong with the shape of a shell; empty if nothing.
-std::string judge_shell(const std::string& element, const HexCorners& x, const std::array<std::int64_t, 8>& node_ids) {
+std::string judge_shell(const std::string& element, const HexCorners& x, std::span<const std::int64_t> node_ids) {
   const Vec3 normal = find_shell_area(x);
   const double area = std::sqrt(dot(normal, normal));
   const double edges =
@@ -165,7 +159,7 @@ std::string judge_shell(const std::string& element, const HexCorners& x, const s
   if (!(area > zero_share * edges)) {
     return fmt::format("{} has no area (it is {:.6g}); check the places of its corners", element, area);
   }
-  for (std::size_t i = 0; i < 4 && !is_triangle(node_ids); ++i) {
+  for (std::size_t i = 0; node_ids.size() == 4 && i < 4; ++i) {  // a triangle is convex
     const Vec3 corner = cross(subtract(x[(i + 1) % 4], x[i]), subtract(x[(i + 3) % 4], x[i]));
     if (dot(corner, normal) > zero_share * edges * area) continue;
     return fmt::format("{} is not convex at its corner {}, node {} (the angle there must be below 180 degrees)",
@@ -209,16 +203,16 @@ void GeometryFindings::check_node(std::int64_t id, const Vec3& x) {
   });
 }
 
-void GeometryFindings::check_element(std::int64_t id, const HexCorners& corners,
-                                     const std::array<std::int64_t, 8>& node_ids) {
-  if (is_shell(node_ids)) {
+void GeometryFindings::check_element(const Topology& topology, std::int64_t id, const HexCorners& corners,
+                                     std::span<const std::int64_t> node_ids) {
+  if (topology.family == ElementFamily::shells) {
     const std::string problem = judge_shell(describe_element(id, corners), corners, node_ids);
     if (!problem.empty()) report(elements, [&] { return problem; });
     return;
   }
-  const ShapeVerdict verdict = judge_shape(corners);
-  if (verdict.shape == Shape8::good) return;
-  if (verdict.shape != Shape8::flat_corner) {
+  const ShapeVerdict verdict = judge_shape(topology, corners);
+  if (verdict.shape == SolidShape::good) return;
+  if (verdict.shape != SolidShape::flat_corner) {
     report(elements, [&] { return describe_verdict(describe_element(id, corners), node_ids, verdict); });
   } else if (flat_corners++ == 0) {
     first_flat = describe_element(id, corners);
@@ -243,13 +237,13 @@ void GeometryFindings::warn(std::vector<Warning>& warnings) const {
 
 GeometryFindings check_geometry(const PartMesh& mesh) {
   GeometryFindings findings;
+  std::vector<std::int64_t> node_ids;
   for (std::size_t n = 0; n < mesh.nodes.size(); ++n) findings.check_node(id_of(mesh.node_ids, n), mesh.nodes[n]);
   for (std::size_t e = 0; findings.nodes.empty() && e < mesh.elements.size(); ++e) {
-    std::array<std::int64_t, 8> node_ids{};
-    for (std::size_t c = 0; c < 8; ++c) {
-      node_ids[c] = id_of(mesh.node_ids, static_cast<std::size_t>(mesh.elements[e][c]));
-    }
-    findings.check_element(id_of(mesh.element_ids, e), gather_corners(mesh, e), node_ids);
+    node_ids.clear();
+    for (const int n : mesh.elements.corners(e)) node_ids.push_back(id_of(mesh.node_ids, static_cast<std::size_t>(n)));
+    findings.check_element(mesh.elements.topology_of(e), id_of(mesh.element_ids, e),
+                           gather_corners(mesh.elements, e, mesh.nodes), node_ids);
   }
   return findings;
 }

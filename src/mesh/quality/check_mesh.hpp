@@ -1,9 +1,9 @@
 #pragma once
 // Refuses meshes that cannot be run, naming elements by the user's ids.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -63,8 +63,10 @@ struct GeometryFindings {
 
   /// Adds a problem if an element has no positive mean volume (Flanagan and Belytschko 1981) or a corner turned inside
   /// out. A corner with a Jacobian of zero is allowed and counted: the mean quadrature stays regular, but the element
-  /// is at the brink of inversion. Of a shell: if it has no area or is not convex. nodes: ids of the corners.
-  void check_element(std::int64_t id, const HexCorners& corners, const std::array<std::int64_t, 8>& node_ids);
+  /// is at the brink of inversion. Of a shell: if it has no area or is not convex. corners: as kernels see them;
+  /// node_ids: those of its own corners.
+  void check_element(const Topology& topology, std::int64_t id, const HexCorners& corners,
+                     std::span<const std::int64_t> node_ids);
 
   /// Adds what was found in later nodes and elements of the part.
   void append(const GeometryFindings& later);

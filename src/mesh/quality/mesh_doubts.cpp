@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "src/mesh/hex_geometry.hpp"
@@ -27,25 +27,26 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Across the thinnest direction, to which the stable step is proportional: the edge of a cube or a square, the height
 /// of a triangle.
-double find_height(const PartMesh& mesh, const std::array<int, 8>& element) {
-  HexCorners x;
-  for (std::size_t c = 0; c < 8; ++c) x[c] = mesh.nodes[at(element[c])];
-  if (is_shell(element)) {
+double find_height(const PartMesh& mesh, std::size_t element) {
+  const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
+  const Topology& topology = mesh.elements.topology_of(element);
+  if (topology.family == ElementFamily::shells) {
     double longest = 0;
-    for (std::size_t c = 0; c < 4; ++c) longest = std::max(longest, find_distance(x[c], x[(c + 1) % 4]));
-    return (is_triangle(element) ? 2 : 1) * find_shell_area_size(x) / longest;
+    for (const auto& [a, b] : topology.edges()) longest = std::max(longest, find_distance(x[at(a)], x[at(b)]));
+    return (topology.corner_count == 3 ? 2 : 1) * find_shell_area_size(x) / longest;
   }
   double largest = 0;
-  for (const auto& face : hex_faces) {
-    const Vec3 twice = cross(subtract(x[at(face[2])], x[at(face[0])]), subtract(x[at(face[3])], x[at(face[1])]));
+  for (const FaceCorners& face : topology.faces()) {
+    const auto corner = [&](std::size_t i) { return x[at(face.four[i])]; };
+    const Vec3 twice = cross(subtract(corner(2), corner(0)), subtract(corner(3), corner(1)));
     largest = std::max(largest, 0.5 * std::sqrt(dot(twice, twice)));
   }
-  return find_hex_volume(x) / largest;
+  return find_solid_volume(topology, x) / largest;
 }
 
 void warn_of_slivers(const PartMesh& mesh, std::size_t element_count, std::vector<Warning>& warnings) {
   std::vector<double> heights;
-  for (std::size_t e = 0; e < element_count; ++e) heights.push_back(find_height(mesh, mesh.elements[e]));
+  for (std::size_t e = 0; e < element_count; ++e) heights.push_back(find_height(mesh, e));
   if (heights.empty()) return;
   const auto element = static_cast<std::size_t>(std::min_element(heights.begin(), heights.end()) - heights.begin());
   std::sort(heights.begin(), heights.end());
@@ -80,11 +81,12 @@ struct Neighbour {
 std::vector<Neighbour> list_neighbours(const PartMesh& mesh, std::size_t element_count) {
   std::vector<Edge> edges;
   for (int e = 0; e < static_cast<int>(element_count); ++e) {
-    const std::array<int, 8>& corners = mesh.elements[at(e)];
-    if (!is_shell(corners)) continue;
-    for (std::size_t c = 0; c < 4; ++c) {
-      const int a = corners[c], b = corners[(c + 1) % 4];
-      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), e, a < b});
+    const Topology& topology = mesh.elements.topology_of(at(e));
+    if (!topology.is_surface()) continue;
+    const std::span<const int> corners = mesh.elements.corners(at(e));
+    for (const auto& edge : topology.edges()) {
+      const int a = corners[at(edge[0])], b = corners[at(edge[1])];
+      edges.push_back({std::min(a, b), std::max(a, b), e, a < b});
     }
   }
   std::sort(edges.begin(), edges.end());

@@ -13,7 +13,7 @@ class BoxSource final : public ShapeSource {
 
   int node_count() const override { return grid_.node_count(); }
   int element_count() const override { return grid_.cell_count(); }
-  std::array<int, 8> corners(int element) const override { return grid_.corners(grid_.find_cell(element)); }
+  Corners corners(int element) const override { return grid_.corners(grid_.find_cell(element)); }
 
   Vec3 place(int node) const override {
     const CellGrid::Index index = grid_.find_node(node);
@@ -22,11 +22,11 @@ class BoxSource final : public ShapeSource {
     return {along(0), along(1), along(2)};
   }
 
-  std::array<int, 6> face_sides(int element) const override {
+  FaceSides face_sides(int element) const override {
     constexpr std::size_t axes[6] = {1, 0, 1, 0, 2, 2};
     constexpr bool upper[6] = {false, true, true, false, false, true};
     const CellGrid::Index cell = grid_.find_cell(element);
-    std::array<int, 6> sides{};
+    FaceSides sides{};
     for (std::size_t f = 0; f < 6; ++f) {
       const std::size_t axis = axes[f];
       const bool outside = cell[axis] == (upper[f] ? grid_.cells[axis] - 1 : 0);

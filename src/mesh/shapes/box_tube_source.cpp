@@ -14,20 +14,21 @@ class BoxTubeSource final : public ShapeSource {
   explicit BoxTubeSource(const ShellBoxTubeShape& shape)
       : shape_(shape), around_(2 * (shape.cells[0] + shape.cells[1])) {}
 
+  TopologyKind topology() const override { return TopologyKind::quad4; }
   int node_count() const override { return wall_nodes() + plate_count() * plate_nodes(); }
   int element_count() const override { return wall_elements() + plate_count() * plate_elements(); }
 
-  std::array<int, 8> corners(int element) const override {
+  Corners corners(int element) const override {
     if (element < wall_elements()) {
       const int i = element % around_, j = element / around_;
-      return make_shell({ring(i, j), ring(i + 1, j), ring(i + 1, j + 1), ring(i, j + 1)});
+      return {ring(i, j), ring(i + 1, j), ring(i + 1, j + 1), ring(i, j + 1)};
     }
     const int plate = (element - wall_elements()) / plate_elements();
     const int in_plate = (element - wall_elements()) % plate_elements();
     const int i = in_plate % shape_.cells[0], j = in_plate / shape_.cells[0];
     const auto at = [&](int a, int b) { return plate_node(plate, a, b); };
-    if (is_end(plate)) return make_shell({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-    return make_shell({at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)});
+    if (is_end(plate)) return {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
+    return {at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)};
   }
 
   Vec3 place(int node) const override {
@@ -39,7 +40,7 @@ class BoxTubeSource final : public ShapeSource {
     return place_at(a, b, is_end(plate) ? shape_.cells[2] : 0);
   }
 
-  std::array<int, 6> face_sides(int /*element*/) const override { return name_shell_sides(2, 3); }
+  FaceSides face_sides(int /*element*/) const override { return name_shell_sides(2, 3); }
 
   unsigned node_sides(int node) const override {
     constexpr unsigned start = 0b0001, end = 0b0010, surfaces = 0b1100;

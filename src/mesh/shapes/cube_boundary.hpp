@@ -52,7 +52,10 @@ class CubeBoundary {
     const CellGrid::Index cells[6] = {{a, 0, b}, {last, a, b}, {a, last, b}, {0, a, b}, {a, b, 0}, {a, b, last}};
     std::array<CellGrid::Index, 4> points{};
     for (std::size_t c = 0; c < 4; ++c) {
-      for (std::size_t d = 0; d < 3; ++d) points[c][d] = cells[face][d] + offsets[hex_faces[face][c]][d];
+      for (std::size_t d = 0; d < 3; ++d) {
+        const int corner = hex8_topology.face_table[static_cast<std::size_t>(face)].four[c];
+        points[c][d] = cells[face][d] + offsets[corner][d];
+      }
     }
     return points;
   }

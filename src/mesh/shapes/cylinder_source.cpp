@@ -25,7 +25,7 @@ class CylinderSource final : public ShapeSource {
   int node_count() const override { return section_nodes() * (shape_.along + 1); }
   int element_count() const override { return section_quads() * shape_.along; }
 
-  std::array<int, 8> corners(int element) const override {
+  Corners corners(int element) const override {
     const std::array<int, 4> q = find_quad(element % section_quads());
     const int low = element / section_quads() * section_nodes(), high = low + section_nodes();
     return {low + q[0], low + q[1], low + q[2], low + q[3], high + q[0], high + q[1], high + q[2], high + q[3]};
@@ -37,7 +37,7 @@ class CylinderSource final : public ShapeSource {
     return {x, y, shape_.length * (double(node / section_nodes()) / shape_.along)};
   }
 
-  std::array<int, 6> face_sides(int element) const override {
+  FaceSides face_sides(int element) const override {
     const int layer = element / section_quads(), quad = element % section_quads();
     const auto side_if = [](bool outside, Side of) { return outside ? int{of} : interior; };
     return {interior,

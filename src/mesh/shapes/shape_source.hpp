@@ -24,20 +24,24 @@ struct CellBlock {
 class ShapeSource {
  public:
   static constexpr int interior = -1;
+  using FaceSides = std::array<int, most_faces>;
 
   virtual ~ShapeSource() = default;
   virtual int node_count() const = 0;
   virtual int element_count() const = 0;
 
-  /// Nodes of an element, Exodus II HEX8 order; those of a shell twice.
-  virtual std::array<int, 8> corners(int element) const = 0;
+  /// Of all elements.
+  virtual TopologyKind topology() const { return TopologyKind::hex8; }
+
+  /// Nodes of an element, in the order of its topology.
+  virtual Corners corners(int element) const = 0;
 
   /// Position of a node [length].
   virtual Vec3 place(int node) const = 0;
 
   /// Side of each face of an element as an index into side_names() of the shape; `interior` for those between two
   /// elements. Every exterior face belongs to one side.
-  virtual std::array<int, 6> face_sides(int element) const = 0;
+  virtual FaceSides face_sides(int element) const = 0;
 
   /// Bit s: the node lies on side s.
   virtual unsigned node_sides(int node) const = 0;
@@ -47,11 +51,11 @@ class ShapeSource {
 };
 
 /// Sides of the faces of a shell: two surfaces, and edges that no other surface can meet.
-inline std::array<int, 6> name_shell_sides(int bottom, int top) {
-  std::array<int, 6> sides;
+inline ShapeSource::FaceSides name_shell_sides(int bottom, int top) {
+  ShapeSource::FaceSides sides;
   sides.fill(ShapeSource::interior);
-  sides[shell_bottom] = bottom;
-  sides[shell_top] = top;
+  sides[bottom_face] = bottom;
+  sides[top_face] = top;
   return sides;
 }
 
@@ -73,7 +77,7 @@ std::unique_ptr<ShapeSource> make_tube_source(const TubeShape& shape);
 /// the last bit under the 48 symmetries of the cube.
 std::unique_ptr<ShapeSource> make_sphere_source(const SphereShape& shape);
 
-/// Surfaces of shells, their elements with corners as Mesh::elements has them. Nodes lie on the surface; elements count
+/// Surfaces of shells, their elements of four corners. Nodes lie on the surface; elements count
 /// along the first direction of `cells` first, those of plates that close a profile after its walls.
 std::unique_ptr<ShapeSource> make_shell_source(const ShellPlateShape& shape);
 std::unique_ptr<ShapeSource> make_shell_source(const ShellTubeShape& shape);

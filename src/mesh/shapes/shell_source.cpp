@@ -23,15 +23,16 @@ class GridSource : public ShapeSource {
   GridSource(const Shape& shape, std::array<int, 2> cells, bool closed)
       : shape_(shape), cells_(cells), closed_(closed), lines_(cells[0] + (closed ? 0 : 1)) {}
 
+  TopologyKind topology() const override { return TopologyKind::quad4; }
   int node_count() const override { return lines_ * (cells_[1] + 1); }
   int element_count() const override { return cells_[0] * cells_[1]; }
 
-  std::array<int, 8> corners(int element) const override {
+  Corners corners(int element) const override {
     const int i = element % cells_[0], j = element / cells_[0];
-    return make_shell({node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)});
+    return {node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)};
   }
 
-  std::array<int, 6> face_sides(int /*element*/) const override {
+  FaceSides face_sides(int /*element*/) const override {
     const int first = closed_ ? 2 : 4;
     return name_shell_sides(first, first + 1);
   }
@@ -111,18 +112,19 @@ class SphereSurface final : public ShapeSource {
   explicit SphereSurface(const ShellSphereShape& shape)
       : shape_(shape), boundary_(shape.cells), lattice_(shape.radius, RoundSplit{shape.cells, 1}) {}
 
+  TopologyKind topology() const override { return TopologyKind::quad4; }
   int node_count() const override { return boundary_.count(); }
   int element_count() const override { return boundary_.face_count(); }
 
-  std::array<int, 8> corners(int element) const override {
+  Corners corners(int element) const override {
     const auto points = boundary_.find_face(element);
     std::array<int, 4> nodes{};
     for (std::size_t c = 0; c < 4; ++c) nodes[c] = boundary_.find_place(points[c]);
-    return make_shell(nodes);
+    return nodes;
   }
 
   Vec3 place(int node) const override { return lattice_(boundary_.find_point(node), 1); }
-  std::array<int, 6> face_sides(int /*element*/) const override { return name_shell_sides(0, 1); }
+  FaceSides face_sides(int /*element*/) const override { return name_shell_sides(0, 1); }
   unsigned node_sides(int /*node*/) const override { return 0b11; }
 
   std::vector<CellBlock> blocks() const override {

@@ -24,7 +24,7 @@ class SphereSource final : public ShapeSource {
   int node_count() const override { return grid_.node_count() + split_.rings * boundary_.count(); }
   int element_count() const override { return grid_.cell_count() + split_.rings * shell_elements_; }
 
-  std::array<int, 8> corners(int element) const override {
+  Corners corners(int element) const override {
     if (element < grid_.cell_count()) return grid_.corners(grid_.find_cell(element));
     const int beyond = element - grid_.cell_count(), shell = beyond / shell_elements_;
     const std::array<CellGrid::Index, 4> face = boundary_.find_face(beyond % shell_elements_);
@@ -42,8 +42,8 @@ class SphereSource final : public ShapeSource {
     return lattice_(boundary_.find_point(beyond % boundary_.count()), 1 + beyond / boundary_.count());
   }
 
-  std::array<int, 6> face_sides(int element) const override {
-    std::array<int, 6> sides{};
+  FaceSides face_sides(int element) const override {
+    FaceSides sides{};
     sides.fill(interior);
     if (element >= element_count() - shell_elements_) sides[5] = static_cast<int>(surface);
     return sides;

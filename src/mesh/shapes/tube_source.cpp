@@ -26,7 +26,7 @@ class TubeSource final : public ShapeSource {
   int node_count() const override { return section_ * (grid_.cells[2] + 1); }
   int element_count() const override { return grid_.cell_count(); }
 
-  std::array<int, 8> corners(int element) const override {
+  Corners corners(int element) const override {
     const auto [i, j, k] = grid_.find_cell(element);
     return {node(i, j, k),     node(i + 1, j, k),     node(i + 1, j + 1, k),     node(i, j + 1, k),
             node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)};
@@ -40,7 +40,7 @@ class TubeSource final : public ShapeSource {
     return {r * x, r * y, shape_.length * (double(k) / grid_.cells[2])};
   }
 
-  std::array<int, 6> face_sides(int element) const override {
+  FaceSides face_sides(int element) const override {
     const auto [i, j, k] = grid_.find_cell(element);
     const auto [wall, around, along] = grid_.cells;
     const auto side_if = [](bool outside, Side side) { return outside ? int{side} : interior; };

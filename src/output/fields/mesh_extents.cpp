@@ -1,6 +1,7 @@
 #include "src/output/fields/mesh_extents.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "comm/all_reduce.hpp"
 
@@ -8,12 +9,10 @@ namespace percuss {
 
 std::vector<MeshExtent> find_part_extents(const ChunkedMesh& chunked, const Communicator& ranks) {
   const Mesh& mesh = chunked.mesh;
-  std::vector<std::int64_t> counts(3 * mesh.parts.size());  // elements, shells, triangles of each part
+  std::vector<std::int64_t> counts(topology_count * mesh.parts.size());  // elements of each part, by topology
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    std::int64_t* of_part = &counts[3 * static_cast<std::size_t>(mesh.element_part[e])];
-    ++of_part[0];
-    of_part[1] += is_shell(mesh.elements[e]) ? 1 : 0;
-    of_part[2] += is_triangle(mesh.elements[e]) ? 1 : 0;
+    const ElementBlock& block = mesh.block_of(e);
+    ++counts[topology_count * static_cast<std::size_t>(block.part) + static_cast<std::size_t>(block.topology)];
   }
   all_reduce(ranks, Reduce::sum, counts);
   const Numbering& numbering = chunked.numbering;
@@ -24,9 +23,8 @@ std::vector<MeshExtent> find_part_extents(const ChunkedMesh& chunked, const Comm
     part.first_element = before.first_element + before.elements;
     part.first_node = before.first_node + before.nodes;
     part.first_corner = before.first_corner + before.corners();
-    part.elements = counts[3 * p];
-    part.shells = counts[3 * p + 1];
-    part.triangles = counts[3 * p + 2];
+    std::copy_n(&counts[topology_count * p], topology_count, part.of_topology.begin());
+    part.elements = std::accumulate(part.of_topology.begin(), part.of_topology.end(), std::int64_t{0});
     // The first chunk of the next part begins where this one ends.
     const auto& first = numbering.first_element;
     const auto end = std::lower_bound(first.begin(), first.end(), part.first_element + part.elements) - first.begin();
@@ -41,10 +39,42 @@ MeshExtent join_extents(const std::vector<MeshExtent>& parts) {
   for (const MeshExtent& part : parts) {
     all.nodes += part.nodes;
     all.elements += part.elements;
-    all.shells += part.shells;
-    all.triangles += part.triangles;
+    for (std::size_t k = 0; k < topology_count; ++k) all.of_topology[k] += part.of_topology[k];
   }
   return all;
+}
+
+std::vector<std::int64_t> list_cell_rows(const Mesh& mesh) {
+  std::vector<std::int64_t> rows(cell_row * mesh.elements.size(), 0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    auto entry = rows.begin() + static_cast<std::ptrdiff_t>(cell_row * e);
+    *entry++ = static_cast<std::int64_t>(mesh.block_of(e).topology);
+    for (const int node : mesh.corners(e)) *entry++ = mesh.node_numbers[static_cast<std::size_t>(node)];
+  }
+  return rows;
+}
+
+Cells list_cells(std::span<const std::int64_t> rows) {
+  Cells cells;
+  for (std::size_t first = 0; first < rows.size(); first += cell_row) {
+    cells.kinds.push_back(static_cast<TopologyKind>(rows[first]));
+    const auto corners =
+        rows.subspan(first + 1, static_cast<std::size_t>(find_topology(cells.kinds.back()).corner_count));
+    cells.corners.insert(cells.corners.end(), corners.begin(), corners.end());
+    cells.ends.push_back(static_cast<std::int64_t>(cells.corners.size()));
+  }
+  return cells;
+}
+
+std::vector<std::int64_t> list_mixed_topology(const Cells& cells) {
+  std::vector<std::int64_t> topology;
+  std::int64_t first = 0;
+  for (std::size_t e = 0; e < cells.kinds.size(); ++e) {
+    topology.push_back(find_topology(cells.kinds[e]).xdmf_type);
+    topology.insert(topology.end(), cells.corners.begin() + first, cells.corners.begin() + cells.ends[e]);
+    first = cells.ends[e];
+  }
+  return topology;
 }
 
 }  // namespace percuss

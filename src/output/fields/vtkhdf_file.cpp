@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 
 #include "comm/all_reduce.hpp"
+#include "src/output/fields/mesh_extents.hpp"
 #include "src/output/files/atomic_file.hpp"
 #include "src/output/files/first_rank.hpp"
 #include "src/output/hdf5/hdf5_file.hpp"
@@ -16,9 +18,6 @@ namespace percuss {
 namespace {
 
 using hdf5::check;
-
-constexpr std::uint8_t vtk_hexahedron = 12, vtk_quad = 9, vtk_triangle = 5;    // VTK's numbers of the cell types
-constexpr std::int64_t xdmf_hexahedron = 9, xdmf_quad = 5, xdmf_triangle = 4;  // XDMF's
 
 // Most bytes of metadata (B-tree nodes on two levels, headers) that a table adds with a frame, and that a file starts
 // with; counted from the sizes in the HDF5 file format specification for the k above, and rounded up.
@@ -44,55 +43,12 @@ std::vector<int> count_up(std::size_t count) {
   return items;
 }
 
-// Corners as they are numbered in the whole mesh.
-std::vector<std::int64_t> flatten_connectivity(const Mesh& mesh) {
-  std::vector<std::int64_t> corners;
-  corners.reserve(8 * mesh.elements.size());
-  for (const auto& element : mesh.elements) {
-    for (const int node : element) corners.push_back(mesh.node_numbers[static_cast<std::size_t>(node)]);
-  }
-  return corners;
-}
-
-// Cells of a block of elements, a shell with its three or four corners only.
-struct Cells {
-  std::vector<std::int64_t> corners, ends;  // ends: place behind the corners of each element, from the block's first
-  std::vector<std::uint8_t> types;
-};
-
-Cells list_cells(std::span<const std::int64_t> corners) {
-  Cells cells;
-  for (std::size_t first = 0; first < corners.size(); first += 8) {
-    const bool shell = corners[first] == corners[first + 4];
-    const bool triangle = shell && corners[first + 2] == corners[first + 3];
-    const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first);
-    cells.corners.insert(cells.corners.end(), begin, begin + (triangle ? 3 : shell ? 4 : 8));
-    cells.ends.push_back(static_cast<std::int64_t>(cells.corners.size()));
-    cells.types.push_back(triangle ? vtk_triangle : shell ? vtk_quad : vtk_hexahedron);
-  }
-  return cells;
-}
-
-// The same as XDMF wants cells of several kinds: each begins with its type.
-std::vector<std::int64_t> list_mixed_topology(const Cells& cells) {
-  std::vector<std::int64_t> topology;
-  std::int64_t first = 0;
-  for (std::size_t e = 0; e < cells.types.size(); ++e) {
-    topology.push_back(cells.types[e] == vtk_triangle ? xdmf_triangle
-                       : cells.types[e] == vtk_quad   ? xdmf_quad
-                                                      : xdmf_hexahedron);
-    topology.insert(topology.end(), cells.corners.begin() + first, cells.corners.begin() + cells.ends[e]);
-    first = cells.ends[e];
-  }
-  return topology;
-}
-
 // Whether the cells of all ranks are of more than one kind.
 bool has_several_kinds(const Communicator& ranks, const Cells& cells) {
-  std::array<int, 3> kinds{};  // whether there are any of each
-  for (const std::uint8_t type : cells.types) kinds[type == vtk_triangle ? 0 : type == vtk_quad ? 1 : 2] = 1;
+  std::array<int, topology_count> kinds{};  // whether there are any of each
+  for (const TopologyKind kind : cells.kinds) kinds[static_cast<std::size_t>(kind)] = 1;
   all_reduce(ranks, Reduce::largest, kinds);
-  return kinds[0] + kinds[1] + kinds[2] > 1;
+  return std::count(kinds.begin(), kinds.end(), 1) > 1;
 }
 
 // What a rank writes of a dataset to which each rank brings some rows, rank after rank.
@@ -213,14 +169,15 @@ void VtkhdfFile::write_items(const std::string& name, FieldPlace place, std::spa
 }
 
 void VtkhdfFile::write_cells(const Mesh& mesh) {
-  const auto corners = flatten_connectivity(mesh);
-  const Cells cells = list_cells(element_rows_.gather(std::span<const std::int64_t>(corners), 8));
+  const auto rows = list_cell_rows(mesh);
+  const Cells cells = list_cells(element_rows_.gather(std::span<const std::int64_t>(rows), static_cast<int>(cell_row)));
   const hdf5::RowBlock ids = make_block_of_all(cells.corners.size());
   write_numbers(tables_.root, "NumberOfConnectivityIds", make_block_of_first_rank(1),
                 std::array{static_cast<std::int64_t>(ids.all)});
   write_numbers(tables_.root, "Connectivity", ids, cells.corners);
   auto block = make_block(FieldPlace::element);
-  hdf5::write_dataset(tables_.root.get(), "Types", H5T_STD_U8LE, block, H5T_NATIVE_UINT8, cells.types.data());
+  hdf5::write_dataset(tables_.root.get(), "Types", H5T_STD_U8LE, block, H5T_NATIVE_UINT8,
+                      cells.list_vtk_types().data());
   // One more than there are cells: the end of the last one.
   const bool last = block.first + block.count == block.all;
   std::vector<std::int64_t> offsets{0};
@@ -244,8 +201,9 @@ void VtkhdfFile::write_mesh(const Mesh& mesh) {
   write_cells(mesh);
   write_items("node_id", FieldPlace::node, mesh.node_ids);
   write_items("element_id", FieldPlace::element, mesh.element_ids);
-  write_items("part", FieldPlace::element,
-              std::vector<std::int64_t>(mesh.element_part.begin(), mesh.element_part.end()));
+  std::vector<std::int64_t> parts(mesh.elements.size());
+  for (std::size_t e = 0; e < parts.size(); ++e) parts[e] = mesh.part_of(e);
+  write_items("part", FieldPlace::element, parts);
 }
 
 // What VTK does not know.

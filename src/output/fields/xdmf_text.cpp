@@ -106,10 +106,9 @@ void write_ids(Out out, const XdmfIndex& index, const Grid& grid, const std::str
 void write_topology(Out out, const XdmfIndex& index, const Grid& grid) {
   const MeshExtent& rows = grid.rows;
   const bool mixed = rows.is_mixed();
-  const char* kind = mixed                ? "Mixed"
-                     : rows.triangles > 0 ? "Triangle"
-                     : rows.shells > 0    ? "Quadrilateral"
-                                          : "Hexahedron";
+  const auto used = std::find_if(rows.of_topology.begin(), rows.of_topology.end(), [](auto n) { return n > 0; });
+  const auto only = static_cast<std::size_t>(used - rows.of_topology.begin()) % topology_count;
+  const std::string_view kind = mixed ? "Mixed" : topologies[only].xdmf_name;
   fmt::format_to(out, "   <Topology TopologyType=\"{}\" NumberOfElements=\"{}\"", kind, rows.elements);
   // The corners in the file are numbers of nodes of the whole mesh.
   if (rows.first_node > 0) fmt::format_to(out, " BaseOffset=\"{}\"", rows.first_node);

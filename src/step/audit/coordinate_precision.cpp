@@ -38,12 +38,10 @@ bool has_contact(const Deck& deck) {
 }
 
 double find_shortest_edge(const Mesh& mesh, std::size_t e) {
-  static constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
-                                       {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  const std::span<const int> corners = mesh.corners(e);
   double shortest = std::numeric_limits<double>::infinity();
-  for (const auto& [a, b] : edges) {
-    const int from = mesh.elements[e][static_cast<std::size_t>(a)], to = mesh.elements[e][static_cast<std::size_t>(b)];
-    if (from == to) continue;  // of a shell, whose corners are named twice
+  for (const auto& [a, b] : mesh.topology_of(e).edges()) {
+    const int from = corners[static_cast<std::size_t>(a)], to = corners[static_cast<std::size_t>(b)];
     const Vec3 edge = subtract(mesh.nodes[static_cast<std::size_t>(to)], mesh.nodes[static_cast<std::size_t>(from)]);
     shortest = std::min(shortest, dot(edge, edge));
   }
@@ -52,7 +50,7 @@ double find_shortest_edge(const Mesh& mesh, std::size_t e) {
 
 double find_largest_coordinate(const Mesh& mesh, std::size_t e) {
   double largest = 0;
-  for (const int corner : mesh.elements[e]) {
+  for (const int corner : mesh.corners(e)) {
     for (const double x : mesh.nodes[static_cast<std::size_t>(corner)]) largest = std::max(largest, std::abs(x));
   }
   return largest;
@@ -68,7 +66,7 @@ WorstElement find_own_worst(const ChunkedMesh& chunked, bool in_contact) {
     const double coordinate = in_contact ? farthest : find_largest_coordinate(mesh, e);
     const double spacing = epsilon * coordinate / find_shortest_edge(mesh, e);
     if (spacing <= worst.spacing) continue;
-    worst = {spacing, coordinate, find_element_number(chunked, static_cast<int>(e)), mesh.element_part[e]};
+    worst = {spacing, coordinate, find_element_number(chunked, static_cast<int>(e)), mesh.part_of(e)};
   }
   return worst;
 }

@@ -37,7 +37,7 @@ std::vector<WorstChunk> find_worst_chunks(const ChunkedMesh& chunked, const Mode
   return worst;
 }
 
-/// Displacements of the corners of an element, and where they are.
+/// Displacements of the corners of an element as kernels see it, and where they are.
 struct MovedCorners {
   std::array<Vec3, 8> by;
   Vec3 center{};
@@ -46,8 +46,9 @@ struct MovedCorners {
 template <class Places>
 MovedCorners find_corners(const ChunkedMesh& chunked, const Places& x, int element) {
   MovedCorners corners;
+  const auto nodes = chunked.mesh.elements.kernel_nodes(static_cast<std::size_t>(element));
   for (std::size_t i = 0; i < 8; ++i) {
-    const auto n = static_cast<std::size_t>(chunked.mesh.elements[static_cast<std::size_t>(element)][i]);
+    const auto n = static_cast<std::size_t>(nodes[i]);
     for (std::size_t k = 0; k < 3; ++k) {
       corners.by[i][k] = x(n, k) - chunked.mesh.nodes[n][k];
       corners.center[k] += x(n, k) / 8;

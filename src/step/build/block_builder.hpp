@@ -12,6 +12,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/material/call_material.hpp"
 #include "src/deck/make_material.hpp"
+#include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/build_shells.hpp"
 #include "src/step/model/model.hpp"
 
@@ -80,7 +81,7 @@ struct BlockBuilder {
     const bool wanted = find_kind(deck.elements) == Kind;
     for (std::size_t c = 0; wanted && c < chunked.chunks.size(); ++c) {
       if (is_shell_chunk(chunked, chunked.chunks[c])) continue;
-      const int index = chunked.mesh.parts[static_cast<std::size_t>(chunked.chunks[c].part)].material;
+      const int index = find_block(chunked, chunked.chunks[c]).material;
       const MaterialDeck& deck_material = deck.materials[static_cast<std::size_t>(index)];
       visit_kernel_material(deck_material, [&](const auto& law, const auto& material) {
         if constexpr (std::is_same_v<std::decay_t<decltype(material)>, Material>) {
@@ -116,12 +117,10 @@ struct BlockBuilder {
     first_start[c] = start_values.size();
     start_count[c] = material.count_history();
     for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
-      double center[3] = {0, 0, 0};
-      for (const int n : chunked.mesh.elements[static_cast<std::size_t>(e)]) {
-        for (std::size_t k = 0; k < 3; ++k) center[k] += chunked.mesh.nodes[static_cast<std::size_t>(n)][k] / 8;
-      }
+      const Vec3 x =
+          find_center(gather_corners(chunked.mesh.elements, static_cast<std::size_t>(e), chunked.mesh.nodes));
       start_values.resize(start_values.size() + count);
-      start_history(material, &start_values[start_values.size() - count], center);
+      start_history(material, &start_values[start_values.size() - count], {x[0], x[1], x[2]});
     }
   }
 

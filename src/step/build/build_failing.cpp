@@ -87,7 +87,7 @@ void build_failing_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& m
   std::vector<int> list, first, row;
   FailingChunks& failing = model.failing;
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-    const int material = chunked.mesh.parts[static_cast<std::size_t>(chunked.chunks[c].part)].material;
+    const int material = find_block(chunked, chunked.chunks[c]).material;
     row.push_back(row_of_material[static_cast<std::size_t>(material)]);
     first.push_back(row.back() < 0 ? -1 : failing.pack_count);
     if (row.back() < 0) continue;

@@ -51,12 +51,12 @@ void add_chunk(const Mesh& mesh, const Chunk& chunk, std::vector<int>& slot_of_n
   tables.corner_slots.resize(base + static_cast<std::size_t>(packs) * 8 * width);
   for (int i = 0; i < packs * width; ++i) {
     const int element = chunk.first_element + std::min(i, chunk.element_count - 1);
+    const auto nodes = mesh.elements.kernel_nodes(static_cast<std::size_t>(element));
     for (int corner = 0; corner < 8; ++corner) {
       const std::size_t place = base +
                                 (static_cast<std::size_t>(i / width) * 8 + static_cast<std::size_t>(corner)) * width +
                                 static_cast<std::size_t>(i % width);
-      tables.corner_slots[place] =
-          find_slot(mesh.elements[static_cast<std::size_t>(element)][static_cast<std::size_t>(corner)]);
+      tables.corner_slots[place] = find_slot(nodes[static_cast<std::size_t>(corner)]);
     }
   }
   tables.first_element.push_back(chunk.first_element + chunk.element_count);
@@ -178,20 +178,15 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
 
 // --- masses
 
-double find_shell_volume(const Mesh& mesh, std::size_t element) {
-  HexCorners corners;
-  for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
-  return mesh.parts[static_cast<std::size_t>(mesh.element_part[element])].thickness * find_shell_area_size(corners);
-}
-
-double find_element_volume(const Mesh& mesh, std::size_t element) {
-  if (is_shell(mesh.elements[element])) return find_shell_volume(mesh, element);
+/// By the modes of the element's kernel.
+double find_kernel_volume(const Mesh& mesh, std::size_t element) {
+  if (mesh.topology_of(element).family != ElementFamily::hexahedra) return find_element_volume(mesh, element);
+  const HexCorners corners = gather_corners(mesh.elements, element, mesh.nodes);
   double x[8], y[8], z[8];
   for (std::size_t i = 0; i < 8; ++i) {
-    const Vec3& p = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
-    x[i] = p[0];
-    y[i] = p[1];
-    z[i] = p[2];
+    x[i] = corners[i][0];
+    y[i] = corners[i][1];
+    z[i] = corners[i][2];
   }
   to_modes(x);
   to_modes(y);
@@ -201,9 +196,16 @@ double find_element_volume(const Mesh& mesh, std::size_t element) {
   return find_volume_gradient(a).volume;
 }
 
-/// The share of each chunk in the mass of its nodes, in the first column: elements in ascending order. Corners of a
-/// shell, which stand twice, take two eighths.
-Rows3<double> sum_mass_by_slot(const Model& model, const std::vector<double>& element_mass) {
+/// What one of the corners that kernels see has of the mass of an element, in eighths: all corners have equal shares,
+/// divided over the places of each.
+double find_corner_share(const Topology& topology, std::size_t place) {
+  const auto& places = topology.kernel_corners;
+  const auto count = std::count(places.begin(), places.end(), places[place]);
+  return 8.0 / topology.corner_count / static_cast<double>(count);
+}
+
+/// The share of each chunk in the mass of its nodes, in the first column: elements in ascending order.
+Rows3<double> sum_mass_by_slot(const Model& model, const Elements& elements, const std::vector<double>& element_mass) {
   const Rows3<double> slot_mass("percuss::slot_mass", static_cast<std::size_t>(model.slot_count));
   const auto host = Kokkos::create_mirror_view(slot_mass);
   const auto first_element = to_host(model.chunks.first_element), first_slot = to_host(model.chunks.first_slot),
@@ -218,9 +220,9 @@ Rows3<double> sum_mass_by_slot(const Model& model, const std::vector<double>& el
             (static_cast<std::size_t>(first_pack(c) + i / width) * 8 + static_cast<std::size_t>(corner)) * width +
             static_cast<std::size_t>(i % width));
       };
-      const bool triangle = slot(0) == slot(4) && slot(2) == slot(3);
+      const Topology& topology = elements.topology_of(static_cast<std::size_t>(e));
       for (int corner = 0; corner < 8; ++corner) {
-        const double eighths = triangle ? (corner % 4 < 2 ? 4.0 / 3 : 2.0 / 3) : 1;
+        const double eighths = find_corner_share(topology, static_cast<std::size_t>(corner));
         host(static_cast<std::size_t>(first_slot(c) + slot(corner)), 0) += eighths * share;
       }
     }
@@ -230,8 +232,9 @@ Rows3<double> sum_mass_by_slot(const Model& model, const std::vector<double>& el
 }
 
 /// Masses of the nodes, as forces are summed: so every copy of a node has the same bits.
-std::vector<double> assemble_masses(const Model& model, const std::vector<double>& element_mass) {
-  const Rows3<double> slot_mass = sum_mass_by_slot(model, element_mass);
+std::vector<double> assemble_masses(const Model& model, const Elements& elements,
+                                    const std::vector<double>& element_mass) {
+  const Rows3<double> slot_mass = sum_mass_by_slot(model, elements, element_mass);
   HaloSwap swap(model.ranks, model.halo);
   swap.begin(ExecSpace(), slot_mass);
   swap.end();
@@ -248,19 +251,19 @@ void build_inertia(const Deck& deck, const Mesh& mesh, std::vector<double> eleme
   const std::vector<double> gyration_square = find_gyration_squares(deck, mesh);
   for (std::size_t e = 0; e < element_mass.size(); ++e) element_mass[e] *= gyration_square[e];
   model.gyration_square = to_view("percuss::gyration_square", gyration_square);
-  model.inertia = to_view("percuss::inertia", assemble_masses(model, element_mass));
+  model.inertia = to_view("percuss::inertia", assemble_masses(model, mesh.elements, element_mass));
 }
 
 std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   const Mesh& mesh = chunked.mesh;
   std::vector<double> element_mass(mesh.elements.size());
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const int material = mesh.parts[static_cast<std::size_t>(mesh.element_part[e])].material;
-    element_mass[e] = deck.materials[static_cast<std::size_t>(material)].density * find_element_volume(mesh, e);
+    const auto material = static_cast<std::size_t>(mesh.block_of(e).material);
+    element_mass[e] = deck.materials[material].density * find_kernel_volume(mesh, e);
   }
   if constexpr (is_single_precision) check_single_precision(deck, chunked, element_mass);
   scale_masses(deck, chunked, element_mass, model);
-  std::vector<double> mass = assemble_masses(model, element_mass);
+  std::vector<double> mass = assemble_masses(model, mesh.elements, element_mass);
   std::vector<int> all(mass.size());
   std::iota(all.begin(), all.end(), 0);
   const MassPoint scene = find_mass_point(chunked, all, mass);

@@ -8,7 +8,7 @@ void build_nodal_loads(const Deck& deck, const ChunkedMesh& chunked, LocalSlots&
   const Numbering& numbering = chunked.numbering;
   const auto pressures = static_cast<std::int64_t>(deck.pressures.size());
   // After the orders of chunks and of pressure faces.
-  const std::int64_t first_order = numbering.chunk_count() + 6 * pressures * numbering.element_count();
+  const std::int64_t first_order = numbering.chunk_count() + find_face_number(pressures * numbering.element_count(), 0);
   NodalLoads& loads = model.nodal_loads;
   loads.first_slot = static_cast<int>(slots.nodes.size());
   std::vector<int> nodes, load;

@@ -45,8 +45,8 @@ std::size_t find_part_with_both_sides(const Mesh& mesh, const std::vector<Elemen
   std::vector<int> first{static_cast<int>(mesh.parts.size())};
   for (std::size_t i = 1; i < faces.size(); ++i) {
     const auto element = static_cast<std::size_t>(faces[i].element);
-    if (faces[i - 1].element == faces[i].element && is_shell(mesh.elements[element]))
-      first[0] = std::min(first[0], mesh.element_part[element]);
+    if (faces[i - 1].element == faces[i].element && mesh.topology_of(element).is_surface())
+      first[0] = std::min(first[0], mesh.part_of(element));
   }
   find_least(mesh, first);
   return static_cast<std::size_t>(first[0]);
@@ -93,16 +93,12 @@ LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Mo
     const std::vector<ElementFace> selected = select_faces(mesh, deck, pressure.where);
     require_one_side(deck, mesh, pressure, selected);
     for (const ElementFace& face : selected) {
-      const std::int64_t order = numbering.chunk_count() +
-                                 6 * (load * numbering.element_count() + find_element_number(chunked, face.element)) +
-                                 face.face;
-      std::array<int, 4> nodes{};
-      for (std::size_t i = 0; i < 4; ++i) {
-        const int corner = hex_faces[face.face][i];
-        nodes[i] = mesh.elements[static_cast<std::size_t>(face.element)][static_cast<std::size_t>(corner)];
-        slots.nodes.push_back(nodes[i]);
-        slots.orders.push_back(order);
-      }
+      const std::int64_t order =
+          numbering.chunk_count() +
+          find_face_number(load * numbering.element_count() + find_element_number(chunked, face.element), face.face);
+      const std::array<int, 4> nodes = mesh.elements.face_nodes(face);
+      slots.nodes.insert(slots.nodes.end(), nodes.begin(), nodes.end());
+      slots.orders.insert(slots.orders.end(), nodes.size(), order);
       corners.push_back(nodes);
       loads.push_back(load);
       dead_shares.push_back(pressure.direction ? find_dead_share(mesh, nodes, *pressure.direction) : Vec3{});

@@ -49,11 +49,12 @@ bool visit_layer(const MaterialDeck& material, const Use& use) {
   return known;
 }
 
-/// On all ranks alike: every deck names every part.
+/// On all ranks alike: they know all blocks.
 void check_materials(const Deck& deck, const Mesh& mesh) {
-  for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
-    if (mesh.parts[p].thickness == 0) continue;
-    const MaterialDeck& material = deck.materials[static_cast<std::size_t>(mesh.parts[p].material)];
+  for (const ElementBlock& block : mesh.elements.blocks) {
+    if (!find_topology(block.topology).is_surface()) continue;
+    const auto p = static_cast<std::size_t>(block.part);
+    const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
     if (visit_layer(material, [](const auto&, const auto&) {})) continue;
     throw InputError(
         fmt::format("{}: error: part '{}' has shells of material '{}' (shells know elastic, j2_plasticity, "
@@ -64,8 +65,9 @@ void check_materials(const Deck& deck, const Mesh& mesh) {
 }
 
 bool holds_triangle(const ChunkedMesh& chunked, const Chunk& chunk) {
-  const auto first = chunked.mesh.elements.begin() + chunk.first_element;
-  return std::any_of(first, first + chunk.element_count, [](const auto& corners) { return is_triangle(corners); });
+  for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e)
+    if (chunked.mesh.topology_of(static_cast<std::size_t>(e)).corner_count == 3) return true;
+  return false;
 }
 
 /// What the launchers and readers need to know of the records of chunk c.
@@ -107,11 +109,11 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecord
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
     if (!is_shell_chunk(chunked, chunked.chunks[c])) continue;
     const int part_index = chunked.chunks[c].part;
-    const MeshPart& part = chunked.mesh.parts[static_cast<std::size_t>(part_index)];
-    visit_layer(deck.materials[static_cast<std::size_t>(part.material)], [&](const auto& law, const auto& layer) {
+    const ElementBlock& of_chunk = find_block(chunked, chunked.chunks[c]);
+    visit_layer(deck.materials[static_cast<std::size_t>(of_chunk.material)], [&](const auto& law, const auto& layer) {
       if constexpr (std::is_same_v<std::decay_t<decltype(layer)>, Layer>) {
         constexpr int usual = Layer::can_yield ? points_of_plastic_shells : points_of_elastic_shells;
-        const int points = part.points > 0 ? part.points : usual;
+        const int points = of_chunk.section.points > 0 ? of_chunk.section.points : usual;
         const auto [row, is_new] = row_of_part.emplace(part_index, static_cast<int>(rows.size()));
         const double offset = deck.parts[static_cast<std::size_t>(part_index)].offset;
         if (is_new) rows.push_back({layer, find_thickness_points(points), offset});
@@ -137,12 +139,11 @@ std::vector<ThicknessPoints> list_thickness_rules() {
 }  // namespace
 
 bool is_shell_chunk(const ChunkedMesh& chunked, const Chunk& chunk) {
-  return is_shell(chunked.mesh.elements[static_cast<std::size_t>(chunk.first_element)]);
+  return find_topology(find_block(chunked, chunk).topology).family == ElementFamily::shells;
 }
 
 void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, Model& model) {
-  const std::vector<MeshPart>& parts = chunked.mesh.parts;
-  model.has_shells = std::any_of(parts.begin(), parts.end(), [](const MeshPart& part) { return part.thickness > 0; });
+  model.has_shells = has_shells(chunked.mesh);
   if (!model.has_shells) return;
   check_materials(deck, chunked.mesh);
   std::apply([&](auto&... block) { (build_block(deck, chunked, records, block), ...); }, model.shell_blocks);
@@ -150,7 +151,7 @@ void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const Chun
   std::vector<double> thickness;
   for (const Chunk& chunk : chunked.chunks) {
     kinds.push_back(is_shell_chunk(chunked, chunk) ? 1 : 0);
-    thickness.push_back(parts[static_cast<std::size_t>(chunk.part)].thickness);
+    thickness.push_back(find_block(chunked, chunk).section.thickness);
   }
   model.chunks.is_shell = to_view("percuss::is_shell", kinds);
   model.start_thickness = to_view("percuss::start_thickness", thickness);
@@ -160,12 +161,10 @@ void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const Chun
 std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh) {
   std::vector<double> squares(mesh.elements.size(), 0);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    if (!is_shell(mesh.elements[e])) continue;
-    HexCorners corners;
-    for (std::size_t i = 0; i < 8; ++i) corners[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[e][i])];
-    const auto part = static_cast<std::size_t>(mesh.element_part[e]);
-    const double t = mesh.parts[part].thickness, offset = deck.parts[part].offset;
-    squares[e] = t * t / 12 + find_shell_area_size(corners) / 8 + offset * offset;
+    if (!mesh.topology_of(e).is_surface()) continue;
+    const ElementBlock& block = mesh.block_of(e);
+    const double t = block.section.thickness, offset = deck.parts[static_cast<std::size_t>(block.part)].offset;
+    squares[e] = t * t / 12 + find_shell_area_size(gather_corners(mesh.elements, e, mesh.nodes)) / 8 + offset * offset;
   }
   return squares;
 }
@@ -174,21 +173,21 @@ std::vector<double> find_shell_bounds(const Deck& deck, const Mesh& mesh, const 
   const std::vector<double> gyration_square = find_gyration_squares(deck, mesh);
   std::vector<double> bounds(mesh.elements.size(), 0);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    if (!is_shell(mesh.elements[e])) continue;
+    if (!mesh.topology_of(e).is_surface()) continue;
+    const auto nodes = mesh.elements.kernel_nodes(e);
     Vector3<double> corners[4];
     for (std::size_t i = 0; i < 4; ++i) {
-      const Vec3& x = mesh.nodes[static_cast<std::size_t>(mesh.elements[e][i])];
+      const Vec3& x = mesh.nodes[static_cast<std::size_t>(nodes[i])];
       corners[i] = {x[0], x[1], x[2]};
     }
-    const MixedShapes<bool> shapes{is_triangle(mesh.elements[e])};
-    const auto part = static_cast<std::size_t>(mesh.element_part[e]);
-    const ShellSection<double> section{mesh.parts[part].thickness, element_mass[e], gyration_square[e],
-                                       deck.parts[part].offset};
-    visit_layer(deck.materials[static_cast<std::size_t>(mesh.parts[part].material)],
-                [&](const auto&, const auto& layer) {
-                  const auto geometry = find_shell_geometry(find_differences(corners), shapes);
-                  bounds[e] = find_shell_step(geometry, section, layer.elasticity, shapes);
-                });
+    const MixedShapes<bool> shapes{nodes[2] == nodes[3]};
+    const ElementBlock& block = mesh.block_of(e);
+    const ShellSection<double> section{block.section.thickness, element_mass[e], gyration_square[e],
+                                       deck.parts[static_cast<std::size_t>(block.part)].offset};
+    visit_layer(deck.materials[static_cast<std::size_t>(block.material)], [&](const auto&, const auto& layer) {
+      const auto geometry = find_shell_geometry(find_differences(corners), shapes);
+      bounds[e] = find_shell_step(geometry, section, layer.elasticity, shapes);
+    });
   }
   return bounds;
 }

@@ -26,8 +26,9 @@ constexpr Held held[] = {{"volumes", 1e-15, 1e15},
 constexpr std::size_t count = std::size(held);
 
 void refuse_shells(const Deck& deck, const Mesh& mesh) {
-  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
-    if (mesh.parts[p].thickness == 0) continue;
+  for (const ElementBlock& block : mesh.elements.blocks) {
+    if (!find_topology(block.topology).is_surface()) continue;
+    const auto p = static_cast<std::size_t>(block.part);
     throw InputError(
         fmt::format("{}: error: part '{}' is of shells (this percuss computes elements in single precision, shells are "
                     "in double only) use one that is configured with PERCUSS_PRECISION=double",
@@ -54,7 +55,7 @@ void check_single_precision(const Deck& deck, const ChunkedMesh& chunked, const 
   std::array<double, 2 * count> extremes;  // largest of each and of its reciprocal
   extremes.fill(0);
   for (std::size_t e = 0; e < masses.size(); ++e) {
-    const auto material = static_cast<std::size_t>(mesh.parts[static_cast<std::size_t>(mesh.element_part[e])].material);
+    const auto material = static_cast<std::size_t>(mesh.block_of(e).material);
     const double volume = masses[e] / deck.materials[material].density;
     const double values[count] = {volume, masses[e] * volume, stiffness[material] * volume};
     for (std::size_t k = 0; k < count; ++k) {

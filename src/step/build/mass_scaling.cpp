@@ -31,9 +31,10 @@ bool is_asked_for(const Deck& deck) {
 
 /// Other laws of solids take the change of volume from the density, which is not the material's own where mass is
 /// added.
-void refuse_other_laws(const Deck& deck, const Mesh& mesh, std::size_t part, const MassScalingDeck& request) {
-  if (mesh.parts[part].thickness > 0) return;
-  const MaterialDeck& material = deck.materials[static_cast<std::size_t>(mesh.parts[part].material)];
+void refuse_other_laws(const Deck& deck, const ElementBlock& block, const MassScalingDeck& request) {
+  if (find_topology(block.topology).is_surface()) return;
+  const auto part = static_cast<std::size_t>(block.part);
+  const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
   const std::string& model = material.law.model;
   if ((model == "elastic" || model == "j2_plasticity") && !material.equation_of_state) return;
   throw InputError(
@@ -118,15 +119,16 @@ void check_limit(const Deck& deck, const MassScalingDeck& request, const AddedMa
 
 void scale_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<double>& element_mass, Model& model) {
   if (!is_asked_for(deck)) return;
-  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
-    if (const MassScalingDeck* request = find_request(deck, p)) refuse_other_laws(deck, chunked.mesh, p, *request);
+  for (const ElementBlock& block : chunked.mesh.elements.blocks) {
+    if (const auto* request = find_request(deck, static_cast<std::size_t>(block.part)))
+      refuse_other_laws(deck, block, *request);
   }
   std::vector<double> bounds = find_hex_bounds(model, element_mass);
   const std::vector<double> of_shells = find_shell_bounds(deck, chunked.mesh, element_mass);
   for (std::size_t e = 0; e < bounds.size(); ++e) bounds[e] = std::max(bounds[e], of_shells[e]);
   std::vector<PartShare> shares(deck.parts.size());
   for (std::size_t e = 0; e < element_mass.size(); ++e) {
-    const auto part = static_cast<std::size_t>(chunked.mesh.element_part[e]);
+    const auto part = static_cast<std::size_t>(chunked.mesh.part_of(e));
     const MassScalingDeck* request = find_request(deck, part);
     if (request != nullptr) take_element(*request, bounds[e], element_mass[e], shares[part]);
   }

@@ -38,7 +38,7 @@ int find_local_element(const ChunkedMesh& chunked, std::int64_t number) {
 std::string name_element(const Mesh& mesh, int element) {
   const auto e = static_cast<std::size_t>(element);
   return fmt::format("element {} of part '{}'", mesh.element_ids[e],
-                     mesh.parts[static_cast<std::size_t>(mesh.element_part[e])].name);
+                     mesh.parts[static_cast<std::size_t>(mesh.part_of(e))].name);
 }
 
 }  // namespace percuss

@@ -123,8 +123,9 @@ std::string hash_mesh(const ChunkedMesh& chunked, const Communicator& ranks) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     std::uint64_t h = mix_bits(~static_cast<std::uint64_t>(find_element_number(chunked, static_cast<int>(e))));
     h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.element_ids[e]));
-    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.element_part[e]));
-    for (const int n : mesh.elements[e]) {
+    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.part_of(e)));
+    h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.block_of(e).topology));
+    for (const int n : mesh.corners(e)) {
       h = mix_bits(h ^ static_cast<std::uint64_t>(mesh.node_numbers[static_cast<std::size_t>(n)]));
     }
     sum += h;

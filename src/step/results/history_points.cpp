@@ -10,20 +10,13 @@
 #include "comm/merge_reduction.hpp"
 #include "src/deck/history_parts.hpp"
 #include "src/error.hpp"
+#include "src/mesh/hex_geometry.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/results/history.hpp"
 #include "src/step/results/nearest_items.hpp"
 
 namespace percuss {
 namespace {
-
-Vec3 find_center(const Mesh& mesh, const std::array<int, 8>& corners) {
-  Vec3 center{};
-  for (const int n : corners) {
-    for (std::size_t k = 0; k < 3; ++k) center[k] += mesh.nodes[static_cast<std::size_t>(n)][k] / 8;
-  }
-  return center;
-}
 
 /// Nodes or elements of this rank among which points of the deck are searched: of one part, or of all.
 class SearchedItems {
@@ -52,13 +45,13 @@ class SearchedItems {
         throw InputError(fmt::format("{}: error: no part is called '{}' (history point '{}')", deck.where(point.place),
                                      point.part, point.name));
       }
-      for (std::size_t e = 0; e < elements.size(); ++e) elements[e] = mesh.element_part[e] == part - mesh.parts.begin();
+      for (std::size_t e = 0; e < elements.size(); ++e) elements[e] = mesh.part_of(e) == part - mesh.parts.begin();
     }
     if (point.is_element) return elements;
     std::vector<bool> nodes(mesh.nodes.size(), false);
     for (std::size_t e = 0; e < elements.size(); ++e) {
       if (!elements[e]) continue;
-      for (const int n : mesh.elements[e]) nodes[static_cast<std::size_t>(n)] = true;
+      for (const int n : mesh.corners(e)) nodes[static_cast<std::size_t>(n)] = true;
     }
     return nodes;
   }
@@ -72,7 +65,8 @@ class SearchedItems {
     std::vector<Item> items;
     for (std::size_t i = 0; i < searched_.size(); ++i) {
       if (!searched_[i]) continue;
-      items.push_back({is_element_ ? find_center(mesh, mesh.elements[i]) : mesh.nodes[i], find_number(i)});
+      items.push_back(
+          {is_element_ ? find_center(gather_corners(mesh.elements, i, mesh.nodes)) : mesh.nodes[i], find_number(i)});
     }
     return items;
   }

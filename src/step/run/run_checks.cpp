@@ -19,20 +19,15 @@ namespace {
 
 HexCorners find_corners(const CheckedRun& run, int element) {
   const auto x = to_host(run.state.x);
-  HexCorners corners{};
-  for (std::size_t i = 0; i < 8; ++i) {
-    const auto n = static_cast<std::size_t>(run.chunked.mesh.elements[static_cast<std::size_t>(element)][i]);
-    for (std::size_t k = 0; k < 3; ++k) corners[i][k] = x(n, k);
-  }
-  return corners;
+  return gather_corners(run.chunked.mesh.elements, static_cast<std::size_t>(element), [&](int node) {
+    const auto n = static_cast<std::size_t>(node);
+    return Vec3{x(n, 0), x(n, 1), x(n, 2)};
+  });
 }
 
 /// "element 5 of part 'bar' at (2.75, 0.5, 0.5)", of an element of this rank.
 std::string name_with_place(const CheckedRun& run, int element) {
-  Vec3 center{};
-  for (const Vec3& corner : find_corners(run, element)) {
-    for (std::size_t k = 0; k < 3; ++k) center[k] += corner[k] / 8;
-  }
+  const Vec3 center = find_center(find_corners(run, element));
   return fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_element(run.chunked.mesh, element), center[0], center[1],
                      center[2]);
 }
@@ -52,8 +47,9 @@ std::string describe_element(const CheckedRun& run, std::int64_t number) {
 std::string describe_failed_element(const CheckedRun& run) {
   return describe_there(run, run.state.bound.failed_element, [&](int element) {
     const HexCorners corners = find_corners(run, element);
-    const bool shell = is_shell(run.chunked.mesh.elements[static_cast<std::size_t>(element)]);
-    const double volume = shell ? find_shell_area_size(corners) : find_hex_volume(corners);
+    const Topology& topology = run.chunked.mesh.topology_of(static_cast<std::size_t>(element));
+    const bool shell = topology.is_surface();
+    const double volume = shell ? find_shell_area_size(corners) : find_solid_volume(topology, corners);
     const std::string name = name_with_place(run, element);
     if (std::isnan(volume)) return name + " is not finite any more (a corner's position is no number)";
     if (shell) return fmt::format("{} has no area or no stable step any more (its area is {:.3g})", name, volume);

@@ -127,7 +127,7 @@ TEST(TiesOfShells, CountTheGapBeyondTheThickness) {
 
 TEST(TiesOfShells, AreToTheFirstSideOfAPartOrToTheSideNamed) {
   for (const auto& [b, side] :
-       {std::pair{"sheet", shell_bottom}, {"sheet/bottom", shell_bottom}, {"sheet/top", shell_top}}) {
+       {std::pair{"sheet", bottom_face}, {"sheet/bottom", bottom_face}, {"sheet/top", top_face}}) {
     const Tied t("{ties: [{a: cover, b: " + std::string(b) + "}]}", sheets);
     EXPECT_EQ(t.ties.counts[0].tied, 16) << b;
     for (const TiedNode& tied : t.ties.nodes) EXPECT_EQ(tied.face % 6, side) << b;

@@ -7,6 +7,7 @@
 
 #include "src/error.hpp"
 #include "src/mesh/id_allotment.hpp"
+#include "tests/src/mesh/hand_made.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
 
 namespace percuss {
@@ -22,10 +23,10 @@ TEST(BuildMesh, PutsPartsTogetherWithoutMergingNodes) {
   const Mesh mesh = build_mesh(make_deck(
       {make_part_deck("a", BoxShape{{1, 1, 1}, {2, 1, 1}}), make_part_deck("b", BoxShape{{1, 1, 1}, {1, 1, 1}})}));
   EXPECT_EQ(mesh.nodes.size(), 12U + 8);
-  EXPECT_EQ(mesh.element_part, (std::vector<int>{0, 0, 1}));
+  EXPECT_EQ(list_parts(mesh.elements), (std::vector<int>{0, 0, 1}));
   EXPECT_EQ(mesh.node_sets.at("b"), (std::vector<int>{12, 13, 14, 15, 16, 17, 18, 19}));
   EXPECT_EQ(mesh.side_sets.at("b/x_min"), (std::vector<ElementFace>{{2, 3}}));
-  EXPECT_EQ(mesh.elements[2][0], 12);
+  EXPECT_EQ(mesh.corners(2)[0], 12);
   EXPECT_TRUE(mesh.warnings.empty());
 }
 
@@ -62,10 +63,10 @@ TEST(BuildMesh, KeepsElementsIdsAndSetsTogether) {
   const auto node_of = [&](int n) { return mesh.node_ids[static_cast<std::size_t>(n)] - 1 - nodes_before; };
   const auto element_of = [&](int e) { return mesh.element_ids[static_cast<std::size_t>(e)] - 1 - elements_before; };
   for (int e = 0; e < static_cast<int>(mesh.elements.size()); ++e) {
-    if (mesh.element_part[static_cast<std::size_t>(e)] != 1) continue;
+    if (mesh.part_of(static_cast<std::size_t>(e)) != 1) continue;
     for (std::size_t c = 0; c < 8; ++c) {
-      const int n = mesh.elements[static_cast<std::size_t>(e)][c];
-      ASSERT_EQ(node_of(n), whole.elements[static_cast<std::size_t>(element_of(e))][c]);
+      const int n = mesh.corners(static_cast<std::size_t>(e))[c];
+      ASSERT_EQ(node_of(n), whole.elements.corners(static_cast<std::size_t>(element_of(e)))[c]);
       ASSERT_EQ(mesh.nodes[static_cast<std::size_t>(n)], whole.nodes[static_cast<std::size_t>(node_of(n))]);
     }
   }
@@ -88,8 +89,8 @@ TEST(BuildMesh, NamesTheMaterialOfEachPart) {
   deck.parts[0].material = "brick";
   const Mesh mesh = build_mesh(deck);
   EXPECT_EQ(mesh.parts[0].name, "a");
-  EXPECT_EQ(mesh.parts[0].material, 1);
-  EXPECT_EQ(mesh.parts[1].material, 0);
+  EXPECT_EQ(mesh.elements.blocks[0].material, 1);
+  EXPECT_EQ(mesh.elements.blocks[1].material, 0);
 }
 
 TEST(BuildMesh, ReportsTheProblemsOfAllParts) {

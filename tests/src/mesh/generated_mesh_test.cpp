@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "src/deck/mesh_size.hpp"
-#include "src/mesh/topology.hpp"
+#include "src/mesh/topology/connectivity.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
 
 namespace percuss {
@@ -102,10 +102,8 @@ TEST_P(GeneratedMesh, HasTheVolumeThatItsSurfaceEncloses) {
   double enclosed = 0;  // divergence theorem with the field x / 3 over bilinear faces
   for (const ElementFace& f : join_side_sets(mesh)) {
     std::array<Vec3, 4> p;
-    for (std::size_t c = 0; c < 4; ++c) {
-      const auto corner = static_cast<std::size_t>(hex_faces[f.face][c]);
-      p[c] = mesh.nodes[static_cast<std::size_t>(mesh.elements[static_cast<std::size_t>(f.element)][corner])];
-    }
+    const std::array<int, 4> corners = mesh.elements.face_nodes(f);
+    for (std::size_t c = 0; c < 4; ++c) p[c] = mesh.nodes[static_cast<std::size_t>(corners[c])];
     enclosed += (triple_product(p[0], p[1], add(p[2], p[3])) + triple_product(add(p[0], p[1]), p[2], p[3])) / 12;
   }
   EXPECT_NEAR(total_volume(mesh), enclosed, 1e-13 * enclosed);
@@ -118,10 +116,9 @@ TEST_P(GeneratedMesh, HasASurfaceWithoutCracks) {
   std::set<int> nodes;
   const std::vector<ElementFace> faces = join_side_sets(mesh);
   for (const ElementFace& f : faces) {
-    const auto& corners = mesh.elements[static_cast<std::size_t>(f.element)];
-    for (int c = 0; c < 4; ++c) {
-      const int a = corners[static_cast<std::size_t>(hex_faces[f.face][c])];
-      const int b = corners[static_cast<std::size_t>(hex_faces[f.face][(c + 1) % 4])];
+    const std::array<int, 4> corners = mesh.elements.face_nodes(f);
+    for (std::size_t c = 0; c < 4; ++c) {
+      const int a = corners[c], b = corners[(c + 1) % 4];
       EXPECT_TRUE(edges.emplace(a, b).second) << "an edge runs twice the same way";
       nodes.insert(a);
     }

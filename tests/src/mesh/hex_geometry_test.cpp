@@ -16,8 +16,8 @@ HexCorners make_brick(double a, double b, double c) {
 }
 
 TEST(HexGeometry, VolumeOfABrickIsTheProductOfItsEdges) {
-  EXPECT_DOUBLE_EQ(find_hex_volume(make_brick(2, 3, 5)), 30);
-  EXPECT_DOUBLE_EQ(find_hex_volume(make_brick(-2, 3, 5)), -30);
+  EXPECT_DOUBLE_EQ(find_solid_volume(hex8_topology, make_brick(2, 3, 5)), 30);
+  EXPECT_DOUBLE_EQ(find_solid_volume(hex8_topology, make_brick(-2, 3, 5)), -30);
 }
 
 TEST(HexGeometry, VolumeOfWarpedHexahedraIsThatOfGaussQuadrature) {
@@ -29,19 +29,19 @@ TEST(HexGeometry, VolumeOfWarpedHexahedraIsThatOfGaussQuadrature) {
       for (double& c : corner) c += shift(random);
     }
     // Round-off of two dozen products of numbers near 1.
-    EXPECT_NEAR(find_hex_volume(x), gauss_volume(x), 1e-14);
+    EXPECT_NEAR(find_solid_volume(hex8_topology, x), gauss_volume(x), 1e-14);
   }
 }
 
 TEST(HexGeometry, VolumeDoesNotDependOnTheDistanceToTheOrigin) {
   HexCorners x = make_brick(1, 1, 1);
   for (Vec3& corner : x) corner[0] += 1048576;  // 2^20: the shift itself is exact
-  EXPECT_EQ(find_hex_volume(x), 1);
+  EXPECT_EQ(find_solid_volume(hex8_topology, x), 1);
 }
 
 TEST(HexGeometry, CornerJacobiansOfABrickAreItsVolume) {
   for (int c = 0; c < 8; ++c) {
-    const CornerJacobian jacobian = find_corner_jacobian(make_brick(2, 3, 5), c);
+    const CornerJacobian jacobian = find_corner_jacobian(hex8_topology, make_brick(2, 3, 5), c);
     EXPECT_DOUBLE_EQ(jacobian.value, 30) << "corner " << c;
     EXPECT_DOUBLE_EQ(jacobian.edge_product, 30) << "corner " << c;
   }
@@ -50,8 +50,8 @@ TEST(HexGeometry, CornerJacobiansOfABrickAreItsVolume) {
 TEST(HexGeometry, ACornerPushedThroughItsOppositeTurnsItsJacobianNegative) {
   HexCorners x = make_brick(1, 1, 1);
   x[6] = {0.2, 0.2, 0.2};
-  EXPECT_LT(find_corner_jacobian(x, 6).value, 0);
-  EXPECT_GT(find_corner_jacobian(x, 0).value, 0);
+  EXPECT_LT(find_corner_jacobian(hex8_topology, x, 6).value, 0);
+  EXPECT_GT(find_corner_jacobian(hex8_topology, x, 0).value, 0);
 }
 
 }  // namespace

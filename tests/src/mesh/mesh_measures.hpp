@@ -38,11 +38,13 @@ inline PartMesh make_part_mesh(const Shape& shape) {
   const std::unique_ptr<ShapeSource> source = make_source(shape);
   const std::vector<std::string> names = side_names(shape);
   PartMesh mesh;
+  mesh.elements.blocks.resize(1);
+  mesh.elements.blocks[0].topology = source->topology();
   for (int n = 0; n < source->node_count(); ++n) mesh.nodes.push_back(source->place(n));
   for (int e = 0; e < source->element_count(); ++e) {
-    mesh.elements.push_back(source->corners(e));
-    const std::array<int, 6> sides = source->face_sides(e);
-    for (int f = 0; f < 6; ++f) {
+    mesh.elements.add(0, source->corners(e));
+    const ShapeSource::FaceSides sides = source->face_sides(e);
+    for (int f = 0; f < static_cast<int>(most_faces); ++f) {
       const int side = sides[static_cast<std::size_t>(f)];
       if (side != ShapeSource::interior) mesh.side_sets[names[static_cast<std::size_t>(side)]].push_back({e, f});
     }
@@ -52,9 +54,7 @@ inline PartMesh make_part_mesh(const Shape& shape) {
 
 template <class AnyMesh>
 HexCorners corners_of(const AnyMesh& mesh, std::size_t element) {
-  HexCorners x;
-  for (std::size_t i = 0; i < 8; ++i) x[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[element][i])];
-  return x;
+  return gather_corners(mesh.elements, element, mesh.nodes);
 }
 
 /// Volume by 2 x 2 x 2 Gauss points: exact for the trilinear map, and nothing that the code under test uses.
@@ -92,7 +92,7 @@ double worst_scaled_jacobian(const AnyMesh& mesh) {
   double worst = 1;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     for (int c = 0; c < 8; ++c) {
-      const CornerJacobian jacobian = find_corner_jacobian(corners_of(mesh, e), c);
+      const CornerJacobian jacobian = find_corner_jacobian(hex8_topology, corners_of(mesh, e), c);
       worst = std::min(worst, jacobian.value / jacobian.edge_product);
     }
   }

@@ -58,7 +58,7 @@ TEST(BisectElements, CutsAcrossTheWidestExtent) {
   const auto chunks = list_chunks(bisect_elements(mesh));
   ASSERT_EQ(chunks.size(), 2U);
   for (const int e : chunks[0]) {
-    EXPECT_LT(mesh.nodes[static_cast<std::size_t>(mesh.elements[static_cast<std::size_t>(e)][0])][1], 4.49);
+    EXPECT_LT(mesh.nodes[static_cast<std::size_t>(mesh.elements.corners(static_cast<std::size_t>(e))[0])][1], 4.49);
   }
 }
 
@@ -70,9 +70,7 @@ TEST(BisectElements, PutsTheSameElementsTogetherWhateverTheirOrderInTheInput) {
     std::iota(order.begin(), order.end(), 0);
     std::shuffle(order.begin(), order.end(), std::mt19937(seed));
     PartMesh shuffled = mesh;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      shuffled.elements[i] = mesh.elements[static_cast<std::size_t>(order[i])];
-    }
+    shuffled.elements = mesh.elements.select(order);
     auto found = list_chunks(bisect_elements(shuffled));
     for (auto& chunk : found) {
       for (int& e : chunk) e = order[static_cast<std::size_t>(e)];
@@ -84,7 +82,7 @@ TEST(BisectElements, PutsTheSameElementsTogetherWhateverTheirOrderInTheInput) {
 
 TEST(BisectElements, SplitsElementsWithOneCentreByIndex) {
   PartMesh mesh = make_part_mesh(BoxShape{{1, 1, 1}, {1, 1, 1}});
-  mesh.elements.assign(100, mesh.elements[0]);
+  mesh.elements = mesh.elements.select(std::vector<int>(100, 0));
   const ElementOrder order = bisect_elements(mesh);
   EXPECT_EQ(order.first_of_chunk.size(), 3U);
   EXPECT_TRUE(std::is_sorted(order.elements.begin(), order.elements.end()));

@@ -12,7 +12,7 @@
 #include "src/mesh/decomposition/decompose.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
-#include "src/mesh/topology.hpp"
+#include "src/mesh/topology/connectivity.hpp"
 #include "tests/src/mesh/exodus_writer.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
 
@@ -68,7 +68,7 @@ TEST_P(ShellSurface, HasSoundElementsWhoseNormalsPointOutward) {
   check_connectivity(mesh, problems);
   EXPECT_TRUE(problems.empty());
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    ASSERT_TRUE(is_shell(mesh.elements[e]));
+    ASSERT_EQ(mesh.elements.topology_of(e).name, "quad4");
     const HexCorners x = corners_of(mesh, e);
     const Vec3 from = subtract(add(x[0], x[2]), add(GetParam().center, GetParam().center));
     const Vec3 area = find_shell_area(x);
@@ -96,10 +96,15 @@ TEST_P(ShellSurface, IsOneBodyWithTwoFacesAndTheEdgesThatItShouldHave) {
   const PartMesh mesh = make_part_mesh(GetParam().shape);
   const auto bodies = find_bodies(mesh.elements, mesh.nodes.size());
   EXPECT_TRUE(std::all_of(bodies.begin(), bodies.end(), [](int b) { return b == 0; }));
-  for (const auto mask : mark_exterior_faces(mesh.elements, mesh.nodes.size())) EXPECT_EQ(mask, 0b110000);
+  for (const auto mask : mark_exterior_faces(mesh.elements, mesh.nodes.size())) EXPECT_EQ(mask, 0b11);
   std::map<std::pair<int, int>, int> edges;
-  for (const auto& element : mesh.elements) {
-    for (std::size_t i = 0; i < 4; ++i) ++edges[std::minmax(element[i], element[(i + 1) % 4])];
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const auto corners = mesh.elements.corners(e);
+    ASSERT_EQ(corners.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int a = corners[i], b = corners[(i + 1) % 4];
+      ++edges[{std::min(a, b), std::max(a, b)}];
+    }
   }
   int open = 0;
   for (const auto& [edge, count] : edges) {
@@ -123,7 +128,7 @@ TEST(ShellMesh, EdgesOfAGeneratedPlateAreNodeSets) {
   EXPECT_EQ(mesh.node_sets.at("p/y_max").size(), 5U);
   EXPECT_EQ(mesh.node_sets.at("p/top").size(), 20U);
   EXPECT_EQ(mesh.side_sets.at("p/top").size(), 12U);
-  EXPECT_EQ(mesh.side_sets.at("p/top").front().face, shell_top);
+  EXPECT_EQ(mesh.side_sets.at("p/top").front().face, top_face);
   EXPECT_TRUE(mesh.side_sets.at("p/x_min").empty());
   for (const int n : mesh.node_sets.at("p/x_max")) EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(n)][0], 2);
 }
@@ -163,8 +168,11 @@ TEST(ShellMesh, HexahedraAndShellsOfOneFileShareTheirNodes) {
   ASSERT_EQ(chunked.mesh.elements.size(), 3U);
   EXPECT_EQ(chunked.mesh.nodes.size(), 14U);
   ASSERT_EQ(chunked.chunks.size(), 2U);  // one of hexahedra, one of shells
-  EXPECT_FALSE(is_shell(chunked.mesh.elements[0]));
-  EXPECT_TRUE(is_shell(chunked.mesh.elements[2]));
+  EXPECT_EQ(chunked.mesh.topology_of(0).name, "hex8");
+  EXPECT_EQ(chunked.mesh.topology_of(2).name, "quad4");
+  EXPECT_EQ(chunked.mesh.block_of(0).section.thickness, 0);
+  EXPECT_EQ(chunked.mesh.block_of(2).section.thickness, 0.01);
+  EXPECT_EQ(chunked.mesh.block_of(2).name, "fin");
   EXPECT_EQ(chunked.mesh.bodies, (std::vector<int>{0, 0, 0}));
 }
 
@@ -175,9 +183,9 @@ TEST(ShellMesh, ShellsOfAFileHaveNamedSidesUnlessTheFileNamesThem) {
     PartDeck part = make_file_part(write_exodus(mesh, "fin.exo"));
     part.thickness = 0.01;
     const Mesh built = build_mesh(make_deck({part}));
-    const ElementFace top = named ? ElementFace{0, 5} : ElementFace{2, shell_top};
+    const ElementFace top = named ? ElementFace{0, 5} : ElementFace{2, top_face};
     EXPECT_THAT(built.side_sets.at("p/top"), ElementsAre(top));
-    EXPECT_THAT(built.side_sets.at("p/bottom"), ElementsAre(ElementFace{2, shell_bottom}));
+    EXPECT_THAT(built.side_sets.at("p/bottom"), ElementsAre(ElementFace{2, bottom_face}));
   }
 }
 
@@ -198,7 +206,7 @@ TEST(ShellMesh, ShellsOfAFileNeedAThicknessAndNothingElseHasOne) {
   EXPECT_THAT(take_error(solid), HasSubstr("the file has no shells"));
 }
 
-TEST(ShellMesh, TrianglesOfAFileHaveTheirThirdCornerTwiceHoweverTheyAreWritten) {
+TEST(ShellMesh, TrianglesOfAFileHaveThreeCornersHoweverTheyAreWritten) {
   // A roof of two: a triangle block, and a quadrilateral that names a corner twice in a row, at each place in turn.
   for (std::size_t place = 0; place < 4; ++place) {
     WrittenMesh mesh;
@@ -214,15 +222,13 @@ TEST(ShellMesh, TrianglesOfAFileHaveTheirThirdCornerTwiceHoweverTheyAreWritten) 
     ASSERT_EQ(built.elements.size(), 2U);
     EXPECT_EQ(built.nodes.size(), 4U);
     EXPECT_EQ(built.bodies, (std::vector<int>{0, 0}));
-    for (const auto& element : built.elements) {
-      EXPECT_TRUE(is_triangle(element));
-      HexCorners x;
-      for (std::size_t i = 0; i < 8; ++i) x[i] = built.nodes[static_cast<std::size_t>(element[i])];
-      EXPECT_GT(find_shell_area(x)[2], 0);  // the normal is that of the file
+    for (std::size_t e = 0; e < built.elements.size(); ++e) {
+      EXPECT_EQ(built.topology_of(e).name, "tri3");
+      EXPECT_GT(find_shell_area(corners_of(built, e))[2], 0);  // the normal is that of the file
     }
     const auto& tops = built.side_sets.at("p/tops");
     ASSERT_EQ(tops.size(), 2U);
-    for (const ElementFace& face : tops) EXPECT_EQ(face.face, shell_top);
+    for (const ElementFace& face : tops) EXPECT_EQ(face.face, top_face);
   }
 }
 
@@ -273,8 +279,8 @@ TEST(ShellMesh, SidesOneAndTwoOfAQuadrilateralAreItsTopAndItsBottom) {
   const Mesh built = build_mesh(make_deck({part}));
   const auto& faces = built.side_sets.at("p/faces");
   ASSERT_EQ(faces.size(), 2U);
-  EXPECT_EQ(faces[0].face, shell_bottom);
-  EXPECT_EQ(faces[1].face, shell_top);
+  EXPECT_EQ(faces[0].face, bottom_face);
+  EXPECT_EQ(faces[1].face, top_face);
   mesh.side_sets[0].sides = {1, 3};
   part = make_file_part(write_exodus(mesh, "fin.exo"));
   part.thickness = 0.1;

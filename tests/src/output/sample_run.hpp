@@ -11,13 +11,14 @@
 #include "comm/communicator.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/output/fields/fields_file.hpp"
+#include "tests/src/mesh/hand_made.hpp"
 
 namespace percuss::sample {
 
 /// cells^3 elements a cube; ids that are neither 0-based nor in order; a part name that XML must escape.
 inline Mesh make_mesh(int cells = 2) {
   Mesh mesh;
-  mesh.parts = {{"left", 0}, {"right <&\"> one", 1}};
+  mesh.parts = {{"left"}, {"right <&\"> one"}};
   const int n = cells + 1;
   for (int part = 0; part < 2; ++part) {
     const int first = static_cast<int>(mesh.nodes.size());
@@ -28,9 +29,9 @@ inline Mesh make_mesh(int cells = 2) {
     for (int e = 0; e < cells * cells * cells; ++e) {
       const int c = first + e % cells + n * (e / cells % cells) + n * n * (e / (cells * cells));
       const int up = n * n;
-      mesh.elements.push_back({c, c + 1, c + n + 1, c + n, c + up, c + up + 1, c + up + n + 1, c + up + n});
+      testing_mesh::add_element(mesh.elements, TopologyKind::hex8,
+                                {c, c + 1, c + n + 1, c + n, c + up, c + up + 1, c + up + n + 1, c + up + n}, part);
       mesh.element_ids.push_back(500 + 3 * static_cast<std::int64_t>(mesh.element_ids.size()));
-      mesh.element_part.push_back(part);
     }
   }
   return mesh;
@@ -60,6 +61,7 @@ inline ChunkedMesh take_share(const ChunkedMesh& whole, const Communicator& rank
   Mesh& own = share.mesh;
   share.numbering = whole.numbering;
   own.parts = whole.mesh.parts;
+  own.elements.blocks = whole.mesh.elements.blocks;
   std::vector<int> local(whole.mesh.nodes.size(), -1);
   for (const Chunk& chunk : whole.chunks) {
     int& owner = share.numbering.ranks[static_cast<std::size_t>(chunk.number)];
@@ -68,10 +70,9 @@ inline ChunkedMesh take_share(const ChunkedMesh& whole, const Communicator& rank
     share.chunks.push_back({static_cast<int>(own.elements.size()), chunk.element_count, chunk.part, chunk.number});
     for (int i = chunk.first_element; i < chunk.first_element + chunk.element_count; ++i) {
       const auto e = static_cast<std::size_t>(i);
-      own.elements.push_back(whole.mesh.elements[e]);
+      own.elements.add(whole.mesh.elements.block_index(e), whole.mesh.corners(e));
       own.element_ids.push_back(whole.mesh.element_ids[e]);
-      own.element_part.push_back(whole.mesh.element_part[e]);
-      for (const int node : own.elements.back()) local[static_cast<std::size_t>(node)] = 0;
+      for (const int node : whole.mesh.corners(e)) local[static_cast<std::size_t>(node)] = 0;
     }
   }
   for (std::size_t n = 0; n < local.size(); ++n) {
@@ -81,8 +82,8 @@ inline ChunkedMesh take_share(const ChunkedMesh& whole, const Communicator& rank
     own.node_ids.push_back(whole.mesh.node_ids[n]);
     own.node_numbers.push_back(static_cast<std::int64_t>(n));
   }
-  for (auto& element : own.elements) {
-    for (int& node : element) node = local[static_cast<std::size_t>(node)];
+  for (std::size_t e = 0; e < own.elements.size(); ++e) {
+    for (int& node : own.elements.corners(e)) node = local[static_cast<std::size_t>(node)];
   }
   return share;
 }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "src/mesh/hex_geometry.hpp"
 #include "src/step/audit/audit.hpp"
 #include "src/step/erosion.hpp"
 #include "src/step/model/whole_mesh.hpp"
@@ -60,10 +61,8 @@ struct ErodingScene {
   }
 
   Vec3 find_center(int element) const {
-    Vec3 center{};
-    for (const int n : scene.chunked.mesh.elements[static_cast<std::size_t>(element)])
-      for (std::size_t k = 0; k < 3; ++k) center[k] += scene.chunked.mesh.nodes[static_cast<std::size_t>(n)][k] / 8;
-    return center;
+    const Mesh& mesh = scene.chunked.mesh;
+    return percuss::find_center(gather_corners(mesh.elements, static_cast<std::size_t>(element), mesh.nodes));
   }
 
   /// Least and largest value of component k of a row array over this rank's nodes of a part, and over all ranks.

@@ -84,13 +84,13 @@ class OneByOne {
     return push_forward(state.polar.rotation, (1.0 / static_cast<double>(points.size())) * sum);
   }
 
-  bool is_plastic(std::size_t e) const { return scene_.chunked.mesh.element_part[e] == 0; }
+  bool is_plastic(std::size_t e) const { return scene_.chunked.mesh.part_of(e) == 0; }
 
   Corners gather(const Rows3<double>& rows, std::size_t e) const {
     const auto host = to_host(rows);
     Corners c{};
     for (std::size_t i = 0; i < 8; ++i) {
-      const auto n = static_cast<std::size_t>(scene_.chunked.mesh.elements[e][i]);
+      const auto n = static_cast<std::size_t>(scene_.chunked.mesh.corners(e)[i]);
       c.x[i] = host(n, 0), c.y[i] = host(n, 1), c.z[i] = host(n, 2);
     }
     return c;
@@ -109,7 +109,7 @@ class OneByOne {
       results.push_back(advance_hex8(par, a, v, dt, elastic_[e], f[0], f[1], f[2]));
     }
     for (std::size_t i = 0; i < 8; ++i) {
-      const auto n = static_cast<std::size_t>(scene_.chunked.mesh.elements[e][i]);
+      const auto n = static_cast<std::size_t>(scene_.chunked.mesh.corners(e)[i]);
       for (std::size_t k = 0; k < 3; ++k) share[n][k] -= f[k][i];
     }
   }

@@ -17,8 +17,8 @@ Deck read_scene(const std::vector<std::string>& settings) { return read_deck(PER
 /// Depth of a point below the mean planes of the faces of an element; negative outside [length].
 double find_depth(const HexCorners& x, const Vec3& point) {
   double depth = 1e300;
-  for (const auto& face : hex_faces) {
-    const auto corner = [&](int i) { return x[static_cast<std::size_t>(face[i])]; };
+  for (const FaceCorners& face : hex8_topology.faces()) {
+    const auto corner = [&](std::size_t i) { return x[static_cast<std::size_t>(face.four[i])]; };
     const Vec3 normal = cross(subtract(corner(2), corner(0)), subtract(corner(3), corner(1)));
     const Vec3 four = add(add(corner(0), corner(1)), add(corner(2), corner(3)));
     const Vec3 center = {0.25 * four[0], 0.25 * four[1], 0.25 * four[2]};
@@ -38,7 +38,7 @@ double find_deepest(const ErodingScene& eroding) {
     HexCorners x{};
     Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
     for (std::size_t c = 0; c < 8; ++c) {
-      x[c] = at(static_cast<std::size_t>(mesh.elements[e][c]));
+      x[c] = at(static_cast<std::size_t>(mesh.corners(e)[c]));
       for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], x[c][k]), high[k] = std::max(high[k], x[c][k]);
     }
     for (std::size_t n = 0; n < mesh.nodes.size(); ++n) {
@@ -46,7 +46,7 @@ double find_deepest(const ErodingScene& eroding) {
       bool is_near = true;
       for (std::size_t k = 0; k < 3; ++k) is_near = is_near && p[k] > low[k] && p[k] < high[k];
       if (!is_near) continue;
-      if (std::count(mesh.elements[e].begin(), mesh.elements[e].end(), static_cast<int>(n)) > 0) continue;
+      if (std::count(mesh.corners(e).begin(), mesh.corners(e).end(), static_cast<int>(n)) > 0) continue;
       deepest = std::max(deepest, find_depth(x, p));
     }
   }

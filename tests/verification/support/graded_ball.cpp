@@ -1,6 +1,7 @@
 #include "tests/verification/support/graded_ball.hpp"
 
 #include <cmath>
+#include <span>
 
 #include "src/deck/reading/read_deck.hpp"
 
@@ -32,7 +33,8 @@ testing_mesh::WrittenMesh make_graded_quarter_ball(double radius, int across, do
   testing_mesh::WrittenBlock block;
   block.name = "ball";
   std::vector<std::int64_t> new_number(ball.nodes.size(), 0);
-  for (const auto& corners : ball.elements) {
+  for (std::size_t e = 0; e < ball.elements.size(); ++e) {
+    const std::span<const int> corners = ball.corners(e);
     double center[2] = {0, 0};
     for (const int n : corners) {
       for (std::size_t k = 0; k < 2; ++k) center[k] += ball.nodes[static_cast<std::size_t>(n)][k];

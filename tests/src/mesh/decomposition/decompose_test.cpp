@@ -2,6 +2,7 @@
 
 #include "src/mesh/decomposition/decompose.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@
 #include "src/error.hpp"
 #include "src/mesh/decomposition/check_pieces.hpp"
 #include "src/mesh/decomposition/chunk_graph.hpp"
-#include "src/mesh/topology.hpp"
+#include "src/mesh/topology/connectivity.hpp"
 #include "tests/src/mesh/exodus_writer.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"
 
@@ -22,6 +23,7 @@ namespace percuss {
 namespace {
 
 using namespace testing_mesh;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
@@ -33,14 +35,36 @@ WrittenMesh make_written_block() {
   written.nodes = block.nodes;
   WrittenBlock cells;
   cells.name = "cells";
-  for (const auto& element : block.elements) {
-    for (const int n : element) cells.corners.push_back(n + 1);
+  for (std::size_t e = 0; e < block.elements.size(); ++e) {
+    for (const int n : block.elements.corners(e)) cells.corners.push_back(n + 1);
   }
   written.blocks.push_back(cells);
   written.node_sets.push_back({3, "some", {1, 8, 40, 100, 210}, {}});
   written.side_sets.push_back({4, "low", {1, 2, 7, 120}, {5, 5, 4, 6}});
   for (std::size_t n = 0; n < block.nodes.size(); ++n) written.node_ids.push_back(10 * static_cast<int>(n) + 7);
   for (std::size_t e = 0; e < block.elements.size(); ++e) written.element_ids.push_back(5000 - static_cast<int>(e));
+  return written;
+}
+
+/// A block of solids with a sheet on it: squares, of which every third is two triangles, one in a block of its own.
+WrittenMesh make_covered_block() {
+  WrittenMesh written = make_written_block();
+  written.node_ids.clear();
+  written.element_ids.clear();
+  WrittenBlock squares{20, "squares", "SHELL4", 4, {}}, halves{30, "halves", "TRI3", 3, {}};
+  const PartMesh block = make_part_mesh(BoxShape{{1, 1, 1}, {5, 4, 6}});
+  int count = 0;
+  for (const auto& [name, faces] : block.side_sets) {
+    for (const ElementFace& face : faces) {
+      const std::array<int, 4> nodes = block.elements.face_nodes(face);
+      const std::int64_t a = nodes[0] + 1, b = nodes[1] + 1, c = nodes[2] + 1, d = nodes[3] + 1;
+      const bool is_cut = ++count % 3 == 0;
+      squares.corners.insert(squares.corners.end(), {a, b, c, is_cut ? c : d});
+      if (is_cut) halves.corners.insert(halves.corners.end(), {a, c, d});
+    }
+  }
+  written.blocks.push_back(squares);
+  written.blocks.push_back(halves);
   return written;
 }
 
@@ -134,16 +158,46 @@ TEST_F(Decomposition, HoldsTheElementsOfTheWholeMesh) {
   for (std::size_t e = 0; e < numbers.size(); ++e) {
     const std::size_t n = numbers[e];
     EXPECT_EQ(share_.mesh.element_ids[e], whole_.mesh.element_ids[n]);
-    EXPECT_EQ(share_.mesh.element_part[e], whole_.mesh.element_part[n]);
+    EXPECT_EQ(share_.mesh.elements.block_index(e), whole_.mesh.elements.block_index(n));
     EXPECT_EQ(share_.mesh.bodies[e], whole_.mesh.bodies[n]);
     EXPECT_EQ(share_.mesh.exterior[e], whole_.mesh.exterior[n]);
-    for (std::size_t c = 0; c < 8; ++c) {
-      const std::int64_t node = share_.mesh.node_numbers[at(share_.mesh.elements[e][c])];
-      EXPECT_EQ(node, whole_.mesh.elements[n][c]);
+    ASSERT_EQ(share_.mesh.corners(e).size(), whole_.mesh.corners(n).size());
+    for (std::size_t c = 0; c < share_.mesh.corners(e).size(); ++c) {
+      const std::int64_t node = share_.mesh.node_numbers[at(share_.mesh.corners(e)[c])];
+      EXPECT_EQ(node, whole_.mesh.corners(n)[c]);
       used.insert(node);
     }
   }
   EXPECT_EQ(share_.mesh.node_numbers, std::vector<std::int64_t>(used.begin(), used.end()));
+}
+
+TEST(DecompositionOfBlocks, TellsAllRanksOfThemAndSendsCornersAsTheTopologyHasThem) {
+  const SharedFile file(make_covered_block(), "covered.exo");
+  PartDeck covered = make_part_deck("covered", ExodusMesh{file.path(), {}, 1});
+  covered.thickness = 0.1;
+  const Deck deck = make_deck({make_part_deck("ball", SphereShape{1, 5}), covered});
+  const ChunkedMesh whole = load_mesh(deck, self()), share = load_mesh(deck, Communicator::world());
+  std::vector<std::string> told;
+  for (const ElementBlock& block : share.mesh.elements.blocks) {
+    told.push_back(fmt::format("{} {} {} {}", block.part, find_topology(block.topology).name, block.name,
+                               block.section.thickness));
+  }
+  EXPECT_THAT(told, ElementsAre("0 hex8  0", "1 hex8 cells 0", "1 quad4 squares 0.1", "1 tri3 squares 0.1",
+                                "1 tri3 halves 0.1"));
+  const std::vector<std::int64_t> numbers = list_element_numbers(share);
+  for (std::size_t e = 0; e < numbers.size(); ++e) {
+    const std::size_t n = at(numbers[e]);
+    EXPECT_EQ(share.mesh.elements.block_index(e), whole.mesh.elements.block_index(n));
+    EXPECT_EQ(share.mesh.exterior[e], whole.mesh.exterior[n]);
+    std::vector<std::int64_t> corners;
+    for (const int node : share.mesh.corners(e)) corners.push_back(share.mesh.node_numbers[at(node)]);
+    EXPECT_EQ(corners, std::vector<std::int64_t>(whole.mesh.corners(n).begin(), whole.mesh.corners(n).end()));
+  }
+  for (const Chunk& chunk : share.chunks) {
+    for (int i = 0; i < chunk.element_count; ++i)
+      EXPECT_EQ(share.mesh.topology_of(at(chunk.first_element + i)).family,
+                find_topology(find_block(share, chunk).topology).family);
+  }
 }
 
 TEST_F(Decomposition, HoldsTheNodesOfTheWholeMesh) {
@@ -204,14 +258,14 @@ TEST_F(Decomposition, MakesNoMoreThanItsShareOfTheGeneratedChunks) {
     }
   }
   EXPECT_LE(made, generated / world.size() + 1);
-  EXPECT_EQ(pieces.corners.size(), at(pieces.first_element.back()));
+  EXPECT_EQ(pieces.element_ids.size(), at(pieces.first_element.back()));
 }
 
 TEST_F(Decomposition, OwnersAreTheRanksOfTheLowestChunks) {
   std::vector<int> lowest(whole_.mesh.nodes.size(), whole_.numbering.chunk_count());
   for (const Chunk& chunk : whole_.chunks) {
     for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
-      for (const int n : whole_.mesh.elements[at(e)]) lowest[at(n)] = std::min(lowest[at(n)], chunk.number);
+      for (const int n : whole_.mesh.corners(at(e))) lowest[at(n)] = std::min(lowest[at(n)], chunk.number);
     }
   }
   for (const std::int64_t n : share_.mesh.node_numbers) {

@@ -40,7 +40,11 @@ TEST_P(ExodusContainers, GiveBackWhatWasWritten) {
   const Mesh mesh = read(written, GetParam());
   EXPECT_EQ(mesh.nodes, written.nodes);
   EXPECT_EQ(mesh.node_ids, written.node_ids);
-  EXPECT_THAT(mesh.elements, ElementsAre(std::array{0, 1, 2, 3, 4, 5, 6, 7}, std::array{4, 5, 6, 7, 8, 9, 10, 11}));
+  ASSERT_EQ(mesh.elements.size(), 2U);
+  EXPECT_THAT(mesh.elements.corners(0), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
+  EXPECT_THAT(mesh.elements.corners(1), ElementsAre(4, 5, 6, 7, 8, 9, 10, 11));
+  EXPECT_EQ(mesh.elements.block_of(0).name, "left");
+  EXPECT_EQ(mesh.elements.block_of(1).name, "block_20");
   EXPECT_EQ(mesh.element_ids, written.element_ids);
   EXPECT_THAT(mesh.node_sets.at("p/corner"), ElementsAre(0));
   EXPECT_THAT(mesh.side_sets.at("p/sides_6"), ElementsAre(ElementFace{0, 4}, ElementFace{1, 5}));
@@ -65,7 +69,7 @@ TEST_P(ExodusContainers, MayHoldAnyVariableFirst) {
     const Mesh mesh = build_mesh(make_deck({make_part_deck("p", source)}));
     EXPECT_EQ(mesh.nodes, written.nodes);
     EXPECT_EQ(mesh.node_ids, written.node_ids);
-    EXPECT_EQ(mesh.elements.back()[7], 11);
+    EXPECT_EQ(mesh.elements.corners(mesh.elements.size() - 1)[7], 11);
     EXPECT_EQ(mesh.element_ids, written.element_ids);
     EXPECT_THAT(mesh.node_sets.at("p/corner"), ElementsAre(0));
     EXPECT_THAT(mesh.side_sets.at("p/sides_6"), ElementsAre(ElementFace{0, 4}, ElementFace{1, 5}));

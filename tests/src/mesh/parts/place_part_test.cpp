@@ -64,7 +64,7 @@ TEST(PlacePart, ArraysShiftOddCoursesAlongY) {
   const std::vector<int>& bodies = mesh.bodies;
   EXPECT_EQ(bodies.back(), 139);
   const auto first_node = [&](int j, int k) {
-    return mesh.nodes[static_cast<std::size_t>(mesh.elements[static_cast<std::size_t>(54 * (j + 10 * k))][0])];
+    return mesh.nodes[static_cast<std::size_t>(mesh.corners(static_cast<std::size_t>(54 * (j + 10 * k)))[0])];
   };
   for (int k = 0; k < 14; ++k) {
     for (int j = 0; j < 10; ++j) {

@@ -5,8 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <utility>
+
+#include "tests/src/mesh/hand_made.hpp"
 
 namespace percuss {
 namespace {
@@ -14,6 +17,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing_mesh::add_element;
 
 /// A sheet of n x n unit squares; ids from 101 on. As hexahedra: the sheet one unit thick.
 PartMesh make_sheet(int n, bool solid) {
@@ -25,8 +29,10 @@ PartMesh make_sheet(int n, bool solid) {
   for (int j = 0; j < n; ++j) {
     for (int i = 0; i < n; ++i) {
       const int a = i + row * j, b = a + 1, c = b + row, d = a + row;
-      mesh.elements.push_back(solid ? std::array<int, 8>{a, b, c, d, a + layer, b + layer, c + layer, d + layer}
-                                    : make_shell({a, b, c, d}));
+      if (solid)
+        add_element(mesh.elements, TopologyKind::hex8, {a, b, c, d, a + layer, b + layer, c + layer, d + layer});
+      else
+        add_element(mesh.elements, TopologyKind::quad4, {a, b, c, d});
       mesh.element_ids.push_back(100 + static_cast<std::int64_t>(mesh.elements.size()));
     }
   }
@@ -56,7 +62,7 @@ TEST(MeshDoubts, AreNoneOfEvenAndOfGradedMeshes) {
     for (Vec3& node : graded.nodes) node = {node[0] * node[0], node[1] * node[1], 30 * node[2]};
     EXPECT_THAT(find_doubts(graded), IsEmpty());
     PartMesh row = make_sheet(12, solid);  // of one row, whose cells are 1.5 times as long from one to the next
-    row.elements.resize(12);
+    row.elements = row.elements.select(std::array{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11});
     for (Vec3& node : row.nodes) node = {std::pow(1.5, node[0]), 1000 * node[1], 1000 * node[2]};
     EXPECT_THAT(find_doubts(row), IsEmpty());
   }
@@ -74,17 +80,14 @@ TEST(MeshDoubts, NameTheThinnestOfAFewSlivers) {
 TEST(MeshDoubts, MeasureTrianglesByTheirHeight) {
   PartMesh mesh = make_sheet(4, false);
   mesh.nodes.push_back({4.1, 4, 0});  // a needle on the last square's edge x = 4: height 0.1 over an edge of 1.005
-  mesh.elements.push_back(make_shell({19, 25, 24, 24}));
+  add_element(mesh.elements, TopologyKind::tri3, {19, 25, 24});
   mesh.element_ids.push_back(500);
   EXPECT_THAT(find_doubts(mesh), ElementsAre(HasSubstr("element 500 is a sliver: 0.0995 across")));
 }
 
 TEST(MeshDoubts, NameShellsThatAreTurnedAgainstMostOfTheirPiece) {
   PartMesh mesh = make_sheet(4, false);
-  const auto turn_over = [&](std::size_t e) {
-    const auto& c = mesh.elements[e];
-    mesh.elements[e] = make_shell({c[0], c[3], c[2], c[1]});
-  };
+  const auto turn_over = [&](std::size_t e) { std::swap(mesh.elements.corners(e)[1], mesh.elements.corners(e)[3]); };
   turn_over(0);
   EXPECT_THAT(find_doubts(mesh), ElementsAre(HasSubstr("shell_normals: 1 shell is turned against its neighbours, with "
                                                        "normals to the other side: element 101 (")));
@@ -99,13 +102,13 @@ TEST(MeshDoubts, LeaveEdgesOfThreeShellsAndPiecesOfTheirOwnAlone) {
   PartMesh mesh = make_sheet(2, false);
   mesh.nodes.push_back({1, 0, 1});
   mesh.nodes.push_back({1, 1, 1});
-  mesh.elements.push_back(make_shell({1, 4, 10, 9}));  // upright on the edge of elements 101 and 102
+  add_element(mesh.elements, TopologyKind::quad4, {1, 4, 10, 9});  // upright on the edge of elements 101 and 102
   mesh.element_ids.push_back(105);
-  std::swap(mesh.elements[0][1], mesh.elements[0][3]);
-  mesh.elements[0] = make_shell({mesh.elements[0][0], mesh.elements[0][1], mesh.elements[0][2], mesh.elements[0][3]});
+  std::swap(mesh.elements.corners(0)[1], mesh.elements.corners(0)[3]);
   EXPECT_THAT(find_doubts(mesh), ElementsAre(HasSubstr("1 shell is turned")));  // against 103, not 102
   for (int n = 0; n < 4; ++n) mesh.nodes.push_back({double(n % 3 == 0), double(n > 1), 9.0});
-  mesh.elements = {mesh.elements[1], make_shell({14, 13, 12, 11})};
+  mesh.elements = mesh.elements.select(std::array{1});
+  add_element(mesh.elements, TopologyKind::quad4, {14, 13, 12, 11});
   mesh.element_ids = {1, 2};
   EXPECT_THAT(find_doubts(mesh), IsEmpty());
 }
@@ -113,10 +116,13 @@ TEST(MeshDoubts, LeaveEdgesOfThreeShellsAndPiecesOfTheirOwnAlone) {
 TEST(MeshDoubts, AreCountedInOneCopy) {
   PartMesh mesh = squeeze_first_column(make_sheet(4, true), 0.025);
   const std::size_t own = mesh.elements.size();
+  std::vector<int> copies;
+  for (int copy = 0; copy < 4; ++copy)
+    for (std::size_t e = 0; e < own; ++e) copies.push_back(static_cast<int>(e));
+  mesh.elements = mesh.elements.select(copies);
   for (int copy = 0; copy < 3; ++copy) {
     for (std::size_t e = 0; e < own; ++e) {
-      mesh.elements.push_back(mesh.elements[e]);
-      mesh.element_ids.push_back(static_cast<std::int64_t>(1000 + mesh.elements.size()));
+      mesh.element_ids.push_back(static_cast<std::int64_t>(1000 + mesh.element_ids.size()));
     }
   }
   std::vector<Warning> warnings;

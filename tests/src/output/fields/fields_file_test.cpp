@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "src/error.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
@@ -22,6 +23,7 @@ using sample::TemporaryFolder;
 using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing_mesh::add_element;
 
 constexpr int frames = 3;
 
@@ -59,12 +61,16 @@ TEST(FieldsFile, SaysThatItIsATemporalUnstructuredGridOfVersionTwo) {
 
 TEST(FieldsFile, StoresShellsAsQuadrilaterals) {
   Mesh mesh = sample::make_mesh();
-  const auto hexahedra = mesh.elements;
+  const Elements hexahedra = std::exchange(mesh.elements, {});
   std::vector<int> types;
   for (std::size_t e = 0; e < hexahedra.size(); ++e) {
-    const auto& h = hexahedra[e];
-    if (e % 3 == 1) mesh.elements[e] = make_shell({h[0], h[1], h[2], h[3]});
-    types.push_back(is_shell(mesh.elements[e]) ? 9 : 12);
+    const auto h = hexahedra.corners(e);
+    const int part = hexahedra.block_of(e).part;
+    if (e % 3 == 1)
+      add_element(mesh.elements, TopologyKind::quad4, {h[0], h[1], h[2], h[3]}, part);
+    else
+      add_element(mesh.elements, TopologyKind::hex8, {h[0], h[1], h[2], h[3], h[4], h[5], h[6], h[7]}, part);
+    types.push_back(e % 3 == 1 ? 9 : 12);
   }
   const TemporaryFolder folder;
   write_run(folder, mesh);
@@ -83,8 +89,8 @@ TEST(FieldsFile, StoresShellsAsQuadrilaterals) {
     EXPECT_EQ(static_cast<std::size_t>(offsets[e + 1]) - first, corners);
     EXPECT_EQ(mixed.at(at++), types[e] == 9 ? 5 : 9);  // XDMF's numbers
     for (std::size_t i = 0; i < corners; ++i) {
-      EXPECT_EQ(connectivity.at(first + i), mesh.elements[e][i]);
-      EXPECT_EQ(mixed.at(at++), mesh.elements[e][i]);
+      EXPECT_EQ(connectivity.at(first + i), mesh.corners(e)[i]);
+      EXPECT_EQ(mixed.at(at++), mesh.corners(e)[i]);
     }
   }
   EXPECT_EQ(at, mixed.size());
@@ -94,14 +100,14 @@ TEST(FieldsFile, StoresShellsAsQuadrilaterals) {
 TEST(FieldsFile, KeepsTheKindsOfElementsForXdmfWhateverTheirNumbers) {
   Mesh mesh =
       sample::make_mesh();  // of 16 elements: eight corners and three have a mean of four if three are hexahedra
-  mesh.elements.resize(5);
+  const Elements hexahedra = std::exchange(mesh.elements, {});
+  mesh.elements.blocks = hexahedra.blocks;
+  mesh.elements.add(0, hexahedra.corners(0));
   mesh.element_ids.resize(5);
-  mesh.element_part.resize(5);
   for (std::size_t e = 1; e < 5; ++e) {
-    const auto h = mesh.elements[e];
-    mesh.elements[e] = make_shell({h[0], h[1], h[2], h[2]});
+    const auto h = hexahedra.corners(e);
+    add_element(mesh.elements, TopologyKind::tri3, {h[0], h[1], h[2]});
   }
-  ASSERT_TRUE(is_triangle(mesh.elements[4]));
   ChunkedMesh chunked;
   chunked.numbering = {{0, 5}, {0, static_cast<std::int64_t>(mesh.nodes.size())}, {0}};
   chunked.chunks = {{0, 5, 0, 0}};
@@ -151,7 +157,7 @@ TEST(FieldsFile, StoresTheCellsOnceAndSendsEveryStepBackToThem) {
   const auto connectivity = file.whole_numbers("VTKHDF/Connectivity");
   for (std::size_t e = 0; e < elements; ++e)
     EXPECT_TRUE(
-        std::equal(mesh.elements[e].begin(), mesh.elements[e].end(), connectivity.begin() + static_cast<long>(8 * e)));
+        std::equal(mesh.corners(e).begin(), mesh.corners(e).end(), connectivity.begin() + static_cast<long>(8 * e)));
   EXPECT_EQ(file.whole_numbers("VTKHDF/Offsets").back(), static_cast<long>(8 * elements));
   EXPECT_THAT(file.whole_numbers("VTKHDF/Types"), Each(12));
   EXPECT_THAT(file.whole_numbers("VTKHDF/NumberOfCells"), ElementsAre(elements));
@@ -188,7 +194,8 @@ TEST(FieldsFile, KeepsTheIdsAndPartsOfTheMesh) {
   const Hdf5FileView file(folder.file("fields.vtkhdf"));
   EXPECT_THAT(file.whole_numbers("VTKHDF/PointData/node_id"), testing::ElementsAreArray(mesh.node_ids));
   EXPECT_THAT(file.whole_numbers("VTKHDF/CellData/element_id"), testing::ElementsAreArray(mesh.element_ids));
-  EXPECT_THAT(file.whole_numbers("VTKHDF/CellData/part"), testing::ElementsAreArray(mesh.element_part));
+  EXPECT_THAT(file.whole_numbers("VTKHDF/CellData/part"),
+              testing::ElementsAreArray(testing_mesh::list_parts(mesh.elements)));
 }
 
 TEST(FieldsFile, AddsTheDisplacementFromThePositions) {

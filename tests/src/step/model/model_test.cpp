@@ -45,7 +45,7 @@ TEST(Model, MassIsDensityTimesVolumeForEveryShape) {
   const auto element_mass = to_host(scene.model.element_mass);
   double sum = 0;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    const double density = mesh.element_part[e] % 2 == 0 ? 900 : 19000;
+    const double density = mesh.part_of(e) % 2 == 0 ? 900 : 19000;
     const double expected = density * testing_mesh::gauss_volume(testing_mesh::corners_of(mesh, e));
     EXPECT_NEAR(element_mass(e) / expected, 1, 1e-13) << "element " << e;
     sum += expected;
@@ -60,7 +60,7 @@ TEST(Model, NodesShareTheMassOfTheirElements) {
   const auto mass = to_host(scene.model.mass);
   std::vector<double> expected(mesh.nodes.size());
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    for (const int n : mesh.elements[e]) expected[static_cast<std::size_t>(n)] += element_mass(e) / 8;
+    for (const int n : mesh.corners(e)) expected[static_cast<std::size_t>(n)] += element_mass(e) / 8;
   }
   for (std::size_t n = 0; n < expected.size(); ++n) EXPECT_DOUBLE_EQ(mass(n), expected[n]);
 }

@@ -64,8 +64,8 @@ TEST(HistoryPoints, AreTheNearestNodeOrElementOfTheSearchedPart) {
   EXPECT_EQ(mesh.nodes[static_cast<std::size_t>(points[1].index)], (Vec3{1, 0, 0}));
   EXPECT_STREQ(part_of_node(points[1].index), "b");
   EXPECT_TRUE(points[2].is_element);
-  EXPECT_EQ(mesh.element_part[static_cast<std::size_t>(points[2].index)], 1);
-  EXPECT_EQ(mesh.element_part[static_cast<std::size_t>(points[3].index)], 0);
+  EXPECT_EQ(mesh.part_of(static_cast<std::size_t>(points[2].index)), 1);
+  EXPECT_EQ(mesh.part_of(static_cast<std::size_t>(points[3].index)), 0);
 }
 
 TEST(HistoryPoints, AreFoundByTheUsersId) {
