@@ -3,7 +3,7 @@
 import os
 import shlex
 
-from .lock import read_lock
+from .lock import is_active, read_lock
 
 
 class Deck:
@@ -35,11 +35,25 @@ def find_deck(folder, given=None):
     beside = os.path.join(folder, "deck.yaml")
     if os.path.exists(beside):
         return read_deck(beside)
-    words = shlex.split(read_lock(folder).get("command", ""))
-    files = [word for word in words if word.endswith((".yaml", ".yml")) and os.path.isfile(word)]
+    words, start = _read_command(folder)
+    files = [os.path.join(start, word) for word in words if word.endswith((".yaml", ".yml"))]
+    files = [file for file in files if os.path.isfile(file)]
     if files:
         return read_deck(files[0], _find_settings(words))
     return _read_checkpoint(os.path.join(folder, "checkpoint.h5"))
+
+
+def _read_command(folder):
+    """The command of the run that goes on, and the folder where it was given, as far as this machine can see."""
+    lock = read_lock(folder)
+    try:
+        words = shlex.split(lock.get("command", ""))
+    except ValueError:
+        words = []
+    try:
+        return words, os.readlink(f"/proc/{lock['process']}/cwd") if is_active(folder) else ""
+    except (KeyError, OSError):
+        return words, ""
 
 
 def read_deck(path, settings=()):

@@ -37,7 +37,8 @@ class Run:
         return os.path.basename(os.path.abspath(self.folder))
 
     def reload(self):
-        for name in ("summary", "deck", "units", "history", "fields"):
+        known = bool(self.__dict__.get("deck"))  # a deck stays as it is; the lock that led to it goes with the end of the run
+        for name in ("summary", "units", "history", "fields") + ("deck",) * (not known):
             self.__dict__.pop(name, None)
         return self
 

@@ -35,7 +35,7 @@ def list_panels(histories):
         Panel("energies", "Energies", among(ENERGIES, ("kinetic", "internal"))),
         Panel("energy_error", "Energy error", among(("energy_error",), ("energy_error",))),
         Panel("momentum", "Linear momentum", among([f"momentum_{axis}" for axis in "xyz"], ("momentum_x",))),
-        Panel("forces", "Forces", among(forces)[:MOST_CURVES]),
+        Panel("forces", "Forces", among(forces, FORCES if any(map(moves, FORCES)) else ())[:MOST_CURVES]),
         Panel("step", "Time step", among(("dt",), ("dt",)), colored_by_part=True),
         Panel("contact", "Interactions in force", among(("contacts",))),
         Panel("iterations", "Iterations of contact enforcement", among(("iterations",))),

@@ -16,7 +16,7 @@ materials:
 initial: [{{part: block, velocity: [0, 0, -50]}}]
 conditions: [{{nodes: plate/x_min, fixed: [x, y, z]}}]
 contact: {{surfaces: all, friction: 0.1}}
-walls: [{{point: [0, 0, -0.01], normal: z}}]
+walls: [{{point: [0, 0, -0.002], normal: z}}]
 output:
   fields: {{every: 2.0e-5, write: [velocity, von_mises, equivalent_plastic_strain]}}
   history: {{every: 1.0e-6, parts: all}}
