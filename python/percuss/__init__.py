@@ -8,10 +8,11 @@
 Nothing is read before it is asked for. The history needs NumPy, the fields h5py as well; the rest Python 3.11 alone.
 """
 
+from . import units
 from .errors import NotResults
 from .run import Run, read
 
-__all__ = ["Run", "NotResults", "read", "filter_cfc", "resample"]
+__all__ = ["Run", "NotResults", "read", "filter_cfc", "resample", "units"]
 
 
 def __getattr__(name):

@@ -8,7 +8,7 @@ import unittest
 try:
     import numpy as np
 except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --render installs what this test needs")
+    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
 
 del sys.argv[2]

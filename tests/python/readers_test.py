@@ -12,7 +12,7 @@ try:
     import h5py
     import numpy as np
 except ImportError as error:
-    print(f"skipped: {error}; scripts/install_dependencies --render installs what this test needs")
+    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
