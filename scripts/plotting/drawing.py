@@ -16,6 +16,7 @@ from .series import find_controlling_parts, make_curve, thin
 COLORS = ("#1f6fb2", "#d1495b", "#3a8f4d", "#b3701f", "#7b5ea7", "#2a9d9d", "#8a5a44", "#c05fa0", "#6b7280", "#a3a300", "#444444",
           "#0f4c5c")  # those of curves; told apart by colour-blind readers together with the styles of runs
 STYLES = ("-", (0, (5, 2)), (0, (1.5, 1.5)), (0, (5, 1.5, 1, 1.5)))
+CLOSE_MARKS = 0.02  # of the width of a panel
 INK, GRID, MARK = "#2b2f36", "#e3e6ea", "#b45309"
 SETTINGS = {"font.family": ["DejaVu Sans", "sans-serif"], "font.size": 9, "axes.edgecolor": "#9aa1a8", "axes.labelcolor": INK,
             "text.color": INK, "xtick.color": INK, "ytick.color": INK, "axes.grid": True, "grid.color": GRID, "svg.fonttype": "none",
@@ -116,7 +117,7 @@ class Plot:
         single = len(panel.columns) == 1
         meaning = history.meaning(panel.columns[0])
         title = panel.title if panel.title and not (single and panel.title == panel.columns[0]) else meaning if single else ""
-        axes.set_title(title[:1].upper() + title[1:], loc="left", fontsize=10, fontweight="bold")
+        axes.set_title(title[:1].upper() + title[1:], loc="left", fontsize=10, fontweight="bold", pad=13)
         axes.set_xlabel(f"time [{self.time_unit}]" if self.time_unit else "time")
         axes.set_ylabel(f"[{unit}]" if unit else "")
         formatter = ScalarFormatter(useMathText=True)
@@ -127,14 +128,18 @@ class Plot:
     def _mark_warnings(self, axes):
         """A line at the time at which each rule was first found, numbered as in list_marks."""
         low, high = axes.get_xlim()
-        numbers = {}
+        groups = []  # numbers that would lie over each other share one label
         for number, (time, _) in enumerate(self.list_marks(), 1):
-            numbers.setdefault(time * self.time_factor, []).append(str(number))
-        for place, found in numbers.items():
-            if low <= place <= high:
-                axes.axvline(place, color=MARK, linewidth=0.8, linestyle=(0, (3, 3)))
-                axes.annotate(",".join(found), (place, 1), xycoords=("data", "axes fraction"), fontsize=7, color=MARK, ha="center",
-                              va="bottom")
+            place = time * self.time_factor
+            if not low <= place <= high:
+                continue
+            axes.axvline(place, color=MARK, linewidth=0.8, linestyle=(0, (3, 3)))
+            if not groups or place - groups[-1][0] > CLOSE_MARKS * (high - low):
+                groups.append((place, []))
+            groups[-1][1].append(str(number))
+        for place, numbers in groups:
+            axes.annotate(",".join(numbers), (place, 1), xycoords=("data", "axes fraction"), fontsize=7, color=MARK, ha="center",
+                          va="bottom")
 
     def list_marks(self):
         """[(time, text)] of the warnings that were found in steps, all runs, the first in time first."""

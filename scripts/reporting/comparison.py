@@ -1,6 +1,7 @@
 """Two runs or more beside each other: numbers, bits, decks."""
 
 import difflib
+import re
 
 import numpy as np
 
@@ -13,14 +14,15 @@ MACHINE = ("setup_s", "loop_s", "grind_ns", "phases_s", "peak_bytes", "ranks", "
 EQUAL_ABOVE = 1e-14  # relative differences below are written as 0
 
 
-def compare_numbers(values):
-    """Text of the differences of each next number from the first: '+1.2 %'; empty where there is none."""
+def compare_numbers(values, is_name=False):
+    """Text of the differences of each next number from the first: '+1.2 %'; empty where there is none. is_name: the number
+    tells things apart, as that of an element does."""
     first = values[0]
     texts = []
     for value in values[1:]:
         if value == first:
             texts.append("")
-        elif any(isinstance(x, bool) or not isinstance(x, (int, float)) for x in (first, value)):
+        elif is_name or any(isinstance(x, bool) or not isinstance(x, (int, float)) for x in (first, value)):
             texts.append("differs")
         elif first == 0:
             texts.append(f"{value - first:+.3g}")
@@ -54,7 +56,7 @@ def make_summary_table(runs, labels):
             equal += 1
             continue
         row = [key, format_number(values[0])]
-        for value, difference in zip(values[1:], compare_numbers(values)):
+        for value, difference in zip(values[1:], compare_numbers(values, key == "dt.element")):
             row += [format_number(value), difference]
         (machine if key.split(".")[0] in MACHINE else rows).append(row)
     heading = ["key of summary.json", labels[0]] + [text for label in labels[1:] for text in (label, "difference")]
@@ -83,7 +85,7 @@ def find_history_differences(first, other):
         if name in ("time", "step", "dt_element", "candidates") or name not in other:
             continue
         a, b = first[name][: len(time)], np.interp(time, other["time"], other[name])
-        size = max(np.nanmax(np.abs(a), initial=0), np.nanmax(np.abs(b), initial=0))
+        size = max(_find_size(history, name) for history in (first, other))
         if size == 0 or not np.isfinite(a - b).any():
             continue
         share = np.abs(a - b) / size
@@ -92,13 +94,20 @@ def find_history_differences(first, other):
     return sorted(rows, key=lambda row: -row[1])
 
 
+def _find_size(history, name):
+    """The largest magnitude of a column; of a component that of all three, so that round-off of one that is zero does not count."""
+    parts = re.fullmatch(r"((?:momentum|angular|wall_force)_)[xyz](:.*)?", name)
+    names = [parts[1] + axis + (parts[2] or "") for axis in "xyz"] if parts else [name]
+    return max(float(np.nanmax(np.abs(history[n]), initial=0)) for n in names if n in history)
+
+
 def make_history_table(runs, histories, labels):
     text = ""
     for label, history in zip(labels[1:], histories[1:]):
         if not len(histories[0]) or not len(history):
             continue
         unit = histories[0].unit("time")
-        rows = [(name, histories[0].meaning(name), f"{share:.3g}", f"{time:.4g} {unit}", f"{last:.3g}")
+        rows = [(name, histories[0].meaning(name), f"{100 * share:.3g} %", f"{time:.4g} {unit}", f"{100 * last:.3g} %")
                 for name, share, time, last in find_history_differences(histories[0], history) if share > EQUAL_ABOVE]
         text += f"<h3>History: {escape(label)} against {escape(labels[0])}</h3>"
         if rows:
@@ -120,7 +129,7 @@ def make_deck_difference(runs, labels):
     for label, other in zip(labels[1:], texts[1:]):
         lines = list(difflib.unified_diff(texts[0], other, labels[0], label, lineterm="", n=1))
         if not lines:
-            text += f"<p>The deck of {escape(label)} is that of {escape(labels[0])} (without changes by --set).</p>"
+            text += f"<p>The deck of {escape(label)} is the same file or text as that of {escape(labels[0])}. Changes by --set are not in it.</p>"
             continue
         kinds = {"-": "gone", "+": "new"}
         shown = "\n".join(f"<span class={kinds.get(line[0], 'mono')}>{escape(line)}</span>" for line in lines)

@@ -28,7 +28,7 @@ def find_findings(run):
     found = [_judge_status(run)]
     if summary:
         found += [_describe_warning(run, warning) for warning in run.warnings]
-        found += _judge_energies(summary) + _judge_momentum(summary) + _judge_steps(run, summary) + _judge_losses(summary)
+        found += _judge_energies(summary) + _judge_momentum(summary) + _judge_steps(run, summary) + _judge_losses(run, summary)
     if run.has_history and len(run.history) > 1:
         found += _judge_history(run.history)
     order = {BAD: 0, LOOK: 1, GOOD: 2}
@@ -49,8 +49,7 @@ def _judge_status(run):
 
 def _describe_warning(run, warning):
     place = f"{warning['place']}: " if warning.get("place") else ""
-    unit = f" {run.units.time[0]}" if run.units else ""
-    when = f" First at t = {warning['time']:.4g}{unit}" if warning.get("time") else " Known before the first step"
+    when = f" First at t = {warning['time']:.4g}{_unit(run, 'time')}" if warning.get("time") else " Known before the first step"
     often = f", {warning['count']} times." if warning.get("count", 1) > 1 else "."
     return Finding(LOOK, f"Warning [{warning['rule']}] {place}{warning['text']}.{when}{often}")
 
@@ -92,7 +91,7 @@ def _judge_steps(run, summary):
     where = f"element {dt['element']}"
     part = find_part_of_element(run, dt["element"])
     where += f" of part '{part}'" if part else ""
-    text = f"The step went from {dt['max']:.4g} down to {dt['min']:.4g}; {where} limits the last one."
+    text = f"The step went from {dt['max']:.4g} down to {dt['min']:.4g}{_unit(run, 'time')}; {where} limits the last one."
     found = [Finding(GOOD if dt["min"] > STEP_FALL * dt["max"] else LOOK, text)]
     if summary["mass"]["share"] > ADDED_MASS:
         found.append(Finding(LOOK, f"Mass scaling added {100 * summary['mass']['share']:.3g} % of the mass."))
@@ -107,13 +106,17 @@ def find_part_of_element(run, element):
     return run.fields.part_names[run.fields.part[place[0]]] if len(place) else ""
 
 
-def _judge_losses(summary):
+def _unit(run, quantity):
+    return f" {run.units.name_of(quantity)}" if run.units else ""
+
+
+def _judge_losses(run, summary):
     eroded = summary["eroded"]
     if not eroded["elements"]:
         return []
     share = 100 * eroded["elements"] / max(1, summary["elements"])
     return [Finding(LOOK, f"{eroded['elements']} elements ({share:.3g} %) failed and were removed, with a mass of "
-                          f"{eroded['mass']:.4g} and an energy of {eroded['energy']:.4g}.")]
+                          f"{eroded['mass']:.4g}{_unit(run, 'mass')} and an energy of {eroded['energy']:.4g}{_unit(run, 'energy')}.")]
 
 
 def _judge_history(history):

@@ -5,18 +5,16 @@ import os
 import sys
 import time
 
+from percuss.units import choose_unit, format_time
 from plotting.drawing import Plot, write_svg
 from plotting.panels import choose_panels, list_panels
 from plotting.series import Options
-
-from percuss.units import choose_unit, format_time
-
-from rendering.colors import label_of
+from rendering.colors import CATEGORIES, label_of
 
 from . import comparison, scene
 from .findings import find_findings, find_peaks
 from .markup import escape, make_table, with_unit
-from .pictures import Worst, choose_field, draw_pictures
+from .pictures import Worst, choose_field, draw_pictures, find_range
 from .surface import pack_surface, read_library
 
 HERE = os.path.dirname(os.path.realpath(__file__))
@@ -37,8 +35,7 @@ def make_page(runs, options):
         sections.append(("compared", "Differences", _make_comparison(runs, labels)))
     first = "".join(f"<h3>{escape(label)}</h3>" * (len(runs) > 1) + _list_findings(run) for label, run in zip(labels, runs))
     sections.append(("first", "What to look at first", first))
-    sections.append(("pictures", "Start, worst and end", "".join(_make_pictures(run, label, options, len(runs) > 1)
-                                                                 for run, label in zip(runs, labels))))
+    sections.append(("pictures", "Start, worst and end", _make_pictures(runs, labels, options)))
     sections.append(("surface", "Interactive view" + (f": {labels[0]}" if len(runs) > 1 else ""), _make_view(runs[0], options)))
     sections.append(("plots", "Over time", _make_plots(runs, labels)))
     sections.append(("run", "What was run", "".join(_make_scene(run, label, len(runs) > 1) for run, label in zip(runs, labels))))
@@ -72,32 +69,49 @@ def _list_findings(run):
 # --- pictures and view ------------------------------------------------------------------------------------------------
 
 
-def _make_pictures(run, label, options, several):
-    if not run.has_fields:
-        return "<p class=soft>There are no fields to draw (output.fields of the deck).</p>"
-    fields = run.fields
-    name = choose_field(fields, options.field)
+def _make_pictures(runs, labels, options):
+    """Of each run with fields; runs that show one field share the range of its colours."""
+    drawn = [(run, label) for run, label in zip(runs, labels) if run.has_fields]
+    names = [_choose_field(run.fields, options.field) for run, _ in drawn]
+    worsts = [Worst(run.fields, name) for (run, _), name in zip(drawn, names)]
+    frames = [[0, worst.frame, len(run.fields.times) - 1] for (run, _), worst in zip(drawn, worsts)]
+    shared = None
+    if options.pictures and len(set(names)) == 1 and names[0] not in CATEGORIES:
+        shared = find_range([run.fields for run, _ in drawn], names[0], frames)
+    text = ""
+    for (run, label), name, worst, chosen in zip(drawn, names, worsts, frames):
+        text += f"<h3>{escape(label)}</h3>" * (len(runs) > 1) + _show_pictures(run.fields, name, worst, chosen, options, shared)
+    if len(drawn) < len(runs):
+        text += "<p class=soft>There are no fields to draw (output.fields of the deck).</p>"
+    return text
+
+
+def _choose_field(fields, wanted):
+    name = choose_field(fields, wanted)
     if name not in fields.names():
         raise ValueError(f"there is no field '{name}' in {fields.path} (it has {', '.join(sorted(fields.names()))})")
-    worst, last = Worst(fields, name), len(fields.times) - 1
+    return name
+
+
+def _show_pictures(fields, name, worst, frames, options, shared):
     unit, factor = choose_unit(fields.unit_of(name), abs(worst.value))
-    extreme = f"Largest {label_of(name)}: {with_unit(worst.value * factor, unit)} in {worst.text}"
-    captions = [("Start", 0, ""), ("Worst", worst.frame, extreme), ("End", last, "")]
-    heading = f"<h3>{escape(label)}</h3>" * several
+    extreme = f"largest {label_of(name)}: {with_unit(float(f'{worst.value * factor:.4g}'), unit)} in {worst.text}"
+    sentence = f"<p>{escape(extreme[0].upper() + extreme[1:])}, frame {worst.frame}.</p>"
     if not options.pictures:
-        return f"{heading}<p>{escape(extreme)}, frame {worst.frame}.</p>"
+        return sentence
     try:
-        pictures = draw_pictures(fields, name, [frame for _, frame, _ in captions], options.view)
+        pictures = draw_pictures(fields, name, frames, {"view": options.view, "range": shared})
     except RuntimeError as error:
         note(f"no pictures: {error}")
-        return f"{heading}<p class=soft>There are no pictures: {escape(error)}</p><p>{escape(extreme)}.</p>"
+        return f"<p class=soft>There are no pictures: {escape(error)}</p>{sentence}"
     shown = ""
-    for word, frame, extra in captions:
+    for frame in dict.fromkeys(frames):
+        words = " and ".join(word for word, other in zip(("start", "worst", "end"), frames) if other == frame)
         clock = format_time(fields.times[frame], fields.times[-1], fields.time_unit)
-        text = f"{word}: {clock}, frame {frame}" + (f"; {extra}" if extra else "")
+        text = f"{words.capitalize()}: {clock}, frame {frame}" + (f"; {extreme}" if frame == worst.frame else "")
         shown += f"<figure><img alt='{escape(text)}' src='data:image/jpeg;base64,{pictures[frame]}'>"
         shown += f"<figcaption>{escape(text)}</figcaption></figure>"
-    return f"{heading}<div class=pictures>{shown}</div>"
+    return f"<div class=pictures>{shown}</div>"
 
 
 def _make_view(run, options):

@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 
 import numpy as np
+from rendering.ranges import choose_bar, find_ends
 
 SCRIPTS = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 SIZE = "960x540"
@@ -37,13 +38,25 @@ class Worst:
         self.text = f"{self.place} {ids[self.item]}{part}"
 
 
-def draw_pictures(fields, name, frames, view=None):
-    """{frame: JPEG as text of base 64}, all with one range of colours. RuntimeError with the reason if there are none."""
+def find_range(runs_fields, name, frames_of):
+    """'LOW:HIGH' of the colours of several runs: of what their pictures show. None of one run, for which scripts/render has its own."""
+    if len(runs_fields) < 2:
+        return None
+    values = []
+    for fields, frames in zip(runs_fields, frames_of):
+        for frame in set(frames):
+            found = fields.values(name, frame)
+            values.append(found[fields.alive(frame)] if fields.names()[name] == "element" else found)
+    low, high, _ = choose_bar(find_ends(values))
+    return f"{low!r}:{high!r}"
+
+
+def draw_pictures(fields, name, frames, options):
+    """{frame: JPEG as text of base 64}, all with one range of colours. options: view and range, or None. RuntimeError with the reason if there are none."""
     with tempfile.TemporaryDirectory() as folder:
         command = [os.path.join(SCRIPTS, "render"), fields.path, "--out", folder, "--size", SIZE, "--field", name,
                    "--frame", ",".join(map(str, sorted(set(frames))))]
-        if view:
-            command.append(f"--view={view}")
+        command += [f"--{key}={value}" for key, value in options.items() if value]
         environment = {key: value for key, value in os.environ.items() if key != "PERCUSS_RENDER_REEXECUTED"}
         done = subprocess.run(command, capture_output=True, text=True, errors="replace", env=environment, timeout=900)
         if done.returncode != 0:

@@ -1,7 +1,7 @@
 """What was run: facts, parts, materials, deck."""
 
 import numpy as np
-
+from percuss.units import choose_time_unit
 from rendering.colors import PART_COLORS
 
 from .markup import Markup, escape, fold, format_number, make_table, show_deck, with_unit
@@ -18,9 +18,10 @@ def make_facts(run):
     summary = run.summary
     if not summary:
         return ""
+    unit, factor = choose_time_unit(unit_of(run, "time"), summary["time"])
     facts = [
         (run.status, "status"),
-        (with_unit(summary["time"], unit_of(run, "time")), "simulated time"),
+        (with_unit(float(f"{summary['time'] * factor:.4g}"), unit), "simulated time"),
         (f"{summary['steps']:,}", "steps"),
         (f"{summary['elements']:,}", "elements"),
         (f"{summary['contact_faces']:,}", "contact faces"),

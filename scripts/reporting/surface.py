@@ -5,11 +5,10 @@ import os
 import zlib
 
 import numpy as np
+from percuss.units import choose_unit, format_time
 from rendering import colors
 from rendering.ranges import choose_bar, find_ends
 from rendering.skin import exterior_faces
-
-from percuss.units import choose_unit, format_time
 
 THREE = os.environ.get("PERCUSS_THREE", "/usr/share/javascript/three")  # Debian's libjs-three
 LIBRARY = ("three.min.js", "examples/js/controls/OrbitControls.js")

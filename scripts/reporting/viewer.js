@@ -118,25 +118,37 @@
   const controls = new THREE.OrbitControls(camera, canvas);
   controls.addEventListener('change', draw);
 
-  // From where the nodes of the frame are in view, but for one in two hundred: few bits that fly far do not count.
-  function findDistance(back, right, up) {
-    const now = data.places[state.frame], tangent = Math.tan(camera.fov * Math.PI / 360), needed = [];
-    for (let n = 0; n < about.nodes; n += Math.ceil(about.nodes / 5000)) {
-      const p = [0, 1, 2].map(i => about.low[i] - middle[i] + about.scale[i] * now[3 * n + i]);
-      const along = axis => p[0] * axis[0] + p[1] * axis[1] + p[2] * axis[2];
-      needed.push(along(back) + 1.08 * Math.max(Math.abs(along(right)) / (tangent * camera.aspect), Math.abs(along(up)) / tangent));
-    }
-    needed.sort((a, b) => a - b);
+  // Some nodes of the frame, and the middle of their box, but for one in two hundred at each side: few bits that fly far do
+  // not count.
+  function sampleNodes() {
+    const now = data.places[state.frame], sample = [];
+    for (let n = 0; n < about.nodes; n += Math.ceil(about.nodes / 5000))
+      sample.push([0, 1, 2].map(i => about.low[i] - middle[i] + about.scale[i] * now[3 * n + i]));
+    const center = [0, 1, 2].map(i => {
+      const along = sample.map(p => p[i]).sort((a, b) => a - b), last = along.length - 1;
+      return (along[Math.floor(0.005 * last)] + along[Math.ceil(0.995 * last)]) / 2;
+    });
+    return {sample, center};
+  }
+
+  // From where they are in view.
+  function findDistance({sample, center}, back, right, up) {
+    const tangent = Math.tan(camera.fov * Math.PI / 360);
+    const needed = sample.map(point => {
+      const along = axis => point.reduce((sum, x, i) => sum + (x - center[i]) * axis[i], 0);
+      return along(back) + 1.08 * Math.max(Math.abs(along(right)) / (tangent * camera.aspect), Math.abs(along(up)) / tangent);
+    }).sort((a, b) => a - b);
     return Math.max(needed[Math.floor(0.995 * (needed.length - 1))], 0.1 * diagonal);
   }
 
   function look(azimuth, elevation) {
     const a = azimuth * Math.PI / 180, e = elevation * Math.PI / 180;
     const back = [Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e)];
-    const far = findDistance(back, [-Math.sin(a), Math.cos(a), 0],
+    const seen = sampleNodes();
+    const far = findDistance(seen, back, [-Math.sin(a), Math.cos(a), 0],
       [-Math.sin(e) * Math.cos(a), -Math.sin(e) * Math.sin(a), Math.cos(e)]);
-    controls.target.set(0, 0, 0);
-    camera.position.set(...back.map(x => far * x));
+    controls.target.set(...seen.center);
+    camera.position.set(...back.map((x, i) => seen.center[i] + far * x));
     controls.update();
     draw();
   }

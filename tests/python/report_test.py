@@ -134,10 +134,10 @@ class Report(OfARun):
         text = self.make(self.out, "--no-view", "--field", "velocity", "--view", "-30:10")
         self.check(text)
         pictures = [base64.b64decode(p) for p in re.findall(r"data:image/jpeg;base64,([^']+)'", text)]
-        self.assertEqual(len(pictures), 3)
+        self.assertIn(len(pictures), (2, 3))  # the worst may be the start or the end
         self.assertTrue(all(p[:2] == b"\xff\xd8" for p in pictures))
-        self.assertNotEqual(pictures[0], pictures[2])
-        self.assertRegex(text, r"Worst: t = [\d.]+ \S+, frame \d+; Largest speed: [\d.]+ m/s in node \d+")
+        self.assertNotEqual(pictures[0], pictures[-1])
+        self.assertRegex(text, r"(?i)worst( and end)?: t = [\d.]+ \S+, frame \d+; largest speed: [\d.]+ m/s in node \d+")
 
     def test_says_what_is_missing_and_goes_on(self):
         text = self.make(self.out, "--no-pictures", PERCUSS_THREE="/nowhere")
@@ -281,6 +281,7 @@ class Pieces(unittest.TestCase):
         self.assertEqual(compare_numbers([2.0, 2.0, 2.5]), ["", "+25 %"])
         self.assertEqual(compare_numbers([0, 3]), ["+3"])
         self.assertEqual(compare_numbers(["completed", "failed"]), ["differs"])
+        self.assertEqual(compare_numbers([3, 4], is_name=True), ["differs"])
 
     def test_histories_are_compared_at_the_times_of_the_first(self):
         from percuss.history import History
@@ -288,6 +289,13 @@ class Pieces(unittest.TestCase):
         first = History(["time", "kinetic"], [[0, 4], [1, 2], [2, 0]])
         other = History(["time", "kinetic"], [[0, 4], [2, 2]])
         self.assertEqual(find_history_differences(first, other), [("kinetic", 0.5, 2.0, 0.5)])
+
+    def test_a_component_that_is_round_off_is_measured_by_the_whole_vector(self):
+        from percuss.history import History
+
+        names = ["time", "momentum_x", "momentum_y", "momentum_z"]
+        first, other = History(names, [[0, 8, 1e-15, 0]]), History(names, [[0, 8, -1e-15, 0]])
+        self.assertEqual(find_history_differences(first, other)[0], ("momentum_y", 2.5e-16, 0.0, 2.5e-16))
 
 
 if __name__ == "__main__":
