@@ -117,7 +117,7 @@ class Plot:
         single = len(panel.columns) == 1
         meaning = history.meaning(panel.columns[0])
         title = panel.title if panel.title and not (single and panel.title == panel.columns[0]) else meaning if single else ""
-        axes.set_title(title[:1].upper() + title[1:], loc="left", fontsize=10, fontweight="bold", pad=13)
+        axes.set_title(title[:1].upper() + title[1:], loc="left", fontsize=10, fontweight="bold")
         axes.set_xlabel(f"time [{self.time_unit}]" if self.time_unit else "time")
         axes.set_ylabel(f"[{unit}]" if unit else "")
         formatter = ScalarFormatter(useMathText=True)
@@ -138,8 +138,8 @@ class Plot:
                 groups.append((place, []))
             groups[-1][1].append(str(number))
         for place, numbers in groups:
-            axes.annotate(",".join(numbers), (place, 1), xycoords=("data", "axes fraction"), fontsize=7, color=MARK, ha="center",
-                          va="bottom")
+            axes.annotate(",".join(numbers), (place, 0.99), xycoords=("data", "axes fraction"), fontsize=7, color=MARK, ha="left",
+                          va="top", xytext=(2, 0), textcoords="offset points")
 
     def list_marks(self):
         """[(time, text)] of the warnings that were found in steps, all runs, the first in time first."""

@@ -136,7 +136,7 @@
     const tangent = Math.tan(camera.fov * Math.PI / 360);
     const needed = sample.map(point => {
       const along = axis => point.reduce((sum, x, i) => sum + (x - center[i]) * axis[i], 0);
-      return along(back) + 1.08 * Math.max(Math.abs(along(right)) / (tangent * camera.aspect), Math.abs(along(up)) / tangent);
+      return along(back) + 1.16 * Math.max(Math.abs(along(right)) / (tangent * camera.aspect), Math.abs(along(up)) / tangent);
     }).sort((a, b) => a - b);
     return Math.max(needed[Math.floor(0.995 * (needed.length - 1))], 0.1 * diagonal);
   }
