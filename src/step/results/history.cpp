@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "comm/exact_reduction.hpp"
@@ -11,12 +12,34 @@
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
+#include "src/output/files/atomic_file.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/results/element_fields.hpp"
 
 namespace percuss {
 
 namespace {
+
+/// A column of a followed node or element.
+struct PointColumn {
+  const char* suffix;
+  Dimension dimension;
+  const char* meaning;
+};
+
+constexpr PointColumn node_columns[] = {
+    {"x", dimensions::length, "position, x"},    {"y", dimensions::length, "position, y"},
+    {"z", dimensions::length, "position, z"},    {"vx", dimensions::velocity, "velocity, x"},
+    {"vy", dimensions::velocity, "velocity, y"}, {"vz", dimensions::velocity, "velocity, z"}};
+constexpr PointColumn element_columns[] = {{"stress_xx", dimensions::stress, "stress, xx"},
+                                           {"stress_yy", dimensions::stress, "stress, yy"},
+                                           {"stress_zz", dimensions::stress, "stress, zz"},
+                                           {"stress_xy", dimensions::stress, "stress, xy"},
+                                           {"stress_yz", dimensions::stress, "stress, yz"},
+                                           {"stress_zx", dimensions::stress, "stress, zx"},
+                                           {"pressure", dimensions::stress, "pressure, positive in compression"},
+                                           {"von_mises", dimensions::stress, "equivalent stress of von Mises"},
+                                           {"eps", {}, "equivalent plastic strain"}};
 
 /// Columns of a followed element that only some materials fill.
 struct ThermalColumn {
@@ -43,67 +66,46 @@ std::vector<HistoryScalar> name_thermal_columns(const Deck& deck) {
   return names;
 }
 
-bool can_fail(const Deck& deck) {
-  return std::any_of(deck.materials.begin(), deck.materials.end(),
-                     [](const MaterialDeck& material) { return material.failure.has_value(); });
-}
-
-bool removes_nodes(const Deck& deck) {
-  return can_fail(deck) && deck.erosion.free_nodes == ErosionDeck::FreeNodes::remove;
-}
-
-std::vector<std::string> make_columns(const std::vector<FollowedPoint>& points, const Deck& deck) {
-  std::vector<std::string> columns{"time",       "step",       "dt",         "dt_element", "kinetic",   "internal",
-                                   "hourglass",  "viscous",    "contact",    "friction",   "external",  "energy_error",
-                                   "momentum_x", "momentum_y", "momentum_z", "angular_x",  "angular_y", "angular_z",
-                                   "contacts",   "candidates", "iterations", "residual"};
-  using Enforcement = ContactDeck::Enforcement;
-  if (deck.contact.enforcement == Enforcement::lagrange) columns.emplace_back("complementarity");
-  if (deck.contact.enforcement == Enforcement::penalty) columns.emplace_back("contact_stored");
-  if (can_fail(deck)) columns.insert(columns.end(), {"eroded_elements", "eroded_mass", "eroded_energy"});
-  if (removes_nodes(deck)) columns.emplace_back("vanished_mass");
-  for (const std::string& pair : name_contact_pairs(deck))
-    columns.insert(columns.end(), {"contact:" + pair, "friction:" + pair});
-  if (!deck.walls.empty()) columns.insert(columns.end(), {"wall_force_x", "wall_force_y", "wall_force_z"});
-  const std::vector<std::string> of_parts = name_columns(find_booked_parts(deck));
-  columns.insert(columns.end(), of_parts.begin(), of_parts.end());
-  for (const FollowedPoint& p : points) {
-    const std::vector<const char*> suffixes =
-        p.is_element ? std::vector<const char*>{"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz",
-                                                "stress_zx", "pressure",  "von_mises", "eps"}
-                     : std::vector<const char*>{"x", "y", "z", "vx", "vy", "vz"};
-    for (const char* suffix : suffixes) columns.push_back(p.name + "_" + suffix);
-    if (!p.is_element) continue;
-    for (const ThermalColumn& column : find_thermal_columns(deck)) columns.push_back(p.name + "_" + column.suffix);
+void add_point_columns(const FollowedPoint& point, const Deck& deck, std::vector<HistoryColumn>& columns) {
+  const auto add = [&](std::span<const PointColumn> of_point) {
+    for (const PointColumn& c : of_point) columns.push_back({point.name + "_" + c.suffix, c.dimension, c.meaning});
+  };
+  if (!point.is_element) return add(node_columns);
+  add(element_columns);
+  for (const ThermalColumn& c : find_thermal_columns(deck)) {
+    const bool is_temperature = c.name == HistoryScalar::temperature;
+    columns.push_back({point.name + "_" + c.suffix, is_temperature ? Dimension{} : dimensions::stress,
+                       is_temperature ? "temperature" : "internal energy per volume", is_temperature});
   }
+}
+
+std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::vector<FollowedPoint>& points,
+                                        const Deck& deck) {
+  std::vector<HistoryColumn> columns = table.columns();
+  const std::vector<HistoryColumn> of_parts = describe_part_columns(name_columns(find_booked_parts(deck)));
+  columns.insert(columns.end(), of_parts.begin(), of_parts.end());
+  for (const FollowedPoint& point : points) add_point_columns(point, deck, columns);
   return columns;
 }
 
 }  // namespace
 
-History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked)
+History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked,
+                 std::optional<std::int64_t> bytes)
     : ranks_(find_ranks(chunked.mesh)),
-      has_walls_(!deck.walls.empty()),
-      removes_nodes_(removes_nodes(deck)),
-      enforcement_(deck.contact.enforcement),
+      table_(deck),
       points_(find_history_points(deck, chunked)),
       parts_(deck, chunked),
       thermal_(name_thermal_columns(deck)) {
   fail_together(ranks_, [&] {
-    if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, deck));
-  });
-}
-
-History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes)
-    : ranks_(find_ranks(chunked.mesh)),
-      has_walls_(!deck.walls.empty()),
-      removes_nodes_(removes_nodes(deck)),
-      enforcement_(deck.contact.enforcement),
-      points_(find_history_points(deck, chunked)),
-      parts_(deck, chunked),
-      thermal_(name_thermal_columns(deck)) {
-  fail_together(ranks_, [&] {
-    if (ranks_.rank() == 0) file_.emplace(directory + "/history.csv", make_columns(points_, deck), bytes);
+    if (ranks_.rank() != 0) return;
+    const std::vector<HistoryColumn> columns = list_columns(table_, points_, deck);
+    const std::string path = directory + "/history.csv";
+    if (bytes)
+      file_.emplace(path, name_columns(columns), *bytes);
+    else
+      file_.emplace(path, name_columns(columns));
+    write_file_atomically(directory + "/columns.json", format_columns(columns, deck.units), Durability::system);
   });
 }
 
@@ -111,7 +113,9 @@ void History::check(const std::string& directory, const Deck& deck, const Chunke
   const std::vector<FollowedPoint> points = find_history_points(deck, chunked);
   const Communicator ranks = find_ranks(chunked.mesh);
   fail_together(ranks, [&] {
-    if (ranks.rank() == 0) check_history_file(directory + "/history.csv", make_columns(points, deck), bytes);
+    if (ranks.rank() == 0)
+      check_history_file(directory + "/history.csv", name_columns(list_columns(HistoryTable(deck), points, deck)),
+                         bytes);
   });
 }
 
@@ -154,40 +158,10 @@ void History::gather_points(const Model& model, const State& state, std::vector<
   row.insert(row.end(), values.begin(), values.end());
 }
 
-void History::write(const Model& model, const State& state, const AuditResult& audit, const ContactReport& contact,
-                    const Vec3& wall_force, const std::vector<double>& pair_work) {
-  const EnergySummary& e = audit.energy;
-  const MomentumSummary& m = audit.momentum;
-  std::vector<double> row{state.time,
-                          static_cast<double>(state.step),
-                          state.dt,
-                          static_cast<double>(state.bound.element_id),
-                          e.kinetic,
-                          e.internal,
-                          e.hourglass,
-                          e.viscous,
-                          e.contact,
-                          e.friction,
-                          e.external,
-                          e.error,
-                          m.linear[0],
-                          m.linear[1],
-                          m.linear[2],
-                          m.angular[0],
-                          m.angular[1],
-                          m.angular[2],
-                          static_cast<double>(contact.interactions),
-                          static_cast<double>(contact.candidates),
-                          static_cast<double>(contact.iterations),
-                          contact.residual};
-  if (enforcement_ == ContactDeck::Enforcement::lagrange) row.push_back(contact.complementarity);
-  if (enforcement_ == ContactDeck::Enforcement::penalty) row.push_back(contact.stored);
-  if (model.can_erode) {
-    row.insert(row.end(), {static_cast<double>(audit.eroded.elements), audit.eroded.mass, audit.eroded.energy});
-  }
-  if (removes_nodes_) row.push_back(audit.eroded.vanished_mass);
-  row.insert(row.end(), pair_work.begin(), pair_work.end());
-  if (has_walls_) row.insert(row.end(), wall_force.begin(), wall_force.end());
+void History::write(const Model& model, const HistorySources& sources) {
+  const State& state = sources.state;
+  std::vector<double> row;
+  table_.append(sources, row);
   parts_.append(model, state, row);
   gather_points(model, state, row);
   fail_together(ranks_, [&] {

@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "src/output/history_file.hpp"
-#include "src/step/audit/audit.hpp"
 #include "src/step/audit/part_energies.hpp"
-#include "src/step/step.hpp"
+#include "src/step/results/history_table.hpp"
 
 namespace percuss {
 
@@ -27,20 +26,16 @@ std::vector<FollowedPoint> find_history_points(const Deck& deck, const ChunkedMe
 
 class History {
  public:
-  /// Creates history.csv in the directory: rank 0 writes it. Collective. Throws SystemError, InputError, the same on
-  /// all ranks.
-  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked);
-
-  /// Goes on with the history.csv of an earlier run behind its first `bytes`. Collective. Throws likewise.
-  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes);
+  /// Creates history.csv and columns.json in the directory, or goes on with the history.csv of an earlier run behind
+  /// its first `bytes`: rank 0 writes. Collective. Throws SystemError, InputError, the same on all ranks.
+  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked,
+          std::optional<std::int64_t> bytes = std::nullopt);
 
   /// Throws on all ranks what that would throw, and changes nothing. Collective.
   static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes);
 
-  /// wall_force: only with walls; pair_work: ContactStage::sum_pair_work(). Collective. Throws SystemError on all ranks
-  /// if rank 0 cannot write.
-  void write(const Model& model, const State& state, const AuditResult& audit, const ContactReport& contact,
-             const Vec3& wall_force, const std::vector<double>& pair_work);
+  /// Collective. Throws SystemError on all ranks if rank 0 cannot write.
+  void write(const Model& model, const HistorySources& sources);
   /// Collective; throws likewise.
   void flush();
   /// Hands all rows to the system and returns the length of the file [byte]. Collective; throws likewise.
@@ -56,8 +51,7 @@ class History {
   void gather_points(const Model& model, const State& state, std::vector<double>& row) const;
 
   Communicator ranks_;
-  bool has_walls_, removes_nodes_;
-  ContactDeck::Enforcement enforcement_;
+  HistoryTable table_;
   std::vector<FollowedPoint> points_;
   PartEnergies parts_;
   std::vector<HistoryScalar> thermal_;  // columns of followed elements that only some materials fill

@@ -83,7 +83,9 @@ void RunOutput::go_on() {
 
 void RunOutput::write_row(const State& state, const AuditResult& audit, const Stepper& stepper) {
   if (!history_ || last_row_ == state.step) return;
-  history_->write(model_, state, audit, stepper.contact_report(), stepper.find_wall_force(), contact_.sum_pair_work());
+  const Vec3 wall_force = stepper.find_wall_force();
+  const std::vector<double> pair_work = contact_.sum_pair_work();
+  history_->write(model_, {state, audit, stepper.contact_report(), wall_force, pair_work});
   last_row_ = state.step;
 }
 

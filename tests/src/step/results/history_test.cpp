@@ -3,7 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
 
 #include "src/error.hpp"
 #include "src/step/results/history.hpp"
@@ -89,6 +94,36 @@ TEST(History, HasARowAtTheStartAtEveryDueTimeAndAtTheEnd) {
     EXPECT_EQ(run.history["n_vz"][i], 3);
     EXPECT_NEAR(run.history["momentum_z"][i], 3 * 7850, 1e-9);
   }
+}
+
+/// columns.json names the heading of history.csv, column by column, with its unit.
+TEST(HistoryColumns, AreDescribedForPrograms) {
+  const TemporaryFolder folder;
+  const std::string text = "units: mm, kg, ms\n" + make_text("nodes: [{name: n, near: [0, 0, 0]}], parts: [b]");
+  const Scene scene(text);
+  History(folder.path(), scene.deck, scene.chunked).close();
+  std::ifstream history(folder.path() + "/history.csv"), file(folder.path() + "/columns.json");
+  std::string heading;
+  std::getline(history, heading);
+  const auto json = nlohmann::json::parse(file);
+  EXPECT_EQ(json["units"], "mm, kg, ms");
+  std::string joined;
+  for (const auto& column : json["columns"]) {
+    if (!joined.empty()) joined += ',';
+    joined += column["name"].get<std::string>();
+    EXPECT_FALSE(column["meaning"].get<std::string>().empty());
+  }
+  EXPECT_EQ(joined, heading);
+  const auto of = [&](const std::string& name) {
+    const auto found = std::find_if(json["columns"].begin(), json["columns"].end(),
+                                    [&](const auto& column) { return column["name"] == name; });
+    return std::pair{(*found)["unit"].get<std::string>(), (*found)["dimension"].get<std::string>()};
+  };
+  EXPECT_EQ(of("kinetic"), (std::pair<std::string, std::string>{"J", "mass length^2 time^-2"}));
+  EXPECT_EQ(of("step"), (std::pair<std::string, std::string>{"", "1"}));
+  EXPECT_EQ(of("n_vx"), (std::pair<std::string, std::string>{"mm/ms", "length time^-1"}));
+  EXPECT_EQ(of("mass:b"), (std::pair<std::string, std::string>{"kg", "mass"}));
+  EXPECT_EQ(of("momentum_x:b").second, "mass length time^-1");
 }
 
 }  // namespace percuss::test

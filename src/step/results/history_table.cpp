@@ -1,0 +1,135 @@
+#include "src/step/results/history_table.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+namespace percuss {
+namespace {
+
+using S = HistorySources;
+
+bool can_fail(const Deck& deck) {
+  return std::any_of(deck.materials.begin(), deck.materials.end(),
+                     [](const MaterialDeck& material) { return material.failure.has_value(); });
+}
+
+bool always(const Deck&) { return true; }
+bool has_walls(const Deck& deck) { return !deck.walls.empty(); }
+bool removes_nodes(const Deck& deck) {
+  return can_fail(deck) && deck.erosion.free_nodes == ErosionDeck::FreeNodes::remove;
+}
+bool is_lagrange(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::lagrange; }
+bool is_penalty(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::penalty; }
+
+struct Entry {
+  const char* name;
+  Dimension dimension;
+  const char* meaning;
+  bool (*has)(const Deck&);
+  double (*value)(const HistorySources&);
+};
+
+constexpr Dimension no_dimension{};
+constexpr Dimension angular_momentum{2, 1, -1};
+namespace dim = dimensions;
+
+constexpr Entry before_pairs[] = {
+    {"time", dim::time, "time", always, [](const S& s) { return s.state.time; }},
+    {"step", no_dimension, "time steps so far", always, [](const S& s) { return static_cast<double>(s.state.step); }},
+    {"dt", dim::time, "step that led here", always, [](const S& s) { return s.state.dt; }},
+    {"dt_element", no_dimension, "id of the element that limits the next step", always,
+     [](const S& s) { return static_cast<double>(s.state.bound.element_id); }},
+    {"kinetic", dim::energy, "kinetic energy", always, [](const S& s) { return s.audit.energy.kinetic; }},
+    {"internal", dim::energy, "work of the stresses", always, [](const S& s) { return s.audit.energy.internal; }},
+    {"hourglass", dim::energy, "work of the hourglass control", always,
+     [](const S& s) { return s.audit.energy.hourglass; }},
+    {"viscous", dim::energy, "work of the bulk viscosity", always, [](const S& s) { return s.audit.energy.viscous; }},
+    {"contact", dim::energy, "work of normal contact forces, rigid walls included", always,
+     [](const S& s) { return s.audit.energy.contact; }},
+    {"friction", dim::energy, "work of friction", always, [](const S& s) { return s.audit.energy.friction; }},
+    {"external", dim::energy, "work of loads, gravity and prescribed motion", always,
+     [](const S& s) { return s.audit.energy.external; }},
+    {"energy_error", no_dimension, "energy that the balance lacks, over the largest energy held so far", always,
+     [](const S& s) { return s.audit.energy.error; }},
+    {"momentum_x", dim::momentum, "linear momentum, x", always, [](const S& s) { return s.audit.momentum.linear[0]; }},
+    {"momentum_y", dim::momentum, "linear momentum, y", always, [](const S& s) { return s.audit.momentum.linear[1]; }},
+    {"momentum_z", dim::momentum, "linear momentum, z", always, [](const S& s) { return s.audit.momentum.linear[2]; }},
+    {"angular_x", angular_momentum, "angular momentum about the mass centre at time 0, x", always,
+     [](const S& s) { return s.audit.momentum.angular[0]; }},
+    {"angular_y", angular_momentum, "angular momentum about the mass centre at time 0, y", always,
+     [](const S& s) { return s.audit.momentum.angular[1]; }},
+    {"angular_z", angular_momentum, "angular momentum about the mass centre at time 0, z", always,
+     [](const S& s) { return s.audit.momentum.angular[2]; }},
+    {"contacts", no_dimension, "contact interactions in force, tied nodes included", always,
+     [](const S& s) { return static_cast<double>(s.contact.interactions); }},
+    {"candidates", no_dimension, "candidate pairs of the contact search", always,
+     [](const S& s) { return static_cast<double>(s.contact.candidates); }},
+    {"iterations", no_dimension, "iterations of contact enforcement in the step", always,
+     [](const S& s) { return static_cast<double>(s.contact.iterations); }},
+    {"residual", no_dimension, "largest penetration that enforcement left, over the edge of the face", always,
+     [](const S& s) { return s.contact.residual; }},
+    {"complementarity", no_dimension,
+     "largest deviation from the conditions of contact, over the largest closing velocity", is_lagrange,
+     [](const S& s) { return s.contact.complementarity; }},
+    {"contact_stored", dim::energy, "energy in the springs of contact", is_penalty,
+     [](const S& s) { return s.contact.stored; }},
+    {"eroded_elements", no_dimension, "eroded elements", can_fail,
+     [](const S& s) { return static_cast<double>(s.audit.eroded.elements); }},
+    {"eroded_mass", dim::mass, "mass of the eroded elements", can_fail, [](const S& s) { return s.audit.eroded.mass; }},
+    {"eroded_energy", dim::energy, "energy of the eroded elements and removed nodes", can_fail,
+     [](const S& s) { return s.audit.eroded.energy; }},
+    {"vanished_mass", dim::mass, "mass of removed nodes, within eroded_mass", removes_nodes,
+     [](const S& s) { return s.audit.eroded.vanished_mass; }},
+};
+
+constexpr Entry after_pairs[] = {
+    {"wall_force_x", dim::force, "force of the rigid walls on the bodies, x", has_walls,
+     [](const S& s) { return s.wall_force[0]; }},
+    {"wall_force_y", dim::force, "force of the rigid walls on the bodies, y", has_walls,
+     [](const S& s) { return s.wall_force[1]; }},
+    {"wall_force_z", dim::force, "force of the rigid walls on the bodies, z", has_walls,
+     [](const S& s) { return s.wall_force[2]; }},
+};
+
+/// Dimension of a quantity of the scene, by its name.
+const Entry* look_up(std::string_view name) {
+  const auto* found = std::find_if(std::begin(before_pairs), std::end(before_pairs),
+                                   [&](const Entry& entry) { return entry.name == name; });
+  return found == std::end(before_pairs) ? nullptr : found;
+}
+
+}  // namespace
+
+HistoryTable::HistoryTable(const Deck& deck) {
+  const auto take = [&](const Entry& entry, std::vector<Value>& values) {
+    if (!entry.has(deck)) return;
+    columns_.push_back({entry.name, entry.dimension, entry.meaning});
+    values.push_back(entry.value);
+  };
+  for (const Entry& entry : before_pairs) take(entry, before_pairs_);
+  for (const std::string& pair : name_contact_pairs(deck)) {
+    columns_.push_back({"contact:" + pair, dim::energy, "work of normal contact forces of the pair since the start"});
+    columns_.push_back({"friction:" + pair, dim::energy, "work of friction of the pair since the start"});
+  }
+  for (const Entry& entry : after_pairs) take(entry, after_pairs_);
+}
+
+void HistoryTable::append(const HistorySources& sources, std::vector<double>& row) const {
+  for (const Value value : before_pairs_) row.push_back(value(sources));
+  row.insert(row.end(), sources.pair_work.begin(), sources.pair_work.end());
+  for (const Value value : after_pairs_) row.push_back(value(sources));
+}
+
+std::vector<HistoryColumn> describe_part_columns(const std::vector<std::string>& names) {
+  std::vector<HistoryColumn> columns;
+  for (const std::string& name : names) {
+    const std::string quantity = name.substr(0, name.find(':'));
+    const Entry* entry = look_up(quantity);
+    const Dimension dimension = entry != nullptr ? entry->dimension : quantity == "mass" ? dim::mass : no_dimension;
+    const std::string meaning = entry != nullptr ? entry->meaning : quantity;
+    columns.push_back({name, dimension, meaning + ", of the part"});
+  }
+  return columns;
+}
+
+}  // namespace percuss

@@ -1,0 +1,42 @@
+#pragma once
+// The columns of history.csv that follow from the deck: each is one entry with its name, dimension, meaning and value.
+
+#include <string>
+#include <vector>
+
+#include "src/output/history_columns.hpp"
+#include "src/step/audit/audit.hpp"
+#include "src/step/step.hpp"
+
+namespace percuss {
+
+/// What the values of a row come from.
+struct HistorySources {
+  const State& state;
+  const AuditResult& audit;
+  const ContactReport& contact;
+  const Vec3& wall_force;                // used only with walls
+  const std::vector<double>& pair_work;  // ContactStage::sum_pair_work()
+};
+
+/// The columns of a deck, without those of parts and followed points.
+class HistoryTable {
+ public:
+  explicit HistoryTable(const Deck& deck);
+
+  const std::vector<HistoryColumn>& columns() const { return columns_; }
+
+  /// Appends the values of the columns to a row.
+  void append(const HistorySources& sources, std::vector<double>& row) const;
+
+ private:
+  using Value = double (*)(const HistorySources&);
+
+  std::vector<HistoryColumn> columns_;
+  std::vector<Value> before_pairs_, after_pairs_;
+};
+
+/// Columns of the quantities of a part, such as "kinetic:rod", from their names.
+std::vector<HistoryColumn> describe_part_columns(const std::vector<std::string>& names);
+
+}  // namespace percuss
