@@ -63,11 +63,18 @@ def describe(name):
 
 def read_sidecar(folder):
     """{column: {name, unit, dimension, meaning}} of columns.json; empty where a run has written none."""
+    return {entry["name"]: entry for entry in _read_file(folder).get("columns", []) if "name" in entry}
+
+
+def read_units(folder):
+    """The units of the deck as columns.json has them; empty if it has none."""
+    return _read_file(folder).get("units") or ""
+
+
+def _read_file(folder):
     try:
         with open(os.path.join(folder, "columns.json"), encoding="utf-8") as file:
             found = json.load(file)
-        if isinstance(found, dict):
-            found = found.get("columns", [])
-        return {entry["name"]: entry for entry in found}
-    except (OSError, ValueError, KeyError, TypeError):
+    except (OSError, ValueError):
         return {}
+    return found if isinstance(found, dict) else {"columns": found}

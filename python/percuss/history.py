@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from .columns import describe, read_sidecar
+from .columns import SCENE, describe, read_sidecar
 from .errors import NotResults
 from .table import read_lines
-from .units import find_powers
+from .units import find_powers, name_quantity
 
 
 class History:
@@ -41,21 +41,29 @@ class History:
         """'energy', 'force', '-' ...; None if it is not known."""
         self[name]
         given = self._sidecar.get(name, {}).get("dimension")
-        return given or describe(name)[0]
+        return name_quantity(given) if given else describe(name)[0]
 
     def unit(self, name):
         """'J'; empty without a dimension, or without units in the deck."""
-        given = self._sidecar.get(name, {}).get("unit")
-        if given:
-            return "" if given == "-" else given
+        if "unit" in self._sidecar.get(name, {}):
+            return self._sidecar[name]["unit"] or ""
         dimension = self.dimension(name)
         if self.units is None or find_powers(dimension) is None:
             return ""
         return self.units.name_of(dimension)
 
     def meaning(self, name):
+        """What the column is, in words; of a part, a pair or a followed item with its name."""
         self[name]
-        return self._sidecar.get(name, {}).get("meaning") or describe(name)[1]
+        given = self._sidecar.get(name, {}).get("meaning")
+        if not given:
+            return describe(name)[1]
+        return given if name in SCENE else f"{given}: {name.partition(':')[2] or name}"
+
+    def label(self, name):
+        """The same in few words, as it stands beside a curve."""
+        dimension, words = describe(name)
+        return words if dimension is not None else self.meaning(name)
 
     def at(self, time, name):
         """The value of a column at a time, linear between rows."""

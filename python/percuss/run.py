@@ -4,6 +4,7 @@ import json
 import os
 from functools import cached_property
 
+from .columns import read_units
 from .deck import find_deck
 from .errors import NotResults
 from .lock import is_active
@@ -74,6 +75,8 @@ class Run:
     @cached_property
     def units(self):
         """The Units of the deck, or None where it has none."""
+        if known := read_units(self.folder):
+            return find_units(known)
         if self._has("fields.vtkhdf"):
             try:
                 return find_units(self.fields.units)

@@ -29,18 +29,28 @@ PREFIXED = ("Pa", "N", "J")  # units that take a prefix to suit the numbers; oth
 
 
 def find_powers(quantity):
-    """Powers of length, mass and time in a quantity, by its name or as a product: 'energy', 'mass length^2 / time^2'. None
-    if it is not known."""
+    """Powers of length, mass and time in a quantity, by its name or as a product: 'energy', 'mass length^2 / time^2', 'mass
+    length^2 time^-2', '1'. None if it is not known."""
     if not quantity or quantity in DIMENSIONS:
         return DIMENSIONS.get(quantity)
+    if quantity == "1":
+        return DIMENSIONS["-"]
     total = [0, 0, 0]
     for sign, side in zip((1, -1), quantity.replace("(", " ").replace(")", " ").split("/", 1)):
         for word in side.split():
             name, _, power = word.partition("^")
-            if name not in DIMENSIONS or not (power or "1").isdigit():
+            if name not in DIMENSIONS or not (power or "1").removeprefix("-").isdigit():
                 return None
             total = [t + sign * int(power or 1) * p for t, p in zip(total, DIMENSIONS[name])]
     return tuple(total)
+
+
+def name_quantity(quantity):
+    """'energy' of 'mass length^2 time^-2', '-' of '1'; the text itself where no name is usual."""
+    powers = find_powers(quantity)
+    if quantity in DIMENSIONS or powers is None:
+        return quantity
+    return next((name for name, known in DIMENSIONS.items() if known == powers), quantity)
 
 
 class Units:

@@ -77,7 +77,7 @@ class Plot:
         if len(panel.columns) > 1:
             for curve, name in enumerate(panel.columns):
                 owner = next(history for _, _, history in self.runs if name in history)
-                entries.append(Line2D([], [], color=COLORS[curve % len(COLORS)], label=owner.meaning(name)))
+                entries.append(Line2D([], [], color=COLORS[curve % len(COLORS)], label=owner.label(name)))
         if len(self.runs) > 1:
             for number, (label, _, _) in enumerate(self.runs):
                 color = COLORS[number % len(COLORS)] if len(panel.columns) == 1 else INK
@@ -115,7 +115,7 @@ class Plot:
     def _finish(self, axes, panel, unit):
         history = next((h for _, _, h in self.runs if panel.columns[0] in h), self.runs[0][2])
         single = len(panel.columns) == 1
-        meaning = history.meaning(panel.columns[0])
+        meaning = history.label(panel.columns[0])
         title = panel.title if panel.title and not (single and panel.title == panel.columns[0]) else meaning if single else ""
         axes.set_title(title[:1].upper() + title[1:], loc="left", fontsize=10, fontweight="bold")
         axes.set_xlabel(f"time [{self.time_unit}]" if self.time_unit else "time")

@@ -107,7 +107,7 @@ def make_history_table(runs, histories, labels):
         if not len(histories[0]) or not len(history):
             continue
         unit = histories[0].unit("time")
-        rows = [(name, histories[0].meaning(name), f"{100 * share:.3g} %", f"{time:.4g} {unit}", f"{100 * last:.3g} %")
+        rows = [(name, histories[0].label(name), f"{100 * share:.3g} %", f"{time:.4g} {unit}", f"{100 * last:.3g} %")
                 for name, share, time, last in find_history_differences(histories[0], history) if share > EQUAL_ABOVE]
         text += f"<h3>History: {escape(label)} against {escape(labels[0])}</h3>"
         if rows:

@@ -176,7 +176,7 @@ def _make_peaks(run):
     rows = []
     for name, high, high_time, low, low_time in find_peaks(history):
         unit = history.unit("time")
-        rows.append((name, history.meaning(name), with_unit(float(high), history.unit(name)), f"{high_time:.4g} {unit}",
+        rows.append((name, history.label(name), with_unit(float(high), history.unit(name)), f"{high_time:.4g} {unit}",
                      with_unit(float(low), history.unit(name)), f"{low_time:.4g} {unit}"))
     heading = ("column", "meaning", "largest", "at", "least", "at")
     return "<h3>Largest and least values of rows</h3>" + make_table(heading, rows, (2, 3, 4, 5)) if rows else ""

@@ -21,7 +21,7 @@ import percuss  # noqa: E402
 import sample_run  # noqa: E402
 from percuss.columns import describe  # noqa: E402
 from percuss.deck import read_deck  # noqa: E402
-from percuss.units import DIMENSIONS, Units, find_powers, find_units  # noqa: E402
+from percuss.units import DIMENSIONS, Units, find_powers, find_units, name_quantity  # noqa: E402
 
 
 def make_folder(test):
@@ -66,11 +66,20 @@ class OfARun(unittest.TestCase):
 
     def test_the_sidecar_of_columns_counts_where_there_is_one(self):
         folder = self.copy()
+        energy = "mass length^2 time^-2"
+        columns = [{"name": "kinetic", "unit": "kJ", "dimension": energy, "meaning": "of all"},
+                   {"name": "kinetic:block", "unit": "J", "dimension": energy, "meaning": "kinetic energy, of the part"},
+                   {"name": "contacts", "unit": "", "dimension": "1", "meaning": "interactions"},
+                   {"name": "dt", "unit": None, "dimension": "time", "meaning": "step"}]
         with open(os.path.join(folder, "columns.json"), "w", encoding="utf-8") as file:
-            json.dump([{"name": "kinetic", "unit": "kJ", "dimension": "mass length^2 / time^2", "meaning": "of all"}], file)
+            json.dump({"units": "m, kg, s", "columns": columns}, file)
+        os.remove(os.path.join(folder, "fields.vtkhdf"))
         history = percuss.read(folder).history
-        self.assertEqual((history.unit("kinetic"), history.meaning("kinetic")), ("kJ", "of all"))
-        self.assertEqual(history.unit("internal"), "J")
+        self.assertEqual((history.unit("kinetic"), history.dimension("kinetic")), ("kJ", "energy"))
+        self.assertEqual((history.meaning("kinetic"), history.label("kinetic")), ("of all", "kinetic energy"))
+        self.assertEqual(history.meaning("kinetic:block"), "kinetic energy, of the part: block")
+        self.assertEqual((history.unit("contacts"), history.dimension("contacts"), history.unit("dt")), ("", "-", ""))
+        self.assertEqual(history.unit("internal"), "J", "by the units of the file, where it lacks the column")
         other = history.in_units(Units("mm, t, s"))
         self.assertAlmostEqual(other["kinetic"][0] / history["kinetic"][0], 1000)
         self.assertEqual(other.unit("kinetic"), "mJ")
@@ -185,6 +194,8 @@ class OfUnits(unittest.TestCase):
     def test_of_a_quantity_by_its_product(self):
         self.assertEqual(find_powers("mass length^2 / time^2"), DIMENSIONS["energy"])
         self.assertEqual(find_powers("mass length^2 / time"), DIMENSIONS["angular momentum"])
+        self.assertEqual([name_quantity(q) for q in ("mass length time^-2", "mass length^-1 time^-2", "1", "length^5", "force")],
+                         ["force", "pressure", "-", "length^5", "force"])
         self.assertIsNone(find_powers("colour"))
         self.assertEqual(Units("mm, kg, ms").name_of("moment"), "kN\u00b7mm")
         self.assertEqual(Units("in, lbf-s^2/in, s, C").name_of("temperature"), "C")
