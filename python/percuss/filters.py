@@ -64,8 +64,8 @@ def _run_filter(x, a, b):
 
 
 def resample(times, values, interval=None):
-    """The signal at equal steps: (times, values). interval: the step, about the mean of those given by default. Linear between samples
-    (history rows fall on steps of the run, whose distances differ by a step)."""
+    """The signal at equal steps: (times, values). interval: the step; by default about the mean of those given.
+    Linear between samples: history rows fall on steps of the run, so that their distances differ."""
     times, values = np.asarray(times, dtype=float), np.asarray(values, dtype=float)
     if len(times) < 2 or not (np.diff(times) > 0).all():
         raise ValueError("times must rise, and be two at least")

@@ -19,8 +19,8 @@ STYLES = ("-", (0, (5, 2)), (0, (1.5, 1.5)), (0, (5, 1.5, 1, 1.5)))
 CLOSE_MARKS = 0.02  # of the width of a panel
 INK, GRID, MARK = "#2b2f36", "#e3e6ea", "#b45309"
 SETTINGS = {"font.family": ["DejaVu Sans", "sans-serif"], "font.size": 9, "axes.edgecolor": "#9aa1a8", "axes.labelcolor": INK,
-            "text.color": INK, "xtick.color": INK, "ytick.color": INK, "axes.grid": True, "grid.color": GRID, "svg.fonttype": "none",
-            "svg.hashsalt": "percuss", "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False,
+            "text.color": INK, "xtick.color": INK, "ytick.color": INK, "axes.grid": True, "grid.color": GRID,
+            "svg.fonttype": "none", "svg.hashsalt": "percuss", "axes.spines.top": False, "axes.spines.right": False, "legend.frameon": False,
             "path.simplify": True}
 
 
@@ -105,7 +105,8 @@ class Plot:
             return
         parts, names = found
         chosen = np.unique(np.linspace(0, len(history) - 1, min(len(history), 400)).astype(int))
-        chosen = chosen[(history["dt"][chosen] > 0) & (history["time"][chosen] >= self.options.start) & (history["time"][chosen] <= self.options.end)]
+        time = history["time"][chosen]
+        chosen = chosen[(history["dt"][chosen] > 0) & (time >= self.options.start) & (time <= self.options.end)]
         for part in np.unique(parts[chosen]):
             rows = chosen[parts[chosen] == part]
             axes.plot(history["time"][rows] * self.time_factor, history["dt"][rows] * factor, ".", markersize=4,

@@ -129,7 +129,8 @@ def make_deck_difference(runs, labels):
     for label, other in zip(labels[1:], texts[1:]):
         lines = list(difflib.unified_diff(texts[0], other, labels[0], label, lineterm="", n=1))
         if not lines:
-            text += f"<p>The deck of {escape(label)} is the same file or text as that of {escape(labels[0])}. Changes by --set are not in it.</p>"
+            text += (f"<p>The deck of {escape(label)} is that of {escape(labels[0])}. "
+                     "Changes by --set are not in it.</p>")
             continue
         kinds = {"-": "gone", "+": "new"}
         shown = "\n".join(f"<span class={kinds.get(line[0], 'mono')}>{escape(line)}</span>" for line in lines)

@@ -8,6 +8,7 @@ GOOD, LOOK, BAD = "good", "look", "bad"
 
 ENERGY_ERROR = 0.01      # above: look; above ten times as much the run stops by default
 HOURGLASS_SHARE = 0.1    # of the internal energy
+SMALL_ENERGY = 1e-3      # of the largest energy: hourglass energy below it does not count
 CONTACT_SHARE = 0.01     # of the largest energy, of what contact may add
 MOMENTUM_ERROR = 1e-9    # round-off lies far below
 STEP_FALL = 0.1          # least over largest step
@@ -64,8 +65,9 @@ def _judge_energies(summary):
     found = [Finding(level, f"Energy is balanced to {abs(error):.2g} of the largest energy (limit {ENERGY_ERROR:g}).")]
     if largest > 0 and energy["internal"] > 1e-6 * largest:
         share = energy["hourglass"] / energy["internal"]
-        advice = "." if share < HOURGLASS_SHARE else ": use a finer mesh or elements: {integration: full}."
-        level = GOOD if share < HOURGLASS_SHARE else LOOK
+        is_small = share < HOURGLASS_SHARE or energy["hourglass"] < SMALL_ENERGY * largest
+        advice = "." if is_small else ": use a finer mesh or elements: {integration: full}."
+        level = GOOD if is_small else LOOK
         found.append(Finding(level, f"Hourglass energy is {100 * share:.3g} % of the internal energy "
                                     f"(limit {100 * HOURGLASS_SHARE:g} %){advice}"))
     if largest > 0 and energy["contact"] > CONTACT_SHARE * largest:
@@ -116,7 +118,8 @@ def _judge_losses(run, summary):
         return []
     share = 100 * eroded["elements"] / max(1, summary["elements"])
     return [Finding(LOOK, f"{eroded['elements']} elements ({share:.3g} %) failed and were removed, with a mass of "
-                          f"{eroded['mass']:.4g}{_unit(run, 'mass')} and an energy of {eroded['energy']:.4g}{_unit(run, 'energy')}.")]
+                          f"{eroded['mass']:.4g}{_unit(run, 'mass')} and an energy of "
+                          f"{eroded['energy']:.4g}{_unit(run, 'energy')}.")]
 
 
 def _judge_history(history):

@@ -39,7 +39,7 @@ class Worst:
 
 
 def find_range(runs_fields, name, frames_of):
-    """'LOW:HIGH' of the colours of several runs: of what their pictures show. None of one run, for which scripts/render has its own."""
+    """'LOW:HIGH' of the colours of several runs: of what their pictures show. None of one run, whose range scripts/render finds."""
     if len(runs_fields) < 2:
         return None
     values = []
@@ -52,7 +52,8 @@ def find_range(runs_fields, name, frames_of):
 
 
 def draw_pictures(fields, name, frames, options):
-    """{frame: JPEG as text of base 64}, all with one range of colours. options: view and range, or None. RuntimeError with the reason if there are none."""
+    """{frame: JPEG as text of base 64}, all with one range of colours. options: view and
+    range, each None or a text. RuntimeError with the reason if there are none."""
     with tempfile.TemporaryDirectory() as folder:
         command = [os.path.join(SCRIPTS, "render"), fields.path, "--out", folder, "--size", SIZE, "--field", name,
                    "--frame", ",".join(map(str, sorted(set(frames))))]

@@ -70,7 +70,7 @@ def make_materials_table(deck):
     materials = deck.get("materials", {})
     if not isinstance(materials, dict) or not materials:
         return ""
-    rows = [(name, values.get("model", ""), ", ".join(f"{key} {format_number(value)}" for key, value in values.items() if key != "model"))
+    rows = [(name, values.get("model", ""), format_number({key: value for key, value in values.items() if key != "model"}))
             for name, values in materials.items() if isinstance(values, dict)]
     return "<h3>Materials</h3>" + make_table(("material", "model", "constants, in the units of the deck"), rows)
 
@@ -114,7 +114,8 @@ def make_cost_section(summary):
     rows = [("set-up, loop", f"{summary['setup_s']:.3g} s, {summary['loop_s']:.3g} s"),
             ("an element and a step", f"{summary['grind_ns']:.4g} ns of a core"),
             ("largest memory of a rank", f"{summary['peak_bytes'] / 1e6:.4g} MB"),
-            ("busiest rank over the mean", f"elements {summary['balance']['elements']:.3g}, contact {summary['balance']['contact']:.3g}"),
+            ("busiest rank over the mean",
+             f"elements {summary['balance']['elements']:.3g}, contact {summary['balance']['contact']:.3g}"),
             ("messages a step and rank", f"{summary['messages']['count']:.3g}, {summary['messages']['bytes']:.4g} bytes"),
             ("program", f"percuss {summary['version']}, {summary['backend']}, {summary['precision']}")]
     return ("<div class=columns><div><h3>Work of the loop</h3>" + make_table(("phase", "time", "share"), phases, (1, 2)) +

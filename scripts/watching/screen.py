@@ -12,7 +12,8 @@ SHOWN = [("kinetic", "kinetic"), ("internal", "internal"), ("hourglass", "hourgl
 
 
 def make_sparkline(values, width, bars=BARS):
-    """One sign for each of at most `width` runs of rows: their value farthest from zero, between the least and the largest of all."""
+    """One sign for each of at most `width` runs of rows: their value farthest from zero, between the least and the largest
+    such value."""
     finite = [value for value in values if math.isfinite(value)]
     if not finite:
         return ""

@@ -39,7 +39,8 @@ class Watch(unittest.TestCase):
     def test_shows_a_run_that_has_ended_with_python_alone(self):
         done = self.watch(self.out, "--deck", os.path.join(self.folder.name, "deck.yaml"))
         self.assertEqual(done.returncode, 0, done.stderr)
-        for words in ("[completed]", "100.0 %", "of 0.0002", "kinetic", "energy error", "\u2588", "limits the step", "[hourglass_energy]"):
+        for words in ("[completed]", "100.0 %", "of 0.0002", "kinetic", "energy error", "\u2588", "limits the step",
+                      "[hourglass_energy]"):
             self.assertIn(words, done.stdout)
         self.assertLessEqual(max(map(len, done.stdout.splitlines())), 100)
 
@@ -58,7 +59,8 @@ class Watch(unittest.TestCase):
     def test_ends_when_a_run_that_goes_on_ends(self):
         out = os.path.join(self.folder.name, "live")
         deck = os.path.join(self.folder.name, "deck.yaml")
-        run = subprocess.Popen([PERCUSS, "run", deck, "--out", out, "--quiet"], stderr=subprocess.DEVNULL, env=dict(os.environ, OMP_NUM_THREADS="1"))
+        run = subprocess.Popen([PERCUSS, "run", deck, "--out", out, "--quiet"], stderr=subprocess.DEVNULL,
+                               env=dict(os.environ, OMP_NUM_THREADS="1"))
         self.addCleanup(run.wait)
         while run.poll() is None and not os.path.exists(os.path.join(out, "summary.json")):
             pass
