@@ -1,6 +1,7 @@
 """Panels as figures of Matplotlib: PNG and SVG."""
 
 import io
+import math
 
 import numpy as np
 from matplotlib import rc_context
@@ -16,6 +17,8 @@ from .series import find_controlling_parts, make_curve, thin
 COLORS = ("#1f6fb2", "#d1495b", "#3a8f4d", "#b3701f", "#7b5ea7", "#2a9d9d", "#8a5a44", "#c05fa0", "#6b7280", "#a3a300", "#444444",
           "#0f4c5c")  # those of curves; told apart by colour-blind readers together with the styles of runs
 STYLES = ("-", (0, (5, 2)), (0, (1.5, 1.5)), (0, (5, 1.5, 1, 1.5)))
+SMALL_NUMBER = 1e-2  # numbers without a unit below it are shown in thousandths, millionths ...
+SUPERSCRIPTS = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
 CLOSE_MARKS = 0.02  # of the width of a panel
 INK, GRID, MARK = "#2b2f36", "#e3e6ea", "#b45309"
 SETTINGS = {"font.family": ["DejaVu Sans", "sans-serif"], "font.size": 9, "axes.edgecolor": "#9aa1a8", "axes.labelcolor": INK,
@@ -96,6 +99,9 @@ class Plot:
                     largest = max(largest, float(np.abs(finite).max(initial=0)))
         if units == {self.runs[0][2].unit("time")} and panel.columns == ["dt"]:
             return choose_time_unit(self.runs[0][2].unit("time"), largest)
+        if units == {""} and 0 < largest < SMALL_NUMBER:
+            power = 3 * math.floor(math.log10(largest) / 3)
+            return "10" + str(power).translate(SUPERSCRIPTS), 10.0**-power
         return choose_unit(units.pop(), largest) if len(units) == 1 else (", ".join(sorted(u or "-" for u in units)), 1.0)
 
     def _color_by_part(self, axes, run, history, factor):

@@ -41,7 +41,7 @@ class Plot(unittest.TestCase):
         with open(os.path.join(self.out, "plot.svg"), encoding="utf-8") as file:
             text = file.read()
         for words in ("A block falls on a plate &amp; &lt;wall&gt;", "kinetic energy", "force of the walls z", "controlled by block",
-                      "time [\u00b5s]", "[J]", "[kg\u00b7m/s]", "N]"):
+                      "time [\u00b5s]", "[J]", "[kg\u00b7m/s]", "N]", "[10\u207b"):
             self.assertTrue(words in text, words)
         for warning in self.run_.warnings:
             self.assertIn(warning["rule"], done.stdout)
