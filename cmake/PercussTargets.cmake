@@ -26,6 +26,9 @@ string(TOUPPER "${PERCUSS_BACKEND}" _backend)
 # Only MPI's C interface is used; its C++ one was removed from the standard and would need another library.
 target_compile_definitions(percuss_options INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
 target_compile_definitions(percuss_options INTERFACE PERCUSS_BACKEND_${_backend}=1 PERCUSS_VERSION="${PROJECT_VERSION}")
+if(PERCUSS_SCALAR_PACKS)
+  target_compile_definitions(percuss_options INTERFACE PERCUSS_SCALAR_PACKS=1)
+endif()
 if(PERCUSS_PRECISION STREQUAL "single")
   target_compile_definitions(percuss_options INTERFACE PERCUSS_PRECISION_SINGLE=1)
 endif()
@@ -58,8 +61,10 @@ function(percuss_add_library name)
   endif()
 endfunction()
 
+set(PERCUSS_KERNEL_TESTS ${PROJECT_SOURCE_DIR}/tests/kernels)
 # Everything that tests of label unit run, to be built without the rest. Elsewhere: add_dependencies(unit_tests PROGRAM).
 add_custom_target(unit_tests)
+add_custom_target(kernel_tests)  # those of tests/kernels (label kernels)
 
 # percuss_add_test_library(name SOURCES a.cpp ... LINK lib ...): what several tests share, compiled once.
 function(percuss_add_test_library name)
@@ -81,11 +86,17 @@ function(percuss_add_test name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE percuss_options ${arg_LINK} percuss_test_main)
   percuss_reuse_headers(${name} percuss_test_headers)
+  set(labels ${arg_LABEL})
   if(arg_LABEL STREQUAL unit)
     add_dependencies(unit_tests ${name})
+    cmake_path(IS_PREFIX PERCUSS_KERNEL_TESTS ${CMAKE_CURRENT_SOURCE_DIR} is_of_kernels)
+    if(is_of_kernels)
+      add_dependencies(kernel_tests ${name})
+      list(APPEND labels kernels)
+    endif()
   endif()
   add_test(NAME ${name} COMMAND ${name})
-  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABEL}" COST ${PERCUSS_COST_${arg_LABEL}}
+  set_tests_properties(${name} PROPERTIES LABELS "${labels}" COST ${PERCUSS_COST_${arg_LABEL}}
     ENVIRONMENT "OMP_NUM_THREADS=2;OMP_PROC_BIND=false;OMP_WAIT_POLICY=passive")
 endfunction()
 

@@ -8,7 +8,9 @@
 
 #include <cmath>
 
-#if !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL)
+// PERCUSS_SCALAR_PACKS (preset `scalar`) gives hosts the packs of a GPU, so that a compiler without one tries them.
+#if !defined(KOKKOS_ENABLE_CUDA) && !defined(KOKKOS_ENABLE_HIP) && !defined(KOKKOS_ENABLE_SYCL) && \
+    !defined(PERCUSS_SCALAR_PACKS)
 #define PERCUSS_HAS_SIMD 1
 #include <experimental/simd>
 #if defined(__clang__) && defined(__AVX512F__)
@@ -157,8 +159,11 @@ PERCUSS_FORCE_INLINE float larger(float a, float b) { return a < b ? b : a; }
 PERCUSS_FORCE_INLINE double smaller(double a, double b) { return b < a ? b : a; }
 PERCUSS_FORCE_INLINE float smaller(float a, float b) { return b < a ? b : a; }
 PERCUSS_FORCE_INLINE double truncate(double a) { return trunc(a); }
+PERCUSS_FORCE_INLINE float truncate(float a) { return truncf(a); }
 PERCUSS_FORCE_INLINE double sum_lanes(double a) { return a; }
+PERCUSS_FORCE_INLINE float sum_lanes(float a) { return a; }
 PERCUSS_FORCE_INLINE double find_largest_lane(double a) { return a; }
+PERCUSS_FORCE_INLINE float find_largest_lane(float a) { return a; }
 PERCUSS_FORCE_INLINE bool any(bool mask) { return mask; }
 
 /// 1 / a of three numbers by one division; their product must neither overflow nor underflow.

@@ -65,8 +65,8 @@ PERCUSS_FORCE_INLINE void watch_step(const StepWatch& watch, std::size_t lane, c
   growth = larger(growth, (ratio * ratio - HexLanes(1)) * smaller(HexLanes(1), share * share));
 }
 
-/// Largest of the lanes.
-PERCUSS_FORCE_INLINE double find_largest_lane(const HexLanes& value) {
+/// Largest growth of the lanes; NaN if the first one's is.
+PERCUSS_FORCE_INLINE double reduce_growth(const HexLanes& value) {
   constexpr int width = pack_size<Real>;
   alignas(64) Real row[width];
   store_pack(row, value);
@@ -184,7 +184,7 @@ struct AdvanceChunk {
       work[2] += sum_lanes(result.work.viscous, lanes);
     }
     set_step(c, step, first, end);
-    if (watches_step) motion.watch.growth(c) = find_largest_lane(growth);
+    if (watches_step) motion.watch.growth(c) = reduce_growth(growth);
     results.failed_element(c) = step.failed < 0 ? -1 : first + step.failed;
     for (int k = 0; k < 3; ++k) results.work(c, k) += work[k];
     return changed;

@@ -306,7 +306,7 @@ TEST(ShellTriangle, QuadrilateralsAmongTrianglesHaveTheSameBits) {
   const double dt = 1e-3;
   const auto result =
       advance_shell4(alone[0].par, percuss::find_differences(px), percuss::find_differences(pv), pw, Lanes(dt), state,
-                     layers.data(), force, moment, WholeLayers{}, MixedShapes<Lanes::mask_type>{is_triangle});
+                     layers.data(), force, moment, WholeLayers{}, MixedShapes<std::remove_const_t<decltype(is_triangle)>>{is_triangle});
   const auto lane_of = [](const Lanes& pack, int lane) {
     alignas(64) double values[width];
     store_pack(values, pack);
