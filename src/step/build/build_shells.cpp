@@ -170,4 +170,27 @@ std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh) {
   return squares;
 }
 
+std::vector<double> find_shell_bounds(const Deck& deck, const Mesh& mesh, const std::vector<double>& element_mass) {
+  const std::vector<double> gyration_square = find_gyration_squares(deck, mesh);
+  std::vector<double> bounds(mesh.elements.size(), 0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (!is_shell(mesh.elements[e])) continue;
+    Vector3<double> corners[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3& x = mesh.nodes[static_cast<std::size_t>(mesh.elements[e][i])];
+      corners[i] = {x[0], x[1], x[2]};
+    }
+    const MixedShapes<bool> shapes{is_triangle(mesh.elements[e])};
+    const auto part = static_cast<std::size_t>(mesh.element_part[e]);
+    const ShellSection<double> section{mesh.parts[part].thickness, element_mass[e], gyration_square[e],
+                                       deck.parts[part].offset};
+    visit_layer(deck.materials[static_cast<std::size_t>(mesh.parts[part].material)],
+                [&](const auto&, const auto& layer) {
+                  const auto geometry = find_shell_geometry(find_differences(corners), shapes);
+                  bounds[e] = find_shell_step(geometry, section, layer.elasticity, shapes);
+                });
+  }
+  return bounds;
+}
+
 }  // namespace percuss
