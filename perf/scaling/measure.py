@@ -1,5 +1,4 @@
 """Runs a point (a scene on a number of ranks) and reads what it leaves."""
-import csv
 import json
 import os
 import pathlib
@@ -9,6 +8,9 @@ import sys
 
 from scenes import find_settings
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from percuss.table import read_rows  # noqa: E402
+
 FE_PHASES = ["internal_force", "halo", "integrate", "reduce"]
 CONTACT_PHASES = ["contact_rcb", "contact_search", "contact_check", "contact_enforce"]
 PHASES = FE_PHASES + CONTACT_PHASES
@@ -16,8 +18,8 @@ PHASES = FE_PHASES + CONTACT_PHASES
 
 def read_table(path):
     """Rows of a CSV file of numbers, as dictionaries."""
-    with open(path, newline="") as file:
-        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+    names, rows = read_rows(path)
+    return [dict(zip(names, row)) for row in rows]
 
 
 def count_cores():

@@ -1,13 +1,16 @@
 """Starts the program and the tool on decks, one thread each, and reads what they leave."""
-import csv
 import json
 import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import time
 
 import numpy as np
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from percuss.table import read_rows  # noqa: E402
 
 ENVIRONMENT = {**os.environ, "OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false"}
 
@@ -41,11 +44,9 @@ def run_deck(percuss, deck, work, limit):
 
 
 def read_history(path):
-    with open(path, newline="") as file:
-        rows = list(csv.reader(file))
-    rows = [row for row in rows if len(row) == len(rows[0])]
-    table = np.array(rows[1:], dtype=float).reshape(len(rows) - 1, len(rows[0]))
-    return {name: table[:, i] for i, name in enumerate(rows[0])}
+    names, rows = read_rows(path)
+    table = np.array(rows).reshape(len(rows), len(names))
+    return {name: table[:, i] for i, name in enumerate(names)}
 
 
 def search_scale(tool, deck, work, low, high, tolerance, noise):

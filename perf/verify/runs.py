@@ -1,5 +1,4 @@
 """Starts percuss on a deck and reads what it leaves."""
-import csv
 import json
 import os
 import pathlib
@@ -7,9 +6,13 @@ import resource
 import shutil
 import string
 import subprocess
+import sys
 import time
 
 import numpy as np
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+import percuss.history  # noqa: E402
 
 
 def fill(template, **values):
@@ -59,37 +62,28 @@ class History(dict):
 
 
 def read_history(path):
-    with open(path, newline="") as file:
-        rows = list(csv.reader(file))
-    table = np.array(rows[1:], dtype=float).reshape(len(rows) - 1, len(rows[0]))
-    return History((name, table[:, i]) for i, name in enumerate(rows[0]))
+    table = percuss.history.read_history(path)
+    return History((name, table[name]) for name in table)
 
 
 class Frames:
     """Fields of a run: positions, corners of elements, node and element fields by frame."""
 
     def __init__(self, path):
-        import h5py
-        self.file = h5py.File(path, "r")["VTKHDF"]
-        self.count = int(self.file["Steps"].attrs["NSteps"])
-        self.times = self.file["Steps/Values"][: self.count]
-        self.num_nodes = int(self.file["NumberOfPoints"][0])
-        self.num_elements = int(self.file["NumberOfCells"][0])
-        self.corners = self.file["Connectivity"][: 8 * self.num_elements].reshape(-1, 8)
-        self.part = self.file["CellData/part"][: self.num_elements]
-
-    def _rows(self, dataset, frame, size):
-        frame %= self.count
-        return self.file[dataset][frame * size:(frame + 1) * size]
+        from percuss.fields import Fields
+        self.fields = Fields(path)
+        self.times, self.count = self.fields.times, len(self.fields.times)
+        self.num_nodes, self.num_elements = self.fields.nodes, self.fields.elements
+        self.corners, self.part = self.fields.hexahedra, self.fields.part
 
     def points(self, frame=-1):
-        return self._rows("Points", frame, self.num_nodes)
+        return self.fields.positions(frame)
 
     def node(self, name, frame=-1):
-        return self._rows(f"PointData/{name}", frame, self.num_nodes)
+        return self.fields.data(name, frame)
 
     def element(self, name, frame=-1):
-        return self._rows(f"CellData/{name}", frame, self.num_elements)
+        return self.fields.data(name, frame)
 
     def nodes_of_part(self, part):
         return np.unique(self.corners[self.part == part])

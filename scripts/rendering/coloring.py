@@ -1,11 +1,11 @@
 """What the colours of a picture mean: the field, its range over the frames drawn, its table and the title of the bar."""
 
 import numpy as np
+from percuss.units import choose_unit
 
 from . import colors
 from .ranges import choose_bar, find_ends
 from .selection import BadChoice
-from .units import choose_unit
 
 LABELS_OF_A_GIVEN_RANGE = 5
 

@@ -4,16 +4,16 @@ import os
 import sys
 
 import numpy as np
+from percuss.fields import Fields
+from percuss.units import format_time
 from PIL import Image
 
 from . import colors
 from .camera import place_camera, sample_positions
 from .coloring import Coloring
-from .fields import FieldsFile
 from .scene import Scene, Surface
 from .selection import BadChoice, choose_elements
 from .skin import Skin
-from .units import format_time
 from .walls import span_wall
 
 MOST_FACES_WITH_EDGES = 60_000
@@ -23,7 +23,7 @@ MARGINS = (0.03, 0.13, 0.05, 0.09)  # left, right (colour bar), bottom, top (tit
 
 
 def render(arguments):
-    fields = FieldsFile(arguments.dir)
+    fields = Fields(arguments.dir)
     frames = choose_frames(fields, arguments.frame)
     kept, cut = choose_elements(fields, arguments)
     coloring = Coloring(fields, arguments, kept, frames)
@@ -50,19 +50,19 @@ def render(arguments):
         if live or frame == frames[-1]:
             print(f"{chr(13) if live else ''}render: {path}", end="", flush=True)
     print()
-    if len(images) > 1:
+    if arguments.frame is None and len(images) > 1:
         path = os.path.join(folder, "animation.gif")
         write_animation(path, images, arguments.fps)
         print(f"render: {path}")
 
 
-def choose_frames(fields, frame):
+def choose_frames(fields, wanted):
+    """Numbers of the frames that are wanted, from 0 and rising; all by default."""
     count = len(fields.times)
-    if frame is None:
-        return list(range(count))
-    if not -count <= frame < count:
-        raise BadChoice(f"there is no frame {frame} (the file has {count}, numbered from 0; -1 is the last)")
-    return [frame % count]
+    for frame in wanted or ():
+        if not -count <= frame < count:
+            raise BadChoice(f"there is no frame {frame} (the file has {count}, numbered from 0; -1 is the last)")
+    return sorted({frame % count for frame in wanted or range(count)})
 
 
 def make_scene(fields, arguments, surface, coloring):

@@ -81,6 +81,14 @@ class Render(unittest.TestCase):
         with Image.open(os.path.join(self.out.name, "animation.gif")) as animation:
             self.assertEqual(animation.n_frames, 3)
 
+    def test_makes_the_frames_that_are_named_without_an_animation(self):
+        done = self.render("--frame", "-1,0")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(sorted(os.listdir(self.out.name)), ["frame_0000.png", "frame_0002.png"])
+        done = self.render("--frame", "0,7")
+        self.assertIn("there is no frame 7", done.stderr)
+        self.assertIn("'a,1' is not a number of a frame", self.render("--frame", "a,1").stderr)
+
     def test_colors_each_face_by_the_rank_of_its_nodes(self):
         folder = os.path.join(self.out.name, "with_ranks")
         shutil.copytree(FOLDER, folder)

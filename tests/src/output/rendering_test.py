@@ -3,6 +3,7 @@
 Exit code 77 (skipped) if NumPy is not installed.
 """
 
+import os
 import sys
 import unittest
 
@@ -12,11 +13,12 @@ except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --render installs what this test needs")
     sys.exit(77)
 
-sys.path.insert(0, sys.argv.pop())
+SCRIPTS = sys.argv.pop()
+sys.path[:0] = [SCRIPTS, os.path.join(os.path.dirname(SCRIPTS), "python")]
+from percuss.units import choose_unit, format_time  # noqa: E402
 from rendering.ranges import choose_bar, find_ends  # noqa: E402
 from rendering.selection import Cut, faces_camera  # noqa: E402
 from rendering.skin import Skin  # noqa: E402
-from rendering.units import choose_unit, format_time  # noqa: E402
 
 
 class Bar(unittest.TestCase):
@@ -85,7 +87,7 @@ class Units(unittest.TestCase):
 
 
 class Box:
-    """A mesh of cells of 0.5 x 1 x 1 from the origin, 2 x 3 x 2 of them, and a shell across it at y = 4, as FieldsFile has it."""
+    """A mesh of cells of 0.5 x 1 x 1 from the origin, 2 x 3 x 2 of them, and a shell across it at y = 4, as Fields has it."""
 
     def __init__(self):
         z, y, x = np.meshgrid(np.arange(3), np.arange(4), np.arange(3), indexing="ij")

@@ -5,44 +5,58 @@ import os
 import h5py
 import numpy as np
 
-
-class NotAFieldsFile(Exception):
-    """The file is missing, damaged or of another program; str() is a message for the user."""
+from .errors import NotResults
 
 
-class FieldsFile:
-    """One fields.vtkhdf. Attributes: times, time_unit, title, part_names, walls [walls][6] (a point and the unit normal of each),
-    hexahedra [elements][8], part [elements].
+class Fields:
+    """One fields.vtkhdf, of a run that has ended or goes on. Frames are numbered from 0; -1 is the last.
 
-    The four corners of a shell stand twice, so that its faces 4 and 5 are its two surfaces."""
+    Attributes: times [frames], steps [frames], time_unit, title, units (the deck's text), part_names, walls [walls][6] (a
+    point and the unit normal of each), part [elements], element_ids, node_ids, nodes and elements (counts), hexahedra
+    [elements][8]. The four corners of a shell stand twice there, so that its faces 4 and 5 are its two surfaces."""
 
     def __init__(self, folder):
-        self.path = os.path.join(folder, "fields.vtkhdf") if os.path.isdir(folder) else folder
+        self.path = os.path.join(folder, "fields.vtkhdf") if os.path.isdir(folder) else os.fspath(folder)
         if not os.path.exists(self.path):
-            raise NotAFieldsFile(f"{self.path}: there is no such file (a run writes it where its deck has output.fields)")
+            raise NotResults(f"{self.path}: there is no such file (a run writes it where its deck has output.fields)")
         try:
             # A run that goes on may be looked at: percuss takes no lock, and none is needed here.
             os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
             self.file = h5py.File(self.path, "r")
             self._read_mesh()
         except (OSError, KeyError, ValueError) as error:
-            raise NotAFieldsFile(f"{self.path}: this is no fields file of percuss ({error})") from error
+            raise NotResults(f"{self.path}: this is no fields file of percuss ({error})") from error
         if not len(self.times):
-            raise NotAFieldsFile(f"{self.path}: there is no frame in it (the run ended before its first output)")
+            raise NotResults(f"{self.path}: there is no frame in it (the run ended before its first output)")
 
     def _read_mesh(self):
         root, own = self.file["VTKHDF"], self.file["percuss"]
         self.root = root
         count = int(root["Steps"].attrs["NSteps"])
         self.times = root["Steps/Values"][:count]
+        self.steps = own["step"][:count] if "step" in own else np.arange(count)
         self.nodes = int(root["NumberOfPoints"][0])
         self.elements = int(root["NumberOfCells"][0])
         self.hexahedra = _pad_shells(root["Connectivity"][:], root["Offsets"][:])
-        self.part = root["CellData/part"][:]
-        self.part_names = [name.decode("utf-8", "replace") for name in own["part_names"][:]]
+        self.part = root["CellData/part"][: self.elements]
+        self.part_names = [_text(name) for name in own["part_names"][:]]
         self.title = _text(own.attrs["title"])
+        self.units = _text(own.attrs.get("units", ""))
         self.time_unit = _text(root["Steps/Values"].attrs.get("unit", ""))  # files of older versions have none
         self.walls = own["walls"][:] if "walls" in own else np.empty((0, 6))
+
+    @property
+    def element_ids(self):
+        return self.root["CellData/element_id"][: self.elements]
+
+    @property
+    def node_ids(self):
+        return self.root["PointData/node_id"][: self.nodes]
+
+    def cells(self):
+        """Corners of each element, an array each: eight, four of a shell, three of a triangle. Indexes of nodes from 0."""
+        corners, offsets = self.root["Connectivity"][:], self.root["Offsets"][:]
+        return np.split(corners, offsets[1:-1])
 
     def names(self):
         """Names of the fields that a surface can be coloured by, with the place (node or element) of each."""
@@ -58,15 +72,23 @@ class FieldsFile:
         return _text(self.root[f"{group}/{name}"].attrs.get("unit", ""))
 
     def positions(self, frame):
-        first = int(self.root["Steps/PointOffsets"][frame])
-        return self.root["Points"][first : first + self.nodes]
+        """[nodes][3]"""
+        return self._rows("Points", "PointOffsets", frame, self.nodes)
+
+    def data(self, name, frame):
+        """A field as the file has it: [n] or [n][components], n nodes or elements."""
+        if name not in self.names():
+            raise KeyError(f"there is no field '{name}' in {self.path} (it has {', '.join(sorted(self.names()))})")
+        group, items = ("PointData", self.nodes) if self.names()[name] == "node" else ("CellData", self.elements)
+        return self._rows(f"{group}/{name}", f"{group}Offsets/{name}", frame, items)
 
     def values(self, name, frame):
         """A field as one number an item: the magnitude of a vector, von Mises' value of a stress."""
-        place = self.names()[name]
-        group, items = ("PointData", self.nodes) if place == "node" else ("CellData", self.elements)
-        first = int(self.root[f"Steps/{group}Offsets/{name}"][frame])
-        return to_scalar(self.root[f"{group}/{name}"][first : first + items])
+        return to_scalar(self.data(name, frame))
+
+    def _rows(self, dataset, offsets, frame, items):
+        first = int(self.root[f"Steps/{offsets}"][range(len(self.times))[frame]])
+        return self.root[dataset][first : first + items]
 
     def alive(self, frame):
         """[elements] whether each has not died; all of a run without the field."""

@@ -1,0 +1,23 @@
+"""Readers of the results of percuss, without a build: docs/results.md.
+
+    import percuss
+    run = percuss.read("out/ball")
+    run.history["kinetic"], run.history.unit("kinetic")
+    run.fields.values("von_mises", -1)
+
+Nothing is read before it is asked for. The history needs NumPy, the fields h5py as well; the rest Python 3.11 alone.
+"""
+
+from . import units
+from .errors import NotResults
+from .run import Run, read
+
+__all__ = ["Run", "NotResults", "read", "filter_cfc", "resample", "units"]
+
+
+def __getattr__(name):
+    if name in ("filter_cfc", "resample"):
+        from . import filters
+
+        return getattr(filters, name)
+    raise AttributeError(f"module 'percuss' has no attribute '{name}'")

@@ -1,0 +1,108 @@
+"""history.csv as arrays, one a column, with their units and meanings."""
+
+import numpy as np
+
+from .columns import SCENE, describe, read_sidecar
+from .errors import NotResults
+from .table import read_lines
+from .units import find_powers, name_quantity
+
+
+class History:
+    """Columns by name: history["kinetic"]. Attributes: names, units (a Units, or None where the deck has none)."""
+
+    def __init__(self, names, table, units=None, sidecar=None):
+        """table [rows][columns]. sidecar: entries of columns.json by name."""
+        self.names = list(names)
+        self.units = units
+        self._sidecar = sidecar or {}
+        self._columns = dict(zip(self.names, np.asarray(table, dtype=float).reshape(-1, len(self.names)).T))
+
+    def __getitem__(self, name):
+        try:
+            return self._columns[name]
+        except KeyError:
+            raise KeyError(f"there is no column '{name}' (there are {', '.join(self.names)})") from None
+
+    def __contains__(self, name):
+        return name in self._columns
+
+    def __iter__(self):
+        return iter(self.names)
+
+    def __len__(self):
+        """Rows."""
+        return len(self._columns[self.names[0]])
+
+    def keys(self):
+        return list(self.names)
+
+    def dimension(self, name):
+        """'energy', 'force', '-' ...; None if it is not known."""
+        self[name]
+        given = self._sidecar.get(name, {}).get("dimension")
+        return name_quantity(given) if given else describe(name)[0]
+
+    def unit(self, name):
+        """'J'; empty without a dimension, or without units in the deck."""
+        if "unit" in self._sidecar.get(name, {}):
+            return self._sidecar[name]["unit"] or ""
+        dimension = self.dimension(name)
+        if self.units is None or find_powers(dimension) is None:
+            return ""
+        return self.units.name_of(dimension)
+
+    def meaning(self, name):
+        """What the column is, in words; of a part, a pair or a followed item with its name."""
+        self[name]
+        given = self._sidecar.get(name, {}).get("meaning")
+        if not given:
+            return describe(name)[1]
+        return given if name in SCENE else f"{given}: {name.partition(':')[2] or name}"
+
+    def label(self, name):
+        """The same in few words, as it stands beside a curve."""
+        dimension, words = describe(name)
+        return words if dimension is not None else self.meaning(name)
+
+    def at(self, time, name):
+        """The value of a column at a time, linear between rows."""
+        return float(np.interp(time, self["time"], self[name]))
+
+    def in_units(self, units):
+        """The same history in another system of units. Columns whose dimension is not known stay as they are."""
+        if self.units is None:
+            raise ValueError("the deck has no `units`, so that its numbers cannot be turned into others")
+        table = np.column_stack([self._convert(name, units) for name in self.names])
+        kept = {name: {"dimension": self.dimension(name), "meaning": self.meaning(name)} for name in self.names}
+        return History(self.names, table, units, kept)
+
+    def _convert(self, name, units):
+        dimension = self.dimension(name)
+        factor = self.units.in_si(dimension) / units.in_si(dimension) if find_powers(dimension) else 1
+        return self[name] * factor
+
+    def to_pandas(self):
+        """A pandas.DataFrame with the time as its index; units in its attribute `attrs`."""
+        import pandas
+
+        frame = pandas.DataFrame(self._columns).set_index("time")
+        frame.attrs["units"] = {name: self.unit(name) for name in self.names}
+        return frame
+
+    def followed_by(self, later):
+        """This history up to the first row of a restart in another folder, and then that one. Columns of both."""
+        names = [name for name in self.names if name in later]
+        kept = self["step"] < later["step"][0] if len(later) else np.ones(len(self), dtype=bool)
+        table = [np.concatenate([self[name][kept], later[name]]) for name in names]
+        return History(names, np.column_stack(table), self.units, self._sidecar)
+
+
+def read_history(path, units=None, folder=None):
+    """A history.csv, complete or of a run that goes on."""
+    names, lines = read_lines(path)
+    try:
+        table = np.array([line.split(",") for line in lines], dtype=float) if lines else np.empty((0, len(names)))
+        return History(names, table.reshape(len(lines), len(names)), units, read_sidecar(folder) if folder else None)
+    except ValueError as error:
+        raise NotResults(f"{path}: this is no history of percuss ({error})") from error

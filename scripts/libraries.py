@@ -1,0 +1,29 @@
+"""Python libraries of the scripts beside this file: where they are found, and what to do where they are missing."""
+
+import importlib
+import os
+import sys
+
+SCRIPTS = os.path.dirname(os.path.realpath(__file__))
+SYSTEM_PYTHON = "/usr/bin/python3"  # Debian's packages belong to this one, whatever python3 is first in PATH
+REEXECUTED = "PERCUSS_RENDER_REEXECUTED"
+
+
+def find_readers():
+    """Makes `import percuss` and the packages of this folder find what lies in this checkout."""
+    sys.dont_write_bytecode = True
+    for folder in (SCRIPTS, os.path.join(os.path.dirname(SCRIPTS), "python")):
+        if folder not in sys.path:
+            sys.path.insert(0, folder)
+
+
+def find_libraries(modules):
+    """Continues in the system's Python if this one lacks one of the modules. An ImportError where that one does, too."""
+    try:
+        for module in modules:
+            importlib.import_module(module)
+    except ImportError:
+        if os.access(SYSTEM_PYTHON, os.X_OK) and os.environ.get(REEXECUTED) != "python":
+            os.environ[REEXECUTED] = "python"
+            os.execv(SYSTEM_PYTHON, [SYSTEM_PYTHON, *sys.argv])
+        raise

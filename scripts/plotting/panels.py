@@ -1,0 +1,74 @@
+"""What is plotted: panels of columns, by default or by what the user asks for."""
+
+import fnmatch
+from dataclasses import dataclass, field
+
+ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "contact", "friction", "external", "contact_stored", "eroded_energy")
+FORCES = ("wall_force_x", "wall_force_y", "wall_force_z")
+MOST_CURVES = 12  # of a panel that was chosen by a pattern or by default
+
+
+class BadChoice(Exception):
+    """There is no such column; str() is a message for the user."""
+
+
+@dataclass
+class Panel:
+    name: str
+    title: str
+    columns: list = field(default_factory=list)
+    colored_by_part: bool = False  # a curve of the time step: by the part of the element that controls it
+
+
+def list_panels(histories):
+    """Every panel for which some run has columns, by name, in the order in which they are shown."""
+    names = list(dict.fromkeys(name for history in histories for name in history))
+
+    def moves(name):
+        return any(name in history and history[name].any() for history in histories)
+
+    def among(wanted, always=()):
+        return [name for name in wanted if name in names and (name in always or moves(name))]
+
+    forces = list(FORCES) + [n for n in names if n not in FORCES and any(n in h and h.dimension(n) == "force" for h in histories)]
+    panels = [
+        Panel("energies", "Energies", among(ENERGIES, ("kinetic", "internal"))),
+        Panel("energy_error", "Energy error", among(("energy_error",), ("energy_error",))),
+        Panel("momentum", "Linear momentum", among([f"momentum_{axis}" for axis in "xyz"], ("momentum_x",))),
+        Panel("forces", "Forces", among(forces, FORCES if any(map(moves, FORCES)) else ())[:MOST_CURVES]),
+        Panel("step", "Time step", among(("dt",), ("dt",)), colored_by_part=True),
+        Panel("contact", "Interactions in force", among(("contacts",))),
+        Panel("iterations", "Iterations of contact enforcement", among(("iterations",))),
+        Panel("penetration", "Penetration that contact leaves, over the edge of a face", among(("residual",))),
+        Panel("contact_pairs", "Work of contact by pair",
+              [n for n in names if n.startswith(("contact:", "friction:")) and moves(n)][:MOST_CURVES]),
+        Panel("kinetic_by_part", "Kinetic energy by part", [n for n in names if n.startswith("kinetic:")][:MOST_CURVES]),
+        Panel("internal_by_part", "Internal energy by part", [n for n in names if n.startswith("internal:")][:MOST_CURVES]),
+        Panel("erosion", "Eroded elements", among(("eroded_elements",))),
+        Panel("angular", "Angular momentum", among([f"angular_{axis}" for axis in "xyz"])),
+    ]
+    return {panel.name: panel for panel in panels if panel.columns}
+
+
+DEFAULT = ("energies", "energy_error", "momentum", "forces", "step", "contact", "penetration", "erosion")
+
+
+def choose_panels(words, histories):
+    """A panel for each word: a name of list_panels, a column, a pattern such as 'kinetic:*', or several of these with commas
+    between them, drawn over each other. '=contact' is the column where a panel has its name. Without words the default."""
+    known = list_panels(histories)
+    if not words:
+        return [known[name] for name in DEFAULT if name in known]
+    names = list(dict.fromkeys(name for history in histories for name in history))
+    return [known[word] if word in known else _choose_columns(word.removeprefix("="), names, known) for word in words]
+
+
+def _choose_columns(word, names, known):
+    columns = []
+    for part in [word] if word in names else word.split(","):
+        found = [part] if part in names else fnmatch.filter(names, part) or (known[part].columns if part in known else [])
+        if not found:
+            raise BadChoice(f"there is no column '{part}' (panels: {', '.join(known)}; columns: {', '.join(names)})")
+        columns += found
+    columns = list(dict.fromkeys(columns))
+    return Panel(word, columns[0] if len(columns) == 1 else "", columns, columns == ["dt"])

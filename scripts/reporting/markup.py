@@ -1,0 +1,56 @@
+"""Pieces of HTML; every text of a run is escaped here."""
+
+import html
+import re
+
+
+def escape(text):
+    return html.escape(str(text), quote=True)
+
+
+def make_table(heading, rows, numbers=()):
+    """heading: texts, or None. numbers: columns that stand at the right. Cells are texts, or Markup as it is."""
+    def cell(tag, column, value):
+        text = value if isinstance(value, Markup) else escape(value)
+        return f"<{tag}{' class=number' if column in numbers else ''}>{text}</{tag}>"
+
+    def row(tag, values):
+        return "<tr>" + "".join(cell(tag, column, value) for column, value in enumerate(values)) + "</tr>"
+
+    head = row("th", heading) if heading else ""
+    return f"<table>{head}{''.join(row('td', values) for values in rows)}</table>"
+
+
+class Markup(str):
+    """A text that is HTML already."""
+
+
+def fold(title, content):
+    return f"<details><summary>{escape(title)}</summary>{content}</details>"
+
+
+def show_deck(text):
+    """YAML with its comments in grey."""
+    lines = []
+    for line in text.splitlines():
+        match = re.match(r"""((?:[^#'"]|'[^']*'|"[^"]*"|(?<=\S)#)*)(#.*)?$""", line)
+        before, comment = (match[1], match[2]) if match else (line, None)
+        lines.append(escape(before) + (f"<span class=comment>{escape(comment)}</span>" if comment else ""))
+    return "<pre>" + "\n".join(lines) + "</pre>"
+
+
+def format_number(value):
+    """Six digits at most; lists and texts as they are."""
+    if isinstance(value, bool) or value is None:
+        return {True: "yes", False: "no", None: "-"}[value]
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, (list, tuple)):
+        return "(" + ", ".join(format_number(item) for item in value) + ")"
+    if isinstance(value, dict):
+        return ", ".join(f"{key} {format_number(item)}" for key, item in value.items())
+    return str(value)
+
+
+def with_unit(value, unit):
+    return f"{format_number(value)} {unit}".rstrip()

@@ -1,0 +1,112 @@
+"""scripts/plot: plot_test.py ROOT PERCUSS. Exit code 77 (skipped) without NumPy, h5py or Matplotlib."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+try:
+    import h5py  # noqa: F401
+    import matplotlib.image
+    import numpy as np
+except ImportError as error:
+    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
+    sys.exit(77)
+
+PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
+import percuss  # noqa: E402
+import sample_run  # noqa: E402
+from plotting.panels import BadChoice, choose_panels, list_panels  # noqa: E402
+from plotting.series import Options, find_controlling_parts, make_curve, thin  # noqa: E402
+
+
+class Plot(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.out = sample_run.run(PERCUSS, cls.folder.name)
+        cls.run_ = percuss.read(cls.out)
+
+    def plot(self, *arguments):
+        return subprocess.run([os.path.join(ROOT, "scripts/plot"), *arguments], capture_output=True, text=True, timeout=120)
+
+    def test_writes_png_and_svg_without_an_argument_more(self):
+        done = self.plot(self.out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        picture = matplotlib.image.imread(os.path.join(self.out, "plot.png"))
+        self.assertGreater((picture[..., :3].min(axis=2) < 0.9).mean(), 0.01)
+        with open(os.path.join(self.out, "plot.svg"), encoding="utf-8") as file:
+            text = file.read()
+        for words in ("A block falls on a plate &amp; &lt;wall&gt;", "kinetic energy", "force of the walls z", "controlled by block",
+                      "time [\u00b5s]", "[J]", "[kg\u00b7m/s]", "N]", "[10\u207b"):
+            self.assertTrue(words in text, words)
+        for warning in self.run_.warnings:
+            self.assertIn(warning["rule"], done.stdout)
+
+    def test_draws_two_runs_filtered_and_in_other_units(self):
+        path = os.path.join(self.folder.name, "two.svg")
+        other = sample_run.run(PERCUSS, self.folder.name, "--set", "time.max_steps=100", name="short")
+        done = self.plot(self.out, other, "energies", "dt", "--cfc", "1000", "--units", "mm, kg, ms", "--out", path)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        for words in (">short<", ">out<", "CFC 1000", "time [ms]"):
+            self.assertTrue(words in text, words)
+
+    def test_lists_columns_with_units(self):
+        done = self.plot(self.out, "--list")
+        self.assertRegex(done.stdout, r"kinetic +J +kinetic energy")
+
+    def test_says_what_is_wrong(self):
+        for arguments, words in (((self.out, "kinetics"), "there is no column 'kinetics'"), (("nowhere",), "no folder among nowhere"),
+                                 ((self.out, "--units", "m, stone, s"), "'m, stone, s' is no system of units"),
+                                 ((self.folder.name,), "there are no results of percuss")):
+            done = self.plot(*arguments)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(words, done.stderr)
+
+    def test_panels_are_chosen_by_name_column_pattern_and_list(self):
+        histories = [self.run_.history]
+        energies, kinetic, by_part, two, column = choose_panels(["energies", "kinetic", "kinetic:*", "dt,step", "=contact"], histories)
+        self.assertEqual(energies.columns[:2], ["kinetic", "internal"])
+        self.assertEqual((kinetic.title, kinetic.columns), ("kinetic", ["kinetic"]))
+        self.assertEqual(by_part.columns, ["kinetic:block", "kinetic:plate"])
+        self.assertEqual(two.columns[0], "dt")
+        self.assertEqual(column.columns, ["contact"])
+        self.assertNotIn("erosion", list_panels(histories))
+        with self.assertRaises(BadChoice):
+            choose_panels(["nothing:*"], histories)
+
+    def test_curves_are_filtered_and_cut(self):
+        history = self.run_.history
+        time, values = make_curve(history, "kinetic", Options(channel_class=1000))
+        wanted = percuss.filter_cfc(percuss.resample(history["time"], history["kinetic"])[1], time[1] - time[0], 1000)
+        np.testing.assert_array_equal(values, wanted)
+        time, _ = make_curve(history, "kinetic", Options(start=1e-5, end=2e-5))
+        self.assertTrue(time[0] >= 1e-5 and time[-1] <= 2e-5 and len(time) > 5)
+        self.assertEqual(make_curve(history, "dt", Options())[0][0], history["time"][1])
+
+    def test_thinning_keeps_both_ends_and_every_peak(self):
+        time = np.arange(100_000.0)
+        values = np.zeros(100_000)
+        values[[777, 54_321]] = 5, -7
+        fewer_times, fewer = thin(time, values)
+        self.assertLessEqual(len(fewer), 2010)
+        self.assertEqual((fewer.max(), fewer.min()), (5, -7))
+        self.assertEqual(fewer_times[int(np.argmin(fewer))], 54_321)
+        self.assertEqual((fewer_times[0], fewer_times[-1]), (0, 99_999))
+
+    def test_the_controlling_part_is_that_of_the_element(self):
+        parts, names = find_controlling_parts(self.run_, self.run_.history)
+        fields = self.run_.fields
+        for row in (0, -1):
+            element = list(fields.element_ids).index(int(self.run_.history["dt_element"][row]))
+            self.assertEqual(parts[row], fields.part[element])
+        self.assertEqual(names, ["block", "plate"])
+
+
+if __name__ == "__main__":
+    unittest.main()

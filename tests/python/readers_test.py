@@ -1,0 +1,235 @@
+"""What python/percuss reads of a run: readers_test.py ROOT PERCUSS. Exit code 77 (skipped) without NumPy or h5py."""
+
+import json
+import os
+import re
+import shutil
+import sys
+import tempfile
+import unittest
+
+try:
+    import h5py
+    import numpy as np
+except ImportError as error:
+    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
+    sys.exit(77)
+
+PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+sys.path.insert(0, os.path.join(ROOT, "python"))
+import percuss  # noqa: E402
+import sample_run  # noqa: E402
+from percuss.columns import describe  # noqa: E402
+from percuss.deck import read_deck  # noqa: E402
+from percuss.units import DIMENSIONS, Units, find_powers, find_units, name_quantity  # noqa: E402
+
+
+def make_folder(test):
+    folder = tempfile.TemporaryDirectory()
+    test.addCleanup(folder.cleanup)
+    return folder.name
+
+
+def read_text(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+class OfARun(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.out = sample_run.run(PERCUSS, cls.folder.name)
+
+    def copy(self):
+        folder = os.path.join(make_folder(self), "copy")
+        shutil.copytree(self.out, folder)
+        return folder
+
+    def test_history_has_every_number_of_the_file(self):
+        history = percuss.read(self.out).history
+        with open(os.path.join(self.out, "history.csv"), encoding="utf-8") as file:
+            lines = file.read().splitlines()
+        self.assertEqual(history.names, lines[0].split(","))
+        self.assertEqual(len(history), len(lines) - 1)
+        for row in (0, len(history) // 2, -1):
+            wanted = [float(word) for word in lines[1:][row].split(",")]
+            self.assertEqual([history[name][row] for name in history], wanted)
+
+    def test_every_column_has_a_dimension_and_its_unit(self):
+        history = percuss.read(self.out).history
+        self.assertEqual([name for name in history if history.dimension(name) is None], [])
+        units = {"time": "s", "kinetic": "J", "momentum_z": "kg\u00b7m/s", "angular_x": "kg\u00b7m\u00b2/s", "wall_force_z": "N",
+                 "contacts": "", "kinetic:block": "J", "mass:plate": "kg", "contact:surfaces": "J", "dt_element": ""}
+        self.assertEqual({name: history.unit(name) for name in units}, units)
+
+    def test_the_sidecar_of_columns_counts_where_there_is_one(self):
+        folder = self.copy()
+        energy = "mass length^2 time^-2"
+        columns = [{"name": "kinetic", "unit": "kJ", "dimension": energy, "meaning": "of all"},
+                   {"name": "kinetic:block", "unit": "J", "dimension": energy, "meaning": "kinetic energy, of the part"},
+                   {"name": "contacts", "unit": "", "dimension": "1", "meaning": "interactions"},
+                   {"name": "dt", "unit": None, "dimension": "time", "meaning": "step"}]
+        with open(os.path.join(folder, "columns.json"), "w", encoding="utf-8") as file:
+            json.dump({"units": "m, kg, s", "columns": columns}, file)
+        os.remove(os.path.join(folder, "fields.vtkhdf"))
+        history = percuss.read(folder).history
+        self.assertEqual((history.unit("kinetic"), history.dimension("kinetic")), ("kJ", "energy"))
+        self.assertEqual((history.meaning("kinetic"), history.label("kinetic")), ("of all", "kinetic energy"))
+        self.assertEqual(history.meaning("kinetic:block"), "kinetic energy, of the part: block")
+        self.assertEqual((history.unit("contacts"), history.dimension("contacts"), history.unit("dt")), ("", "-", ""))
+        self.assertEqual(history.unit("internal"), "J", "by the units of the file, where it lacks the column")
+        other = history.in_units(Units("mm, t, s"))
+        self.assertAlmostEqual(other["kinetic"][0] / history["kinetic"][0], 1000)
+        self.assertEqual(other.unit("kinetic"), "mJ")
+
+    def test_summary_status_warnings_and_deck(self):
+        run = percuss.read(self.out)
+        self.assertEqual(run.status, "completed")
+        self.assertEqual(len(run.summary["state_hash"]), 16)
+        self.assertIsInstance(run.warnings, list)
+        self.assertEqual(run.deck.get("parts.block.box.cells"), [2, 2, 2])
+        self.assertEqual(run.deck.get("materials.steel.density"), 7850)
+        self.assertEqual(run.title, "A block falls on a plate & <wall>")
+        self.assertEqual(run.ranks[0]["elements"], run.summary["elements"])
+
+    def test_fields_have_times_points_cells_and_values_by_name(self):
+        run = percuss.read(self.out)
+        fields = run.fields
+        self.assertEqual(fields.part_names, ["block", "plate"])
+        self.assertEqual(fields.times[0], 0)
+        self.assertEqual(fields.times[-1], run.summary["time"])
+        self.assertEqual(fields.steps[-1], run.summary["steps"])
+        self.assertEqual([len(corners) for corners in fields.cells()], [8] * 8 + [4] * 16)
+        self.assertEqual(fields.data("velocity", -1).shape, (fields.nodes, 3))
+        np.testing.assert_array_equal(fields.positions(-1), fields.positions(len(fields.times) - 1))
+        np.testing.assert_allclose(fields.positions(-1) - fields.positions(0), fields.data("displacement", -1), atol=1e-15)
+        self.assertEqual(fields.unit_of("von_mises"), "Pa")
+        with self.assertRaisesRegex(KeyError, "no field 'temperature'"):
+            fields.data("temperature", 0)
+
+    def test_units_agree_with_those_that_percuss_writes(self):
+        for number, text in enumerate(("mm, t, s", "mm, kg, ms", "cm, g, us", "in, lbf s2/in, s", "ft, slug, s")):
+            out = sample_run.run(PERCUSS, self.folder.name, "--set", "time.max_steps=1", units=text, name=f"units{number}")
+            run = percuss.read(out)
+            for field, quantity in (("velocity", "velocity"), ("von_mises", "pressure"), ("displacement", "length")):
+                self.assertEqual(run.fields.unit_of(field), run.units.name_of(quantity), text)
+
+    def test_a_line_that_is_half_written_is_left_out(self):
+        folder = self.copy()
+        whole = len(percuss.read(folder).history)
+        with open(os.path.join(folder, "history.csv"), "ab") as file:
+            file.write(b"0.0003,17,1e-")
+        self.assertEqual(len(percuss.read(folder).history), whole)
+
+    def test_a_run_that_goes_on_is_told_from_one_that_was_killed(self):
+        folder = self.copy()
+        path = os.path.join(folder, "summary.json")
+        with open(path, encoding="utf-8") as file:
+            text = file.read().replace('"completed"', '"running"')
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        self.assertEqual(percuss.read(folder).status, "killed")
+        start = read_text("/proc/self/stat").rpartition(")")[2].split()[19]
+        boot = read_text("/proc/sys/kernel/random/boot_id").strip()
+        lock = f"boot: {boot}\npid_namespace: {os.readlink('/proc/self/ns/pid')}\nprocess: {os.getpid()}\nprocess_start: "
+        deck = os.path.join(self.folder.name, "deck.yaml")
+        with open(os.path.join(folder, "run.lock"), "w", encoding="utf-8") as file:
+            file.write(f"{lock}{start}\ncommand: percuss run {deck} --set time.end=3e-4 --out x\n")
+        run = percuss.read(folder)
+        self.assertEqual(run.status, "running")
+        self.assertEqual(run.deck.get("time.end"), 3e-4)
+        with open(os.path.join(folder, "run.lock"), "w", encoding="utf-8") as file:
+            file.write(f"{lock}1\n")  # another process with this id
+        self.assertEqual(percuss.read(folder).status, "killed")
+
+    def test_a_restart_in_another_folder_follows_the_first_run(self):
+        other = sample_run.run(PERCUSS, self.folder.name, "--restart", os.path.join(self.out, "checkpoint_previous.h5"), name="later")
+        first, later = percuss.read(self.out, other)
+        whole = first.history.followed_by(later.history)
+        for name in first.history:
+            np.testing.assert_array_equal(whole[name], first.history[name], err_msg=name)
+        self.assertEqual(later.summary["state_hash"], first.summary["state_hash"])
+        self.assertLess(len(later.history), len(first.history))
+
+    def test_becomes_a_table_of_pandas(self):
+        try:
+            import pandas  # noqa: F401
+        except ImportError as error:
+            self.skipTest(error)
+        history = percuss.read(self.out).history
+        frame = history.to_pandas()
+        self.assertEqual(frame.index.name, "time")
+        self.assertEqual(frame.attrs["units"]["kinetic"], "J")
+        self.assertEqual(frame["kinetic"].iloc[-1], history["kinetic"][-1])
+
+    def test_messages_name_what_is_there(self):
+        with self.assertRaisesRegex(KeyError, "no column 'kinetics'.*kinetic"):
+            percuss.read(self.out).history["kinetics"]
+        empty = make_folder(self)
+        with self.assertRaisesRegex(percuss.NotResults, "there are no results of percuss"):
+            percuss.read(empty)
+        with h5py.File(os.path.join(empty, "fields.vtkhdf"), "w"):
+            pass
+        with self.assertRaisesRegex(percuss.NotResults, "this is no fields file of percuss"):
+            percuss.read(empty).fields
+        with open(os.path.join(empty, "history.csv"), "w", encoding="utf-8") as file:
+            file.write("time,step\n0,zero\n")
+        with self.assertRaisesRegex(percuss.NotResults, "this is no history"):
+            percuss.read(empty).history
+
+
+class OfUnits(unittest.TestCase):
+    def test_are_those_of_the_table_in_the_docs(self):
+        with open(os.path.join(ROOT, "docs/deck.md"), encoding="utf-8") as file:
+            text = file.read()
+        table = re.search(r"\| units \| force \| stress \| energy \| velocity \|\n\|[-|]+\|\n((?:\|.*\n)+)", text)[1]
+        rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in table.splitlines()]
+        self.assertGreaterEqual(len(rows), 8)
+        for name, *wanted in rows:
+            units = find_units(name.replace(" (or SI)", ""))
+            self.assertEqual([units.name_of(q) for q in ("force", "pressure", "energy", "velocity")], wanted, name)
+
+    def test_of_a_quantity_by_its_product(self):
+        self.assertEqual(find_powers("mass length^2 / time^2"), DIMENSIONS["energy"])
+        self.assertEqual(find_powers("mass length^2 / time"), DIMENSIONS["angular momentum"])
+        self.assertEqual([name_quantity(q) for q in ("mass length time^-2", "mass length^-1 time^-2", "1", "length^5", "force")],
+                         ["force", "pressure", "-", "length^5", "force"])
+        self.assertIsNone(find_powers("colour"))
+        self.assertEqual(Units("mm, kg, ms").name_of("moment"), "kN\u00b7mm")
+        self.assertEqual(Units("in, lbf-s^2/in, s, C").name_of("temperature"), "C")
+        self.assertIsNone(find_units("m, kg"))
+
+    def test_every_column_of_the_docs_is_known(self):
+        with open(os.path.join(ROOT, "docs/output.md"), encoding="utf-8") as file:
+            text = file.read()
+        section = text[text.index("\n## history.csv") : text.index("\n## checkpoint.h5")]
+        names = set()
+        for line in section.splitlines():
+            if line.startswith("| `"):
+                words = re.findall(r"`([^`]+)`", line.split("|")[1])
+                names.update(words[0][: -len("_x")] + word if word.startswith("_") else word for word in words)
+        self.assertGreater(len(names), 40)
+        for name in names:
+            self.assertIsNotNone(describe(name)[0], name)
+
+
+class OfADeck(unittest.TestCase):
+    def test_numbers_are_those_of_percuss(self):
+        folder = make_folder(self)
+        path = os.path.join(folder, "deck.yaml")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("time: {end: 1e-3, step_scale: .5}\nname: on\nparts: {a: {size: [1, -2e3, 3.5]}}\n")
+        try:
+            import yaml  # noqa: F401
+        except ImportError as error:
+            self.skipTest(error)
+        deck = read_deck(path, [("time.end", "2e-3"), ("parts.a.size.1", "7")])
+        self.assertEqual(deck.get("time"), {"end": 2e-3, "step_scale": 0.5})
+        self.assertEqual(deck.get("parts.a.size"), [1, 7, 3.5])
+        self.assertEqual((deck.get("name"), deck.get("time.start", 5)), ("on", 5))
+
+
+if __name__ == "__main__":
+    unittest.main()

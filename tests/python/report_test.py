@@ -1,0 +1,302 @@
+"""scripts/report: report_test.py ROOT PERCUSS. Exit code 77 (skipped) without NumPy, h5py or Matplotlib.
+
+Pictures are tested where VTK is, the interactive view where three.js is, and the page in Chromium where that is.
+"""
+
+import base64
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+from html.parser import HTMLParser
+
+try:
+    import h5py
+    import matplotlib  # noqa: F401
+    import numpy as np
+except ImportError as error:
+    print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
+    sys.exit(77)
+
+PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
+import percuss  # noqa: E402
+import sample_run  # noqa: E402
+from reporting.comparison import compare_numbers, find_history_differences  # noqa: E402
+from reporting.findings import BAD, GOOD, LOOK, find_findings  # noqa: E402
+from reporting.markup import show_deck  # noqa: E402
+from reporting.pictures import Worst  # noqa: E402
+from reporting.surface import pack_surface, read_library  # noqa: E402
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-headless-shell") or shutil.which("google-chrome")
+HAS_VTK = subprocess.run([sys.executable, "-c", "import vtkmodules.vtkRenderingOpenGL2, PIL"], capture_output=True).returncode == 0
+HAS_DISPLAY = bool(os.environ.get("DISPLAY") or shutil.which("xvfb-run"))
+
+
+class Page(HTMLParser):
+    """Checks that elements are closed in their order, and keeps ids and addresses."""
+
+    VOID = {"meta", "link", "img", "input", "br", "use", "path", "rect"}
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.faults, self.ids, self.addresses = [], [], [], []
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag, attributes):
+        values = dict(attributes)
+        if "id" in values and "svg" not in self.open:
+            self.ids.append(values["id"])
+        self.addresses += [values[key] for key in ("src", "href", "xlink:href") if key in values]
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        if tag in self.VOID or "svg" in self.open:
+            self.addresses += [value for key, value in attributes if key in ("src", "href", "xlink:href")]
+
+    def handle_endtag(self, tag):
+        if tag in self.VOID:
+            return
+        if not self.open or self.open.pop() != tag:
+            self.faults.append(tag)
+
+
+def change_summary(folder, change):
+    path = os.path.join(folder, "summary.json")
+    with open(path, encoding="utf-8") as file:
+        summary = json.load(file)
+    change(summary)
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(summary, file)
+
+
+class OfARun(unittest.TestCase):
+    """What both classes below share: a run, and copies of its results."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.out = sample_run.run(PERCUSS, cls.folder.name)
+        cls.deck = os.path.join(cls.folder.name, "deck.yaml")
+
+    def copy(self, name):
+        folder = os.path.join(self.folder.name, name)
+        shutil.copytree(self.out, folder)
+        return folder
+
+
+class Report(OfARun):
+    def report(self, *arguments, **environment):
+        return subprocess.run([os.path.join(ROOT, "scripts/report"), *arguments], capture_output=True, text=True, timeout=250,
+                              env=dict(os.environ, **environment))
+
+    def make(self, *arguments, **environment):
+        path = os.path.join(self.folder.name, "page.html")
+        done = self.report(*arguments, "--out", path, **environment)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(path, encoding="utf-8") as file:
+            return file.read()
+
+    def check(self, text):
+        """The page is whole and takes nothing from elsewhere."""
+        page = Page(text)
+        self.assertEqual((page.faults, page.open), ([], []))
+        self.assertEqual(len(set(page.ids)), len(page.ids), page.ids)
+        outside = [a for a in page.addresses if not a.startswith(("#", "data:"))]
+        self.assertEqual(outside, [])
+        self.assertLess(len(text), 5e6)
+
+    def expect(self, text, *words):
+        for word in words:
+            self.assertTrue(word in text, word)
+
+    def test_is_one_page_about_the_run(self):
+        text = self.make(self.out, "--deck", self.deck, "--no-pictures")
+        self.check(text)
+        self.expect(text, "A block falls on a plate &amp; &lt;wall&gt;", percuss.read(self.out).summary["state_hash"],
+                    "16 quadrilaterals", "8 hexahedra", "j2_plasticity", "[hourglass_energy]", "# A block falls on a plate.",
+                    "controlled by block", "force of the walls z", "Largest von Mises stress", "Largest and least values")
+        self.assertNotIn("<wall>", text)
+        if read_library():
+            self.expect(text, "OrbitControls", "id=surface-data")
+
+    def test_shows_pictures_of_start_worst_and_end(self):
+        if not (HAS_VTK and HAS_DISPLAY):
+            self.skipTest("no VTK or no display")
+        text = self.make(self.out, "--no-view", "--field", "velocity", "--view", "-30:10")
+        self.check(text)
+        pictures = [base64.b64decode(p) for p in re.findall(r"data:image/jpeg;base64,([^']+)'", text)]
+        self.assertIn(len(pictures), (2, 3))  # the worst may be the start or the end
+        self.assertTrue(all(p[:2] == b"\xff\xd8" for p in pictures))
+        self.assertNotEqual(pictures[0], pictures[-1])
+        self.assertRegex(text, r"(?i)worst( and end)?: t = [\d.]+ \S+, frame \d+; largest speed: [\d.]+ m/s in node \d+")
+
+    def test_says_what_is_missing_and_goes_on(self):
+        text = self.make(self.out, "--no-pictures", PERCUSS_THREE="/nowhere")
+        self.check(text)
+        self.expect(text, "needs three.js", "values only")
+        bare = self.copy("bare")
+        for name in ("fields.vtkhdf", "history.csv", "checkpoint.h5", "checkpoint_previous.h5"):
+            os.remove(os.path.join(bare, name))
+        text = self.make(bare)
+        self.check(text)
+        self.expect(text, "There are no fields", "There is no history", "name it with --deck")
+        done = self.report(self.out, "--field", "colour", "--no-view")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there is no field 'colour'", done.stderr)
+        self.assertEqual(self.report(self.folder.name).returncode, 2)
+
+    def test_compares_runs(self):
+        same, other = self.copy("same"), os.path.join(self.folder.name, "softer")
+        if not os.path.exists(other):
+            sample_run.run(PERCUSS, self.folder.name, "--set", "materials.steel.yield_stress=200e6", name="softer")
+        text = self.make(self.out, same, "--no-pictures", "--no-view")
+        self.check(text)
+        self.expect(text, "Same bits", "All results in summary.json are equal", "Every column is equal")
+        text = self.make(self.out, other, "--no-pictures", "--no-view")
+        self.check(text)
+        self.expect(text, "Other bits", "energy.internal", "History: softer against out", "-materials.steel.yield_stress: 400000000",
+                    "+materials.steel.yield_stress: 200000000")
+
+    def test_reads_in_chromium_without_an_error(self):
+        if not CHROMIUM or not read_library():
+            self.skipTest("no Chromium or no three.js")
+        self.make(self.out, "--deck", self.deck, "--no-pictures")
+        page = os.path.join(self.folder.name, "page.html")
+        done = subprocess.run([CHROMIUM, "--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                               "--enable-logging=stderr", "--v=0", f"--user-data-dir={self.folder.name}/chromium",
+                               "--virtual-time-budget=20000", "--dump-dom", f"file://{page}"], capture_output=True, text=True,
+                              timeout=200)
+        self.assertEqual([line for line in done.stderr.splitlines() if "CONSOLE" in line], [])
+        self.assertIn('data-ready="yes"', done.stdout)
+        self.assertIn("Drag turns", done.stdout)
+
+
+class Findings(OfARun):
+    """Of summaries that were changed."""
+
+    def find(self, change):
+        name = f"changed{self.id()}{len(os.listdir(self.folder.name))}"
+        folder = self.copy(name)
+        change_summary(folder, change)
+        return find_findings(percuss.read(folder))
+
+    def level_of(self, findings, words):
+        return next(finding.level for finding in findings if words in finding.text)
+
+    def test_are_good_where_all_is_well(self):
+        def calm(summary):
+            summary["energy"].update(hourglass=0, error=1e-9)
+            summary["warnings"] = []
+
+        levels = {finding.level for finding in self.find(calm) if "still changes" not in finding.text}
+        self.assertEqual(levels, {GOOD})
+
+    def test_judge_what_is_beyond_a_limit(self):
+        def spoil(summary):
+            summary["energy"].update(error=0.02, contact=0.1 * summary["energy"]["initial"])
+            summary["momentum"]["linear_error"] = 1e-3
+            summary["dt"]["min"] = summary["dt"]["max"] / 20
+            summary["mass"]["share"] = 0.5
+            summary["eroded"]["elements"] = 6
+
+        findings = self.find(spoil)
+        for words in ("Energy is balanced to 0.02", "Normal contact has added 10 %", "Linear momentum is balanced to 0.001",
+                      "The step went from", "Mass scaling added 50 %", "6 elements (25 %) failed", "Warning [hourglass_energy]",
+                      "Hourglass energy is"):
+            self.assertEqual(self.level_of(findings, words), LOOK, words)
+        self.assertEqual(findings[-1].level, GOOD)
+        findings = self.find(lambda summary: summary["energy"].update(error=0.5))
+        self.assertEqual(self.level_of(findings, "Energy is balanced"), BAD)
+        self.assertEqual(findings[0].level, BAD)
+
+    def test_tell_how_a_run_ended(self):
+        findings = self.find(lambda summary: summary.update(status="failed", error="element 3 is inverted."))
+        self.assertIn("element 3 is inverted", findings[0].text)
+        self.assertEqual(self.find(lambda summary: summary.update(status="running"))[0].level, BAD)  # it was killed
+
+
+class Surface(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.out = sample_run.run(PERCUSS, folder.name)
+
+    def unpack(self, about, text, fields):
+        """Faces [faces][4] as places of the last frame, after the steps of viewer.js."""
+        data = np.frombuffer(zlib.decompress(base64.b64decode(text)), dtype=np.uint8)
+        corners = data[: 16 * about["faces"]].view(np.uint32).reshape(-1, 4)
+        at, count = 17 * about["faces"], 3 * about["nodes"]
+        frames = data[at : at + 2 * count * about["frames"]].reshape(about["frames"], 2, count).astype(np.uint32)
+        whole = np.cumsum(frames[:, 0] + 256 * frames[:, 1], axis=0) % 65536
+        places = np.array(about["low"]) + np.array(about["scale"]) * whole[-1].reshape(-1, 3)
+        return places[corners], data[at + 2 * count * about["frames"] :]
+
+    def test_has_every_outer_face_in_its_place_and_colour(self):
+        fields = percuss.read(self.out).fields
+        about, text = pack_surface(fields, "von_mises")
+        self.assertEqual(about["faces"], 24 + 16)
+        faces, rest = self.unpack(about, text, fields)
+        points = fields.positions(-1)
+        distance = np.linalg.norm(faces.reshape(-1, 1, 3) - points[None], axis=2).min(axis=1)
+        self.assertLess(distance.max(), 2 * np.linalg.norm(about["scale"]))
+        shades = rest.reshape(about["frames"], about["faces"])
+        self.assertFalse(about["erodes"])
+        self.assertTrue(shades.max() <= 254 and shades[-1].max() > 20)
+
+    def test_leaves_out_elements_that_have_failed(self):
+        with h5py.File(os.path.join(self.out, "fields.vtkhdf"), "r+") as file:
+            root = file["VTKHDF"]
+            frames, elements = int(root["Steps"].attrs["NSteps"]), int(root["NumberOfCells"][0])
+            alive = np.ones((frames, elements), dtype=np.uint8)
+            alive[-1, 0] = 0
+            root["CellData/alive"] = alive.reshape(-1)
+            root["Steps/CellDataOffsets/alive"] = elements * np.arange(frames)
+        fields = percuss.read(self.out).fields
+        about, text = pack_surface(fields, "von_mises")
+        self.assertTrue(about["erodes"])
+        self.assertEqual(about["faces"], 40 + 3)  # the corner's neighbours show a face each
+        _, rest = self.unpack(about, text, fields)
+        visible = rest[about["frames"] * about["faces"] :].reshape(about["frames"], -1)
+        self.assertEqual([int(v) for v in visible.sum(axis=1)[[0, -1]]], [40, 40])
+        self.assertEqual(Worst(fields, "part").frame, 0)
+
+
+class Pieces(unittest.TestCase):
+    def test_a_deck_keeps_its_text_and_dims_its_comments(self):
+        text = show_deck("# first\na: 'no # comment' # yes <b>\nb: x#y\n")
+        self.assertIn("<span class=comment># first</span>", text)
+        self.assertIn("a: &#x27;no # comment&#x27; <span class=comment># yes &lt;b&gt;</span>", text)
+        self.assertIn("b: x#y", text)
+
+    def test_numbers_are_compared_with_the_first(self):
+        self.assertEqual(compare_numbers([2.0, 2.0, 2.5]), ["", "+25 %"])
+        self.assertEqual(compare_numbers([0, 3]), ["+3"])
+        self.assertEqual(compare_numbers(["completed", "failed"]), ["differs"])
+        self.assertEqual(compare_numbers([3, 4], is_name=True), ["differs"])
+
+    def test_histories_are_compared_at_the_times_of_the_first(self):
+        from percuss.history import History
+
+        first = History(["time", "kinetic"], [[0, 4], [1, 2], [2, 0]])
+        other = History(["time", "kinetic"], [[0, 4], [2, 2]])
+        self.assertEqual(find_history_differences(first, other), [("kinetic", 0.5, 2.0, 0.5)])
+
+    def test_a_component_that_is_round_off_is_measured_by_the_whole_vector(self):
+        from percuss.history import History
+
+        names = ["time", "momentum_x", "momentum_y", "momentum_z"]
+        first, other = History(names, [[0, 8, 1e-15, 0]]), History(names, [[0, 8, -1e-15, 0]])
+        self.assertEqual(find_history_differences(first, other)[0], ("momentum_y", 2.5e-16, 0.0, 2.5e-16))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,114 @@
+"""scripts/watch: watch_test.py ROOT PERCUSS."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
+import sample_run  # noqa: E402
+from percuss.deck import Deck  # noqa: E402
+from watching.rows import Rows  # noqa: E402
+from watching.screen import find_end, format_duration, make_progress, make_sparkline  # noqa: E402
+
+
+class Watch(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.out = sample_run.run(PERCUSS, cls.folder.name)
+
+    def watch(self, *arguments):
+        return subprocess.run([sys.executable, "-S", "-B", os.path.join(ROOT, "scripts/watch"), *arguments], capture_output=True,
+                              text=True, timeout=120, env=dict(os.environ, PYTHONIOENCODING="utf-8", COLUMNS="100"))
+
+    def copy(self, status):
+        folder = os.path.join(self.folder.name, status)
+        shutil.copytree(self.out, folder)
+        path = os.path.join(folder, "summary.json")
+        with open(path, encoding="utf-8") as file:
+            text = file.read().replace('"completed"', f'"{status}"')
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return folder
+
+    def test_shows_a_run_that_has_ended_with_python_alone(self):
+        done = self.watch(self.out, "--deck", os.path.join(self.folder.name, "deck.yaml"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for words in ("[completed]", "100.0 %", "of 0.0002", "kinetic", "energy error", "\u2588", "limits the step",
+                      "[hourglass_energy]"):
+            self.assertIn(words, done.stdout)
+        self.assertLessEqual(max(map(len, done.stdout.splitlines())), 100)
+
+    def test_is_plain_where_the_terminal_is(self):
+        done = self.watch(self.out, "--plain")
+        self.assertTrue(done.stdout.isascii())
+
+    def test_ends_with_the_code_of_the_run(self):
+        for status, code in (("failed", 3), ("interrupted", 130), ("running", 4)):  # running without a run was killed
+            self.assertEqual(self.watch(self.copy(status)).returncode, code, status)
+        self.assertEqual(self.watch(os.path.join(self.folder.name, "failed"), "--once").returncode, 0)
+        done = self.watch(os.path.join(self.folder.name, "nowhere"))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("there are no results of percuss", done.stderr)
+
+    def test_ends_when_a_run_that_goes_on_ends(self):
+        out = os.path.join(self.folder.name, "live")
+        deck = os.path.join(self.folder.name, "deck.yaml")
+        run = subprocess.Popen([PERCUSS, "run", deck, "--out", out, "--quiet"], stderr=subprocess.DEVNULL,
+                               env=dict(os.environ, OMP_NUM_THREADS="1"))
+        self.addCleanup(run.wait)
+        while run.poll() is None and not os.path.exists(os.path.join(out, "summary.json")):
+            pass
+        done = self.watch(out, "--interval", "0.1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("[completed]", done.stdout)
+
+
+class RowsThatGrow(unittest.TestCase):
+    def test_are_read_once_each_and_whole(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "history.csv")
+            rows = Rows(path)
+            self.assertFalse(rows.read())
+            with open(path, "w", encoding="utf-8") as file:
+                file.write('time,"a,b"\n0,1\n0.5,')
+                file.flush()
+                self.assertTrue(rows.read())
+                self.assertEqual(rows.columns, {"time": [0], "a,b": [1]})
+                file.write("2\n1,nan\n")
+                file.flush()
+                self.assertTrue(rows.read())
+                self.assertFalse(rows.read())
+            self.assertEqual(rows.columns["time"], [0, 0.5, 1])
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("time,c\n7,8\n")
+            self.assertTrue(rows.read())
+            self.assertEqual(rows.columns, {"time": [7], "c": [8]})
+
+
+class Screen(unittest.TestCase):
+    def test_sparklines_go_from_the_least_to_the_largest(self):
+        self.assertEqual(make_sparkline([0, 1, 2, 3, 4, 5, 6, 7], 8, "01234567"), "01234567")
+        self.assertEqual(make_sparkline([0] * 50 + [9] + [0] * 49, 10, "01"), "0000010000")
+        self.assertEqual(make_sparkline([3, 3], 10, "01"), "00")
+        self.assertEqual(make_sparkline([0, float("nan"), 7], 3, "01"), "0x1")
+        self.assertEqual(make_sparkline([float("inf")], 3), "")
+
+    def test_progress_and_times(self):
+        self.assertEqual(make_progress(0.5, 1, 10, True), "#####-----  50.0 %")
+        self.assertEqual(make_progress(0.5, None, 10, True), "")
+        self.assertEqual([format_duration(s) for s in (59.9, 61, 7260)], ["59 s", "1 min 01 s", "2 h 01 min"])
+
+    def test_the_end_is_found_in_the_text_without_yaml(self):
+        self.assertEqual(find_end(Deck("title: a\ntime: {step_scale: 0.5, end: 2.5e-3}\n")), 2.5e-3)
+        self.assertEqual(find_end(Deck("", {"time": {"end": 3}})), 3)
+        self.assertIsNone(find_end(Deck("parts: {end: 3}\n")))
+
+
+if __name__ == "__main__":
+    unittest.main()
