@@ -6,9 +6,9 @@
 
 namespace percuss {
 
-/// Slope of a corner's normal against that of its element at which the element counts as folded. It gets there ever
-/// more slowly, as the step that it allows falls with the slope.
-inline constexpr double shell_folded_slope = 10;
+/// Cosine between the normal of a corner and that of its element, slope 10, at which an element that can fail counts as
+/// folded, and dies. One that cannot goes on.
+inline constexpr double shell_folded_cosine = 0.0995;
 
 /// T: packs of doubles; where solids are in single precision no shell gets here.
 template <class T>
@@ -31,8 +31,8 @@ class LivingShells : public LivingLanes {
   /// go on.
   KOKKOS_FUNCTION void settle(ShellResult<T>& result, Vector3<T> (&force)[4], Vector3<T> (&moment)[4]) const {
     const T zero(0.0);
-    const auto is_open = result.steepest < T(shell_folded_slope * shell_folded_slope);
-    const T share = this->take_force_share(result.stable_step, select(is_open, result.size, zero));
+    const auto is_open = T(shell_folded_cosine) < result.least_cosine;
+    const T share = this->take_force_share(result.stable_step, select(is_open, result.area, zero));
     const auto lives = !(share < zero);
     const auto keep = [&](Vector3<T>& u) {
       u = {select(lives, share * u.x, zero), select(lives, share * u.y, zero), select(lives, share * u.z, zero)};
@@ -44,7 +44,7 @@ class LivingShells : public LivingLanes {
     this->take_work(share, 0, result.work.internal);
     this->take_work(share, 1, result.work.hourglass);
     result.stable_step = select(lives, result.stable_step, T(1e300));
-    result.size = select(lives, result.size, T(1.0));
+    result.area = select(lives, result.area, T(1.0));
   }
 
  private:

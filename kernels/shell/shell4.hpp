@@ -6,24 +6,12 @@
 // element in free spin gains energy. Stresses are components in the frame of the element, which turns with it. Formulas
 // and their reasons: docs/theory_shells.md.
 
-#include "kernels/shell/layer_lives.hpp"
-#include "kernels/shell/plane_stress.hpp"
-#include "kernels/shell/shell_forces.hpp"
+#include "kernels/shell/geometry/shell_forces.hpp"
+#include "kernels/shell/shell_hourglass.hpp"
 #include "kernels/shell/shell_step.hpp"
 #include "kernels/shell/thickness_points.hpp"
 
 namespace percuss {
-
-/// What an element, or a pack of them, remembers between steps, but for its points: stress xx, yy, xy and history,
-/// point after point from bottom to top, follow it in the record.
-template <class T>
-struct ShellState {
-  T mass;                                                             // constant
-  T gyration_square;                                                  // rotary inertia over mass, constant
-  T thickness;                                                        // at n
-  T shear[2];                                                         // transverse shear stress xz, yz, at n
-  T membrane_hourglass[2], bending_hourglass[2], shear_hourglass[2];  // forces on these rates, at n
-};
 
 /// Numbers that are the same for all elements of a part.
 template <class Material>
@@ -42,94 +30,10 @@ struct ShellWork {
 template <class T>
 struct ShellResult {
   ShellWork<T> work;
-  T stable_step;  // bound for the next step, without the deck's scale
-  T size;         // of the smallest corner triangle at n+1, twice its area; not positive: the element has folded
-  T steepest;     // ShellGeometry::steepest at n+1
+  T stable_step;   // bound for the next step, without the deck's scale
+  T area;          // at n+1
+  T least_cosine;  // ShellGeometry::least_cosine at n+1
 };
-
-/// Smallest share of the membrane's hourglass stiffness on a warped element, where it would lock.
-inline constexpr double shell_least_membrane_hourglass = 0.05;
-
-/// What plastic flow leaves of stored forces: the mean of the layers' radial returns, in proportion to what each
-/// contributes to the membrane and to bending.
-template <class T>
-struct FlowShares {
-  T membrane, bending;
-
-  PERCUSS_FORCE_INLINE void add(const ThicknessPoints& points, int p, const T& share) {
-    membrane = membrane + T(points.weight[p]) * share;
-    bending = bending + T(points.bending[p]) * share;
-  }
-};
-
-/// Integral of the square of the first hourglass mode of shear, over a third of the area; of a triangle that of what
-/// turns around it, by the second moments of its area, with the share of the stiffness that it keeps.
-template <class T, class Shapes>
-PERCUSS_FORCE_INLINE T find_shear_hourglass(const ShellGeometry<T>& g, [[maybe_unused]] const T& thickness,
-                                            [[maybe_unused]] const Shapes& shapes) {
-  const T along_xi = g.xi_x * g.xi_x + g.xi_y * g.xi_y;
-  if constexpr (Shapes::has_triangles) {
-    const GradientProducts<T> b = find_gradient_products(g, shapes);
-    return select(shapes.is_triangle, T(4.0 / 9.0) * find_shear_share(g, thickness, shapes) * (b.xx + b.yy), along_xi);
-  } else {
-    return along_xi;
-  }
-}
-
-/// Advances the hourglass forces by their rates: the stiffness of the element's own membrane, bending and shear beyond
-/// what its point sees (physical stabilisation, Belytschko and Leviatan 1994), with what the flow of its layers leaves
-/// of it. Returns their work.
-template <bool CanYield, bool CanFail, class T, class Shapes>
-PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellGeometry<T>& g, const ShellRates<T>& rate,
-                                         [[maybe_unused]] const FlowShares<T>& flow,
-                                         [[maybe_unused]] const SectionLeft<T>& left, const T& dt, const Shapes& shapes,
-                                         ShellState<T>& state) {
-  const HourglassIntegrals<T> h = integrate_hourglass(g);
-  const T t = state.thickness, nu = T(e.poissons_ratio), half = T(0.5);
-  const T warp = T(4) * g.z * (T(1) / t);
-  const T fade =
-      T(shell_least_membrane_hourglass) + T(1 - shell_least_membrane_hourglass) * (T(1) / (T(1) + warp * warp));
-  const T membrane = fade * T(e.youngs_modulus) * t * dt;
-  const T bending = T(e.youngs_modulus / (12 * (1 - e.poissons_ratio * e.poissons_ratio))) * t * t * t * dt;
-  const T shear = T(shell_shear_correction * e.shear_modulus / 3) * t * g.area * dt;
-  const T a = half * (T(1) - nu), mixed = half * (T(1) + nu) * h.xy;  // a + nu
-  const T(&m)[2] = rate.membrane_hourglass;
-  const T(&b)[2] = rate.bending_hourglass;
-  const T(&s)[2] = rate.shear_hourglass;
-  T work = T(0);
-  const auto add_work = [&](const T& added, [[maybe_unused]] const T& share) {
-    if constexpr (CanFail) {
-      work = work + share * added;
-    } else {
-      work = work + added;
-    }
-  };
-  const auto advance = [&](T& force, const T& change, const T& along, const T& counted) {
-    add_work((force + half * change) * along, counted);
-    force = force + change;
-  };
-  const auto advance_flowing = [&](T& force, const T& change, const T& along, const T& share, const T& counted) {
-    if constexpr (CanYield) {
-      const T after = share * (force + change);
-      add_work(half * (force + after) * along, counted);
-      force = after;
-    } else {
-      advance(force, change, along, counted);
-    }
-  };
-  const T &in_plane = left.mean_membrane, &in_bending = left.mean_bending;
-  advance_flowing(state.membrane_hourglass[0], membrane * (h.xx * m[0] - nu * h.xy * m[1]), m[0], flow.membrane,
-                  in_plane);
-  advance_flowing(state.membrane_hourglass[1], membrane * (h.yy * m[1] - nu * h.xy * m[0]), m[1], flow.membrane,
-                  in_plane);
-  advance_flowing(state.bending_hourglass[0], bending * ((h.xx + a * h.yy) * b[0] + mixed * b[1]), b[0], flow.bending,
-                  in_bending);
-  advance_flowing(state.bending_hourglass[1], bending * ((h.yy + a * h.xx) * b[1] + mixed * b[0]), b[1], flow.bending,
-                  in_bending);
-  advance(state.shear_hourglass[0], shear * find_shear_hourglass(g, t, shapes) * s[0], s[0], in_plane);
-  advance(state.shear_hourglass[1], shear * (g.eta_x * g.eta_x + g.eta_y * g.eta_y) * s[1], s[1], in_plane);
-  return dt * work;
-}
 
 /// What the layers of a step give: stress over the thickness and its first moment, about the middle and in units of
 /// half the thickness; their work per volume; the mean strain across the thickness; how they flow.
@@ -201,9 +105,9 @@ PERCUSS_FORCE_INLINE ShellDifferences<T> step_back(const ShellDifferences<T>& x,
 }
 
 /// Forces on the rates of the element at n+1.
-template <bool CanFail, class T>
-PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, const LayerSums<T>& layers,
-                                                 const T& area) {
+template <bool CanFail, class T, class Shapes>
+PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, const LayerSums<T>& layers, const T& area,
+                                                 [[maybe_unused]] const Shapes& shapes) {
   const T volume = area * state.thickness, lever = T(0.5) * state.thickness * volume;
   ShellRates<T> on;
   for (int k = 0; k < 3; ++k) {
@@ -221,7 +125,14 @@ PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, con
       on.bending_hourglass[k] = layers.left.bending * on.bending_hourglass[k];
       on.shear_hourglass[k] = layers.left.membrane * on.shear_hourglass[k];
     }
+    on.corner_drilling[k] = T(0);
+    if constexpr (Shapes::has_triangles) {
+      on.corner_drilling[k] = select(shapes.is_triangle, on.membrane_hourglass[k], T(0));
+      on.membrane_hourglass[k] = select(shapes.is_triangle, T(0), on.membrane_hourglass[k]);
+    }
   }
+  on.drilling = state.drilling;
+  if constexpr (CanFail) on.drilling = layers.left.membrane * on.drilling;
   return on;
 }
 
@@ -252,25 +163,21 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
     work = work + added;
     state.shear[k] = state.shear[k] + change;
   }
-  const T hourglass_work = advance_hourglass<Material::can_yield, Lives::can_fail>(elastic, middle, rate, layers.flow,
-                                                                                   layers.left, dt, shapes, state);
+  const StoredForces<Material::can_yield, Lives::can_fail, T> stored{layers.flow, layers.left};
+  const T hourglass_work = advance_hourglass(elastic, middle, rate, stored, dt, shapes, state);
   const T old_thickness = state.thickness;
   const T half_across = half * layers.across;
   state.thickness = old_thickness * ((T(1) + half_across) * (T(1) / (T(1) - half_across)));
 
   const ShellGeometry<T> end = find_shell_geometry(x, shapes);
-  ShellRates<T> on = join_stresses<Lives::can_fail>(state, layers, end.area);
-  T step = find_shell_step(end, state.thickness, state.mass, state.gyration_square, elastic.youngs_modulus,
-                           elastic.poissons_ratio, shapes);
-  if (par.offset != 0) {
-    move_to_corners(T(par.offset), on);
-    step = step * find_offset_share(end, state.thickness, state.gyration_square, par.offset);
-  }
+  ShellRates<T> on = join_stresses<Lives::can_fail>(state, layers, end.area, shapes);
+  if (par.offset != 0) move_to_corners(T(par.offset), on);
+  const ShellSection<T> section{state.thickness, state.mass, state.gyration_square, par.offset};
   find_shell_forces(end, on, force, moment, shapes);
   return {{half * (old_thickness + state.thickness) * middle.area * work, hourglass_work},
-          step,
-          end.least_corner,
-          end.steepest};
+          find_shell_step(end, section, elastic, shapes),
+          end.area,
+          end.least_cosine};
 }
 
 }  // namespace percuss

@@ -62,11 +62,11 @@ struct ChunkSums {
 
   PERCUSS_FORCE_INLINE void take(const ShellResult<Lanes>& result, int first_element, int lanes) {
     alignas(64) double steps[width];
-    alignas(64) double size[width];
+    alignas(64) double area[width];
     alignas(64) double internal[width];
     alignas(64) double hourglass[width];
     store_pack(steps, result.stable_step);
-    store_pack(size, result.size);
+    store_pack(area, result.area);
     store_pack(internal, result.work.internal);
     store_pack(hourglass, result.work.hourglass);
     for (int lane = 0; lane < lanes; ++lane) {
@@ -74,7 +74,7 @@ struct ChunkSums {
         step = steps[lane];
         controlling = first_element + lane;
       }
-      if (failed < 0 && !(size[lane] > 0 && steps[lane] > 0)) failed = first_element + lane;  // also for NaN
+      if (failed < 0 && !(area[lane] > 0 && steps[lane] > 0)) failed = first_element + lane;  // also for NaN
       work[0] += internal[lane];
       work[1] += hourglass[lane];
     }

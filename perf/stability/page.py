@@ -96,6 +96,20 @@ def tell_global(page, stored):
     page.texts["global"] = table(["shapes", "parameter", *kinds], body)
 
 
+# --- shells
+
+def tell_shells(page, stored):
+    rows = stored["results"]
+    page.texts["shells"] = table(
+        ["shapes", "elements", "of these concave or crossed", "smallest", "1 % are below", "median", "largest"],
+        [[r["family"], r["count"], r["concave"] or "", f"{r['least']:.2f}", f"{r['percentile']:.2f}", f"{r['median']:.2f}", f"{r['largest']:.3f}"] for r in rows])
+    page.texts["shells_count"] = f"{sum(r['count'] for r in rows)}"
+    page.texts["shells_above"] = "none" if all(r["largest"] <= 1 + 1e-6 for r in rows) else "**some**"
+    for r in rows:
+        if r["largest"] > 1 + 1e-6:
+            page.wrong.append(f"shells: the bound exceeds the critical step by the factor {r['largest']:.6f} ({r['family']})")
+
+
 # --- blow-ups
 
 def show_error(value):
@@ -244,6 +258,8 @@ def write_page(docs, stored):
         tell_estimates(page, stored["elements"], stored["meshes"])
         tell_global(page, stored["meshes"])
         plots.draw_map(stored["elements"]["results"]["rows"], stored["meshes"]["results"]["rows"], page.images / "map.svg")
+    if "shells" in stored:
+        tell_shells(page, stored["shells"])
     if "blow_ups" in stored or "contact" in stored:
         tell_margins(page, stored.get("blow_ups"), stored.get("contact"))
     if "long_runs" in stored:

@@ -62,6 +62,7 @@ const std::vector<CheckRule>& check_rules() {
       {"no_contact", check_missing_contact, Needs::mesh},
       {"deep_overlap", check_deep_overlap, Needs::start},
       {"behind_wall", check_behind_wall, Needs::start},
+      {"penalty_speed", check_penalty_speed, Needs::mesh},
       {"friction", check_friction},
       {"tie_distance", check_tie_distance, Needs::mesh},
       {"end_time", check_end_time, Needs::start},

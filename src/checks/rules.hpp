@@ -68,6 +68,7 @@ std::vector<Warning> check_missing_contact(const CheckedScene& scene);
 
 // Contact (contact_rules.cpp)
 std::vector<Warning> check_deep_overlap(const CheckedScene& scene);
+std::vector<Warning> check_penalty_speed(const CheckedScene& scene);
 std::vector<Warning> check_behind_wall(const CheckedScene& scene);
 std::vector<Warning> check_friction(const CheckedScene& scene);
 std::vector<Warning> check_tie_distance(const CheckedScene& scene);

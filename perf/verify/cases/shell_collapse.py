@@ -105,3 +105,41 @@ def shell_tube(bench):
         axes.set(xlabel="way of the plate [mm]", ylabel="force [kN]")
 
     bench.figure("Force of the plate; dashed: the two formulae for its mean.", draw)
+
+
+@case("shell_crash_box", "shells", "A crash box")
+def shell_crash_box(bench):
+    """A square tube of steel, 60 x 60 x 1.5 mm and 250 mm long, with elements of 5 mm, is crushed by 300 kg at 10 m/s
+    for 20 ms, to less than half of its length. No answer is published: the case checks what every crushed tube must
+    keep. The step stays above 0.4 of the first. Hourglass energy, with that of drilling, is below 10 % of the internal
+    energy. The energy balance is below 1e-5."""
+    if bench.quick:
+        return
+    run = bench.run("""
+title: A crash box, 300 kg at 10 m/s
+units: m, kg, s
+time: {end: 2.0e-2}
+parts:
+  tube: {shell_box_tube: {size: [0.06, 0.06], length: 0.25, cells: [12, 12, 50]}, thickness: 0.0015, material: steel}
+  sled: {box: {size: [0.12, 0.12, 0.05], cells: [4, 4, 2]}, at: [-0.06, -0.06, 0.2508], material: heavy}
+materials:
+  steel: {model: power_law_plasticity, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3, yield_stress: 250e6, hardening_coefficient: 400e6, hardening_exponent: 0.5}
+  heavy: {model: elastic, density: 416666.67, youngs_modulus: 210e9, poissons_ratio: 0.3}
+initial: [{part: sled, velocity: [0, 0, -10]}]
+conditions: [{nodes: sled, velocity: {x: 0, y: 0}}]
+walls: [{normal: z, friction: 0.2}]
+contact: {surfaces: all, friction: 0.2}
+output: {history: {every: 2.0e-5, nodes: [{name: sled, part: sled, near: [0, 0, 0.2508]}]}}
+""")
+    h, summary = run.history, run.summary
+    way, lost = 0.2508 - h["sled_z"], h["kinetic"][0] - h["kinetic"]
+    bench.below("length that is left, over the first", float(h["sled_z"][-1]) / 0.25, 0.5)
+    bench.above("least step over the largest", summary["dt"]["min"] / summary["dt"]["max"], 0.4)
+    bench.below("hourglass energy over internal", summary["energy"]["hourglass"] / summary["energy"]["internal"], 0.1)
+    bench.below("energy balance, largest error", float(np.abs(h["energy_error"]).max()), 1e-5)
+
+    def draw(axes):
+        axes.plot(1e3 * way, 1e-3 * lost)
+        axes.set(xlabel="way of the sled [mm]", ylabel="absorbed energy [kJ]")
+
+    bench.figure("Energy that the box has taken.", draw)

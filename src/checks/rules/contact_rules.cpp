@@ -1,8 +1,10 @@
 // Overlap at the start, walls, friction and ties.
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "kernels/contact/geometry/contact_limits.hpp"
 #include "src/checks/rules.hpp"
 
 namespace percuss {
@@ -67,6 +69,35 @@ std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
                             is_pushed ? "pushing so much out adds energy" : "contact does not undo it")));
   }
   return warnings;
+}
+
+// The pressure rho c v / 2 of a plane impact on springs of the stiffness scale M / h that a unit of area has on both
+// sides together.
+std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
+  constexpr double most = 0.1;  // of an element; contact is lost at 0.25, and springs overshoot by up to twice
+  const ContactDeck& contact = scene.deck.contact;
+  if (contact.enforcement != ContactDeck::Enforcement::penalty) return {};
+  double low[3] = {0, 0, 0}, high[3] = {0, 0, 0}, slowest = 0;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartMeasures& part = scene.measures->parts[p];
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = p == 0 ? part.velocity_low[k] : std::min(low[k], part.velocity_low[k]);
+      high[k] = p == 0 ? part.velocity_high[k] : std::max(high[k], part.velocity_high[k]);
+    }
+    const double speed = find_wave_speed(find_material(scene.deck, scene.deck.parts[p]));
+    if (speed > 0 && (slowest == 0 || speed < slowest)) slowest = speed;
+  }
+  if (slowest == 0) return {};
+  const double closing = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  const double depth = closing / (2 * contact.penalty_scale * slowest);
+  if (depth <= most) return {};
+  return {
+      warn_at(scene.deck, "penalty_speed", "contact.enforcement",
+              fmt::format("bodies may meet at {:.3g}, {:.3g} of the wave speed (penalty contact then lets them into "
+                          "each other by some {:.2g} of an element, and loses nodes beyond {:g}): use enforcement "
+                          "kinematic, or a penalty_scale of {:.2g} at least",
+                          closing, closing / slowest, depth, contact_limits::history_depth,
+                          contact.penalty_scale * depth / most))};
 }
 
 std::vector<Warning> check_behind_wall(const CheckedScene& scene) {

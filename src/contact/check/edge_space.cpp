@@ -38,6 +38,25 @@ EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const Find
   return surface;
 }
 
+bool divide_again(const Rows2<const int>& ends, const Rows3<const double>& x, double piece,
+                  std::vector<EdgeTopology>& edges) {
+  const Array<double> lengths("contact::edge_lengths", edges.size());
+  run_where_it_pays(static_cast<int>(edges.size()) / 2, [&](const auto& space) {
+    Kokkos::parallel_for(
+        "contact::edge_lengths", RangeOf<std::decay_t<decltype(space)>>(space, 0, static_cast<int>(edges.size())),
+        KOKKOS_LAMBDA(int e) { lengths(e) = norm(load_row(x, ends(e, 1)) - load_row(x, ends(e, 0))); });
+    space.fence();
+  });
+  const auto length = to_host(lengths);
+  bool has_changed = false;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const int pieces = count_pieces(length(e), piece);
+    has_changed = has_changed || pieces != edges[e].pieces;
+    edges[e].pieces = pieces;
+  }
+  return has_changed;
+}
+
 EdgePointLists list_edge_points(const std::vector<EdgeTopology>& edges, const EdgeSurface& surface,
                                 const std::vector<char>& points_of) {
   std::vector<int> pieces, first{0}, edge_of_point;

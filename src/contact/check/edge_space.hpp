@@ -33,6 +33,11 @@ using FindRow = std::function<int(std::int64_t)>;
 EdgeSurface make_edge_surface(const std::vector<EdgeTopology>& edges, const FindRow& find_row,
                               const SurfaceShare& share);
 
+/// Divides edges by their lengths of now, since a stretched one would widen the boxes of all others. ends: [edges] rows
+/// of x; piece: SurfaceShare::edge_piece. Returns whether some edge has another number of pieces.
+bool divide_again(const Rows2<const int>& ends, const Rows3<const double>& x, double piece,
+                  std::vector<EdgeTopology>& edges);
+
 /// points_of: [edges] whether the points of an edge are searched here; empty: all.
 EdgePointLists list_edge_points(const std::vector<EdgeTopology>& edges, const EdgeSurface& surface,
                                 const std::vector<char>& points_of);

@@ -52,8 +52,8 @@ LocalFinder::LocalFinder(const SurfaceShare& share, const ContactDeck& deck) : s
     return share.nodes.mesh_nodes[static_cast<std::size_t>(find_number(share.nodes.numbers, number))];
   };
   set_edge_surface(make_edge_surface(share.edges, find_row, share), edges_);
-  edge_points_ = list_edge_points(share.edges, edges_.surface, {});
-  edge_places_ = Rows3<double>("contact::edge_places", static_cast<std::size_t>(edge_points_.points.num_points));
+  divided_edges_ = share.edges;
+  edge_points_ = list_edge_points(divided_edges_, edges_.surface, {});
   edge_boxes_ = Boxes("contact::edge_boxes", share.edges.size());
 }
 
@@ -79,6 +79,9 @@ std::int64_t LocalFinder::search(const SurfaceMotion& motion, double margin) {
 std::int64_t LocalFinder::search_edges(const SurfaceMotion& motion, double margin) {
   if (share_.edges.empty()) return 0;
   const std::int64_t limit = std::min(find_edge_pair_limit(share_), most_indexed_pairs);
+  if (divide_again(edges_.surface.ends, motion.x, share_.edge_piece, divided_edges_))
+    edge_points_ = list_edge_points(divided_edges_, edges_.surface, {});
+  reserve(edge_places_, edge_points_.points.num_points);
   std::int64_t hits = 0;
   run_where_it_pays(static_cast<int>(share_.edges.size()) / 2, [&](const auto& space) {
     const EdgePoints& points = edge_points_.points;

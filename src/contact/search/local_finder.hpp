@@ -45,6 +45,7 @@ class LocalFinder : public ContactFinder {
 
   // Edges, if the scene has any that may touch.
   EdgeSpace edges_;
+  std::vector<EdgeTopology> divided_edges_;  // SurfaceShare::edges, in pieces of now
   EdgePointLists edge_points_;
   Rows3<double> edge_places_ = Rows3<double>("contact::edge_places", 0);
   Boxes edge_boxes_ = Boxes("contact::edge_boxes", 0);

@@ -29,14 +29,21 @@ RankedEdges::RankedEdges(const ContactRanks& ranks, const SurfaceShare& share, c
   if (share.total_edges == 0) return;
   exchange_.emplace(ranks.ranks);
   data_.emplace(ranks.ranks);
+  divided_edges_ = share.edges;
+  points_.ends = to_rows("contact::edge_ends", share.edge_ends);
+  list_points();
+  boxes_ = Boxes("contact::edge_boxes", share.edges.size());
+}
+
+void RankedEdges::list_points() {
   std::vector<int> pieces, first{0};
-  for (const EdgeTopology& edge : share.edges) {
+  for (const EdgeTopology& edge : divided_edges_) {
     pieces.push_back(edge.pieces);
     first.push_back(first.back() + edge.pieces);
   }
-  points_ = {first.back(), to_rows("contact::edge_ends", share.edge_ends), to_view("contact::edge_pieces", pieces),
-             to_view("contact::first_edge_point", first)};
-  boxes_ = Boxes("contact::edge_boxes", share.edges.size());
+  points_.num_points = first.back();
+  points_.pieces = to_view("contact::edge_pieces", pieces);
+  points_.first_point = to_view("contact::first_edge_point", first);
 }
 
 /// The rank in whose part the middle of each edge lies.
@@ -73,7 +80,7 @@ void RankedEdges::send_points_to_owners(const SurfaceMotion& motion, const Conta
   std::vector<int> to;
   std::vector<std::array<double, 3>> points;
   for (std::size_t e = 0; e < share_.edges.size(); ++e) {
-    for (int k = 0; k < share_.edges[e].pieces; ++k) {
+    for (int k = 0; k < divided_edges_[e].pieces; ++k) {
       const std::size_t i = points.size();
       points.push_back({host(i, 0), host(i, 1), host(i, 2)});
       to.push_back(owners_[e]);
@@ -106,7 +113,7 @@ void RankedEdges::send_edges_to_reached(const SurfaceMotion& motion, const Point
   for (std::size_t i = 0; i < box.extent(0); ++i) {
     const auto e = at(box(i));
     EdgeRecord record{};
-    record.edge = share_.edges[e];
+    record.edge = divided_edges_[e];
     to.push_back(parts_->find_rank(part(i)));
     record.is_owned = to.back() == owners_[e];
     for (std::size_t k = 0; k < 6; ++k) {
@@ -167,6 +174,7 @@ std::int64_t RankedEdges::find_pairs_here(const Point3& slack, std::int64_t limi
 std::int64_t RankedEdges::search(const SurfaceMotion& motion, double margin,
                                  const ContactDecomposition& decomposition) {
   if (share_.total_edges == 0) return 0;
+  if (divide_again(points_.ends, motion.x, share_.edge_piece, divided_edges_)) list_points();
   const Point3 half = find_half_piece_of_all(motion);
   send_points_to_owners(motion, decomposition);
   send_edges_to_reached(motion, find_edge_margin(half, margin, 2 * share_.largest_offset));

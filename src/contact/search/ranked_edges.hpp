@@ -37,6 +37,7 @@ class RankedEdges {
   Traffic traffic() const { return data_ ? data_->traffic() : Traffic{}; }
 
  private:
+  void list_points();
   void send_points_to_owners(const SurfaceMotion& motion, const ContactDecomposition& decomposition);
   void find_owners(const SurfaceMotion& motion);
   Point3 find_half_piece_of_all(const SurfaceMotion& motion) const;
@@ -50,6 +51,7 @@ class RankedEdges {
   std::optional<AssignedParts> parts_;  // those of the decomposition, with the reach of edges' points
 
   // Edges whose home this rank is.
+  std::vector<EdgeTopology> divided_edges_;   // SurfaceShare::edges, in pieces of now
   EdgePoints points_;                         // ends as mesh nodes
   std::vector<int> owners_;                   // [edges] ranks in the contact decomposition
   bool knows_owners_ = false;                 // the same on all ranks, unlike whether a rank has edges

@@ -255,7 +255,12 @@ std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const std:
   return edges;
 }
 
-void divide_edges(const Communicator& ranks, const std::vector<double>& lengths, std::vector<EdgeTopology>& edges) {
+int count_pieces(double length, double piece) {
+  constexpr double most = 1000;
+  return static_cast<int>(std::clamp(std::ceil(length / piece), 1.0, most));
+}
+
+double divide_edges(const Communicator& ranks, const std::vector<double>& lengths, std::vector<EdgeTopology>& edges) {
   // Exact, because it sets what a search lists.
   struct Sums {
     ExactSum length;
@@ -269,12 +274,12 @@ void divide_edges(const Communicator& ranks, const std::vector<double>& lengths,
   sums.count = static_cast<std::int64_t>(lengths.size());
   sums.length.normalize();
   if (ranks.size() > 1) MergeReduction<Sums>()(ranks, sums);
-  if (sums.count == 0) return;
+  if (sums.count == 0) return 0;
   // Short enough for edges that are not neighbours in a uniform mesh to be no pairs.
-  constexpr double longest = 1.25, most = 1000;  // pieces, in mean lengths; of one edge
+  constexpr double longest = 1.25;  // piece, in mean lengths
   const double piece = longest * sums.length.round() / static_cast<double>(sums.count);
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    edges[e].pieces = static_cast<int>(std::clamp(std::ceil(lengths[e] / piece), 1.0, most));
+  for (std::size_t e = 0; e < edges.size(); ++e) edges[e].pieces = count_pieces(lengths[e], piece);
+  return piece;
 }
 
 }  // namespace percuss

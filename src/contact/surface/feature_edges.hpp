@@ -37,7 +37,11 @@ std::vector<FoundEdge> find_feature_edges(const ChunkedMesh& chunked, const std:
                                           const std::vector<std::array<int, 4>>& face_corners,
                                           UnstructuredExchange& exchange);
 
-/// Divides edges into pieces of at most 1.25 times the mean length of all ranks' edges. lengths: [edges]. Collective.
-void divide_edges(const Communicator& ranks, const std::vector<double>& lengths, std::vector<EdgeTopology>& edges);
+/// Into how many pieces of at most this length an edge is divided.
+int count_pieces(double length, double piece);
+
+/// Divides edges into pieces of at most 1.25 times the mean length of all ranks' edges, which it returns. lengths:
+/// [edges]. Collective.
+double divide_edges(const Communicator& ranks, const std::vector<double>& lengths, std::vector<EdgeTopology>& edges);
 
 }  // namespace percuss

@@ -278,7 +278,7 @@ void set_edges(const Mesh& mesh, const Communicator& ranks, const std::vector<Fo
     const Vec3 &p = mesh.nodes[at(ends[0])], &q = mesh.nodes[at(ends[1])];
     lengths.push_back(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
   }
-  divide_edges(ranks, lengths, share.edges);
+  share.edge_piece = divide_edges(ranks, lengths, share.edges);
 }
 
 /// Classes of nodes and faces, who may touch whom, and which nodes and faces a search must look at.

@@ -54,6 +54,7 @@ struct SurfaceShare {
   Array<const int> pair_number;               // likewise: which of the deck's pairs; -1: none
   std::vector<EdgeTopology> edges;            // feature edges whose home this rank is, ascending number; those searched
   std::vector<std::array<int, 2>> edge_ends;  // mesh nodes of this rank
+  double edge_piece = 0;                      // longest of the pieces by which edges are searched [length]
   std::int64_t total_edges = 0;               // of all ranks
   std::int64_t total_nodes = 0, total_faces = 0, total_searched_faces = 0;  // of all ranks
 
@@ -78,8 +79,8 @@ struct SurfaceShare {
 SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
                                  UnstructuredExchange& exchange);
 
-/// The deck's rigid walls with the owned contact nodes that may touch them. Throws InputError, on all ranks, for
-/// unknown selections and for one without a contact node. Collective over Mesh::ranks.
-WallPairs build_walls(const Mesh& mesh, const Deck& deck, const SurfaceShare& share);
+/// The deck's rigid walls with the owned nodes that they stop, inside bodies and on their surfaces. Throws InputError,
+/// on all ranks, for unknown selections. Collective over Mesh::ranks.
+WallPairs build_walls(const ChunkedMesh& chunked, const Deck& deck, const SurfaceShare& share);
 
 }  // namespace percuss

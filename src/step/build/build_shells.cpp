@@ -169,4 +169,24 @@ std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh) {
   return squares;
 }
 
+std::vector<double> find_shell_bounds(const Deck& deck, const Mesh& mesh, const std::vector<double>& element_mass) {
+  const std::vector<double> gyration_square = find_gyration_squares(deck, mesh);
+  std::vector<double> bounds(mesh.elements.size(), 0);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (!mesh.topology_of(e).is_surface()) continue;
+    const HexCorners x = gather_corners(mesh.elements, e, mesh.nodes);
+    Vector3<double> corners[4];
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = {x[i][0], x[i][1], x[i][2]};
+    const MixedShapes<bool> shapes{mesh.topology_of(e).corner_count == 3};
+    const ElementBlock& block = mesh.block_of(e);
+    const ShellSection<double> section{block.section.thickness, element_mass[e], gyration_square[e],
+                                       deck.parts[static_cast<std::size_t>(block.part)].offset};
+    visit_layer(deck.materials[static_cast<std::size_t>(block.material)], [&](const auto&, const auto& layer) {
+      const auto geometry = find_shell_geometry(find_differences(corners), shapes);
+      bounds[e] = find_shell_step(geometry, section, layer.elasticity, shapes);
+    });
+  }
+  return bounds;
+}
+
 }  // namespace percuss

@@ -28,4 +28,7 @@ void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const Chun
 /// shell has, so that rotations never hold the step down (docs/theory_shells.md); 0 of a hexahedron.
 std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh);
 
+/// Step bound of each shell at rest in its first shape, with these masses of all elements; of others 0.
+std::vector<double> find_shell_bounds(const Deck& deck, const Mesh& mesh, const std::vector<double>& element_mass);
+
 }  // namespace percuss

@@ -9,6 +9,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
+#include "src/step/build/build_shells.hpp"
 #include "src/step/model/state.hpp"
 
 namespace percuss {
@@ -28,14 +29,11 @@ bool is_asked_for(const Deck& deck) {
                                                [](const PartDeck& part) { return part.mass_scaling.has_value(); });
 }
 
-/// Shells have no such bound. Other laws take the change of volume from the density, which is not the material's own
-/// where mass is added.
+/// Other laws of solids take the change of volume from the density, which is not the material's own where mass is
+/// added.
 void refuse_other_laws(const Deck& deck, const ElementBlock& block, const MassScalingDeck& request) {
+  if (find_topology(block.topology).is_surface()) return;
   const auto part = static_cast<std::size_t>(block.part);
-  if (find_topology(block.topology).is_surface()) {
-    throw InputError(fmt::format("{}: error: mass scaling of part '{}', which is of shells: only hexahedra are scaled",
-                                 deck.where(request.place), deck.parts[part].name));
-  }
   const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
   const std::string& model = material.law.model;
   if ((model == "elastic" || model == "j2_plasticity") && !material.equation_of_state) return;
@@ -47,10 +45,10 @@ void refuse_other_laws(const Deck& deck, const ElementBlock& block, const MassSc
                   material.equation_of_state ? " with an equation of state" : ""));
 }
 
-/// Step bound of each element at rest in its first shape.
-std::vector<double> find_element_bounds(const Model& model, const std::vector<double>& element_mass) {
+/// Step bound of each hexahedron at rest in its first shape; of shells 0.
+std::vector<double> find_hex_bounds(const Model& model, const std::vector<double>& element_mass) {
   Model resting = model;
-  resting.has_shells = false;  // only hexahedra are looked at: what shells need beside follows from the scaled masses
+  resting.has_shells = false;  // what shells need beside follows from the scaled masses
   resting.element_mass = to_view("percuss::unscaled_mass", element_mass);
   resting.start_velocity = Rows3<double>("percuss::rest", static_cast<std::size_t>(model.node_count));
   const State state = make_initial_state(resting);
@@ -125,7 +123,9 @@ void scale_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<doub
     if (const auto* request = find_request(deck, static_cast<std::size_t>(block.part)))
       refuse_other_laws(deck, block, *request);
   }
-  const std::vector<double> bounds = find_element_bounds(model, element_mass);
+  std::vector<double> bounds = find_hex_bounds(model, element_mass);
+  const std::vector<double> of_shells = find_shell_bounds(deck, chunked.mesh, element_mass);
+  for (std::size_t e = 0; e < bounds.size(); ++e) bounds[e] = std::max(bounds[e], of_shells[e]);
   std::vector<PartShare> shares(deck.parts.size());
   for (std::size_t e = 0; e < element_mass.size(); ++e) {
     const auto part = static_cast<std::size_t>(chunked.mesh.part_of(e));

@@ -116,12 +116,48 @@ TEST(Shell4, PlasticStretchKeepsTheVolume) {
   EXPECT_NEAR(after / before, 1, 1e-5);
 }
 
-TEST(Shell4, FoldedElementIsReported) {
-  ShellCorners x{Vec{0, 0, 0}, Vec{1, 0, 0}, Vec{0.2, 0.2, 0}, Vec{0, 1, 0}};  // not convex at the third corner
-  TestShell<ElasticLayer> shell(make_elastic(), 3, {Vec{0, 0, 0}, Vec{1, 0, 0}, Vec{1, 1, 0}, Vec{0, 1, 0}}, 0.01,
-                                density);
-  EXPECT_GT(shell.advance({Vec{0, 0, 0}, Vec{1, 0, 0}, Vec{1, 1, 0}, Vec{0, 1, 0}}, {}, {}, 0).size, 0);
-  EXPECT_LT(shell.advance(x, {}, {}, 0).size, 0);
+TEST(Shell4, FoldedElementSaysSoAndGoesOn) {
+  const ShellCorners square{Vec{0, 0, 0}, Vec{1, 0, 0}, Vec{1, 1, 0}, Vec{0, 1, 0}};
+  const ShellCorners dart{Vec{0, 0, 0}, Vec{1, 0, 0}, Vec{0.2, 0.2, 0}, Vec{0, 1, 0}};  // concave at the third corner
+  TestShell<ElasticLayer> shell(make_elastic(), 3, square, 0.01, density);
+  const auto whole = shell.advance(square, {}, {}, 0);
+  EXPECT_EQ(whole.least_cosine, 1);
+  const auto folded = shell.advance(dart, {}, {}, 0);
+  EXPECT_LT(folded.least_cosine, 0);
+  EXPECT_DOUBLE_EQ(folded.area, 0.2);
+  EXPECT_GT(folded.stable_step, 0.05 * whole.stable_step);
+}
+
+TEST(Shell4, DrillingHasItsStiffnessAndItsWorkIsBookedWithThatOfHourglassModes) {
+  const ShellCorners x{Vec{0, 0, 0}, Vec{2, 0, 0}, Vec{2, 1, 0}, Vec{0, 1, 0}};
+  const double thickness = 0.1, rate = 3, dt = 1e-5, shear_modulus = young / (2 * (1 + poisson));
+  TestShell<ElasticLayer> shell(make_elastic(), 3, x, thickness, density);
+  const Vec w{0, 0, rate};
+  const auto result = shell.advance(x, {}, {w, w, w, w}, dt);
+  const double moment = 0.1 * shear_modulus * thickness * 2 * rate * dt;
+  EXPECT_NEAR(result.work.hourglass / (0.5 * moment * rate * dt), 1, 1e-14);
+  EXPECT_EQ(result.work.internal, 0);
+  Vec force_moment{0, 0, 0};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(shell.moment[i].z / (moment / 4), 1, 1e-14);
+    force_moment = force_moment + cross(x[i], shell.force[i]);
+  }
+  EXPECT_NEAR(force_moment.z / -moment, 1, 1e-14);
+}
+
+TEST(Shell4, PlasticFlowLeavesOfDrillingWhatItLeavesOfTheMembrane) {
+  const ShellCorners x{Vec{0, 0, 0}, Vec{1, 0, 0}, Vec{1, 1, 0}, Vec{0, 1, 0}};
+  const double yield = 1e6, dt = 1e-3;
+  TestShell<J2Layer> shell(make_plastic(yield), 3, x, 0.01, density);
+  const Vec turn{0, 0, 1e-3};
+  shell.advance(x, {}, {turn, turn, turn, turn}, dt);
+  const double before = shell.state.drilling;
+  EXPECT_GT(before, 0);
+  ShellCorners v;  // uniform shear: the trial stress is 2 G v, ten times what flows
+  const double shear = young / (2 * (1 + poisson)), rate = 10 * yield / std::sqrt(3.0) / (2 * shear * dt);
+  for (std::size_t i = 0; i < 4; ++i) v[i] = {rate * x[i].y, rate * x[i].x, 0};
+  shell.advance(move(x, v, dt), v, {}, dt);
+  EXPECT_NEAR(shell.state.drilling / before, 0.1, 1e-6);
 }
 
 }  // namespace percuss::test

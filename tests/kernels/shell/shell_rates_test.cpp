@@ -54,8 +54,7 @@ TEST(ShellGeometry, CornersLieAtAlternatingHeightsAndFrameIsOrthonormal) {
       EXPECT_NEAR(local.y, g.y[i], 1e-14);
       EXPECT_NEAR(local.z, shell_warp_sign[i] * g.z, 1e-14);
       const Vec normal = g.frame * cross(x[(i + 1) % 4] - x[i], x[(i + 3) % 4] - x[i]);
-      EXPECT_NEAR(normal.x / normal.z, g.px[i], 1e-13);
-      EXPECT_NEAR(normal.y / normal.z, g.py[i], 1e-13);
+      EXPECT_NEAR(norm(1 / norm(normal) * normal - Vec{g.px[i], g.py[i], g.pz[i]}), 0, 1e-13);
     }
     const auto product = symmetric_product(g.frame, g.frame);
     EXPECT_NEAR(product.xx + product.yy + product.zz, 3, 1e-14);
@@ -85,12 +84,40 @@ TEST(ShellRates, RigidMotionGivesNone) {
   }
 }
 
-TEST(ShellRates, TurningAboutTheCornerNormalsGivesNone) {
+TEST(ShellGeometry, DirectorOfACornerThatFoldsOverStaysUpright) {
+  const double height = 0.1;
+  const ShellCorners dart{Vec{0, 0, height}, Vec{1, 0, 0}, Vec{0.3, 0.3, height},
+                          Vec{0, 1, 0}};  // concave at the third
+  const auto g = find_shell_geometry(find_differences(dart));
+  EXPECT_LT(g.least_cosine, 0);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_GT(g.pz[i], 0);
+    EXPECT_NEAR(norm(Vec{g.px[i], g.py[i], g.pz[i]}), 1, 1e-15);
+  }
+  const ShellCorners flat{Vec{0, 0, 0}, Vec{1, 0, 0}, Vec{0.3, 0.3, 0}, Vec{0, 1, 0}};
+  EXPECT_EQ(find_shell_geometry(find_differences(flat)).pz[2], 1);
+}
+
+TEST(ShellRates, TurningAboutTheCornerNormalsDrillsAndNothingElse) {
   Random random(4);
   const ShellCorners x = make_quad(random, 1, 1, 0.2, 0.3);
   ShellCorners w;
   for (std::size_t i = 0; i < 4; ++i) w[i] = random() * cross(x[(i + 1) % 4] - x[i], x[(i + 3) % 4] - x[i]);
-  for (const double rate : list_rates(find_rates(x, ShellCorners{}, w))) EXPECT_NEAR(rate, 0, 1e-14);
+  auto rates = find_rates(x, ShellCorners{}, w);
+  const Vec normal = find_shell_geometry(find_differences(x)).frame.row[2];
+  EXPECT_NEAR(rates.drilling, dot(normal, 0.25 * (w[0] + w[1] + w[2] + w[3])), 1e-14);
+  rates.drilling = 0;
+  for (const double rate : list_rates(rates)) EXPECT_NEAR(rate, 0, 1e-14);
+}
+
+TEST(ShellRates, DrillingIsWhatCornersTurnAgainstTheSpinOfTheElement) {
+  Random random(9);
+  const ShellCorners x = make_quad(random, 1, 1.5, 0.3, 0);
+  const double a = 0.7, b = -0.3, turn = 0.4;  // vx = -b y, vy = a x: the spin is (a + b) / 2
+  ShellCorners v;
+  for (std::size_t i = 0; i < 4; ++i) v[i] = {-b * x[i].y, a * x[i].x, 0};
+  const Vec w{0, 0, turn};
+  EXPECT_NEAR(find_rates(x, v, {w, w, w, w}).drilling, turn - (a + b) / 2, 1e-14);
 }
 
 TEST(ShellRates, UniformMembraneStrainOfAFlatElementIsExact) {

@@ -67,12 +67,32 @@ TEST(ShellTriangle, RigidMotionGivesNoRates) {
   }
 }
 
-TEST(ShellTriangle, TurningAboutItsNormalGivesNoRates) {
+TEST(ShellTriangle, TurningAboutItsNormalDrillsAndNothingElse) {
   Random random(2);
   const ShellCorners x = make_random_triangle(random);
-  const Vec normal = cross(x[1] - x[0], x[2] - x[0]);
-  const ShellCorners w = make_triangle(random() * normal, random() * normal, random() * normal);
-  for (const double rate : list_rates(find_rates(x, {}, w))) EXPECT_NEAR(rate, 0, 1e-14);
+  const Vec area = cross(x[1] - x[0], x[2] - x[0]), normal = 1 / norm(area) * area;
+  const double turn[3] = {random(), random(), random()};
+  auto rates = find_rates(x, {}, make_triangle(turn[0] * normal, turn[1] * normal, turn[2] * normal));
+  const double mean = (turn[0] + turn[1] + turn[2]) / 3;
+  EXPECT_NEAR(rates.drilling, mean, 1e-14);
+  double beyond = 0;  // mean square of what the corners turn beyond the mean, whatever fields say it
+  for (const double t : turn) beyond += (t - mean) * (t - mean) / 3;
+  EXPECT_NEAR(std::pow(rates.corner_drilling[0], 2) + std::pow(rates.corner_drilling[1], 2), beyond, 1e-14);
+  rates.drilling = rates.corner_drilling[0] = rates.corner_drilling[1] = 0;
+  for (const double rate : list_rates(rates)) EXPECT_NEAR(rate, 0, 1e-14);
+}
+
+TEST(ShellTriangle, CornersDrillAgainstTheirMeanWithALittleStiffness) {
+  const ShellCorners x = make_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  TestShell<ElasticLayer> shell(soft, 3, x, thickness, 1);
+  const double dt = 1e-6, stiffness = 0.01 * (1e6 / 2.5) * thickness * 0.5 / 3;  // of each corner, beyond the mean
+  const Vec one{0, 0, 1}, none{0, 0, 0};
+  const auto result = shell.advance(x, {}, make_triangle(one, -1.0 * one, none), dt);
+  const Vec third = shell.moment[2] + shell.moment[3];
+  EXPECT_NEAR(shell.moment[0].z / (stiffness * dt), 1, 1e-12);
+  EXPECT_NEAR(shell.moment[1].z / (stiffness * dt), -1, 1e-12);
+  EXPECT_NEAR(third.z / (stiffness * dt), 0, 1e-12);
+  EXPECT_NEAR(result.work.hourglass / (stiffness * dt * dt), 1, 1e-12);  // two corners, half each
 }
 
 TEST(ShellTriangle, ParaboloidsGiveTheirCurvatureAndNoShearButWhatTurnsAround) {
@@ -150,9 +170,9 @@ TEST(ShellTriangle, ForcesAreTheTransposeOfTheRatesAndAddUpToNothing) {
   }
 }
 
-TEST(ShellTriangle, HasNoModesButRigidOnesAndTurningAboutTheNormal) {
-  // Rank of the rates over all motions of the three corners: three strains, three curvatures, two shears and what
-  // turns around. Gram and Schmidt over the columns.
+TEST(ShellTriangle, HasNoModesButRigidOnes) {
+  // Rank of the rates over all motions of the three corners: three strains, three curvatures, two shears, what
+  // turns around, and three of turning about the normal. Gram and Schmidt over the columns.
   Random random(6);
   const ShellCorners x = make_random_triangle(random);
   std::vector<RateList> basis;
@@ -177,7 +197,7 @@ TEST(ShellTriangle, HasNoModesButRigidOnesAndTurningAboutTheNormal) {
     for (double& value : column) value /= size;
     basis.push_back(column);
   }
-  EXPECT_EQ(basis.size(), 9U);
+  EXPECT_EQ(basis.size(), 12U);
 }
 
 namespace {
@@ -293,9 +313,9 @@ TEST(ShellTriangle, QuadrilateralsAmongTrianglesHaveTheSameBits) {
     gyration[lane] = alone[static_cast<std::size_t>(lane)].state.gyration_square;
   }
   ShellState<Lanes> state{};
-  for (auto* value :
-       {&state.shear[0], &state.shear[1], &state.membrane_hourglass[0], &state.membrane_hourglass[1],
-        &state.bending_hourglass[0], &state.bending_hourglass[1], &state.shear_hourglass[0], &state.shear_hourglass[1]})
+  for (auto* value : {&state.shear[0], &state.shear[1], &state.membrane_hourglass[0], &state.membrane_hourglass[1],
+                      &state.bending_hourglass[0], &state.bending_hourglass[1], &state.shear_hourglass[0],
+                      &state.shear_hourglass[1], &state.drilling})
     *value = Lanes(0.0);
   state.mass = load_pack(mass);
   state.gyration_square = load_pack(gyration);
@@ -304,9 +324,9 @@ TEST(ShellTriangle, QuadrilateralsAmongTrianglesHaveTheSameBits) {
   layers.fill(Lanes(0.0));
   const auto is_triangle = load_pack(repeated) > Lanes(0.5);
   const double dt = 1e-3;
-  const auto result =
-      advance_shell4(alone[0].par, percuss::find_differences(px), percuss::find_differences(pv), pw, Lanes(dt), state,
-                     layers.data(), force, moment, WholeLayers{}, MixedShapes<std::remove_const_t<decltype(is_triangle)>>{is_triangle});
+  const auto result = advance_shell4(alone[0].par, percuss::find_differences(px), percuss::find_differences(pv), pw,
+                                     Lanes(dt), state, layers.data(), force, moment, WholeLayers{},
+                                     MixedShapes<std::remove_const_t<decltype(is_triangle)>>{is_triangle});
   const auto lane_of = [](const Lanes& pack, int lane) {
     alignas(64) double values[width];
     store_pack(values, pack);
@@ -326,11 +346,12 @@ TEST(ShellTriangle, QuadrilateralsAmongTrianglesHaveTheSameBits) {
     }
     EXPECT_EQ(lane_of(result.stable_step, lane), expected.stable_step);
     EXPECT_EQ(lane_of(result.work.internal, lane), expected.work.internal);
-    EXPECT_EQ(lane_of(result.size, lane), expected.size);
+    EXPECT_EQ(lane_of(result.area, lane), expected.area);
     for (std::size_t i = 0; i < 4; ++i) {
       EXPECT_EQ(lane_of(force[i].x, lane), f[i].x);
       EXPECT_EQ(lane_of(force[i].z, lane), f[i].z);
       EXPECT_EQ(lane_of(moment[i].y, lane), m[i].y);
+      EXPECT_EQ(lane_of(moment[i].z, lane), m[i].z);
     }
   }
 }

@@ -13,11 +13,12 @@
 namespace percuss::test {
 namespace {
 
-/// Plate a at 10 m/s on plate b at rest, b of `ratio` times its mass by its thickness; unlike meshes.
+/// Plate a at 10 m/s on plate b at rest, b of `ratio` times its mass by its thickness; unlike meshes. The steps, 0.72
+/// of the bound, are short against the contact.
 Outcome collide_plates(const std::string& enforcement, double ratio, const char* cells, const char* end) {
   return run_deck(fmt::format(R"(
 title: two plates, {0}
-time: {{end: {4}}}
+time: {{end: {4}, step_scale: 0.72}}
 parts:
   a: {{shell_plate: {{size: [0.1, 0.1], cells: [6, 6]}}, thickness: 0.002, at: [0, 0, {1:.17g}], material: steel}}
   b: {{shell_plate: {{size: [0.1, 0.1], cells: {2}}}, thickness: {3:.17g}, material: steel}}

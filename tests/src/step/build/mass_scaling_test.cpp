@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "src/error.hpp"
 #include "src/step/run/run.hpp"
@@ -116,6 +117,33 @@ TEST(MassScaling, APartOfShellsBesideChangesNothing) {
   beside.stepper.start(beside.state);
   beside.stepper.advance(beside.state);
   EXPECT_GT(beside.state.time, 0);
+}
+
+TEST(MassScaling, ShellsGetMassAndRotaryInertiaAlike) {
+  const auto find_deck = [](const std::string& scaling) {
+    return parse_deck(
+        "time: {end: 1}\nparts: {sheet: {shell_plate: {size: [2, 1], cells: [4, 3]}, thickness: 0.05, "
+        "reference: bottom, material: steel" +
+            scaling + "}}\n" + steel_text,
+        "deck.yaml");
+  };
+  const auto start = [&](const std::string& scaling) {
+    auto scene = std::make_unique<Scene>(find_deck(scaling));
+    scene->stepper.start(scene->state);
+    return scene;
+  };
+  const auto plain = start("");
+  const double wanted = 1.2 * plain->state.bound.step;
+  const auto scaled = start(fmt::format(", mass_scaling: {{step: {:.17g}, max_added: 0.5}}", wanted));
+  EXPECT_NEAR(scaled->state.bound.step / wanted, 1, 1e-13);
+  EXPECT_NEAR(scaled->model.total_mass / plain->model.total_mass, 1.44, 1e-13);
+  for (std::size_t n = 0; n < 20; ++n) {
+    EXPECT_NEAR(scaled->model.mass(n) / plain->model.mass(n), 1.44, 1e-12);
+    EXPECT_NEAR(scaled->model.inertia(n) / plain->model.inertia(n), 1.44, 1e-12);
+  }
+  ASSERT_EQ(scaled->model.added_masses.size(), 1U);
+  EXPECT_EQ(scaled->model.added_masses[0].scaled, 12);
+  EXPECT_NEAR(scaled->model.added_masses[0].least_bound / plain->state.bound.step, 1, 1e-13);
 }
 
 TEST(MassScaling, MoreThanTheLimitIsRefusedWithItsPlace) {

@@ -1,7 +1,7 @@
 #pragma once
 // Corner forces and moments of a shell element: the transpose of shell_rates.hpp, term by term.
 
-#include "kernels/shell/shell_rates.hpp"
+#include "kernels/shell/geometry/shell_rates.hpp"
 
 namespace percuss {
 
@@ -33,10 +33,9 @@ PERCUSS_FORCE_INLINE void add_edge_forces(const ShellGeometry<T>& g, const T (&o
   for (int k = 0; k < 4; ++k) {
     const int i = shell_shear_edges[k][0], j = shell_shear_edges[k][1];
     const T quarter = T(0.25) * on_edge[k];
-    const T fx = quarter * (g.px[i] + g.px[j]), fy = quarter * (g.py[i] + g.py[j]), fz = quarter + quarter;
-    pull(fx, i, j, f.x);
-    pull(fy, i, j, f.y);
-    pull(fz, i, j, f.z);
+    pull(quarter * (g.px[i] + g.px[j]), i, j, f.x);
+    pull(quarter * (g.py[i] + g.py[j]), i, j, f.y);
+    pull(quarter * (g.pz[i] + g.pz[j]), i, j, f.z);
     turn_both(quarter * (g.x[j] - g.x[i]), i, j, c.x);
     turn_both(quarter * (g.y[j] - g.y[i]), i, j, c.y);
     turn_both(quarter * (T(shell_warp_sign[j] - shell_warp_sign[i]) * g.z), i, j, c.z);
@@ -86,10 +85,11 @@ PERCUSS_FORCE_INLINE void find_shell_forces(const ShellGeometry<T>& g, const She
   spread_to_edges({{on_xi, on_eta}, {on.shear_hourglass[0], on.shear_hourglass[1]}}, shapes, on_edge);
   add_edge_forces(g, on_edge, f, c);
   ShellCornerField<T> m;
+  spread_drilling({on.drilling, {on.corner_drilling[0], on.corner_drilling[1]}}, shapes, m.z);
   for (int i = 0; i < 4; ++i) {
-    m.x[i] = g.py[i] * c.z[i] - c.y[i];
-    m.y[i] = c.x[i] - g.px[i] * c.z[i];
-    m.z[i] = g.px[i] * c.y[i] - g.py[i] * c.x[i];
+    m.x[i] = g.py[i] * c.z[i] - g.pz[i] * c.y[i];
+    m.y[i] = g.pz[i] * c.x[i] - g.px[i] * c.z[i];
+    m.z[i] = m.z[i] + (g.px[i] * c.y[i] - g.py[i] * c.x[i]);
   }
   balance_moments(g, f, m);
   for (int i = 0; i < 4; ++i) {

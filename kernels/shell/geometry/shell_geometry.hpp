@@ -60,30 +60,41 @@ struct ShellGeometry {
   T x[4], y[4], z;             // corners about their mean; heights z, -z, z, -z
   T hx, hy;                    // hourglass parts of x and y
   T b1[2], b2[2];              // gradient operator: d/dx and d/dy of a field from its differences along r and s
-  T px[4], py[4];              // corner normals, scaled to (px, py, 1)
-  T steepest;                  // largest square of a corner normal's slope, px^2 + py^2
-  T least_corner;              // smallest of the corner triangles, twice its area; not positive: the element has folded
+  T px[4], py[4], pz[4];       // directors: unit vectors along the corner normals
+  T least_cosine;              // between a corner normal and e3; of a fold not positive
   T xi_x, xi_y, eta_x, eta_y;  // inverse of the Jacobian at the centre
 };
 
-/// Corner normals, from the two edges of each corner. Neighbours of a corner are as high as each other, so that the
+/// Least height of a corner normal along e3, as a share of the element's area: the normal of a corner that folds over
+/// would point downwards, and its director would turn over within a step.
+inline constexpr double shell_least_normal = 0.05;
+
+/// Directors of the corners, from the two edges of each. Neighbours of a corner are as high as each other, so that the
 /// in-plane part of the normal is the other diagonal, turned by a right angle. All corners of a triangle have its own.
 template <class T, class Shapes>
-PERCUSS_FORCE_INLINE void find_corner_normals(const ShellDifferences<T>& d, [[maybe_unused]] const Shapes& shapes,
-                                              ShellGeometry<T>& g) {
-  const T twice = g.z + g.z;
+PERCUSS_FORCE_INLINE void find_directors(const ShellDifferences<T>& d, [[maybe_unused]] const Shapes& shapes,
+                                         ShellGeometry<T>& g) {
+  const T twice = g.z + g.z, least_height = T(shell_least_normal) * g.area;
   const T nx[4] = {twice * d.s.y, twice * d.r.y, -twice * d.s.y, -twice * d.r.y};
   const T ny[4] = {-twice * d.s.x, -twice * d.r.x, twice * d.s.x, twice * d.r.x};
+  T nz[4], length[4];
   for (int i = 0; i < 4; ++i) {
     const int next = (i + 1) % 4, previous = (i + 3) % 4;
-    T nz = (g.x[next] - g.x[i]) * (g.y[previous] - g.y[i]) - (g.y[next] - g.y[i]) * (g.x[previous] - g.x[i]);
-    if constexpr (Shapes::has_triangles) nz = select(shapes.is_triangle, g.area + g.area, nz);
-    g.least_corner = i == 0 ? nz : smaller(g.least_corner, nz);
-    const T over_nz = T(1) / nz;
-    g.px[i] = over_nz * nx[i];
-    g.py[i] = over_nz * ny[i];
-    const T slope = g.px[i] * g.px[i] + g.py[i] * g.py[i];
-    g.steepest = i == 0 ? slope : larger(g.steepest, slope);
+    nz[i] = (g.x[next] - g.x[i]) * (g.y[previous] - g.y[i]) - (g.y[next] - g.y[i]) * (g.x[previous] - g.x[i]);
+    if constexpr (Shapes::has_triangles) nz[i] = select(shapes.is_triangle, g.area + g.area, nz[i]);
+    g.pz[i] = larger(nz[i], least_height);
+    length[i] = square_root(nx[i] * nx[i] + ny[i] * ny[i] + g.pz[i] * g.pz[i]);
+  }
+  const T first = length[0] * length[1], last = length[2] * length[3];
+  const T over_all = T(1) / (first * last);  // one division for four
+  const T over_first = over_all * last, over_last = over_all * first;
+  for (int i = 0; i < 4; ++i) {
+    const T over_length = (i < 2 ? over_first : over_last) * length[i ^ 1];
+    g.px[i] = over_length * nx[i];
+    g.py[i] = over_length * ny[i];
+    g.pz[i] = over_length * g.pz[i];
+    const T cosine = over_length * nz[i];
+    g.least_cosine = i == 0 ? cosine : smaller(g.least_cosine, cosine);
   }
 }
 
@@ -117,7 +128,7 @@ PERCUSS_FORCE_INLINE ShellGeometry<T> find_shell_geometry(const ShellDifferences
   g.xi_y = -over_twice_area * T(2) * (d.r.x + d.s.x);
   g.eta_x = -over_twice_area * T(2) * (d.r.y - d.s.y);
   g.eta_y = over_twice_area * T(2) * (d.r.x - d.s.x);
-  find_corner_normals(d, shapes, g);
+  find_directors(d, shapes, g);
   return g;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 // Rates of a shell element from the motion of its corners, and the corner forces that are the exact transpose.
 //
-// Rotations are projected by the normals of the element's own corners, so that turning about the normal does nothing
-// and needs no stiffness of its own. The rigid spin is taken out of the rates, and by the transpose out of the forces:
-// their moments sum to zero to round-off on warped elements too, which the plain one-point shell (Belytschko, Lin and
-// Tsay 1984) does not keep. Transverse shear is sampled on the edges (Dvorkin and Bathe 1984; Hughes and Tezduyar
-// 1981).
+// Rotations move directors along the normals of the element's own corners. What turns about the normal moves no
+// director: it has a stiffness of its own (drilling), without which a twisting moment could not pass the kink between
+// two elements. The rigid spin is taken out of the rates, and by the transpose out of the forces: their moments sum to
+// zero to round-off on warped elements too, which the plain one-point shell (Belytschko, Lin and Tsay 1984) does not
+// keep. Transverse shear is sampled on the edges (Dvorkin and Bathe 1984; Hughes and Tezduyar 1981).
 
-#include "kernels/shell/shell_geometry.hpp"
+#include "kernels/shell/geometry/shell_geometry.hpp"
 
 namespace percuss {
 
@@ -20,6 +20,8 @@ struct ShellRates {
   T membrane_hourglass[2];  // of vx, vy
   T bending_hourglass[2];   // of the director's rates
   T shear_hourglass[2];     // part of the covariant shear that changes along eta, along xi, beyond a uniform shear's
+  T drilling;               // mean rate of the corners about e3, against the spin of the element
+  T corner_drilling[2];     // of a triangle: what its corners turn about e3 beyond that mean
 };
 
 /// The four edges whose shear is sampled, each along xi or eta: 1-2, 4-3, 1-4, 2-3.
@@ -31,12 +33,12 @@ struct ShellCornerField {
   T x[4], y[4], z[4];
 };
 
-/// Velocity of the corners without the rigid motion of the element, and the rate of their directors against it.
-/// velocity: differences in the frame; rotation: angular velocities in the frame.
+/// Velocity of the corners without the rigid motion of the element, and against it the rate of their directors and
+/// what they turn about e3. velocity: differences in the frame; rotation: angular velocities in the frame.
 template <class T>
 PERCUSS_FORCE_INLINE void remove_rigid_motion(const ShellGeometry<T>& g, const ShellDifferences<T>& velocity,
                                               const Vector3<T> (&rotation)[4], ShellCornerField<T>& v,
-                                              ShellCornerField<T>& beta) {
+                                              ShellCornerField<T>& beta, T (&drill)[4]) {
   const Vector3<T> v_x = g.b1[0] * velocity.r + g.b1[1] * velocity.s;
   const Vector3<T> v_y = g.b2[0] * velocity.r + g.b2[1] * velocity.s;
   const Vector3<T> w{v_y.z, -v_x.z, T(0.5) * (v_x.y - v_y.x)};
@@ -49,9 +51,10 @@ PERCUSS_FORCE_INLINE void remove_rigid_motion(const ShellGeometry<T>& g, const S
     v.y[i] = v.y[i] - (w.z * g.x[i] - w.x * height);
     v.z[i] = sign * warping;
     const Vector3<T> theta = rotation[i] - w;
-    beta.x[i] = theta.y - theta.z * g.py[i];
-    beta.y[i] = theta.z * g.px[i] - theta.x;
+    beta.x[i] = theta.y * g.pz[i] - theta.z * g.py[i];
+    beta.y[i] = theta.z * g.px[i] - theta.x * g.pz[i];
     beta.z[i] = theta.x * g.py[i] - theta.y * g.px[i];
+    drill[i] = theta.z;
   }
 }
 
@@ -61,7 +64,7 @@ PERCUSS_FORCE_INLINE T find_edge_shear(const ShellGeometry<T>& g, const ShellCor
                                        const ShellCornerField<T>& beta, int i, int j) {
   const T rise = T(shell_warp_sign[j] - shell_warp_sign[i]) * g.z;
   return T(0.25) * ((v.x[j] - v.x[i]) * (g.px[i] + g.px[j]) + (v.y[j] - v.y[i]) * (g.py[i] + g.py[j]) +
-                    T(2) * (v.z[j] - v.z[i]) + (g.x[j] - g.x[i]) * (beta.x[i] + beta.x[j]) +
+                    (v.z[j] - v.z[i]) * (g.pz[i] + g.pz[j]) + (g.x[j] - g.x[i]) * (beta.x[i] + beta.x[j]) +
                     (g.y[j] - g.y[i]) * (beta.y[i] + beta.y[j]) + rise * (beta.z[i] + beta.z[j]));
 }
 
@@ -122,12 +125,52 @@ PERCUSS_FORCE_INLINE EdgeSkew<T> find_edge_skew(const ShellGeometry<T>& g, [[may
   return skew;
 }
 
+/// What the corners turn about e3, as the element takes it: the mean of its nodes; of a triangle also what they turn
+/// beyond it, as two fields of corner values at right angles to each other and to the mean, with the mean square 1.
+template <class T>
+struct Drilling {
+  T mean, beyond[2];
+};
+
+inline constexpr double drilling_field_size[2] = {0.40824829046386302, 0.23570226039551584};  // 1/sqrt 6, 1/sqrt 18
+
+template <class T, class Shapes>
+PERCUSS_FORCE_INLINE Drilling<T> join_drills(const T (&drill)[4], [[maybe_unused]] const Shapes& shapes) {
+  const T first = drill[0] + drill[1];
+  Drilling<T> joined{T(0.25) * (first + (drill[2] + drill[3])), {T(0), T(0)}};
+  if constexpr (Shapes::has_triangles) {
+    const auto& is_triangle = shapes.is_triangle;
+    const T last = drill[2] + drill[3];  // twice the third corner's
+    joined.mean = select(is_triangle, T(1.0 / 3.0) * (first + T(0.5) * last), joined.mean);
+    joined.beyond[0] = select(is_triangle, T(drilling_field_size[0]) * (drill[1] - drill[0]), T(0));
+    joined.beyond[1] = select(is_triangle, T(drilling_field_size[1]) * (last - first), T(0));
+  }
+  return joined;
+}
+
+/// Its transpose: moments of the corners about e3.
+template <class T, class Shapes>
+PERCUSS_FORCE_INLINE void spread_drilling(const Drilling<T>& on, [[maybe_unused]] const Shapes& shapes,
+                                          T (&moment)[4]) {
+  const T quarter = T(0.25) * on.mean;
+  for (int i = 0; i < 4; ++i) moment[i] = quarter;
+  if constexpr (Shapes::has_triangles) {
+    const auto& is_triangle = shapes.is_triangle;
+    const T third = T(1.0 / 3.0) * on.mean;
+    const T between = T(drilling_field_size[0]) * on.beyond[0], against = T(drilling_field_size[1]) * on.beyond[1];
+    moment[0] = select(is_triangle, third - between - against, quarter);
+    moment[1] = select(is_triangle, third + between - against, quarter);
+    moment[2] = moment[3] = select(is_triangle, T(0.5) * third + against, quarter);
+  }
+}
+
 /// Rates from the differences of the velocity and the angular velocities of the corners, both in the element's frame.
 template <class T, class Shapes = Quadrilaterals>
 PERCUSS_FORCE_INLINE ShellRates<T> find_shell_rates(const ShellGeometry<T>& g, const ShellDifferences<T>& velocity,
                                                     const Vector3<T> (&rotation)[4], const Shapes& shapes = {}) {
   ShellCornerField<T> v, beta;
-  remove_rigid_motion(g, velocity, rotation, v, beta);
+  T drill[4];
+  remove_rigid_motion(g, velocity, rotation, v, beta, drill);
   const auto along_x = [&](const T(&u)[4]) { return g.b1[0] * (u[2] - u[0]) + g.b1[1] * (u[3] - u[1]); };
   const auto along_y = [&](const T(&u)[4]) { return g.b2[0] * (u[2] - u[0]) + g.b2[1] * (u[3] - u[1]); };
   const auto hourglass = [&](const T(&u)[4], const T& u_x, const T& u_y) {
@@ -144,12 +187,15 @@ PERCUSS_FORCE_INLINE ShellRates<T> find_shell_rates(const ShellGeometry<T>& g, c
   const T shear_x = g.xi_x * along_xi + g.eta_x * along_eta, shear_y = g.xi_y * along_xi + g.eta_y * along_eta;
   const EdgeSkew<T> skew = find_edge_skew(g, shapes);
   const T uniform = skew.x * shear_x + skew.y * shear_y;
+  const Drilling<T> turning = join_drills(drill, shapes);
   return {{vx_x, vy_y, vx_y + vy_x},
           {bx_x, by_y, bx_y + by_x},
           {shear_x, shear_y},
           {hourglass(v.x, vx_x, vx_y), hourglass(v.y, vy_x, vy_y)},
           {hourglass(beta.x, bx_x, bx_y), hourglass(beta.y, by_x, by_y)},
-          {shear.change[0] - uniform, shear.change[1] - uniform}};
+          {shear.change[0] - uniform, shear.change[1] - uniform},
+          turning.mean,
+          {turning.beyond[0], turning.beyond[1]}};
 }
 
 }  // namespace percuss
