@@ -38,19 +38,17 @@ struct HeldNode {
 
 /// Of the nodes of living hexahedra of this rank, [nodes]; part -1: none has it.
 std::vector<HeldNode> measure_held_nodes(const Mesh& mesh, const Deck& deck) {
-  std::vector<HeldNode> held(mesh.nodes.size());
   std::vector<ElementFace> faces;
-  std::vector<std::size_t> solids;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    if (mesh.topology_of(e).is_surface() || (mesh.eroded.any && mesh.eroded.dead[e] != 0)) continue;
-    solids.push_back(e);
+    if (mesh.topology_of(e).family != ElementFamily::hexahedra) continue;
     for (const int face : {0, 1, 4}) faces.push_back({static_cast<int>(e), face});  // one of each direction
   }
   const std::vector<double> springs = find_face_springs(mesh, deck, faces);
-  for (std::size_t s = 0; s < solids.size(); ++s) {
-    const std::size_t e = solids[s];
-    const auto first = springs.begin() + static_cast<std::ptrdiff_t>(3 * s);
-    const double spring = *std::max_element(first, first + 3);
+  std::vector<HeldNode> held(mesh.nodes.size());
+  for (std::size_t f = 0; f < faces.size(); f += 3) {
+    const auto e = at(faces[f].element);
+    if (mesh.eroded.any && mesh.eroded.dead[e] != 0) continue;
+    const double spring = std::max({springs[f], springs[f + 1], springs[f + 2]});
     const std::span<const int> corners = mesh.corners(e);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const auto node = at(corners[i]);

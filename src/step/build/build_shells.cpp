@@ -174,13 +174,10 @@ std::vector<double> find_shell_bounds(const Deck& deck, const Mesh& mesh, const 
   std::vector<double> bounds(mesh.elements.size(), 0);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     if (!mesh.topology_of(e).is_surface()) continue;
-    const auto nodes = mesh.elements.kernel_nodes(e);
+    const HexCorners x = gather_corners(mesh.elements, e, mesh.nodes);
     Vector3<double> corners[4];
-    for (std::size_t i = 0; i < 4; ++i) {
-      const Vec3& x = mesh.nodes[static_cast<std::size_t>(nodes[i])];
-      corners[i] = {x[0], x[1], x[2]};
-    }
-    const MixedShapes<bool> shapes{nodes[2] == nodes[3]};
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = {x[i][0], x[i][1], x[i][2]};
+    const MixedShapes<bool> shapes{mesh.topology_of(e).corner_count == 3};
     const ElementBlock& block = mesh.block_of(e);
     const ShellSection<double> section{block.section.thickness, element_mass[e], gyration_square[e],
                                        deck.parts[static_cast<std::size_t>(block.part)].offset};

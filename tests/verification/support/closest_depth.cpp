@@ -27,20 +27,21 @@ Surface list_surface(const ChunkedMesh& chunked, const Rows3<double>& places) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     std::array<Point3, 8> corners;
     for (std::size_t i = 0; i < 8; ++i) {
-      const auto n = static_cast<std::size_t>(mesh.elements[e][i]);
+      const auto n = static_cast<std::size_t>(mesh.corners(e)[i]);
       corners[i] = {x(n, 0), x(n, 1), x(n, 2)};
-      for (const int other : hex_corner_neighbors[i])
+      for (const int other : hex8_topology.corner_edges[i])
         surface.edge = std::min(
             surface.edge,
             find_distance(mesh.nodes[n],
-                          mesh.nodes[static_cast<std::size_t>(mesh.elements[e][static_cast<std::size_t>(other)])]));
+                          mesh.nodes[static_cast<std::size_t>(mesh.corners(e)[static_cast<std::size_t>(other)])]));
     }
     surface.elements.push_back(corners);
     surface.element_body.push_back(mesh.bodies[e]);
     for (std::size_t f = 0; f < 6; ++f) {
       if ((mesh.exterior[e] >> f & 1) == 0) continue;
       std::array<Point3, 4> face;
-      for (std::size_t i = 0; i < 4; ++i) face[i] = corners[static_cast<std::size_t>(hex_faces[f][i])];
+      for (std::size_t i = 0; i < 4; ++i)
+        face[i] = corners[static_cast<std::size_t>(hex8_topology.face_table[f].four[i])];
       surface.faces.push_back(face);
       surface.face_body.push_back(mesh.bodies[e]);
     }
@@ -50,7 +51,8 @@ Surface list_surface(const ChunkedMesh& chunked, const Rows3<double>& places) {
 
 /// Inside all twelve planes of the two triangulations of each face, to round-off: exact for planar faces.
 bool is_inside(const std::array<Point3, 8>& corners, const Point3& p) {
-  for (const auto& face : hex_faces) {
+  for (const FaceCorners& hex_face : hex8_topology.faces()) {
+    const std::array<int, 4>& face = hex_face.four;
     Point3 middle{}, normal{};
     for (int i = 0; i < 4; ++i) middle = middle + 0.25 * corners[static_cast<std::size_t>(face[i])];
     const auto corner = [&](int i) { return corners[static_cast<std::size_t>(face[i])]; };
