@@ -2,9 +2,8 @@
 // The detailed check of one pair: is this contact node in contact with this face in this step, where, how deep?
 //
 // Ways into contact: the node is at the face at the end of the step (touching: the closest point at the predicted
-// place), goes through it within the step (swept, at any speed), leaves it far behind (held), or is beside it after it
-// was pushed (kept). A node behind a face that it did not go through is not in contact with it. Nothing here depends on
-// what other pairs exist.
+// place), goes through it within the step (swept, at any speed), or leaves it far behind (held). A node behind a face
+// that it did not go through is not in contact with it. Nothing here depends on what other pairs exist.
 
 #include "kernels/contact/check/touch.hpp"
 #include "kernels/contact/geometry/swept_root.hpp"
@@ -41,39 +40,34 @@ KOKKOS_INLINE_FUNCTION double find_contact_time(const Touch& touch) {
 /// gap is more than 1 / least_push_cosine times the distance.
 inline constexpr double least_push_cosine = 0.5;
 
-/// Distance of the origin from the triangle with this normal along a push direction.
-KOKKOS_INLINE_FUNCTION double measure_distance(const FacePoints& face, const Point3& normal, const double weight[4],
-                                               const Point3& push) {
+/// Change of the gap with the place of the node: the `normal` of the triangle, so scaled that moving along the push
+/// direction by one closes the gap by one. Push direction and triangle differ on smooth surfaces; without this every
+/// push would fall short by the square of the angle.
+KOKKOS_INLINE_FUNCTION Point3 find_gap_gradient(const Point3& normal, const Point3& push) {
   const double cosine = dot(normal, push);
-  return -dot(cosine > least_push_cosine ? (1 / cosine) * normal : push, interpolate(face, weight));
+  return cosine > least_push_cosine ? (1 / cosine) * normal : push;
 }
 
 /// Sets direction and predicted gap of a touch at the point of the face with touch.weight, on the triangle with this
-/// normal. The gap is that to the smooth surface, whose change with the place of the node is the push direction.
+/// normal.
 KOKKOS_INLINE_FUNCTION void measure_end(const ContactSurface& surface, const FaceState& faces, const FacePoints& end,
                                         const Point3& normal, Touch& touch) {
-  const VertexNormals vertices = find_vertex_normals(surface, faces, touch.face, touch.weight);
-  touch.normal = find_push_direction(vertices, touch.weight);
-  touch.is_flat = are_flat(vertices, load_row(faces.normal, touch.face), touch.weight);
-  const double bulge = touch.is_flat ? 0 : find_bulge(end, vertices, touch.weight);
-  touch.gap_end = measure_distance(end, normal, touch.weight, touch.normal) - bulge;
+  touch.normal = find_push_direction(surface, faces, touch.face, touch.weight);
+  touch.gap_gradient = find_gap_gradient(normal, touch.normal);
+  touch.gap_end = -dot(touch.gap_gradient, interpolate(end, touch.weight));
 }
 
-/// Gap of the origin from a point of the face at n, on the triangle with this normal, along the push direction of the
-/// touch.
-KOKKOS_INLINE_FUNCTION double measure_gap(const ContactSurface& surface, const FaceState& faces, const FacePoints& face,
-                                          const Point3& normal, const double weight[4], const Touch& touch) {
-  const double distance = measure_distance(face, normal, weight, touch.normal);
-  if (touch.is_flat) return distance;
-  return distance - find_bulge(face, find_vertex_normals(surface, faces, touch.face, weight), weight);
+/// Gap of the origin from a point of the face, on the triangle with this normal, along the push direction of the touch.
+KOKKOS_INLINE_FUNCTION double measure_gap(const FacePoints& face, const Point3& normal, const double weight[4],
+                                          const Touch& touch) {
+  return -dot(find_gap_gradient(normal, touch.normal), interpolate(face, weight));
 }
 
 /// The gap at n, which is that of the closest point at n: that of the predicted point would count sliding as depth
 /// wherever push direction and face differ by a little. Returns that point.
-KOKKOS_INLINE_FUNCTION FacePoint measure_start(const ContactSurface& surface, const FaceState& faces,
-                                               const FacePoints& start, Touch& touch) {
+KOKKOS_INLINE_FUNCTION FacePoint measure_start(const FacePoints& start, Touch& touch) {
   const FacePoint before = find_closest_point(start);
-  touch.gap_start = measure_gap(surface, faces, start, before.normal, before.weight, touch);
+  touch.gap_start = measure_gap(start, before.normal, before.weight, touch);
   touch.owes_start = false;
   return before;
 }
@@ -100,7 +94,7 @@ KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const 
   if (touch.gap_end > contact_limits::row_gap * h) return false;
   touch.owes_start = is_surely_shallow(start, touch);
   if (touch.owes_start) return true;
-  const FacePoint before = measure_start(surface, faces, start, touch);
+  const FacePoint before = measure_start(start, touch);
   // Sliding in along the plane of the face is later than going through another one.
   touch.tau = before.off > contact_limits::new_band * h ? 1 : find_contact_time(touch);
   if (touch.gap_start < -find_deepest_start(touch)) return false;
@@ -132,8 +126,7 @@ KOKKOS_INLINE_FUNCTION bool check_swept(const ContactSurface& surface, const Fac
   for (int i = 0; i < 4; ++i) touch.weight[i] = hit.weight[i];
   touch.off = hit.off;
   measure_end(surface, faces, end, find_triangle_normal(end, hit.triangle), touch);
-  touch.gap_start = measure_gap(surface, faces, relative.start, find_triangle_normal(relative.start, hit.triangle),
-                                hit.weight, touch);
+  touch.gap_start = measure_gap(relative.start, find_triangle_normal(relative.start, hit.triangle), hit.weight, touch);
   touch.tau = touch.gap_start <= contact_limits::new_band * h ? 0 : hit.tau;
   return touch.gap_end <= contact_limits::row_gap * h && touch.gap_start >= -contact_limits::new_depth * h;
 }
@@ -158,26 +151,9 @@ KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const Face
   for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
   touch.off = closest.off;
   measure_end(surface, faces, end, find_triangle_normal(end, closest.triangle), touch);
-  touch.gap_start = measure_gap(surface, faces, start, closest.normal, closest.weight, touch);
+  touch.gap_start = measure_gap(start, closest.normal, closest.weight, touch);
   if (touch.gap_start > contact_limits::new_band * h || touch.gap_end > -find_reach(touch)) return false;
   return touch.gap_start >= -find_deepest_start(touch);
-}
-
-/// Kept: the face pushed the node in the last step and the predicted place is beside it. Between two faces that meet in
-/// a valley neither may be dropped before the other holds the node, or it is pushed into the one that is.
-KOKKOS_INLINE_FUNCTION bool check_kept(const ContactSurface& surface, const FaceState& faces, const FacePoints& start,
-                                       const FacePoints& end, Touch& touch) {
-  if (!touch.same_face) return false;
-  const double h = touch.size;
-  const FacePoint before = find_closest_point(start);
-  if (before.distance > find_reach(touch) || before.off > contact_limits::history_band * h) return false;
-  for (int i = 0; i < 4; ++i) touch.weight[i] = before.weight[i];
-  touch.off = before.off;
-  touch.is_kept = true;
-  measure_end(surface, faces, end, find_triangle_normal(end, before.triangle), touch);
-  touch.gap_start = measure_gap(surface, faces, start, before.normal, before.weight, touch);
-  touch.owes_start = false;
-  return touch.gap_end <= contact_limits::row_gap * h && touch.gap_start >= -find_deepest_start(touch);
 }
 
 /// Candidate faces of a node that are checked together; touch is meaningful for those that are found in contact.
@@ -246,10 +222,8 @@ KOKKOS_INLINE_FUNCTION bool judge_pair(const ContactSurface& surface, const Face
            touch.gap_start > contact_limits::overlap * touch.size;
   if (check_touching(surface, faces, relative.start, end, *closest, touch)) return true;
   if (may_sweep && check_swept(surface, faces, relative, end, touch)) return true;
-  if (!is_surely_not_held(relative.move, closest->distance, touch) &&
-      check_held(surface, faces, relative.start, end, touch))
-    return true;
-  return check_kept(surface, faces, relative.start, end, touch);
+  return !is_surely_not_held(relative.move, closest->distance, touch) &&
+         check_held(surface, faces, relative.start, end, touch);
 }
 
 /// Checks the pairs of a pack and calls found(touch) for those in contact, in their order.

@@ -17,11 +17,8 @@ inline constexpr double new_depth = 0.02;
 inline constexpr double lift_depth = 5e-3;
 /// new_depth with history: beyond it the contact is lost rather than pushed out violently.
 inline constexpr double history_depth = 0.25;
-/// A face that the node does not reach in the step still gets a row up to this distance: it may be pushed there, and
-/// what was pushed in the last step is seen to go on as it went, however its own forces drive it.
-inline constexpr double row_gap = 0.25;
-/// A face farther than this is one that the node may be pushed to, behind all that it reaches by itself.
-inline constexpr double near_gap = 0.02;
+/// A face that the node does not reach in the step still gets a row up to this distance: it may be pushed there.
+inline constexpr double row_gap = 0.02;
 /// No accepted pair is farther apart than this; capture boxes are widened by it.
 inline constexpr double capture = 0.27;
 /// Penetration of an earlier step is recovered by at most this a step; more would throw bodies apart.

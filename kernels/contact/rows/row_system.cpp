@@ -43,19 +43,15 @@ int count_edge_touches(const Space& space, const Array<const RowTouch>& touches,
 
 /// Lists the wall pairs in reach; returns how many.
 template <class Space>
-int list_near_walls(const Space& space, const WallPairs& walls, const RowInputs& inputs, RowSystem& system) {
+int list_near_walls(const Space& space, const WallPairs& walls, const SurfaceMotion& motion, RowSystem& system) {
   const int pairs = static_cast<int>(walls.node.extent(0));
   if (pairs == 0) return 0;
   const WallPairs w = walls;
-  const SurfaceMotion m = inputs.motion;
-  const bool leaves_out_inner = !inputs.looks_inside && walls.is_inner.extent(0) > 0;
+  const SurfaceMotion m = motion;
   reserve(system.near_walls, pairs);
   return list_where<Space>(
       space, pairs,
-      [w, m, leaves_out_inner] KOKKOS_FUNCTION(int p) {
-        if (leaves_out_inner && w.is_inner(p) != 0) return false;
-        return find_wall_gap(w, m, p, 1) <= contact_limits::near_gap * w.size(p);
-      },
+      [w, m] KOKKOS_FUNCTION(int p) { return find_wall_gap(w, m, p, 1) <= contact_limits::row_gap * w.size(p); },
       system.near_walls);
 }
 
@@ -105,10 +101,10 @@ void number_nodes(const Space& space, int num_mesh_nodes, const EntryNodes& entr
 
 template <class Space>
 void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system) {
-  RowNodes& all = system.at;
-  for (Rows3<double>* rows : {&all.x, &all.v, &all.v_before, &all.v_seen, &all.inverse_mass})
+  for (Rows3<double>* rows : {&system.at.x, &system.at.v, &system.at.v_before, &system.at.inverse_mass}) {
     reserve(*rows, system.num_places());
-  const bool has_springs = inputs.spring.extent(0) > 0, has_impulses = inputs.last_impulse.extent(0) > 0;
+  }
+  const bool has_springs = inputs.spring.extent(0) > 0;
   if (has_springs) reserve(system.at.spring, system.num_places());
   const RowNodes at = system.at;
   const RowInputs in = inputs;
@@ -119,8 +115,6 @@ void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system
         store_row(at.x, a, load_row(in.motion.x, n));
         store_row(at.v, a, load_row(in.motion.v, n));
         store_row(at.v_before, a, load_row(in.v_before, n));
-        const bool is_seen_going_on = has_impulses && was_pushed(in.last_impulse, n);
-        store_row(at.v_seen, a, load_row(is_seen_going_on ? in.v_before : in.motion.v, n));
         store_row(at.inverse_mass, a, load_row(in.inverse_mass, n));
         if (has_springs) at.spring(a) = in.spring(n);
       });
@@ -259,7 +253,7 @@ void start_rows(const Space& space, const RowInputs& inputs, const Array<const R
                 const WallPairs& walls, RowSystem& system) {
   const int num_ties = static_cast<int>(inputs.ties.extent(0));
   system.num_edge_rows = count_edge_touches(space, touches, num_touches - num_ties);
-  system.num_rows = num_touches + list_near_walls(space, walls, inputs, system);
+  system.num_rows = num_touches + list_near_walls(space, walls, inputs.motion, system);
   number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)),
                list_entry_nodes(touches, num_touches, walls, system), system);
   gather_nodes(space, inputs, system);

@@ -22,17 +22,12 @@ struct ContactWall {
   double friction = 0;
 };
 
-/// Walls and the nodes of this rank that each stops, const after set-up.
+/// Walls and the contact nodes of this rank that each may touch, const after set-up.
 struct WallPairs {
   Array<const ContactWall> walls;  // [walls]
   Array<const int> wall;           // [pairs] ascending
   Array<const int> node;           // [pairs] mesh node, ascending within a wall
   Array<const double> size;        // [pairs] shortest edge at the node at the start, the h of its row
-  Array<const int> is_inner{};     // [pairs] whether the node is inside its body; empty: none is
-  Array<const double> spring{};    // [pairs] stiffness of the node, of springs.hpp; 0 without penalty
-  // For reports.
-  Array<const int> part{};             // [pairs] of the mesh that the node belongs to
-  Array<const std::int64_t> number{};  // [pairs] of the node in the whole mesh
 };
 
 /// A touch of the detailed check as its row needs it.
@@ -55,12 +50,11 @@ struct RowTouch {
   std::int64_t node_number[row_nodes] = {-1, -1, -1, -1, -1};  // of the nodes, where some are foreign
 };
 
-/// Whether two sides are, or would be, nearer than they should: the side from which they came must then be remembered,
-/// push or no push. Of solids the depth must be more than round-off.
+/// Whether two sides with thickness between them are, or would be, nearer than they should: the side from which they
+/// came must then be remembered, push or no push.
 template <class AnyTouch>
-KOKKOS_INLINE_FUNCTION bool is_overlapping(const AnyTouch& touch) {
-  const double least = touch.offset > 0 ? 0 : -contact_limits::overlap * touch.size;
-  return touch.gap_start < least || touch.gap_end < least;
+KOKKOS_INLINE_FUNCTION bool is_within_thickness(const AnyTouch& touch) {
+  return touch.offset > 0 && (touch.gap_start < 0 || touch.gap_end < 0);
 }
 
 /// What the row of a node on a face takes over from the check.
@@ -68,12 +62,12 @@ KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
   RowTouch row;
   for (int i = 0; i < 4; ++i) row.weight[i + 1] = -touch.weight[i];
   row.normal = touch.normal;
-  row.gap_gradient = touch.normal;
+  row.gap_gradient = touch.gap_gradient;
   row.gap_start = touch.gap_start;
   row.gap_end = touch.gap_end;
   row.size = touch.size;
   row.has_thickness = touch.offset > 0;
-  row.is_caught = !touch.opposed || is_overlapping(touch);
+  row.is_caught = !touch.opposed || is_within_thickness(touch);
   return row;
 }
 
@@ -92,7 +86,7 @@ KOKKOS_INLINE_FUNCTION RowTouch make_edge_row_touch(const EdgeTouch& touch) {
   row.gap_end = touch.gap_end;
   row.size = touch.size;
   row.has_thickness = touch.offset > 0;
-  row.is_caught = is_overlapping(touch);
+  row.is_caught = is_within_thickness(touch);
   row.old_record = touch.record;
   return row;
 }
@@ -134,16 +128,9 @@ struct RowNodes {
   Rows3<double> x = Rows3<double>("contact::row_x", 0);
   Rows3<double> v = Rows3<double>("contact::row_v", 0);  // predicted without contact
   Rows3<double> v_before = Rows3<double>("contact::row_v_before", 0);
-  Rows3<double> v_seen = Rows3<double>("contact::row_v_seen", 0);              // with which the check saw them
   Rows3<double> inverse_mass = Rows3<double>("contact::row_inverse_mass", 0);  // 0: held
   Array<double> spring = Array<double>("contact::row_spring", 0);              // stiffness of springs.hpp; penalty only
 };
-
-/// Whether contact pushed a node in the last step. The check then sees it going on as it went.
-KOKKOS_INLINE_FUNCTION bool was_pushed(const Rows3<const double>& last_impulse, int node) {
-  const Point3 impulse = load_row(last_impulse, node);
-  return impulse.x != 0 || impulse.y != 0 || impulse.z != 0;
-}
 
 /// What rows read of the mesh.
 struct RowInputs {
@@ -157,10 +144,8 @@ struct RowInputs {
   // Sides push each other from this depth on: those that touch but for the round-off of their places are at rest to the
   // last bit. The same in all rows: what one wants must not contradict the others beside it by however little.
   double play = 0;
-  Array<const double> spring{};        // [mesh nodes] stiffness of springs.hpp, empty without penalty
-  Array<const TieGeometry> ties{};     // of this rank; their touches come last
-  Rows3<const double> last_impulse{};  // [mesh nodes] of contact in the last step; empty: none
-  bool looks_inside = true;            // whether walls are to stop nodes inside bodies too
+  Array<const double> spring{};     // [mesh nodes] stiffness of springs.hpp, empty without penalty
+  Array<const TieGeometry> ties{};  // of this rank; their touches come last
 };
 
 struct RowSystem {

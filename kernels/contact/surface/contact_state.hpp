@@ -151,18 +151,12 @@ KOKKOS_INLINE_FUNCTION bool looks_against(const ContactSurface& surface, const S
          dot(find_outlook(surface, motion, node), load_row(faces.normal, face)) <= contact_limits::opposing;
 }
 
-/// Normals at the corners of a face that have weight, by component and corner: means over the faces of one smooth
-/// surface around each. At a crease the face's own normal.
-struct VertexNormals {
-  double of[3][4] = {};
-
-  KOKKOS_INLINE_FUNCTION Point3 operator[](int i) const { return {of[0][i], of[1][i], of[2][i]}; }
-};
-
-KOKKOS_INLINE_FUNCTION VertexNormals find_vertex_normals(const ContactSurface& surface, const FaceState& faces,
-                                                         int face, const double weight[4]) {
+/// The push direction at a point of a face: vertex normals, averaged over the faces of one smooth surface, weighted.
+/// Continuous from face to face of a smooth surface, the face's own normal at a crease.
+KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const ContactSurface& surface, const FaceState& faces, int face,
+                                                  const double weight[4]) {
   const Point3 own = load_row(faces.normal, face);
-  VertexNormals vertices;
+  double vertices[3][4] = {};
   for (int i = 0; i < 4; ++i) {
     if (weight[i] == 0) continue;
     const int corner = surface.face_corners(face, i);
@@ -171,44 +165,13 @@ KOKKOS_INLINE_FUNCTION VertexNormals find_vertex_normals(const ContactSurface& s
       const Point3 other = load_row(faces.normal, surface.nodes_to_faces(j));
       if (dot(other, own) > contact_limits::smooth) vertex = vertex + other;
     }
-    vertices.of[0][i] = vertex.x, vertices.of[1][i] = vertex.y, vertices.of[2][i] = vertex.z;
+    vertices[0][i] = vertex.x, vertices[1][i] = vertex.y, vertices[2][i] = vertex.z;
   }
-  normalize_four(vertices.of);
-  return vertices;
-}
-
-/// The push direction at a point of a face: vertex normals, weighted. Continuous from face to face of a smooth surface.
-KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const VertexNormals& vertices, const double weight[4]) {
+  normalize_four(vertices);
   Point3 sum{};
   for (int i = 0; i < 4; ++i)
-    if (weight[i] != 0) sum = sum + weight[i] * vertices[i];
+    if (weight[i] != 0) sum = sum + weight[i] * Point3{vertices[0][i], vertices[1][i], vertices[2][i]};
   return normalize(sum);
-}
-
-KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const ContactSurface& surface, const FaceState& faces, int face,
-                                                  const double weight[4]) {
-  return find_push_direction(find_vertex_normals(surface, faces, face, weight), weight);
-}
-
-/// Whether the normals at the corners that have weight are the face's own: most faces of bricks, whose bulge is none.
-KOKKOS_INLINE_FUNCTION bool are_flat(const VertexNormals& vertices, const Point3& own, const double weight[4]) {
-  constexpr double flat = 1 - 1e-9;  // cosine; the bulge is then below 1e-5 of an edge
-  for (int i = 0; i < 4; ++i)
-    if (weight[i] != 0 && !(dot(vertices[i], own) > flat)) return false;
-  return true;
-}
-
-/// How high the smooth surface with these normals is over a point of the face: half of what Phong tessellation adds
-/// (Boubekeur and Alexa, ACM Trans. Graph. 27, 2008), so that its slope at a corner is that of the normal there. A push
-/// along the normals then does the work that the gap changes by: over flat faces alone it would give energy as a node
-/// slides up towards an edge.
-KOKKOS_INLINE_FUNCTION double find_bulge(const FacePoints& face, const VertexNormals& vertices,
-                                         const double weight[4]) {
-  const Point3 place = interpolate(face, weight);
-  double twice = 0;
-  for (int i = 0; i < 4; ++i)
-    if (weight[i] != 0) twice += weight[i] * dot(face.corner[i] - place, vertices[i]);
-  return 0.5 * twice;
 }
 
 }  // namespace percuss

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "kernels/core/host_copy.hpp"
-#include "kernels/core/index_lists.hpp"
 #include "src/contact/ties/tie_rows.hpp"
 
 namespace percuss {
@@ -23,14 +22,10 @@ SharedNodes find_copies(const ContactRanks& ranks) {
   return shared;
 }
 
-/// Contact stiffness by mesh node, also of those that only walls stop.
-Array<const double> find_springs(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
-                                 const ContactDeck& deck) {
+/// Contact stiffness by mesh node.
+Array<const double> find_springs(const Mesh& mesh, const SurfaceShare& share, const ContactDeck& deck) {
   if (deck.enforcement != ContactDeck::Enforcement::penalty) return {};
   std::vector<double> springs(mesh.nodes.size(), 0);
-  const auto node = to_host(walls.node);
-  const auto spring = to_host(walls.spring);
-  for (std::size_t p = 0; p < node.extent(0); ++p) springs[static_cast<std::size_t>(node(p))] = spring(p);
   for (std::size_t n = 0; n < share.nodes.mesh_nodes.size(); ++n)
     springs[static_cast<std::size_t>(share.nodes.mesh_nodes[n])] = share.nodes.springs[n];
   return to_view("contact::springs", springs);
@@ -68,78 +63,30 @@ Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const W
       velocity_copies_(ranks.ranks, copied_),
       impulse_copies_(ranks.ranks, copied_),
       play_(find_play(ranks.mesh)),
-      spring_(find_springs(ranks.mesh, share, walls, deck.contact)),
+      spring_(find_springs(ranks.mesh, share, deck.contact)),
       pair_work_(deck.output.history_every ? name_contact_pairs(deck).size() : 0) {}
 
 void Enforcer::redefine(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
                         const Array<const TieGeometry>& ties) {
   walls_ = walls;
   ties_ = ties;
-  spring_ = find_springs(mesh, share, walls, deck_);
+  spring_ = find_springs(mesh, share, deck_);
   remembers_ = true;
   system_.num_written = -1;
 }
 
-/// Only the nodes of the last step's rows and copies of others' can have impulses, if it is the same memory.
-void Enforcer::list_pushed(const ContactMotion& motion) {
-  num_pushed_ = 0;
-  const Rows3<const double> impulse = motion.impulse;
+void Enforcer::clear_last_impulse(const ContactMotion& motion) {
+  // Only the nodes of the last step's rows and copies of others' can be set, if it is the same memory.
   if (last_impulse_ != motion.impulse.data()) {
-    reserve(pushed_, static_cast<int>(impulse.extent(0)));
-    num_pushed_ = list_where<ExecSpace>(
-        ExecSpace(), static_cast<int>(impulse.extent(0)),
-        [impulse] KOKKOS_FUNCTION(int n) { return was_pushed(impulse, n); }, pushed_);
+    Kokkos::deep_copy(ExecSpace(), motion.impulse, 0.0);
   } else if (was_pushed_) {
-    const Array<const int> copies = impulse_copies_.copies(), own = system_.nodes;
-    const int num_own = system_.num_nodes;
-    num_pushed_ = num_own + static_cast<int>(copies.extent(0));
-    reserve(pushed_, num_pushed_);
-    const Array<int> pushed = pushed_;
-    run_where_it_pays(num_pushed_ / 10, [&](const auto& space) {
-      Kokkos::parallel_for(
-          "contact::list_pushed", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_),
-          KOKKOS_LAMBDA(int i) { pushed(i) = i < num_own ? own(i) : copies(i - num_own); });
+    const Array<const int> copies = impulse_copies_.copies();
+    const int num_copies = static_cast<int>(copies.extent(0));
+    run_where_it_pays((system_.num_nodes + num_copies) / 10, [&](const auto& space) {
+      clear_impulses(space, system_.nodes, system_.num_nodes, motion.impulse);
+      clear_impulses(space, copies, num_copies, motion.impulse);
     });
   }
-}
-
-void Enforcer::show_seen(const ContactMotion& motion) {
-  list_pushed(motion);
-  if (num_pushed_ == 0) return;
-  reserve(predicted_, num_pushed_);
-  const Array<const int> pushed = pushed_;
-  const Rows3<double> v = motion.v, predicted = predicted_;
-  const Rows3<const double> v_before = motion.v_before, impulse = motion.impulse;
-  run_where_it_pays(num_pushed_ / 10, [&](const auto& space) {
-    Kokkos::parallel_for(
-        "contact::show_seen", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_), KOKKOS_LAMBDA(int i) {
-          const int n = pushed(i);
-          store_row(predicted, i, load_row(v, n));
-          if (was_pushed(impulse, n)) store_row(v, n, load_row(v_before, n));
-        });
-    space.fence();
-  });
-}
-
-void Enforcer::show_predicted(const ContactMotion& motion) {
-  if (num_pushed_ == 0) return;
-  const Array<const int> pushed = pushed_;
-  const Rows3<double> v = motion.v;
-  const Rows3<const double> predicted = predicted_;
-  run_where_it_pays(num_pushed_ / 10, [&](const auto& space) {
-    Kokkos::parallel_for(
-        "contact::show_predicted", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_),
-        KOKKOS_LAMBDA(int i) { store_row(v, pushed(i), load_row(predicted, i)); });
-    space.fence();
-  });
-}
-
-void Enforcer::clear_last_impulse(const ContactMotion& motion) {
-  if (num_pushed_ > 0) {
-    run_where_it_pays(num_pushed_ / 10,
-                      [&](const auto& space) { clear_impulses(space, pushed_, num_pushed_, motion.impulse); });
-  }
-  num_pushed_ = 0;
   last_impulse_ = motion.impulse.data();
   was_pushed_ = false;
 }
@@ -156,7 +103,6 @@ void Enforcer::update_copies(const ContactMotion& motion) {
 void Enforcer::archive(CheckpointArchive& archive) {
   if (archive.is_loading()) system_.num_written = -1;
   archive.number("contact/last_dt", last_dt_);
-  archive.number("contact/last_pushes", last_pushes_);
   for (std::size_t p = 0; p < pair_work_.size(); ++p) {
     archive.sum(fmt::format("contact/pair_{}/normal_work", p), pair_work_[p].normal);
     archive.sum(fmt::format("contact/pair_{}/friction_work", p), pair_work_[p].friction);
@@ -166,7 +112,6 @@ void Enforcer::archive(CheckpointArchive& archive) {
 void Enforcer::rest(const ContactMotion& motion, ContactHistory& history) {
   clear_last_impulse(motion);
   last_dt_ = motion.dt;
-  last_pushes_ = 0;
   if (remembers_) Kokkos::deep_copy(history.face, std::int64_t{-1});
   history.edges.count = 0;
   remembers_ = false;
@@ -202,6 +147,7 @@ void Enforcer::book_pairs(const Space& space) {
 
 void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
                        ContactHistory& history, ContactReport& report) {
+  clear_last_impulse(motion);
   const bool has_springs = deck_.enforcement == ContactDeck::Enforcement::penalty;
   const RowInputs inputs{{motion.x, motion.v, motion.dt},
                          motion.v_before,
@@ -212,19 +158,15 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
                          count_booked_surfaces(deck_) + static_cast<int>(deck_.ties.size()),
                          play_,
                          spring_,
-                         ties_,
-                         motion.impulse,
-                         last_pushes_ != 0};
+                         ties_};
   const double dt_mean = last_dt_ > 0 ? 0.5 * (last_dt_ + motion.dt) : motion.dt;
   last_dt_ = motion.dt;
-  last_pushes_ = 0;
   remembers_ = true;
   exchange_.announce_foreign_nodes(touches, num_touches, system_);
   const int wall_pairs = static_cast<int>(walls_.node.extent(0));
   // A row's solution costs some dozen passes; a wall's pair that is out of reach costs one look.
   run_where_it_pays(num_touches + wall_pairs / 8, [&](const auto& space) {
     build_rows(space, inputs, touches, num_touches, walls_, history, system_, exchange_);
-    clear_last_impulse(motion);
     const SolveReport solved = solve(space, motion.dt, dt_mean);
     if (solved.rows > 0) {
       apply_impulses(space, system_, motion.v, motion.impulse);
@@ -235,7 +177,6 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
       report.converged = solved.converged;
       report.complementarity = solved.complementarity;
       report.interactions = static_cast<int>(done.pushes);
-      last_pushes_ = done.pushes;
       report.normal_work = done.normal_work.round();
       report.friction_work = done.friction_work.round();
       report.stored = done.stored.round();
@@ -246,7 +187,6 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
       report.residual = done.residual;
       report.deepest = done.deepest;
       report.deepest_node = done.deepest_key < 0 ? -1 : find_key_node(done.deepest_key);
-      report.giving_node = done.given_key < 0 ? -1 : find_key_node(done.given_key);
       report.torn = done.torn;
       report.torn_node = done.torn_key < 0 ? -1 : find_key_node(done.torn_key);
       update_copies(motion);

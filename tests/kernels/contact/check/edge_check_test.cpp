@@ -94,7 +94,7 @@ TEST(EdgeCheck, EdgesThatMeetInTheStepTouch) {
   EXPECT_NEAR(r.touch.size, 1, tight);
 }
 
-TEST(EdgeCheck, EdgesThatStayApartDoNot) { EXPECT_FALSE(Roofs(0.4, 0.05).check()); }
+TEST(EdgeCheck, EdgesThatStayApartDoNot) { EXPECT_FALSE(Roofs(0.1, 0.05).check()); }
 
 TEST(EdgeCheck, NoSpeedIsTooHigh) {
   Roofs r(0.3, 50);
