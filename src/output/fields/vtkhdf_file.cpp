@@ -291,7 +291,7 @@ void VtkhdfFile::flush() { check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "flush
 // What a reader finds must be what was written since this was called last, behind the frames of which the file tells.
 void VtkhdfFile::compare() {
   ranks_.barrier();  // all have flushed it
-  fail_together(ranks_, [&] {
+  const auto read_back = [&] {
     try {
       const hdf5::Handle file = hdf5::open_to_compare(path_);
       record_.compare(file.get());
@@ -301,7 +301,14 @@ void VtkhdfFile::compare() {
     } catch (const hdf5::Error& error) {
       throw SystemError(make_message("write", error));
     }
-  });
+  };
+  try {
+    fail_together(ranks_, read_back);
+  } catch (const SystemError&) {
+    // A file that was taken away meanwhile cannot be read either: that is what to tell.
+    run_on_first_rank(ranks_, [&] { disk_.file().check_place(); });
+    throw;
+  }
   record_.clear();
 }
 
