@@ -54,6 +54,7 @@ void RowExchange::announce_foreign_nodes(const Array<const RowTouch>& touches, i
     keys.push_back(notice.key);
   }
   std::vector<std::int64_t> foreign;
+  foreign.reserve(notices.size());
   for (const ForeignNotice& notice : notices) foreign.push_back(notice.node);
   system.foreign_number = to_view("contact::foreign_number", foreign);
   system.num_foreign = static_cast<int>(notices.size());
