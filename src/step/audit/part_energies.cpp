@@ -1,7 +1,10 @@
 #include "src/step/audit/part_energies.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 
 #include "comm/exact_reduction.hpp"
@@ -25,16 +28,26 @@ struct NodeSum {
 };
 using NodeSums = Kokkos::View<double**, Kokkos::LayoutRight, MemSpace>;
 
-const std::vector<std::string>& find_headings(bool can_fail) {
-  static const std::vector<std::string> always = {"kinetic",    "internal",   "hourglass",  "viscous",
-                                                  "momentum_x", "momentum_y", "momentum_z", "mass"};
-  static const std::vector<std::string> failing = [] {
-    std::vector<std::string> all = always;
-    all.insert(all.end(), {"eroded_mass", "eroded_energy"});
-    return all;
-  }();
-  return can_fail ? failing : always;
-}
+/// A quantity of a part, in the order of its sums.
+struct PartQuantity {
+  const char* name;
+  Dimension dimension;
+  const char* meaning;
+  bool is_of_failing;  // only if the part can fail
+};
+
+constexpr PartQuantity part_quantities[] = {
+    {"kinetic", dimensions::energy, "kinetic energy", false},
+    {"internal", dimensions::energy, "work of the stresses", false},
+    {"hourglass", dimensions::energy, "work of the hourglass control", false},
+    {"viscous", dimensions::energy, "work of the bulk viscosity", false},
+    {"momentum_x", dimensions::momentum, "linear momentum, x,", false},
+    {"momentum_y", dimensions::momentum, "linear momentum, y,", false},
+    {"momentum_z", dimensions::momentum, "linear momentum, z,", false},
+    {"mass", dimensions::mass, "mass of the nodes", false},
+    {"eroded_mass", dimensions::mass, "mass of the eroded elements", true},
+    {"eroded_energy", dimensions::energy, "work that the eroded elements absorbed,", true},
+};
 
 bool can_fail(const Deck& deck, const PartDeck& part) {
   return std::any_of(deck.materials.begin(), deck.materials.end(), [&](const MaterialDeck& material) {
@@ -133,10 +146,14 @@ std::vector<BookedPart> find_booked_parts(const Deck& deck) {
   return parts;
 }
 
-std::vector<std::string> name_columns(const std::vector<BookedPart>& parts) {
-  std::vector<std::string> columns;
+std::vector<HistoryColumn> list_part_columns(const std::vector<BookedPart>& parts) {
+  std::vector<HistoryColumn> columns;
   for (const BookedPart& part : parts) {
-    for (const std::string& heading : find_headings(part.can_fail)) columns.push_back(heading + ":" + part.name);
+    for (const PartQuantity& quantity : part_quantities) {
+      if (quantity.is_of_failing && !part.can_fail) continue;
+      columns.push_back({fmt::format("{}:{}", quantity.name, part.name), quantity.dimension,
+                         fmt::format("{} of part '{}'", quantity.meaning, part.name)});
+    }
   }
   return columns;
 }
@@ -181,8 +198,10 @@ void PartEnergies::append(const Model& model, const State& state, std::vector<do
   std::vector<ExactSum> sums = sum_parts(model, state);
   sum_over_ranks(model.ranks, sums);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const std::size_t columns = find_headings(parts_[p].can_fail).size();
-    for (std::size_t k = 0; k < columns; ++k) row.push_back(sums[P::count * p + k].round());
+    for (std::size_t k = 0; k < std::size(part_quantities); ++k) {
+      if (part_quantities[k].is_of_failing && !parts_[p].can_fail) continue;
+      row.push_back(sums[P::count * p + k].round());
+    }
   }
 }
 

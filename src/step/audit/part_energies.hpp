@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "src/output/history_columns.hpp"
 #include "src/step/model/state.hpp"
 
 namespace percuss {
@@ -22,8 +23,8 @@ struct BookedPart {
 /// In the order of the deck's list; of `all`, in that of the parts.
 std::vector<BookedPart> find_booked_parts(const Deck& deck);
 
-/// Headings of the columns, part after part.
-std::vector<std::string> name_columns(const std::vector<BookedPart>& parts);
+/// The columns, part after part.
+std::vector<HistoryColumn> list_part_columns(const std::vector<BookedPart>& parts);
 
 /// What a part holds, without what its dead elements took [energy].
 struct PartEnergy {

@@ -82,7 +82,7 @@ void add_point_columns(const FollowedPoint& point, const Deck& deck, std::vector
 std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::vector<FollowedPoint>& points,
                                         const Deck& deck) {
   std::vector<HistoryColumn> columns = table.columns();
-  const std::vector<HistoryColumn> of_parts = describe_part_columns(name_columns(find_booked_parts(deck)));
+  const std::vector<HistoryColumn> of_parts = list_part_columns(find_booked_parts(deck));
   columns.insert(columns.end(), of_parts.begin(), of_parts.end());
   for (const FollowedPoint& point : points) add_point_columns(point, deck, columns);
   return columns;

@@ -1,7 +1,6 @@
 #include "src/step/results/history_table.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 namespace percuss {
 namespace {
@@ -91,13 +90,6 @@ constexpr Entry after_pairs[] = {
      [](const S& s) { return s.wall_force[2]; }},
 };
 
-/// Dimension of a quantity of the scene, by its name.
-const Entry* look_up(std::string_view name) {
-  const auto* found = std::find_if(std::begin(before_pairs), std::end(before_pairs),
-                                   [&](const Entry& entry) { return entry.name == name; });
-  return found == std::end(before_pairs) ? nullptr : found;
-}
-
 }  // namespace
 
 HistoryTable::HistoryTable(const Deck& deck) {
@@ -118,18 +110,6 @@ void HistoryTable::append(const HistorySources& sources, std::vector<double>& ro
   for (const Value value : before_pairs_) row.push_back(value(sources));
   row.insert(row.end(), sources.pair_work.begin(), sources.pair_work.end());
   for (const Value value : after_pairs_) row.push_back(value(sources));
-}
-
-std::vector<HistoryColumn> describe_part_columns(const std::vector<std::string>& names) {
-  std::vector<HistoryColumn> columns;
-  for (const std::string& name : names) {
-    const std::string quantity = name.substr(0, name.find(':'));
-    const Entry* entry = look_up(quantity);
-    const Dimension dimension = entry != nullptr ? entry->dimension : quantity == "mass" ? dim::mass : no_dimension;
-    const std::string meaning = entry != nullptr ? entry->meaning : quantity;
-    columns.push_back({name, dimension, meaning + ", of the part"});
-  }
-  return columns;
 }
 
 }  // namespace percuss

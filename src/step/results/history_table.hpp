@@ -36,7 +36,4 @@ class HistoryTable {
   std::vector<Value> before_pairs_, after_pairs_;
 };
 
-/// Columns of the quantities of a part, such as "kinetic:rod", from their names.
-std::vector<HistoryColumn> describe_part_columns(const std::vector<std::string>& names);
-
 }  // namespace percuss

@@ -21,7 +21,7 @@ namespace {
 
 /// The columns of a state, by heading.
 std::map<std::string, double> sum_parts(const Scene& scene) {
-  const std::vector<std::string> columns = name_columns(find_booked_parts(scene.deck));
+  const std::vector<std::string> columns = name_columns(list_part_columns(find_booked_parts(scene.deck)));
   std::vector<double> row;
   PartEnergies(scene.deck, scene.chunked).append(scene.model, scene.state, row);
   EXPECT_EQ(row.size(), columns.size());
@@ -151,7 +151,7 @@ output: {history: {parts: [b, a]}}
   EXPECT_NEAR(values.at("internal:b"), work, 1e-6 * work);
   EXPECT_EQ(values.at("hourglass:b"), 0);
   EXPECT_EQ(values.at("viscous:b"), 0);
-  EXPECT_EQ(name_columns(find_booked_parts(scene.deck)).front(), "kinetic:b");  // in the order of the list
+  EXPECT_EQ(list_part_columns(find_booked_parts(scene.deck)).front().name, "kinetic:b");  // in the order of the list
 }
 
 TEST(PartEnergies, AddUpToThoseOfTheScene) {

@@ -1,0 +1,103 @@
+// The end of a run, good or bad: its summary, and what is written of a failed one.
+
+#include <fmt/format.h>
+
+#include "src/error.hpp"
+#include "src/fail_together.hpp"
+#include "src/output/files/first_rank.hpp"
+#include "src/step/run/run_scene.hpp"
+#include "src/step/run/run_totals.hpp"
+
+namespace percuss {
+
+/// A folder whose summary says "running" and that no run holds is of a run that was killed. Collective.
+void Run::announce() {
+  Summary summary = summary_;
+  summary.status = "running";
+  summary.warnings = warnings_.list();
+  fill_scene(summed(), summary);
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() == 0 && !options_.out_dir.empty()) write_summary(options_.out_dir + "/summary.json", summary);
+  });
+}
+
+/// Collective.
+Summary Run::make_summary(const std::string& status, const std::string& error) const {
+  Summary summary = summary_;
+  summary.status = status;
+  summary.error = error;
+  summary.dt.last = state_.dt;
+  summary.dt.element = limiting_element_id_;
+  summary.loop_s = find_seconds(loop_start_);
+  summary.warnings = warnings_.list();
+  fill_summary(summed(), summary);
+  return summary;
+}
+
+/// Contact that pushes nodes of mass m out by g in steps of dt compresses elements, or springs of its own, at most as
+/// stiff as m / dt^2. What else it may give holds the forces that were there at the start.
+EnergyScales Run::find_scales() const {
+  const auto nodes = static_cast<double>(chunked_.numbering.node_count());
+  const double steps = static_cast<double>(state_.step), node_mass = model_.total_mass / nodes;
+  EnergyScales scales;
+  scales.largest = audit_.largest_energy();
+  scales.resolved = find_resolved_energy(chunked_, model_, steps > 0 ? state_.time / steps : 0);
+  scales.stored = stepper_.contact_report().stored;
+  scales.granted = audit_.start_half_steps();
+  if (warnings_.pushed_square() > 0)
+    scales.granted += 0.5 * node_mass * warnings_.pushed_square() / (first_dt_ * first_dt_);
+  return scales;
+}
+
+/// Collective.
+void Run::finish(const std::string& status, const std::string& error) {
+  const std::vector<RankRow> rows = gather_rows(ranks_, make_rank_row(summed()));
+  result_ = make_summary(status, error);
+  progress_->finish(find_progress());
+  const EnergyScales scales = find_scales();
+  warnings_.add(
+      find_end_warnings(result_, scales, find_hourglassed_parts(chunked_, model_, state_, scales), deck_.units));
+  result_.warnings = warnings_.list();
+  fail_together(ranks_, [&] {
+    if (ranks_.rank() != 0 || options_.out_dir.empty()) return;
+    write_summary(options_.out_dir + "/summary.json", result_);  // first: it tells how the run ended
+    write_ranks(options_.out_dir + "/ranks.csv", rows);
+  });
+}
+
+/// The state in which a run failed, if it can be looked at: a row and a frame more.
+void Run::write_failed_state() {
+  if (!is_state_whole_) return;
+  output_.write_row(state_, audit_(state_), stepper_);
+  if (!has_finite_positions(model_, state_)) return;
+  output_.write_frame(state_);
+  if (speaks() && !options_.out_dir.empty() && deck_.output.fields_every)
+    print_quietly(stderr, "the last frame is the state that failed, t = {:.6g}; the one before it is sound\n",
+                  state_.time);
+}
+
+/// Writes what there is of a failed run, if all ranks have come here; only then may they talk to each other.
+void Run::fail(const std::exception& error) {
+  if (!rendezvous_.meet()) {
+    if (options_.end_all_ranks) options_.end_all_ranks();
+    ranks_.abort(static_cast<int>(ExitCode::system_failed));
+  }
+  try {
+    if (dynamic_cast<const RunError*>(&error) != nullptr) write_failed_state();
+    // The state is sound where files were taken away: from a checkpoint the run can go on in another folder. That of a
+    // run that failed by itself would only fail again.
+    const bool is_sound = is_state_whole_ && dynamic_cast<const SystemError*>(&error) != nullptr;
+    if (is_sound && !output_.are_files_in_place()) save_checkpoint();
+    finish("failed", error.what());
+    output_.close();
+  } catch (const std::exception& second) {  // a full disk must not hide why the run failed, and is told once
+    if (ranks_.rank() == 0 && dynamic_cast<const SystemError*>(&error) == nullptr)
+      print_quietly(stderr, "percuss: error: {}\n", second.what());
+  }
+  if (!speaks() || options_.out_dir.empty()) return;
+  print_quietly(stderr, "results: {}\n", options_.out_dir);
+  if (const std::string hint = checkpoints_.describe(); !hint.empty()) say({hint});
+  if (const std::string hint = describe_warnings(result_, options_.out_dir); !hint.empty()) say({hint});
+}
+
+}  // namespace percuss

@@ -1,0 +1,104 @@
+#pragma once
+// A run between its start and its summary: what run.cpp (start, time loop) and run_end.cpp (summary, failure) share.
+
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comm/rendezvous.hpp"
+#include "src/checks/rules.hpp"
+#include "src/contact/contact_stage.hpp"
+#include "src/step/audit/audit.hpp"
+#include "src/step/erosion.hpp"
+#include "src/step/restart/run_checkpoints.hpp"
+#include "src/step/results/run_output.hpp"
+#include "src/step/run/run.hpp"
+#include "src/step/run/run_checks.hpp"
+#include "src/step/run/run_notes.hpp"
+#include "src/step/run/run_summary.hpp"
+#include "src/step/run/run_warnings.hpp"
+#include "src/step/step.hpp"
+
+namespace percuss {
+
+/// Everything a run holds between its start and its summary.
+class Run {
+ public:
+  Run(const Deck& deck, const RunOptions& options);
+  RunResult operator()();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static double find_seconds(Clock::time_point since) {
+    return std::chrono::duration<double>(Clock::now() - since).count();
+  }
+  bool speaks() const { return ranks_.rank() == 0 && options_.progress != Progress::Style::quiet; }
+  void say(const std::vector<std::string>& lines) const;
+  ChunkedMesh load_scene();
+  void begin();
+  void restart();
+  void open_files();
+  void check_removals() const;
+  void open_results();
+  bool is_finished() const;
+  void loop();
+  void advance();
+  void erode();
+  void observe();
+  void observe_last();
+  void save_interrupted();
+  void look_at_corners();
+  void audit();
+  void note_contact();
+  void check_step_made() const;
+  CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }
+  StepWishes find_wishes() const;
+  void archive(CheckpointArchive& archive);
+  void save_checkpoint();
+  void write_checkpoint();
+  void announce();
+  long steps_done() const { return state_.step - start_step_; }
+  Summary make_summary(const std::string& status, const std::string& error) const;
+  EnergyScales find_scales() const;
+  void finish(const std::string& status, const std::string& error);
+  SummedRun summed() const {
+    return {chunked_, model_, state_, stepper_, contact_, audited_, steps_done(), compute_seconds() - compute_start_};
+  }
+  void fail(const std::exception& error);
+  void write_failed_state();
+  ProgressState find_progress() const;
+
+  const Deck& deck_;
+  RunOptions options_;
+  Clock::time_point setup_start_ = Clock::now();
+  const Communicator ranks_ = Communicator::world();
+  std::optional<Progress> progress_;  // once the scene is read
+  RunWarnings warnings_;
+  Rendezvous rendezvous_{ranks_};
+  ChunkedMesh chunked_;
+  Model model_;
+  ContactStage contact_;
+  State state_;
+  Stepper stepper_;
+  Erosion erosion_;
+  Audit audit_;
+  AuditResult audited_;
+  long audited_step_ = -1;
+  RunOutput output_;
+  RunCheckpoints checkpoints_;
+  const SceneMeasures measures_;  // at time 0
+  bool is_state_whole_ = true;    // false while a step is made
+  long start_step_ = 0;           // where this run began
+  double first_dt_ = 0;
+  std::int64_t limiting_element_id_ = 0;  // bounded the last step
+  Clock::time_point loop_start_;
+  double compute_start_ = 0;  // compute_seconds() when the clocks of the phases began
+  Summary summary_;           // what is noted on the way
+  Summary result_;            // at the end
+};
+
+}  // namespace percuss
