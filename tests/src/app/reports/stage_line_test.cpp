@@ -28,11 +28,16 @@ std::string show_on_terminal(StageLine::Speaker speaker) {
   show_two(stream, speaker);
   std::fputs("$", stream);  // so that there is something to read
   std::fflush(stream);
-  std::array<char, 256> text{};
-  const ssize_t count = read(terminal, text.data(), text.size());
+  std::string text;
+  std::array<char, 256> part{};
+  while (text.find('$') == std::string::npos) {  // a terminal hands over what it has, in any pieces
+    const ssize_t count = read(terminal, part.data(), part.size());
+    if (count <= 0) break;
+    text.append(part.data(), static_cast<std::size_t>(count));
+  }
   std::fclose(stream);
   close(terminal);
-  return {text.data(), static_cast<std::size_t>(count)};
+  return text;
 }
 
 TEST(StageLine, IsOverwrittenAndGoneAtTheEnd) {
