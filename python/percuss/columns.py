@@ -32,6 +32,9 @@ SCENE = {
 SCENE.update({f"momentum_{axis}": ("momentum", f"momentum {axis}") for axis in "xyz"})
 SCENE.update({f"angular_{axis}": ("angular momentum", f"angular momentum {axis}") for axis in "xyz"})
 SCENE.update({f"wall_force_{axis}": ("force", f"force of the walls {axis}") for axis in "xyz"})
+SCENE.update({f"f{axis}": ("force", f"force {axis}") for axis in "xyz"})
+SCENE.update({f"m{axis}": ("moment", f"moment {axis}") for axis in "xyz"})
+SCENE.update({"normal": ("force", "normal force"), "tangential": ("force", "friction force")})
 
 # Of followed nodes and elements: what stands behind NAME.
 FOLLOWED = [

@@ -1,9 +1,6 @@
 """The deck of a run: its text where it can be found, and its values as a tree of dictionaries and lists."""
 
 import os
-import shlex
-
-from .lock import is_active, read_lock
 
 
 class Deck:
@@ -28,32 +25,26 @@ class Deck:
 
 
 def find_deck(folder, given=None):
-    """The deck that is given; else DIR/deck.yaml; else that of the command of the run that goes on; else the values of
-    the checkpoint, which leave out title, units and output."""
+    """The deck that is given; else DIR/run_deck.yaml, which a run leaves; else the values of the checkpoint, which leave
+    out title, units and output."""
     if given:
         return read_deck(given)
-    beside = os.path.join(folder, "deck.yaml")
+    beside = os.path.join(folder, "run_deck.yaml")
     if os.path.exists(beside):
-        return read_deck(beside)
-    words, start = _read_command(folder)
-    files = [os.path.join(start, word) for word in words if word.endswith((".yaml", ".yml"))]
-    files = [file for file in files if os.path.isfile(file)]
-    if files:
-        return read_deck(files[0], _find_settings(words))
+        return read_deck(beside, _read_settings(beside))
     return _read_checkpoint(os.path.join(folder, "checkpoint.h5"))
 
 
-def _read_command(folder):
-    """The command of the run that goes on, and the folder where it was given, as far as this machine can see."""
-    lock = read_lock(folder)
-    try:
-        words = shlex.split(lock.get("command", ""))
-    except ValueError:
-        words = []
-    try:
-        return words, os.readlink(f"/proc/{lock['process']}/cwd") if is_active(folder) else ""
-    except (KeyError, OSError):
-        return words, ""
+def _read_settings(path):
+    """What --set changed: comments at the head of the file."""
+    settings = []
+    with open(path, encoding="utf-8", errors="replace") as file:
+        for line in file:
+            if not line.startswith("# "):
+                break
+            if line.startswith("# --set ") and "=" in line:
+                settings.append(line[len("# --set "):].strip().split("=", 1))
+    return settings
 
 
 def read_deck(path, settings=()):
@@ -87,21 +78,6 @@ def _make_loader(yaml):
     Loader.add_implicit_resolver(
         "tag:yaml.org,2002:float", re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$"), list("-+.0123456789"))
     return Loader
-
-
-def _find_settings(words):
-    pairs, takes = [], False
-    for word in words:
-        if word.startswith("-"):
-            takes = word in ("--set", "-s")
-            word = word.partition("=")[2] if word.startswith("--set=") else ""
-            if not word:
-                continue
-        elif not takes:
-            continue
-        key, _, value = word.partition("=")
-        pairs.append((key, value))
-    return pairs
 
 
 def _set_value(values, path, value):

@@ -96,7 +96,7 @@ def find_history_differences(first, other):
 
 def _find_size(history, name):
     """The largest magnitude of a column; of a component that of all three, so that round-off of one that is zero does not count."""
-    parts = re.fullmatch(r"((?:momentum|angular|wall_force)_)[xyz](:.*)?", name)
+    parts = re.fullmatch(r"(momentum_|angular_|wall_force_|f|m)[xyz](:.*)?", name)
     names = [parts[1] + axis + (parts[2] or "") for axis in "xyz"] if parts else [name]
     return max(float(np.nanmax(np.abs(history[n]), initial=0)) for n in names if n in history)
 

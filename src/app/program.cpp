@@ -12,6 +12,7 @@
 #include "src/app/start/failure_report.hpp"
 #include "src/app/start/stop_signals.hpp"
 #include "src/app/start/threads.hpp"
+#include "src/app/start/tools.hpp"
 #include "src/fail_together.hpp"
 #include "src/output/files/safe_text.hpp"
 #include "src/output/progress.hpp"
@@ -106,6 +107,7 @@ int run_program(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   const ExitCode code = guard([&] {
+    become_tool(argc, argv);
     const auto parsed = parse_command_line(argc, argv);
     const auto* command = std::get_if<Command>(&parsed);
     const bool can_stop = command != nullptr && command->kind == Command::Kind::run;

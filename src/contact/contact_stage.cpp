@@ -35,7 +35,8 @@ struct ContactStage::Impl {
         contact(deck.contact),
         bound(world, share, deck.contact.reuse_search),
         finder(make_contact_finder(seen(), share, deck.contact)),
-        enforcer(seen(), share, walls, tie_rows.geometry(), deck),
+        forces(scene, chunked, world),
+        enforcer(seen(), share, walls, tie_rows.geometry(), deck, forces),
         history(make_history(share, walls)) {
     history.ties = Rows3<double>("contact::history_ties", ties.nodes.size());
     is_active = has_pairs() || has_walls || ties.any();
@@ -74,6 +75,7 @@ struct ContactStage::Impl {
   const ContactDeck contact;
   ReuseBound bound;
   std::unique_ptr<ContactFinder> finder;
+  ContactForces forces;
   Enforcer enforcer;
   ContactHistory history;
   std::vector<std::string> start_notes;
@@ -240,6 +242,7 @@ void ContactStage::archive(CheckpointArchive& archive) {
   archive_ties(archive, stage.chunks, stage.ties, stage.history);
   stage.bound.archive(archive, find_rows_of_nodes(stage.chunks, stage.share.nodes.numbers));
   stage.enforcer.archive(archive);
+  stage.forces.archive(archive);
   if (!archive.is_loading()) return;
   stage.forget_last_step();
   stage.search_again();
@@ -279,6 +282,8 @@ std::vector<double> ContactStage::sum_pair_work() const {
   }
   return work;
 }
+
+std::vector<ContactImpulse> ContactStage::take_forces() { return impl_->forces.take(); }
 
 std::int64_t ContactStage::contact_nodes() const { return impl_->share.total_nodes; }
 std::int64_t ContactStage::contact_faces() const { return impl_->share.total_faces; }

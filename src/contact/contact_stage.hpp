@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "comm/phase.hpp"
+#include "src/contact/enforcement/contact_forces.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
 #include "src/contact/search/contact_finder.hpp"
 #include "src/deck/deck.hpp"
@@ -71,6 +72,10 @@ class ContactStage {
   /// Work of normal and tangential impulses since the start by name_contact_pairs(), of all ranks: 2 a pair; booked
   /// only for decks that write a history. Collective.
   std::vector<double> sum_pair_work() const;
+
+  /// What the forces of contact and of walls in output.history.forces gave since this was last called, in their order.
+  /// Collective.
+  std::vector<ContactImpulse> take_forces();
 
   std::int64_t contact_nodes() const;  // of the whole scene
   std::int64_t contact_faces() const;

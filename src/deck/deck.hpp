@@ -238,6 +238,7 @@ struct NodalLoadDeck {
 };
 
 struct WallDeck {
+  std::string name;  // for output.history.forces; may be empty
   Vec3 point{};
   Vec3 normal{};  // unit vector towards the side where bodies live
   double friction = 0;
@@ -319,11 +320,34 @@ inline constexpr std::string_view stress_points = "stress_point_",
 /// The number of such a point; empty: the field is another.
 std::optional<int> find_thickness_point(std::string_view field, std::string_view quantity);
 
+/// Most forces of contact and of walls in a history.
+inline constexpr std::size_t most_forces_of_contact = 32;
+
+/// A force in the history; exactly one of the kinds.
+struct ForceDeck {
+  enum class Kind {
+    contact,  // on parts, from other parts or from all that they touch
+    wall,     // on all bodies, from a rigid wall
+    support,  // on nodes, from the conditions that hold them
+    section,  // on the material behind a plane, from that ahead of it
+  };
+  std::string name;  // heading in history.csv
+  Kind kind = Kind::contact;
+  std::vector<std::string> on, from;  // contact: parts; no `from`: all other parts and the walls
+  std::string wall;                   // its name
+  Selector where;                     // support
+  std::string part;                   // section; empty: every part
+  Vec3 point{}, normal{1, 0, 0};      // section: a unit normal
+  std::optional<Vec3> about;          // point of the moments; default: that of a section, else the origin
+  Place place;
+};
+
 struct OutputDeck {
   std::optional<double> fields_every;   // s; the first and last state are always written when set
   std::vector<std::string> fields;      // names as listed in docs/output.md; displacement is always written
   std::optional<double> history_every;  // s; 0: every step
   std::vector<HistoryPoint> points;
+  std::vector<ForceDeck> forces;
   std::optional<double> checkpoint_every;  // simulated time [time]; one is left at the end, too
   std::optional<double> checkpoint_wall;   // of the clock [s]
 };
@@ -335,6 +359,7 @@ struct AuditDeck {
 
 struct Deck {
   std::string file;  // as given on the command line
+  std::string text;  // of the file, without what --set changes
   std::string title;
   std::string units;
   TimeDeck time;
@@ -352,6 +377,7 @@ struct Deck {
   OutputDeck output;
   AuditDeck audit;
   std::vector<std::string> motion_values;  // "time.step_scale = 0.9": all that the motion depends on (deck_values.hpp)
+  std::vector<std::string> settings;       // the --set arguments
   std::vector<std::string> overrides;      // left sides of the --set arguments
   KeyPlaces places;                        // of its keys
   std::vector<Warning> warnings;           // of the deck alone; what is silenced is still among them

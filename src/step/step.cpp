@@ -49,6 +49,7 @@ void StepNotice::merge(const StepNotice& other) {
   broken_chunk = std::min(broken_chunk, other.broken_chunk);
   stop = std::max(stop, other.stop);
   checkpoint = std::max(checkpoint, other.checkpoint);
+  frame = std::max(frame, other.frame);
   contact_rate = std::max(contact_rate, other.contact_rate);
   growth = std::max(growth, other.growth);
   died = std::max(died, other.died);
@@ -61,6 +62,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
       contact_(contact),
       halo_(model.ranks, model.halo),
       bookkeeper_(deck, model),
+      forces_(deck, chunked, model, contact),
       pressures_("percuss::pressures", model.pressures.size()),
       nodal_values_("percuss::nodal_values", model.nodal_values.size()) {
   if (model.has_shells) moment_halo_.emplace(model.ranks, model.halo);
@@ -101,6 +103,7 @@ void Stepper::resume(State& state) {
 
 void Stepper::archive(CheckpointArchive& archive) {
   bookkeeper_.archive(archive);
+  forces_.archive(archive);
   if (global_) global_->archive(archive);
   if (!contact_.is_active()) return;
   archive.integer("contact/report/interactions", report_.interactions);
@@ -164,6 +167,7 @@ void Stepper::accept_motion(State& state, double dt) {
 void Stepper::book_motion(State& state, double dt, double dt_mean) {
   const Phase phase("percuss::book", clocks_.reduce);
   bookkeeper_.book_impulses(state, dt, dt_mean, report_.walls);
+  forces_.book(model_, state, dt_mean);
 }
 
 void Stepper::book_forces(State& state, double dt) {
@@ -303,11 +307,12 @@ void Stepper::agree_on_step(State& state, StepWishes wishes) {
     notice = find_notice(state);
     notice.stop = wishes.stop ? 1 : 0;
     notice.checkpoint = wishes.checkpoint ? 1 : 0;
+    notice.frame = wishes.frame ? 1 : 0;
     notice.contact_rate = report_.rate;
     notice.died = some_died_ ? 1 : 0;
     reduction_(model_.ranks, notice);
   }
-  agreed_ = {notice.stop != 0, notice.checkpoint != 0};
+  agreed_ = {notice.stop != 0, notice.checkpoint != 0, notice.frame != 0};
   const auto or_none = [](std::int64_t number) { return number == StepNotice::none ? -1 : number; };
   const double mesh_step = find_mesh_step(state, notice);
   // The square of the largest frequency of elements and springs together is at most the sum of the squares of both.

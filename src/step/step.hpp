@@ -10,6 +10,7 @@
 #include "comm/merge_reduction.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/step/audit/books.hpp"
+#include "src/step/forces/force_books.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/phases.hpp"
@@ -27,6 +28,7 @@ struct StepNotice {
   std::int64_t broken_chunk = none;    // number of the lowest chunk whose work is not finite
   std::int64_t stop = 0;               // 1: the run is to end after this step
   std::int64_t checkpoint = 0;         // 1: a checkpoint is to be written after this step
+  std::int64_t frame = 0;              // 1: a frame is to be written after this step
   double contact_rate = 0;             // ContactReport::rate
   double growth = 0;                   // largest of StepWatch::growth
   std::int64_t died = 0;               // 1: an element has died
@@ -38,6 +40,7 @@ struct StepNotice {
 struct StepWishes {
   bool stop = false;
   bool checkpoint = false;
+  bool frame = false;
 };
 
 /// Advances a state step by step. Holds only what a step needs besides model and state: messages, sums, curve values,
@@ -61,6 +64,7 @@ class Stepper {
   void renew_loads(State& state);
 
   Bookkeeper& bookkeeper() { return bookkeeper_; }
+  ForceBooks& forces() { return forces_; }
 
   /// From n to n+1. Afterwards state.bound tells whether an element failed; then the state must not be advanced.
   void advance(State& state, StepWishes wishes = {});
@@ -68,6 +72,7 @@ class Stepper {
   /// What any rank wanted by the last step, the same on all ranks.
   bool is_stop_agreed() const { return agreed_.stop; }
   bool is_checkpoint_agreed() const { return agreed_.checkpoint; }
+  bool is_frame_agreed() const { return agreed_.frame; }
 
   const ContactReport& contact_report() const { return report_; }
   /// Force of walls on the scene in the last step, its contact impulses summed over dt; zero without walls. Collective.
@@ -114,6 +119,7 @@ class Stepper {
   StepWishes agreed_;
   std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
   Bookkeeper bookkeeper_;
+  ForceBooks forces_;
   PrescribedMotions motions_;
   Array<double> pressures_;
   NodalLoadValues nodal_values_;

@@ -134,15 +134,20 @@ class OfARun(unittest.TestCase):
         start = read_text("/proc/self/stat").rpartition(")")[2].split()[19]
         boot = read_text("/proc/sys/kernel/random/boot_id").strip()
         lock = f"boot: {boot}\npid_namespace: {os.readlink('/proc/self/ns/pid')}\nprocess: {os.getpid()}\nprocess_start: "
-        deck = os.path.join(self.folder.name, "deck.yaml")
         with open(os.path.join(folder, "run.lock"), "w", encoding="utf-8") as file:
-            file.write(f"{lock}{start}\ncommand: percuss run {deck} --set time.end=3e-4 --out x\n")
-        run = percuss.read(folder)
-        self.assertEqual(run.status, "running")
-        self.assertEqual(run.deck.get("time.end"), 3e-4)
+            file.write(f"{lock}{start}\n")
+        self.assertEqual(percuss.read(folder).status, "running")
         with open(os.path.join(folder, "run.lock"), "w", encoding="utf-8") as file:
             file.write(f"{lock}1\n")  # another process with this id
         self.assertEqual(percuss.read(folder).status, "killed")
+
+    def test_the_deck_is_kept_with_what_was_set(self):
+        out = sample_run.run(PERCUSS, self.folder.name, "--set", "time.end=3e-5", "-s", "contact.friction=0.25", name="set")
+        deck = percuss.read(out).deck
+        self.assertIn("# --set time.end=3e-5\n", deck.text)
+        if deck.values:  # without Python's yaml there are none
+            self.assertEqual(deck.get("time.end"), 3e-5)
+            self.assertEqual(deck.get("contact.friction"), 0.25)
 
     def test_a_restart_in_another_folder_follows_the_first_run(self):
         other = sample_run.run(PERCUSS, self.folder.name, "--restart", os.path.join(self.out, "checkpoint_previous.h5"), name="later")

@@ -25,6 +25,7 @@ Examples:
   percuss check inputs/brick_wall/deck.yaml
   percuss run inputs/brick_wall/deck.yaml --out wall
   percuss plan inputs/brick_wall/deck.yaml --ranks 1,8,64
+  percuss report wall
   percuss run deck.yaml --set time.end=1e-3 --set 'initial.0.velocity=[100, 0, 0]'
 
 Exit codes:
@@ -166,6 +167,11 @@ struct Parser {
     plan = add("plan", "Predict how a deck's scene would run on many ranks", plan_help);
     info = add("info", "Describe a results file or a mesh", info_help);
     schema = add("schema", "Print a JSON Schema of the deck, for editors", schema_help);
+    const char* of_results = "Results";
+    add_tool("plot", "Draw columns of history.csv of one run or several", of_results);
+    add_tool("report", "Write one page about a run, or a comparison of runs", of_results);
+    add_tool("watch", "Show a run in the terminal while it goes on", of_results);
+    add_tool("render", "Draw pictures and an animation of the fields", of_results);
     add_deck(run);
     add_deck(check);
     add_deck(plan);
@@ -201,6 +207,12 @@ struct Parser {
     sub->set_help_flag("-h,--help", "Print this help");
     sub->allow_extras();
     return sub;
+  }
+
+  /// A program of its own (tools.hpp), here for its line of help.
+  void add_tool(const char* name, const char* description, const char* group) {
+    add(name, description, "")->group(group);
+    app.get_subcommand(name)->footer(fmt::format("\npercuss {} --help lists its options.", name));
   }
 
   void add_plan_options() {
@@ -268,7 +280,8 @@ Answer refuse_extra(const std::string& extra, const CLI::App& app, const std::st
   }
   if (command.empty()) {
     return wrong(fmt::format("unknown command '{}'{}", extra,
-                             name_hint(extra, {"run", "check", "plan", "info", "schema", "help", "version"})));
+                             name_hint(extra, {"run", "check", "plan", "info", "schema", "plot", "report", "watch",
+                                               "render", "help", "version"})));
   }
   const char* takes = command == "schema" ? "none" : "one file";
   return wrong(fmt::format("'{}' is one argument too many (percuss {} takes {})", extra, command, takes), command);

@@ -52,7 +52,7 @@ std::vector<std::string> name_contact_pairs(const Deck& deck) {
 }
 
 Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls,
-                   const Array<const TieGeometry>& ties, const Deck& deck)
+                   const Array<const TieGeometry>& ties, const Deck& deck, ContactForces& forces)
     : walls_(walls),
       ties_(ties),
       node_numbers_(to_view("contact::mesh_node_numbers", ranks.mesh.node_numbers)),
@@ -63,6 +63,7 @@ Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const W
       velocity_copies_(ranks.ranks, copied_),
       impulse_copies_(ranks.ranks, copied_),
       play_(find_play(ranks.mesh)),
+      forces_(forces),
       spring_(find_springs(ranks.mesh, share, deck.contact)),
       pair_work_(deck.output.history_every ? name_contact_pairs(deck).size() : 0) {}
 
@@ -182,6 +183,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
       report.stored = done.stored.round();
       report.rate = done.rate;
       book_pairs(space);
+      forces_.book(space, system_, node_numbers_);
       if (system_.num_rows > num_touches)
         report.walls = sum_wall_impulses(space, num_touches, motion.x, motion.center, system_, sums_);
       report.residual = done.residual;

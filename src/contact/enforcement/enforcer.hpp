@@ -7,6 +7,7 @@
 
 #include "comm/halo/node_copies.hpp"
 #include "kernels/contact/enforcement/row_solution.hpp"
+#include "src/contact/enforcement/contact_forces.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
 #include "src/contact/enforcement/row_exchange.hpp"
 #include "src/contact/surface/surface_share.hpp"
@@ -16,9 +17,9 @@ namespace percuss {
 
 class Enforcer {
  public:
-  /// Collective, as are all calls.
+  /// Collective, as are all calls. forces: books what the rows give; outlives this.
   Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls,
-           const Array<const TieGeometry>& ties, const Deck& deck);
+           const Array<const TieGeometry>& ties, const Deck& deck, ContactForces& forces);
 
   /// Corrects motion.v and fills motion.impulse for the touches of this rank's contact nodes, its ties last, on every
   /// copy of a node; writes the history for the next step; fills in what the report says of enforcement.
@@ -61,6 +62,7 @@ class Enforcer {
   const double play_;  // RowInputs::play
   RowSystem system_;
   RowSumMemory sums_;
+  ContactForces& forces_;
   Array<const double> spring_;            // [mesh nodes] of owned contact nodes; empty without penalty
   std::vector<PairWork> pair_work_;       // empty: not asked for
   bool was_pushed_ = false;               // impulses of the last step stand in motion.impulse

@@ -228,6 +228,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_idle_contact(deck, root, reading);
   check_frames(deck, root, reading);
   check_points(deck, root, reading);
+  check_forces(deck, reading);
 }
 
 }  // namespace percuss

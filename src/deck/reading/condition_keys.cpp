@@ -235,6 +235,7 @@ struct SelectorsValue {
 
 const Keys<WallDeck>& wall_keys() {
   static const Keys<WallDeck> keys = {
+      may("name", &WallDeck::name, NameValue{}),
       may("point", &WallDeck::point, vector3()),
       need("normal", &WallDeck::normal, DirectionValue{}),
       may("friction", &WallDeck::friction, NumberValue{not_negative}),

@@ -46,6 +46,17 @@ MapValue<TimeDeck> time_value();
 MapValue<MassScalingDeck> mass_scaling_value();
 MapValue<ElementDeck> element_value();
 MapValue<OutputDeck> output_value();
+
+/// An entry of `output.history.forces`: a name and one kind of force.
+struct ForceValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, ForceDeck& out) const;
+  Form form() const;
+  std::string takes() const { return "a map"; }
+};
+
+/// Names of forces and of the walls that they name.
+void check_forces(const Deck& deck, Reading& reading);
+
 MapValue<AuditDeck> audit_value();
 
 const Keys<Selector>& selector_keys();

@@ -135,6 +135,7 @@ const Keys<OutputDeck>& history_keys() {
       group<OutputDeck>("nodes", PointsValue{false}),
       group<OutputDeck>("elements", PointsValue{true}),
       group<OutputDeck>("parts", PartsValue{}),
+      may("forces", &OutputDeck::forces, ListValue<ForceValue>{}),
   };
   return keys;
 }

@@ -39,6 +39,8 @@ Deck parse_deck(const std::string& text, const std::string& file, const std::vec
   for (const std::string& argument : overrides) paths.push_back(override_path(argument));
   Deck deck;
   deck.file = file;
+  deck.text = text;
+  deck.settings = overrides;
   deck.overrides = paths;
   Reading reading{
       DeckErrors(file, std::move(paths)), std::filesystem::path(file).parent_path().string(), {}, {}, {}, {}, {}};

@@ -2,6 +2,7 @@
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/step/model/held_reaction.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
@@ -49,8 +50,8 @@ struct Center {
   explicit Center(const Vec3& c) : at{c[0], c[1], c[2]} {}
 };
 
-/// Whatever holds a direction gives J = m (v+ - v-) - dt_mean (f + m g) - P. Its work is what the kinetic energy gains
-/// and the other forces take over the step; this is the part of it that is known before the elements are computed.
+/// The work of what holds a direction is what the kinetic energy gains and the other forces take over the step; this is
+/// the part of it that is known before the elements are computed.
 void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, double dt, double dt_mean) {
   if (model.owned_held.extent(0) == 0) return;
   const auto held = model.held;
@@ -59,13 +60,14 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
   const auto gravity = model.gravity;
   const auto x = state.x, v = state.v, v_before = state.v_before, force = state.force, impulse = state.impulse;
   const Center center(model.mass_center);
+  const HeldReactions reactions = find_reactions(model, state, dt_mean);
   const auto sums = held_sums(
       ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
         const int n = held.node(owned(i));
         const int k = held.direction(owned(i));
         const double m = mass(n), v_mean = 0.5 * (v(n, k) + v_before(n, k));
         double j[3] = {0, 0, 0};
-        j[k] = m * (v(n, k) - v_before(n, k)) - dt_mean * (force(n, k) + m * gravity.g[k]) - impulse(n, k);
+        j[k] = reactions(owned(i));
         add(0, (m * (v(n, k) - v_before(n, k)) - impulse(n, k)) * v_mean -
                    dt * v(n, k) * (0.5 * force(n, k) + m * gravity.g[k]));
         const double r[3] = {x(n, 0) - center.at[0], x(n, 1) - center.at[1], x(n, 2) - center.at[2]};

@@ -13,6 +13,7 @@
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/output/files/atomic_file.hpp"
+#include "src/step/forces/force_books.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/results/element_fields.hpp"
 
@@ -84,6 +85,8 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
   std::vector<HistoryColumn> columns = table.columns();
   const std::vector<HistoryColumn> of_parts = list_part_columns(find_booked_parts(deck));
   columns.insert(columns.end(), of_parts.begin(), of_parts.end());
+  const std::vector<HistoryColumn> of_forces = list_force_columns(deck);
+  columns.insert(columns.end(), of_forces.begin(), of_forces.end());
   for (const FollowedPoint& point : points) add_point_columns(point, deck, columns);
   return columns;
 }
@@ -163,6 +166,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   std::vector<double> row;
   table_.append(sources, row);
   parts_.append(model, state, row);
+  row.insert(row.end(), sources.forces.begin(), sources.forces.end());
   gather_points(model, state, row);
   fail_together(ranks_, [&] {
     if (file_) file_->write_row(row);

@@ -17,6 +17,7 @@ struct HistorySources {
   const ContactReport& contact;
   const Vec3& wall_force;                // used only with walls
   const std::vector<double>& pair_work;  // ContactStage::sum_pair_work()
+  const std::vector<double>& forces;     // ForceBooks::take()
 };
 
 /// The columns of a deck, without those of parts and followed points.

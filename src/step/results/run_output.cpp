@@ -81,11 +81,12 @@ void RunOutput::go_on() {
   }
 }
 
-void RunOutput::write_row(const State& state, const AuditResult& audit, const Stepper& stepper) {
+void RunOutput::write_row(const State& state, const AuditResult& audit, Stepper& stepper) {
   if (!history_ || last_row_ == state.step) return;
   const Vec3 wall_force = stepper.find_wall_force();
   const std::vector<double> pair_work = contact_.sum_pair_work();
-  history_->write(model_, {state, audit, stepper.contact_report(), wall_force, pair_work});
+  const std::vector<double> forces = stepper.forces().take(state.time);
+  history_->write(model_, {state, audit, stepper.contact_report(), wall_force, pair_work, forces});
   last_row_ = state.step;
 }
 

@@ -63,7 +63,7 @@ class RunOutput {
   bool is_frame_due(double time) const { return frames_due_.is_due(time); }
 
   /// Writes the state, unless it was written.
-  void write_row(const State& state, const AuditResult& audit, const Stepper& stepper);
+  void write_row(const State& state, const AuditResult& audit, Stepper& stepper);
   void write_frame(const State& state);
   void advance(double time);
 

@@ -10,7 +10,9 @@
 #include "src/contact/start/start_overlap.hpp"
 #include "src/fail_together.hpp"
 #include "src/mesh/decomposition/decompose.hpp"
+#include "src/output/files/atomic_file.hpp"
 #include "src/output/files/first_rank.hpp"
+#include "src/output/files/safe_text.hpp"
 #include "src/step/build/mass_scaling.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/phases.hpp"
@@ -27,6 +29,12 @@ namespace {
 /// Energy and momentum are judged at least this often, also without output.
 constexpr long steps_between_audits = 500;
 
+std::string in_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return make_printable(text);
+}
+
 }  // namespace
 
 Run::Run(const Deck& deck, const RunOptions& options)
@@ -42,6 +50,7 @@ Run::Run(const Deck& deck, const RunOptions& options)
       audit_(model_),
       output_(deck, chunked_, model_, contact_, options.out_dir),
       checkpoints_(deck, options.out_dir),
+      requests_(ranks_.rank() == 0 ? options.out_dir : ""),
       measures_(measure_scene(deck, chunked_, model_.start_velocity)) {
   stop_if_requested(ranks_, "after contact was made");
   progress_.emplace(stderr, ranks_.rank() == 0 ? options.progress : Progress::Style::quiet);
@@ -120,12 +129,24 @@ void Run::open_results() {
     output_.check_earlier();
     run_on_first_rank(ranks_, [&] { check_removals(); });
     output_.go_on();
+    keep_deck();
     return;
   }
   fail_together(ranks_, [&] {
     if (ranks_.rank() == 0 && options_.prepare_output) options_.prepare_output();
   });
   output_.create();
+  keep_deck();
+}
+
+/// The deck beside its results, with what --set changed in comments before it.
+void Run::keep_deck() const {
+  run_on_first_rank(ranks_, [&] {
+    if (options_.out_dir.empty()) return;
+    std::string text = "# As run from " + in_one_line(deck_.file) + "\n";
+    for (const std::string& setting : deck_.settings) text += "# --set " + in_one_line(setting) + "\n";
+    write_file_atomically(options_.out_dir + "/run_deck.yaml", text + deck_.text, Durability::system);
+  });
 }
 
 /// A run that goes on in place cuts off what lies behind its checkpoint.
@@ -191,10 +212,13 @@ void Run::erode() {
   clock -= contact_.clocks().sum();
 }
 
-StepWishes Run::find_wishes() const {
+StepWishes Run::find_wishes() {
+  const FolderRequests::Found asked = ranks_.rank() == 0 ? requests_.take() : FolderRequests::Found{};
   StepWishes wishes;
-  wishes.stop = is_stop_requested();
-  wishes.checkpoint = is_checkpoint_requested() || (ranks_.rank() == 0 && checkpoints_.is_clock_due());
+  wishes.stop = is_stop_requested() || asked.stop;
+  wishes.checkpoint =
+      is_checkpoint_requested() || asked.checkpoint || (ranks_.rank() == 0 && checkpoints_.is_clock_due());
+  wishes.frame = asked.frame;
   return wishes;
 }
 
@@ -210,7 +234,9 @@ void Run::audit() {
 /// Audit and output of a state, where they are due. A row of the history is written before the balance is judged, so
 /// that it shows what grew; a frame only after.
 void Run::observe() {
-  const bool row_due = output_.is_row_due(state_.time), frame_due = output_.is_frame_due(state_.time);
+  const bool is_asked = stepper_.is_frame_agreed();
+  const bool row_due = output_.is_row_due(state_.time) || is_asked,
+             frame_due = output_.is_frame_due(state_.time) || is_asked;
   if (!row_due && !frame_due && state_.step % steps_between_audits != 0) return;
   audit();
   const Phase phase("percuss::output", stepper_.clocks().output);

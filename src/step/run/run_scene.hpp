@@ -20,6 +20,7 @@
 #include "src/step/run/run_notes.hpp"
 #include "src/step/run/run_summary.hpp"
 #include "src/step/run/run_warnings.hpp"
+#include "src/step/run/stop_request.hpp"
 #include "src/step/step.hpp"
 
 namespace percuss {
@@ -44,6 +45,7 @@ class Run {
   void open_files();
   void check_removals() const;
   void open_results();
+  void keep_deck() const;
   bool is_finished() const;
   void loop();
   void advance();
@@ -56,7 +58,7 @@ class Run {
   void note_contact();
   void check_step_made() const;
   CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }
-  StepWishes find_wishes() const;
+  StepWishes find_wishes();
   void archive(CheckpointArchive& archive);
   void save_checkpoint();
   void write_checkpoint();
@@ -90,6 +92,7 @@ class Run {
   long audited_step_ = -1;
   RunOutput output_;
   RunCheckpoints checkpoints_;
+  FolderRequests requests_;
   const SceneMeasures measures_;  // at time 0
   bool is_state_whole_ = true;    // false while a step is made
   long start_step_ = 0;           // where this run began

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "comm/all_reduce.hpp"
 
@@ -10,6 +13,14 @@ namespace percuss {
 namespace {
 
 volatile std::sig_atomic_t stop_requested = 0, checkpoint_requested = 0;
+
+constexpr std::chrono::milliseconds between_looks{250};
+
+bool remove_request(const std::string& folder, const char* name) {
+  std::error_code ignored;
+  const std::filesystem::path file = std::filesystem::path(folder) / name;
+  return std::filesystem::is_regular_file(file, ignored) && std::filesystem::remove(file, ignored);
+}
 
 }  // namespace
 
@@ -24,6 +35,20 @@ void request_checkpoint() { checkpoint_requested = 1; }
 bool is_checkpoint_requested() { return checkpoint_requested != 0; }
 
 void forget_checkpoint_request() { checkpoint_requested = 0; }
+
+FolderRequests::FolderRequests(std::string folder) : folder_(std::move(folder)) { remove_files(); }
+
+FolderRequests::Found FolderRequests::remove_files() const {
+  if (folder_.empty()) return {};
+  return {remove_request(folder_, "stop"), remove_request(folder_, "checkpoint"), remove_request(folder_, "frame")};
+}
+
+FolderRequests::Found FolderRequests::take() {
+  const Clock::time_point now = Clock::now();
+  if (folder_.empty() || now < next_) return {};
+  next_ = now + between_looks;
+  return remove_files();
+}
 
 void stop_if_requested(const Communicator& ranks, const char* stage) {
   int asked = is_stop_requested() ? 1 : 0;

@@ -1,8 +1,10 @@
 #pragma once
-// Requests to the run in progress, to stop or to write a checkpoint: made by a signal on any rank, honoured where all
-// ranks agree.
+// Requests to the run in progress, to stop or to write something: made by a signal on any rank or by a file in the
+// folder of results, honoured where all ranks agree.
 
+#include <chrono>
 #include <stdexcept>
+#include <string>
 
 #include "comm/communicator.hpp"
 
@@ -28,6 +30,28 @@ void request_checkpoint();
 /// Whether this rank was asked for one, and since then has none.
 bool is_checkpoint_requested();
 void forget_checkpoint_request();
+
+/// Requests by files, for users who cannot send a signal: DIR/stop ends the run with a checkpoint, DIR/checkpoint
+/// writes one, DIR/frame writes a frame of fields and a row of the history.
+class FolderRequests {
+ public:
+  struct Found {
+    bool stop = false, checkpoint = false, frame = false;
+  };
+
+  /// What was left there before the run is no request to it. folder: empty for a run without files.
+  explicit FolderRequests(std::string folder);
+
+  /// What has been asked for since the last call; the files are removed. Looks at most four times a second.
+  Found take();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Found remove_files() const;
+
+  std::string folder_;
+  Clock::time_point next_ = Clock::now();
+};
 
 /// Throws Interruption on all ranks if any was asked to stop. stage: what was done, "the mesh was built". Collective.
 void stop_if_requested(const Communicator& ranks, const char* stage);

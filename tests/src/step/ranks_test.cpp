@@ -65,7 +65,7 @@ std::string write_history(Scene& scene) {
     scene.stepper.start(scene.state);
     for (int i = 0; i < 10; ++i) {
       history.write(scene.model, {scene.state, audit(scene.state), scene.stepper.contact_report(), Vec3{},
-                                  scene.contact.sum_pair_work()});
+                                  scene.contact.sum_pair_work(), {}});
       scene.stepper.advance(scene.state);
     }
     history.flush();

@@ -201,7 +201,7 @@ TEST(PartEnergies, AreTheSameTextOnAnyNumberOfRanksAndCloseTheMass) {
       History history(folders[i].path(), scene.deck, scene.chunked);
       erode(eroding, [&] {
         history.write(scene.model, {scene.state, eroding.audit(scene.state), scene.stepper.contact_report(), Vec3{},
-                                    scene.contact.sum_pair_work()});
+                                    scene.contact.sum_pair_work(), {}});
       });
       history.flush();
     }

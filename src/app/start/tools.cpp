@@ -1,0 +1,53 @@
+#include "src/app/start/tools.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "comm/communicator.hpp"
+
+namespace percuss {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The tool of a checkout in which this program was built, or of an installation.
+fs::path find_tool(const std::string& name) {
+  std::error_code ignored;
+  const fs::path bin = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  for (const fs::path& root : {bin.parent_path().parent_path(), bin.parent_path() / "share/percuss"}) {
+    fs::path file = root / "scripts" / name;
+    if (fs::exists(root / "python/percuss", ignored) && fs::exists(file, ignored)) return file;
+  }
+  throw InputError(
+      fmt::format("percuss: error: percuss {} is the program scripts/{} of a checkout or an installation, and neither "
+                  "is where {} lies",
+                  name, name, bin.string()));
+}
+
+}  // namespace
+
+const std::vector<std::string>& tool_names() {
+  static const std::vector<std::string> names = {"plot", "report", "watch", "render"};
+  return names;
+}
+
+bool become_tool(int argc, char** argv) {
+  if (argc < 2) return false;
+  const std::string name = argv[1];
+  if (std::find(tool_names().begin(), tool_names().end(), name) == tool_names().end()) return false;
+  if (is_launched())
+    throw InputError(fmt::format("percuss: error: percuss {} needs no ranks: call it without mpirun", name));
+  std::string tool = find_tool(name).string();
+  std::vector<char*> words{tool.data()};
+  words.insert(words.end(), argv + 2, argv + argc);
+  words.push_back(nullptr);
+  ::execv(tool.c_str(), words.data());
+  throw SystemError(fmt::format("{} cannot be started ({})", tool, std::strerror(errno)));
+}
+
+}  // namespace percuss

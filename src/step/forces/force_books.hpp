@@ -1,0 +1,44 @@
+#pragma once
+// The forces that a deck names in output.history.forces: means over the time between two rows of the history.
+//
+// Each step adds its impulses, as they change the momentum of the nodes in it, to exact sums. A row tells these sums
+// over the time since the last row: no peak between rows is lost, and the column times the time between rows adds up to
+// the momentum that was exchanged, to round-off. The first row, at time 0, has zeros.
+
+#include <array>
+#include <vector>
+
+#include "src/contact/contact_stage.hpp"
+#include "src/output/history_columns.hpp"
+#include "src/step/forces/force_sources.hpp"
+
+namespace percuss {
+
+/// The columns, force after force.
+std::vector<HistoryColumn> list_force_columns(const Deck& deck);
+
+class ForceBooks {
+ public:
+  /// Collective. Throws InputError with the deck's place, the same on all ranks, for a support without held nodes and a
+  /// section that cuts no element. deck and contact outlive this.
+  ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact);
+
+  /// Books the supports and sections of a step. Call with v at n+1/2, x and forces at n. Collective.
+  void book(const Model& model, const State& state, double dt_mean);
+
+  void archive(CheckpointArchive& archive);
+
+  /// The values of a row: means since the last one. Collective; empty where the deck names no force.
+  std::vector<double> take(double time);
+
+ private:
+  const Deck& deck_;
+  const Communicator ranks_;
+  ContactStage& contact_;
+  std::vector<SupportForce> supports_;
+  std::vector<SectionForce> sections_;
+  std::vector<std::array<ExactSum, 6>> sums_;  // of the supports, then of the sections; this rank's share
+  double last_time_ = 0;                       // of the last row
+};
+
+}  // namespace percuss

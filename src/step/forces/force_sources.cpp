@@ -1,0 +1,134 @@
+#include "src/step/forces/force_sources.hpp"
+
+#include <fmt/format.h>
+
+#include "comm/all_reduce.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/error.hpp"
+#include "src/step/model/held_reaction.hpp"
+
+namespace percuss {
+namespace {
+
+/// Adds an impulse at x and its moment about a point.
+KOKKOS_INLINE_FUNCTION void add_impulse(const double (&r)[3], const double (&j)[3], const ExactAdder& add) {
+  for (int k = 0; k < 3; ++k) add(k, j[k]);
+  add(3, r[1] * j[2] - r[2] * j[1]);
+  add(4, r[2] * j[0] - r[0] * j[2]);
+  add(5, r[0] * j[1] - r[1] * j[0]);
+}
+
+/// Those of the listed entries whose node is marked.
+std::vector<int> list_entries(const Array<int>& owned, const HeldDirections& held, const std::vector<char>& marked) {
+  std::vector<int> entries;
+  const auto listed = to_host(owned);
+  const auto node = to_host(held.node);
+  for (std::size_t i = 0; i < listed.extent(0); ++i) {
+    const int entry = listed(i);
+    if (marked[static_cast<std::size_t>(node(static_cast<std::size_t>(entry)))] != 0) entries.push_back(entry);
+  }
+  return entries;
+}
+
+void require_some(const Communicator& ranks, std::size_t own, const std::string& otherwise) {
+  int some = own > 0 ? 1 : 0;
+  all_reduce(ranks, Reduce::largest, some);
+  if (some == 0) throw InputError(otherwise);
+}
+
+}  // namespace
+
+SupportForce::SupportForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model)
+    : about_(force.about.value_or(Vec3{})) {
+  std::vector<char> marked(chunked.mesh.nodes.size(), 0);
+  for (const int node : select_nodes(chunked.mesh, deck, force.where)) marked[static_cast<std::size_t>(node)] = 1;
+  const std::vector<int> held = list_entries(model.owned_held, model.held, marked);
+  std::vector<int> spins;
+  if (model.has_shells) spins = list_entries(model.owned_held_spins, model.held_spins, marked);
+  require_some(model.ranks, held.size() + spins.size(),
+               fmt::format("{}: error: force '{}' is of a support where no condition holds a node (conditions say "
+                           "what is held)",
+                           deck.where(force.place), force.name));
+  held_ = to_view("percuss::support_entries", held);
+  held_spins_ = to_view("percuss::support_spin_entries", spins);
+}
+
+ImpulseSums SupportForce::find_impulse(const Model& model, const State& state, double dt_mean) {
+  ImpulseSums sums{};
+  if (held_.extent(0) > 0) {
+    const HeldReactions reactions = find_reactions(model, state, dt_mean);
+    const auto entries = held_;
+    const auto x = state.x;
+    const double at[3] = {about_[0], about_[1], about_[2]};
+    sums = sums_(
+        ExecSpace(), static_cast<int>(entries.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+          const int n = reactions.held.node(entries(i));
+          double j[3] = {0, 0, 0};
+          j[reactions.held.direction(entries(i))] = reactions(entries(i));
+          const double r[3] = {x(n, 0) - at[0], x(n, 1) - at[1], x(n, 2) - at[2]};
+          add_impulse(r, j, add);
+        });
+  }
+  if (held_spins_.extent(0) == 0) return sums;
+  const auto held = model.held_spins;
+  const auto entries = held_spins_;
+  const auto inertia = state.inertia;
+  const auto w = state.w, w_before = state.w_before, moment = state.moment;
+  const ImpulseSums spins = spin_sums_(
+      ExecSpace(), static_cast<int>(entries.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+        const int n = held.node(entries(i)), k = held.direction(entries(i));
+        add(3 + k, inertia(n) * (w(n, k) - w_before(n, k)) - dt_mean * moment(n, k));
+      });
+  for (std::size_t k = 3; k < 6; ++k) sums[k].merge(spins[k]);
+  return sums;
+}
+
+SectionForce::SectionForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model)
+    : about_(force.about.value_or(force.point)) {
+  const auto first_slot = to_host(model.chunks.first_slot), slots_to_nodes = to_host(model.chunks.slots_to_nodes);
+  const auto start = to_host(model.start);
+  const auto is_behind = [&](int node) {
+    double ahead = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      ahead += (start(static_cast<std::size_t>(node), k) - force.point[k]) * force.normal[k];
+    return ahead < 0;
+  };
+  std::vector<int> slots, nodes;
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    const std::string& part = deck.parts[static_cast<std::size_t>(chunked.chunks[c].part)].name;
+    if (!force.part.empty() && part != force.part) continue;
+    const std::size_t before = slots.size();
+    for (int s = first_slot(c); s < first_slot(c + 1); ++s) {
+      const int node = slots_to_nodes(static_cast<std::size_t>(s));
+      if (!is_behind(node)) continue;
+      slots.push_back(s);
+      nodes.push_back(node);
+    }
+    if (static_cast<int>(slots.size() - before) < first_slot(c + 1) - first_slot(c)) continue;
+    slots.resize(before);  // all of it is behind: nothing is cut
+    nodes.resize(before);
+  }
+  require_some(model.ranks, slots.size(),
+               fmt::format("{}: error: force '{}' is of a section that cuts no element (its plane lies beside {})",
+                           deck.where(force.place), force.name,
+                           force.part.empty() ? "all parts" : fmt::format("part '{}'", force.part)));
+  slots_ = to_view("percuss::section_slots", slots);
+  nodes_ = to_view("percuss::section_nodes", nodes);
+}
+
+ImpulseSums SectionForce::find_impulse(const State& state, double dt_mean) {
+  const auto slots = slots_, nodes = nodes_;
+  const auto x = state.x, f = state.slot_force, m = state.slot_moment;
+  const bool has_moments = m.extent(0) > 0;
+  const double at[3] = {about_[0], about_[1], about_[2]};
+  return sums_(
+      ExecSpace(), static_cast<int>(slots.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
+        const int s = slots(i), n = nodes(i);
+        const double j[3] = {dt_mean * f(s, 0), dt_mean * f(s, 1), dt_mean * f(s, 2)};
+        const double r[3] = {x(n, 0) - at[0], x(n, 1) - at[1], x(n, 2) - at[2]};
+        add_impulse(r, j, add);
+        for (int k = 0; has_moments && k < 3; ++k) add(3 + k, dt_mean * m(s, k));
+      });
+}
+
+}  // namespace percuss

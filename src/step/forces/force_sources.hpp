@@ -1,0 +1,48 @@
+#pragma once
+// Where forces of the history come from, besides contact: conditions that hold nodes, and elements cut by a plane.
+
+#include <array>
+
+#include "src/mesh/ordering.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+/// Six exact sums: an impulse and its moment [force x time, force x length x time].
+using ImpulseSums = std::array<ExactSum, 6>;
+
+/// What the conditions give to the nodes of a selector.
+class SupportForce {
+ public:
+  /// Collective. Throws InputError, on all ranks, if no condition holds one of these nodes.
+  SupportForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model);
+
+  /// Of this rank's nodes in a step. Call with v at n+1/2, x and forces at n.
+  ImpulseSums find_impulse(const Model& model, const State& state, double dt_mean);
+
+ private:
+  Array<const int> held_, held_spins_;  // entries of Model::held and held_spins
+  Vec3 about_;
+  ExactSums<6> sums_{"percuss::support_sums"}, spin_sums_{"percuss::support_spin_sums"};
+};
+
+/// What the elements that a plane cuts at time 0 give to their nodes behind it: the force that the material ahead of
+/// the plane, where its normal points, exerts on that behind. Tension is positive along the normal.
+///
+/// Forces of an element on its nodes sum to zero, so those of all elements of a chunk on its nodes behind the plane are
+/// those of the cut ones.
+class SectionForce {
+ public:
+  /// Collective. Throws InputError, on all ranks, if the plane cuts no element.
+  SectionForce(const Deck& deck, const ForceDeck& force, const ChunkedMesh& chunked, const Model& model);
+
+  /// Of this rank's elements in a step. Call with x and forces at n.
+  ImpulseSums find_impulse(const State& state, double dt_mean);
+
+ private:
+  Array<const int> slots_, nodes_;  // of cut chunks, behind the plane
+  Vec3 about_;
+  ExactSums<6> sums_{"percuss::section_sums"};
+};
+
+}  // namespace percuss

@@ -1,0 +1,244 @@
+// Forces of the history against the momentum that they change, exact waves and Coulomb's law; on any ranks, over a
+// restart.
+
+#include "src/step/forces/force_books.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "comm/exact_reduction.hpp"
+#include "src/error.hpp"
+#include "src/step/model/whole_mesh.hpp"
+#include "src/step/run/run.hpp"
+#include "tests/src/step/scene.hpp"
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+/// Momentum of the nodes for which is_counted(x at time 0) holds, of all ranks.
+template <class Counted>
+Vec3 sum_momentum(const Scene& scene, const Counted& is_counted) {
+  const auto v = to_host(scene.state.v), start = to_host(scene.model.start);
+  const auto mass = to_host(scene.state.mass);
+  std::array<ExactSum, 3> sums{};
+  for (std::size_t n = 0; n < mass.extent(0); ++n) {
+    if (!owns_node(scene.chunked, static_cast<int>(n)) || !is_counted(Vec3{start(n, 0), start(n, 1), start(n, 2)}))
+      continue;
+    for (std::size_t k = 0; k < 3; ++k) sums[k].add(mass(n) * v(n, k));
+  }
+  sum_over_ranks(scene.model.ranks, sums);
+  return {sums[0].round(), sums[1].round(), sums[2].round()};
+}
+
+/// The values of a row by the headings of their columns, as impulses: mean times the time of the row.
+std::map<std::string, double> take_impulses(Scene& scene, double since) {
+  const std::vector<HistoryColumn> columns = list_force_columns(scene.deck);
+  const std::vector<double> row = scene.stepper.forces().take(scene.state.time);
+  EXPECT_EQ(row.size(), columns.size());
+  std::map<std::string, double> values;
+  for (std::size_t i = 0; i < row.size(); ++i) values[columns[i].name] = row[i] * (scene.state.time - since);
+  return values;
+}
+
+Vec3 find_vector(const std::map<std::string, double>& values, char kind, const std::string& force) {
+  Vec3 v{};
+  for (std::size_t k = 0; k < 3; ++k) v[k] = values.at(std::string{kind, "xyz"[k], ':'} + force);
+  return v;
+}
+
+void expect_near(const Vec3& a, const Vec3& b, double tolerance, int line = __builtin_LINE()) {
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], tolerance) << "direction " << k << ", line " << line;
+}
+
+Vec3 minus(const Vec3& a, const Vec3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+std::string read_file(const std::string& path) {
+  std::ostringstream all;
+  all << std::ifstream(path, std::ios::binary).rdbuf();
+  return all.str();
+}
+
+/// Two boxes that meet askew before a wall, and a third that touches nothing.
+std::string make_collision(const std::string& enforcement) {
+  return R"(
+time: {end: 1}
+parts:
+  a: {box: {size: [1, 1, 1], cells: [5, 5, 5]}, at: [0.01, 0, 0], material: m}
+  b: {box: {size: [1.3, 0.9, 1.1], cells: [6, 5, 5]}, at: [1.02, 0.3, 0.2], material: m}
+  c: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, at: [0, 5, 0], material: m}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 100, poissons_ratio: 0.3}}
+initial: [{part: b, velocity: [-1, 0.3, 0]}, {part: c, velocity: [1, 0, 0]}]
+walls: [{name: left, point: [0, 0, 0], normal: x}]
+contact: {friction: 0.2, enforcement: )" +
+         enforcement + R"(}
+output:
+  history:
+    forces:
+      - {name: ab, contact: [a, b]}
+      - {name: ba, contact: [b, a], about: [1, 2, 3]}
+      - {name: ba_origin, contact: [b, a]}
+      - {name: a_all, contact: [a, all]}
+      - {name: both, contact: [[a, b], all]}
+      - {name: ca, contact: [c, [a, b]]}
+      - {name: wall, wall: left}
+)";
+}
+
+}  // namespace
+
+TEST(ForceBooks, ContactIsTheMomentumExchanged) {
+  for (const char* enforcement : {"kinematic", "penalty", "lagrange"}) {
+    Scene scene(make_collision(enforcement));
+    scene.stepper.start(scene.state);
+    const auto is_b = [](const Vec3& x) { return x[0] > 1.015; };
+    const auto is_a = [](const Vec3& x) { return x[0] > 0.005 && x[0] < 1.015 && x[1] < 2; };
+    const Vec3 a_before = sum_momentum(scene, is_a), b_before = sum_momentum(scene, is_b);
+    for (int i = 0; i < 60; ++i) scene.stepper.advance(scene.state);
+    const auto j = take_impulses(scene, 0);
+    const double scale = std::abs(b_before[0]);
+    const Vec3 ab = find_vector(j, 'f', "ab"), wall = find_vector(j, 'f', "wall");
+    EXPECT_LT(ab[0], -0.05 * scale) << enforcement;
+    EXPECT_GT(wall[0], 0.01 * scale) << enforcement;
+    expect_near(find_vector(j, 'f', "ba"), {-ab[0], -ab[1], -ab[2]}, 1e-14 * scale);
+    expect_near(find_vector(j, 'f', "a_all"), minus(ab, {-wall[0], -wall[1], -wall[2]}), 1e-13 * scale);
+    expect_near(find_vector(j, 'f', "both"), wall, 1e-13 * scale);
+    expect_near(minus(sum_momentum(scene, is_b), b_before), {-ab[0], -ab[1], -ab[2]}, 1e-12 * scale);
+    expect_near(minus(sum_momentum(scene, is_a), a_before), find_vector(j, 'f', "a_all"), 1e-12 * scale);
+    expect_near(find_vector(j, 'f', "ca"), {}, 0);
+    // Moments: opposite about one point; about another they differ by the force on the way between.
+    const Vec3 m_ab = find_vector(j, 'm', "ab"), m = find_vector(j, 'm', "ba"), o = find_vector(j, 'm', "ba_origin");
+    expect_near(o, {-m_ab[0], -m_ab[1], -m_ab[2]}, 1e-13 * scale);
+    const Vec3 f = find_vector(j, 'f', "ba");
+    expect_near(minus(o, m), {2 * f[2] - 3 * f[1], 3 * f[0] - 1 * f[2], 1 * f[1] - 2 * f[0]}, 1e-13 * scale);
+    EXPECT_GE(j.at("normal:ab"), std::abs(ab[0]));
+    EXPECT_LE(j.at("tangential:ab"), 0.2 * j.at("normal:ab") * (1 + 1e-12));
+    EXPECT_GT(j.at("tangential:ab"), 0);
+  }
+}
+
+TEST(ForceBooks, SectionsAndSupportsBalanceWhatLiesBetween) {
+  Scene scene(R"(
+time: {end: 1}
+parts:
+  bar: {box: {size: [4, 1, 1], cells: [60, 3, 3]}, material: m}
+  sheet: {shell_plate: {size: [4, 1], cells: [16, 4]}, thickness: 0.1, at: [0, 3, 0], material: m}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 100, poissons_ratio: 0.3}}
+initial: [{part: bar, velocity: [1, 0.2, -0.1]}, {part: sheet, velocity: [0, 0.3, -0.4]}]
+conditions: [{nodes: bar/x_min, fixed: [x, y, z]}, {nodes: sheet/x_min, fixed: [x, y, z, rx, ry, rz]}]
+output:
+  history:
+    forces:
+      - {name: foot, support: bar}
+      - {name: cut, section: {part: bar, point: [1.7, 0, 0], normal: x}, about: [0, 0, 0]}
+      - {name: back, section: {part: bar, point: [1.7, 0, 0], normal: -x}, about: [0, 0, 0]}
+      - {name: on_nodes, section: {part: bar, point: [2, 0, 0], normal: x}}
+      - {name: clamp, support: {name: sheet/x_min}}
+      - {name: fold, section: {part: sheet, point: [2.1, 0, 0], normal: [1, 0, 0]}}
+)");
+  scene.stepper.start(scene.state);
+  const auto is_bar_behind = [](const Vec3& x) { return x[1] < 2 && x[0] < 1.7; };
+  const auto is_bar_ahead = [](const Vec3& x) { return x[1] < 2 && x[0] > 1.7; };
+  const auto is_sheet_behind = [](const Vec3& x) { return x[1] > 2 && x[0] < 2.1; };
+  // Held nodes lose their speed in start(), which is no step.
+  const Vec3 behind = sum_momentum(scene, is_bar_behind), ahead = sum_momentum(scene, is_bar_ahead),
+             sheet = sum_momentum(scene, is_sheet_behind);
+  for (int i = 0; i < 80; ++i) scene.stepper.advance(scene.state);
+  const auto j = take_impulses(scene, 0);
+  const Vec3 cut = find_vector(j, 'f', "cut"), foot = find_vector(j, 'f', "foot");
+  const double scale = std::abs(ahead[0]);
+  EXPECT_GT(cut[0], 0.02 * scale);  // the bar is stretched
+  expect_near(minus(sum_momentum(scene, is_bar_ahead), ahead), {-cut[0], -cut[1], -cut[2]}, 1e-12 * scale);
+  const Vec3 gained = minus(sum_momentum(scene, is_bar_behind), behind);
+  expect_near(gained, minus(cut, {-foot[0], -foot[1], -foot[2]}), 1e-12 * scale);
+  expect_near(find_vector(j, 'f', "back"), {-cut[0], -cut[1], -cut[2]}, 1e-13 * scale);
+  const Vec3 moment = find_vector(j, 'm', "cut");
+  expect_near(find_vector(j, 'm', "back"), {-moment[0], -moment[1], -moment[2]}, 1e-12 * scale);
+  const Vec3 fold = find_vector(j, 'f', "fold"), clamp = find_vector(j, 'f', "clamp");
+  expect_near(minus(sum_momentum(scene, is_sheet_behind), sheet), minus(fold, {-clamp[0], -clamp[1], -clamp[2]}),
+              1e-12 * scale);
+  EXPECT_NE(find_vector(j, 'm', "clamp")[1], 0);
+}
+
+TEST(ForceBooks, SectionOfABarThatMeetsAWallCarriesTheWavesForce) {
+  // Uniaxial strain by symmetry: the wave carries rho c v, with c^2 = M / rho.
+  Scene scene(R"(
+time: {end: 1}
+parts: {bar: {box: {size: [4, 0.1, 0.1], cells: [400, 1, 1]}, material: m}}
+materials: {m: {model: elastic, density: 4, youngs_modulus: 100, poissons_ratio: 0}}
+initial: [{part: bar, velocity: [-0.01, 0, 0]}]
+walls: [{name: stop, point: [0, 0, 0], normal: x}]
+output: {history: {forces: [{name: cut, section: {point: [1, 0, 0], normal: x}}, {name: stop, wall: stop}]}}
+)");
+  scene.stepper.start(scene.state);
+  const double c = 5, exact = 4 * c * 0.01 * 0.01;  // rho c v A
+  const auto run_to = [&](double time) {
+    while (scene.state.time < time) scene.stepper.advance(scene.state);
+  };
+  run_to(1.2 / c);  // the wave has passed the section
+  double since = scene.state.time;
+  scene.stepper.forces().take(since);
+  run_to(3.5 / c);
+  const auto j = take_impulses(scene, since);
+  EXPECT_NEAR(j.at("fx:cut"), -exact * (scene.state.time - since), 0.01 * exact * (scene.state.time - since));
+  EXPECT_NEAR(j.at("fx:stop"), exact * (scene.state.time - since), 0.01 * exact * (scene.state.time - since));
+  EXPECT_NEAR(j.at("my:cut"), -exact * 0.05 * (scene.state.time - since), 1e-3 * exact * (scene.state.time - since));
+}
+
+TEST(ForceBooks, AreTheSameBitsOnAnyRanks) {
+  Scene together(make_collision("kinematic")), alone(make_collision("kinematic"), Communicator(MPI_COMM_SELF));
+  together.run(60);
+  alone.run(60);
+  EXPECT_EQ(together.stepper.forces().take(together.state.time), alone.stepper.forces().take(alone.state.time));
+}
+
+TEST(ForceBooks, GoOnAfterARestart) {
+  const std::string deck =
+      make_collision("kinematic") + "      - {name: cut, section: {point: [0.5, 0, 0], normal: x}}\n";
+  const std::string bounds = "time: {end: 1}\n";
+  const auto with_time = [&](const std::string& time, const std::string& more) {
+    std::string text = deck;
+    text.replace(text.find(bounds), bounds.size(), "time: " + time + "\n");
+    text.replace(text.find("  history:\n"), 11, more + "  history:\n    every: 0.05\n");
+    return text;
+  };
+  const TemporaryFolder whole, parts;
+  const auto run = [&](const std::string& text, const std::string& folder, const std::string& restart) {
+    RunOptions options;
+    options.out_dir = folder;
+    options.restart = restart;
+    options.goes_on_in_place = !restart.empty();
+    return run_scene(parse_deck(text, "deck.yaml"), options).summary;
+  };
+  if (Communicator::world().size() > 1) return;  // each rank has its own temporary folder
+  const Summary expected = run(with_time("{end: 0.4}", ""), whole.path(), "");
+  EXPECT_GT(expected.steps, 40);
+  // A checkpoint between two rows.
+  run(with_time("{end: 0.4, max_steps: 32}", "  checkpoint: {every: 0.17}\n"), parts.path(), "");
+  run(with_time("{end: 0.4}", ""), parts.path(), parts.path() + "/checkpoint_previous.h5");
+  EXPECT_TRUE(read_file(parts.path() + "/history.csv") == read_file(whole.path() + "/history.csv"));
+}
+
+TEST(ForceBooks, RefuseSupportsAndSectionsOfNothing) {
+  const auto make = [](const std::string& force) {
+    return R"(
+time: {end: 1}
+parts: {a: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, material: m}}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 100, poissons_ratio: 0.3}}
+conditions: [{nodes: a/x_min, fixed: [x]}]
+output: {history: {forces: [)" +
+           force + "]}}\n";
+  };
+  EXPECT_NO_THROW(Scene(make("{name: f, support: a/x_min}")));
+  EXPECT_THROW(Scene(make("{name: f, support: a/x_max}")), InputError);
+  EXPECT_NO_THROW(Scene(make("{name: f, section: {point: [0.5, 0, 0], normal: x}}")));
+  for (const char* x : {"-0.1", "1.1", "0"}) {
+    EXPECT_THROW(Scene(make(std::string("{name: f, section: {point: [") + x + ", 0, 0], normal: x}}")), InputError)
+        << x;
+  }
+}
+
+}  // namespace percuss::test
