@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -62,6 +63,25 @@ TEST_F(PercussSignals, ThatAskForAStopAllLeaveACheckpoint) {
     EXPECT_GT(read_checkpoint_header(out + "/checkpoint.h5").step, 0);
     EXPECT_FALSE(fs::exists(out + "/run.lock"));
   }
+}
+
+TEST_F(PercussSignals, MayBeFilesInTheFolderOfResults) {
+  std::string text = blocks;
+  text.replace(text.find("{history: {every: 0}}"), 21,
+               "{history: {every: 1e9}, fields: {every: 1e9, write: [velocity]}}");
+  const std::string frames = folder_.write("asked.yaml", text);
+  const auto ask = [&](const char* what) {
+    std::ofstream(out_ + "/" + what);
+    while (fs::exists(out_ + "/" + what)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  };
+  const ProcessResult result = disturb_percuss({"run", frames, "-o", out_}, out_ + "/summary.json", [&](int) {
+    for (const char* what : {"frame", "checkpoint", "stop"}) ask(what);
+  });
+  EXPECT_EQ(result.exit_code, 130) << result.err;
+  EXPECT_EQ(read_summary(out_ + "/summary.json").status, "interrupted");
+  EXPECT_TRUE(fs::exists(out_ + "/checkpoint_previous.h5"));
+  const std::string history = read(out_ + "/history.csv");
+  EXPECT_EQ(std::count(history.begin(), history.end(), '\n'), 4);  // heading, start, what was asked for, the end
 }
 
 TEST_F(PercussSignals, DuringStartUpEndARunBeforeItHasChangedAFile) {

@@ -200,8 +200,12 @@ TEST(PartEnergies, AreTheSameTextOnAnyNumberOfRanksAndCloseTheMass) {
       Scene& scene = eroding.scene;
       History history(folders[i].path(), scene.deck, scene.chunked);
       erode(eroding, [&] {
-        history.write(scene.model, {scene.state, eroding.audit(scene.state), scene.stepper.contact_report(), Vec3{},
-                                    scene.contact.sum_pair_work(), {}});
+        history.write(scene.model, {scene.state,
+                                    eroding.audit(scene.state),
+                                    scene.stepper.contact_report(),
+                                    Vec3{},
+                                    scene.contact.sum_pair_work(),
+                                    {}});
       });
       history.flush();
     }
