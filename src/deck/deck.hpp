@@ -125,10 +125,12 @@ struct Rotation {
   Vec3 center{};  // in the coordinates after `array`
 };
 
-/// Elements whose step bound is below `step` are given mass at the start until it is that.
+/// Elements whose step bound is below `step` are given mass until it is that: at the start and, on request, again
+/// during the run.
 struct MassScalingDeck {
-  double step = 0;          // [time]
-  double max_added = 0.05;  // share of a part's mass; more is refused
+  double step = 0;            // [time]
+  double max_added = 0.05;    // share of a part's mass; more is refused at the start, and not added later
+  std::optional<long> every;  // steps between two looks during the run; none: at the start only
   Place place;
 };
 
@@ -359,6 +361,11 @@ struct Deck {
 
   /// "deck.yaml:LINE:COLUMN" or "--set KEY" for messages found after reading (meshing, selection).
   std::string where(Place place) const;
+
+  /// Of a part: its own, or that of the whole scene; null: its masses stay.
+  const MassScalingDeck* find_mass_scaling(std::size_t part) const;
+  /// Whether any part is given mass during the run.
+  bool scales_mass_in_run() const;
 };
 
 }  // namespace percuss

@@ -12,6 +12,7 @@ const Keys<MassScalingDeck>& mass_scaling_keys() {
   static const Keys<MassScalingDeck> keys = {
       need("step", &MassScalingDeck::step, NumberValue{positive}),
       may("max_added", &MassScalingDeck::max_added, NumberValue{positive}),
+      may("every", &MassScalingDeck::every, IntegerValue{1, std::numeric_limits<long>::max()}),
   };
   return keys;
 }

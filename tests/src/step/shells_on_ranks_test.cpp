@@ -70,6 +70,25 @@ contact: {{surfaces: all, friction: 0.2}}
   EXPECT_GT(step_and_compare(scenes, 40), 0);
 }
 
+TEST(ShellsOnRanks, WithMassScalingInTheRunHaveTheBitsOfOneRank) {
+  const SheetFile sheet("scaled_shells_on_ranks.exo");
+  TwoScenes scenes(sheet.put_into(R"yaml(
+time: {{end: 1, mass_scaling: {{step: 6.2e-7, max_added: 9, every: 2}}}}
+parts:
+  sheet: {{exodus: {{file: {0}}}, thickness: 0.002, axis: y, at: [0, 0, 0.0901], material: steel}}
+  block: {{box: {{size: [0.02, 0.02, 0.02], cells: [6, 6, 6]}}, at: [0.1, 0.1, 0.0001], material: steel}}
+materials:
+  steel: {{model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, hardening_modulus: 1e9}}
+initial: [{{velocity: [0, 1, -200]}}]
+loads: {{gravity: [0, 0, -1e5]}}
+walls: [{{normal: z}}]
+)yaml"));
+  step_and_compare(scenes, 80);
+  EXPECT_GT(scenes.alone.state.books.added_mass, 0);
+  EXPECT_EQ(scenes.together.state.books.added_mass, scenes.alone.state.books.added_mass);
+  EXPECT_EQ(scenes.together.state.total_mass, scenes.alone.state.total_mass);
+}
+
 TEST(ShellsOnRanks, OfTiesHaveTheBitsOfOneRank) {
   // On triangles and quadrilaterals a sheet; below them a block, whose nodes they hold; an upright sheet; a weight on
   // top.
