@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "src/deck/curve.hpp"
+#include "src/deck/mesh_changes.hpp"
+#include "src/deck/selector.hpp"
 #include "src/deck/yaml/key_places.hpp"
 #include "src/warning.hpp"
 
 namespace percuss {
-
-using Vec3 = std::array<double, 3>;
 
 // --- meshes that percuss generates; all in local coordinates, then array, rotate and `at` are applied in this order
 
@@ -192,13 +192,6 @@ struct MaterialDeck {
 
 // --- where a condition acts
 
-/// Nodes or faces by name ("bar", "bar/x_min", "nodes_7") and, optionally, only those inside a box of space.
-struct Selector {
-  std::string name;  // a part, a side "part/side", or a set of an Exodus mesh "part/set"; empty: the whole mesh
-  std::optional<std::array<Vec3, 2>> inside;  // lowest and highest corner at time 0
-  Place place;
-};
-
 /// The same speed at every node, along the line to it from a point or from an axis.
 struct RadialVelocityDeck {
   double speed = 0;  // outward
@@ -244,6 +237,7 @@ struct WallDeck {
   Vec3 normal{};  // unit vector towards the side where bodies live
   double friction = 0;
   std::vector<Selector> nodes;  // empty: every contact node of the scene
+  bool sees_thickness = false;  // nodes of shells keep half their thickness
   Place place;
 };
 
@@ -342,6 +336,8 @@ struct Deck {
   TimeDeck time;
   std::vector<PartDeck> parts;  // in the order of the deck
   std::vector<MaterialDeck> materials;
+  std::vector<ImperfectionDeck> imperfections;
+  std::vector<AddedMassDeck> added_masses;
   ElementDeck elements;
   ErosionDeck erosion;
   std::vector<InitialDeck> initial;

@@ -173,6 +173,12 @@ void MassScaler::sum_lumped(const State& state) {
   halo_.begin(ExecSpace(), slot_lumped_);
   halo_.end();
   assemble_forces(ExecSpace(), model_.nodes_to_slots, slot_lumped_, lumped_);
+  if (model_.extra_mass.extent(0) == 0) return;
+  const auto lumped = lumped_;
+  const auto extra = model_.extra_mass;
+  Kokkos::parallel_for(
+      "percuss::add_extra_mass", Range(ExecSpace(), 0, model_.node_count),
+      KOKKOS_LAMBDA(const int n) { lumped(n, 0) += extra(n); });
 }
 
 /// Nodes that have vanished stay without mass, held directions without motion.

@@ -194,6 +194,8 @@ const Keys<Deck>& deck_keys() {
       need("time", &Deck::time, time_value()),
       need("parts", &Deck::parts, NamedMapValue<PartDeck, PartValue>{"part", {}}),
       need("materials", &Deck::materials, NamedMapValue<MaterialDeck, MaterialValue>{"material", {}}),
+      may("imperfections", &Deck::imperfections, ListValue<MapValue<ImperfectionDeck>>{imperfection_value()}),
+      may("added_mass", &Deck::added_masses, ListValue<MapValue<AddedMassDeck>>{added_mass_value()}),
       may("elements", &Deck::elements, element_value()),
       may("erosion", &Deck::erosion, erosion_value()),
       may("initial", &Deck::initial, ListValue<MapValue<InitialDeck>>{initial_value()}),

@@ -12,6 +12,7 @@
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/build/added_mass.hpp"
 #include "src/step/build/block_builder.hpp"
 #include "src/step/build/build_conditions.hpp"
 #include "src/step/build/build_failing.hpp"
@@ -257,6 +258,7 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
   scale_masses(deck, chunked, element_mass, model);
   model.scales_in_run = deck.scales_mass_in_run();
   std::vector<double> mass = assemble_masses(model, mesh.elements, element_mass);
+  add_deck_masses(deck, chunked, mass, model);
   std::vector<int> all(mass.size());
   std::iota(all.begin(), all.end(), 0);
   const MassPoint scene = find_mass_point(chunked, all, mass);

@@ -49,6 +49,8 @@ Run::Run(const Deck& deck, const RunOptions& options)
   warnings_.add(find_start_warnings(deck_, chunked_));
   warnings_.add(check_input({deck_, &measures_, nullptr, 0}));
   warnings_.end_input();
+  say(chunked_.mesh.notes);
+  say(model_.mass_notes);
   say(describe_added_masses(model_));
   if (options.restart.empty()) {
     begin();
