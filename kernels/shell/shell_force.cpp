@@ -81,6 +81,13 @@ struct ChunkSums {
   }
 };
 
+/// Those of the first `lanes` elements of a pack.
+PERCUSS_NO_INLINE inline void store_bounds(const Lanes& step, int lanes, double* bounds) {
+  alignas(64) double steps[width];
+  store_pack(steps, step);
+  for (int lane = 0; lane < lanes; ++lane) bounds[lane] = steps[lane];
+}
+
 /// CanFail: some chunks can; HasTriangles: some elements are; without them nobody asks.
 template <class Layer, bool CanFail, bool HasTriangles>
 struct AdvanceShellChunk {
@@ -150,7 +157,9 @@ struct AdvanceShellChunk {
         if (living.can_fail() && !living.take_pack(gathered)) continue;
       }
       if (watched) std::memcpy(before, record, bytes);
-      sums.take(advance_pack(parameters, nodes, gathered, lanes, record, forces, living), e, lanes);
+      const ShellResult<Lanes> result = advance_pack(parameters, nodes, gathered, lanes, record, forces, living);
+      sums.take(result, e, lanes);
+      if (motion.bound.extent(0) > 0) store_bounds(result.stable_step, lanes, &motion.bound(e));
       if (watched) changed = changed || std::memcmp(before, record, bytes) != 0;
     }
     results.stable_step(c) = sums.step;

@@ -50,6 +50,7 @@ struct ShellMotion {
   bool skips_rest = false;  // as ElementMotion::skips_rest
   FailingChunks failing{};  // as ElementMotion's
   ElementLives lives{};
+  Array<double> bound{};  // [elements] out: step bound of each shell, without the deck's scale; empty: nobody asks
 };
 
 /// Advances every shell from n to n+1. state: element records, in and out. slot_force, slot_moment: out, the chunk's

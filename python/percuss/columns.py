@@ -27,6 +27,8 @@ SCENE = {
     "eroded_mass": ("mass", "eroded mass"),
     "eroded_energy": ("energy", "energy of eroded elements"),
     "vanished_mass": ("mass", "mass of removed nodes"),
+    "added_mass": ("mass", "mass that scaling has added"),
+    "added_energy": ("energy", "kinetic energy of added mass"),
     "mass": ("mass", "mass"),
 }
 SCENE.update({f"momentum_{axis}": ("momentum", f"momentum {axis}") for axis in "xyz"})

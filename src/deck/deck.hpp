@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "src/deck/curve.hpp"
+#include "src/deck/mesh_changes.hpp"
+#include "src/deck/selector.hpp"
 #include "src/deck/yaml/key_places.hpp"
 #include "src/warning.hpp"
 
 namespace percuss {
-
-using Vec3 = std::array<double, 3>;
 
 // --- meshes that percuss generates; all in local coordinates, then array, rotate and `at` are applied in this order
 
@@ -125,10 +125,12 @@ struct Rotation {
   Vec3 center{};  // in the coordinates after `array`
 };
 
-/// Elements whose step bound is below `step` are given mass at the start until it is that.
+/// Elements whose step bound is below `step` are given mass until it is that: at the start and, on request, again
+/// during the run.
 struct MassScalingDeck {
-  double step = 0;          // [time]
-  double max_added = 0.05;  // share of a part's mass; more is refused
+  double step = 0;            // [time]
+  double max_added = 0.05;    // share of a part's mass; more is refused at the start, and not added later
+  std::optional<long> every;  // steps between two looks during the run; none: at the start only
   Place place;
 };
 
@@ -190,13 +192,6 @@ struct MaterialDeck {
 
 // --- where a condition acts
 
-/// Nodes or faces by name ("bar", "bar/x_min", "nodes_7") and, optionally, only those inside a box of space.
-struct Selector {
-  std::string name;  // a part, a side "part/side", or a set of an Exodus mesh "part/set"; empty: the whole mesh
-  std::optional<std::array<Vec3, 2>> inside;  // lowest and highest corner at time 0
-  Place place;
-};
-
 /// The same speed at every node, along the line to it from a point or from an axis.
 struct RadialVelocityDeck {
   double speed = 0;  // outward
@@ -243,6 +238,7 @@ struct WallDeck {
   Vec3 normal{};  // unit vector towards the side where bodies live
   double friction = 0;
   std::vector<Selector> nodes;  // empty: every contact node of the scene
+  bool sees_thickness = false;  // nodes of shells keep half their thickness
   Place place;
 };
 
@@ -365,6 +361,8 @@ struct Deck {
   TimeDeck time;
   std::vector<PartDeck> parts;  // in the order of the deck
   std::vector<MaterialDeck> materials;
+  std::vector<ImperfectionDeck> imperfections;
+  std::vector<AddedMassDeck> added_masses;
   ElementDeck elements;
   ErosionDeck erosion;
   std::vector<InitialDeck> initial;
@@ -385,6 +383,11 @@ struct Deck {
 
   /// "deck.yaml:LINE:COLUMN" or "--set KEY" for messages found after reading (meshing, selection).
   std::string where(Place place) const;
+
+  /// Of a part: its own, or that of the whole scene; null: its masses stay.
+  const MassScalingDeck* find_mass_scaling(std::size_t part) const;
+  /// Whether any part is given mass during the run.
+  bool scales_mass_in_run() const;
 };
 
 }  // namespace percuss

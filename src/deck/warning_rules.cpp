@@ -67,6 +67,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"plan_without_erosion", "plan of a scene whose elements can fail"},
       {"unconverged_contact", "contact enforcement that does not converge"},
       {"deep_penetration", "contact nodes deep in a face during the run"},
+      {"mass_scaling_limit", "mass scaling during the run that has reached its limit"},
       {"inverted_corners", "elements with a negative Jacobian at a corner"},
       {"contact_energy", "energy that contact gives"},
       {"hourglass_energy", "hourglass modes with much of the internal energy"},

@@ -43,6 +43,7 @@ struct Mesh {
   std::map<std::string, std::vector<int>> node_sets;          // "part", "part/side", "part/set"; ascending, unique
   std::map<std::string, std::vector<ElementFace>> side_sets;  // "part/side", "part/set"; ascending, unique
   std::vector<Warning> warnings;                              // found while building (unused nodes dropped, ...)
+  std::vector<std::string> notes;                             // what was done to it, a line each
 
   // Of the whole mesh, of which this may be the share of one rank:
   std::vector<std::int64_t> node_numbers;  // [nodes] place of each in the whole mesh, ascending

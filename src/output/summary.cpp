@@ -81,6 +81,8 @@ void visit_summary(S& s, Visitor&& v) {
   v.group("mass", [&] {
     v.value("added", s.mass.added);
     v.value("share", s.mass.share);
+    v.value("in_run", s.mass.in_run);
+    v.value("energy", s.mass.energy);
   });
   v.value("setup_s", s.setup_s);
   v.value("loop_s", s.loop_s);

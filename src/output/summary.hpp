@@ -51,7 +51,8 @@ struct Summary {
     double gain = 1;             // mean over the steps of the bound taken over the least bound of an element
   } dt;
   struct {
-    double added = 0, share = 0;  // by mass scaling; of the scene's mass before
+    double added = 0, share = 0;    // by mass scaling; of the scene's mass before
+    double in_run = 0, energy = 0;  // what of it was added after the start; kinetic energy that came with this
   } mass;
   double setup_s = 0, loop_s = 0, grind_ns = 0;
   PhaseSeconds phases_s;

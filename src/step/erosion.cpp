@@ -172,24 +172,10 @@ void Erosion::count_holders(const State& state) {
   assemble_forces(ExecSpace(), model_.nodes_to_slots, slots, holders_);
 }
 
-/// Where nodes may vanish, masses are from now on the state's own.
-void Erosion::own_masses(State& state) const {
-  if (state.mass.data() != model_.mass.data()) return;
-  state.mass = Array<double>("percuss::mass_left", model_.mass.extent(0));
-  state.inverse_mass = Rows3<double>("percuss::inverse_mass_left", model_.inverse_mass.extent(0));
-  Kokkos::deep_copy(state.mass, model_.mass);
-  Kokkos::deep_copy(state.inverse_mass, model_.inverse_mass);
-  if (!model_.has_shells) return;
-  state.inertia = Array<double>("percuss::inertia_left", model_.inertia.extent(0));
-  state.inverse_inertia = Rows3<double>("percuss::inverse_inertia_left", model_.inverse_inertia.extent(0));
-  Kokkos::deep_copy(state.inertia, model_.inertia);
-  Kokkos::deep_copy(state.inverse_inertia, model_.inverse_inertia);
-}
-
 /// Nodes that no element holds any more go on as particles or vanish. books: null: after a restart, nothing is booked.
 void Erosion::sort_nodes(State& state, Bookkeeper* books) {
   const bool removes = deck_.erosion.free_nodes == ErosionDeck::FreeNodes::remove;
-  if (removes) own_masses(state);
+  if (removes) own_masses(model_, state);
   count_holders(state);
   auto& nodes = chunked_.mesh.eroded.nodes;
   const auto holders = to_host(holders_);
@@ -263,7 +249,7 @@ void Erosion::unload_faces(State& state, bool is_booked) const {
 /// The work that went into dead elements leaves with them.
 void Erosion::book_elements(State& state, const std::vector<int>& newly_dead) const {
   const auto work = to_host(state.lives.work);
-  const auto mass = to_host(model_.element_mass);
+  const auto mass = to_host(state.element_mass);
   Books& books = state.books;
   ExactSum* const sums[3] = {&books.eroded_internal, &books.eroded_hourglass, &books.eroded_viscous};
   std::vector<int> lanes(chunked_.mesh.elements.size(), -1);

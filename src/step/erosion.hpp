@@ -38,7 +38,6 @@ class Erosion {
   void open_faces(const std::vector<int>& newly_dead);
   void count_holders(const State& state);
   void sort_nodes(State& state, Bookkeeper* books);
-  void own_masses(State& state) const;
   void unload_nodes(const std::vector<int>& vanished, State& state, bool is_booked) const;
   void unload_faces(State& state, bool is_booked) const;
   void book_elements(State& state, const std::vector<int>& newly_dead) const;

@@ -53,6 +53,7 @@ void StepNotice::merge(const StepNotice& other) {
   contact_rate = std::max(contact_rate, other.contact_rate);
   growth = std::max(growth, other.growth);
   died = std::max(died, other.died);
+  wants_mass = std::max(wants_mass, other.wants_mass);
 }
 
 Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& model, ContactStage& contact)
@@ -73,6 +74,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
   if (deck.time.step_estimate == TimeDeck::StepEstimate::global) {
     global_ = std::make_unique<GlobalStep>(chunked, model, deck.time.end, deck.time.step_scale);
   }
+  if (model.scales_in_run) scaler_ = std::make_unique<MassScaler>(deck, chunked, model);
 }
 
 void Stepper::start(State& state, StepWishes wishes) {
@@ -94,6 +96,14 @@ void Stepper::renew_loads(State& state) {
     moment_halo_->begin(space_, state.slot_moment);
     moment_halo_->end();
   }
+}
+
+void Stepper::archive_masses(CheckpointArchive& archive) {
+  if (scaler_) scaler_->archive(archive);
+}
+
+void Stepper::restore_masses(State& state) {
+  if (scaler_) scaler_->restore(state);
 }
 
 void Stepper::resume(State& state) {
@@ -138,6 +148,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
   state.step += 1;
   state.dt = dt;
   agree_on_step(state, wishes);
+  scale_masses(state);
   choose_step(state);
 }
 
@@ -240,6 +251,13 @@ void Stepper::resolve_contact(State& state, double dt) {
   clocks_.contact_enforce = spent.enforce;
 }
 
+/// The next step keeps to the bounds of the lighter elements.
+void Stepper::scale_masses(State& state) {
+  if (!is_mass_wanted_ || state.bound.failed_element >= 0) return;
+  const Phase phase("percuss::scale_masses", clocks_.reduce);
+  scaler_->add(state, bookkeeper_);
+}
+
 /// (1.3) to (1.5): all forces at n+1, in the slots. What other ranks wait for comes first, what needs nobody goes on
 /// meanwhile.
 void Stepper::compute_forces(State& state, double dt) {
@@ -257,14 +275,16 @@ void Stepper::compute_forces(State& state, double dt) {
 }
 
 void Stepper::advance_blocks(State& state, const HexBlocks& blocks, const ShellBlocks& shells, double dt) {
-  const StepWatch watch = global_ ? global_->watch() : StepWatch{};
+  const StepWatch watch = global_ ? global_->watch() : scaler_ ? scaler_->watch() : StepWatch{};
+  const Array<double> shell_bounds = scaler_ ? scaler_->shell_bounds() : Array<double>();
   const ElementMotion motion{state.x, state.v,        dt,         deck_.elements.skip_resting, state.time + dt,
                              watch,   model_.failing, state.lives};
   advance_elements(space_, model_.chunks, blocks, motion, state.elements, state.slot_force, state.results);
   if (!model_.has_shells) return;
-  advance_shells(space_, model_.chunks, shells,
-                 {state.x, state.v, state.w, dt, deck_.elements.skip_resting, model_.failing, state.lives},
-                 state.elements, state.slot_force, state.slot_moment, state.results);
+  advance_shells(
+      space_, model_.chunks, shells,
+      {state.x, state.v, state.w, dt, deck_.elements.skip_resting, model_.failing, state.lives, shell_bounds},
+      state.elements, state.slot_force, state.slot_moment, state.results);
 }
 
 /// Which elements fail, which die.
@@ -292,6 +312,7 @@ StepNotice Stepper::find_notice(const State& state) const {
                   failed(c) < 0 ? StepNotice::none : failed(c) + shift,
                   std::isfinite(work(c, 0) + work(c, 1) + work(c, 2)) ? StepNotice::none : chunk.number});
   }
+  if (scaler_) notice.wants_mass = scaler_->is_wanted(state.step, step) ? 1 : 0;
   if (global_) {
     const auto growth = to_host(global_->watch().growth);
     for (std::size_t c = 0; c < growth.extent(0); ++c) notice.growth = std::max(notice.growth, growth(c));
@@ -313,6 +334,7 @@ void Stepper::agree_on_step(State& state, StepWishes wishes) {
     reduction_(model_.ranks, notice);
   }
   agreed_ = {notice.stop != 0, notice.checkpoint != 0, notice.frame != 0};
+  is_mass_wanted_ = notice.wants_mass != 0;
   const auto or_none = [](std::int64_t number) { return number == StepNotice::none ? -1 : number; };
   const double mesh_step = find_mesh_step(state, notice);
   // The square of the largest frequency of elements and springs together is at most the sum of the squares of both.

@@ -11,6 +11,7 @@
 #include "src/contact/contact_stage.hpp"
 #include "src/step/audit/books.hpp"
 #include "src/step/forces/force_books.hpp"
+#include "src/step/mass_scaler.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/phases.hpp"
@@ -32,6 +33,7 @@ struct StepNotice {
   double contact_rate = 0;             // ContactReport::rate
   double growth = 0;                   // largest of StepWatch::growth
   std::int64_t died = 0;               // 1: an element has died
+  std::int64_t wants_mass = 0;         // 1: an element is to get mass
 
   void merge(const StepNotice& other);
 };
@@ -60,6 +62,11 @@ class Stepper {
   /// deck may have changed. archive() has been called.
   void resume(State& state);
 
+  /// For a state from a checkpoint, before nodes vanish from it: the masses of its nodes. archive_masses() has been
+  /// called. Collective.
+  void restore_masses(State& state);
+  void archive_masses(CheckpointArchive& archive);
+
   /// After faces have lost their pressure: the forces at n without it. Collective.
   void renew_loads(State& state);
 
@@ -74,6 +81,8 @@ class Stepper {
   bool is_checkpoint_agreed() const { return agreed_.checkpoint; }
   bool is_frame_agreed() const { return agreed_.frame; }
 
+  /// Of mass scaling, since the last call; the same on all ranks.
+  std::vector<Warning> take_warnings() { return scaler_ ? scaler_->take_warnings() : std::vector<Warning>(); }
   const ContactReport& contact_report() const { return report_; }
   /// Force of walls on the scene in the last step, its contact impulses summed over dt; zero without walls. Collective.
   Vec3 find_wall_force() const { return bookkeeper_.find_wall_force(); }
@@ -105,6 +114,7 @@ class Stepper {
   void apply_forces(State& state, double time);
   StepNotice find_notice(const State& state) const;
   void agree_on_step(State& state, StepWishes wishes);
+  void scale_masses(State& state);
   double find_mesh_step(const State& state, const StepNotice& notice);
   void choose_step(State& state) const;
 
@@ -118,13 +128,15 @@ class Stepper {
   MergeReduction<StepNotice> reduction_;
   StepWishes agreed_;
   std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
+  std::unique_ptr<MassScaler> scaler_;  // likewise
   Bookkeeper bookkeeper_;
   ForceBooks forces_;
   PrescribedMotions motions_;
   Array<double> pressures_;
   NodalLoadValues nodal_values_;
   ContactReport report_;
-  bool some_died_ = false;  // of this rank's elements, in the last step
+  bool some_died_ = false;       // of this rank's elements, in the last step
+  bool is_mass_wanted_ = false;  // by any rank's elements, after the last step
   PhaseClocks clocks_;
 };
 

@@ -149,7 +149,8 @@ KOKKOS_INLINE_FUNCTION double find_wall_gap(const WallPairs& walls, const Surfac
   const ContactWall& wall = walls.walls(walls.wall(p));
   const int node = walls.node(p);
   const Point3 from_wall = load_row(motion.x, node) - wall.point;
-  return dot(wall.normal, from_wall) + share * motion.dt * dot(wall.normal, load_row(motion.v, node));
+  const double gap = dot(wall.normal, from_wall) + share * motion.dt * dot(wall.normal, load_row(motion.v, node));
+  return walls.offset.extent(0) > 0 ? gap - walls.offset(p) : gap;
 }
 
 /// The row of pair p of a wall and a node, whose place is set. first_record: history of the first pair.

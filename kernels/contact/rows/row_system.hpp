@@ -28,6 +28,7 @@ struct WallPairs {
   Array<const int> wall;           // [pairs] ascending
   Array<const int> node;           // [pairs] mesh node, ascending within a wall
   Array<const double> size;        // [pairs] shortest edge at the node at the start, the h of its row
+  Array<const double> offset{};    // [pairs] distance that the node keeps, by its thickness; empty: none does [length]
 };
 
 /// A touch of the detailed check as its row needs it.

@@ -47,6 +47,7 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
   const auto nodes = [&](const Selector& where) { findings.gather([&] { select_nodes(mesh, deck, where); }); };
   const auto faces = [&](const Selector& where) { findings.gather([&] { select_faces(mesh, deck, where); }); };
   for (const InitialDeck& initial : deck.initial) nodes(initial.where);
+  for (const AddedMassDeck& added : deck.added_masses) nodes(added.where);
   for (const ConditionDeck& condition : deck.conditions) nodes(condition.where);
   for (const PressureDeck& pressure : deck.pressures) faces(pressure.where);
   for (const NodalLoadDeck& load : deck.nodal_loads) nodes(load.where);
@@ -100,6 +101,8 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   SceneReport scene = describe_scene(deck, chunked);
   scene.first_step = state.next_dt;
   scene.controlling_element = describe_element(chunked, state.bound.element);
+  scene.mesh_notes = chunked.mesh.notes;
+  for (const std::string& note : model.mass_notes) scene.mesh_notes.push_back(note);
   scene.contact_nodes = contact.contact_nodes();
   scene.contact_faces = contact.contact_faces();
   scene.contact_notes = contact.start_notes();

@@ -29,6 +29,7 @@ void report(const RunResult& result, const std::string& out_dir, const Deck& dec
                 "{}: t = {:.6g}{} in {} steps, {:.3g} s; {:.4g} ns per element and step; energy error {:.2g} %\n",
                 s.status, s.time, unit_suffix(deck.units, dimensions::time), s.steps, s.setup_s + s.loop_s, s.grind_ns,
                 100 * s.energy.error);
+  if (s.mass.in_run > 0) print_quietly(stderr, "mass: {}\n", format_added_mass(s));
   if (s.eroded.elements > 0) print_quietly(stderr, "eroded: {}\n", format_eroded(s));
   print_quietly(stderr, "results: {}\n", out_dir);
   if (result.exit_code == ExitCode::interrupted) {

@@ -43,6 +43,13 @@ std::string format_parts(const SceneReport& scene) {
                                           total, unit));
 }
 
+/// What the deck changes in the mesh.
+std::string format_changes(const SceneReport& scene) {
+  std::string text;
+  for (const std::string& note : scene.mesh_notes) text += line(text.empty() ? "changed" : "", note);
+  return text;
+}
+
 std::string format_size(const SceneReport& scene) {
   const Vec3 &low = scene.low, &high = scene.high;
   return line("extent",
@@ -161,8 +168,8 @@ std::string format_scene(const SceneReport& scene) {
   const Deck& deck = scene.deck;
   std::string text = line("deck", deck.file + (deck.title.empty() ? "" : ": " + deck.title));
   if (const auto units = find_units(deck.units)) text += format_units(*units);
-  text += format_parts(scene) + format_size(scene) + format_contact(scene) + format_loads(deck) + format_output(deck) +
-          format_step(scene);
+  text += format_parts(scene) + format_changes(scene) + format_size(scene) + format_contact(scene) +
+          format_loads(deck) + format_output(deck) + format_step(scene);
   for (const Warning& warning : scene.warnings) text += format_warning(warning) + "\n";
   return text + (scene.warnings.empty()
                      ? "The deck and its meshes are right.\n"

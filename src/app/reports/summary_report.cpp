@@ -48,6 +48,14 @@ std::string format_eroded(const Summary& s) {
   return text;
 }
 
+std::string format_added_mass(const Summary& s) {
+  std::string text =
+      fmt::format("mass scaling added {:.4g}, {:.2g} % of what was there", s.mass.added, 100 * s.mass.share);
+  if (s.mass.in_run > 0)
+    text += fmt::format("; {:.4g} of it during the run, with a kinetic energy of {:.4g}", s.mass.in_run, s.mass.energy);
+  return text;
+}
+
 std::string format_summary(const Summary& s) {
   std::string text = line("status", s.status + (s.error.empty() ? "" : ": " + s.error));
   text +=
@@ -74,6 +82,7 @@ std::string format_summary(const Summary& s) {
   text += line("momentum", fmt::format("linear ({:.6g}, {:.6g}, {:.6g}), error {:.2g}; angular error {:.2g}",
                                        s.momentum.linear[0], s.momentum.linear[1], s.momentum.linear[2],
                                        s.momentum.linear_error, s.momentum.angular_error));
+  if (s.mass.added > 0) text += line("mass", format_added_mass(s));
   if (s.eroded.elements > 0) text += line("eroded", format_eroded(s));
   return text + line("state", "hash " + s.state_hash) + format_warnings(s);
 }

@@ -53,17 +53,19 @@ struct HostWalls {
         wall(to_host(pairs.wall)),
         node(to_host(pairs.node)),
         size(to_host(pairs.size)),
+        offset(to_host(pairs.offset)),
         x(to_host(places)) {}
 
   int count() const { return static_cast<int>(wall.extent(0)); }
   double depth(int p) const {
     const ContactWall& w = walls(wall(p));
-    return -dot(w.normal, load_row(x, node(p)) - w.point);
+    const double kept = offset.extent(0) > 0 ? offset(p) : 0;
+    return kept - dot(w.normal, load_row(x, node(p)) - w.point);
   }
 
   decltype(to_host(WallPairs().walls)) walls;
   decltype(to_host(WallPairs().wall)) wall, node;
-  decltype(to_host(WallPairs().size)) size;
+  decltype(to_host(WallPairs().size)) size, offset;
   decltype(to_host(Rows3<const double>())) x;
 };
 

@@ -34,17 +34,29 @@ std::vector<int> list_wall_nodes(const Mesh& mesh, const Deck& deck, const WallD
   return nodes;
 }
 
+/// Half the thickness of the thickest shell around a contact node; 0: none is one.
+double find_node_offset(const SurfaceShare& share, int node) {
+  const auto n = static_cast<std::size_t>(node);
+  double offset = 0;
+  for (int f = share.nodes.first_face[n]; f < share.nodes.first_face[n + 1]; ++f)
+    offset = std::max(offset, share.face(share.nodes.faces[static_cast<std::size_t>(f)]).offset);
+  return offset;
+}
+
 }  // namespace
 
 WallPairs build_walls(const Mesh& mesh, const Deck& deck, const SurfaceShare& share) {
   std::vector<ContactWall> walls;
   std::vector<int> pair_wall, pair_node;
-  std::vector<double> pair_size;
+  std::vector<double> pair_size, pair_offset;
+  const bool sees_thickness =
+      std::any_of(deck.walls.begin(), deck.walls.end(), [](const WallDeck& wall) { return wall.sees_thickness; });
   for (const WallDeck& wall : deck.walls) {
     for (const int node : list_wall_nodes(mesh, deck, wall, share.nodes)) {
       pair_wall.push_back(static_cast<int>(walls.size()));
       pair_node.push_back(share.nodes.mesh_nodes[static_cast<std::size_t>(node)]);
       pair_size.push_back(share.nodes.sizes[static_cast<std::size_t>(node)]);
+      if (sees_thickness) pair_offset.push_back(wall.sees_thickness ? find_node_offset(share, node) : 0);
     }
     walls.push_back({{wall.point[0], wall.point[1], wall.point[2]},
                      {wall.normal[0], wall.normal[1], wall.normal[2]},
@@ -55,6 +67,7 @@ WallPairs build_walls(const Mesh& mesh, const Deck& deck, const SurfaceShare& sh
   pairs.wall = to_view("contact::wall_of_pair", pair_wall);
   pairs.node = to_view("contact::node_of_pair", pair_node);
   pairs.size = to_view("contact::size_of_pair", pair_size);
+  if (sees_thickness) pairs.offset = to_view("contact::offset_of_pair", pair_offset);
   return pairs;
 }
 

@@ -105,6 +105,14 @@ void check_step_estimate(const Deck& deck, const Node& root, Reading& reading) {
                                  shells->name));
 }
 
+/// The eigenvalue of the mesh is that of its first masses.
+void check_running_masses(const Deck& deck, const Node& root, Reading& reading) {
+  if (deck.time.step_estimate != TimeDeck::StepEstimate::global || !deck.scales_mass_in_run()) return;
+  reading.errors.add(root.find("time")->find("step_estimate")->spot,
+                     "time.step_estimate is global (mass_scaling.every adds mass during the run, which the estimate of "
+                     "the mesh does not know) leave one of them out");
+}
+
 void check_curves(const Deck& deck, Reading& reading) {
   constexpr int samples = 64;
   for (const CurveUse& use : reading.curves) {
@@ -222,6 +230,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_size(deck, root, reading);
   check_rotations(deck, reading);
   check_step_estimate(deck, root, reading);
+  check_running_masses(deck, root, reading);
   check_curves(deck, reading);
   check_estimate(deck, root, reading);
   check_fluids(deck, root, reading);

@@ -240,6 +240,7 @@ const Keys<WallDeck>& wall_keys() {
       need("normal", &WallDeck::normal, DirectionValue{}),
       may("friction", &WallDeck::friction, NumberValue{not_negative}),
       may("nodes", &WallDeck::nodes, SelectorsValue{}),
+      may("thickness", &WallDeck::sees_thickness, ChoiceValue<bool>{{{"ignored", false}, {"seen", true}}}),
   };
   return keys;
 }

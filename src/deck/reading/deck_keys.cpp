@@ -12,6 +12,7 @@ const Keys<MassScalingDeck>& mass_scaling_keys() {
   static const Keys<MassScalingDeck> keys = {
       need("step", &MassScalingDeck::step, NumberValue{positive}),
       may("max_added", &MassScalingDeck::max_added, NumberValue{positive}),
+      may("every", &MassScalingDeck::every, IntegerValue{1, std::numeric_limits<long>::max()}),
   };
   return keys;
 }
@@ -193,6 +194,8 @@ const Keys<Deck>& deck_keys() {
       need("time", &Deck::time, time_value()),
       need("parts", &Deck::parts, NamedMapValue<PartDeck, PartValue>{"part", {}}),
       need("materials", &Deck::materials, NamedMapValue<MaterialDeck, MaterialValue>{"material", {}}),
+      may("imperfections", &Deck::imperfections, ListValue<MapValue<ImperfectionDeck>>{imperfection_value()}),
+      may("added_mass", &Deck::added_masses, ListValue<MapValue<AddedMassDeck>>{added_mass_value()}),
       may("elements", &Deck::elements, element_value()),
       may("erosion", &Deck::erosion, erosion_value()),
       may("initial", &Deck::initial, ListValue<MapValue<InitialDeck>>{initial_value()}),

@@ -34,6 +34,8 @@ struct ConditionValue {
 MapValue<PressureDeck> pressure_value();
 MapValue<NodalLoadDeck> nodal_load_value();
 MapValue<WallDeck> wall_value();
+MapValue<ImperfectionDeck> imperfection_value();
+MapValue<AddedMassDeck> added_mass_value();
 
 /// `contact`: a deck that has the section means all surfaces unless it says otherwise.
 struct ContactValue {

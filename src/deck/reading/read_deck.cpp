@@ -58,6 +58,20 @@ Deck read_deck(const std::string& file, const std::vector<std::string>& override
   return parse_deck(load_deck_text(file), file, overrides);
 }
 
+const MassScalingDeck* Deck::find_mass_scaling(std::size_t part) const {
+  const auto& own = parts[part].mass_scaling;
+  if (own) return &*own;
+  return time.mass_scaling ? &*time.mass_scaling : nullptr;
+}
+
+bool Deck::scales_mass_in_run() const {
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const MassScalingDeck* scaling = find_mass_scaling(p);
+    if (scaling != nullptr && scaling->every) return true;
+  }
+  return false;
+}
+
 std::string Deck::where(Place place) const {
   if (place.line < 0) return "--set " + overrides.at(static_cast<std::size_t>(-place.line - 1));
   return place.line > 0 ? fmt::format("{}:{}:{}", file, place.line, place.column) : file;

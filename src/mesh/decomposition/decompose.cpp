@@ -10,6 +10,7 @@
 #include "src/mesh/decomposition/check_pieces.hpp"
 #include "src/mesh/decomposition/chunk_graph.hpp"
 #include "src/mesh/decomposition/migrate.hpp"
+#include "src/mesh/imperfections.hpp"
 
 namespace percuss {
 namespace {
@@ -54,9 +55,10 @@ ChunkedMesh load_mesh(const Deck& deck, const Communicator& ranks) {
   NumberedChunks numbered = number_chunks(deck, ranks, scene, pieces);
   numbered.numbering.ranks = partition_for_ranks(ranks, numbered.graph).parts;
   ChunkedMesh share = migrate_chunks(ranks, scene, std::move(numbered.numbering), pieces, numbered.numbers);
+  share.mesh.ranks = ranks;
+  apply_imperfections(deck, ranks, share.mesh);
   find_box(ranks, share.mesh);
   tell_warnings(scene, share.mesh);
-  share.mesh.ranks = ranks;
   return share;
 }
 

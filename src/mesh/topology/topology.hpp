@@ -65,6 +65,14 @@ struct Topology {
   }
   constexpr bool is_surface() const { return dimension == 2; }
 
+  /// What one of the corners that kernels see has of the mass of an element, in eighths: all corners have equal shares,
+  /// divided over the places of each.
+  constexpr double find_mass_share(std::size_t place) const {
+    int count = 0;
+    for (const int corner : kernel_corners) count += corner == kernel_corners[place] ? 1 : 0;
+    return 8.0 / corner_count / count;
+  }
+
   /// The corner behind one of a face: across the element along an edge. Of a surface the corner itself.
   constexpr int find_corner_behind(const FaceCorners& face, int corner) const {
     for (const auto& [a, b] : edges()) {

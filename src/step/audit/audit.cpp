@@ -79,7 +79,7 @@ void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model
 /// Mass of the nodes of this rank that have vanished: where they may, masses are the state's own.
 ExactSum sum_vanished_mass(const Model& model, const State& state) {
   if (state.mass.data() == model.mass.data()) return {};
-  const auto left = state.mass, before = model.mass;
+  const auto left = state.mass, before = state.lumped_mass;
   return OwnedNodeSums<1>("percuss::vanished_mass")(
       ExecSpace(), model.owned_nodes,
       KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 1>& mass) { mass[0] += before(n) - left(n); })[0];

@@ -199,6 +199,57 @@ void book_nodal_power(ExactSums<1>& power_sum, State& state, double dt) {
   add_work(work[0], state.books);
 }
 
+/// What nodes that get mass bring: m' - m moves with their velocity, and so does rotary inertia.
+struct AddedToNodes {
+  Rows3<double> lumped, x, v, start, inverse_mass, w;
+  Array<double> mass, inertia;
+  Gravity gravity;
+  Center center;
+  double dt;
+  bool has_spins;
+
+  AddedToNodes(const Model& model, const Rows3<double>& lumped_now, const State& state)
+      : lumped(lumped_now),
+        x(state.x),
+        v(state.v),
+        start(model.start),
+        inverse_mass(state.inverse_mass),
+        w(state.w),
+        mass(state.mass),
+        inertia(state.inertia),
+        gravity(model.gravity),
+        center(model.mass_center),
+        dt(state.dt),
+        has_spins(model.has_shells) {}
+
+  /// The kinetic energy is that of the audit (moving_nodes.hpp), in which gravity moves a free direction on. What
+  /// gravity did to the node so far, the new mass has not taken part in.
+  KOKKOS_INLINE_FUNCTION void add_to(int n, Kokkos::Array<double, AddedMassSum::count>& sum) const {
+    using A = AddedMassSum;
+    if (mass(n) == 0) return;  // it has vanished
+    const double added = lumped(n, 0) - mass(n);
+    if (added == 0) return;
+    double j[3], r[3], kinetic = 0, fallen = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double g = gravity.g[k], gained = inverse_mass(n, k) > 0 ? dt * g : 0;
+      kinetic += 0.5 * added * v(n, k) * (v(n, k) + gained);
+      fallen += added * g * (x(n, k) - start(n, k));
+      j[k] = added * v(n, k);
+      r[k] = x(n, k) - center.at[k];
+      sum[A::first_moment + k] += added * r[k];
+    }
+    add_impulse(r, j, A::impulse, [&](int k, double value) { sum[k] += value; });
+    const double turning = has_spins ? lumped(n, 1) - inertia(n) : 0;
+    for (int k = 0; turning != 0 && k < 3; ++k) {
+      kinetic += 0.5 * turning * w(n, k) * w(n, k);
+      sum[A::moment + k] += turning * w(n, k);
+    }
+    sum[A::mass] += added;
+    sum[A::kinetic] += kinetic;
+    sum[A::work] += kinetic - fallen;
+  }
+};
+
 /// Gravity acts on the mass centre, which moves with the momentum of all ranks: no sum over nodes. Rank 0 books it.
 void book_gravity(const Model& model, const Vec3& start_momentum, double dt, double dt_mean, Vec3& center,
                   State& state) {
@@ -309,6 +360,27 @@ void Bookkeeper::book_vanished(const ChunkedMesh& chunked, const std::vector<int
   if (!(state.total_mass > 0)) return;
   for (std::size_t k = 0; k < 3; ++k) {
     center_shift_[k] = (before * center_shift_[k] - moved[1 + k].round()) / state.total_mass;
+  }
+}
+
+void Bookkeeper::book_added(const Rows3<double>& lumped, State& state) {
+  using A = AddedMassSum;
+  if (!added_sums_) added_sums_.emplace("percuss::added_mass_sums");
+  const AddedToNodes nodes(model_, lumped, state);
+  auto sums = (*added_sums_)(
+      ExecSpace(), model_.owned_nodes,
+      KOKKOS_LAMBDA(const int n, Kokkos::Array<double, A::count>& sum) { nodes.add_to(n, sum); });
+  add_work(sums[A::work], state.books);
+  add_to_books(sums, A::impulse, state.books);
+  auto shared = std::to_array(
+      {sums[A::kinetic], sums[A::mass], sums[A::first_moment], sums[A::first_moment + 1], sums[A::first_moment + 2]});
+  sum_over_ranks(model_.ranks, shared);
+  const double before = state.total_mass, added = shared[1].round();
+  state.books.added_energy += shared[0].round();
+  state.books.added_mass += added;
+  state.total_mass = before + added;
+  for (std::size_t k = 0; k < 3; ++k) {
+    center_shift_[k] = (before * center_shift_[k] + shared[2 + k].round()) / state.total_mass;
   }
 }
 

@@ -6,6 +6,7 @@
 // explicit midpoint rule exactly.
 
 #include <array>
+#include <optional>
 
 #include "kernels/contact/rows/wall_sums.hpp"
 #include "src/mesh/ordering.hpp"
@@ -14,6 +15,19 @@
 #include "src/step/model/state.hpp"
 
 namespace percuss {
+
+/// What is summed over nodes that get mass.
+struct AddedMassSum {
+  enum : int {
+    work,
+    kinetic,
+    mass,
+    first_moment,
+    impulse = first_moment + 3,
+    moment = impulse + 3,
+    count = moment + 3
+  };
+};
 
 class Bookkeeper {
  public:
@@ -36,6 +50,11 @@ class Bookkeeper {
   /// has them; sets its total mass. Collective.
   void book_vanished(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state);
 
+  /// Nodes of this rank get mass, which comes with their velocity: its momentum and energy are those of an external
+  /// impulse. lumped: [nodes] mass and rotary inertia that elements give from now on, in the first two columns. Call
+  /// with the state that has the old ones; sets its total mass. Collective.
+  void book_added(const Rows3<double>& lumped, State& state);
+
   /// Force of all walls on the scene in the last step: their impulses over dt. Collective.
   Vec3 find_wall_force() const;
 
@@ -49,10 +68,11 @@ class Bookkeeper {
   ExactSums<7> pressure_sums_{"percuss::pressure_sums"};  // work, impulse, moment of impulse
   ExactSums<7> nodal_sums_{"percuss::nodal_sums"};        // likewise, of loads on nodes
   ExactSums<1> power_sum_{"percuss::power_sum"};
-  std::array<ExactSum, 3> wall_impulse_{};  // of the last step; this rank's share
-  double wall_dt_ = 0;                      // of that step; 0: the walls did nothing
-  Vec3 momentum_{};                         // at time 0
-  Vec3 center_shift_{};                     // of the mass centre since time 0, from the booked impulses
+  std::optional<OwnedNodeSums<AddedMassSum::count>> added_sums_;  // only with mass scaling during the run
+  std::array<ExactSum, 3> wall_impulse_{};                        // of the last step; this rank's share
+  double wall_dt_ = 0;                                            // of that step; 0: the walls did nothing
+  Vec3 momentum_{};                                               // at time 0
+  Vec3 center_shift_{};  // of the mass centre since time 0, from the booked impulses
 };
 
 }  // namespace percuss

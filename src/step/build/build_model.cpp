@@ -12,6 +12,7 @@
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/build/added_mass.hpp"
 #include "src/step/build/block_builder.hpp"
 #include "src/step/build/build_conditions.hpp"
 #include "src/step/build/build_failing.hpp"
@@ -196,14 +197,6 @@ double find_kernel_volume(const Mesh& mesh, std::size_t element) {
   return find_volume_gradient(a).volume;
 }
 
-/// What one of the corners that kernels see has of the mass of an element, in eighths: all corners have equal shares,
-/// divided over the places of each.
-double find_corner_share(const Topology& topology, std::size_t place) {
-  const auto& places = topology.kernel_corners;
-  const auto count = std::count(places.begin(), places.end(), places[place]);
-  return 8.0 / topology.corner_count / static_cast<double>(count);
-}
-
 /// The share of each chunk in the mass of its nodes, in the first column: elements in ascending order.
 Rows3<double> sum_mass_by_slot(const Model& model, const Elements& elements, const std::vector<double>& element_mass) {
   const Rows3<double> slot_mass("percuss::slot_mass", static_cast<std::size_t>(model.slot_count));
@@ -222,7 +215,7 @@ Rows3<double> sum_mass_by_slot(const Model& model, const Elements& elements, con
       };
       const Topology& topology = elements.topology_of(static_cast<std::size_t>(e));
       for (int corner = 0; corner < 8; ++corner) {
-        const double eighths = find_corner_share(topology, static_cast<std::size_t>(corner));
+        const double eighths = topology.find_mass_share(static_cast<std::size_t>(corner));
         host(static_cast<std::size_t>(first_slot(c) + slot(corner)), 0) += eighths * share;
       }
     }
@@ -263,7 +256,9 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
   }
   if constexpr (is_single_precision) check_single_precision(deck, chunked, element_mass);
   scale_masses(deck, chunked, element_mass, model);
+  model.scales_in_run = deck.scales_mass_in_run();
   std::vector<double> mass = assemble_masses(model, mesh.elements, element_mass);
+  add_deck_masses(deck, chunked, mass, model);
   std::vector<int> all(mass.size());
   std::iota(all.begin(), all.end(), 0);
   const MassPoint scene = find_mass_point(chunked, all, mass);

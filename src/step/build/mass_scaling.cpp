@@ -17,13 +17,6 @@ namespace {
 
 constexpr int width = pack_size<Real>;
 
-/// What the deck asks of a part; none: its masses stay.
-const MassScalingDeck* find_request(const Deck& deck, std::size_t part) {
-  const auto& own = deck.parts[part].mass_scaling;
-  if (own) return &*own;
-  return deck.time.mass_scaling ? &*deck.time.mass_scaling : nullptr;
-}
-
 bool is_asked_for(const Deck& deck) {
   return deck.time.mass_scaling || std::any_of(deck.parts.begin(), deck.parts.end(),
                                                [](const PartDeck& part) { return part.mass_scaling.has_value(); });
@@ -120,7 +113,7 @@ void check_limit(const Deck& deck, const MassScalingDeck& request, const AddedMa
 void scale_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<double>& element_mass, Model& model) {
   if (!is_asked_for(deck)) return;
   for (const ElementBlock& block : chunked.mesh.elements.blocks) {
-    if (const auto* request = find_request(deck, static_cast<std::size_t>(block.part)))
+    if (const auto* request = deck.find_mass_scaling(static_cast<std::size_t>(block.part)))
       refuse_other_laws(deck, block, *request);
   }
   std::vector<double> bounds = find_hex_bounds(model, element_mass);
@@ -129,11 +122,11 @@ void scale_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<doub
   std::vector<PartShare> shares(deck.parts.size());
   for (std::size_t e = 0; e < element_mass.size(); ++e) {
     const auto part = static_cast<std::size_t>(chunked.mesh.part_of(e));
-    const MassScalingDeck* request = find_request(deck, part);
+    const MassScalingDeck* request = deck.find_mass_scaling(part);
     if (request != nullptr) take_element(*request, bounds[e], element_mass[e], shares[part]);
   }
   for (std::size_t p = 0; p < shares.size(); ++p) {
-    const MassScalingDeck* request = find_request(deck, p);
+    const MassScalingDeck* request = deck.find_mass_scaling(p);
     if (request == nullptr) continue;
     model.added_masses.push_back(sum_over_ranks(model.ranks, deck.parts[p].name, shares[p]));
     check_limit(deck, *request, model.added_masses.back());

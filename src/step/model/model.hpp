@@ -87,12 +87,15 @@ struct Model {
 
   Rows3<double> start;                  // position at time 0
   Rows3<double> start_velocity;         // velocity at time 0
-  Array<double> element_mass;           // at time 0; it does not change
-  Array<double> mass;                   // lumped: an eighth of each element's mass to its corners
+  Array<double> element_mass;           // at time 0
+  Array<double> mass;                   // lumped: an eighth of each element's mass to its corners, and extra_mass
   Rows3<double> inverse_mass;           // 0 in held directions
   double total_mass = 0;                // of all ranks
   Vec3 mass_center{};                   // of all ranks, at time 0; moments are taken about it
-  std::vector<AddedMass> added_masses;  // of the parts that the deck asks to scale
+  std::vector<AddedMass> added_masses;  // of the parts that the deck asks to scale; at the start
+  Array<double> extra_mass;             // [nodes] what the deck adds without elements; empty: nothing
+  std::vector<std::string> mass_notes;  // what is to be told of it
+  bool scales_in_run = false;           // whether the deck asks for more during the run
 
   Gravity gravity;
   PressureFaces pressure_faces;

@@ -141,7 +141,28 @@ void start_layers(const Model& model, const ElementLives& lives) {
       });
 }
 
+Array<double> copy_array(const std::string& label, const Array<double>& from) {
+  Array<double> to(label, from.extent(0));
+  Kokkos::deep_copy(to, from);
+  return to;
+}
+
+Rows3<double> copy_rows(const std::string& label, const Rows3<double>& from) {
+  Rows3<double> to(label, from.extent(0));
+  Kokkos::deep_copy(to, from);
+  return to;
+}
+
 }  // namespace
+
+void own_masses(const Model& model, State& state) {
+  if (state.mass.data() != model.mass.data()) return;
+  state.mass = copy_array("percuss::own_mass", model.mass);
+  state.inverse_mass = copy_rows("percuss::own_inverse_mass", model.inverse_mass);
+  if (!model.has_shells) return;
+  state.inertia = copy_array("percuss::own_inertia", model.inertia);
+  state.inverse_inertia = copy_rows("percuss::own_inverse_inertia", model.inverse_inertia);
+}
 
 State make_initial_state(const Model& model) {
   State s;
@@ -173,11 +194,17 @@ State make_initial_state(const Model& model) {
                Array<int>("percuss::is_settled", chunks),     Array<std::int64_t>("percuss::skipped", chunks)};
   s.lives = make_lives(model.failing);
   start_layers(model, s.lives);
-  s.mass = model.mass;
+  s.element_mass = model.element_mass;
+  s.lumped_mass = s.mass = model.mass;
   s.inverse_mass = model.inverse_mass;
   s.total_mass = model.total_mass;
   s.pressure_faces = model.pressure_faces;
   s.nodal_loads = model.nodal_loads;
+  if (model.scales_in_run) {
+    s.element_mass = copy_array("percuss::element_mass_now", model.element_mass);
+    s.lumped_mass = copy_array("percuss::lumped_mass", model.mass);
+    own_masses(model, s);
+  }
   return s;
 }
 

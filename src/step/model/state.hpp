@@ -21,6 +21,8 @@ struct Books {
   ExactSum moment_impulse[3];  // about Model::mass_center
   double contact_work = 0;     // of all ranks: normal impulses; positive where contact adds energy
   double friction_work = 0;    // of all ranks: tangential impulses; negative where they dissipate
+  double added_mass = 0;       // of all ranks: by mass scaling during the run
+  double added_energy = 0;     // kinetic energy that came with it, within external_work
 };
 
 /// The controlling step bound and what failed, after the elements of a step; of all ranks. Elements by their number in
@@ -51,7 +53,11 @@ struct State {
   ChunkResults results;      // by chunk, at n; work since the start
   ElementLives lives;        // of the chunks that can fail, at n
 
-  // The model's, unless nodes may vanish.
+  // The model's, unless the deck scales masses during the run.
+  Array<double> element_mass;  // at n
+  Array<double> lumped_mass;   // what all elements give to the nodes, also to those that have vanished; at n
+
+  // The model's, unless nodes may vanish or masses are scaled during the run.
   Array<double> mass;            // of the nodes, at n; 0: vanished
   Rows3<double> inverse_mass;    // 0 in held directions and of vanished nodes
   double total_mass = 0;         // of all ranks
@@ -61,7 +67,7 @@ struct State {
   // Of scenes with shells; empty otherwise.
   Rows3<double> w;                // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)
   Rows3<double> w_before;         // one step earlier; scratch of the step
-  Array<double> inertia;          // rotary, of the nodes: the model's, unless nodes may vanish
+  Array<double> inertia;          // rotary, of the nodes: as mass
   Rows3<double> inverse_inertia;  // 0 in held directions and of vanished nodes
   Rows3<double> moment;           // assembled moment, at n
   Rows3<double> slot_moment;      // internal moment (negative) by slot, at n; also those of other ranks
@@ -70,6 +76,9 @@ struct State {
 
 /// The state at time 0: elements at rest in their first shape, held directions at their prescribed velocity.
 State make_initial_state(const Model& model);
+
+/// From now on the masses of the nodes are the state's own, if they were the model's.
+void own_masses(const Model& model, State& state);
 
 /// 64 bits of all positions, velocities and element records, by number in the whole mesh: independent of ranks, threads
 /// and order. Collective; the same on all ranks.

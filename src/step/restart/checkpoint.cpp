@@ -67,6 +67,15 @@ void archive_elements(CheckpointArchive& archive, const Model& model, const Stat
   Kokkos::deep_copy(state.elements, packs);
 }
 
+/// What mass scaling during the run adds.
+void archive_scaled(CheckpointArchive& archive, const ChunkedMesh& chunked, const Model& model, State& state) {
+  if (!model.scales_in_run) return;
+  archive.rows("elements/mass", find_element_rows(chunked), 1, state.element_mass);
+  archive.number("books/added_mass", state.books.added_mass);
+  archive.number("books/added_energy", state.books.added_energy);
+  if (!model.can_erode) archive.number("books/total_mass", state.total_mass);
+}
+
 void archive_eroded(CheckpointArchive& archive, State& state) {
   Books& books = state.books;
   archive.sum("books/eroded_internal", books.eroded_internal);
@@ -171,6 +180,7 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
   archive.rows("chunks/work", chunks, 3, state.results.work);
   archive_books(archive, state.books);
+  archive_scaled(archive, chunked, model, state);
   if (!model.can_erode) return;
   archive_lives(archive, model, state);
   archive_eroded(archive, state);

@@ -14,6 +14,7 @@ bool can_fail(const Deck& deck) {
 
 bool always(const Deck&) { return true; }
 bool has_walls(const Deck& deck) { return !deck.walls.empty(); }
+bool scales_in_run(const Deck& deck) { return deck.scales_mass_in_run(); }
 bool removes_nodes(const Deck& deck) {
   return can_fail(deck) && deck.erosion.free_nodes == ErosionDeck::FreeNodes::remove;
 }
@@ -79,6 +80,10 @@ constexpr Entry before_pairs[] = {
      [](const S& s) { return s.audit.eroded.energy; }},
     {"vanished_mass", dim::mass, "mass of removed nodes, within eroded_mass", removes_nodes,
      [](const S& s) { return s.audit.eroded.vanished_mass; }},
+    {"added_mass", dim::mass, "mass that mass scaling has added during the run", scales_in_run,
+     [](const S& s) { return s.state.books.added_mass; }},
+    {"added_energy", dim::energy, "kinetic energy that came with the added mass, within external", scales_in_run,
+     [](const S& s) { return s.state.books.added_energy; }},
 };
 
 constexpr Entry after_pairs[] = {

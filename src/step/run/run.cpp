@@ -58,6 +58,8 @@ Run::Run(const Deck& deck, const RunOptions& options)
   warnings_.add(find_start_warnings(deck_, chunked_));
   warnings_.add(check_input({deck_, &measures_, nullptr, 0}));
   warnings_.end_input();
+  say(chunked_.mesh.notes);
+  say(model_.mass_notes);
   say(describe_added_masses(model_));
   if (options.restart.empty()) {
     begin();
@@ -222,7 +224,10 @@ StepWishes Run::find_wishes() {
   return wishes;
 }
 
-void Run::note_contact() { warnings_.note_step(stepper_.contact_report(), state_.time); }
+void Run::note_contact() {
+  warnings_.note_step(stepper_.contact_report(), state_.time);
+  warnings_.add(stepper_.take_warnings());
+}
 
 void Run::audit() {
   if (audited_step_ == state_.step) return;
@@ -282,6 +287,8 @@ void Run::check_step_made() const {
 /// Everything that a run needs to go on as if it had never stopped.
 void Run::archive(CheckpointArchive& archive) {
   archive_state(archive, chunked_, model_, state_);
+  stepper_.archive_masses(archive);
+  if (archive.is_loading()) stepper_.restore_masses(state_);
   if (archive.is_loading() && model_.can_erode) erosion_.restore(state_);
   stepper_.archive(archive);
   audit_.archive(archive);

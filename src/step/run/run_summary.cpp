@@ -70,7 +70,11 @@ void fill_summary(const SummedRun& run, Summary& summary) {
   summary.dt.estimates = estimates.count;
   summary.dt.gain = estimates.gain;
   for (const AddedMass& part : run.model.added_masses) summary.mass.added += part.added;
-  summary.mass.share = summary.mass.added / (run.model.total_mass - summary.mass.added);
+  const double before = run.model.total_mass - summary.mass.added;
+  summary.mass.in_run = run.state.books.added_mass;
+  summary.mass.energy = run.state.books.added_energy;
+  summary.mass.added += summary.mass.in_run;
+  summary.mass.share = summary.mass.added / before;
   summary.phases_s = run.stepper.clocks().wall();
   summary.peak_bytes = find_peak_bytes();
   take_largest(ranks, summary);

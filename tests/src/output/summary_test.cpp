@@ -84,6 +84,8 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "dt.gain",
                                           "mass.added",
                                           "mass.share",
+                                          "mass.in_run",
+                                          "mass.energy",
                                           "setup_s",
                                           "loop_s",
                                           "grind_ns",

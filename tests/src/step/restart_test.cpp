@@ -111,6 +111,24 @@ void expect_same_end(const std::string& deck, const std::string& end, int steps)
 
 TEST(Restart, OfShellsEndsInTheSameBits) { expect_same_end(shells, "end: 3e-4", 9); }
 
+// Shells and a solid that hit a wall, fail, and are given mass.
+const std::string scaled_crash = R"yaml(
+time: {end: 3e-4, mass_scaling: {step: 1.5e-6, max_added: 9, every: 3}}
+parts:
+  sheet: {shell_plate: {size: [0.1, 0.1], cells: [7, 6]}, thickness: 0.002, material: steel, axis: y, at: [0, 0, 0.15]}
+  block: {box: {size: [0.05, 0.05, 0.05], cells: [5, 5, 5]}, at: [0.2, 0, 0.001], material: steel, mass_scaling: {step: 1.1e-6, max_added: 0.02, every: 1}}
+materials: {steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, hardening_modulus: 1e9, failure: {plastic_strain: 0.4}}}
+erosion: {free_nodes: remove}
+initial: [{velocity: [3, -2, -250]}]
+loads: {gravity: [5, 0, -1e5]}
+walls: [{normal: z, friction: 0.2}]
+output: {fields: {every: 1e-4, write: [mass]}, history: {every: 0}}
+)yaml";
+
+TEST(Restart, WhileMassIsScaledEndsInTheSameBits) {
+  for (const int steps : {40, 120}) expect_same_end(scaled_crash, "end: 3e-4", steps);
+}
+
 // Shells that touch each other, a solid and themselves, by nodes and by edges.
 const std::string touching_shells = R"yaml(
 time: {end: 8e-5}

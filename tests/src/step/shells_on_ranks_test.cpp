@@ -70,6 +70,48 @@ contact: {{surfaces: all, friction: 0.2}}
   EXPECT_GT(step_and_compare(scenes, 40), 0);
 }
 
+TEST(ShellsOnRanks, WithMassScalingInTheRunHaveTheBitsOfOneRank) {
+  const SheetFile sheet("scaled_shells_on_ranks.exo");
+  TwoScenes scenes(sheet.put_into(R"yaml(
+time: {{end: 1, mass_scaling: {{step: 6.2e-7, max_added: 9, every: 2}}}}
+parts:
+  sheet: {{exodus: {{file: {0}}}, thickness: 0.002, axis: y, at: [0, 0, 0.0901], material: steel}}
+  block: {{box: {{size: [0.02, 0.02, 0.02], cells: [6, 6, 6]}}, at: [0.1, 0.1, 0.0001], material: steel}}
+materials:
+  steel: {{model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, hardening_modulus: 1e9}}
+initial: [{{velocity: [0, 1, -200]}}]
+loads: {{gravity: [0, 0, -1e5]}}
+walls: [{{normal: z}}]
+)yaml"));
+  step_and_compare(scenes, 80);
+  EXPECT_GT(scenes.alone.state.books.added_mass, 0);
+  EXPECT_EQ(scenes.together.state.books.added_mass, scenes.alone.state.books.added_mass);
+  EXPECT_EQ(scenes.together.state.total_mass, scenes.alone.state.total_mass);
+}
+
+TEST(ShellsOnRanks, WithImperfectionsAddedMassAndThicknessAtWallsHaveTheBitsOfOneRank) {
+  const SheetFile sheet("imperfect_shells_on_ranks.exo");
+  TwoScenes scenes(sheet.put_into(R"yaml(
+time: {{end: 1}}
+parts:
+  sheet: {{exodus: {{file: {0}}}, thickness: 0.002, at: [0, 0, 0.0011], material: steel}}
+  block: {{box: {{size: [0.02, 0.02, 0.02], cells: [6, 6, 6]}}, at: [0.1, 0.1, 0.0001], material: steel}}
+materials:
+  steel: {{model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}
+imperfections:
+  - {{nodes: sheet, mode: "1e-4 * sin(50 * x) * cos(30 * y)"}}
+  - {{nodes: sheet, noise: {{amplitude: 5e-5, length: 0.01, seed: 4}}}}
+  - {{nodes: block, noise: {{amplitude: 1e-5}}, direction: [1, 1, 1]}}
+added_mass: [{{nodes: sheet, mass: 0.1, spread: evenly}}, {{nodes: block/z_max, mass: 2}}]
+initial: [{{velocity: [0, 1, -20]}}]
+walls: [{{normal: z, thickness: seen}}]
+)yaml"));
+  step_and_compare(scenes, 60);
+  EXPECT_EQ(scenes.together.state.total_mass, scenes.alone.state.total_mass);
+  EXPECT_EQ(scenes.together.chunked.mesh.notes, scenes.alone.chunked.mesh.notes);
+  EXPECT_EQ(scenes.together.model.mass_notes, scenes.alone.model.mass_notes);
+}
+
 TEST(ShellsOnRanks, OfTiesHaveTheBitsOfOneRank) {
   // On triangles and quadrilaterals a sheet; below them a block, whose nodes they hold; an upright sheet; a weight on
   // top.

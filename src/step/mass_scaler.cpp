@@ -1,0 +1,240 @@
+#include "src/step/mass_scaler.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comm/exact_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/mesh/mesh.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr int width = pack_size<Real>;
+
+/// What an element of a chunk lacks of the mass that makes its bound the wanted step.
+struct MissingMass {
+  HexChunks chunks;
+  Array<Real> hex_bounds;
+  Array<double> shell_bounds, mass;
+  FailingChunks failing;
+  ElementLives lives;
+
+  KOKKOS_INLINE_FUNCTION double operator()(int c, int i, double target) const {
+    const int pack = failing.find_pack(c);
+    if (pack >= 0 && lives.steps_left(pack * width + i) == 0) return 0;
+    const int e = chunks.first_element(c) + i;
+    const double bound =
+        is_shell(chunks, c) ? shell_bounds(e) : static_cast<double>(hex_bounds(chunks.first_pack(c) * width + i));
+    if (!(bound > 0 && bound < target)) return 0;
+    const double ratio = target / bound;
+    return mass(e) * (ratio * ratio - 1);
+  }
+};
+
+MissingMass find_missing(const Model& model, const State& state, const StepWatch& watch, const Array<double>& shells) {
+  return {model.chunks, watch.bound, shells, state.element_mass, model.failing, state.lives};
+}
+
+/// Shares of the corners that kernels see, in eighths of the mass of an element.
+struct CornerShares {
+  Kokkos::Array<double, kernel_corner_count> hex, quad, triangle;
+
+  CornerShares() {
+    for (std::size_t i = 0; i < kernel_corner_count; ++i) {
+      hex[i] = hex8_topology.find_mass_share(i);
+      quad[i] = quad4_topology.find_mass_share(i);
+      triangle[i] = tri3_topology.find_mass_share(i);
+    }
+  }
+};
+
+}  // namespace
+
+MassScaler::MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model& model)
+    : model_(model),
+      target_("percuss::wanted_step", chunked.chunks.size()),
+      wanted_("percuss::missing_mass", chunked.chunks.size()),
+      share_("percuss::share_of_missing_mass", chunked.chunks.size()),
+      slot_lumped_("percuss::slot_lumped", static_cast<std::size_t>(model.slot_count)),
+      lumped_("percuss::lumped", static_cast<std::size_t>(model.node_count)),
+      halo_(model.ranks, model.halo) {
+  watch_.bound = Array<Real>("percuss::element_bounds", model.chunks.corner_slots.extent(0) / 8);
+  watch_.growth = Array<double>("percuss::growth", chunked.chunks.size());
+  if (model.has_shells)
+    shell_bounds_ = Array<double>("percuss::shell_bounds", static_cast<std::size_t>(model.element_count));
+  std::vector<int> places(deck.parts.size(), -1);
+  for (const AddedMass& start : model.added_masses) {
+    const auto part =
+        std::find_if(deck.parts.begin(), deck.parts.end(), [&](const auto& p) { return p.name == start.part; });
+    const auto p = static_cast<std::size_t>(part - deck.parts.begin());
+    const MassScalingDeck& request = *deck.find_mass_scaling(p);
+    if (!request.every) continue;
+    places[p] = static_cast<int>(parts_.size());
+    parts_.push_back({start.part, request, std::max(0.0, request.max_added * start.mass - start.added), 0});
+  }
+  for (const Chunk& chunk : chunked.chunks) part_of_chunk_.push_back(places[static_cast<std::size_t>(chunk.part)]);
+}
+
+bool MassScaler::is_wanted(long step, const HostMirror<Array<double>>& bounds) const {
+  for (std::size_t c = 0; c < part_of_chunk_.size(); ++c) {
+    if (part_of_chunk_[c] < 0) continue;
+    const ScaledPart& part = parts_[static_cast<std::size_t>(part_of_chunk_[c])];
+    if (bounds(c) < part.request.step && is_due(part, step)) return true;
+  }
+  return false;
+}
+
+/// The share of what its elements lack that each part may have, the same on all ranks.
+std::vector<double> MassScaler::find_shares(const State& state) {
+  const auto target = Kokkos::create_mirror_view(target_);
+  for (std::size_t c = 0; c < part_of_chunk_.size(); ++c) {
+    const int p = part_of_chunk_[c];
+    const bool due = p >= 0 && is_due(parts_[static_cast<std::size_t>(p)], state.step);
+    target(c) = due ? parts_[static_cast<std::size_t>(p)].request.step : 0;
+  }
+  Kokkos::deep_copy(target_, target);
+  const MissingMass missing = find_missing(model_, state, watch_, shell_bounds_);
+  const auto wanted = wanted_, step = target_;
+  const HexChunks chunks = model_.chunks;
+  Kokkos::parallel_for(
+      "percuss::find_missing_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        double sum = 0;
+        const int count = step(c) > 0 ? chunks.first_element(c + 1) - chunks.first_element(c) : 0;
+        for (int i = 0; i < count; ++i) sum += missing(c, i, step(c));
+        wanted(c) = sum;
+      });
+  std::vector<ExactSum> sums(parts_.size());
+  const auto by_chunk = to_host(wanted_);
+  for (std::size_t c = 0; c < part_of_chunk_.size(); ++c) {
+    if (part_of_chunk_[c] >= 0) sums[static_cast<std::size_t>(part_of_chunk_[c])].add(by_chunk(c));
+  }
+  sum_over_ranks(model_.ranks, sums);
+  std::vector<double> shares(parts_.size(), 0);
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const double lacks = sums[p].round(), left = parts_[p].most - parts_[p].added;
+    if (lacks > 0) shares[p] = lacks > left ? left / lacks : 1;
+    parts_[p].added += std::min(lacks, left);
+  }
+  return shares;
+}
+
+/// The mass into elements and their records; chunks at rest are evaluated again.
+void MassScaler::give(const State& state, const std::vector<double>& shares) {
+  const auto by_chunk = Kokkos::create_mirror_view(share_);
+  for (std::size_t c = 0; c < part_of_chunk_.size(); ++c)
+    by_chunk(c) = part_of_chunk_[c] >= 0 ? shares[static_cast<std::size_t>(part_of_chunk_[c])] : 0;
+  Kokkos::deep_copy(share_, by_chunk);
+  const MissingMass missing = find_missing(model_, state, watch_, shell_bounds_);
+  const auto wanted = wanted_, share = share_, target = target_, mass = state.element_mass;
+  const auto elements = state.elements;
+  const auto settled = state.results.is_settled;
+  const HexChunks chunks = model_.chunks;
+  Kokkos::parallel_for(
+      "percuss::add_mass", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        if (!(wanted(c) > 0 && share(c) > 0)) return;
+        const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
+        for (int i = 0; i < count; ++i) mass(first + i) += share(c) * missing(c, i, target(c));
+        const int size = chunks.record_size(c), lanes = (chunks.first_pack(c + 1) - chunks.first_pack(c)) * width;
+        for (int i = 0; i < lanes; ++i) {  // lanes past the end repeat the last element
+          Real* const record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          record[HexRecord::mass * width] = static_cast<Real>(mass(first + (i < count ? i : count - 1)));
+        }
+        settled(c) = 0;
+      });
+}
+
+/// Mass and rotary inertia of the nodes from those of all elements, in the order in which forces are added.
+void MassScaler::sum_lumped(const State& state) {
+  const CornerShares shares;
+  const auto slots = slot_lumped_;
+  const auto mass = state.element_mass, gyration_square = model_.gyration_square;
+  const HexChunks chunks = model_.chunks;
+  Kokkos::parallel_for(
+      "percuss::lump_masses", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        for (int s = chunks.first_slot(c); s < chunks.first_slot(c + 1); ++s) slots(s, 0) = slots(s, 1) = 0;
+        const int first = chunks.first_element(c);
+        const bool of_shells = is_shell(chunks, c);
+        for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
+          const std::size_t place = (static_cast<std::size_t>(chunks.first_pack(c) + i / width) * 8) * width +
+                                    static_cast<std::size_t>(i % width);
+          const auto slot = [&](int k) { return chunks.corner_slots(place + static_cast<std::size_t>(k * width)); };
+          const auto& share = !of_shells ? shares.hex : slot(2) == slot(3) ? shares.triangle : shares.quad;
+          const double eighth = mass(first + i) / 8,
+                       turning = of_shells ? mass(first + i) * gyration_square(first + i) / 8 : 0;
+          for (int k = 0; k < 8; ++k) {
+            slots(chunks.first_slot(c) + slot(k), 0) += share[k] * eighth;
+            slots(chunks.first_slot(c) + slot(k), 1) += share[k] * turning;
+          }
+        }
+      });
+  halo_.begin(ExecSpace(), slot_lumped_);
+  halo_.end();
+  assemble_forces(ExecSpace(), model_.nodes_to_slots, slot_lumped_, lumped_);
+  if (model_.extra_mass.extent(0) == 0) return;
+  const auto lumped = lumped_;
+  const auto extra = model_.extra_mass;
+  Kokkos::parallel_for(
+      "percuss::add_extra_mass", Range(ExecSpace(), 0, model_.node_count),
+      KOKKOS_LAMBDA(const int n) { lumped(n, 0) += extra(n); });
+}
+
+/// Nodes that have vanished stay without mass, held directions without motion.
+void MassScaler::set_nodes(State& state) const {
+  const auto lumped = lumped_;
+  const auto whole = state.lumped_mass, mass = state.mass, inertia = state.inertia;
+  const auto inverse_mass = state.inverse_mass, inverse_inertia = state.inverse_inertia;
+  const bool has_spins = model_.has_shells;
+  Kokkos::parallel_for(
+      "percuss::set_node_masses", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
+        whole(n) = lumped(n, 0);
+        if (mass(n) == 0) return;
+        mass(n) = lumped(n, 0);
+        if (has_spins) inertia(n) = lumped(n, 1);
+        for (int k = 0; k < 3; ++k) {
+          if (inverse_mass(n, k) > 0) inverse_mass(n, k) = 1 / mass(n);
+          if (has_spins && inverse_inertia(n, k) > 0) inverse_inertia(n, k) = 1 / inertia(n);
+        }
+      });
+}
+
+void MassScaler::add(State& state, Bookkeeper& books) {
+  std::vector<bool> were_full;
+  for (const ScaledPart& part : parts_) were_full.push_back(part.is_full());
+  const std::vector<double> shares = find_shares(state);
+  give(state, shares);
+  sum_lumped(state);
+  books.book_added(lumped_, state);
+  set_nodes(state);
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    if (were_full[p] || !parts_[p].is_full()) continue;
+    warnings_.push_back(
+        {"mass_scaling_limit",
+         fmt::format("mass scaling has added max_added = {:g} of its mass to the part (it gets no more, and the step "
+                     "follows its smallest element again): lower mass_scaling.step, or raise max_added",
+                     parts_[p].request.max_added),
+         "part '" + parts_[p].name + "'", state.time, 1});
+  }
+}
+
+void MassScaler::restore(State& state) {
+  const bool is_untouched = std::all_of(parts_.begin(), parts_.end(), [](const auto& part) { return part.added == 0; });
+  if (is_untouched) return;
+  sum_lumped(state);
+  set_nodes(state);
+}
+
+std::vector<Warning> MassScaler::take_warnings() {
+  std::vector<Warning> taken;
+  taken.swap(warnings_);
+  return taken;
+}
+
+void MassScaler::archive(CheckpointArchive& archive) {
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    archive.number("mass_scaling/added/" + std::to_string(p), parts_[p].added);
+}
+
+}  // namespace percuss

@@ -1,0 +1,72 @@
+#pragma once
+// Mass scaling during the run: elements whose step bound has fallen below the wanted step are given mass until it is
+// that again, as long as their part may have more.
+//
+// Bounds are those of the forces at n, with the masses until then. The next step still obeys them: mass only raises
+// them. Added mass has the velocity of its node, so that nothing is slowed down; the books take it as an external
+// impulse (Bookkeeper::book_added()).
+
+#include <string>
+#include <vector>
+
+#include "comm/halo/halo_swap.hpp"
+#include "src/step/audit/books.hpp"
+#include "src/step/model/state.hpp"
+#include "src/warning.hpp"
+
+namespace percuss {
+
+class MassScaler {
+ public:
+  /// All arguments outlive this.
+  MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
+
+  /// Where the launchers write the bounds of all elements: of hexahedra and of shells.
+  const StepWatch& watch() const { return watch_; }
+  const Array<double>& shell_bounds() const { return shell_bounds_; }
+
+  /// Whether an element of this rank is to get mass after the forces of a step. bounds: [chunks] least of each.
+  bool is_wanted(long step, const HostMirror<Array<double>>& bounds) const;
+
+  /// Adds the mass that is due, and books it. Collective.
+  void add(State& state, Bookkeeper& books);
+
+  /// Masses of the nodes from those of the elements, which a checkpoint holds. Collective.
+  void restore(State& state);
+
+  /// Parts that have reached their limit since the last call.
+  std::vector<Warning> take_warnings();
+
+  /// What each part was given.
+  void archive(CheckpointArchive& archive);
+
+ private:
+  struct ScaledPart {
+    std::string name;
+    MassScalingDeck request;
+    double most = 0;   // mass that it may get during the run
+    double added = 0;  // of all ranks
+    bool is_full() const { return added >= most * (1 - 1e-12); }
+  };
+
+  bool is_due(const ScaledPart& part, long step) const { return step % *part.request.every == 0 && !part.is_full(); }
+  std::vector<double> find_shares(const State& state);
+  void give(const State& state, const std::vector<double>& shares);
+  void sum_lumped(const State& state);
+  void set_nodes(State& state) const;
+
+  const Model& model_;
+  std::vector<ScaledPart> parts_;
+  std::vector<int> part_of_chunk_;  // [chunks] of parts_; -1: none
+  Array<double> target_;            // [chunks] wanted step; 0: not now
+  Array<double> wanted_;            // [chunks] mass that elements lack
+  Array<double> share_;             // [chunks] of it that is given
+  StepWatch watch_;
+  Array<double> shell_bounds_;
+  Rows3<double> slot_lumped_;  // mass and rotary inertia by slot
+  Rows3<double> lumped_;       // the same of the nodes
+  HaloSwap halo_;
+  std::vector<Warning> warnings_;
+};
+
+}  // namespace percuss
