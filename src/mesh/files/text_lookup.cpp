@@ -264,7 +264,8 @@ void TextLookup::add_sides(const TextBuilder::Side& side, std::vector<FileSide>&
     std::array<std::int64_t, 4> nodes = side.nodes;
     if (!find_nodes(std::span(nodes.data(), side.count), side.place)) return;
     const FileSide face = find_face(nodes);
-    if (face.first == 0) add_problem(side.place, "no element has a face with these nodes");
+    if (face.first == 0 && !has_other_kinds()) add_problem(side.place, "no element has a face with these nodes");
+    if (face.first == 0) ++lost_faces_;
     if (face.first != 0) sides.push_back(face);
   } else if (!side.set.empty()) {
     const auto set = to_.elements_of_sets.find(side.set);
@@ -277,6 +278,10 @@ void TextLookup::add_sides(const TextBuilder::Side& side, std::vector<FileSide>&
     if (element == 0) add_problem(side.place, fmt::format("there is no element {}", side.element.id));
     if (element != 0) add(element);
   }
+}
+
+bool TextLookup::has_other_kinds() const {
+  return std::any_of(to_.blocks.begin(), to_.blocks.end(), [](const FileBlock& block) { return !block.topology; });
 }
 
 void TextLookup::fill_side_sets() {
@@ -311,6 +316,9 @@ TextContents TextLookup::look_up() {
   fill_side_sets();
   stop_at_problems();
   to_.notes = from_.notes_;
+  if (lost_faces_ > 0)
+    to_.notes.push_back(
+        fmt::format("{} faces of side sets are left out (they may be of elements that cannot be run)", lost_faces_));
   return std::move(to_);
 }
 

@@ -54,6 +54,7 @@ class TextLookup {
       const std::array<std::int64_t, 4>& nodes) const;  // numbers, of a triangle the last is 0; {0, 0}: none
   static std::array<std::int64_t, 4> make_key(std::array<std::int64_t, 4> nodes);
 
+  bool has_other_kinds() const;
   void fill_node_sets();
   void fill_element_sets();
   void fill_side_sets();
@@ -67,7 +68,7 @@ class TextLookup {
   std::vector<IdPlace> node_numbers_, element_numbers_;  // ascending
   std::vector<FacePlace> faces_;                         // ascending, of nodes that are asked for
   std::vector<std::string> problems_;
-  std::size_t problem_count_ = 0;
+  std::size_t problem_count_ = 0, lost_faces_ = 0;
 };
 
 }  // namespace percuss

@@ -12,6 +12,7 @@
 #include "src/mesh/exodus/exodus_file.hpp"
 #include "src/mesh/exodus/trial_process.hpp"
 #include "src/mesh/files/gmsh_file.hpp"
+#include "src/mesh/files/keyword_file.hpp"
 #include "src/mesh/files/text_numbers.hpp"
 #include "src/regular_file.hpp"
 
@@ -58,6 +59,7 @@ std::span<const MeshReader> mesh_readers() {
   static const std::vector<MeshReader> readers = {
       {"Exodus II", {".e", ".exo", ".ex2", ".exii", ".g", ".gen", ".nc"}, true, is_exodus, open_as<ExodusFile>},
       {"Gmsh", {".msh"}, false, is_gmsh, open_gmsh_file},
+      {"LS-DYNA keyword", {".k", ".key", ".dyn"}, false, is_keyword_file, open_keyword_file},
   };
   return readers;
 }
