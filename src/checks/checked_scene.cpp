@@ -10,9 +10,11 @@ namespace percuss {
 
 std::string find_shape_path(const PartDeck& part) {
   constexpr const char* names[] = {"box",        "cylinder",     "tube",           "sphere", "shell_plate",
-                                   "shell_tube", "shell_sphere", "shell_box_tube", "exodus"};
+                                   "shell_tube", "shell_sphere", "shell_box_tube", "mesh"};
   static_assert(std::variant_size_v<Shape> == std::size(names), "every shape has its key");
-  return fmt::format("parts.{}.{}", part.name, names[part.shape.index()]);
+  const auto* mesh = std::get_if<FileMesh>(&part.shape);
+  const char* const name = mesh != nullptr && mesh->is_exodus ? "exodus" : names[part.shape.index()];
+  return fmt::format("parts.{}.{}", part.name, name);
 }
 
 std::vector<std::size_t> find_named_parts(const Deck& deck, const Selector& selector) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
@@ -113,6 +114,21 @@ void measure_nodes(const Mesh& mesh, const Velocities& velocities, std::vector<P
     }
     part.speed = std::sqrt(part.speed);
   }
+}
+
+/// [parts] lowest part of those that are joined.
+std::vector<int> find_assemblies(const Mesh& mesh) {
+  std::vector<int> assemblies(mesh.parts.size());
+  std::iota(assemblies.begin(), assemblies.end(), 0);
+  for (bool has_changed = !mesh.joints.empty(); has_changed;) {
+    has_changed = false;
+    for (const PartJoint& joint : mesh.joints) {
+      int &a = assemblies[at(joint.part)], &b = assemblies[at(joint.other)];
+      has_changed = has_changed || a != b;
+      a = b = std::min(a, b);
+    }
+  }
+  return assemblies;
 }
 
 /// Which nodes of this rank's share it counts in sums over all nodes.
@@ -228,7 +244,8 @@ double PartMeasures::extent() const { return std::max({high[0] - low[0], high[1]
 SceneMeasures measure_scene(const Deck& deck, const ChunkedMesh& chunked, const Rows3<double>& start_velocity) {
   const Mesh& mesh = chunked.mesh;
   const auto velocities = to_host(start_velocity);
-  SceneMeasures scene{std::vector<PartMeasures>(mesh.parts.size(), make_empty()), {}, mesh.low, mesh.high};
+  SceneMeasures scene{
+      std::vector<PartMeasures>(mesh.parts.size(), make_empty()), {}, mesh.low, mesh.high, find_assemblies(mesh)};
   measure_elements(mesh, scene.parts);
   measure_nodes(mesh, velocities, scene.parts);
   const std::vector<bool> owned = find_owned(chunked);

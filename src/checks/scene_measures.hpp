@@ -1,6 +1,7 @@
 #pragma once
 // What the rules need to know of a mesh: sizes, velocities and held nodes by part, of all ranks together.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -48,6 +49,12 @@ struct SceneMeasures {
   std::vector<PartMeasures> parts;       // as Deck::parts
   std::vector<InitialMeasures> initial;  // as Deck::initial
   Vec3 low{}, high{};                    // box of all nodes [length]
+  std::vector<int> assemblies;           // [parts] the lowest part that each is joined to, directly or not, or itself
+
+  bool are_joined(std::size_t part, std::size_t other) const { return assemblies[part] == assemblies[other]; }
+  bool is_joined(std::size_t part) const {
+    return std::count(assemblies.begin(), assemblies.end(), assemblies[part]) > 1;
+  }
 };
 
 /// Measures a mesh; each rank its share. start_velocity: [nodes of the share] at time 0 [length / time]. The same on

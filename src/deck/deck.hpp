@@ -95,15 +95,16 @@ struct ShellBoxTubeShape {
   bool has_end() const { return closed == Closed::end || closed == Closed::both; }
 };
 
-/// An Exodus II file. All its element blocks, node sets and side sets, by name (or "block_7", "nodes_7", "sides_7").
-struct ExodusMesh {
+/// A file with a mesh. All its element blocks and sets, by name (or "block_7", "nodes_7", "sides_7", "elements_7").
+struct FileMesh {
   std::string file;                 // as found: relative paths are relative to the deck
   std::vector<std::string> blocks;  // empty: all
   double scale = 1;
+  bool is_exodus = true;  // key `exodus`: of this format, with nodes of its own; else of any, nodes shared (`mesh`)
 };
 
 using Shape = std::variant<BoxShape, CylinderShape, TubeShape, SphereShape, ShellPlateShape, ShellTubeShape,
-                           ShellSphereShape, ShellBoxTubeShape, ExodusMesh>;
+                           ShellSphereShape, ShellBoxTubeShape, FileMesh>;
 
 /// Whether a generated shape is a surface of shells.
 bool is_shell_shape(const Shape& shape);
@@ -145,6 +146,13 @@ struct PartDeck {
   std::optional<double> thickness;  // of its shells [length]; they need one
   std::optional<int> points;        // across the thickness of its shells; default: by the material
   double offset = 0;                // of the middle of its shells from the mesh, along their normal [length]
+  Place place;
+};
+
+/// Nodes of different parts that lie at one place become one.
+struct JoinDeck {
+  std::vector<std::string> parts;   // empty: all
+  std::optional<double> tolerance;  // [length]; default: a share of the size of the mesh
   Place place;
 };
 
@@ -360,6 +368,7 @@ struct Deck {
   std::string units;
   TimeDeck time;
   std::vector<PartDeck> parts;  // in the order of the deck
+  std::vector<JoinDeck> joins;
   std::vector<MaterialDeck> materials;
   std::vector<ImperfectionDeck> imperfections;
   std::vector<AddedMassDeck> added_masses;

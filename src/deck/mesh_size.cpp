@@ -59,7 +59,7 @@ MeshSize count(const ShellBoxTubeShape& tube) {
   return {around * along + plates * x * y, around * (along + 1) + plates * (x - 1) * (y - 1)};
 }
 
-MeshSize count(const ExodusMesh&) { return {}; }
+MeshSize count(const FileMesh&) { return {}; }
 
 }  // namespace
 

@@ -25,6 +25,13 @@ struct MeshPart {
   std::string name;
 };
 
+/// Two parts that share nodes.
+struct PartJoint {
+  int part = 0, other = 0;  // part < other, indexes into Mesh::parts
+  std::int64_t nodes = 0;
+  double farthest = 0;  // that a node of either was from where both are now [length]; 0: they were one from the start
+};
+
 /// What erosion has left of a mesh, the same on all ranks that hold it together (src/step/erosion.hpp).
 struct ErodedMesh {
   enum NodeState : std::uint8_t { held, particle, vanished };  // by a living element; by none, but there; gone
@@ -51,6 +58,7 @@ struct Mesh {
   std::vector<int> bodies;                 // [elements] number of the connected body, from 0 by lowest element
   ErodedMesh eroded;
   Vec3 low{}, high{};                 // box of all nodes [length]
+  std::vector<PartJoint> joints;      // the same on all ranks; ascending by part and other
   std::optional<Communicator> ranks;  // those that hold it together; none: this one holds it all
 
   std::span<const int> corners(std::size_t element) const { return elements.corners(element); }

@@ -18,6 +18,7 @@ struct PartMesh {
   Elements elements;                                          // blocks without part, material and section
   std::vector<std::int64_t> node_ids;                         // ids of the file; empty: counted from 1
   std::vector<std::int64_t> element_ids;                      // likewise
+  std::vector<int> file_nodes;                                // place of each in the file, from 0
   std::map<std::string, std::vector<int>> node_sets;          // by the name without the part's; ascending, unique
   std::map<std::string, std::vector<ElementFace>> side_sets;  // likewise
   std::vector<Warning> warnings;                              // without the part in their places

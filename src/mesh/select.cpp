@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
+#include <variant>
 
 #include "comm/all_reduce.hpp"
 #include "src/deck/text/nearest_name.hpp"
@@ -61,23 +63,43 @@ class InsideBox {
   Vec3 low_{}, high_{};
 };
 
-/// The set of that name, or, for a name without its part ("nodes_7"), the only one of any part. Null if there is none.
+/// The mesh file whose sets go across its parts that has the part of a set "part/set"; empty: the set is of the part.
+std::string find_common_file(const Deck& deck, const std::string& set) {
+  const std::string name = set.substr(0, set.find('/'));
+  const auto part = std::find_if(deck.parts.begin(), deck.parts.end(), [&](const auto& p) { return p.name == name; });
+  const auto* mesh = part == deck.parts.end() ? nullptr : std::get_if<FileMesh>(&part->shape);
+  return mesh == nullptr || mesh->is_exodus ? "" : mesh->file;
+}
+
+/// The set of that name, or, for a name without its part ("nodes_7"), the only one of any part, or all of it if several
+/// parts are of the file that has it. None if there is none.
 template <class Sets>
-const typename Sets::mapped_type* find_set(const Sets& sets, const Deck& deck, const Selector& selector) {
-  if (const auto exact = sets.find(selector.name); exact != sets.end()) return &exact->second;
+std::optional<typename Sets::mapped_type> find_set(const Sets& sets, const Deck& deck, const Selector& selector) {
+  if (const auto exact = sets.find(selector.name); exact != sets.end()) return exact->second;
   const std::string ending = "/" + selector.name;
-  const typename Sets::value_type* found = nullptr;
+  const typename Sets::value_type* first = nullptr;
+  std::optional<typename Sets::mapped_type> found;
   for (const auto& entry : sets) {
     if (!entry.first.ends_with(ending) || entry.first.find('/') + ending.size() != entry.first.size()) continue;
-    if (found) {
+    if (!found) {
+      first = &entry;
+      found = entry.second;
+      continue;
+    }
+    const std::string file = find_common_file(deck, first->first);
+    if (file.empty() || file != find_common_file(deck, entry.first)) {
       throw InputError(
           fault(deck, selector,
                 fmt::format("'{}' may mean '{}' or '{}' (several parts have such a set); write the part's name as well",
-                            selector.name, found->first, entry.first)));
+                            selector.name, first->first, entry.first)));
     }
-    found = &entry;
+    found->insert(found->end(), entry.second.begin(), entry.second.end());
   }
-  return found ? &found->second : nullptr;
+  if (found) {
+    std::sort(found->begin(), found->end());
+    found->erase(std::unique(found->begin(), found->end()), found->end());
+  }
+  return found;
 }
 
 template <class Sets>
@@ -130,7 +152,7 @@ std::vector<ElementFace> list_candidate_faces(const Mesh& mesh, const Deck& deck
     });
     return faces;
   }
-  if (const auto* set = find_set(mesh.side_sets, deck, selector)) {
+  if (const auto set = find_set(mesh.side_sets, deck, selector)) {
     std::set_intersection(set->begin(), set->end(), exterior.begin(), exterior.end(), std::back_inserter(faces));
     return faces;
   }
@@ -146,8 +168,8 @@ std::vector<ElementFace> list_candidate_faces(const Mesh& mesh, const Deck& deck
 bool names_nodes_alone(const Mesh& mesh, const Deck& deck, const Selector& selector) {
   const auto is_part = [&](const MeshPart& part) { return part.name == selector.name; };
   if (selector.name.empty() || std::any_of(mesh.parts.begin(), mesh.parts.end(), is_part)) return false;
-  const auto* faces = find_set(mesh.side_sets, deck, selector);
-  return (faces == nullptr || !has_any(mesh, *faces)) && find_set(mesh.node_sets, deck, selector) != nullptr;
+  const auto faces = find_set(mesh.side_sets, deck, selector);
+  return (!faces || !has_any(mesh, *faces)) && find_set(mesh.node_sets, deck, selector).has_value();
 }
 
 }  // namespace
@@ -171,7 +193,7 @@ std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector
       if (box.holds(n)) nodes.push_back(n);
     }
   } else {
-    const std::vector<int>* set = find_set(mesh.node_sets, deck, selector);
+    const std::optional<std::vector<int>> set = find_set(mesh.node_sets, deck, selector);
     if (!set) refuse_unknown(deck, selector, "part, side or node set", list_names(mesh.node_sets));
     std::copy_if(set->begin(), set->end(), std::back_inserter(nodes), [&](int n) { return box.holds(n); });
   }

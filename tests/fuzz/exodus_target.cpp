@@ -42,7 +42,7 @@ std::string take_bytes(const std::string& path) {
 
 void try_bytes(const std::string& bytes) {
   static InputFile file;
-  ExodusMesh source;
+  FileMesh source;
   source.file = file.write(bytes);
   try {
     build_mesh(make_deck({make_part_deck("p", source)}));

@@ -50,7 +50,7 @@ std::string describe_hdf5(const std::string& file) {
     not_fields = error.what();
   }
   try {
-    return describe_exodus_mesh(file);
+    return describe_mesh_file(file);
   } catch (const InputError& error) {
     const std::string extension = fs::path(file).extension().string();
     throw InputError(extension == ".vtkhdf" ? not_fields : std::string(error.what()));
@@ -113,13 +113,14 @@ std::string describe(const std::string& file, hdf5::ExternalFiles external) {
     case Content::hdf5:
       return describe_hdf5(file);
     case Content::classic_netcdf:
-      return describe_exodus_mesh(file);
+      return describe_mesh_file(file);
     case Content::other:
       break;
   }
+  if (is_mesh_file(file)) return describe_mesh_file(file);
   const std::string extension = fs::path(file).extension().string();
   const bool is_deck = extension == ".yaml" || extension == ".yml";
-  throw InputError(file + ": error: not a summary, a fields file or an Exodus II mesh" +
+  throw InputError(file + ": error: not a summary, a fields file or a mesh of a known format" +
                    (is_deck ? " (a deck? then: percuss check " + file + ")" : ""));
 }
 

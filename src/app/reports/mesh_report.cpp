@@ -6,10 +6,11 @@
 #include <algorithm>
 
 #include "src/error.hpp"
-#include "src/mesh/exodus/exodus_mesh.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
 #include "src/mesh/quality/mesh_doubts.hpp"
+#include "src/mesh/reading/mesh_reader.hpp"
+#include "src/mesh/reading/part_reader.hpp"
 
 namespace percuss {
 namespace {
@@ -27,7 +28,7 @@ auto name_file(const std::string& file, const Read& read) {
 }
 
 PartMesh read_mesh(const std::string& file, const std::vector<std::string>& blocks) {
-  PartMesh mesh = read_exodus_mesh({file, blocks, 1});
+  PartMesh mesh = read_part_mesh({file, blocks, 1, false});
   const GeometryFindings findings = check_geometry(mesh);
   if (!findings.problems().empty()) throw InputError(findings.problems().join(""));
   findings.warn(mesh.warnings);
@@ -52,20 +53,20 @@ std::string format_extent(const std::vector<Vec3>& nodes) {
   return text;
 }
 
-std::string format_blocks(const std::vector<ExodusBlock>& blocks) {
+std::string format_blocks(const std::vector<FileBlock>& blocks) {
   std::string text;
-  for (const ExodusBlock& block : blocks) {
+  for (const FileBlock& block : blocks) {
     text += line(text.empty() ? "blocks" : "",
                  fmt::format("{}, id {}: {} of kind {} with {}{}", block.name, block.id,
-                             count(block.elements, "element"), block.topology, count(block.nodes_per_element, "node"),
-                             block.elements == 0 || can_run(block) ? "" : ", which cannot be run"));
+                             count(block.elements, "element"), block.kind, count(block.nodes_per_element, "node"),
+                             block.elements == 0 || block.topology ? "" : ", which cannot be run"));
   }
   return text;
 }
 
-std::string format_sets(const std::vector<ExodusSet>& sets, const char* label, const char* what) {
+std::string format_sets(const std::vector<FileSet>& sets, const char* label, const char* what) {
   std::string text;
-  for (const ExodusSet& set : sets)
+  for (const FileSet& set : sets)
     text += line(text.empty() ? label : "", fmt::format("{}, id {}: {}", set.name, set.id, count(set.entries, what)));
   return text.empty() ? line(label, "none") : text;
 }
@@ -92,18 +93,18 @@ std::string format_elements(const PartMesh& mesh) {
   return text + (triangles > 0 ? fmt::format(", {} of them triangles", triangles) : "");
 }
 
-std::string format_reading(const std::string& file, const ExodusContents& contents) {
+std::string format_reading(const std::string& file, const MeshContents& contents) {
   std::vector<std::string> chosen;
   bool all = true;
-  for (const ExodusBlock& block : contents.blocks) {
+  for (const FileBlock& block : contents.blocks) {
     if (block.elements == 0) continue;
-    if (can_run(block)) chosen.push_back(block.name);
-    all = all && can_run(block);
+    if (block.topology) chosen.push_back(block.name);
+    all = all && block.topology.has_value();
   }
   if (contents.dimensions != 3)
     return line("percuss", fmt::format("runs meshes of 3 dimensions only, this has {}", contents.dimensions));
   if (chosen.empty())
-    return line("percuss", fmt::format("runs none of this (of all kinds of elements only {})", list_kinds()));
+    return line("percuss", fmt::format("runs none of this (of all kinds of elements only {})", contents.kinds));
   const PartMesh mesh = name_file(file, [&] { return read_mesh(file, all ? std::vector<std::string>{} : chosen); });
   std::string text = line("percuss", "reads " + format_elements(mesh));
   if (!all) text += line("", fmt::format("with blocks: [{}]", fmt::join(chosen, ", ")));
@@ -113,13 +114,23 @@ std::string format_reading(const std::string& file, const ExodusContents& conten
 
 }  // namespace
 
-std::string describe_exodus_mesh(const std::string& file) {
-  const ExodusContents contents = name_file(file, [&] { return read_exodus_contents(file); });
-  std::string text = line("mesh", file + ": Exodus II");
+bool is_mesh_file(const std::string& file) {
+  try {
+    find_mesh_reader(file);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::string describe_mesh_file(const std::string& file) {
+  const MeshContents contents = name_file(file, [&] { return read_mesh_contents(file); });
+  std::string text = line("mesh", file + ": " + contents.format);
   text += line("size", fmt::format("{}, {}", count(contents.elements, "element"),
                                    count(static_cast<std::int64_t>(contents.nodes.size()), "node")));
   text += line("extent", format_extent(contents.nodes)) + format_blocks(contents.blocks);
   text += format_sets(contents.node_sets, "node sets", "node") + format_sets(contents.side_sets, "side sets", "face");
+  if (!contents.element_sets.empty()) text += format_sets(contents.element_sets, "elem. sets", "element");
   try {
     return text + format_reading(file, contents);
   } catch (const InputError& error) {  // what is there helps to choose blocks without what is wrong

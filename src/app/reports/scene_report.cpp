@@ -50,6 +50,29 @@ std::string format_changes(const SceneReport& scene) {
   return text;
 }
 
+std::string format_joints(const SceneReport& scene) {
+  std::string text;
+  for (const std::string& joint : scene.joints) text += line(text.empty() ? "joints" : "", joint);
+  return text;
+}
+
+/// "'rail' and 'plate' share 25 nodes (merged from up to 1e-9 apart)"
+std::vector<std::string> describe_joints(const Mesh& mesh) {
+  constexpr std::size_t most = 20;
+  std::vector<std::string> texts;
+  for (const PartJoint& joint : mesh.joints) {
+    if (texts.size() == most) {
+      texts.push_back(fmt::format("and {} more", mesh.joints.size() - most));
+      break;
+    }
+    const std::string apart =
+        joint.farthest > 0 ? fmt::format(" (merged from up to {:.2g} apart)", joint.farthest) : "";
+    texts.push_back(fmt::format("'{}' and '{}' share {}{}", mesh.parts[index(joint.part)].name,
+                                mesh.parts[index(joint.other)].name, count(joint.nodes, "node", "nodes"), apart));
+  }
+  return texts;
+}
+
 std::string format_size(const SceneReport& scene) {
   const Vec3 &low = scene.low, &high = scene.high;
   return line("extent",
@@ -152,6 +175,7 @@ SceneReport describe_scene(const Deck& deck, const ChunkedMesh& chunked) {
   scene.elements = chunked.numbering.element_count();
   scene.nodes = chunked.numbering.node_count();
   scene.bodies = count_bodies(chunked.mesh, ranks);
+  scene.joints = describe_joints(chunked.mesh);
   scene.low = chunked.mesh.low;
   scene.high = chunked.mesh.high;
   return scene;
@@ -168,8 +192,8 @@ std::string format_scene(const SceneReport& scene) {
   const Deck& deck = scene.deck;
   std::string text = line("deck", deck.file + (deck.title.empty() ? "" : ": " + deck.title));
   if (const auto units = find_units(deck.units)) text += format_units(*units);
-  text += format_parts(scene) + format_changes(scene) + format_size(scene) + format_contact(scene) +
-          format_loads(deck) + format_output(deck) + format_step(scene);
+  text += format_parts(scene) + format_joints(scene) + format_changes(scene) + format_size(scene) +
+          format_contact(scene) + format_loads(deck) + format_output(deck) + format_step(scene);
   for (const Warning& warning : scene.warnings) text += format_warning(warning) + "\n";
   return text + (scene.warnings.empty()
                      ? "The deck and its meshes are right.\n"

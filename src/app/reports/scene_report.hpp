@@ -28,6 +28,7 @@ struct SceneReport {
   std::int64_t contact_nodes = 0, contact_faces = 0;
   std::vector<std::string> mesh_notes = {};     // imperfections and added masses
   std::vector<std::string> contact_notes = {};  // what contact says of the start
+  std::vector<std::string> joints = {};         // parts that share nodes, in words
 };
 
 /// Report of the mesh: parts, counts and extent, of all ranks together. Collective. Throws MpiError.

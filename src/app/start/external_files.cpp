@@ -30,7 +30,7 @@ void refuse_external(const std::string& path, const std::string& place) {
 
 void refuse_external_meshes(const Deck& deck) {
   for (const PartDeck& part : deck.parts) {
-    const auto* exodus = std::get_if<ExodusMesh>(&part.shape);
+    const auto* exodus = std::get_if<FileMesh>(&part.shape);
     if (exodus == nullptr) continue;
     refuse_external(exodus->file,
                     fmt::format("{}: error: part '{}': {}", deck.where(part.place), part.name, exodus->file));

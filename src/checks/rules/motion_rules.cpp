@@ -85,6 +85,7 @@ std::vector<Meeting> find_meetings(const CheckedScene& scene, std::size_t most) 
   for (std::size_t a = 0; a < flights.size(); ++a) {
     for (std::size_t b = a + 1; b < flights.size() && meetings.size() < most; ++b) {
       if ((!flights[a].moves() && !flights[b].moves()) || flights[a].moves_with(flights[b])) continue;
+      if (scene.measures->are_joined(a, b)) continue;
       if (do_overlap(flights[a].find_box(0), flights[b].find_box(0))) continue;
       const double time = find_meeting(flights[a], flights[b], scene.deck.time.end, overlap);
       if (time >= 0) meetings.push_back(flights[a].moves() ? Meeting{a, b, time} : Meeting{b, a, time});
@@ -163,6 +164,7 @@ std::vector<Warning> check_idle_parts(const CheckedScene& scene) {
               loaded = mark_named(deck, deck.nodal_loads), touching = mark_touching(deck);
   for (std::size_t p = 0; p < deck.parts.size(); ++p) {
     if (scene.measures->parts[p].speed > 0 || held[p] || pressed[p] || loaded[p] || touching[p]) continue;
+    if (scene.measures->is_joined(p)) continue;  // others move it
     if (is_energetic(find_material(deck, deck.parts[p]))) continue;
     warnings.push_back(
         warn_at(deck, "idle_part", "parts." + deck.parts[p].name,
@@ -183,6 +185,7 @@ std::vector<Warning> check_unreached_bodies(const CheckedScene& scene) {
   if (meetings.may_change(scene)) return warnings;
   for (std::size_t p = 0; p < deck.parts.size(); ++p) {
     const bool is_known = meetings.flight(p).is_free() && meetings.flight(p).moves();
+    if (scene.measures->is_joined(p)) continue;  // what it is joined to may stop it
     if (!is_known || (!touching[p] && deck.walls.empty())) continue;
     const double later = meetings.find(p, longer * deck.time.end);
     const std::string& name = deck.parts[p].name;

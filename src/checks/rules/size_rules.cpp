@@ -167,7 +167,8 @@ std::vector<Warning> check_enclosed_parts(const CheckedScene& scene) {
     for (std::size_t outer = 0; outer < scene.deck.parts.size(); ++outer) {
       const PartMeasures& a = scene.measures->parts[inner];
       const PartMeasures& b = scene.measures->parts[outer];
-      if (inner == outer || are_alike(a, b) || !is_enclosed(a, scene.deck.parts[outer], b)) continue;
+      if (scene.measures->are_joined(inner, outer) || are_alike(a, b) || !is_enclosed(a, scene.deck.parts[outer], b))
+        continue;
       warnings.push_back(
           warn_at(scene.deck, "enclosed_part", "parts." + part.name,
                   fmt::format("part '{}' lies inside the solid part '{}' (contact finds no faces there, and "

@@ -43,6 +43,8 @@ void check_selector(const NameUse& use, const std::map<std::string, const PartDe
   const std::string part_name = use.name.substr(0, slash);
   const auto part = parts.find(part_name);
   if (part == parts.end()) {
+    const auto is_file = [](const auto& entry) { return std::holds_alternative<FileMesh>(entry.second->shape); };
+    if (slash == std::string::npos && std::any_of(parts.begin(), parts.end(), is_file)) return;  // may be a set of it
     std::vector<std::string> known;
     known.reserve(parts.size());
     for (const auto& entry : parts) known.push_back(entry.first);
@@ -84,7 +86,7 @@ void check_size(const Deck& deck, const Node& root, Reading& reading) {
 /// Rotations are held of nodes of shells only.
 void check_rotations(const Deck& deck, Reading& reading) {
   const auto may_have_shells = [](const PartDeck& part) {
-    return part.thickness || std::holds_alternative<ExodusMesh>(part.shape);
+    return part.thickness || std::holds_alternative<FileMesh>(part.shape);
   };
   if (std::any_of(deck.parts.begin(), deck.parts.end(), may_have_shells)) return;
   for (const NameUse& use : reading.rotations) {

@@ -194,6 +194,7 @@ const Keys<Deck>& deck_keys() {
       need("time", &Deck::time, time_value()),
       need("parts", &Deck::parts, NamedMapValue<PartDeck, PartValue>{"part", {}}),
       need("materials", &Deck::materials, NamedMapValue<MaterialDeck, MaterialValue>{"material", {}}),
+      may("join", &Deck::joins, JoinValue{}),
       may("imperfections", &Deck::imperfections, ListValue<MapValue<ImperfectionDeck>>{imperfection_value()}),
       may("added_mass", &Deck::added_masses, ListValue<MapValue<AddedMassDeck>>{added_mass_value()}),
       may("elements", &Deck::elements, element_value()),

@@ -44,6 +44,13 @@ struct ContactValue {
   std::string takes() const { return "a map"; }
 };
 
+/// `join`: true for all parts, or a list of joints.
+struct JoinValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<JoinDeck>& out) const;
+  Form form() const;
+  std::string takes() const { return "true | false or a list of joints"; }
+};
+
 MapValue<TimeDeck> time_value();
 MapValue<MassScalingDeck> mass_scaling_value();
 MapValue<ElementDeck> element_value();

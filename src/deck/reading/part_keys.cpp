@@ -142,7 +142,7 @@ bool check_one_shape(const Reader& reader, const Node& node) {
 
 /// Shells need a thickness; of solids it is of no use. What a file holds is seen when it is read.
 bool check_thickness(const Reader& reader, const Node& node, const PartDeck& part) {
-  if (std::holds_alternative<ExodusMesh>(part.shape)) return true;
+  if (std::holds_alternative<FileMesh>(part.shape)) return true;
   const bool is_shell = is_shell_shape(part.shape);
   if (is_shell && !part.thickness) {
     if (node.find("thickness") != nullptr) return false;  // reported already

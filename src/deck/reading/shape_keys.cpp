@@ -157,11 +157,11 @@ struct FileValue {
   Form form() const { return TextValue{}.form(); }
 };
 
-const Keys<ExodusMesh>& exodus_keys() {
-  static const Keys<ExodusMesh> keys = {
-      need("file", &ExodusMesh::file, FileValue{}),
-      may("blocks", &ExodusMesh::blocks, ListValue<TextValue>{}),
-      may("scale", &ExodusMesh::scale, NumberValue{positive}),
+const Keys<FileMesh>& file_keys() {
+  static const Keys<FileMesh> keys = {
+      need("file", &FileMesh::file, FileValue{}),
+      may("blocks", &FileMesh::blocks, ListValue<TextValue>{}),
+      may("scale", &FileMesh::scale, NumberValue{positive}),
   };
   return keys;
 }
@@ -191,7 +191,12 @@ const Keys<PartDeck>& shape_keys() {
       shape_key<ShellTubeShape>("shell_tube", shell_tube_keys),
       shape_key<ShellSphereShape>("shell_sphere", shell_sphere_keys),
       shape_key<ShellBoxTubeShape>("shell_box_tube", shell_box_tube_keys),
-      shape_key<ExodusMesh>("exodus", exodus_keys),
+      shape_key<FileMesh>("exodus", file_keys),
+      shape_key<FileMesh>("mesh", file_keys,
+                          [](const Reader&, const Node&, FileMesh& mesh) {
+                            mesh.is_exodus = false;
+                            return true;
+                          }),
   };
   return keys;
 }
@@ -221,7 +226,7 @@ std::vector<std::string> side_names(const Shape& shape) {
     }
     std::vector<std::string> operator()(const ShellSphereShape&) const { return {"inner", "outer"}; }
     std::vector<std::string> operator()(const ShellBoxTubeShape&) const { return {"start", "end", "inner", "outer"}; }
-    std::vector<std::string> operator()(const ExodusMesh&) const { return {}; }
+    std::vector<std::string> operator()(const FileMesh&) const { return {}; }
   };
   return std::visit(Names{}, shape);
 }

@@ -22,7 +22,7 @@ constexpr std::array<const char*, 9> free_to_change{"title",
                                                     "contact.rebalance"};
 
 bool is_free(const std::string& path) {
-  if (path.starts_with("parts.") && path.ends_with(".exodus.file")) return true;
+  if (path.starts_with("parts.") && (path.ends_with(".exodus.file") || path.ends_with(".mesh.file"))) return true;
   return std::find(free_to_change.begin(), free_to_change.end(), path) != free_to_change.end();
 }
 

@@ -9,6 +9,7 @@
 #include "src/fail_together.hpp"
 #include "src/mesh/decomposition/check_pieces.hpp"
 #include "src/mesh/decomposition/chunk_graph.hpp"
+#include "src/mesh/decomposition/join_pieces.hpp"
 #include "src/mesh/decomposition/migrate.hpp"
 #include "src/mesh/imperfections.hpp"
 
@@ -50,6 +51,7 @@ ChunkedMesh load_mesh(const Deck& deck, const Communicator& ranks) {
   SceneParts scene = describe_parts(deck, ranks);
   ChunkPieces pieces;
   fail_together(ranks, [&] { pieces = make_pieces(scene, ranks.rank(), ranks.size()); });
+  join_pieces(ranks, scene, pieces);
   check_pieces(deck, ranks, pieces, scene);
   for (ScenePart& part : scene.parts) part.file.reset();
   NumberedChunks numbered = number_chunks(deck, ranks, scene, pieces);
@@ -59,6 +61,7 @@ ChunkedMesh load_mesh(const Deck& deck, const Communicator& ranks) {
   apply_imperfections(deck, ranks, share.mesh);
   find_box(ranks, share.mesh);
   tell_warnings(scene, share.mesh);
+  share.mesh.joints = scene.joints;
   return share;
 }
 

@@ -201,11 +201,16 @@ void add_nodes_of_parts(Mesh& mesh, const SceneParts& scene) {
         sets[static_cast<std::size_t>(part)]->push_back(n);
     }
   }
-  for (std::vector<int>* set : sets) std::sort(set->begin(), set->end());
+  for (std::vector<int>* set : sets) {
+    std::sort(set->begin(), set->end());
+    set->erase(std::unique(set->begin(), set->end()), set->end());  // joined nodes were told before
+  }
 }
 
 void fill_node_sets(Mesh& mesh, const SceneParts& scene, std::vector<SetItem> members) {
-  const auto sets = name_sets(scene, &ScenePart::node_sets, mesh.node_sets);
+  auto sets = name_sets(scene, &ScenePart::node_sets, mesh.node_sets);
+  for (const ScenePart& part : scene.parts)
+    sets.push_back(&mesh.node_sets[part.name]);  // as join_pieces() numbers them
   sort_members(members);
   for (const SetItem& m : members) {
     sets[static_cast<std::size_t>(m.set)]->push_back(find_place(mesh.node_numbers, m.number));

@@ -8,6 +8,7 @@
 #include "kernels/core/counting_sort.hpp"
 #include "src/mesh/decomposition/check_pieces.hpp"
 #include "src/mesh/decomposition/chunk_graph.hpp"
+#include "src/mesh/decomposition/join_pieces.hpp"
 
 namespace percuss {
 namespace {
@@ -58,7 +59,8 @@ class NodeCount {
 DecompositionPlanner::DecompositionPlanner(const Deck& deck) {
   const Communicator self(MPI_COMM_SELF);
   SceneParts scene = describe_parts(deck, self);
-  const ChunkPieces pieces = make_pieces(scene, 0, 1);
+  ChunkPieces pieces = make_pieces(scene, 0, 1);
+  join_pieces(self, scene, pieces);
   check_pieces(deck, self, pieces, scene);
   NumberedChunks numbered = number_chunks(deck, self, scene, pieces);
   graph_ = std::move(numbered.graph);

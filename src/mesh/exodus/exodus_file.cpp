@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
+#include <string_view>
 
 #include "src/error.hpp"
 #include "src/hdf5/hdf5_structure.hpp"
@@ -64,13 +66,13 @@ std::vector<std::string> read_names(int file, ex_entity_type kind, std::int64_t 
   return names;
 }
 
-std::vector<ExodusSet> read_sets(int file, ex_entity_type kind, std::int64_t count, const char* what,
-                                 const char* prefix) {
+std::vector<FileSet> read_sets(int file, ex_entity_type kind, std::int64_t count, const char* what,
+                               const char* prefix) {
   const std::vector<std::int64_t> ids = read_ids(file, kind, count, what);
   const std::vector<std::string> names = read_names(file, kind, count, what);
   std::map<std::string, int> uses;
   for (const std::string& name : names) ++uses[name];
-  std::vector<ExodusSet> sets;
+  std::vector<FileSet> sets;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     std::int64_t entries = 0, factors = 0;
     check(ex_get_set_param(file, kind, ids[i], &entries, &factors), what);
@@ -78,6 +80,25 @@ std::vector<ExodusSet> read_sets(int file, ex_entity_type kind, std::int64_t cou
     sets.push_back({ids[i], usable ? names[i] : fmt::format("{}_{}", prefix, ids[i]), entries});
   }
   return sets;
+}
+
+/// Whether the name of a block's kind begins so, in capitals or not.
+bool is_called_kind(std::string_view block, std::string_view kind) {
+  return !kind.empty() && block.size() >= kind.size() &&
+         std::equal(kind.begin(), kind.end(), block.begin(),
+                    [](char a, char b) { return a == std::toupper(static_cast<unsigned char>(b)); });
+}
+
+/// None: elements of this kind cannot be run.
+std::optional<TopologyKind> find_kind(std::string_view block, std::int64_t nodes_per_element) {
+  for (std::size_t kind = 0; kind < topology_count; ++kind) {
+    const Topology& topology = topologies[kind];
+    const auto& names = topology.exodus_names;
+    const bool is_called =
+        std::any_of(names.begin(), names.end(), [&](std::string_view name) { return is_called_kind(block, name); });
+    if (is_called && nodes_per_element == topology.corner_count) return static_cast<TopologyKind>(kind);
+  }
+  return {};
 }
 
 }  // namespace
@@ -97,6 +118,8 @@ ExodusFile::ExodusFile(const std::string& path) : container_(inspect_exodus_cont
         read_sets(file_, EX_NODE_SET, static_cast<std::int64_t>(node_sets_.size()), "the list of node sets", "nodes");
     side_sets_ =
         read_sets(file_, EX_SIDE_SET, static_cast<std::int64_t>(side_sets_.size()), "the list of side sets", "sides");
+    element_sets_ = read_sets(file_, EX_ELEM_SET, static_cast<std::int64_t>(element_sets_.size()),
+                              "the list of element sets", "elements");
   } catch (...) {
     ex_close(file_);
     throw;
@@ -125,8 +148,10 @@ void ExodusFile::read_counts() {
   require_room(block_count_, least_bytes, "element blocks");
   require_room(counts.num_node_sets, least_bytes, "node sets");
   require_room(counts.num_side_sets, least_bytes, "side sets");
+  require_room(counts.num_elem_sets, least_bytes, "element sets");
   node_sets_.resize(size_of(counts.num_node_sets));
   side_sets_.resize(size_of(counts.num_side_sets));
+  element_sets_.resize(size_of(counts.num_elem_sets));
 }
 
 void ExodusFile::read_blocks() {
@@ -143,7 +168,8 @@ void ExodusFile::read_blocks() {
     require_room(block.num_entry, std::max<std::int64_t>(block.num_nodes_per_entry, 1) * least_bytes,
                  "elements in a block");
     blocks_.push_back({ids[i], names[i].empty() ? fmt::format("block_{}", ids[i]) : names[i], block.topology,
-                       block.num_entry, block.num_nodes_per_entry, next});
+                       block.num_entry, block.num_nodes_per_entry, next,
+                       find_kind(block.topology, block.num_nodes_per_entry)});
     next += block.num_entry;
   }
   if (next - 1 == elements_) return;
@@ -154,7 +180,7 @@ std::vector<Vec3> ExodusFile::read_coordinates() const {
   return read_exodus_coordinates(file_, std::min(dimensions_, 3), nodes_);
 }
 
-std::vector<std::int64_t> ExodusFile::read_connectivity(const ExodusBlock& block) const {
+std::vector<std::int64_t> ExodusFile::read_connectivity(const FileBlock& block) const {
   std::vector<std::int64_t> corners(size_of(block.elements * block.nodes_per_element));
   if (corners.empty()) return corners;
   check(ex_get_conn(file_, EX_ELEM_BLOCK, block.id, corners.data(), nullptr, nullptr),
@@ -174,18 +200,41 @@ std::vector<std::int64_t> ExodusFile::read_element_ids() const {
   return ids;
 }
 
-std::vector<std::int64_t> ExodusFile::read_node_set(const ExodusSet& set) const {
-  require_room(set.entries, least_bytes, "nodes in a set");
-  std::vector<std::int64_t> nodes(size_of(set.entries));
-  if (nodes.empty()) return nodes;
-  check(ex_get_set(file_, EX_NODE_SET, set.id, nodes.data(), nullptr), fmt::format("node set '{}'", set.name));
-  return nodes;
+std::vector<std::int64_t> ExodusFile::read_set(int kind, const FileSet& set, const char* what) const {
+  require_room(set.entries, least_bytes, "members of a set");
+  std::vector<std::int64_t> members(size_of(set.entries));
+  if (members.empty()) return members;
+  check(ex_get_set(file_, static_cast<ex_entity_type>(kind), set.id, members.data(), nullptr),
+        fmt::format("{} set '{}'", what, set.name));
+  return members;
 }
 
-std::vector<std::pair<std::int64_t, std::int64_t>> ExodusFile::read_side_set(const ExodusSet& set) const {
+std::vector<std::int64_t> ExodusFile::read_node_set(const FileSet& set) const {
+  return read_set(EX_NODE_SET, set, "node");
+}
+
+std::vector<std::int64_t> ExodusFile::read_element_set(const FileSet& set) const {
+  return read_set(EX_ELEM_SET, set, "element");
+}
+
+int ExodusFile::find_face(const Topology& topology, std::int64_t side) const {
+  if (side < 1 || side > topology.face_count) return -1;
+  return topology.exodus_sides[static_cast<std::size_t>(side - 1)];
+}
+
+std::string ExodusFile::list_kinds() const {
+  std::string list;
+  for (const Topology& topology : topologies) {
+    for (const std::string_view name : topology.exodus_names)
+      if (!name.empty()) list += fmt::format("{}{}{}", list.empty() ? "" : ", ", name, topology.corner_count);
+  }
+  return list;
+}
+
+std::vector<FileSide> ExodusFile::read_side_set(const FileSet& set) const {
   require_room(set.entries, 2 * least_bytes, "sides in a set");
   std::vector<std::int64_t> elements(size_of(set.entries)), sides(elements.size());
-  std::vector<std::pair<std::int64_t, std::int64_t>> faces;
+  std::vector<FileSide> faces;
   if (elements.empty()) return faces;
   check(ex_get_set(file_, EX_SIDE_SET, set.id, elements.data(), sides.data()), fmt::format("side set '{}'", set.name));
   for (std::size_t i = 0; i < elements.size(); ++i) faces.emplace_back(elements[i], sides[i]);

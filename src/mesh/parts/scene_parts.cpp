@@ -10,11 +10,12 @@
 #include "src/deck/mesh_size.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
-#include "src/mesh/exodus/exodus_mesh.hpp"
-#include "src/mesh/id_allotment.hpp"
 #include "src/mesh/ordering.hpp"
+#include "src/mesh/parts/part_joints.hpp"
+#include "src/mesh/parts/shared_meshes.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
 #include "src/mesh/quality/mesh_doubts.hpp"
+#include "src/mesh/reading/part_reader.hpp"
 #include "src/mesh/topology/connectivity.hpp"
 
 namespace percuss {
@@ -83,10 +84,10 @@ void check_thickness(const PartDeck& deck, const PartMesh& mesh) {
   }
 }
 
-void read_file_part(const PartDeck& deck, const Totals& so_far, ScenePart& part) {
+void read_file_part(const PartDeck& deck, const Totals& so_far, MeshFiles& files, ScenePart& part) {
   auto file = std::make_unique<FilePart>();
   PartMesh& mesh = file->mesh;
-  mesh = read_exodus_mesh(std::get<ExodusMesh>(deck.shape));
+  mesh = files.read(std::get<FileMesh>(deck.shape));
   check_thickness(deck, mesh);
   const double copies = count_copies(deck);
   check_size(so_far, copies * double(mesh.nodes.size()), copies * double(mesh.elements.size()));
@@ -125,18 +126,18 @@ void describe_generated_part(const PartDeck& deck, ScenePart& part) {
   part.generated.emplace(GeneratedPart{std::move(source), place, std::move(tiling)});
 }
 
-/// All that the deck and the file say of a part; on other ranks than 0 the files are left for later.
-ScenePart describe_part(const Deck& deck, const PartDeck& from, const Totals& so_far, bool reads_files) {
+/// All that the deck and the file say of a part; without files, on other ranks than 0, these are left for later.
+ScenePart describe_part(const Deck& deck, const PartDeck& from, const Totals& so_far, MeshFiles* files) {
   ScenePart part;
   part.name = from.name;
   try {
     find_material(deck, from.material);
     const MeshSize size = count_cells(from);
     check_size(so_far, size.nodes, size.elements);
-    if (!std::holds_alternative<ExodusMesh>(from.shape)) {
+    if (!std::holds_alternative<FileMesh>(from.shape)) {
       describe_generated_part(from, part);
-    } else if (reads_files) {
-      read_file_part(from, so_far, part);
+    } else if (files != nullptr) {
+      read_file_part(from, so_far, *files, part);
     }
   } catch (const InputError& error) {
     part.error = error.what();
@@ -144,34 +145,6 @@ ScenePart describe_part(const Deck& deck, const PartDeck& from, const Totals& so
     throw SystemError(fmt::format("{}: error: {}{}", deck.where(from.place), describe_source(from), error.what()));
   }
   return part;
-}
-
-/// Gives each part its ids; those of files are raised where an earlier part has them.
-void assign_ids(SceneParts& scene) {
-  IdAllotment nodes, elements;
-  const auto take = [](std::vector<std::int64_t>& ids) { return std::exchange(ids, {}); };
-  for (ScenePart& part : scene.parts) {
-    nodes.add(part.file ? take(part.file->mesh.node_ids) : std::vector<std::int64_t>{}, part.nodes);
-    elements.add(part.file ? take(part.file->mesh.element_ids) : std::vector<std::int64_t>{}, part.elements);
-  }
-  nodes.assign();
-  elements.assign();
-  for (std::size_t p = 0; p < scene.parts.size(); ++p) {
-    ScenePart& part = scene.parts[p];
-    part.first_node_id = nodes.first_id(p);
-    part.first_element_id = elements.first_id(p);
-    if (!part.file) continue;
-    part.file->mesh.node_ids = nodes.ids(p);
-    part.file->mesh.element_ids = elements.ids(p);
-    if (!nodes.raised(p) && !elements.raised(p)) continue;
-    scene.warnings.push_back(
-        {"raised_ids",
-         fmt::format("the file's {} ids are used by an earlier part (they are raised above the others)",
-                     !nodes.raised(p)      ? "element"
-                     : !elements.raised(p) ? "node"
-                                           : "node and element"),
-         "part '" + part.name + "'", 0, 1});
-  }
 }
 
 /// What rank 0 alone knows of a part.
@@ -275,7 +248,7 @@ void count_elements(const Communicator& ranks, SceneParts& scene) {
 }  // namespace
 
 std::string describe_source(const PartDeck& part) {
-  const auto* exodus = std::get_if<ExodusMesh>(&part.shape);
+  const auto* exodus = std::get_if<FileMesh>(&part.shape);
   return exodus ? fmt::format("part '{}': {}: ", part.name, exodus->file) : fmt::format("part '{}': ", part.name);
 }
 
@@ -283,12 +256,13 @@ SceneParts describe_parts(const Deck& deck, const Communicator& ranks) {
   SceneParts scene;
   fail_together(ranks, [&] {
     Totals so_far;
+    MeshFiles files;
     for (const PartDeck& part : deck.parts) {
-      scene.parts.push_back(describe_part(deck, part, so_far, ranks.rank() == 0));
+      scene.parts.push_back(describe_part(deck, part, so_far, ranks.rank() == 0 ? &files : nullptr));
       so_far.nodes += double(scene.parts.back().nodes);
       so_far.elements += double(scene.parts.back().elements);
     }
-    if (ranks.rank() == 0) assign_ids(scene);
+    if (ranks.rank() == 0) assign_ids(deck, scene);
   });
   share_numbers(ranks, scene);
   for (ScenePart& part : scene.parts) {
@@ -299,6 +273,7 @@ SceneParts describe_parts(const Deck& deck, const Communicator& ranks) {
   }
   describe_blocks(deck, scene);
   lay_out(scene);
+  join_parts(deck, ranks, scene);
   count_elements(ranks, scene);
   return scene;
 }

@@ -2,7 +2,8 @@
 // The parts of a scene before any of their elements is made: how many nodes, elements and chunks each has, from where
 // they are numbered, and what its sets are called. The same on every rank; only rank 0 holds the parts from files.
 //
-// A key identifies nodes before they have numbers: nodes of a part, copy after copy, part after part.
+// A key identifies nodes before they have numbers: nodes of a part, copy after copy, part after part. Where parts are
+// joined, several keys are one node.
 
 #include <cstdint>
 #include <memory>
@@ -50,8 +51,17 @@ struct ScenePart {
   std::vector<Warning> warnings;                  // rank 0, likewise
 };
 
+/// A node that several parts have: all keys with one root are one node.
+struct JoinedNode {
+  std::int64_t key = 0, root = 0;  // root: the lowest of them
+  std::int64_t id = 0;             // the user's, of the root
+  Vec3 place{};                    // likewise [length]
+};
+
 struct SceneParts {
   std::vector<ScenePart> parts;
+  std::vector<JoinedNode> joined;           // ascending by key, the roots among them
+  std::vector<PartJoint> joints;            // as Mesh::joints
   std::int64_t keys = 0;                    // of nodes, 0 <= key < keys
   std::vector<std::int64_t> first_element;  // [chunks + 1] as Numbering::first_element
   std::vector<Warning> warnings;            // rank 0, of no part alone

@@ -1,11 +1,35 @@
 #include "src/output/fields/mesh_extents.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "comm/all_reduce.hpp"
 
 namespace percuss {
+namespace {
+
+/// Nodes of elements of parts that share some: from the lowest to the highest number.
+void widen_to_joints(const ChunkedMesh& chunked, const Communicator& ranks, std::vector<MeshExtent>& extents) {
+  const Mesh& mesh = chunked.mesh;
+  std::vector<std::int64_t> lowest(extents.size(), std::numeric_limits<std::int64_t>::max()), negative(lowest);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const auto part = static_cast<std::size_t>(mesh.part_of(e));
+    for (const int node : mesh.corners(e)) {
+      const std::int64_t number = mesh.node_numbers[static_cast<std::size_t>(node)];
+      lowest[part] = std::min(lowest[part], number);
+      negative[part] = std::min(negative[part], -number);
+    }
+  }
+  all_reduce(ranks, Reduce::least, lowest);
+  all_reduce(ranks, Reduce::least, negative);
+  for (std::size_t p = 0; p < extents.size(); ++p) {
+    extents[p].first_node = lowest[p];
+    extents[p].nodes = 1 - negative[p] - lowest[p];
+  }
+}
+
+}  // namespace
 
 std::vector<MeshExtent> find_part_extents(const ChunkedMesh& chunked, const Communicator& ranks) {
   const Mesh& mesh = chunked.mesh;
@@ -31,13 +55,14 @@ std::vector<MeshExtent> find_part_extents(const ChunkedMesh& chunked, const Comm
     part.nodes = numbering.first_node[static_cast<std::size_t>(end)] - part.first_node;
     before = part;
   }
+  if (!mesh.joints.empty()) widen_to_joints(chunked, ranks, extents);
   return extents;
 }
 
 MeshExtent join_extents(const std::vector<MeshExtent>& parts) {
   MeshExtent all;
   for (const MeshExtent& part : parts) {
-    all.nodes += part.nodes;
+    all.nodes = std::max(all.nodes, part.first_node + part.nodes);
     all.elements += part.elements;
     for (std::size_t k = 0; k < topology_count; ++k) all.of_topology[k] += part.of_topology[k];
   }

@@ -1,8 +1,9 @@
 #pragma once
 // Where each part of the mesh lies in the datasets of fields.vtkhdf, and what they hold of its elements.
 //
-// Elements and nodes are numbered chunk after chunk and part after part, and parts share no node, so a part is one run
-// of elements, of corners in Connectivity and of nodes.
+// Elements and nodes are numbered chunk after chunk and part after part, so a part is one run of elements and of
+// corners in Connectivity, and of nodes, if it shares none. The run of a part that shares nodes is from its first to
+// its last.
 
 #include <algorithm>
 #include <array>

@@ -20,7 +20,7 @@ using namespace testing_mesh;
 using testing::HasSubstr;
 
 std::string find_error(const std::string& path, const std::vector<std::string>& blocks = {}) {
-  ExodusMesh source;
+  FileMesh source;
   source.file = path;
   source.blocks = blocks;
   try {

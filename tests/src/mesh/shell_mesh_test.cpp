@@ -159,7 +159,7 @@ WrittenMesh make_cubes_with_fin() {
   return mesh;
 }
 
-PartDeck make_file_part(const std::string& path) { return make_part_deck("p", ExodusMesh{path, {}, 1}); }
+PartDeck make_file_part(const std::string& path) { return make_part_deck("p", FileMesh{path, {}, 1}); }
 
 TEST(ShellMesh, HexahedraAndShellsOfOneFileShareTheirNodes) {
   PartDeck part = make_file_part(write_exodus(make_cubes_with_fin(), "fin.exo"));

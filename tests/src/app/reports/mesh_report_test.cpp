@@ -19,7 +19,7 @@ using testing_mesh::WrittenMesh;
 
 TEST(MeshReport, ListsBlocksAndEachSetOnce) {
   const std::string file = write_exodus(make_two_cubes(), "info_cubes.e");
-  EXPECT_EQ(describe_exodus_mesh(file), "mesh        " + file + R"(: Exodus II
+  EXPECT_EQ(describe_mesh_file(file), "mesh        " + file + R"(: Exodus II
 size        2 elements, 12 nodes
 extent      x 0 to 2, y 0 to 1, z 0 to 1
 blocks      left, id 10: 1 element of kind HEX8 with 8 nodes
@@ -35,7 +35,7 @@ TEST(MeshReport, SaysWhatCannotBeRunAndHowToChooseTheRest) {
   mesh.blocks.push_back({30, "ends", "TETRA4", 4, {1, 2, 3, 4, 5, 6, 7, 8}});
   mesh.element_ids = {};
   mesh.node_sets = {};
-  const std::string text = describe_exodus_mesh(write_exodus(mesh, "info_tetra.e"));
+  const std::string text = describe_mesh_file(write_exodus(mesh, "info_tetra.e"));
   EXPECT_THAT(text, HasSubstr("4 elements, 12 nodes\n"));
   EXPECT_THAT(text,
               HasSubstr("\n            ends, id 30: 2 elements of kind TETRA4 with 4 nodes, which cannot be run\n"));
@@ -44,7 +44,7 @@ TEST(MeshReport, SaysWhatCannotBeRunAndHowToChooseTheRest) {
                              "            with blocks: [left, block_20]\n"));
   mesh.blocks.erase(mesh.blocks.begin(), mesh.blocks.begin() + 2);
   mesh.side_sets = {};
-  EXPECT_THAT(describe_exodus_mesh(write_exodus(mesh, "info_only_tetra.e")),
+  EXPECT_THAT(describe_mesh_file(write_exodus(mesh, "info_only_tetra.e")),
               HasSubstr("\npercuss     runs none of this"));
 }
 
@@ -53,7 +53,7 @@ TEST(MeshReport, TellsShellsAndTheirArea) {
   mesh.nodes = {{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}, {4, 0, 0}};
   mesh.blocks = {{1, "", "SHELL4", 4, {1, 2, 3, 4}}, {2, "", "TRI3", 3, {2, 5, 3}}};
   EXPECT_THAT(
-      describe_exodus_mesh(write_exodus(mesh, "info_shells.e")),
+      describe_mesh_file(write_exodus(mesh, "info_shells.e")),
       EndsWith("\npercuss     reads 5 nodes, 2 shells of area 9 (the part needs a thickness), 1 of them triangles\n"));
 }
 
@@ -61,7 +61,7 @@ TEST(MeshReport, RefusesWhatIsTurnedInsideOut) {
   WrittenMesh mesh = make_two_cubes();
   std::swap(mesh.blocks[0].corners[0], mesh.blocks[0].corners[6]);
   try {
-    describe_exodus_mesh(write_exodus(mesh, "info_inverted.e"));
+    describe_mesh_file(write_exodus(mesh, "info_inverted.e"));
     FAIL() << "was not refused";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("HEX8"));  // what is in the file is told before

@@ -91,7 +91,7 @@ class SharedFile {
 
 /// Parts of every kind: a file between generated ones, an array, small bodies that share chunks.
 Deck make_scene(const std::string& file) {
-  PartDeck ball = make_part_deck("ball", SphereShape{1, 9}), block = make_part_deck("block", ExodusMesh{file, {}, 2});
+  PartDeck ball = make_part_deck("ball", SphereShape{1, 9}), block = make_part_deck("block", FileMesh{file, {}, 2});
   PartDeck bricks = make_part_deck("bricks", BoxShape{{1, 1, 1}, {4, 3, 5}});
   bricks.array = ArrayCopies{{2, 3, 2}, {1.1, 1.1, 1.1}, 0.5};
   bricks.at = {10, 0, 0};
@@ -173,7 +173,7 @@ TEST_F(Decomposition, HoldsTheElementsOfTheWholeMesh) {
 
 TEST(DecompositionOfBlocks, TellsAllRanksOfThemAndSendsCornersAsTheTopologyHasThem) {
   const SharedFile file(make_covered_block(), "covered.exo");
-  PartDeck covered = make_part_deck("covered", ExodusMesh{file.path(), {}, 1});
+  PartDeck covered = make_part_deck("covered", FileMesh{file.path(), {}, 1});
   covered.thickness = 0.1;
   const Deck deck = make_deck({make_part_deck("ball", SphereShape{1, 5}), covered});
   const ChunkedMesh whole = load_mesh(deck, self()), share = load_mesh(deck, Communicator::world());
@@ -299,7 +299,7 @@ TEST(DecompositionErrors, AreThoseOfOneRankOnEveryRank) {
   const SharedFile file(inverted, "inverted.exo");
   Deck deck =
       make_deck({make_part_deck("flat", BoxShape{{1, 0, 1}, {7, 8, 9}}), make_part_deck("good", SphereShape{1, 9}),
-                 make_part_deck("read", ExodusMesh{file.path(), {}, 1}), make_part_deck("nameless", SphereShape{1, 3}),
+                 make_part_deck("read", FileMesh{file.path(), {}, 1}), make_part_deck("nameless", SphereShape{1, 3}),
                  make_part_deck("far", SphereShape{1, 8})});
   deck.parts[3].material = "steal";
   deck.parts[4].at = {1e308, 0, 1e308};
@@ -315,7 +315,7 @@ TEST(DecompositionErrors, AreThoseOfOneRankOnEveryRank) {
 
 TEST(DecompositionErrors, OfAFileThatIsNotThereReachEveryRank) {
   const Deck deck = make_deck(
-      {make_part_deck("good", SphereShape{1, 9}), make_part_deck("a", ExodusMesh{"/nonexistent/file.exo", {}, 1})});
+      {make_part_deck("good", SphereShape{1, 9}), make_part_deck("a", FileMesh{"/nonexistent/file.exo", {}, 1})});
   std::string told = "nothing";
   try {
     load_mesh(deck, Communicator::world());

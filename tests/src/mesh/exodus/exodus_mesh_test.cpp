@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::ThrowsMessage;
 
-Mesh read(const WrittenMesh& written, Container container = Container::classic, ExodusMesh source = {},
+Mesh read(const WrittenMesh& written, Container container = Container::classic, FileMesh source = {},
           PartDeck part = {}) {
   source.file = write_exodus(written, "good.exo", container);
   PartDeck named = make_part_deck("p", source);
@@ -64,7 +64,7 @@ TEST_P(ExodusContainers, MayHoldAnyVariableFirst) {
   const std::string path = write_exodus(written, "ordered.exo", GetParam());
   for (const std::string& variable : list_variables(path)) {
     SCOPED_TRACE(variable);
-    ExodusMesh source;
+    FileMesh source;
     source.file = copy_with_first(path, variable, path + ".first");
     const Mesh mesh = build_mesh(make_deck({make_part_deck("p", source)}));
     EXPECT_EQ(mesh.nodes, written.nodes);
@@ -95,13 +95,13 @@ TEST(ExodusMesh, WithoutMapsCountsFromOne) {
 }
 
 TEST(ExodusMesh, ScalesCoordinates) {
-  ExodusMesh source;
+  FileMesh source;
   source.scale = 0.001;
   EXPECT_EQ(read(make_two_cubes(), Container::classic, source).nodes[11][0], 0.002);
 }
 
 TEST(ExodusMesh, ReadsOnlyTheChosenBlocksAndCutsTheSets) {
-  ExodusMesh source;
+  FileMesh source;
   for (const char* name : {"block_20", "left", "block_10"}) {
     source.blocks = {name};
     const bool right = source.blocks[0] == "block_20";
@@ -116,7 +116,7 @@ TEST(ExodusMesh, ReadsOnlyTheChosenBlocksAndCutsTheSets) {
 }
 
 TEST(ExodusMesh, ReadsBlocksInTheOrderOfTheFile) {
-  ExodusMesh source;
+  FileMesh source;
   source.blocks = {"block_20", "left"};
   EXPECT_THAT(read(make_two_cubes(), Container::classic, source).element_ids, ElementsAre(101, 102));
 }
@@ -188,7 +188,7 @@ TEST(ExodusMesh, CanBeCopiedAndMovedLikeAnyPart) {
 }
 
 TEST(ExodusMesh, BlocksOfOneFileCanBeParts) {
-  ExodusMesh left, right;
+  FileMesh left, right;
   left.file = right.file = write_exodus(make_two_cubes(), "parts.exo");
   left.blocks = {"left"};
   right.blocks = {"block_20"};
@@ -205,7 +205,7 @@ TEST(ExodusMesh, BlocksOfOneFileCanBeParts) {
 }
 
 TEST(ExodusMesh, AnUnknownBlockIsRefusedWithTheNearestName) {
-  ExodusMesh source;
+  FileMesh source;
   source.blocks = {"lft"};
   EXPECT_THAT([&] { read(make_two_cubes(), Container::classic, source); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("no block 'lft'"), HasSubstr("'left'"))));

@@ -1,20 +1,18 @@
-#include "src/mesh/exodus/exodus_mesh.hpp"
+#include "src/mesh/reading/part_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <memory>
 #include <numeric>
-#include <optional>
 #include <span>
-#include <string_view>
 
 #include "src/deck/mesh_size.hpp"
 #include "src/deck/text/nearest_name.hpp"
 #include "src/error.hpp"
-#include "src/mesh/exodus/exodus_file.hpp"
 #include "src/mesh/exodus/trial_process.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
+#include "src/mesh/reading/mesh_reader.hpp"
 
 namespace percuss {
 namespace {
@@ -24,25 +22,6 @@ constexpr int not_chosen = -1;
 /// Ids beyond this are hashes, not numbers that a person reads; they would overflow when parts are joined.
 constexpr std::int64_t highest_id = 1'000'000'000'000'000;
 
-/// Whether the name of a block's kind begins so, in capitals or not.
-bool is_called_kind(const ExodusBlock& block, std::string_view kind) {
-  return !kind.empty() && block.topology.size() >= kind.size() &&
-         std::equal(kind.begin(), kind.end(), block.topology.begin(),
-                    [](char a, char b) { return a == std::toupper(static_cast<unsigned char>(b)); });
-}
-
-/// None: elements of this kind cannot be run.
-std::optional<TopologyKind> find_kind(const ExodusBlock& block) {
-  for (std::size_t kind = 0; kind < topology_count; ++kind) {
-    const Topology& topology = topologies[kind];
-    const auto& names = topology.exodus_names;
-    const bool is_called =
-        std::any_of(names.begin(), names.end(), [&](std::string_view name) { return is_called_kind(block, name); });
-    if (is_called && block.nodes_per_element == topology.corner_count) return static_cast<TopologyKind>(kind);
-  }
-  return {};
-}
-
 /// Turns a quadrilateral of which two corners in a row are one node so that these come last. The normal stays as it is.
 /// Returns whether they do: it is a triangle.
 bool turn_triangle(std::span<int> nodes) {
@@ -51,21 +30,21 @@ bool turn_triangle(std::span<int> nodes) {
   return nodes[2] == nodes[3];
 }
 
-bool is_called(const ExodusBlock& block, const std::string& name) {
+bool is_called(const FileBlock& block, const std::string& name) {
   return block.name == name || fmt::format("block_{}", block.id) == name;
 }
 
-std::vector<ExodusBlock> choose_blocks(const ExodusFile& file, const std::vector<std::string>& wanted) {
+std::vector<FileBlock> choose_blocks(const MeshFile& file, const std::vector<std::string>& wanted) {
   std::vector<std::string> known;
-  for (const ExodusBlock& block : file.blocks()) known.push_back(block.name);
+  for (const FileBlock& block : file.blocks()) known.push_back(block.name);
   for (const std::string& name : wanted) {
-    const auto called = [&](const ExodusBlock& block) { return is_called(block, name); };
+    const auto called = [&](const FileBlock& block) { return is_called(block, name); };
     if (std::none_of(file.blocks().begin(), file.blocks().end(), called)) {
       throw InputError(fmt::format("the file has no block '{}'{}", name, name_hint(name, known)));
     }
   }
-  std::vector<ExodusBlock> chosen;
-  for (const ExodusBlock& block : file.blocks()) {
+  std::vector<FileBlock> chosen;
+  for (const FileBlock& block : file.blocks()) {
     const auto calls = [&](const std::string& name) { return is_called(block, name); };
     const bool is_wanted = wanted.empty() || std::any_of(wanted.begin(), wanted.end(), calls);
     if (is_wanted && block.elements > 0) chosen.push_back(block);
@@ -73,17 +52,17 @@ std::vector<ExodusBlock> choose_blocks(const ExodusFile& file, const std::vector
   return chosen;
 }
 
-void check_kinds(const ExodusFile& file, const std::vector<ExodusBlock>& chosen) {
+void check_kinds(const MeshFile& file, const std::vector<FileBlock>& chosen) {
   std::string problems, others;
-  for (const ExodusBlock& block : chosen) {
-    if (can_run(block)) continue;
+  for (const FileBlock& block : chosen) {
+    if (block.topology) continue;
     problems += fmt::format("{}block '{}' has {} elements of kind {} with {} nodes (of all kinds only {} can be run)",
-                            problems.empty() ? "" : "\n", block.name, block.elements, block.topology,
-                            block.nodes_per_element, list_kinds());
+                            problems.empty() ? "" : "\n", block.name, block.elements, block.kind,
+                            block.nodes_per_element, file.list_kinds());
   }
   if (problems.empty()) return;
-  for (const ExodusBlock& block : file.blocks()) {
-    if (can_run(block) && block.elements > 0) others += (others.empty() ? "" : ", ") + block.name;
+  for (const FileBlock& block : file.blocks()) {
+    if (block.topology && block.elements > 0) others += (others.empty() ? "" : ", ") + block.name;
   }
   if (!others.empty()) problems += fmt::format("; choose with blocks: [{}]", others);
   throw InputError(problems);
@@ -109,9 +88,9 @@ std::vector<std::int64_t> accept_ids(std::vector<std::int64_t> ids, const char* 
 }
 
 /// From a file to a part: reads block after block, then keeps the nodes and set entries that the blocks use.
-class ExodusReader {
+class PartReader {
  public:
-  ExodusReader(const ExodusFile& file, std::vector<ExodusBlock> blocks) : file_(file), blocks_(std::move(blocks)) {}
+  PartReader(const MeshFile& file, std::vector<FileBlock> blocks) : file_(file), blocks_(std::move(blocks)) {}
 
   PartMesh read() {
     file_node_ids_ = accept_ids(file_.read_node_ids(), "node", mesh_);
@@ -123,8 +102,10 @@ class ExodusReader {
     throw_problems();
     read_node_sets();
     read_side_sets();
+    read_element_sets();
     name_sides_of_shells();
     throw_problems();
+    for (const std::string& note : file_.notes()) mesh_.warnings.push_back({"unread_content", note, "", 0, 1});
     return std::move(mesh_);
   }
 
@@ -135,7 +116,7 @@ class ExodusReader {
 
   void read_elements() {
     file_to_part_element_.assign(static_cast<std::size_t>(file_.element_count()), not_chosen);
-    for (const ExodusBlock& block : blocks_) {
+    for (const FileBlock& block : blocks_) {
       const std::vector<std::int64_t> corners = file_.read_connectivity(block);
       for (std::size_t e = 0; e < static_cast<std::size_t>(block.elements); ++e) {
         const std::size_t in_file = static_cast<std::size_t>(block.first_element - 1) + e;
@@ -146,8 +127,7 @@ class ExodusReader {
     }
   }
 
-  std::vector<int> read_corners(const std::vector<std::int64_t>& corners, std::size_t element,
-                                const ExodusBlock& block) {
+  std::vector<int> read_corners(const std::vector<std::int64_t>& corners, std::size_t element, const FileBlock& block) {
     const auto count = static_cast<std::size_t>(block.nodes_per_element);
     std::vector<int> nodes(count, 0);
     for (std::size_t c = 0; c < count; ++c) {
@@ -163,8 +143,8 @@ class ExodusReader {
     return nodes;
   }
 
-  void add_element(std::vector<int> nodes, const ExodusBlock& block) {
-    TopologyKind kind = *find_kind(block);
+  void add_element(std::vector<int> nodes, const FileBlock& block) {
+    TopologyKind kind = *block.topology;
     if (kind == TopologyKind::quad4 && turn_triangle(nodes)) {
       kind = TopologyKind::tri3;
       nodes.pop_back();
@@ -197,6 +177,7 @@ class ExodusReader {
       file_to_part_node_[n] = static_cast<int>(mesh_.nodes.size());
       mesh_.nodes.push_back(nodes[n]);
       mesh_.node_ids.push_back(file_node_ids_[n]);
+      mesh_.file_nodes.push_back(static_cast<int>(n));
     }
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e) {
       for (int& node : mesh_.elements.corners(e)) node = file_to_part_node_[static_cast<std::size_t>(node)];
@@ -216,7 +197,7 @@ class ExodusReader {
   }
 
   void read_node_sets() {
-    for (const ExodusSet& set : file_.node_sets()) {
+    for (const FileSet& set : file_.node_sets()) {
       std::vector<int>& nodes = mesh_.node_sets[set.name];
       for (const std::int64_t node : file_.read_node_set(set)) {
         if (node < 1 || node > file_.node_count()) {
@@ -233,7 +214,7 @@ class ExodusReader {
   }
 
   void read_side_sets() {
-    for (const ExodusSet& set : file_.side_sets()) {
+    for (const FileSet& set : file_.side_sets()) {
       std::vector<ElementFace>& faces = mesh_.side_sets[set.name];
       for (const auto& [element, side] : file_.read_side_set(set)) {
         if (element < 1 || element > file_.element_count()) {
@@ -244,7 +225,8 @@ class ExodusReader {
         const int in_part = file_to_part_element_[static_cast<std::size_t>(element - 1)];
         if (in_part == not_chosen) continue;
         const Topology& topology = mesh_.elements.topology_of(static_cast<std::size_t>(in_part));
-        if (side < 1 || side > topology.face_count) {
+        const int face = file_.find_face(topology, side);
+        if (face < 0) {
           problems_.add(fmt::format(
               "side set '{}' names side {} of element {} ({})", set.name, side,
               mesh_.element_ids[static_cast<std::size_t>(in_part)],
@@ -253,7 +235,35 @@ class ExodusReader {
                                     : fmt::format("a {} has the sides 1 to {}", topology.noun, topology.face_count)));
           continue;
         }
-        faces.push_back({in_part, topology.exodus_sides[static_cast<std::size_t>(side - 1)]});
+        faces.push_back({in_part, face});
+      }
+      std::sort(faces.begin(), faces.end());
+      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    }
+  }
+
+  /// An element set is a set of all faces of its elements; selections of faces keep the exterior ones.
+  void read_element_sets() {
+    for (const FileSet& set : file_.element_sets()) {
+      if (mesh_.side_sets.contains(set.name)) {
+        mesh_.warnings.push_back({"file_ids",
+                                  fmt::format("the file has a side set and an element set '{}' (the name means the "
+                                              "side set)",
+                                              set.name),
+                                  "", 0, 1});
+        continue;
+      }
+      std::vector<ElementFace>& faces = mesh_.side_sets[set.name];
+      for (const std::int64_t element : file_.read_element_set(set)) {
+        if (element < 1 || element > file_.element_count()) {
+          problems_.add(fmt::format("element set '{}' names element number {} (the file has the elements 1 to {})",
+                                    set.name, element, file_.element_count()));
+          continue;
+        }
+        const int in_part = file_to_part_element_[static_cast<std::size_t>(element - 1)];
+        if (in_part == not_chosen) continue;
+        const int count = mesh_.elements.topology_of(static_cast<std::size_t>(in_part)).face_count;
+        for (int face = 0; face < count; ++face) faces.push_back({in_part, face});
       }
       std::sort(faces.begin(), faces.end());
       faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -273,16 +283,15 @@ class ExodusReader {
     mesh_.side_sets.try_emplace("bottom", std::move(bottoms));
   }
 
-  const ExodusFile& file_;
-  std::vector<ExodusBlock> blocks_;
+  const MeshFile& file_;
+  std::vector<FileBlock> blocks_;
   std::vector<std::int64_t> file_node_ids_, file_element_ids_;
   std::vector<int> file_to_part_node_, file_to_part_element_;
   PartMesh mesh_;
   Problems problems_;
 };
 
-PartMesh read_file(const ExodusMesh& source) {
-  const ExodusFile file(source.file);
+PartMesh read_part(const MeshFile& file, const FileMesh& source) {
   if (double(file.node_count()) > largest_mesh || double(file.element_count()) > largest_mesh) {
     throw InputError(fmt::format("the file has {} elements and {} nodes (percuss counts up to {:.0f})",
                                  file.element_count(), file.node_count(), largest_mesh));
@@ -291,44 +300,41 @@ PartMesh read_file(const ExodusMesh& source) {
   if (file.dimensions() != 3) {
     throw InputError(fmt::format("the mesh has {} dimensions (only meshes of 3 can be run)", file.dimensions()));
   }
-  const std::vector<ExodusBlock> chosen = choose_blocks(file, source.blocks);
+  const std::vector<FileBlock> chosen = choose_blocks(file, source.blocks);
   if (chosen.empty()) throw InputError("the chosen blocks have no elements");
   check_kinds(file, chosen);
-  return ExodusReader(file, chosen).read();
+  return PartReader(file, chosen).read();
 }
 
 }  // namespace
 
-std::string list_kinds() {
-  std::string list;
-  for (const Topology& topology : topologies) {
-    for (const std::string_view name : topology.exodus_names)
-      if (!name.empty()) list += fmt::format("{}{}{}", list.empty() ? "" : ", ", name, topology.corner_count);
-  }
-  return list;
-}
-
-bool can_run(const ExodusBlock& block) { return find_kind(block).has_value(); }
-
-ExodusContents read_exodus_contents(const std::string& path) {
-  const ExodusContainer container = inspect_exodus_container(path);
+MeshContents read_mesh_contents(const std::string& path) {
+  const MeshReader& reader = find_mesh_reader(path);
   const auto read = [&] {
-    const ExodusFile file(path);
-    return ExodusContents{file.dimensions(), file.element_count(), file.blocks(),
-                          file.node_sets(),  file.side_sets(),     file.read_coordinates()};
+    const std::unique_ptr<MeshFile> file = reader.open(path);
+    return MeshContents{reader.name,          file->dimensions(), file->element_count(),
+                        file->blocks(),       file->node_sets(),  file->side_sets(),
+                        file->element_sets(), file->list_kinds(), file->read_coordinates()};
   };
-  run_trial_process([&] { read(); }, find_patience(container.bytes));
+  if (reader.uses_libraries) run_trial_process([&] { read(); }, reader.find_patience(path));
   return read();
 }
 
-PartMesh read_exodus_mesh(const ExodusMesh& source) {
-  const ExodusContainer container = inspect_exodus_container(source.file);
-  run_trial_process([&] { read_file(source); }, find_patience(container.bytes));
-  PartMesh mesh = read_file(source);
+PartMesh MeshFiles::read(const FileMesh& source) {
+  const MeshReader& reader = source.is_exodus ? exodus_reader() : find_mesh_reader(source.file);
+  if (reader.uses_libraries) {
+    run_trial_process([&] { read_part(*reader.open(source.file), source); }, reader.find_patience(source.file));
+  }
+  std::unique_ptr<MeshFile>& file = files_[source.file];
+  if (!file) file = reader.open(source.file);
+  PartMesh mesh = read_part(*file, source);
+  if (source.is_exodus) files_.erase(source.file);
   for (Vec3& x : mesh.nodes) {
     for (double& coordinate : x) coordinate *= source.scale;
   }
   return mesh;
 }
+
+PartMesh read_part_mesh(const FileMesh& source) { return MeshFiles().read(source); }
 
 }  // namespace percuss

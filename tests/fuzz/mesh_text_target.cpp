@@ -1,0 +1,66 @@
+// Text formats of meshes: from bytes to the chunks of a mesh that can be run. The first bytes choose the format.
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "src/error.hpp"
+#include "tests/fuzz/target.hpp"
+#include "tests/src/mesh/files/sample_files.hpp"
+#include "tests/src/mesh/mesh_measures.hpp"
+
+namespace percuss::fuzz {
+namespace {
+
+using namespace testing_mesh;
+
+/// One file for all inputs of a process, in a folder of its own, which included files cannot leave; gone at its end.
+class InputFile {
+ public:
+  InputFile() { std::filesystem::create_directories(folder_); }
+  ~InputFile() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  std::string write(const std::string& bytes) const {
+    const std::string path = (folder_ / "mesh.k").string();
+    std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
+    return path;
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("percuss_fuzz_text_" + std::to_string(getpid()));
+};
+
+}  // namespace
+
+void try_bytes(const std::string& bytes) {
+  static const InputFile file;
+  PartDeck part = make_part_deck("p", FileMesh{file.write(bytes), {}, 1, false});
+  part.thickness = 0.1;
+  try {
+    build_mesh(make_deck({part}));
+  } catch (const InputError&) {
+  }
+}
+
+std::vector<std::string> make_seeds() {
+  return {gmsh_22,
+          gmsh_41,
+          make_binary_gmsh(false),
+          make_binary_gmsh(true),
+          keyword_deck,
+          keyword_deck + "*INCLUDE\nmesh.k\n"};
+}
+
+std::vector<std::string> make_words() {
+  return {"$MeshFormat",    "$Nodes",    "$EndNodes",      "$Elements",    "$Entities",
+          "$PhysicalNames", "*KEYWORD",  "*NODE",          "*INCLUDE",     "*PART",
+          "*SET_NODE",      "_GENERATE", "_TITLE",         "*SET_SEGMENT", "*END",
+          "*ELEMENT_SOLID", "LONG=Y",    "*ELEMENT_SHELL", "I10=Y",        "\xff\xff\xff\xff"};
+}
+
+}  // namespace percuss::fuzz
