@@ -228,13 +228,13 @@ def shell_crushed_tubes(bench):
     most of it mass added to a block. A trigger is an imperfection of 0.5 mm, half a fold at the top, two walls in and two
     out. The mean force is the energy that the block gives from 8 to 70 % of the length, over the way. The formulae are
     the static ones of Abramowicz and Jones (1984, 1986) with c the width and M0 = s0 t^2 / 4: Pm / M0 = 52.22 (c/t)^(1/3)
-    for folds with two walls in and two out, and 32.64 (c/t)^(1/2) + 8.16 for folds with all walls out, which a perfect
-    tube without a trigger takes. The law has no rate effects, so no dynamic factor. The flow stress s0 is 300.6 MPa, the
-    mean of the yield stress, 250 MPa, and the strength, 351 MPa. It leaves out the hardening in sharp folds, and tests
-    scatter by 10 to 15 % about the first formula: 15 %. The second formula is for thick walls and is only told. Steps
-    stay above 0.3 of the first. A round tube, 60 mm across, 180 mm long and 1.5 mm thick, perfectly plastic at s0 = 300
-    MPa, is compared with the fit of Guillow, Lu and Grzebieta (2001) to their tests, 72.3 (D/t)^0.32, which scatters by
-    15 %."""
+    for folds with two walls in and two out, and 32.64 (c/t)^(1/2) + 8.16 for folds with all walls out, the mode of a perfect
+    tube. The law has no rate effects, so no dynamic factor. The flow stress s0 is 300.6 MPa, the mean of the yield stress,
+    250 MPa, and the strength, 351 MPa. The tolerance of 15 % is what the formula itself leaves open: which flow stress
+    stands for a law that hardens, what share of a fold is crushed (0.73 is in the formula), and the first fold. The second
+    formula is for thick walls and is only told. Steps stay above 0.3 of the first. A round tube, 60 mm across, 180 mm long
+    and 1.5 mm thick, perfectly plastic at s0 = 300 MPa, is compared with the fit of Guillow, Lu and Grzebieta (2001) to their
+    tests, 72.3 (D/t)^0.32, within 15 % for the same reasons."""
     if bench.quick:
         return
     curves = crush_square(bench, 12, "")

@@ -59,7 +59,8 @@ void expect_sound(const Outcome& run) {
 }  // namespace
 
 TEST(CrushedTube, FoldsUnderTheForceOfAbramowiczAndJones) {
-  // 52.22 (c/t)^(1/3) M0, static; the law has no rate effects. Tests scatter by 10 to 15 % about it: 15 %.
+  // 52.22 (c/t)^(1/3) M0, static; the law has no rate effects. What share of a fold is crushed and the first fold leave
+  // some 15 % open.
   const double expected = 52.22 * std::cbrt(width / thickness) * flow_stress * thickness * thickness / 4;
   const Outcome run = crush("");
   const double force = find_mean_force(run.history);
