@@ -78,7 +78,7 @@ def make_materials_table(deck):
 def make_loads_table(deck):
     """What moves, holds and touches."""
     rows = []
-    for key in ("initial", "conditions", "loads", "gravity", "walls", "contact", "ties", "elements", "mass_scaling"):
+    for key in ("imperfections", "added_mass", "initial", "conditions", "loads", "gravity", "walls", "contact", "ties", "elements", "mass_scaling"):
         value = deck.get(key)
         for item in value if isinstance(value, list) else [value] if value is not None else []:
             rows.append((key, format_number(item)))
