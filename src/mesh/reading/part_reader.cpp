@@ -356,8 +356,10 @@ PartMesh MeshFiles::read(const FileMesh& source) {
     run_trial_process([&] { read_part(*reader.open(source.file), source); }, reader.find_patience(source.file));
   }
   std::unique_ptr<MeshFile>& file = files_[source.file];
-  if (!file) file = reader.open(source.file);
+  const bool is_new = !file;
+  if (is_new) file = reader.open(source.file);
   PartMesh mesh = read_part(*file, source);
+  if (!is_new) std::erase_if(mesh.warnings, [](const Warning& w) { return w.rule == "unread_content"; });
   if (source.is_exodus) files_.erase(source.file);
   for (Vec3& x : mesh.nodes) {
     for (double& coordinate : x) coordinate *= source.scale;
