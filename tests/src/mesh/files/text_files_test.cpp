@@ -115,6 +115,17 @@ TEST(KeywordFile, HasPartsAsBlocksAndSets) {
               testing::Contains(testing::Field(&Warning::text, HasSubstr("*MAT_ELASTIC of the file are not read"))));
 }
 
+TEST(KeywordFile, IsNamedOnceInMessagesWithItsLine) {
+  const std::string path = write_bytes(change(keyword_deck, "1.0D0", "1.0X0"), "named.k");
+  EXPECT_THAT(
+      [&] {
+        build_mesh(make_deck({make_part_deck("p", FileMesh{path, {}, 1, false})}));
+      },
+      ThrowsMessage<InputError>(
+          testing::StartsWith("deck.yaml:3:5: error: part 'p': " + path + ":15: field 4 of *NODE is '1.0X0'")));
+  std::remove(path.c_str());
+}
+
 TEST(KeywordFile, KeepsIdsOfSolidsAlone) {
   const PartMesh mesh = read(keyword_deck, "two.k", {"left", "block_2"});
   EXPECT_THAT(mesh.node_ids, SizeIs(12));
