@@ -11,10 +11,10 @@
 #include "src/error.hpp"
 #include "src/mesh/exodus/exodus_file.hpp"
 #include "src/mesh/exodus/trial_process.hpp"
-#include "src/mesh/files/abaqus_file.hpp"
-#include "src/mesh/files/gmsh_file.hpp"
-#include "src/mesh/files/keyword_file.hpp"
 #include "src/mesh/files/text_numbers.hpp"
+#include "src/mesh/formats/abaqus_file.hpp"
+#include "src/mesh/formats/gmsh_file.hpp"
+#include "src/mesh/formats/keyword_file.hpp"
 #include "src/regular_file.hpp"
 
 namespace percuss {

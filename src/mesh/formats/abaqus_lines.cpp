@@ -1,4 +1,4 @@
-#include "src/mesh/files/abaqus_lines.hpp"
+#include "src/mesh/formats/abaqus_lines.hpp"
 
 #include <fmt/format.h>
 

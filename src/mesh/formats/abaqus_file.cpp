@@ -1,4 +1,4 @@
-#include "src/mesh/files/abaqus_file.hpp"
+#include "src/mesh/formats/abaqus_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 #include <set>
 #include <vector>
 
-#include "src/mesh/files/abaqus_lines.hpp"
 #include "src/mesh/files/text_builder.hpp"
 #include "src/mesh/files/text_numbers.hpp"
+#include "src/mesh/formats/abaqus_lines.hpp"
 
 namespace percuss {
 namespace {

@@ -1,4 +1,4 @@
-#include "src/mesh/files/keyword_file.hpp"
+#include "src/mesh/formats/keyword_file.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <set>
 #include <vector>
 
-#include "src/mesh/files/keyword_cards.hpp"
 #include "src/mesh/files/text_builder.hpp"
 #include "src/mesh/files/text_numbers.hpp"
+#include "src/mesh/formats/keyword_cards.hpp"
 
 namespace percuss {
 namespace {
