@@ -51,6 +51,7 @@ struct SceneMeasures {
   Vec3 low{}, high{};                    // box of all nodes [length]
   std::vector<int> assemblies;           // [parts] the lowest part that each is joined to, directly or not, or itself
 
+  /// Of parts that share nodes, directly or not.
   bool are_joined(std::size_t part, std::size_t other) const { return assemblies[part] == assemblies[other]; }
   bool is_joined(std::size_t part) const {
     return std::count(assemblies.begin(), assemblies.end(), assemblies[part]) > 1;

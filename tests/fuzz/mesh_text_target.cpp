@@ -53,6 +53,7 @@ std::vector<std::string> make_seeds() {
           make_binary_gmsh(false),
           make_binary_gmsh(true),
           keyword_deck,
+          abaqus_input,
           keyword_deck + "*INCLUDE\nmesh.k\n"};
 }
 
@@ -60,7 +61,8 @@ std::vector<std::string> make_words() {
   return {"$MeshFormat",    "$Nodes",    "$EndNodes",      "$Elements",    "$Entities",
           "$PhysicalNames", "*KEYWORD",  "*NODE",          "*INCLUDE",     "*PART",
           "*SET_NODE",      "_GENERATE", "_TITLE",         "*SET_SEGMENT", "*END",
-          "*ELEMENT_SOLID", "LONG=Y",    "*ELEMENT_SHELL", "I10=Y",        "\xff\xff\xff\xff"};
+          "*ELEMENT_SOLID", "LONG=Y",    "*ELEMENT_SHELL", "I10=Y",        "*HEADING",
+          "*SURFACE",       "*ELSET",    "*INSTANCE",      "SPOS",         "\xff\xff\xff\xff"};
 }
 
 }  // namespace percuss::fuzz

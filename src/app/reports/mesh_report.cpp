@@ -15,15 +15,22 @@
 namespace percuss {
 namespace {
 
+/// "mesh.e: error: it is damaged", or of a text with a line "mesh.k:12: error: there is no node 5".
+std::string place_error(const std::string& file, const std::string& text) {
+  const std::size_t end = text.starts_with(file + ":") ? text.find(": ", file.size()) : std::string::npos;
+  if (end == std::string::npos) return fmt::format("{}: error: {}", file, text);
+  return text.substr(0, end) + ": error" + text.substr(end);
+}
+
 /// What `read` returns; its errors name the file.
 template <class Read>
 auto name_file(const std::string& file, const Read& read) {
   try {
     return read();
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: error: {}", file, error.what()));
+    throw InputError(place_error(file, error.what()));
   } catch (const SystemError& error) {
-    throw SystemError(fmt::format("{}: error: {}", file, error.what()));
+    throw SystemError(place_error(file, error.what()));
   }
 }
 

@@ -210,7 +210,11 @@ std::vector<Warning> check_missing_contact(const CheckedScene& scene) {
     }
   }
   if (deck.contact.surfaces != ContactDeck::Surfaces::pairs) return warnings;
-  const Marks touching = mark_touching(deck);
+  Marks touching = mark_touching(deck);
+  for (std::size_t p = 0; p < touching.size(); ++p) {  // of joined parts one that has a surface may lie on the others
+    for (std::size_t q = 0; q < touching.size() && !touching[p]; ++q)
+      touching[p] = touching[q] && scene.measures->are_joined(p, q);
+  }
   for (const Meeting& meeting : find_meetings(scene, deck.parts.size())) {
     for (const auto& [part, other] : {std::pair(meeting.a, meeting.b), std::pair(meeting.b, meeting.a)}) {
       if (touching[part]) continue;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 
 #include "comm/agreement.hpp"
 #include "src/error.hpp"
@@ -116,12 +117,16 @@ class FindingsText {
   std::size_t next_ = 0;
 };
 
-/// Each line of the text after the prefix and before an end of line.
-std::string prefix_lines(const std::string& text, const std::string& prefix) {
+/// Each line of the text after the prefix and before an end of line; the source of the part comes between, unless the
+/// line begins with its file already.
+std::string prefix_lines(const std::string& text, const std::string& prefix, const PartDeck& part) {
   std::string lines;
+  const auto* mesh = std::get_if<FileMesh>(&part.shape);
   for (std::size_t first = 0; first <= text.size();) {
     const std::size_t last = std::min(text.find('\n', first), text.size());
-    lines += prefix + text.substr(first, last - first) + "\n";
+    const std::string line = text.substr(first, last - first);
+    const bool names_file = mesh != nullptr && line.starts_with(mesh->file + ":");
+    lines += prefix + (names_file ? fmt::format("part '{}': ", part.name) : describe_source(part)) + line + "\n";
     first = last + 1;
   }
   return lines;
@@ -135,7 +140,7 @@ void tell_problems(const Deck& deck, const std::vector<GeometryFindings>& findin
     findings[p].warn(part.warnings);
     if (part.error.empty()) continue;
     const PartDeck& from = deck.parts[p];
-    errors += prefix_lines(part.error, fmt::format("{}: error: {}", deck.where(from.place), describe_source(from)));
+    errors += prefix_lines(part.error, fmt::format("{}: error: ", deck.where(from.place)), from);
   }
   if (!errors.empty()) throw InputError(errors.substr(0, errors.size() - 1));
 }

@@ -76,16 +76,17 @@ void TextBuilder::add_set_elements_of(const std::string& set, const std::string&
   element_sets_[set].push_back({Member::What::set, 0, 0, 1, {}, other, place});
 }
 
-void TextBuilder::add_set_side(const std::string& set, ElementId element, int face, TextPlace place) {
+void TextBuilder::add_set_side(const std::string& set, ElementId element, TextSide face, TextPlace place) {
   side_sets_[set].push_back({element, face, {}, {}, 0, place});
 }
 
-void TextBuilder::add_set_sides_of(const std::string& set, const std::string& elements, int face, TextPlace place) {
+void TextBuilder::add_set_sides_of(const std::string& set, const std::string& elements, TextSide face,
+                                   TextPlace place) {
   side_sets_[set].push_back({{}, face, elements, {}, 0, place});
 }
 
 void TextBuilder::add_set_face(const std::string& set, std::span<const std::int64_t> nodes, TextPlace place) {
-  Side side{{}, 0, {}, {}, nodes.size(), place};
+  Side side{{}, {}, {}, {}, nodes.size(), place};
   std::copy(nodes.begin(), nodes.end(), side.nodes.begin());
   side_sets_[set].push_back(side);
 }

@@ -31,6 +31,12 @@ struct ElementId {
   IdSpace ids = IdSpace::elements;
 };
 
+/// A side of an element as a face of its topology, of solids and of shells, from 0.
+struct TextSide {
+  static constexpr int missing = -1, left_out = -2;  // an error; all faces of a set are named one by one
+  int of_solid = missing, of_shell = missing;
+};
+
 class TextBuilder {
  public:
   TextNames names;
@@ -57,13 +63,13 @@ class TextBuilder {
   void add_set_elements(const std::string& set, ElementId first, std::int64_t last, std::int64_t step);
   /// All elements of the blocks with this id.
   void add_set_block(const std::string& set, std::int64_t block, TextPlace place);
-  /// All members of another set of elements (nodes).
+  /// All members of another set of elements (nodes), or of the blocks of that name.
   void add_set_elements_of(const std::string& set, const std::string& other, TextPlace place);
   void add_set_nodes_of(const std::string& set, const std::string& other, TextPlace place);
-  /// face: of the topology of the element, from 0.
-  void add_set_side(const std::string& set, ElementId element, int face, TextPlace place);
-  void add_set_sides_of(const std::string& set, const std::string& elements, int face, TextPlace place);
-  /// All faces of the elements of a set; selections keep the exterior ones.
+  void add_set_side(const std::string& set, ElementId element, TextSide face, TextPlace place);
+  /// Of all elements of a set, or of the blocks of that name.
+  void add_set_sides_of(const std::string& set, const std::string& elements, TextSide face, TextPlace place);
+  /// A face of three or four nodes.
   void add_set_face(const std::string& set, std::span<const std::int64_t> nodes, TextPlace place);
   void number_set(const std::string& set, std::int64_t id) { set_ids_[set] = id; }
 
@@ -105,7 +111,7 @@ class TextBuilder {
   /// Of a side set: a face of an element, of all elements of a set, or one by its nodes.
   struct Side {
     ElementId element;
-    int face = 0;
+    TextSide face;
     std::string set;
     std::array<std::int64_t, 4> nodes{};
     std::size_t count = 0;  // of nodes

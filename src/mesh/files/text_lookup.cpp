@@ -198,7 +198,8 @@ void TextLookup::add_members(const std::string& set, const std::vector<Member>& 
     } else if (member.what == Member::What::range) {
       for (auto i = std::lower_bound(known.begin(), known.end(), IdPlace{member.id, IdSpace::elements, 0});
            i != known.end() && i->id <= member.last; ++i) {
-        if (i->ids == member.ids && (i->id - member.id) % member.step == 0) numbers.push_back(i->number);
+        const std::uint64_t above = static_cast<std::uint64_t>(i->id) - static_cast<std::uint64_t>(member.id);
+        if (i->ids == member.ids && above % static_cast<std::uint64_t>(member.step) == 0) numbers.push_back(i->number);
       }
     } else if (member.what == Member::What::block) {
       bool is_known = false;
@@ -211,6 +212,7 @@ void TextLookup::add_members(const std::string& set, const std::vector<Member>& 
     } else {
       const auto& sets = of_nodes ? from_.node_sets_ : from_.element_sets_;
       const auto other = sets.find(member.set);
+      if (!of_nodes && add_blocks(member.set, numbers) && other == sets.end()) continue;
       if (other == sets.end())
         add_problem(member.place, fmt::format("there is no {} set '{}'", noun, member.set));
       else if (depth == most_depth)
@@ -223,6 +225,16 @@ void TextLookup::add_members(const std::string& set, const std::vector<Member>& 
       return;
     }
   }
+}
+
+bool TextLookup::add_blocks(const std::string& name, std::vector<std::int64_t>& numbers) const {
+  bool are_there = false;
+  for (const FileBlock& block : to_.blocks) {
+    if (block.name != name) continue;
+    are_there = true;
+    for (std::int64_t e = 0; e < block.elements; ++e) numbers.push_back(block.first_element + e);
+  }
+  return are_there;
 }
 
 FileSet TextLookup::describe_set(const std::string& name, std::size_t entries) const {
@@ -254,11 +266,11 @@ void TextLookup::add_sides(const TextBuilder::Side& side, std::vector<FileSide>&
   const auto add = [&](std::int64_t element) {
     const Topology* topology = topology_of(element);
     if (topology == nullptr) return;  // of a kind that cannot be run
-    if (side.face < topology->face_count)
-      sides.emplace_back(element, side.face + 1);
-    else
-      add_problem(side.place, fmt::format("element {} has no side {} (a {} has {})", to_.element_ids[at(element - 1)],
-                                          side.face + 1, topology->noun, topology->face_count));
+    const int face = topology->is_surface() ? side.face.of_shell : side.face.of_solid;
+    if (face >= 0 && face < topology->face_count) sides.emplace_back(element, face + 1);
+    if (face == TextSide::missing)
+      add_problem(side.place, fmt::format("element {} has no such side (it is a {})", to_.element_ids[at(element - 1)],
+                                          topology->noun));
   };
   if (side.count > 0) {
     std::array<std::int64_t, 4> nodes = side.nodes;
@@ -268,11 +280,9 @@ void TextLookup::add_sides(const TextBuilder::Side& side, std::vector<FileSide>&
     if (face.first == 0) ++lost_faces_;
     if (face.first != 0) sides.push_back(face);
   } else if (!side.set.empty()) {
-    const auto set = to_.elements_of_sets.find(side.set);
-    if (set == to_.elements_of_sets.end())
-      add_problem(side.place, fmt::format("there is no element set '{}'", side.set));
-    else
-      std::for_each(set->second.begin(), set->second.end(), add);
+    std::vector<std::int64_t> elements;
+    add_members(side.set, {{Member::What::set, 0, 0, 1, {}, side.set, side.place}}, false, 0, elements);
+    std::for_each(elements.begin(), elements.end(), add);
   } else {
     const std::int64_t element = find_element(side.element);
     if (element == 0) add_problem(side.place, fmt::format("there is no element {}", side.element.id));

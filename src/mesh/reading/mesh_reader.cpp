@@ -11,9 +11,10 @@
 #include "src/error.hpp"
 #include "src/mesh/exodus/exodus_file.hpp"
 #include "src/mesh/exodus/trial_process.hpp"
-#include "src/mesh/files/gmsh_file.hpp"
-#include "src/mesh/files/keyword_file.hpp"
 #include "src/mesh/files/text_numbers.hpp"
+#include "src/mesh/formats/abaqus_file.hpp"
+#include "src/mesh/formats/gmsh_file.hpp"
+#include "src/mesh/formats/keyword_file.hpp"
 #include "src/regular_file.hpp"
 
 namespace percuss {
@@ -60,6 +61,7 @@ std::span<const MeshReader> mesh_readers() {
       {"Exodus II", {".e", ".exo", ".ex2", ".exii", ".g", ".gen", ".nc"}, true, is_exodus, open_as<ExodusFile>},
       {"Gmsh", {".msh"}, false, is_gmsh, open_gmsh_file},
       {"LS-DYNA keyword", {".k", ".key", ".dyn"}, false, is_keyword_file, open_keyword_file},
+      {"Abaqus", {".inp"}, false, is_abaqus_file, open_abaqus_file},
   };
   return readers;
 }

@@ -34,22 +34,51 @@ bool is_called(const FileBlock& block, const std::string& name) {
   return block.name == name || fmt::format("block_{}", block.id) == name;
 }
 
-std::vector<FileBlock> choose_blocks(const MeshFile& file, const std::vector<std::string>& wanted) {
+/// What a part takes of a file.
+struct Choice {
+  std::vector<FileBlock> blocks;  // that have elements of it
+  std::vector<char> elements;     // [elements of the file] whether it is taken; empty: all of the blocks
+};
+
+/// Of the elements of sets whose names are chosen.
+std::vector<char> mark_elements(const MeshFile& file, const std::vector<std::string>& wanted) {
+  std::vector<char> marks;
+  for (const FileSet& set : file.element_sets()) {
+    if (std::find(wanted.begin(), wanted.end(), set.name) == wanted.end()) continue;
+    marks.resize(static_cast<std::size_t>(file.element_count()), 0);
+    for (const std::int64_t element : file.read_element_set(set)) {
+      if (element >= 1 && element <= file.element_count()) marks[static_cast<std::size_t>(element - 1)] = 1;
+    }
+  }
+  return marks;
+}
+
+/// Names are those of blocks or of element sets.
+Choice choose_blocks(const MeshFile& file, const std::vector<std::string>& wanted) {
   std::vector<std::string> known;
   for (const FileBlock& block : file.blocks()) known.push_back(block.name);
+  for (const FileSet& set : file.element_sets()) known.push_back(set.name);
   for (const std::string& name : wanted) {
     const auto called = [&](const FileBlock& block) { return is_called(block, name); };
-    if (std::none_of(file.blocks().begin(), file.blocks().end(), called)) {
+    if (std::none_of(file.blocks().begin(), file.blocks().end(), called) &&
+        std::find(known.begin(), known.end(), name) == known.end()) {
       throw InputError(fmt::format("the file has no block '{}'{}", name, name_hint(name, known)));
     }
   }
-  std::vector<FileBlock> chosen;
+  Choice choice;
+  choice.elements = mark_elements(file, wanted);
   for (const FileBlock& block : file.blocks()) {
     const auto calls = [&](const std::string& name) { return is_called(block, name); };
-    const bool is_wanted = wanted.empty() || std::any_of(wanted.begin(), wanted.end(), calls);
-    if (is_wanted && block.elements > 0) chosen.push_back(block);
+    const auto first = static_cast<std::size_t>(block.first_element - 1),
+               last = first + static_cast<std::size_t>(block.elements);
+    const bool is_whole = wanted.empty() || std::any_of(wanted.begin(), wanted.end(), calls);
+    if (is_whole && !choice.elements.empty()) std::fill(&choice.elements[0] + first, &choice.elements[0] + last, 1);
+    const bool is_wanted =
+        is_whole || (!choice.elements.empty() && std::find(&choice.elements[0] + first, &choice.elements[0] + last,
+                                                           1) != &choice.elements[0] + last);
+    if (is_wanted && block.elements > 0) choice.blocks.push_back(block);
   }
-  return chosen;
+  return choice;
 }
 
 void check_kinds(const MeshFile& file, const std::vector<FileBlock>& chosen) {
@@ -90,7 +119,7 @@ std::vector<std::int64_t> accept_ids(std::vector<std::int64_t> ids, const char* 
 /// From a file to a part: reads block after block, then keeps the nodes and set entries that the blocks use.
 class PartReader {
  public:
-  PartReader(const MeshFile& file, std::vector<FileBlock> blocks) : file_(file), blocks_(std::move(blocks)) {}
+  PartReader(const MeshFile& file, Choice choice) : file_(file), choice_(std::move(choice)) {}
 
   PartMesh read() {
     file_node_ids_ = accept_ids(file_.read_node_ids(), "node", mesh_);
@@ -116,10 +145,11 @@ class PartReader {
 
   void read_elements() {
     file_to_part_element_.assign(static_cast<std::size_t>(file_.element_count()), not_chosen);
-    for (const FileBlock& block : blocks_) {
+    for (const FileBlock& block : choice_.blocks) {
       const std::vector<std::int64_t> corners = file_.read_connectivity(block);
       for (std::size_t e = 0; e < static_cast<std::size_t>(block.elements); ++e) {
         const std::size_t in_file = static_cast<std::size_t>(block.first_element - 1) + e;
+        if (!choice_.elements.empty() && choice_.elements[in_file] == 0) continue;
         file_to_part_element_[in_file] = static_cast<int>(mesh_.elements.size());
         mesh_.element_ids.push_back(file_element_ids_[in_file]);
         add_element(read_corners(corners, e, block), block);
@@ -284,7 +314,7 @@ class PartReader {
   }
 
   const MeshFile& file_;
-  std::vector<FileBlock> blocks_;
+  Choice choice_;
   std::vector<std::int64_t> file_node_ids_, file_element_ids_;
   std::vector<int> file_to_part_node_, file_to_part_element_;
   PartMesh mesh_;
@@ -300,10 +330,10 @@ PartMesh read_part(const MeshFile& file, const FileMesh& source) {
   if (file.dimensions() != 3) {
     throw InputError(fmt::format("the mesh has {} dimensions (only meshes of 3 can be run)", file.dimensions()));
   }
-  const std::vector<FileBlock> chosen = choose_blocks(file, source.blocks);
-  if (chosen.empty()) throw InputError("the chosen blocks have no elements");
-  check_kinds(file, chosen);
-  return PartReader(file, chosen).read();
+  Choice choice = choose_blocks(file, source.blocks);
+  if (choice.blocks.empty()) throw InputError("the chosen blocks have no elements");
+  check_kinds(file, choice.blocks);
+  return PartReader(file, std::move(choice)).read();
 }
 
 }  // namespace
@@ -326,8 +356,10 @@ PartMesh MeshFiles::read(const FileMesh& source) {
     run_trial_process([&] { read_part(*reader.open(source.file), source); }, reader.find_patience(source.file));
   }
   std::unique_ptr<MeshFile>& file = files_[source.file];
-  if (!file) file = reader.open(source.file);
+  const bool is_new = !file;
+  if (is_new) file = reader.open(source.file);
   PartMesh mesh = read_part(*file, source);
+  if (!is_new) std::erase_if(mesh.warnings, [](const Warning& w) { return w.rule == "unread_content"; });
   if (source.is_exodus) files_.erase(source.file);
   for (Vec3& x : mesh.nodes) {
     for (double& coordinate : x) coordinate *= source.scale;

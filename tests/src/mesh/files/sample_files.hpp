@@ -152,6 +152,57 @@ corner
 not read
 )";
 
+inline const std::string abaqus_input = R"(*HEADING
+** two cubes and a shell
+joined cubes
+*PART, NAME=bar
+*Node, nset = All
+ 10, 0., 0., 0.
+ 20, 0., 1.
+ 30, 0., 1., 1.
+ 40, 0., 0., 1.
+ 50, 1., 0., 0.
+ 60, 1., 1., 0.
+ 70, 1., 1., 1.
+ 80, 1., 0., 1.
+ 90, 2., 0., 0.
+ 100, 2., 1., 0.
+ 110, 2., 1., 1.
+ 120, 2., 0., 1.
+*ELEMENT, TYPE=c3d8r, ELSET=left
+ 3, 10, 50, 60, 20, 40,
+ 80, 70, 30
+*ELEMENT, TYPE=C3D8R,
+ ELSET=right
+ 4, 50, 90, 100, 60, 80, 120, 110, 70
+*ELEMENT, TYPE=S3, ELSET=cap
+ 5, 90, 100, 110
+ 6, 90, 110, 120
+*ELEMENT, TYPE=B31, ELSET=wire
+ 7, 90, 110
+*NSET, NSET=ends, GENERATE
+ 10, 40, 10
+*NSET, NSET=more
+ ENDS, 120
+*ELSET, ELSET=half of it
+ 3, 5
+*SURFACE, NAME=near, TYPE=ELEMENT
+ LEFT, S6
+*SURFACE, NAME=outside
+ cap, SPOS
+ 4, S2
+*END PART
+*ASSEMBLY, NAME=all
+*INSTANCE, NAME=bar-1, PART=bar
+*END INSTANCE
+*NSET, NSET=tip, INSTANCE=bar-1
+ 120
+*END ASSEMBLY
+*MATERIAL, NAME=steel
+*DENSITY
+ 7850.
+)";
+
 template <class T>
 void append_bytes(std::string& text, T value) {
   char bytes[sizeof(T)];

@@ -1,4 +1,4 @@
-// Meshes of Gmsh and of LS-DYNA keyword decks: what is read, and what is refused at its line.
+// Meshes of Gmsh, of LS-DYNA keyword decks and of Abaqus: what is read, and what is refused at its line.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -115,6 +115,17 @@ TEST(KeywordFile, HasPartsAsBlocksAndSets) {
               testing::Contains(testing::Field(&Warning::text, HasSubstr("*MAT_ELASTIC of the file are not read"))));
 }
 
+TEST(KeywordFile, IsNamedOnceInMessagesWithItsLine) {
+  const std::string path = write_bytes(change(keyword_deck, "1.0D0", "1.0X0"), "named.k");
+  EXPECT_THAT(
+      [&] {
+        build_mesh(make_deck({make_part_deck("p", FileMesh{path, {}, 1, false})}));
+      },
+      ThrowsMessage<InputError>(
+          testing::StartsWith("deck.yaml:3:5: error: part 'p': " + path + ":15: field 4 of *NODE is '1.0X0'")));
+  std::remove(path.c_str());
+}
+
 TEST(KeywordFile, KeepsIdsOfSolidsAlone) {
   const PartMesh mesh = read(keyword_deck, "two.k", {"left", "block_2"});
   EXPECT_THAT(mesh.node_ids, SizeIs(12));
@@ -133,6 +144,30 @@ TEST(KeywordFile, IncludesFilesBesideIt) {
   EXPECT_THAT([&] { read(change(outer, name, change(name, "inner", "outer")), "outer.k"); },
               ThrowsMessage<InputError>(HasSubstr("too deeply, or without end")));
   std::remove(inner.c_str());
+}
+
+TEST(AbaqusFile, HasSetsOfElementsAsBlocksAndSurfaces) {
+  const PartMesh mesh = read(abaqus_input, "two.inp", {"left", "right", "cap"});
+  ASSERT_THAT(mesh.elements.blocks, SizeIs(3));
+  EXPECT_EQ(mesh.elements.blocks[0].name, "left");
+  EXPECT_EQ(mesh.elements.blocks[2].topology, TopologyKind::tri3);
+  EXPECT_THAT(mesh.element_ids, ElementsAre(3, 4, 5, 6));
+  EXPECT_THAT(mesh.nodes, SizeIs(12));
+  EXPECT_THAT(mesh.node_sets.at("All"), SizeIs(12));
+  EXPECT_THAT(mesh.node_sets.at("ends"), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(mesh.node_sets.at("more"), ElementsAre(0, 1, 2, 3, 11));
+  EXPECT_THAT(mesh.node_sets.at("tip"), ElementsAre(11));
+  EXPECT_THAT(mesh.side_sets.at("near"), ElementsAre(ElementFace{0, 3}));
+  EXPECT_THAT(mesh.side_sets.at("outside"), ElementsAre(ElementFace{1, 5}, ElementFace{2, 1}, ElementFace{3, 1}));
+  EXPECT_DOUBLE_EQ(gauss_volume(corners_of(mesh, 0)), 1);
+  EXPECT_THAT(mesh.warnings, testing::Contains(testing::Field(
+                                 &Warning::text, HasSubstr("*DENSITY, *MATERIAL of the file are not read"))));
+}
+
+TEST(AbaqusFile, GivesTheElementsOfASet) {
+  const PartMesh mesh = read(abaqus_input, "two.inp", {"half of it"});
+  EXPECT_THAT(mesh.element_ids, ElementsAre(3, 5));
+  EXPECT_THAT(mesh.nodes, SizeIs(11));
 }
 
 struct WrongFile {
@@ -179,6 +214,22 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.k:30: *ELEMENT_SHELL_THICKNESS is not read (it changes the mesh)"},
         WrongFile{"Beam", &keyword_deck, "*SET_NODE_LIST_TITLE",
                   "*ELEMENT_BEAM\n20, 4, 10, 20, 30\n*SET_NODE_LIST_TITLE", "a.k", "kind *ELEMENT_BEAM (first "},
+        WrongFile{"AbaqusNumber", &abaqus_input, "20, 0., 1.", "20, 0., one", "a.inp",
+                  "a.inp:7: item 3 of *NODE is 'one' (a number"},
+        WrongFile{"AbaqusFewNodes", &abaqus_input, " 4, 50, 90,", " 4, 50,", "a.inp",
+                  "a.inp:23: element 4 has 7 nodes (a C3D8R has 8)"},
+        WrongFile{"AbaqusSide", &abaqus_input, "4, S2", "4, S7", "a.inp", "a.inp:39: there is no side 'S7'"},
+        WrongFile{"AbaqusSideOfShell", &abaqus_input, "cap, SPOS", "cap, S3", "a.inp",
+                  "a.inp:38: element 5 has no such side (it is a shell)"},
+        WrongFile{"AbaqusSet", &abaqus_input, " ENDS, 120", " ENDZ, 120", "a.inp",
+                  "a.inp:32: there is no node set 'ENDZ'"},
+        WrongFile{"AbaqusSetOfItself", &abaqus_input, " ENDS, 120", " MORE, 120", "a.inp", "names itself"},
+        WrongFile{"AbaqusMoved", &abaqus_input, "PART=bar\n*END INSTANCE", "PART=bar\n 1., 0., 0.\n*END INSTANCE",
+                  "a.inp", "a.inp:43: the instance is moved"},
+        WrongFile{"AbaqusKind", &abaqus_input, "** two", "** 2", "a.inp",
+                  "block 'wire' has 1 elements of kind B31 (line 27)"},
+        WrongFile{"AbaqusGenerated", &abaqus_input, "*NSET, NSET=ends", "*NGEN, NSET=ends", "a.inp",
+                  "a.inp:29: *NGEN is not read (it changes the mesh)"},
         WrongFile{"NoMesh", &keyword_deck, "*KEYWORD", "*KEYWURD", "a.txt",
                   "neither its first bytes nor its extension"}),
     [](const auto& test) { return test.param.name; });

@@ -1,4 +1,4 @@
-#include "src/mesh/files/keyword_cards.hpp"
+#include "src/mesh/formats/keyword_cards.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "src/mesh/files/keyword_file.hpp"
+#include "src/mesh/formats/keyword_file.hpp"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,9 @@
 #include <set>
 #include <vector>
 
-#include "src/mesh/files/keyword_cards.hpp"
 #include "src/mesh/files/text_builder.hpp"
 #include "src/mesh/files/text_numbers.hpp"
+#include "src/mesh/formats/keyword_cards.hpp"
 
 namespace percuss {
 namespace {
@@ -58,9 +58,8 @@ class KeywordReader {
 
   /// What would change the mesh that is read.
   void refuse_changes(const std::string& keyword) const {
-    for (const char* word :
-         {"INCLUDE_", "NODE_TRANSFORM", "NODE_MERGE", "NODE_SCALAR", "ELEMENT_SOLID_", "ELEMENT_SHELL_",
-          "ELEMENT_GENERATE", "DEFINE_TRANSFORMATION", "PARAMETER", "--BEGIN", "-----BEGIN"}) {
+    for (const char* word : {"INCLUDE_", "NODE_TRANSFORM", "NODE_MERGE", "NODE_SCALAR", "ELEMENT_SOLID_",
+                             "ELEMENT_SHELL_", "ELEMENT_GENERATE", "DEFINE_TRANSFORMATION", "--BEGIN", "-----BEGIN"}) {
       if (keyword.starts_with(word)) cards_.refuse(fmt::format("*{} is not read (it changes the mesh)", keyword));
     }
   }

@@ -1,4 +1,4 @@
-#include "src/mesh/files/gmsh_file.hpp"
+#include "src/mesh/formats/gmsh_file.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/mesh/files/gmsh_scanner.hpp"
 #include "src/mesh/files/text_builder.hpp"
+#include "src/mesh/formats/gmsh_scanner.hpp"
 
 namespace percuss {
 namespace {
