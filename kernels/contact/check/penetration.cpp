@@ -18,6 +18,7 @@ constexpr double flat_on_itself = 0.7;
 struct FaceDepth {
   bool known = false;   // whether the node projects on the face from nearby
   bool opposed = true;  // whether the node looks against the face: contact can hold it there
+  bool flush = false;   // the node lies in its plane
   double distance = 0;  // from the face; negative: not looked at
   double depth = 0;     // negative in front
   double limit = 0;     // of what contact can hold
@@ -47,6 +48,7 @@ KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const ContactSurface& surface, 
   result.known = true;
   const Point3 normal = find_push_direction(surface, faces, face, closest.weight);
   result.depth = dot(normal, interpolate(relative.start, closest.weight));
+  result.flush = std::abs(result.depth) <= contact_limits::overlap * size;
   result.limit = larger(contact_limits::history_depth * size, slack * offset);
   result.edge = find_shortest_edge(relative.start);
   return result;
@@ -57,6 +59,7 @@ struct BodyDepth {
   int face = -1;
   FaceDepth least;
   double nearest = -1;  // of the faces that were looked at
+  double inside = 0;    // by all faces that were looked at, those of flush sides too
 
   KOKKOS_INLINE_FUNCTION void add(const FaceDepth& depth, int of) {
     if (depth.distance >= 0 && (nearest < 0 || depth.distance < nearest)) nearest = depth.distance;
@@ -70,8 +73,8 @@ struct BodyDepth {
   }
 };
 
-/// By the faces that the node looks against, if it projects on one: where sides of two bodies are flush, those that it
-/// lies in say nothing of how deep it is.
+/// Where sides of two bodies are flush, those that the node lies in say nothing of how deep it is: then by the faces
+/// that it looks against, if it projects on one.
 template <class Faces>
 KOKKOS_INLINE_FUNCTION BodyDepth find_body_depth(const ContactSurface& surface, const SurfaceMotion& motion,
                                                  const FaceState& faces, int node, const Faces& candidates, int c,
@@ -84,8 +87,10 @@ KOKKOS_INLINE_FUNCTION BodyDepth find_body_depth(const ContactSurface& surface, 
     all.add(depth, candidates(i));
     if (depth.opposed) opposed.add(depth, candidates(i));
   }
-  BodyDepth& found = opposed.least.known ? opposed : all;
+  BodyDepth& found = all.least.flush && opposed.least.known ? opposed : all;
+  all.limit();
   found.limit();
+  found.inside = all.face >= 0 ? all.least.depth : 0;
   return found;
 }
 
@@ -135,7 +140,7 @@ void find_penetrations(const Space& space, const ContactSurface& surface, const 
           const BodyDepth body = find_body_depth(s, m, f, node, list, c, offset(node + 1));
           if (body.face < 0 || body.least.depth <= depth(node)) continue;
           depth(node) = body.least.depth;
-          ratio(node) = body.least.depth / body.least.edge;
+          ratio(node) = body.inside / body.least.edge;
           limit(node) = body.least.limit;
           face(node) = body.face;
         }
