@@ -67,7 +67,7 @@ class Enforcer {
   const double* last_impulse_ = nullptr;  // where they were written
   double last_dt_ = 0;
   std::int64_t last_pushes_ = -1;  // of all ranks in the last step; -1: not known
-  bool remembers_ = true;  // the history may hold something
+  bool remembers_ = true;          // the history may hold something
 };
 
 }  // namespace percuss
