@@ -30,7 +30,7 @@ struct ContactStage::Impl {
         ties(ties_of_start),
         share(build_surface_share(chunked, deck, ties, exchange)),
         tie_rows(seen(), ties, deck.contact),
-        walls(build_walls(chunked.mesh, deck, share)),
+        walls(build_walls(chunked, deck, share)),
         has_walls(!deck.walls.empty()),
         contact(deck.contact),
         bound(world, share, deck.contact.reuse_search),
@@ -80,6 +80,7 @@ struct ContactStage::Impl {
   ContactHistory history;
   std::vector<std::string> start_notes;
   StartOverlap start_overlap;
+  std::int64_t overlap_at_start = 0;  // nodes and pairs of edges that began inside another
   Array<RowTouch> touches = Array<RowTouch>("contact::row_touches", 0);
   std::int64_t candidates = 0;  // of the last search, on all ranks
   long searches = 0;            // steps that did
@@ -151,8 +152,8 @@ std::int64_t ContactStage::Impl::find_user_id(std::int64_t node) const {
   const int owner = numbering.find_node_owner(node);
   std::int64_t id = 0;
   if (owner == ranks.rank()) {
-    const auto place = std::lower_bound(share.nodes.numbers.begin(), share.nodes.numbers.end(), node);
-    id = share.nodes.ids[static_cast<std::size_t>(place - share.nodes.numbers.begin())];
+    const auto place = std::lower_bound(mesh.node_numbers.begin(), mesh.node_numbers.end(), node);
+    id = mesh.node_ids[static_cast<std::size_t>(place - mesh.node_numbers.begin())];
   }
   wait_mpi([&] { return MPI_Bcast(&id, 1, MPI_INT64_T, owner, ranks.handle()); }, "MPI_Bcast");
   return id;
@@ -180,7 +181,7 @@ void ContactStage::Impl::redefine_surface() {
   ties = keep_living_ties(chunks, ties_of_start, ranks);
   share = build_surface_share(chunks, deck, ties, exchange);
   tie_rows = TieRows(seen(), ties, contact);
-  walls = build_walls(mesh, deck, share);
+  walls = build_walls(chunks, deck, share);
   bound.redefine();
   is_new_surface = true;
   std::unique_ptr<ContactFinder> next = make_contact_finder(seen(), share, contact);
@@ -208,7 +209,23 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
   if (const std::string gaps = describe_gaps(found.gaps, stage.mesh); !gaps.empty()) stage.start_notes.push_back(gaps);
   stage.decomposed_at_start = stage.finder->decomposition_clock();
   const std::int64_t deepest = found.deepest_node < 0 ? -1 : stage.find_user_id(found.deepest_node);
-  return describe_overlap(found, overlap, stage.mesh, deepest);
+  std::string line = describe_overlap(found, overlap, stage.mesh, deepest);
+  if (overlap == ContactDeck::Overlap::refuse && !line.empty())
+    throw InputError(fmt::format("{}: error: {} move the parts apart, or let contact.overlap accept it or push it out",
+                                 stage.deck.where(stage.deck.places.find("contact.overlap")), line));
+  stage.overlap_at_start = found.nodes + found.edge_pairs;
+  return line;
+}
+
+std::string ContactStage::describe_overlap_left(Rows3<const double> x) const {
+  const Impl& stage = *impl_;
+  if (stage.overlap_at_start == 0) return "";
+  ContactDeck once = stage.contact;
+  once.rebalance = ContactDeck::Rebalance::never;
+  const auto finder = make_contact_finder(stage.seen(), stage.share, once);
+  ContactHistory unused = make_history(stage.share, stage.walls);
+  return percuss::describe_overlap_left(
+      seed_history(stage.look_for_overlap(*finder), {x, x, 0}, ContactDeck::Overlap::accept, unused));
 }
 
 const StartOverlap& ContactStage::start_overlap() const { return impl_->start_overlap; }
@@ -243,6 +260,7 @@ void ContactStage::archive(CheckpointArchive& archive) {
   stage.bound.archive(archive, find_rows_of_nodes(stage.chunks, stage.share.nodes.numbers));
   stage.enforcer.archive(archive);
   stage.forces.archive(archive);
+  archive.number("contact/overlap_at_start", stage.overlap_at_start);
   if (!archive.is_loading()) return;
   stage.forget_last_step();
   stage.search_again();

@@ -44,8 +44,8 @@ class ContactStage {
   bool is_active() const;
 
   /// Overlap at time 0 between surfaces, found and accepted or marked for pushing out as the deck says. Returns one
-  /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), the same on all ranks; empty if there is none. Call
-  /// once before the loop.
+  /// line for the user ("12 nodes overlap, deepest 0.3 mm ..."), the same on all ranks; empty if there is none. Throws
+  /// InputError with it where the deck refuses overlap. Call once before the loop.
   std::string prepare(Rows3<const double> x, Rows3<const double> v);
 
   /// What else there is to say of the start: a line for each tie; after prepare() one of the smallest gaps.
@@ -53,6 +53,9 @@ class ContactStage {
 
   /// What prepare() found, of all ranks; empty before it.
   const StartOverlap& start_overlap() const;
+
+  /// How much of the overlap of the start is left at positions x, in a line; empty if there was none. Collective.
+  std::string describe_overlap_left(Rows3<const double> x) const;
 
   /// State of the stage from step to step. After loading, the last search is done again, so that its counts are the
   /// same; then prepare() must not be called. Collective.

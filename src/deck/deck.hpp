@@ -263,7 +263,7 @@ struct TieDeck {
 
 struct ContactDeck {
   enum class Surfaces { none, all, pairs };
-  enum class Overlap { accept, push_out };
+  enum class Overlap { accept, push_out, refuse };
   Surfaces surfaces = Surfaces::none;
   std::vector<SurfacePairDeck> pairs;  // only with Surfaces::pairs
   std::vector<TieDeck> ties;
@@ -359,6 +359,8 @@ struct OutputDeck {
 struct AuditDeck {
   double max_energy_error = 0.1;     // relative; a run that leaves it stops with exit code 3
   double max_momentum_error = 1e-6;  // the same, linear and angular
+  // Energy that contact may give / largest energy, beyond which the run stops with exit code 3; none: it warns.
+  std::optional<double> max_contact_gain;
 };
 
 struct Deck {

@@ -17,6 +17,8 @@ constexpr double flat_on_itself = 0.7;
 /// How deep a node is behind a face.
 struct FaceDepth {
   bool known = false;   // whether the node projects on the face from nearby
+  bool opposed = true;  // whether the node looks against the face: contact can hold it there
+  bool flush = false;   // the node lies in its plane
   double distance = 0;  // from the face; negative: not looked at
   double depth = 0;     // negative in front
   double limit = 0;     // of what contact can hold
@@ -36,6 +38,8 @@ KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const ContactSurface& surface, 
   const double offset = find_offset(surface.offsets, node, face);
   if (surface.node_body(node) == surface.face_body(face) && !may_overlap(surface, faces, node, face, offset))
     return result;
+  result.opposed = offset > 0 ? looks_against(surface, motion, faces, node, face)
+                              : has_opposed_face(surface, faces, node, face, contact_limits::opposing);
   const RelativeFace relative = load_touched_face(surface, motion, faces, node, face);
   const FacePoint closest = find_closest_point(relative.start);
   const double size = faces.size(face);
@@ -44,6 +48,7 @@ KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const ContactSurface& surface, 
   result.known = true;
   const Point3 normal = find_push_direction(surface, faces, face, closest.weight);
   result.depth = dot(normal, interpolate(relative.start, closest.weight));
+  result.flush = std::abs(result.depth) <= contact_limits::overlap * size;
   result.limit = larger(contact_limits::history_depth * size, slack * offset);
   result.edge = find_shortest_edge(relative.start);
   return result;
@@ -53,26 +58,40 @@ KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const ContactSurface& surface, 
 struct BodyDepth {
   int face = -1;
   FaceDepth least;
+  double nearest = -1;  // of the faces that were looked at
+  double inside = 0;    // by all faces that were looked at, those of flush sides too
+
+  KOKKOS_INLINE_FUNCTION void add(const FaceDepth& depth, int of) {
+    if (depth.distance >= 0 && (nearest < 0 || depth.distance < nearest)) nearest = depth.distance;
+    if (!depth.known || (least.known && depth.depth >= least.depth)) return;
+    least = depth;
+    face = depth.depth > 0 ? of : -1;
+  }
+  // Beside an edge a node projects on one face only; no node is deeper than its distance from the nearest face.
+  KOKKOS_INLINE_FUNCTION void limit() {
+    if (face >= 0 && least.depth > nearest) least.depth = nearest;
+  }
 };
 
+/// Where sides of two bodies are flush, those that the node lies in say nothing of how deep it is: then by the faces
+/// that it looks against, if it projects on one.
 template <class Faces>
 KOKKOS_INLINE_FUNCTION BodyDepth find_body_depth(const ContactSurface& surface, const SurfaceMotion& motion,
                                                  const FaceState& faces, int node, const Faces& candidates, int c,
                                                  int last) {
-  BodyDepth result;
-  double nearest = -1;
+  BodyDepth all, opposed;
   const int body = surface.face_body(candidates(c));
   for (int i = c; i < last; ++i) {
     if (surface.face_body(candidates(i)) != body) continue;
     const FaceDepth depth = find_face_depth(surface, motion, faces, node, candidates(i));
-    if (depth.distance >= 0 && (nearest < 0 || depth.distance < nearest)) nearest = depth.distance;
-    if (!depth.known || (result.least.known && depth.depth >= result.least.depth)) continue;
-    result.least = depth;
-    result.face = depth.depth > 0 ? candidates(i) : -1;
+    all.add(depth, candidates(i));
+    if (depth.opposed) opposed.add(depth, candidates(i));
   }
-  // Beside an edge a node projects on one face only; no node is deeper than its distance from the nearest face.
-  if (result.face >= 0 && result.least.depth > nearest) result.least.depth = nearest;
-  return result;
+  BodyDepth& found = all.least.flush && opposed.least.known ? opposed : all;
+  all.limit();
+  found.limit();
+  found.inside = all.face >= 0 ? all.least.depth : 0;
+  return found;
 }
 
 template <class Faces>
@@ -121,7 +140,7 @@ void find_penetrations(const Space& space, const ContactSurface& surface, const 
           const BodyDepth body = find_body_depth(s, m, f, node, list, c, offset(node + 1));
           if (body.face < 0 || body.least.depth <= depth(node)) continue;
           depth(node) = body.least.depth;
-          ratio(node) = body.least.depth / body.least.edge;
+          ratio(node) = body.inside / body.least.edge;
           limit(node) = body.least.limit;
           face(node) = body.face;
         }

@@ -67,6 +67,7 @@ KOKKOS_INLINE_FUNCTION void add_outcome(const ContactRow& row, const RowNodes& a
   }
   sums.pushes += row.impulse.push > 0 ? 1 : 0;
   if (work.normal != 0) sums.normal_work.add(work.normal);
+  sums.add_given(work.normal, row.key);
   if (row.friction > 0) sums.friction_work.add(work.friction);
   const double gap = row.gap + dt * dot(row.gap_gradient, find_work_velocity(row, TouchedVelocity{dv, row}));
   if (row.spring > 0) {

@@ -37,8 +37,8 @@ struct ContactRow {
   double gap = 0;                               // predicted gap at n+1
   double target = 0;                            // gap wanted at n+1, <= 0
   int record = -1;                              // history record that this row writes
-  bool is_caught = false;                       // by a face that looks past the node, or within the thickness of a
-                                                // shell: kept while it is near
+  bool is_caught = false;                       // by a face that looks past the node, or inside: remembered without a
+                                                // push
   bool has_thickness = false;                   // of shells between the two sides
   double weight[row_nodes] = {1, 0, 0, 0, 0};   // w
   Point3 rho[row_nodes]{};

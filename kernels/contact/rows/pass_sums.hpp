@@ -86,6 +86,8 @@ struct EnforcementSums {
   double residual = 0;            // largest penetration, or way of a tied node to its place, left over / h
   double deepest = 0;             // deepest penetration at n / h beyond what was accepted at the start
   std::int64_t deepest_key = -1;  // of the row that has it, lowest of equals
+  double given = 0;               // largest work of the push of a row, where it gives energy
+  std::int64_t given_key = -1;    // of the row that has it, lowest of equals
   double torn = 0;                // largest ContactRow::torn / h
   std::int64_t torn_key = -1;     // of the row that has it, lowest of equals
 
@@ -93,6 +95,11 @@ struct EnforcementSums {
     if (!(depth > deepest) && !(depth == deepest && depth > 0 && key < deepest_key)) return;
     deepest = depth;
     deepest_key = key;
+  }
+  KOKKOS_INLINE_FUNCTION void add_given(double work, std::int64_t key) {
+    if (!(work > given) && !(work == given && work > 0 && key < given_key)) return;
+    given = work;
+    given_key = key;
   }
   KOKKOS_INLINE_FUNCTION void add_torn(double way, std::int64_t key) {
     if (!(way > torn) && !(way == torn && way > 0 && key < torn_key)) return;
@@ -107,6 +114,7 @@ struct EnforcementSums {
     rate = other.rate > rate ? other.rate : rate;
     residual = other.residual > residual ? other.residual : residual;
     add_depth(other.deepest, other.deepest_key);
+    add_given(other.given, other.given_key);
     add_torn(other.torn, other.torn_key);
   }
 };

@@ -43,15 +43,19 @@ int count_edge_touches(const Space& space, const Array<const RowTouch>& touches,
 
 /// Lists the wall pairs in reach; returns how many.
 template <class Space>
-int list_near_walls(const Space& space, const WallPairs& walls, const SurfaceMotion& motion, RowSystem& system) {
+int list_near_walls(const Space& space, const WallPairs& walls, const RowInputs& inputs, RowSystem& system) {
   const int pairs = static_cast<int>(walls.node.extent(0));
   if (pairs == 0) return 0;
   const WallPairs w = walls;
-  const SurfaceMotion m = motion;
+  const SurfaceMotion m = inputs.motion;
+  const bool leaves_out_inner = !inputs.looks_inside && walls.is_inner.extent(0) > 0;
   reserve(system.near_walls, pairs);
   return list_where<Space>(
       space, pairs,
-      [w, m] KOKKOS_FUNCTION(int p) { return find_wall_gap(w, m, p, 1) <= contact_limits::row_gap * w.size(p); },
+      [w, m, leaves_out_inner] KOKKOS_FUNCTION(int p) {
+        if (leaves_out_inner && w.is_inner(p) != 0) return false;
+        return find_wall_gap(w, m, p, 1) <= contact_limits::row_gap * w.size(p);
+      },
       system.near_walls);
 }
 
@@ -253,7 +257,7 @@ void start_rows(const Space& space, const RowInputs& inputs, const Array<const R
                 const WallPairs& walls, RowSystem& system) {
   const int num_ties = static_cast<int>(inputs.ties.extent(0));
   system.num_edge_rows = count_edge_touches(space, touches, num_touches - num_ties);
-  system.num_rows = num_touches + list_near_walls(space, walls, inputs.motion, system);
+  system.num_rows = num_touches + list_near_walls(space, walls, inputs, system);
   number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)),
                list_entry_nodes(touches, num_touches, walls, system), system);
   gather_nodes(space, inputs, system);

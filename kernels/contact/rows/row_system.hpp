@@ -22,13 +22,18 @@ struct ContactWall {
   double friction = 0;
 };
 
-/// Walls and the contact nodes of this rank that each may touch, const after set-up.
+/// Walls and the nodes of this rank that each stops, const after set-up.
 struct WallPairs {
   Array<const ContactWall> walls;  // [walls]
   Array<const int> wall;           // [pairs] ascending
   Array<const int> node;           // [pairs] mesh node, ascending within a wall
   Array<const double> size;        // [pairs] shortest edge at the node at the start, the h of its row
   Array<const double> offset{};    // [pairs] distance that the node keeps, by its thickness; empty: none does [length]
+  Array<const int> is_inner{};     // [pairs] whether the node is inside its body; empty: none is
+  Array<const double> spring{};    // [pairs] stiffness of the node, of springs.hpp; 0 without penalty
+  // For reports.
+  Array<const int> part{};             // [pairs] of the mesh that the node belongs to
+  Array<const std::int64_t> number{};  // [pairs] of the node in the whole mesh
 };
 
 /// A touch of the detailed check as its row needs it.
@@ -51,11 +56,12 @@ struct RowTouch {
   std::int64_t node_number[row_nodes] = {-1, -1, -1, -1, -1};  // of the nodes, where some are foreign
 };
 
-/// Whether two sides with thickness between them are, or would be, nearer than they should: the side from which they
-/// came must then be remembered, push or no push.
+/// Whether two sides are, or would be, nearer than they should: the side from which they came must then be remembered,
+/// push or no push. Of solids the depth must be more than round-off.
 template <class AnyTouch>
-KOKKOS_INLINE_FUNCTION bool is_within_thickness(const AnyTouch& touch) {
-  return touch.offset > 0 && (touch.gap_start < 0 || touch.gap_end < 0);
+KOKKOS_INLINE_FUNCTION bool is_overlapping(const AnyTouch& touch) {
+  const double least = touch.offset > 0 ? 0 : -contact_limits::overlap * touch.size;
+  return touch.gap_start < least || touch.gap_end < least;
 }
 
 /// What the row of a node on a face takes over from the check.
@@ -68,7 +74,7 @@ KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
   row.gap_end = touch.gap_end;
   row.size = touch.size;
   row.has_thickness = touch.offset > 0;
-  row.is_caught = !touch.opposed || is_within_thickness(touch);
+  row.is_caught = !touch.opposed || is_overlapping(touch);
   return row;
 }
 
@@ -87,7 +93,7 @@ KOKKOS_INLINE_FUNCTION RowTouch make_edge_row_touch(const EdgeTouch& touch) {
   row.gap_end = touch.gap_end;
   row.size = touch.size;
   row.has_thickness = touch.offset > 0;
-  row.is_caught = is_within_thickness(touch);
+  row.is_caught = is_overlapping(touch);
   row.old_record = touch.record;
   return row;
 }
@@ -147,6 +153,7 @@ struct RowInputs {
   double play = 0;
   Array<const double> spring{};     // [mesh nodes] stiffness of springs.hpp, empty without penalty
   Array<const TieGeometry> ties{};  // of this rank; their touches come last
+  bool looks_inside = true;         // whether walls are to stop nodes inside bodies too
 };
 
 struct RowSystem {

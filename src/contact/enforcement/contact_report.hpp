@@ -41,6 +41,7 @@ struct ContactReport {
   double rate = 0;                 // penalty: bound of the square of the frequency that the springs add [1/time^2]
   double deepest = 0;              // deepest penetration at n among checked pairs / face edge, 0 if none
   std::int64_t deepest_node = -1;  // number of the node that has it
+  std::int64_t giving_node = -1;   // number of the node whose push gave most energy; -1: none gave any
   double torn = 0;                 // farthest that conditions hold a tied node from its place / face edge
   std::int64_t torn_node = -1;     // number of that node
   WallSums walls;                  // what walls gave the nodes of this rank, and of no other

@@ -22,10 +22,14 @@ SharedNodes find_copies(const ContactRanks& ranks) {
   return shared;
 }
 
-/// Contact stiffness by mesh node.
-Array<const double> find_springs(const Mesh& mesh, const SurfaceShare& share, const ContactDeck& deck) {
+/// Contact stiffness by mesh node, also of those that only walls stop.
+Array<const double> find_springs(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
+                                 const ContactDeck& deck) {
   if (deck.enforcement != ContactDeck::Enforcement::penalty) return {};
   std::vector<double> springs(mesh.nodes.size(), 0);
+  const auto node = to_host(walls.node);
+  const auto spring = to_host(walls.spring);
+  for (std::size_t p = 0; p < node.extent(0); ++p) springs[static_cast<std::size_t>(node(p))] = spring(p);
   for (std::size_t n = 0; n < share.nodes.mesh_nodes.size(); ++n)
     springs[static_cast<std::size_t>(share.nodes.mesh_nodes[n])] = share.nodes.springs[n];
   return to_view("contact::springs", springs);
@@ -64,14 +68,14 @@ Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const W
       impulse_copies_(ranks.ranks, copied_),
       play_(find_play(ranks.mesh)),
       forces_(forces),
-      spring_(find_springs(ranks.mesh, share, deck.contact)),
+      spring_(find_springs(ranks.mesh, share, walls, deck.contact)),
       pair_work_(deck.output.history_every ? name_contact_pairs(deck).size() : 0) {}
 
 void Enforcer::redefine(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
                         const Array<const TieGeometry>& ties) {
   walls_ = walls;
   ties_ = ties;
-  spring_ = find_springs(mesh, share, deck_);
+  spring_ = find_springs(mesh, share, walls, deck_);
   remembers_ = true;
   system_.num_written = -1;
 }
@@ -104,6 +108,7 @@ void Enforcer::update_copies(const ContactMotion& motion) {
 void Enforcer::archive(CheckpointArchive& archive) {
   if (archive.is_loading()) system_.num_written = -1;
   archive.number("contact/last_dt", last_dt_);
+  archive.number("contact/last_pushes", last_pushes_);
   for (std::size_t p = 0; p < pair_work_.size(); ++p) {
     archive.sum(fmt::format("contact/pair_{}/normal_work", p), pair_work_[p].normal);
     archive.sum(fmt::format("contact/pair_{}/friction_work", p), pair_work_[p].friction);
@@ -113,6 +118,7 @@ void Enforcer::archive(CheckpointArchive& archive) {
 void Enforcer::rest(const ContactMotion& motion, ContactHistory& history) {
   clear_last_impulse(motion);
   last_dt_ = motion.dt;
+  last_pushes_ = 0;
   if (remembers_) Kokkos::deep_copy(history.face, std::int64_t{-1});
   history.edges.count = 0;
   remembers_ = false;
@@ -121,6 +127,7 @@ void Enforcer::rest(const ContactMotion& motion, ContactHistory& history) {
 void Enforcer::repeat(const ContactMotion& motion) {
   clear_last_impulse(motion);
   last_dt_ = motion.dt;
+  last_pushes_ = 0;
 }
 
 template <class Space>
@@ -159,9 +166,11 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
                          count_booked_surfaces(deck_) + static_cast<int>(deck_.ties.size()),
                          play_,
                          spring_,
-                         ties_};
+                         ties_,
+                         last_pushes_ != 0};
   const double dt_mean = last_dt_ > 0 ? 0.5 * (last_dt_ + motion.dt) : motion.dt;
   last_dt_ = motion.dt;
+  last_pushes_ = 0;
   remembers_ = true;
   exchange_.announce_foreign_nodes(touches, num_touches, system_);
   const int wall_pairs = static_cast<int>(walls_.node.extent(0));
@@ -178,6 +187,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
       report.converged = solved.converged;
       report.complementarity = solved.complementarity;
       report.interactions = static_cast<int>(done.pushes);
+      last_pushes_ = done.pushes;
       report.normal_work = done.normal_work.round();
       report.friction_work = done.friction_work.round();
       report.stored = done.stored.round();
@@ -189,6 +199,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
       report.residual = done.residual;
       report.deepest = done.deepest;
       report.deepest_node = done.deepest_key < 0 ? -1 : find_key_node(done.deepest_key);
+      report.giving_node = done.given_key < 0 ? -1 : find_key_node(done.given_key);
       report.torn = done.torn;
       report.torn_node = done.torn_key < 0 ? -1 : find_key_node(done.torn_key);
       update_copies(motion);

@@ -68,7 +68,8 @@ class Enforcer {
   bool was_pushed_ = false;               // impulses of the last step stand in motion.impulse
   const double* last_impulse_ = nullptr;  // where they were written
   double last_dt_ = 0;
-  bool remembers_ = true;  // the history may hold something
+  std::int64_t last_pushes_ = -1;  // of all ranks in the last step; -1: not known
+  bool remembers_ = true;          // the history may hold something
 };
 
 }  // namespace percuss

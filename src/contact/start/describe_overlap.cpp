@@ -46,7 +46,7 @@ std::string describe_nodes(const StartOverlap& found, const char* treatment, con
 // As many contacts as overlap, as deep as the deepest. What is too deep is not pushed, and says nothing of the others'
 // depth.
 double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overlap) {
-  if (overlap == ContactDeck::Overlap::accept || found.too_deep > 0) return 0;
+  if (overlap != ContactDeck::Overlap::push_out || found.too_deep > 0) return 0;
   return static_cast<double>(found.nodes) * found.deepest * found.deepest +
          static_cast<double>(found.edge_pairs) * found.deepest_edges * found.deepest_edges;
 }
@@ -54,8 +54,9 @@ double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overla
 std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
                              std::int64_t deepest_id) {
   if (found.nodes == 0 && found.edge_pairs == 0) return "";
-  const char* const treatment =
-      overlap == ContactDeck::Overlap::accept ? "accepted as the reference" : "pushed out slowly";
+  const char* const treatment = overlap == ContactDeck::Overlap::accept     ? "accepted as the reference"
+                                : overlap == ContactDeck::Overlap::push_out ? "pushed out slowly"
+                                                                            : "refused";
   const std::string edges = fmt::format("{} pair{} of edges overlap{}", found.edge_pairs,
                                         found.edge_pairs == 1 ? "" : "s", found.edge_pairs == 1 ? "s" : "");
   if (found.nodes == 0)
@@ -63,6 +64,13 @@ std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap ove
   const std::string nodes = describe_nodes(found, treatment, mesh, deepest_id);
   if (found.edge_pairs == 0) return nodes;
   return fmt::format("{}; {} too, deepest {:.4g}", nodes, edges, found.deepest_edges);
+}
+
+std::string describe_overlap_left(const StartOverlap& left) {
+  if (left.nodes == 0 && left.edge_pairs == 0) return "of the overlap at the start none is left";
+  return fmt::format("of the overlap at the start {} contact node{} and {} pair{} of edges are left, deepest {:.4g}",
+                     left.nodes, left.nodes == 1 ? "" : "s", left.edge_pairs, left.edge_pairs == 1 ? "" : "s",
+                     std::max(left.deepest, left.deepest_edges));
 }
 
 }  // namespace percuss

@@ -34,11 +34,10 @@ void add(const PartOverlap& more, std::vector<PartOverlap>& parts) {
   place->deepest = std::max(place->deepest, more.deepest);
 }
 
-/// node: place in OwnedContactNodes; other: as PartOverlap's.
-void note(StartOverlap& found, const OwnedContactNodes& nodes, int place, int other, double depth, bool held) {
-  const auto i = static_cast<std::size_t>(place);
-  const std::int64_t node = nodes.numbers[i];
-  add({nodes.parts[i], other, 1, depth}, found.parts);
+/// node: number; depth: its part, what it is in, and how deep.
+void note(StartOverlap& found, std::int64_t node, const PartOverlap& overlap, bool held) {
+  const double depth = overlap.deepest;
+  add(overlap, found.parts);
   ++found.nodes;
   if (!held) ++found.too_deep;
   if (depth < found.deepest || (depth == found.deepest && found.deepest_node >= 0 && node > found.deepest_node)) return;
@@ -52,6 +51,8 @@ struct HostWalls {
       : walls(to_host(pairs.walls)),
         wall(to_host(pairs.wall)),
         node(to_host(pairs.node)),
+        part(to_host(pairs.part)),
+        number(to_host(pairs.number)),
         size(to_host(pairs.size)),
         offset(to_host(pairs.offset)),
         x(to_host(places)) {}
@@ -64,7 +65,8 @@ struct HostWalls {
   }
 
   decltype(to_host(WallPairs().walls)) walls;
-  decltype(to_host(WallPairs().wall)) wall, node;
+  decltype(to_host(WallPairs().wall)) wall, node, part;
+  decltype(to_host(WallPairs().number)) number;
   decltype(to_host(WallPairs().size)) size, offset;
   decltype(to_host(Rows3<const double>())) x;
 };
@@ -129,7 +131,8 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
   for (const Penetration& p : look_everywhere(search, motion)) {
     if (p.depth <= contact_limits::overlap * p.size) continue;
     const bool held = p.depth <= p.limit;
-    note(found, search.share.nodes, p.node, p.part, p.depth, held);
+    const auto n = static_cast<std::size_t>(p.node);
+    note(found, search.share.nodes.numbers[n], {search.share.nodes.parts[n], p.part, 1, p.depth}, held);
     if (!held) continue;
     history_face(contact_limits::max_touches * p.node) = p.face;
     reference(contact_limits::max_touches * p.node) = accept ? p.depth : 0;
@@ -138,9 +141,7 @@ StartOverlap seed_history(const OverlapSearch& search, const SurfaceMotion& moti
   const int first = contact_limits::max_touches * search.share.nodes.count();
   for (int p = 0; p < host.count(); ++p) {
     if (host.depth(p) <= contact_limits::overlap * host.size(p)) continue;
-    const auto& nodes = search.share.nodes;
-    const auto place = std::lower_bound(nodes.mesh_nodes.begin(), nodes.mesh_nodes.end(), host.node(p));
-    note(found, nodes, static_cast<int>(place - nodes.mesh_nodes.begin()), -1 - host.wall(p), host.depth(p), true);
+    note(found, host.number(p), {host.part(p), -1 - host.wall(p), 1, host.depth(p)}, true);
     reference(first + p) = accept ? host.depth(p) : 0;
   }
   if (search.share.total_searched_faces > 0) {

@@ -52,6 +52,9 @@ struct SurfaceChange {
 std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap overlap, const Mesh& mesh,
                              std::int64_t deepest_id);
 
+/// How much of it is left at the end.
+std::string describe_overlap_left(const StartOverlap& left);
+
 /// Bound of the sum of the squares of the depths that contact is to push out [length^2]; 0 where overlap is accepted.
 double find_pushed_square(const StartOverlap& found, ContactDeck::Overlap overlap);
 

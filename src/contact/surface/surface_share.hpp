@@ -79,8 +79,8 @@ struct SurfaceShare {
 SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
                                  UnstructuredExchange& exchange);
 
-/// The deck's rigid walls with the owned contact nodes that may touch them. Throws InputError, on all ranks, for
-/// unknown selections and for one without a contact node. Collective over Mesh::ranks.
-WallPairs build_walls(const Mesh& mesh, const Deck& deck, const SurfaceShare& share);
+/// The deck's rigid walls with the owned nodes that they stop, inside bodies and on their surfaces. Throws InputError,
+/// on all ranks, for unknown selections. Collective over Mesh::ranks.
+WallPairs build_walls(const ChunkedMesh& chunked, const Deck& deck, const SurfaceShare& share);
 
 }  // namespace percuss

@@ -102,7 +102,8 @@ const Keys<ContactDeck>& contact_keys() {
       may("friction", &ContactDeck::friction, NumberValue{not_negative}),
       may("ties", &ContactDeck::ties, ListValue<MapValue<TieDeck>>{{tie_keys, note_place}}),
       may("overlap", &ContactDeck::overlap,
-          ChoiceValue<Overlap>{{{"accept", Overlap::accept}, {"push_out", Overlap::push_out}}}),
+          ChoiceValue<Overlap>{
+              {{"accept", Overlap::accept}, {"push_out", Overlap::push_out}, {"refuse", Overlap::refuse}}}),
       may("enforcement", &ContactDeck::enforcement,
           ChoiceValue<Enforcement>{{{"kinematic", Enforcement::kinematic},
                                     {"lagrange", Enforcement::lagrange},

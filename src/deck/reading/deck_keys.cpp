@@ -106,6 +106,7 @@ const Keys<AuditDeck>& audit_keys() {
   static const Keys<AuditDeck> keys = {
       may("max_energy_error", &AuditDeck::max_energy_error, NumberValue{positive}),
       may("max_momentum_error", &AuditDeck::max_momentum_error, NumberValue{positive}),
+      may("max_contact_gain", &AuditDeck::max_contact_gain, NumberValue{positive}),
   };
   return keys;
 }

@@ -181,6 +181,8 @@ void Run::loop() {
     write_checkpoint();
   }
   observe_last();
+  if (is_finished() && contact_.is_active())
+    if (const std::string left = contact_.describe_overlap_left(state_.x); !left.empty()) say({left});
 }
 
 /// A step, and all that is due after it.
@@ -225,8 +227,23 @@ StepWishes Run::find_wishes() {
 }
 
 void Run::note_contact() {
-  warnings_.note_step(stepper_.contact_report(), state_.time);
   warnings_.add(stepper_.take_warnings());
+  if (!contact_.is_active()) return;
+  warnings_.note_step(stepper_.contact_report(), state_.time);
+  if (!warnings_.has_noted_gain()) note_contact_gain();
+}
+
+/// Contact that gives energy is booked as work, so that the balance does not show it.
+void Run::note_contact_gain() {
+  const double share = find_tolerated_gain(deck_.audit), work = state_.books.contact_work;
+  if (!is_gain(find_given(work, find_scales()), share, find_scales())) return;
+  audit();  // the largest energy may be larger by now
+  const EnergyScales scales = find_scales();
+  const double given = find_given(work, scales);
+  if (!is_gain(given, share, scales)) return;
+  const GainPlace where = find_gain_place(seen());
+  warnings_.note_gain(given, scales, where, deck_.units);
+  if (deck_.audit.max_contact_gain) refuse_gain(seen(), describe_gain(given, scales, where, deck_.units));
 }
 
 void Run::audit() {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "comm/agreement.hpp"
 #include "comm/all_reduce.hpp"
@@ -140,6 +141,34 @@ void check_balance(const CheckedRun& run, const AuditResult& audit) {
   check_energy(run, audit.energy);
   check_momentum(run, "linear", audit.momentum.linear_error);
   check_momentum(run, "angular", audit.momentum.angular_error);
+}
+
+GainPlace find_gain_place(const CheckedRun& run) {
+  GainPlace where{run.state.step, -1, {}, run.state.time};
+  const std::int64_t node = run.stepper.contact_report().giving_node;
+  if (node < 0) return where;
+  constexpr double none = std::numeric_limits<double>::lowest();
+  double id_and_place[4] = {none, none, none, none};  // of the rank that has it alone
+  const bool is_here = run.chunked.numbering.find_node_owner(node) == run.model.ranks.rank();
+  if (is_here) {
+    const auto x = to_host(run.state.x);
+    const auto n = static_cast<std::size_t>(find_local_node(run.chunked, node));
+    id_and_place[0] = static_cast<double>(run.chunked.mesh.node_ids[n]);
+    for (std::size_t k = 0; k < 3; ++k) id_and_place[k + 1] = x(n, k);
+  }
+  all_reduce(run.model.ranks, Reduce::largest, id_and_place);
+  where.node = static_cast<std::int64_t>(id_and_place[0]);
+  std::copy_n(id_and_place + 1, 3, where.place.begin());
+  return where;
+}
+
+void refuse_gain(const CheckedRun& run, const std::string& gain) {
+  throw RunError(fmt::format(
+      "contact has given {}, more than audit.max_contact_gain = {:g}, {} (contact can only take energy, or give back "
+      "what it stored); look where the column contact of history.csv jumps, at elements crushed to slivers and at "
+      "parts "
+      "that overlap, or raise the bound",
+      gain, *run.deck.audit.max_contact_gain, describe_step(run.state)));
 }
 
 bool has_finite_positions(const Model& model, const State& state) {

@@ -2,6 +2,7 @@
 // Whether a run may go on after a step, and what is said if not: what is worst, where, and what to do about it.
 
 #include "src/step/audit/audit.hpp"
+#include "src/step/run/run_notes.hpp"
 #include "src/step/step.hpp"
 
 namespace percuss {
@@ -24,6 +25,12 @@ void check_step(const CheckedRun& run, double first_dt);
 
 /// Throws RunError, on all ranks, if the balance of energy or of momentum is off. Collective.
 void check_balance(const CheckedRun& run, const AuditResult& audit);
+
+/// Where contact gave most energy in the step just made. Collective.
+GainPlace find_gain_place(const CheckedRun& run);
+
+/// Throws RunError, on all ranks: contact has given more energy than the deck allows. gain: of describe_gain().
+[[noreturn]] void refuse_gain(const CheckedRun& run, const std::string& gain);
 
 /// Whether every position is a number. Collective.
 bool has_finite_positions(const Model& model, const State& state);

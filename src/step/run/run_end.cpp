@@ -55,8 +55,8 @@ void Run::finish(const std::string& status, const std::string& error) {
   result_ = make_summary(status, error);
   progress_->finish(find_progress());
   const EnergyScales scales = find_scales();
-  warnings_.add(
-      find_end_warnings(result_, scales, find_hourglassed_parts(chunked_, model_, state_, scales), deck_.units));
+  warnings_.renew_gain(find_given(state_.books.contact_work, scales), scales, deck_.units);
+  warnings_.add(find_end_warnings(result_, scales, find_hourglassed_parts(chunked_, model_, state_, scales)));
   result_.warnings = warnings_.list();
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0 || options_.out_dir.empty()) return;

@@ -32,16 +32,6 @@ constexpr double noted_depth = 0.1;
 /// Motions of so many times contact's play in a step are round-off of contact, too.
 constexpr double motions_in_play = 10;
 
-Warning describe_contact_energy(double given, double largest, const std::string& units, double time) {
-  const std::string share = largest > 0 ? fmt::format(", {:.0f} % of the largest", 100 * given / largest) : "";
-  return {"contact_energy",
-          fmt::format("contact has given {:.3g}{} of energy{} (contact can only take energy, or give back what it "
-                      "stored): look where the column contact of history.csv jumps, at elements crushed to slivers and "
-                      "at parts that overlap",
-                      given, unit_suffix(units, dimensions::energy), share),
-          "", time, 1};
-}
-
 Warning describe_hourglass(const PartHourglass& part, double time) {
   return {"hourglass_energy",
           fmt::format("hourglass modes hold {:.0f} % of the internal energy, most near {} (it bends within single "
@@ -103,8 +93,36 @@ std::vector<PartHourglass> find_hourglassed_parts(const ChunkedMesh& chunked, co
                                 std::max(scales.resolved, noted_energy_share * scales.largest));
 }
 
+double find_given(double work, const EnergyScales& scales) { return work + scales.stored - scales.granted; }
+
+bool is_gain(double given, double share, const EnergyScales& scales) {
+  return given > std::max(share * scales.largest, scales.resolved);
+}
+
+double find_tolerated_gain(const AuditDeck& audit) { return audit.max_contact_gain.value_or(noted_contact_share); }
+
+std::string describe_gain(double given, const EnergyScales& scales, const GainPlace& where, const std::string& units) {
+  const std::string share =
+      scales.largest > 0 ? fmt::format(", {:.3g} % of the largest,", 100 * given / scales.largest) : "";
+  std::string text = fmt::format("{:.3g}{} of energy{} since too much in step {}", given,
+                                 unit_suffix(units, dimensions::energy), share, where.step);
+  if (where.node >= 0)
+    text += fmt::format(", most of it then at node {} at ({:.6g}, {:.6g}, {:.6g})", where.node, where.place[0],
+                        where.place[1], where.place[2]);
+  return text;
+}
+
+Warning warn_of_gain(double given, const EnergyScales& scales, const GainPlace& where, const std::string& units) {
+  return {
+      "contact_energy",
+      fmt::format("contact has given {} (contact can only take energy, or give back what it stored): look where the "
+                  "column contact of history.csv jumps, at elements crushed to slivers and at parts that overlap",
+                  describe_gain(given, scales, where, units)),
+      "", where.time, 1};
+}
+
 std::vector<Warning> find_end_warnings(const Summary& summary, const EnergyScales& scales,
-                                       const std::vector<PartHourglass>& parts, const std::string& units) {
+                                       const std::vector<PartHourglass>& parts) {
   std::vector<Warning> warnings;
   const EnergySummary& energy = summary.energy;
   if (std::abs(energy.error) > noted_energy_error && scales.largest > scales.resolved) {
@@ -115,9 +133,6 @@ std::vector<Warning> find_end_warnings(const Summary& summary, const EnergyScale
                      100 * energy.error),
          "", summary.time, 1});
   }
-  const double given = energy.contact + scales.stored - scales.granted;
-  if (given > std::max(noted_contact_share * scales.largest, scales.resolved))
-    warnings.push_back(describe_contact_energy(given, scales.largest, units, summary.time));
   for (const PartHourglass& part : parts) warnings.push_back(describe_hourglass(part, summary.time));
   return warnings;
 }

@@ -41,9 +41,31 @@ double find_resolved_energy(const ChunkedMesh& chunked, const Model& model, doub
 std::vector<PartHourglass> find_hourglassed_parts(const ChunkedMesh& chunked, const Model& model, const State& state,
                                                   const EnergyScales& scales);
 
-/// A balance that is off, contact that gave energy, hourglass modes. `summary` is that of the run's end; units: of the
-/// deck.
+/// Energy that contact has given by its own books, of which `work` is the work of its pushes so far.
+double find_given(double work, const EnergyScales& scales);
+
+/// Whether that is more than a share of the largest energy, and than round-off.
+bool is_gain(double given, double share, const EnergyScales& scales);
+
+/// The share of the largest energy from which on a run warns, or that the deck lets contact give at most.
+double find_tolerated_gain(const AuditDeck& audit);
+
+/// Where contact was first found to have given too much.
+struct GainPlace {
+  std::int64_t step = 0;
+  std::int64_t node = -1;  // the user's id of the node whose push gave most in that step; -1: none was found
+  Vec3 place{};            // where it was
+  double time = 0;
+};
+
+/// "19 J, 16 % of the largest, by step 201 (most at node 5 at (0, 0, 1))".
+std::string describe_gain(double given, const EnergyScales& scales, const GainPlace& where, const std::string& units);
+
+/// The warning of it.
+Warning warn_of_gain(double given, const EnergyScales& scales, const GainPlace& where, const std::string& units);
+
+/// A balance that is off, hourglass modes. `summary` is that of the run's end.
 std::vector<Warning> find_end_warnings(const Summary& summary, const EnergyScales& scales,
-                                       const std::vector<PartHourglass>& parts, const std::string& units);
+                                       const std::vector<PartHourglass>& parts);
 
 }  // namespace percuss

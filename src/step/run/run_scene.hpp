@@ -56,6 +56,7 @@ class Run {
   void look_at_corners();
   void audit();
   void note_contact();
+  void note_contact_gain();
   void check_step_made() const;
   CheckedRun seen() const { return {deck_, chunked_, model_, state_, stepper_}; }
   StepWishes find_wishes();

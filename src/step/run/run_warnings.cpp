@@ -27,9 +27,27 @@ void RunWarnings::note_step(const ContactReport& report, double time) {
   log_.add(find_step_warnings(report, accepted_depth_, time));
 }
 
+void RunWarnings::note_gain(double given, const EnergyScales& scales, const GainPlace& where,
+                            const std::string& units) {
+  if (has_noted_gain()) return;
+  gain_ = where;
+  log_.add(warn_of_gain(given, scales, gain_, units));
+}
+
+void RunWarnings::renew_gain(double given, const EnergyScales& scales, const std::string& units) {
+  if (!has_noted_gain()) return;
+  Warning warning = warn_of_gain(given, scales, gain_, units);
+  warning.count = 0;
+  log_.renew(warning);
+}
+
 void RunWarnings::archive(CheckpointArchive& archive) {
   archive.number("warnings/pushed_square", pushed_square_);
   archive.number("warnings/accepted_depth", accepted_depth_);
+  archive.number("warnings/gain_step", gain_.step);
+  archive.number("warnings/gain_node", gain_.node);
+  archive.numbers("warnings/gain_place", gain_.place);
+  archive.number("warnings/gain_time", gain_.time);
 }
 
 std::string RunWarnings::write() const {

@@ -11,6 +11,7 @@
 #include "src/output/checkpoint/checkpoint_file.hpp"
 #include "src/output/progress.hpp"
 #include "src/output/warning_log.hpp"
+#include "src/step/run/run_notes.hpp"
 
 namespace percuss {
 
@@ -37,6 +38,11 @@ class RunWarnings {
   /// Contact of a step.
   void note_step(const ContactReport& report, double time);
 
+  /// Contact that has given too much energy: tells it once, with where that was, and keeps its figures up to date.
+  void note_gain(double given, const EnergyScales& scales, const GainPlace& where, const std::string& units);
+  void renew_gain(double given, const EnergyScales& scales, const std::string& units);
+  bool has_noted_gain() const { return gain_.step > 0; }
+
   /// note_pushed() of the start, also after a restart.
   double pushed_square() const { return pushed_square_; }
 
@@ -55,6 +61,7 @@ class RunWarnings {
   WarningLog log_;
   std::size_t input_count_ = 0;
   double pushed_square_ = 0;
+  GainPlace gain_;              // step 0: none
   double accepted_depth_ = -1;  // deepest contact node / face edge in the first step; negative: none was made
 };
 

@@ -8,6 +8,7 @@
 #include "kernels/contact/geometry/contact_limits.hpp"
 #include "kernels/contact/geometry/point3.hpp"
 #include "src/deck/reading/read_deck.hpp"
+#include "src/error.hpp"
 #include "src/mesh/decomposition/decompose.hpp"
 
 namespace percuss::test {
@@ -254,7 +255,8 @@ TEST(ContactStage, OverlapAtTheStartIsReportedAndAcceptedWithoutForce) {
   // Deeper than accepted it does not get.
   nodes.set_velocity("b", {0, 0, -1});
   for (int i = 0; i < 10; ++i) nodes.step(0.01);
-  EXPECT_NEAR(nodes.stage.measure_penetration(nodes.x), 0.05, 1e-3);
+  EXPECT_LT(nodes.stage.measure_penetration(nodes.x), 0.05 + 1e-3);
+  EXPECT_GT(nodes.stage.measure_penetration(nodes.x), 0.04);
 }
 
 TEST(ContactStage, OverlapAtTheStartIsPushedOutSlowlyIfTheDeckSaysSo) {
@@ -267,6 +269,45 @@ TEST(ContactStage, OverlapAtTheStartIsPushedOutSlowlyIfTheDeckSaysSo) {
   EXPECT_LT(fastest, 1e-4 / 0.01 + 1e-6);  // 1e-4 of a face edge a step
   for (int i = 0; i < 1000; ++i) nodes.step(0.01);
   EXPECT_LT(nodes.stage.measure_penetration(nodes.x), 0.01);
+}
+
+TEST(ContactStage, OverlapThatOpensByItselfForAStepIsNotForgotten) {
+  FreeNodes nodes(overlapping + "push_out}");
+  nodes.prepare();
+  for (int i = 0; i < 2; ++i) nodes.step(0.01);  // the second needs no push, for the first one still moves the bodies
+  const double before = nodes.stage.measure_penetration(nodes.x);
+  for (int i = 0; i < 10; ++i) {
+    Kokkos::deep_copy(nodes.v, 0.0);
+    nodes.step(0.01);
+  }
+  EXPECT_NEAR(nodes.stage.measure_penetration(nodes.x), before - 10e-4, 1e-4);
+}
+
+TEST(ContactStage, OverlapOfFlushBodiesIsFoundAndHeld) {
+  for (const double depth : {0.03, 0.1, 0.2}) {
+    FreeNodes nodes(
+        "parts:\n  a: {box: {size: [4, 1, 2], cells: [4, 1, 2]}, material: m}\n  b: {box: {size: [4, 1, 2], "
+        "cells: [4, 1, 2]}, at: [0, 0, " +
+        std::to_string(2 - depth) + "], material: m}\ncontact: {surfaces: [[a, b]]}");
+    EXPECT_THAT(nodes.prepare(), testing::HasSubstr("20 contact nodes overlap"));
+    nodes.set_velocity("b", {0, 0, -1});
+    for (int i = 0; i < 20; ++i) nodes.step(0.01);
+    const int low = nodes.part("b/z_min")[0], high = nodes.part("a/z_max")[0];
+    EXPECT_NEAR(nodes.x(high, 2) - nodes.x(low, 2), depth, 1e-3);
+    EXPECT_THAT(nodes.stage.describe_overlap_left(nodes.x), testing::HasSubstr("20 contact nodes"));
+  }
+}
+
+TEST(ContactStage, OverlapIsRefusedIfTheDeckSaysSo) {
+  FreeNodes nodes(overlapping + "refuse}");
+  try {
+    nodes.prepare();
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(),
+                testing::AllOf(testing::HasSubstr("deck.yaml:"), testing::HasSubstr("5 contact nodes overlap"),
+                               testing::HasSubstr("deepest 0.05")));
+  }
 }
 
 TEST(ContactStage, OverlapTooDeepToHoldIsSaidToBe) {

@@ -138,13 +138,18 @@ TEST(SurfaceShare, AnUnknownSurfaceIsRefusedWithItsPlace) {
   }
 }
 
-TEST(BuildWalls, AWallMayTouchEveryContactNodeOrThoseNamed) {
+TEST(BuildWalls, AWallStopsEveryNodeOrThoseNamed) {
   const Built all("walls: [{point: [0, 0, 0], normal: [0, 0, 1]}]");
-  const WallPairs every = build_walls(all.mesh, all.deck, all.share);
-  EXPECT_EQ(every.node.extent(0), static_cast<std::size_t>(all.surface.num_nodes));
-  EXPECT_EQ(every.size(0), 1);
+  const WallPairs every = build_walls(all.chunked, all.deck, all.share);
+  EXPECT_EQ(every.node.extent(0), all.mesh.nodes.size());
+  int inner = 0;
+  for (std::size_t p = 0; p < every.node.extent(0); ++p) {
+    EXPECT_EQ(every.size(p), 1);
+    inner += every.is_inner(p);
+  }
+  EXPECT_EQ(inner, 8);
   const Built some("walls: [{point: [0, 0, 0], normal: [0, 0, 1], nodes: [b, a/x_min]}]");
-  EXPECT_EQ(build_walls(some.mesh, some.deck, some.share).node.extent(0), 12U);
+  EXPECT_EQ(build_walls(some.chunked, some.deck, some.share).node.extent(0), 12U);
 }
 
 }  // namespace

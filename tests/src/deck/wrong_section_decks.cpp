@@ -150,7 +150,7 @@ std::vector<WrongDeck> unknown_names() {
       {"UnknownIntegration", append("elements: {integration: reduced}"), "6:25",
        "elements.integration is 'reduced' (must be one_point | full"},
       {"UnknownOverlap", append("contact: {overlap: ignore}"), "6:20",
-       "contact.overlap is 'ignore' (must be accept | push_out)"},
+       "contact.overlap is 'ignore' (must be accept | push_out | refuse)"},
       {"PenaltyScaleNegative", append("contact: {penalty_scale: -1}"), "6:26",
        "contact.penalty_scale is -1 (must be positive)"},
       {"ToleranceZero", append("contact: {tolerance: 0}"), "6:22", "contact.tolerance is 0 (must be positive)"},

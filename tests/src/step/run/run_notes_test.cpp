@@ -22,51 +22,60 @@ std::vector<std::string> format_all(const std::vector<Warning>& warnings) {
   return lines;
 }
 
-/// Of a run in which contact has given so much.
-std::vector<std::string> find_texts(double contact, const EnergyScales& scales, const std::string& units = "") {
-  Summary summary;
-  summary.energy.contact = contact;
-  return format_all(find_end_warnings(summary, scales, {}, units));
+/// Of a run in which contact has done so much work.
+std::vector<std::string> find_texts(double work, const EnergyScales& scales, const std::string& units = "") {
+  const double given = find_given(work, scales);
+  if (!is_gain(given, find_tolerated_gain({}), scales)) return {};
+  return format_all({warn_of_gain(given, scales, {201, 5, {0, 0, 1}, 0.25}, units)});
 }
 
-TEST(EndWarnings, AreNoneOfARunWithoutDoubts) {
+TEST(ContactGain, IsNotToldOfARunWithoutDoubts) {
   EXPECT_THAT(find_texts(0, {}), IsEmpty());
   EXPECT_THAT(find_texts(0.9, {.largest = 100}), IsEmpty());
   EXPECT_THAT(find_texts(-30, {.largest = 100}), IsEmpty());
 }
 
-TEST(EndWarnings, TellContactThatGivesEnergyInTheUnitsOfTheDeck) {
-  EXPECT_THAT(find_texts(30, {.largest = 100}), ElementsAre(HasSubstr("given 30 of energy, 30 % of the largest")));
+TEST(ContactGain, IsToldWithStepAndPlaceInTheUnitsOfTheDeck) {
+  EXPECT_THAT(
+      find_texts(30, {.largest = 100}),
+      ElementsAre(AllOf(HasSubstr("given 30 of energy, 30 % of the largest, since too much in step 201, most of "
+                                  "it then at node 5 at (0, 0, 1) ("),
+                        HasSubstr("[contact_energy] (t = 0.25)"))));
   EXPECT_THAT(find_texts(30, {.largest = 100}, "mm, t, s"), ElementsAre(HasSubstr("given 30 mJ of energy, 30 %")));
-  EXPECT_THAT(find_texts(30, {}), ElementsAre(AllOf(StartsWith("warning: contact has given 30 of energy ("),
-                                                    HasSubstr("[contact_energy]"))));
+  EXPECT_THAT(find_texts(30, {}), ElementsAre(StartsWith("warning: contact has given 30 of energy since too much")));
 }
 
-TEST(EndWarnings, AreNotOfEnergyThatIsRoundOffOrWasAskedFor) {
+TEST(ContactGain, IsNotOfEnergyThatIsRoundOffOrWasAskedFor) {
   EXPECT_THAT(find_texts(5e-26, {.largest = 5e-26, .resolved = 1e-20}), IsEmpty());
   EXPECT_THAT(find_texts(30, {.largest = 100, .granted = 29.5}), IsEmpty());
   EXPECT_THAT(find_texts(30, {.largest = 100, .granted = 10}), ElementsAre(HasSubstr("given 20 of energy")));
 }
 
-TEST(EndWarnings, CountWhatTheSpringsOfContactHold) {
+TEST(ContactGain, CountsWhatTheSpringsOfContactHold) {
   EXPECT_THAT(find_texts(-10, {.largest = 100, .stored = 10}), IsEmpty());
   EXPECT_THAT(find_texts(-10, {.largest = 100, .stored = 30}), ElementsAre(HasSubstr("given 20 of energy")));
+}
+
+TEST(ContactGain, IsLimitedByTheDeck) {
+  AuditDeck audit;
+  EXPECT_EQ(find_tolerated_gain(audit), 0.01);
+  audit.max_contact_gain = 1e-3;
+  EXPECT_TRUE(is_gain(0.2, find_tolerated_gain(audit), {.largest = 100}));
 }
 
 TEST(EndWarnings, TellABalanceThatIsOff) {
   Summary summary;
   summary.energy.error = -0.009;
-  EXPECT_THAT(find_end_warnings(summary, {.largest = 1}, {}, ""), IsEmpty());
+  EXPECT_THAT(find_end_warnings(summary, {.largest = 1}, {}), IsEmpty());
   summary.energy.error = -0.023;
-  EXPECT_THAT(format_all(find_end_warnings(summary, {.largest = 1}, {}, "")),
+  EXPECT_THAT(format_all(find_end_warnings(summary, {.largest = 1}, {})),
               ElementsAre(AllOf(HasSubstr("off by -2.3 % of the largest energy"), HasSubstr("[energy_error]"))));
-  EXPECT_THAT(find_end_warnings(summary, {.largest = 1e-20, .resolved = 1e-19}, {}, ""), IsEmpty());
+  EXPECT_THAT(find_end_warnings(summary, {.largest = 1e-20, .resolved = 1e-19}, {}), IsEmpty());
 }
 
 TEST(EndWarnings, NameThePartAndTheElementThatHourglass) {
   EXPECT_THAT(
-      format_all(
-          find_end_warnings({}, {.largest = 100}, {{"bar", 10, 2.5, "element 7 of part 'bar' at (1, 2, 3)"}}, "")),
+      format_all(find_end_warnings({}, {.largest = 100}, {{"bar", 10, 2.5, "element 7 of part 'bar' at (1, 2, 3)"}})),
       ElementsAre(AllOf(StartsWith("part 'bar': warning: hourglass modes hold 25 % of the internal energy, most "
                                    "near element 7 of part 'bar' at (1, 2, 3) ("),
                         HasSubstr("[hourglass_energy]"))));
