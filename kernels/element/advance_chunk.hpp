@@ -8,6 +8,7 @@
 
 #include "kernels/core/prefetch.hpp"
 #include "kernels/element/chunk_records.hpp"
+#include "kernels/element/hex8/fold_resistance.hpp"
 #include "kernels/element/internal_force.hpp"
 #include "kernels/element/living_lanes.hpp"
 
@@ -52,6 +53,19 @@ PERCUSS_FORCE_INLINE void take_lanes(const HexResult<HexLanes>& result, int firs
       if (!(volume[lane] > 0 && step[lane] > 0)) chunk.failed = first_element + lane;
     }
   }
+}
+
+/// Whether an element of the pack may resist folding, as a call: the body of the element keeps its registers.
+PERCUSS_NO_INLINE inline bool is_pack_near_folding(Real threshold, const VectorModes<HexLanes>& a) {
+  return is_near_folding(HexLanes(threshold), a, find_volume_gradient(a).volume);
+}
+
+/// The resistance of a pack, likewise.
+PERCUSS_NO_INLINE inline bool resist_folding_of_pack(const FoldRule<HexLanes>& rule, const VectorModes<HexLanes>& a,
+                                                     const VectorModes<HexLanes>& v, const HexLanes& dt,
+                                                     const HexLanes& mass, HexLanes (&f)[3][8],
+                                                     HexResult<HexLanes>& result) {
+  return add_fold_resistance(rule, a, v, dt, mass, f, result);
 }
 
 /// Follows the bounds of a pack: growth of the square of the element's frequency since the estimate, relative to it or
@@ -134,6 +148,36 @@ struct AdvanceChunk {
     return true;
   }
 
+  /// The packs of a chunk that have an element which may resist folding: those that are oblique, and all while one of
+  /// the chunk resists, whose work of the step needs the force at n.
+  class FoldingPacks {
+   public:
+    KOKKOS_FUNCTION FoldingPacks(const AdvanceChunk& of, int c) : dt_(static_cast<Real>(of.motion.dt)) {
+      if (of.chunks.fold_threshold.extent(0) == 0) return;
+      threshold_ = of.chunks.fold_threshold(c);
+      takes_all_ = of.results.resists(c) != 0;
+    }
+    PERCUSS_FORCE_INLINE void resist(const HexParameters<Material>& parameters, const VectorModes<HexLanes>& a,
+                                     const VectorModes<HexLanes>& v, const HexLanes& mass, HexLanes (&f)[3][8],
+                                     HexResult<HexLanes>& result) {
+      acted_ = threshold_ > 0 && (takes_all_ || any(result.obliqueness > HexLanes(Real(unfolded_obliqueness))));
+      if (!acted_) return;
+      acted_ = takes_all_ || is_pack_near_folding(threshold_, a);
+      if (!acted_) return;
+      const auto modulus = static_cast<Real>(fold_stiffness * (parameters.lambda + 2 * parameters.mu));
+      const FoldRule<HexLanes> rule{HexLanes(modulus), HexLanes(threshold_)};
+      resists_ = resist_folding_of_pack(rule, a, v, HexLanes(dt_), mass, f, result) || resists_;
+    }
+    KOKKOS_FUNCTION bool acted() const { return acted_; }
+    KOKKOS_FUNCTION void leave(const ChunkResults& results, int c) const {
+      if (threshold_ > 0) results.resists(c) = resists_ ? 1 : 0;
+    }
+
+   private:
+    Real dt_, threshold_ = 0;
+    bool takes_all_ = false, acted_ = false, resists_ = false;
+  };
+
   /// Returns whether a bit of the records has changed, if watched.
   KOKKOS_FUNCTION bool advance_packs(int c, const Real* nodes, double* forces, bool watched) const {
     constexpr int largest_size = hex_record_size<Material, Kind> * width;
@@ -148,7 +192,8 @@ struct AdvanceChunk {
         &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * width);
     constexpr int fetched = is_called<Material> ? HexRecord::history<Kind> * width : largest_size;
     ChunkStep step{HexLanes(beyond_all<Real>), HexLanes(0), -1};
-    double work[3] = {0, 0, 0};
+    double work[work_kinds] = {0, 0, 0, 0};
+    FoldingPacks folding(*this, c);
     Real before[largest_size];
     bool changed = false;
     const bool watches_step = motion.watch.bound.extent(0) > 0;
@@ -170,6 +215,7 @@ struct AdvanceChunk {
       HexResult<HexLanes> result =
           advance_hex8(parameters, a, v, HexLanes(static_cast<Real>(motion.dt)), s, f[0], f[1], f[2]);
       fetch_third<fetched>(next, 2);
+      folding.resist(parameters, a, v, s.mass, f, result);
       if (living.can_fail()) living.settle(result, f);
       scatter_forces(f, corners, lanes, forces);
       if (watched)
@@ -182,11 +228,13 @@ struct AdvanceChunk {
       work[0] += sum_lanes(result.work.internal, lanes);
       work[1] += sum_lanes(result.work.hourglass, lanes);
       work[2] += sum_lanes(result.work.viscous, lanes);
+      if (folding.acted()) work[3] += sum_lanes(result.work.folding, lanes);
     }
+    folding.leave(results, c);
     set_step(c, step, first, end);
     if (watches_step) motion.watch.growth(c) = reduce_growth(growth);
     results.failed_element(c) = step.failed < 0 ? -1 : first + step.failed;
-    for (int k = 0; k < 3; ++k) results.work(c, k) += work[k];
+    for (int k = 0; k < work_kinds; ++k) results.work(c, k) += work[k];
     return changed;
   }
 

@@ -34,12 +34,17 @@ struct ProbeChunk {
     // A called material gives its moduli with the bound only.
     if constexpr (is_called<Material>) {
       add_bound(c, forces);
-    } else if (results.stable_step(c) > probe.coarse) {
+    } else if (results.stable_step(c) > probe.coarse || resists_folding(c)) {
       add_bound(c, forces);
     } else {
       probe_packs(c, nodes, forces);
     }
     copy_force_rows(forces, slot_count, &slot_force(first_slot, 0));
+  }
+
+  /// Its resistance is in the bound, not in the operator.
+  KOKKOS_FUNCTION bool resists_folding(int c) const {
+    return chunks.fold_threshold.extent(0) > 0 && results.resists(c) != 0;
   }
 
   KOKKOS_FUNCTION const Real* find_record(int c, int pack) const {

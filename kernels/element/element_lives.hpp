@@ -14,6 +14,9 @@
 
 namespace percuss {
 
+/// Kinds of work that elements are given and that are booked: internal, hourglass, viscous, folding.
+inline constexpr int work_kinds = 4;
+
 /// Johnson-Cook failure strain (d1 + d2 exp(d3 s)) (1 + d4 ln(rate / reference)) (1 + d5 T), s: mean over von Mises
 /// stress; without d1 and d2: none.
 struct JohnsonCookDamage {
@@ -67,7 +70,7 @@ struct ElementLives {
 
   Array<Real> force_share;       // [lanes] share of the force at the next evaluation; `dead`
   Array<Real> work_share;        // [lanes] share of the work of the step up to there
-  Array<double> work;            // [packs][3][W] internal, hourglass and viscous work put in since the start
+  Array<double> work;            // [packs][work_kinds][W] put in since the start
   Array<int> steps_left;         // [lanes] evaluations until the force is gone; `whole`; 0: dead
   Array<double> plastic_strain;  // [lanes] at n
   Array<double> damage;          // [lanes] Johnson-Cook's, at n; 1: failed

@@ -10,6 +10,7 @@
 #include "kernels/core/precision.hpp"
 #include "kernels/core/simd.hpp"
 #include "kernels/core/views.hpp"
+#include "kernels/element/element_lives.hpp"
 #include "kernels/element/hex8/hex8_full.hpp"
 
 namespace percuss {
@@ -30,6 +31,7 @@ struct HexChunks {
   Array<int> points;                  // [count] points of an element with stress and history of their own
   Array<int> scalars;                 // [count][history_scalars] place of a named scalar of the first point, -1: none
   Array<int> is_shell;                // [count] 1: of shells (kernels/shell); empty in a scene without any
+  Array<Real> fold_threshold;         // [count] r0 of fold_resistance.hpp, 0: none; empty: no element resists folding
 
   /// Where the record of an element of chunk c holds a scalar of its first point; point p of a hexahedron has it at
   /// this
@@ -44,14 +46,17 @@ KOKKOS_INLINE_FUNCTION bool is_shell(const HexChunks& chunks, int c) {
   return chunks.is_shell.extent(0) > 0 && chunks.is_shell(c) != 0;
 }
 
+using WorkRows = Kokkos::View<double* [work_kinds], Kokkos::LayoutRight, MemSpace>;
+
 /// What a step leaves for each chunk.
 struct ChunkResults {
   Array<double> stable_step;       // [count] smallest bound of the chunk's elements
   Array<int> controlling_element;  // [count] element that has it
   Array<int> failed_element;       // [count] lowest element with no positive volume or no step, -1: none
-  Rows3<double> work;              // [count][3] internal, hourglass, viscous energy put in since the start
+  WorkRows work;                   // [count][work_kinds] energy put in since the start
   Array<int> is_settled;           // [count] 1: evaluated at rest, which changed nothing
   Array<std::int64_t> skipped;     // [count] evaluations that were not needed, since the start
+  Array<double> resists;           // [count] 1: an element resists folding at n; empty as HexChunks::fold_threshold
 };
 
 /// Points with stress and history of their own.

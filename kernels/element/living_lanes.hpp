@@ -52,6 +52,7 @@ class LivingLanes {
     take_work(share, 0, result.work.internal);
     take_work(share, 1, result.work.hourglass);
     take_work(share, 2, result.work.viscous);
+    take_work(share, 3, result.work.folding);
     result.stable_step = select(lives, result.stable_step, Lanes(beyond_all<Real>));
     result.volume = select(lives, result.volume, Lanes(1));
   }
@@ -72,7 +73,8 @@ class LivingLanes {
   /// Makes work what counts of it, and adds it to the k-th work of the lanes.
   KOKKOS_FUNCTION void take_work(const Lanes& force_share, int k, Lanes& work) const {
     const Lanes work_share = load_pack(&lives_->work_share(first_));
-    double* const total = &lives_->work(3 * static_cast<std::size_t>(first_) + static_cast<std::size_t>(k * width));
+    double* const total =
+        &lives_->work(work_kinds * static_cast<std::size_t>(first_) + static_cast<std::size_t>(k * width));
     work = select(!(force_share < Lanes(0)), work_share * work, Lanes(0));
     visit_parts<Lanes>([&](auto part) {
       double* const sum = total + part * pack_size<double>;

@@ -13,6 +13,7 @@ SCENE = {
     "internal": ("energy", "internal energy"),
     "hourglass": ("energy", "hourglass energy"),
     "viscous": ("energy", "bulk viscosity"),
+    "folding": ("energy", "resistance to folding"),
     "contact": ("energy", "work of normal contact"),
     "friction": ("energy", "work of friction"),
     "external": ("energy", "external work"),

@@ -42,6 +42,7 @@ void visit_energy(S& s, Visitor&& v) {
   v.value("internal", s.internal);
   v.value("hourglass", s.hourglass);
   v.value("viscous", s.viscous);
+  v.value("folding", s.folding);
   v.value("contact", s.contact);
   v.value("friction", s.friction);
   v.value("external", s.external);

@@ -251,17 +251,18 @@ void Erosion::book_elements(State& state, const std::vector<int>& newly_dead) co
   const auto work = to_host(state.lives.work);
   const auto mass = to_host(state.element_mass);
   Books& books = state.books;
-  ExactSum* const sums[3] = {&books.eroded_internal, &books.eroded_hourglass, &books.eroded_viscous};
+  ExactSum* const sums[work_kinds] = {&books.eroded_internal, &books.eroded_hourglass, &books.eroded_viscous,
+                                      &books.eroded_folding};
   std::vector<int> lanes(chunked_.mesh.elements.size(), -1);
   visit_failing(model_, [&](int e, int lane) { lanes[at(e)] = lane; });
   for (const int e : newly_dead) {
     const int lane = lanes[at(e)];
-    for (std::size_t k = 0; k < 3; ++k) {
-      sums[k]->add(work((at(lane / width) * 3 + k) * width + at(lane % width)));
+    for (std::size_t k = 0; k < work_kinds; ++k) {
+      sums[k]->add(work((at(lane / width) * work_kinds + k) * width + at(lane % width)));
     }
     books.eroded_mass.add(mass(at(e)));
   }
-  for (ExactSum* const sum : {sums[0], sums[1], sums[2], &books.eroded_mass}) sum->normalize();
+  for (ExactSum* const sum : {sums[0], sums[1], sums[2], sums[3], &books.eroded_mass}) sum->normalize();
   auto count = static_cast<std::int64_t>(newly_dead.size());
   all_reduce(model_.ranks, Reduce::sum, count);
   books.eroded_elements += count;

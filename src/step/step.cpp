@@ -310,7 +310,7 @@ StepNotice Stepper::find_notice(const State& state) const {
         chunked_.numbering.first_element[static_cast<std::size_t>(chunk.number)] - chunk.first_element;
     notice.merge({step(c), element(c) + shift, chunked_.mesh.element_ids[static_cast<std::size_t>(element(c))],
                   failed(c) < 0 ? StepNotice::none : failed(c) + shift,
-                  std::isfinite(work(c, 0) + work(c, 1) + work(c, 2)) ? StepNotice::none : chunk.number});
+                  std::isfinite(work(c, 0) + work(c, 1) + work(c, 2) + work(c, 3)) ? StepNotice::none : chunk.number});
   }
   if (scaler_) notice.wants_mass = scaler_->is_wanted(state.step, step) ? 1 : 0;
   if (global_) {

@@ -39,6 +39,7 @@ struct HexParameters {
 template <class T>
 struct HexWork {
   T internal, hourglass, viscous;
+  T folding = T(0);  // of fold_resistance.hpp, which the launcher adds where it is needed
 };
 
 template <class T>
@@ -46,6 +47,7 @@ struct HexResult {
   HexWork<T> work;
   T stable_step;  // bound for the next step, without the deck's scale
   T volume;       // at n+1; not positive: the element is inverted
+  T obliqueness;  // at n+1
 };
 
 /// Forces by corner from those by mode. In float they stay by mode: who adds them up turns them to corners in double,
@@ -167,7 +169,8 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   return {{half_volume * contract(old_stress + state.stress, step.de), hourglass.work,
            -half_volume * (old_viscous_pressure + viscous.pressure) * dt * step.trace_d},
           find_stable_step(frequency_square, damping_rate),
-          b.volume};
+          b.volume,
+          oblique};
 }
 
 }  // namespace percuss

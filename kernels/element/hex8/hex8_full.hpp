@@ -146,7 +146,8 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
                               number<T>(2 * points.moduli.mu) * bound_largest_laplacian(points.metrics));
   return {{points.work, T(0), viscous_work},
           find_stable_step(frequency_square, find_damping_rate(size, b.volume, state.mass, viscous.tangent)),
-          number<T>(1.0 / 64.0) * points.smallest_volume};
+          number<T>(1.0 / 64.0) * points.smallest_volume,
+          find_obliqueness(a, size, b.volume)};
 }
 
 }  // namespace percuss

@@ -74,9 +74,10 @@ std::string format_summary(const Summary& s) {
                                    s.setup_s, s.loop_s, s.grind_ns, static_cast<double>(s.peak_bytes) / 1e6));
   text += format_phases(s);
   const EnergySummary& e = s.energy;
-  text +=
-      line("energy", fmt::format("initial {:.6g}, kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, viscous {:.6g}",
-                                 e.initial, e.kinetic, e.internal, e.hourglass, e.viscous));
+  text += line(
+      "energy",
+      fmt::format("initial {:.6g}, kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, viscous {:.6g}, folding {:.6g}",
+                  e.initial, e.kinetic, e.internal, e.hourglass, e.viscous, e.folding));
   text += line("", fmt::format("contact {:.6g}, friction {:.6g}, external {:.6g}; error {:.2g}", e.contact, e.friction,
                                e.external, e.error));
   text += line("momentum", fmt::format("linear ({:.6g}, {:.6g}, {:.6g}), error {:.2g}; angular error {:.2g}",

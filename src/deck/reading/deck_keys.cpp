@@ -89,6 +89,7 @@ const Keys<ElementDeck>& element_keys() {
           ChoiceValue<Integration>{{{"one_point", Integration::one_point}, {"full", Integration::full}}}),
       group<ElementDeck>("hourglass", HourglassValue{}),
       group<ElementDeck>("bulk_viscosity", MapValue<ElementDeck>{viscosity_keys}),
+      may("resist_folding", &ElementDeck::resist_folding, BooleanValue{}),
       may("skip_resting", &ElementDeck::skip_resting, BooleanValue{}),
   };
   return keys;

@@ -89,11 +89,11 @@ ExactSum sum_vanished_mass(const Model& model, const State& state) {
 
 void AuditResult::archive(CheckpointArchive& archive) {
   EnergySummary& e = energy;
-  double energies[] = {e.initial, e.kinetic,  e.internal, e.hourglass, e.viscous,
-                       e.contact, e.friction, e.external, e.error};
+  double energies[] = {e.initial, e.kinetic, e.internal, e.hourglass, e.viscous,
+                       e.folding, e.contact, e.friction, e.external,  e.error};
   archive.numbers("audited/energy", energies);
   e = {energies[0], energies[1], energies[2], energies[3], energies[4],
-       energies[5], energies[6], energies[7], energies[8]};
+       energies[5], energies[6], energies[7], energies[8], energies[9]};
   archive.numbers("audited/linear", momentum.linear);
   archive.numbers("audited/angular", momentum.angular);
   archive.number("audited/linear_error", momentum.linear_error);
@@ -113,21 +113,27 @@ Audit::Totals Audit::sum_all(const State& state) {
   std::copy(of_nodes.begin(), of_nodes.end(), sums.begin());
   const auto work = to_host(state.results.work);
   for (std::size_t c = 0; c < work.extent(0); ++c) {
-    for (std::size_t k = 0; k < 3; ++k) sums[S::internal + k].add(work(c, k));
+    for (std::size_t k = 0; k < work_kinds; ++k) sums[S::internal + k].add(work(c, k));
   }
   sums[S::external] = state.books.external_work;
   std::copy_n(state.books.impulse, 3, sums.begin() + S::impulse);
   std::copy_n(state.books.moment_impulse, 3, sums.begin() + S::moment_impulse);
   const Books& books = state.books;
-  const ExactSum eroded[] = {books.eroded_internal, books.eroded_hourglass, books.eroded_viscous, books.eroded_kinetic,
-                             books.eroded_mass};
-  std::copy_n(eroded, 5, sums.begin() + S::eroded_internal);
-  for (std::size_t k = 0; k < 3; ++k) subtract(sums[S::internal + k], eroded[k]);
+  const ExactSum eroded[] = {books.eroded_internal, books.eroded_hourglass, books.eroded_viscous,
+                             books.eroded_folding,  books.eroded_kinetic,   books.eroded_mass};
+  std::copy_n(eroded, work_kinds + 2, sums.begin() + S::eroded_internal);
+  for (std::size_t k = 0; k < work_kinds; ++k) subtract(sums[S::internal + k], eroded[k]);
   sums[S::vanished_mass] = sum_vanished_mass(model_, state);
   sum_over_ranks(model_.ranks, sums);
   Totals totals{};
   for (std::size_t i = 0; i < S::count; ++i) totals[i] = sums[i].round();
   return totals;
+}
+
+/// Energy that left with eroded elements and nodes.
+double Audit::sum_gone(const Totals& totals) {
+  return totals[S::eroded_internal] + totals[S::eroded_hourglass] + totals[S::eroded_viscous] +
+         totals[S::eroded_folding] + totals[S::eroded_kinetic];
 }
 
 void Audit::note_start(const State& state, const Totals& totals, double held) {
@@ -148,12 +154,12 @@ EnergySummary Audit::balance_energy(const State& state, const Totals& totals) {
   e.internal = totals[S::internal];
   e.hourglass = totals[S::hourglass];
   e.viscous = totals[S::viscous];
+  e.folding = totals[S::folding];
   e.contact = state.books.contact_work;
   e.friction = state.books.friction_work;
   e.external = totals[S::external] + totals[S::potential];
-  const double gone =
-      totals[S::eroded_internal] + totals[S::eroded_hourglass] + totals[S::eroded_viscous] + totals[S::eroded_kinetic];
-  const double held = e.kinetic + e.internal + e.hourglass + e.viscous + gone;
+  const double gone = sum_gone(totals);
+  const double held = e.kinetic + e.internal + e.hourglass + e.viscous + e.folding + gone;
   const double balanced = held - totals[S::half_steps];
   note_start(state, totals, balanced);
   e.initial = initial_energy_;
@@ -197,10 +203,7 @@ AuditResult Audit::operator()(const State& state) {
   AuditResult result;
   result.energy = balance_energy(state, totals);
   result.momentum = balance_momentum(totals);
-  result.eroded = {
-      state.books.eroded_elements, totals[S::eroded_mass],
-      totals[S::eroded_internal] + totals[S::eroded_hourglass] + totals[S::eroded_viscous] + totals[S::eroded_kinetic],
-      totals[S::vanished_mass]};
+  result.eroded = {state.books.eroded_elements, totals[S::eroded_mass], sum_gone(totals), totals[S::vanished_mass]};
   return result;
 }
 

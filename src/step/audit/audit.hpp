@@ -37,12 +37,14 @@ struct AuditSum {
     internal = count_of_nodes,
     hourglass,
     viscous,
+    folding,
     external,
     impulse,
     moment_impulse = impulse + 3,
     eroded_internal = moment_impulse + 3,
     eroded_hourglass,
     eroded_viscous,
+    eroded_folding,
     eroded_kinetic,
     eroded_mass,
     vanished_mass,
@@ -72,6 +74,7 @@ class Audit {
   using Totals = std::array<double, AuditSum::count>;
 
   Totals sum_all(const State& state);
+  static double sum_gone(const Totals& totals);
   void note_start(const State& state, const Totals& totals, double held);
   EnergySummary balance_energy(const State& state, const Totals& totals);
   MomentumSummary balance_momentum(const Totals& totals);

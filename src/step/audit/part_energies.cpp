@@ -18,7 +18,15 @@ namespace {
 
 /// What is summed of each part; the last two have columns where it can fail.
 struct PartSum {
-  enum : int { kinetic, internal, momentum = internal + 3, mass = momentum + 3, eroded_mass, eroded_energy, count };
+  enum : int {
+    kinetic,
+    internal,
+    momentum = internal + work_kinds,
+    mass = momentum + 3,
+    eroded_mass,
+    eroded_energy,
+    count
+  };
 };
 using P = PartSum;
 
@@ -41,6 +49,7 @@ constexpr PartQuantity part_quantities[] = {
     {"internal", dimensions::energy, "work of the stresses", false},
     {"hourglass", dimensions::energy, "work of the hourglass control", false},
     {"viscous", dimensions::energy, "work of the bulk viscosity", false},
+    {"folding", dimensions::energy, "work of the resistance to folding", false},
     {"momentum_x", dimensions::momentum, "linear momentum, x,", false},
     {"momentum_y", dimensions::momentum, "linear momentum, y,", false},
     {"momentum_z", dimensions::momentum, "linear momentum, z,", false},
@@ -95,8 +104,8 @@ class DeadElements {
     for (int e = first; e < first_element_(chunk + 1); ++e) {
       if (dead_[static_cast<std::size_t>(e)] == 0) continue;
       const int lane = first_pack_(chunk) * width + e - first;
-      for (int k = 0; k < 3; ++k) {
-        const double work = work_(static_cast<std::size_t>((lane / width * 3 + k) * width + lane % width));
+      for (int k = 0; k < work_kinds; ++k) {
+        const double work = work_(static_cast<std::size_t>((lane / width * work_kinds + k) * width + lane % width));
         sums[P::internal + k].add(-work);
         sums[P::eroded_energy].add(work);
       }
@@ -112,9 +121,9 @@ class DeadElements {
 };
 
 /// Adds the work of a chunk to the sums of its part.
-void add_work(const decltype(to_host(Rows3<double>()))& work, const std::optional<DeadElements>& dead, int chunk,
+void add_work(const decltype(to_host(WorkRows()))& work, const std::optional<DeadElements>& dead, int chunk,
               ExactSum* part) {
-  for (int k = 0; k < 3; ++k)
+  for (int k = 0; k < work_kinds; ++k)
     part[P::internal + k].add(work(static_cast<std::size_t>(chunk), static_cast<std::size_t>(k)));
   if (dead) dead->take_out(chunk, part);
 }

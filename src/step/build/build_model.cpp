@@ -9,6 +9,7 @@
 
 #include "comm/halo/halo_swap.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/element/hex8/fold_resistance.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -73,6 +74,37 @@ ChunkTables make_chunk_tables(const ChunkedMesh& chunked) {
   return tables;
 }
 
+// --- folding
+
+/// Share of the volume of the sharpest corner of a solid element at the start.
+double find_sharpest_corner(const Mesh& mesh, std::size_t element) {
+  const auto corners = gather_corners(mesh.elements, element, mesh.nodes);
+  double u[3][8];
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 8; ++i) u[k][i] = corners[i][k];
+    to_modes(u[k]);
+  }
+  VectorModes<double> a;
+  for (int m = 1; m <= 7; ++m) a[m] = {u[0][m], u[1][m], u[2][m]};
+  return find_smallest_share(find_corner_shares(find_edges(a), find_volume_gradient(a).volume));
+}
+
+/// Thresholds below which corners resist, well below the sharpest corner of the chunk at the start, so that nothing
+/// acts on a mesh at rest. A chunk with an inverted corner has none.
+std::vector<Real> find_fold_thresholds(const ChunkedMesh& chunked) {
+  std::vector<Real> thresholds(chunked.chunks.size());
+  for (std::size_t c = 0; c < thresholds.size(); ++c) {
+    const Chunk& chunk = chunked.chunks[c];
+    if (is_shell_chunk(chunked, chunk)) continue;
+    double least = 1;
+    for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
+      least = std::min(least, find_sharpest_corner(chunked.mesh, static_cast<std::size_t>(e)));
+    }
+    thresholds[c] = static_cast<Real>(std::clamp(fold_threshold_share * least, 0.0, largest_fold_threshold));
+  }
+  return thresholds;
+}
+
 // --- blocks
 
 void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
@@ -109,6 +141,8 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
   chunks.slots_to_nodes = to_view("percuss::slots_to_nodes", tables.slots_to_nodes);
   chunks.first_pack = to_view("percuss::first_pack", tables.first_pack);
   chunks.corner_slots = to_view("percuss::corner_slots", tables.corner_slots);
+  if (deck.elements.resist_folding)
+    chunks.fold_threshold = to_view("percuss::fold_threshold", find_fold_thresholds(chunked));
   chunks.first_state = to_view("percuss::first_state", first_state);
   chunks.parameters = to_view("percuss::parameters_of_chunk", builder.parameters);
   chunks.record_size = to_view("percuss::record_size", builder.record_size);

@@ -113,11 +113,14 @@ KOKKOS_INLINE_FUNCTION std::uint64_t find_bits(double value) {
 ElementLives make_lives(const FailingChunks& failing) {
   if (failing.pack_count == 0) return {};
   const auto lanes = static_cast<std::size_t>(failing.pack_count) * width;
-  ElementLives lives{
-      Array<Real>("percuss::force_share", lanes),        Array<Real>("percuss::work_share", lanes),
-      Array<double>("percuss::element_work", 3 * lanes), Array<int>("percuss::steps_left", lanes),
-      Array<double>("percuss::plastic_strain", lanes),   Array<double>("percuss::damage", lanes),
-      Array<double>("percuss::time_at_yield", lanes),    Array<double>("percuss::layer_lives", failing.layer_scalars)};
+  ElementLives lives{Array<Real>("percuss::force_share", lanes),
+                     Array<Real>("percuss::work_share", lanes),
+                     Array<double>("percuss::element_work", work_kinds * lanes),
+                     Array<int>("percuss::steps_left", lanes),
+                     Array<double>("percuss::plastic_strain", lanes),
+                     Array<double>("percuss::damage", lanes),
+                     Array<double>("percuss::time_at_yield", lanes),
+                     Array<double>("percuss::layer_lives", failing.layer_scalars)};
   Kokkos::deep_copy(lives.force_share, Real(1));
   Kokkos::deep_copy(lives.work_share, Real(1));
   Kokkos::deep_copy(lives.steps_left, ElementLives::whole);
@@ -189,9 +192,13 @@ State make_initial_state(const Model& model) {
     s.inverse_inertia = model.inverse_inertia;
   }
   const auto chunks = static_cast<std::size_t>(model.chunks.count);
-  s.results = {Array<double>("percuss::stable_step", chunks), Array<int>("percuss::controlling_element", chunks),
-               Array<int>("percuss::failed_element", chunks), Rows3<double>("percuss::work", chunks),
-               Array<int>("percuss::is_settled", chunks),     Array<std::int64_t>("percuss::skipped", chunks)};
+  s.results = {Array<double>("percuss::stable_step", chunks),
+               Array<int>("percuss::controlling_element", chunks),
+               Array<int>("percuss::failed_element", chunks),
+               WorkRows("percuss::work", chunks),
+               Array<int>("percuss::is_settled", chunks),
+               Array<std::int64_t>("percuss::skipped", chunks),
+               Array<double>("percuss::resists", model.chunks.fold_threshold.extent(0))};
   s.lives = make_lives(model.failing);
   start_layers(model, s.lives);
   s.element_mass = model.element_mass;

@@ -14,7 +14,7 @@ constexpr std::size_t lanes = pack_size<Real>, across = pack_size<double>;  // p
 
 /// What the elements carry that can fail, element after element.
 void archive_elements_that_fail(CheckpointArchive& archive, const Model& model, const State& state) {
-  constexpr std::size_t columns = 7;  // steps left, plastic strain, damage, time at yield, three works
+  constexpr std::size_t columns = 4 + work_kinds;  // steps left, plastic strain, damage, time at yield, works
   const auto first_element = to_host(model.chunks.first_element), first_pack = to_host(model.failing.first_pack),
              row = to_host(model.failing.row);
   const auto limits = to_host(model.failing.limits);
@@ -36,24 +36,24 @@ void archive_elements_that_fail(CheckpointArchive& archive, const Model& model, 
   }
   std::vector<double> values(columns * places.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::size_t l = places[i], first_work = l / lanes * 3 * lanes + l % lanes;
+    const std::size_t l = places[i], first_work = l / lanes * work_kinds * lanes + l % lanes;
     double* const v = &values[columns * i];
     v[0] = steps_left(l);
     v[1] = plastic_strain(l);
     v[2] = damage(l);
     v[3] = time_at_yield(l);
-    for (std::size_t k = 0; k < 3; ++k) v[4 + k] = work(first_work + k * lanes);
+    for (std::size_t k = 0; k < work_kinds; ++k) v[4 + k] = work(first_work + k * lanes);
   }
   archive.rows("elements/lives", rows, static_cast<int>(columns), std::span<double>(values));
   if (!archive.is_loading()) return;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::size_t l = places[i], first_work = l / lanes * 3 * lanes + l % lanes;
+    const std::size_t l = places[i], first_work = l / lanes * work_kinds * lanes + l % lanes;
     const double* const v = &values[columns * i];
     steps_left(l) = static_cast<int>(v[0]);
     plastic_strain(l) = v[1];
     damage(l) = v[2];
     time_at_yield(l) = v[3];
-    for (std::size_t k = 0; k < 3; ++k) work(first_work + k * lanes) = v[4 + k];
+    for (std::size_t k = 0; k < work_kinds; ++k) work(first_work + k * lanes) = v[4 + k];
     const LifeShares shares = find_life_shares(steps_left(l), fade_steps[i]);
     force_share(l) = static_cast<Real>(shares.force);
     work_share(l) = static_cast<Real>(shares.work);

@@ -81,6 +81,7 @@ void archive_eroded(CheckpointArchive& archive, State& state) {
   archive.sum("books/eroded_internal", books.eroded_internal);
   archive.sum("books/eroded_hourglass", books.eroded_hourglass);
   archive.sum("books/eroded_viscous", books.eroded_viscous);
+  archive.sum("books/eroded_folding", books.eroded_folding);
   archive.sum("books/eroded_kinetic", books.eroded_kinetic);
   archive.sum("books/eroded_mass", books.eroded_mass);
   archive.number("books/eroded_elements", books.eroded_elements);
@@ -178,7 +179,8 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   archive_slots(archive, "elements/slot_force", model, state.slot_force);
   archive_spins(archive, nodes, model, state);
   const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
-  archive.rows("chunks/work", chunks, 3, state.results.work);
+  archive.rows("chunks/work", chunks, work_kinds, state.results.work);
+  if (model.chunks.fold_threshold.extent(0) > 0) archive.rows("chunks/resists", chunks, 1, state.results.resists);
   archive_books(archive, state.books);
   archive_scaled(archive, chunked, model, state);
   if (!model.can_erode) return;

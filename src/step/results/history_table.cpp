@@ -44,6 +44,8 @@ constexpr Entry before_pairs[] = {
     {"hourglass", dim::energy, "work of the hourglass control", always,
      [](const S& s) { return s.audit.energy.hourglass; }},
     {"viscous", dim::energy, "work of the bulk viscosity", always, [](const S& s) { return s.audit.energy.viscous; }},
+    {"folding", dim::energy, "work of the resistance to folding", always,
+     [](const S& s) { return s.audit.energy.folding; }},
     {"contact", dim::energy, "work of normal contact forces, rigid walls included", always,
      [](const S& s) { return s.audit.energy.contact; }},
     {"friction", dim::energy, "work of friction", always, [](const S& s) { return s.audit.energy.friction; }},

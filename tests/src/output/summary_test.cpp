@@ -109,6 +109,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "energy.internal",
                                           "energy.hourglass",
                                           "energy.viscous",
+                                          "energy.folding",
                                           "energy.contact",
                                           "energy.friction",
                                           "energy.external",

@@ -92,6 +92,7 @@ void expect_sums(const Scene& scene, const AuditResult& audit) {
   expect_sum(values, "internal", e.internal, energy);
   expect_sum(values, "hourglass", e.hourglass, energy);
   expect_sum(values, "viscous", e.viscous, energy);
+  expect_sum(values, "folding", e.folding, energy);
   const double momentum = std::sqrt(2 * scene.state.total_mass * e.kinetic);
   expect_sum(values, "momentum_x", audit.momentum.linear[0], momentum);
   expect_sum(values, "momentum_y", audit.momentum.linear[1], momentum);
@@ -133,7 +134,7 @@ output: {history: {parts: [b, a]}}
 )" + steel_text);
   scene.run(100);
   const std::map<std::string, double> values = sum_parts(scene);
-  EXPECT_EQ(values.size(), 16u);
+  EXPECT_EQ(values.size(), 18u);
   const double rho = 7850, time = 1e-4, u = 100;
   EXPECT_NEAR(scene.state.time, time, 1e-16);
   EXPECT_NEAR(values.at("mass:a"), 2 * rho, 1e-14 * 2 * rho);
