@@ -98,7 +98,8 @@ std::vector<WrongDeck> unknown_names() {
        "unknown key 'denisty' in material 'steel' (did you mean 'density'?)", 2},
       {"KeyInCapitals", change("end", "END"), "1:8", "did you mean 'end'?", 2},
       {"KeyOfNothing", append("elements: {colour: red}"), "6:12",
-       "unknown key 'colour' in 'elements' (known: integration, hourglass, bulk_viscosity, resist_folding, skip_resting)"},
+       "unknown key 'colour' in 'elements' (known: integration, hourglass, bulk_viscosity, resist_folding, "
+       "skip_resting)"},
       {"KeyOfOtherModel", change("poissons_ratio: 0.3", "poissons_ratio: 0.3, yield_stress: 1e8"), "5:86",
        "a key of model j2_plasticity, not of elastic"},
       {"ShapeMisspelt", change("box:", "bx:"), "3:9", "unknown key 'bx' in part 'rod' (did you mean 'box'?)", 2},
