@@ -82,8 +82,13 @@ Array<double> make_records(const std::vector<TestShell<J2Layer>>& shells, int re
 }
 
 ChunkResults make_results() {
-  return {Array<double>("step", 1), Array<int>("element", 1), Array<int>("failed", 1),
-          WorkRows("work", 1),      Array<int>("settled", 1), Array<std::int64_t>("skipped", 1)};
+  return {Array<double>("step", 1),
+          Array<int>("element", 1),
+          Array<int>("failed", 1),
+          WorkRows("work", 1),
+          Array<int>("settled", 1),
+          Array<std::int64_t>("skipped", 1),
+          {}};
 }
 
 }  // namespace
