@@ -153,10 +153,10 @@ void Stepper::advance(State& state, StepWishes wishes) {
 }
 
 /// Whether only elements and gravity act on the nodes: then nothing comes between their velocities and their motion,
-/// and nothing asks for their forces.
+/// and nothing asks for their forces, or for their places before they move.
 bool Stepper::is_free() const {
   return !contact_.is_active() && model_.held.count == 0 && model_.pressure_faces.count == 0 &&
-         model_.nodal_loads.count == 0;
+         model_.nodal_loads.count == 0 && !forces_.has_sections();
 }
 
 /// Velocities at n+1/2 as they are without contact, conditions included. Of free nodes positions as well.

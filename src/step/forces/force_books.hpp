@@ -26,6 +26,9 @@ class ForceBooks {
   /// Books the supports and sections of a step. Call with v at n+1/2, x and forces at n. Collective.
   void book(const Model& model, const State& state, double dt_mean);
 
+  /// Whether book() needs the places at n.
+  bool has_sections() const { return !sections_.empty(); }
+
   void archive(CheckpointArchive& archive);
 
   /// The values of a row: means since the last one. Collective; empty where the deck names no force.
