@@ -32,12 +32,10 @@ struct ProbeChunk {
       clear_record(forces + force_record * s);
     }
     // A called material gives its moduli with the bound only.
-    if constexpr (is_called<Material>) {
-      add_bound(c, forces);
-    } else if (results.stable_step(c) > probe.coarse || resists_folding(c)) {
-      add_bound(c, forces);
-    } else {
-      probe_packs(c, nodes, forces);
+    const bool knows_bound_only = is_called<Material> || results.stable_step(c) > probe.coarse || resists_folding(c);
+    if (knows_bound_only) add_bound(c, forces);
+    if constexpr (!is_called<Material>) {
+      if (!knows_bound_only) probe_packs(c, nodes, forces);
     }
     copy_force_rows(forces, slot_count, &slot_force(first_slot, 0));
   }

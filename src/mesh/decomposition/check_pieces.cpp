@@ -126,7 +126,8 @@ std::string prefix_lines(const std::string& text, const std::string& prefix, con
     const std::size_t last = std::min(text.find('\n', first), text.size());
     const std::string line = text.substr(first, last - first);
     const bool names_file = mesh != nullptr && line.starts_with(mesh->file + ":");
-    lines += prefix + (names_file ? fmt::format("part '{}': ", part.name) : describe_source(part)) + line + "\n";
+    const std::string source = names_file ? fmt::format("part '{}': ", part.name) : describe_source(part);
+    lines += fmt::format("{}{}{}\n", prefix, source, line);
     first = last + 1;
   }
   return lines;

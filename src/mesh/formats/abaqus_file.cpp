@@ -205,6 +205,7 @@ class AbaqusReader {
         lines_.refuse(fmt::format("there is no side {} (S1 to S6, SPOS and SNEG are known)", quote_field(name)));
       return {*side};
     }
+    sides.reserve(6);
     for (int face = 0; face < 6; ++face) sides.push_back({face, face < 2 ? face : TextSide::left_out});
     return sides;
   }

@@ -180,7 +180,7 @@ class KeywordReader {
     while (cards_.next_line()) {
       std::string name(strip_blanks(cards_.line()));
       if (name.empty()) continue;
-      if (continues) name = names.back() + name;
+      if (continues) name.insert(0, names.back());
       if (continues) names.pop_back();
       continues = name.ends_with(" +");
       if (continues) name.resize(name.size() - 2);

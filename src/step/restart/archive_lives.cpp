@@ -107,6 +107,7 @@ void archive_layers(CheckpointArchive& archive, const Model& model, const State&
     }
     rows.counts[c] = static_cast<std::int64_t>(places.size()) * (L::layers + 4 * points);
   });
+  values.reserve(scalars.size());
   for (const std::size_t s : scalars) values.push_back(layers(s));
   archive.rows("elements/layers", rows, 1, std::span<double>(values));
   if (!archive.is_loading()) return;
