@@ -19,6 +19,11 @@ inline constexpr double lift_depth = 5e-3;
 inline constexpr double history_depth = 0.25;
 /// A face that the node does not reach in the step still gets a row up to this distance: it may be pushed there.
 inline constexpr double row_gap = 0.02;
+/// ... and by so many ways of the step more.
+inline constexpr double row_gap_ways = 2;
+/// The same for a face that pushed the node in the last step. The node is seen to go on as it went, and may go
+/// elsewhere.
+inline constexpr double history_row_gap = 0.25;
 /// No accepted pair is farther apart than this; capture boxes are widened by it.
 inline constexpr double capture = 0.27;
 /// Penetration of an earlier step is recovered by at most this a step; more would throw bodies apart.
