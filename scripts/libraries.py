@@ -9,6 +9,12 @@ SYSTEM_PYTHON = "/usr/bin/python3"  # Debian's packages belong to this one, what
 REEXECUTED = "PERCUSS_RENDER_REEXECUTED"
 
 
+def describe_install(option, packages):
+    """What to do where a library is missing: an installation of percuss has no script for it."""
+    script = os.path.join(SCRIPTS, "install_dependencies")
+    return f"run scripts/install_dependencies {option}" if os.path.exists(script) else f"install {packages} (names of Debian)"
+
+
 def find_readers():
     """Makes `import percuss` and the packages of this folder find what lies in this checkout."""
     sys.dont_write_bytecode = True

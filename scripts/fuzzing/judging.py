@@ -22,11 +22,13 @@ MOST_SECONDS = 120
 class Program:
     """The program and how to start it on several ranks."""
 
-    def __init__(self, percuss, mpirun):
+    def __init__(self, percuss, mpirun, settings=()):
+        """settings: 'key=value' that every run gets by --set."""
         self.percuss, self.mpirun = percuss, mpirun
+        self.settings = [word for setting in settings for word in ("--set", setting)]
 
     def run(self, deck, out, *options, ranks=1, threads=1):
-        words = [*(self.mpirun + [str(ranks)] if ranks > 1 else []), self.percuss, "run", deck, "--out", out, "--quiet", *options]
+        words = [*(self.mpirun + [str(ranks)] if ranks > 1 else []), self.percuss, "run", deck, "--out", out, "--quiet", *self.settings, *options]
         environment = dict(os.environ, OMP_NUM_THREADS=str(threads), OMP_PROC_BIND="false", OMP_WAIT_POLICY="passive",
                            OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_mpi_yield_when_idle="1",
                            OPENBLAS_NUM_THREADS="1")

@@ -1,12 +1,21 @@
 #pragma once
-// What a deck changes in a mesh before it is used: displaced nodes, mass without elements.
+// What a deck changes in a mesh before it is used: joined and displaced nodes, mass without elements.
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "src/deck/place_function.hpp"
 #include "src/deck/selector.hpp"
 
 namespace percuss {
+
+/// Nodes of different parts that lie at one place become one.
+struct JoinDeck {
+  std::vector<std::string> parts;   // empty: all
+  std::optional<double> tolerance;  // [length]; default: a share of the size of the mesh
+  Place place;
+};
 
 /// Random displacements from -amplitude to amplitude.
 struct NoiseDeck {

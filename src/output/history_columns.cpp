@@ -10,7 +10,7 @@ namespace {
 
 /// "mass length^2 time^-2"; "1" of a number.
 std::string describe(const HistoryColumn& column) {
-  if (column.is_temperature) return "temperature";
+  if (column.kind == HistoryColumn::Kind::temperature) return "temperature";
   std::string text;
   const Dimension& d = column.dimension;
   for (const auto& [name, power] :
@@ -24,7 +24,9 @@ std::string describe(const HistoryColumn& column) {
 
 nlohmann::ordered_json find_unit(const HistoryColumn& column, const std::optional<Units>& units) {
   if (!units) return nullptr;
-  if (column.is_temperature) return units->temperature;
+  if (column.kind == HistoryColumn::Kind::temperature) return units->temperature;
+  if (column.kind == HistoryColumn::Kind::moment)
+    return fmt::format("{}\u00b7{}", units->name_of(dimensions::force), units->name_of(dimensions::length));
   const Dimension& d = column.dimension;
   const bool is_number = d.length == 0 && d.mass == 0 && d.time == 0;
   return is_number ? "" : units->name_of(d);

@@ -14,7 +14,8 @@ struct HistoryColumn {
   std::string name;
   Dimension dimension{};
   std::string meaning;
-  bool is_temperature = false;
+  enum class Kind { by_dimension, temperature, moment };
+  Kind kind = Kind::by_dimension;  // a moment has the dimension of an energy, but is no energy
 };
 
 /// The heading of the file.

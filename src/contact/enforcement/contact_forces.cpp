@@ -47,7 +47,7 @@ bool comes_from_wall(const ForceDeck& force, const WallDeck& wall) {
 std::vector<ForceDeck> list_contact_forces(const Deck& deck) {
   std::vector<ForceDeck> forces;
   for (const ForceDeck& force : deck.output.forces) {
-    if (force.kind == ForceDeck::Kind::contact || force.kind == ForceDeck::Kind::wall) forces.push_back(force);
+    if (force.is_of_contact()) forces.push_back(force);
   }
   return forces;
 }

@@ -292,7 +292,7 @@ void check_forces(const Deck& deck, Reading& reading) {
     if (force.kind == ForceDeck::Kind::wall && std::find(walls.begin(), walls.end(), force.wall) == walls.end())
       reading.errors.add(spot, fmt::format("force '{}' is of the wall {} (no wall has this name){}", force.name,
                                            quote(force.wall), name_hint(force.wall, walls)));
-    if (force.kind == ForceDeck::Kind::contact || force.kind == ForceDeck::Kind::wall) ++contacts;
+    if (force.is_of_contact()) ++contacts;
   }
   if (contacts > most_forces_of_contact)
     reading.errors.add({deck.output.forces.front().place, -1},

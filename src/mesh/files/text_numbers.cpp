@@ -70,4 +70,14 @@ std::string quote_field(std::string_view text) {
   return quoted + (strip_blanks(text).size() > most ? "...'" : "'");
 }
 
+bool begins_with_word(std::string_view text, std::string_view word, std::string_view comment) {
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string line = to_upper(strip_blanks(text.substr(0, end)));
+    if (!line.empty() && !line.starts_with(comment)) return line.starts_with(word);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return false;
+}
+
 }  // namespace percuss

@@ -14,6 +14,10 @@ std::string_view strip_blanks(std::string_view text);
 /// In capitals.
 std::string to_upper(std::string_view text);
 
+/// Whether the first line that is neither empty nor a comment begins with a word, written in capitals. comment: what
+/// comments begin with.
+bool begins_with_word(std::string_view text, std::string_view word, std::string_view comment);
+
 /// A whole number, also as "7." or "+7"; none: it is something else, or too large for 64 bits.
 std::optional<std::int64_t> parse_integer(std::string_view text);
 

@@ -220,16 +220,7 @@ class AbaqusReader {
 
 }  // namespace
 
-bool is_abaqus_file(std::string_view first_bytes) {
-  while (!first_bytes.empty()) {
-    const std::size_t end = std::min(first_bytes.find('\n'), first_bytes.size());
-    const std::string line = to_upper(strip_blanks(first_bytes.substr(0, end)));
-    if (line.starts_with("*HEADING")) return true;
-    if (!line.starts_with("**") && !line.empty()) return false;
-    first_bytes.remove_prefix(std::min(end + 1, first_bytes.size()));
-  }
-  return false;
-}
+bool is_abaqus_file(std::string_view first_bytes) { return begins_with_word(first_bytes, "*HEADING", "**"); }
 
 std::unique_ptr<MeshFile> open_abaqus_file(const std::string& path) { return AbaqusReader(path).read(); }
 

@@ -2,22 +2,12 @@
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "src/step/model/held_reaction.hpp"
+#include "src/step/model/impulses.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
 
 namespace {
-
-/// Calls add(first + i, ...) for the impulse j at position r (relative to the point of moments) and its moment: three
-/// sums each.
-template <class Add>
-KOKKOS_INLINE_FUNCTION void add_impulse(const double (&r)[3], const double (&j)[3], int first, const Add& add) {
-  for (int k = 0; k < 3; ++k) add(first + k, j[k]);
-  add(first + 3, r[1] * j[2] - r[2] * j[1]);
-  add(first + 4, r[2] * j[0] - r[0] * j[2]);
-  add(first + 5, r[0] * j[1] - r[1] * j[0]);
-}
 
 /// Merges three sums of impulse and three of its moment into the books.
 void add_to_books(const ExactSum* impulse, const ExactSum* moment, Books& books) {

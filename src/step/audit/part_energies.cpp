@@ -16,7 +16,7 @@ namespace percuss {
 
 namespace {
 
-/// What is summed of each part; the last two have columns where it can fail.
+/// What is summed of each part; some have columns only where it can fail, or resists folding.
 struct PartSum {
   enum : int {
     kinetic,
@@ -41,21 +41,25 @@ struct PartQuantity {
   const char* name;
   Dimension dimension;
   const char* meaning;
-  bool is_of_failing;  // only if the part can fail
+  bool (*has)(const BookedPart&);
 };
 
+bool always(const BookedPart&) { return true; }
+bool resists_folding(const BookedPart& part) { return part.resists_folding; }
+bool fails(const BookedPart& part) { return part.can_fail; }
+
 constexpr PartQuantity part_quantities[] = {
-    {"kinetic", dimensions::energy, "kinetic energy", false},
-    {"internal", dimensions::energy, "work of the stresses", false},
-    {"hourglass", dimensions::energy, "work of the hourglass control", false},
-    {"viscous", dimensions::energy, "work of the bulk viscosity", false},
-    {"folding", dimensions::energy, "work of the resistance to folding", false},
-    {"momentum_x", dimensions::momentum, "linear momentum, x,", false},
-    {"momentum_y", dimensions::momentum, "linear momentum, y,", false},
-    {"momentum_z", dimensions::momentum, "linear momentum, z,", false},
-    {"mass", dimensions::mass, "mass of the nodes", false},
-    {"eroded_mass", dimensions::mass, "mass of the eroded elements", true},
-    {"eroded_energy", dimensions::energy, "work that the eroded elements absorbed,", true},
+    {"kinetic", dimensions::energy, "kinetic energy", always},
+    {"internal", dimensions::energy, "work of the stresses", always},
+    {"hourglass", dimensions::energy, "work of the hourglass control", always},
+    {"viscous", dimensions::energy, "work of the bulk viscosity", always},
+    {"folding", dimensions::energy, "work of the resistance to folding", resists_folding},
+    {"momentum_x", dimensions::momentum, "linear momentum, x,", always},
+    {"momentum_y", dimensions::momentum, "linear momentum, y,", always},
+    {"momentum_z", dimensions::momentum, "linear momentum, z,", always},
+    {"mass", dimensions::mass, "mass of the nodes", always},
+    {"eroded_mass", dimensions::mass, "mass of the eroded elements", fails},
+    {"eroded_energy", dimensions::energy, "work that the eroded elements absorbed,", fails},
 };
 
 bool can_fail(const Deck& deck, const PartDeck& part) {
@@ -149,7 +153,8 @@ std::vector<BookedPart> find_booked_parts(const Deck& deck) {
   for (const HistoryPoint& point : deck.output.points) {
     for (std::size_t p = 0; names_parts(point) && p < deck.parts.size(); ++p) {
       if (!point.part.empty() && point.part != deck.parts[p].name) continue;
-      parts.push_back({deck.parts[p].name, static_cast<int>(p), can_fail(deck, deck.parts[p])});
+      parts.push_back(
+          {deck.parts[p].name, static_cast<int>(p), can_fail(deck, deck.parts[p]), deck.elements.resist_folding});
     }
   }
   return parts;
@@ -159,7 +164,7 @@ std::vector<HistoryColumn> list_part_columns(const std::vector<BookedPart>& part
   std::vector<HistoryColumn> columns;
   for (const BookedPart& part : parts) {
     for (const PartQuantity& quantity : part_quantities) {
-      if (quantity.is_of_failing && !part.can_fail) continue;
+      if (!quantity.has(part)) continue;
       columns.push_back({fmt::format("{}:{}", quantity.name, part.name), quantity.dimension,
                          fmt::format("{} of part '{}'", quantity.meaning, part.name)});
     }
@@ -208,7 +213,7 @@ void PartEnergies::append(const Model& model, const State& state, std::vector<do
   sum_over_ranks(model.ranks, sums);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     for (std::size_t k = 0; k < std::size(part_quantities); ++k) {
-      if (part_quantities[k].is_of_failing && !parts_[p].can_fail) continue;
+      if (!part_quantities[k].has(parts_[p])) continue;
       row.push_back(sums[P::count * p + k].round());
     }
   }

@@ -1,9 +1,9 @@
 #pragma once
 // What each part has of the scene's energies, momentum and mass: columns of the history, where the deck asks for them.
 //
-// A part consists of whole chunks, and no other part has its nodes. So the sums of the audit, which are exact sums of
-// those of the chunks, fall apart into sums of the parts: these have the same bits on any number of ranks and threads,
-// and add up to those of the scene.
+// A part consists of whole chunks; a node that parts share counts for the one of the lowest chunk. So the sums of the
+// audit, which are exact sums of those of the chunks, fall apart into sums of the parts: these have the same bits on
+// any number of ranks and threads, and add up to those of the scene.
 
 #include <string>
 #include <vector>
@@ -16,8 +16,9 @@ namespace percuss {
 /// A part that the deck names in output.history.parts.
 struct BookedPart {
   std::string name;
-  int index = 0;          // into Mesh::parts
-  bool can_fail = false;  // then it has columns of what is eroded
+  int index = 0;                 // into Mesh::parts
+  bool can_fail = false;         // then it has columns of what is eroded
+  bool resists_folding = false;  // likewise of that work
 };
 
 /// In the order of the deck's list; of `all`, in that of the parts.

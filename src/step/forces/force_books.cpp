@@ -9,8 +9,6 @@ namespace {
 
 using Kind = ForceDeck::Kind;
 
-bool is_of_contact(const ForceDeck& force) { return force.kind == Kind::contact || force.kind == Kind::wall; }
-
 std::string describe(const ForceDeck& force) {
   switch (force.kind) {
     case Kind::contact:
@@ -41,16 +39,19 @@ std::vector<HistoryColumn> list_force_columns(const Deck& deck) {
   std::vector<HistoryColumn> columns;
   for (const ForceDeck& force : deck.output.forces) {
     const std::string which = describe(force);
-    const auto add = [&](const char* name, const Dimension& dimension, const std::string& meaning) {
-      columns.push_back({fmt::format("{}:{}", name, force.name), dimension, meaning});
+    const auto add = [&](const std::string& name, const std::string& meaning, HistoryColumn::Kind kind) {
+      const bool is_moment = kind == HistoryColumn::Kind::moment;
+      columns.push_back({name + ":" + force.name, is_moment ? dimensions::energy : dimensions::force,
+                         fmt::format("{} {}", meaning, which), kind});
     };
+    const auto force_kind = HistoryColumn::Kind::by_dimension, moment_kind = HistoryColumn::Kind::moment;
     for (const char* axis : {"x", "y", "z"})
-      add(fmt::format("f{}", axis).c_str(), dimensions::force, fmt::format("force {}, {}", which, axis));
+      add(fmt::format("f{}", axis), fmt::format("force in {}", axis), force_kind);
     for (const char* axis : {"x", "y", "z"})
-      add(fmt::format("m{}", axis).c_str(), dimensions::energy, fmt::format("moment of the force {}, {}", which, axis));
-    if (!is_of_contact(force)) continue;
-    add("normal", dimensions::force, fmt::format("sum of the magnitudes of the normal forces {}", which));
-    add("tangential", dimensions::force, fmt::format("sum of the magnitudes of the friction forces {}", which));
+      add(fmt::format("m{}", axis), fmt::format("moment about {} of the force", axis), moment_kind);
+    if (!force.is_of_contact()) continue;
+    add("normal", "sum of the magnitudes of the normal forces", force_kind);
+    add("tangential", "sum of the magnitudes of the friction forces", force_kind);
   }
   return columns;
 }
@@ -99,7 +100,7 @@ std::vector<double> ForceBooks::take(double time) {
   auto contact = of_contact.begin();
   auto support = others.begin(), section = others.begin() + static_cast<std::ptrdiff_t>(supports_.size());
   for (const ForceDeck& force : deck_.output.forces) {
-    if (is_of_contact(force))
+    if (force.is_of_contact())
       append_mean(*contact++, per_time, true, row);
     else
       append_mean(*(force.kind == Kind::support ? support++ : section++), per_time, false, row);

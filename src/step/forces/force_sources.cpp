@@ -5,18 +5,10 @@
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
-#include "src/step/model/held_reaction.hpp"
+#include "src/step/model/impulses.hpp"
 
 namespace percuss {
 namespace {
-
-/// Adds an impulse at x and its moment about a point.
-KOKKOS_INLINE_FUNCTION void add_impulse(const double (&r)[3], const double (&j)[3], const ExactAdder& add) {
-  for (int k = 0; k < 3; ++k) add(k, j[k]);
-  add(3, r[1] * j[2] - r[2] * j[1]);
-  add(4, r[2] * j[0] - r[0] * j[2]);
-  add(5, r[0] * j[1] - r[1] * j[0]);
-}
 
 /// Those of the listed entries whose node is marked.
 std::vector<int> list_entries(const Array<int>& owned, const HeldDirections& held, const std::vector<char>& marked) {
@@ -66,7 +58,7 @@ ImpulseSums SupportForce::find_impulse(const Model& model, const State& state, d
           double j[3] = {0, 0, 0};
           j[reactions.held.direction(entries(i))] = reactions(entries(i));
           const double r[3] = {x(n, 0) - at[0], x(n, 1) - at[1], x(n, 2) - at[2]};
-          add_impulse(r, j, add);
+          add_impulse(r, j, 0, add);
         });
   }
   if (held_spins_.extent(0) == 0) return sums;
@@ -126,7 +118,7 @@ ImpulseSums SectionForce::find_impulse(const State& state, double dt_mean) {
         const int s = slots(i), n = nodes(i);
         const double j[3] = {dt_mean * f(s, 0), dt_mean * f(s, 1), dt_mean * f(s, 2)};
         const double r[3] = {x(n, 0) - at[0], x(n, 1) - at[1], x(n, 2) - at[2]};
-        add_impulse(r, j, add);
+        add_impulse(r, j, 0, add);
         for (int k = 0; has_moments && k < 3; ++k) add(3 + k, dt_mean * m(s, k));
       });
 }

@@ -76,7 +76,8 @@ void add_point_columns(const FollowedPoint& point, const Deck& deck, std::vector
   for (const ThermalColumn& c : find_thermal_columns(deck)) {
     const bool is_temperature = c.name == HistoryScalar::temperature;
     columns.push_back({point.name + "_" + c.suffix, is_temperature ? Dimension{} : dimensions::stress,
-                       is_temperature ? "temperature" : "internal energy per volume", is_temperature});
+                       is_temperature ? "temperature" : "internal energy per volume",
+                       is_temperature ? HistoryColumn::Kind::temperature : HistoryColumn::Kind::by_dimension});
   }
 }
 

@@ -18,6 +18,7 @@ bool scales_in_run(const Deck& deck) { return deck.scales_mass_in_run(); }
 bool removes_nodes(const Deck& deck) {
   return can_fail(deck) && deck.erosion.free_nodes == ErosionDeck::FreeNodes::remove;
 }
+bool resists_folding(const Deck& deck) { return deck.elements.resist_folding; }
 bool is_lagrange(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::lagrange; }
 bool is_penalty(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::penalty; }
 
@@ -44,7 +45,7 @@ constexpr Entry before_pairs[] = {
     {"hourglass", dim::energy, "work of the hourglass control", always,
      [](const S& s) { return s.audit.energy.hourglass; }},
     {"viscous", dim::energy, "work of the bulk viscosity", always, [](const S& s) { return s.audit.energy.viscous; }},
-    {"folding", dim::energy, "work of the resistance to folding", always,
+    {"folding", dim::energy, "work of the resistance to folding", resists_folding,
      [](const S& s) { return s.audit.energy.folding; }},
     {"contact", dim::energy, "work of normal contact forces, rigid walls included", always,
      [](const S& s) { return s.audit.energy.contact; }},

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "comm/agreement.hpp"
 #include "src/deck/reading/read_deck.hpp"
 #include "src/step/run/run.hpp"
 
@@ -26,6 +27,9 @@ TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
 }
+
+SharedFolder::SharedFolder() : path_(broadcast_text(Communicator::world(), own_.path(), 0)) {}
+SharedFolder::~SharedFolder() { Communicator::world().barrier(); }
 
 TemporaryFile::~TemporaryFile() {
   std::error_code ignored;

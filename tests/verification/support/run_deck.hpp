@@ -25,6 +25,20 @@ class TemporaryFolder {
   std::string path_;
 };
 
+/// A folder of rank 0 that all ranks know. Collective at its beginning and its end.
+class SharedFolder {
+ public:
+  SharedFolder();
+  ~SharedFolder();
+  SharedFolder(const SharedFolder&) = delete;
+  SharedFolder& operator=(const SharedFolder&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  TemporaryFolder own_;
+  std::string path_;
+};
+
 /// A file that is gone at the end of the scope.
 class TemporaryFile {
  public:

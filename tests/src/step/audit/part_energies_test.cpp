@@ -101,22 +101,6 @@ void expect_sums(const Scene& scene, const AuditResult& audit) {
   expect_sum(values, "eroded_mass", audit.eroded.mass, audit.eroded.mass);
 }
 
-/// A folder of rank 0 that all ranks know.
-class SharedFolder {
- public:
-  SharedFolder() : path_(own_.path()) {
-    MPI_Bcast(path_.data(), static_cast<int>(path_.size()), MPI_CHAR, 0, MPI_COMM_WORLD);
-  }
-  ~SharedFolder() { MPI_Barrier(MPI_COMM_WORLD); }
-  SharedFolder(const SharedFolder&) = delete;
-  SharedFolder& operator=(const SharedFolder&) = delete;
-  const std::string& path() const { return path_; }
-
- private:
-  TemporaryFolder own_;
-  std::string path_;
-};
-
 }  // namespace
 
 TEST(PartEnergies, AreExactOfABlockThatFliesAndOneThatIsStretched) {

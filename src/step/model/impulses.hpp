@@ -1,9 +1,19 @@
 #pragma once
-// What a condition gives to a node that it holds.
+// Impulses on nodes: their sums with moments, and those that a condition gives to a node that it holds.
 
 #include "src/step/model/state.hpp"
 
 namespace percuss {
+
+/// Calls add(first + i, ...) for the impulse j at position r (relative to the point of moments) and its moment: three
+/// sums each [force x time, force x length x time].
+template <class Add>
+KOKKOS_INLINE_FUNCTION void add_impulse(const double (&r)[3], const double (&j)[3], int first, const Add& add) {
+  for (int k = 0; k < 3; ++k) add(first + k, j[k]);
+  add(first + 3, r[1] * j[2] - r[2] * j[1]);
+  add(first + 4, r[2] * j[0] - r[0] * j[2]);
+  add(first + 5, r[0] * j[1] - r[1] * j[0]);
+}
 
 /// Whatever holds a direction gives J = m (v+ - v-) - dt_mean (f + m g) - P, with the forces f at n, the velocities
 /// before and after the step and the contact impulse P.

@@ -1,0 +1,64 @@
+#pragma once
+// What a deck wants written besides the summary: frames, history, checkpoints.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/deck/selector.hpp"
+
+namespace percuss {
+
+struct HistoryPoint {
+  std::string name;  // heading in history.csv
+  bool is_element = false;
+  std::optional<Vec3> near;  // closest node or element centre at time 0
+  std::optional<long> id;    // or the id of an Exodus mesh (1-based)
+  std::string part;          // searched part; empty: the whole mesh
+  Place place;
+};
+
+/// Fields of one point across the thickness of shells are called by one of these and its number, from 1, the lowest.
+inline constexpr std::string_view stress_points = "stress_point_",
+                                  plastic_strain_points = "equivalent_plastic_strain_point_";
+
+/// The number of such a point; empty: the field is another.
+std::optional<int> find_thickness_point(std::string_view field, std::string_view quantity);
+
+/// Most forces of contact and of walls in a history.
+inline constexpr std::size_t most_forces_of_contact = 32;
+
+/// A force in the history; exactly one of the kinds.
+struct ForceDeck {
+  enum class Kind {
+    contact,  // on parts, from other parts or from all that they touch
+    wall,     // on all bodies, from a rigid wall
+    support,  // on nodes, from the conditions that hold them
+    section,  // on the material behind a plane, from that ahead of it
+  };
+  std::string name;  // heading in history.csv
+  Kind kind = Kind::contact;
+  std::vector<std::string> on, from;  // contact: parts; no `from`: all other parts and the walls
+  std::string wall;                   // its name
+  Selector where;                     // support
+  std::string part;                   // section; empty: every part
+  Vec3 point{}, normal{1, 0, 0};      // section: a unit normal
+  std::optional<Vec3> about;          // point of the moments; default: that of a section, else the origin
+  Place place;
+
+  /// Whether it is a sum over contacts, walls among them.
+  bool is_of_contact() const { return kind == Kind::contact || kind == Kind::wall; }
+};
+
+struct OutputDeck {
+  std::optional<double> fields_every;   // s; the first and last state are always written when set
+  std::vector<std::string> fields;      // names as listed in docs/output.md; displacement is always written
+  std::optional<double> history_every;  // s; 0: every step
+  std::vector<HistoryPoint> points;
+  std::vector<ForceDeck> forces;
+  std::optional<double> checkpoint_every;  // simulated time [time]; one is left at the end, too
+  std::optional<double> checkpoint_wall;   // of the clock [s]
+};
+
+}  // namespace percuss
