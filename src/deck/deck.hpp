@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "src/deck/curve.hpp"
+#include "src/deck/functions/curve.hpp"
 #include "src/deck/mesh_changes.hpp"
 #include "src/deck/output_deck.hpp"
 #include "src/deck/selector.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/deck/place_function.hpp"
+#include "src/deck/functions/place_function.hpp"
 #include "src/deck/selector.hpp"
 
 namespace percuss {

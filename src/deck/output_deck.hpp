@@ -51,6 +51,9 @@ struct ForceDeck {
   bool is_of_contact() const { return kind == Kind::contact || kind == Kind::wall; }
 };
 
+/// A text that says what the force is of, its name included: the same of forces that are the same.
+std::string identify(const ForceDeck& force);
+
 struct OutputDeck {
   std::optional<double> fields_every;   // s; the first and last state are always written when set
   std::vector<std::string> fields;      // names as listed in docs/output.md; displacement is always written

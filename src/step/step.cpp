@@ -107,6 +107,7 @@ void Stepper::restore_masses(State& state) {
 }
 
 void Stepper::resume(State& state) {
+  forces_.resume(state.time);
   renew_loads(state);
   choose_step(state);
 }

@@ -1,7 +1,5 @@
 #include "src/contact/enforcement/contact_forces.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -72,6 +70,7 @@ ContactForces::ContactForces(const Deck& deck, const ChunkedMesh& chunked, const
   for (std::size_t f = 0; f < forces.size(); ++f) {
     const std::uint32_t bit = std::uint32_t{1} << f;
     const Vec3 about = forces[f].about.value_or(Vec3{});
+    names_.push_back("contact/force/" + identify(forces[f]) + "/");
     about_.push_back({about[0], about[1], about[2]});
     for (std::size_t c = 0; c < parts.size(); ++c) {
       const PartSides sides = find_part_sides(forces[f], deck.parts[static_cast<std::size_t>(parts[c])].name);
@@ -98,11 +97,13 @@ void ContactForces::book(const Space& space, const RowSystem& system, const Arra
 
 void ContactForces::archive(CheckpointArchive& archive) {
   for (std::size_t f = 0; f < sums_.size(); ++f) {
-    const std::string name = fmt::format("contact/force_{}/", f);
-    archive.sums(name + "impulse", sums_[f].impulse);
-    archive.sums(name + "moment", sums_[f].moment);
-    archive.sum(name + "normal", sums_[f].normal);
-    archive.sum(name + "tangential", sums_[f].tangential);
+    double is_there = 1;
+    if (!archive.has_number(names_[f] + "booked")) continue;
+    archive.number(names_[f] + "booked", is_there);
+    archive.sums(names_[f] + "impulse", sums_[f].impulse);
+    archive.sums(names_[f] + "moment", sums_[f].moment);
+    archive.sum(names_[f] + "normal", sums_[f].normal);
+    archive.sum(names_[f] + "tangential", sums_[f].tangential);
   }
 }
 

@@ -28,6 +28,7 @@ class ContactForces {
   template <class Space>
   void book(const Space& space, const RowSystem& system, const Array<const std::int64_t>& node_numbers);
 
+  /// A force that the checkpoint does not have begins with nothing.
   void archive(CheckpointArchive& archive);
 
   /// The forces of contact and walls in the order of the deck; they begin anew. Collective.
@@ -36,8 +37,9 @@ class ContactForces {
  private:
   Communicator ranks_;
   ForceSides sides_;
-  std::vector<Point3> about_;    // of each force
-  std::vector<ForceSums> sums_;  // likewise; this rank's share
+  std::vector<std::string> names_;  // identify() of each force
+  std::vector<Point3> about_;       // likewise
+  std::vector<ForceSums> sums_;     // likewise; this rank's share
   Array<RowSides> marks_ = Array<RowSides>("contact::row_sides", 0);
   Array<ForceSums> partial_ = Array<ForceSums>("contact::force_sums", 0);
 };

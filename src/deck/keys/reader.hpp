@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/deck/curve.hpp"
+#include "src/deck/functions/curve.hpp"
 #include "src/deck/yaml/yaml_tree.hpp"
 
 namespace percuss {

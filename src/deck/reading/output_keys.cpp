@@ -300,6 +300,16 @@ void check_forces(const Deck& deck, Reading& reading) {
                                    most_forces_of_contact));
 }
 
+std::string identify(const ForceDeck& force) {
+  std::string text =
+      fmt::format("{}:{}:{}>{}:{}:{}:{}", force.name, static_cast<int>(force.kind), fmt::join(force.on, "+"),
+                  fmt::join(force.from, "+"), force.wall, force.where.name, force.part);
+  if (force.where.inside)
+    text += fmt::format(":{},{}", fmt::join((*force.where.inside)[0], ","), fmt::join((*force.where.inside)[1], ","));
+  text += fmt::format(":{}:{}", fmt::join(force.point, ","), fmt::join(force.normal, ","));
+  return force.about ? text + fmt::format(":{}", fmt::join(*force.about, ",")) : text;
+}
+
 std::optional<int> find_thickness_point(std::string_view field, std::string_view quantity) {
   if (field.substr(0, quantity.size()) != quantity) return std::nullopt;
   const std::string_view digits = field.substr(quantity.size());

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "comm/partition/graph_partition.hpp"
-#include "src/mesh/decomposition/chunk_pieces.hpp"
 #include "src/mesh/numbering.hpp"
+#include "src/mesh/pieces/chunk_pieces.hpp"
 
 namespace percuss {
 

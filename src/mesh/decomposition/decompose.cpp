@@ -7,11 +7,11 @@
 
 #include "comm/all_reduce.hpp"
 #include "src/fail_together.hpp"
-#include "src/mesh/decomposition/check_pieces.hpp"
 #include "src/mesh/decomposition/chunk_graph.hpp"
-#include "src/mesh/decomposition/join_pieces.hpp"
 #include "src/mesh/decomposition/migrate.hpp"
 #include "src/mesh/imperfections.hpp"
+#include "src/mesh/pieces/check_pieces.hpp"
+#include "src/mesh/pieces/join_pieces.hpp"
 
 namespace percuss {
 namespace {

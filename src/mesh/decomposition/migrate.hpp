@@ -2,8 +2,8 @@
 // Chunks go to the ranks that will hold them.
 
 #include "comm/communicator.hpp"
-#include "src/mesh/decomposition/chunk_pieces.hpp"
 #include "src/mesh/ordering.hpp"
+#include "src/mesh/pieces/chunk_pieces.hpp"
 
 namespace percuss {
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "kernels/core/counting_sort.hpp"
-#include "src/mesh/decomposition/check_pieces.hpp"
 #include "src/mesh/decomposition/chunk_graph.hpp"
-#include "src/mesh/decomposition/join_pieces.hpp"
+#include "src/mesh/pieces/check_pieces.hpp"
+#include "src/mesh/pieces/join_pieces.hpp"
 
 namespace percuss {
 namespace {

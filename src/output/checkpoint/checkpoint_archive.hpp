@@ -44,6 +44,9 @@ class CheckpointArchive {
 
   virtual bool is_loading() const = 0;
 
+  /// Loading: whether there is a number of this name, for state that a run may begin without. Saving: true.
+  virtual bool has_number(const std::string& name) const = 0;
+
   /// A number that all ranks know.
   virtual void number(const std::string& name, double& value) = 0;
   virtual void number(const std::string& name, std::int64_t& value) = 0;

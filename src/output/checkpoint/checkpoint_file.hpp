@@ -53,6 +53,7 @@ class CheckpointWriter : public CheckpointArchive {
   void finish(const std::string& known_whole = "");
 
   bool is_loading() const override { return false; }
+  bool has_number(const std::string&) const override { return true; }
   using CheckpointArchive::rows;
   void number(const std::string& name, double& value) override;
   void number(const std::string& name, std::int64_t& value) override;
@@ -103,6 +104,7 @@ class CheckpointReader : public CheckpointArchive {
   const CheckpointHeader& header() const { return header_; }
 
   bool is_loading() const override { return true; }
+  bool has_number(const std::string& name) const override { return numbers_.count(name) > 0; }
   using CheckpointArchive::rows;
   void number(const std::string& name, double& value) override;
   void number(const std::string& name, std::int64_t& value) override;

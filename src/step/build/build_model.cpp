@@ -13,7 +13,6 @@
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
-#include "src/step/build/added_mass.hpp"
 #include "src/step/build/block_builder.hpp"
 #include "src/step/build/build_conditions.hpp"
 #include "src/step/build/build_failing.hpp"

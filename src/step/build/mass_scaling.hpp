@@ -3,7 +3,7 @@
 //
 // At rest every term of the bound goes with the square root of the element's mass (section 3.5 of docs/theory.md), so
 // that (step / bound)^2 times the mass gives the bound exactly. The mass is added once, at time 0, and is mass in all
-// that follows: inertia, weight, momentum and energy.
+// that follows: inertia, weight, momentum and energy. Mass that the deck adds to nodes, without elements, is here too.
 
 #include <string>
 #include <vector>
@@ -20,5 +20,10 @@ void scale_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<doub
 
 /// A line for each part that was given mass, and one for all together.
 std::vector<std::string> describe_added_masses(const Model& model);
+
+/// Adds the masses of Deck::added_masses to those of the nodes, and to Model::extra_mass; a line for each to
+/// Model::mass_notes. A share of a node follows from its own mass and sums that are exact: copies have the same bits.
+/// mass: [nodes], of the elements, in and out. Collective. Throws InputError: unknown sets.
+void add_deck_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<double>& mass, Model& model);
 
 }  // namespace percuss

@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "comm/exact_reduction.hpp"
 
 namespace percuss {
 namespace {
 
 using Kind = ForceDeck::Kind;
+
+constexpr double not_begun = -1;  // of a force that the checkpoint does not have
 
 std::string describe(const ForceDeck& force) {
   switch (force.kind) {
@@ -63,6 +67,7 @@ ForceBooks::ForceBooks(const Deck& deck, const ChunkedMesh& chunked, const Model
     if (force.kind == Kind::section) sections_.emplace_back(deck, force, chunked, model);
   }
   sums_.resize(supports_.size() + sections_.size());
+  since_.resize(deck.output.forces.size());
 }
 
 void ForceBooks::book(const Model& model, const State& state, double dt_mean) {
@@ -78,32 +83,47 @@ void ForceBooks::book(const Model& model, const State& state, double dt_mean) {
   for (SectionForce& section : sections_) add(section.find_impulse(state, dt_mean));
 }
 
-void ForceBooks::archive(CheckpointArchive& archive) {
-  if (deck_.output.forces.empty()) return;
-  archive.number("forces/last_time", last_time_);
-  for (std::size_t f = 0; f < sums_.size(); ++f) archive.sums(fmt::format("forces/{}", f), sums_[f]);
+/// The sums of a force that is no contact: those of the supports stand before those of the sections.
+std::array<ExactSum, 6>& ForceBooks::find_sums(std::size_t force) {
+  std::size_t place = deck_.output.forces[force].kind == Kind::section ? supports_.size() : 0;
+  for (std::size_t f = 0; f < force; ++f)
+    place += deck_.output.forces[f].kind == deck_.output.forces[force].kind ? 1 : 0;
+  return sums_[place];
 }
+
+void ForceBooks::archive(CheckpointArchive& archive) {
+  for (std::size_t f = 0; f < since_.size(); ++f) {
+    const ForceDeck& force = deck_.output.forces[f];
+    const std::string name = "forces/" + identify(force);
+    if (!archive.has_number(name + "/since")) {
+      since_[f] = not_begun;
+      continue;
+    }
+    archive.number(name + "/since", since_[f]);
+    if (!force.is_of_contact()) archive.sums(name, find_sums(f));
+  }
+}
+
+void ForceBooks::resume(double time) { std::replace(since_.begin(), since_.end(), not_begun, time); }
 
 std::vector<double> ForceBooks::take(double time) {
   std::vector<double> row;
-  if (deck_.output.forces.empty()) return row;
-  const double per_time = time > last_time_ ? 1 / (time - last_time_) : 0;
-  last_time_ = time;
+  if (since_.empty()) return row;
   const std::vector<ContactImpulse> of_contact = contact_.take_forces();
-  std::vector<ContactImpulse> others;
-  for (std::array<ExactSum, 6>& sums : sums_) {
-    sum_over_ranks(ranks_, sums);
-    others.push_back(
-        {{sums[0].round(), sums[1].round(), sums[2].round()}, {sums[3].round(), sums[4].round(), sums[5].round()}});
-    sums = {};
-  }
   auto contact = of_contact.begin();
-  auto support = others.begin(), section = others.begin() + static_cast<std::ptrdiff_t>(supports_.size());
-  for (const ForceDeck& force : deck_.output.forces) {
-    if (force.is_of_contact())
+  for (std::size_t f = 0; f < since_.size(); ++f) {
+    const double per_time = time > since_[f] ? 1 / (time - since_[f]) : 0;
+    since_[f] = time;
+    if (deck_.output.forces[f].is_of_contact()) {
       append_mean(*contact++, per_time, true, row);
-    else
-      append_mean(*(force.kind == Kind::support ? support++ : section++), per_time, false, row);
+      continue;
+    }
+    std::array<ExactSum, 6>& sums = find_sums(f);
+    sum_over_ranks(ranks_, sums);
+    append_mean(
+        {{sums[0].round(), sums[1].round(), sums[2].round()}, {sums[3].round(), sums[4].round(), sums[5].round()}},
+        per_time, false, row);
+    sums = {};
   }
   return row;
 }

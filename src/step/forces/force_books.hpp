@@ -29,19 +29,25 @@ class ForceBooks {
   /// Whether book() needs the places at n.
   bool has_sections() const { return !sections_.empty(); }
 
+  /// A force that the checkpoint does not have begins with nothing at resume().
   void archive(CheckpointArchive& archive);
+
+  /// After a restart at this time.
+  void resume(double time);
 
   /// The values of a row: means since the last one. Collective; empty where the deck names no force.
   std::vector<double> take(double time);
 
  private:
+  std::array<ExactSum, 6>& find_sums(std::size_t force);
+
   const Deck& deck_;
   const Communicator ranks_;
   ContactStage& contact_;
   std::vector<SupportForce> supports_;
   std::vector<SectionForce> sections_;
   std::vector<std::array<ExactSum, 6>> sums_;  // of the supports, then of the sections; this rank's share
-  double last_time_ = 0;                       // of the last row
+  std::vector<double> since_;                  // [forces of the deck] when each began, or was last in a row
 };
 
 }  // namespace percuss

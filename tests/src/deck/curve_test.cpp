@@ -1,6 +1,6 @@
 // Curves against values known in closed form; texts that are no expression of t.
 
-#include "src/deck/curve.hpp"
+#include "src/deck/functions/curve.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

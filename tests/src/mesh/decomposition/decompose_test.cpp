@@ -13,8 +13,8 @@
 
 #include "comm/agreement.hpp"
 #include "src/error.hpp"
-#include "src/mesh/decomposition/check_pieces.hpp"
 #include "src/mesh/decomposition/chunk_graph.hpp"
+#include "src/mesh/pieces/check_pieces.hpp"
 #include "src/mesh/topology/connectivity.hpp"
 #include "tests/src/mesh/exodus_writer.hpp"
 #include "tests/src/mesh/mesh_measures.hpp"

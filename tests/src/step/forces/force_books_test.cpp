@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -225,6 +226,42 @@ TEST(ForceBooks, GoOnAfterARestart) {
   run(with_time("{end: 0.4}", ""), parts.path(), parts.path() + "/checkpoint_previous.h5");
   if (Communicator::world().rank() != 0) return;
   EXPECT_TRUE(read_file(parts.path() + "/history.csv") == read_file(whole.path() + "/history.csv"));
+}
+
+TEST(ForceBooks, MayBeOthersAfterARestart) {
+  // The checkpoint has all but one of the forces, in another order.
+  const SharedFolder folder;
+  const auto run = [&](const std::string& text, const std::string& out, const std::string& restart) {
+    RunOptions options;
+    options.out_dir = out;
+    options.restart = restart;
+    return run_scene(parse_deck(text, "deck.yaml"), options).summary;
+  };
+  const std::string fold = "      - {name: fold, section: {part: sheet, point: [2.1, 0, 0], normal: [1, 0, 0]}}\n",
+                    foot = "      - {name: foot, support: bar}\n";
+  const auto make = [&](const std::string& forces, const std::string& time, const std::string& every) {
+    std::string text = clamped;
+    text = text.substr(0, text.find("output:"));
+    text.replace(text.find("time: {end: 1}"), 14, "time: " + time);
+    return text + "output:\n  checkpoint: {every: 0.1}\n  history:\n    every: " + every + "\n    forces:\n" + forces;
+  };
+  const std::string out[] = {folder.path() + "/whole", folder.path() + "/first", folder.path() + "/later"};
+  if (Communicator::world().rank() == 0)
+    for (const std::string& path : out) std::filesystem::create_directory(path);
+  Communicator::world().barrier();
+  run(make(fold + foot, "{end: 1, max_steps: 60}", "0.15"), out[0], "");
+  run(make(foot, "{end: 1, max_steps: 40}", "0.15"), out[1], "");
+  run(make(fold + foot, "{end: 1, max_steps: 60}", "0.15"), out[2], out[1] + "/checkpoint_previous.h5");
+  if (Communicator::world().rank() != 0) return;
+  const HistoryTable whole(out[0] + "/history.csv"), later(out[2] + "/history.csv");
+  ASSERT_GE(later.rows(), 2u);
+  for (const char* column : {"fx:foot", "my:foot"}) {
+    for (std::size_t i = 1; i <= later.rows(); ++i)
+      EXPECT_EQ(later[column][later.rows() - i], whole[column][whole.rows() - i]) << column << ", row " << i;
+  }
+  // The other is a mean since the restart in its first row, and the same from then on.
+  EXPECT_NE(later["fz:fold"][0], whole["fz:fold"][whole.rows() - later.rows()]);
+  EXPECT_EQ(later.last("fz:fold"), whole.last("fz:fold"));
 }
 
 TEST(ForceBooks, RefuseSupportsAndSectionsOfNothing) {

@@ -1,4 +1,4 @@
-#include "src/mesh/decomposition/chunk_pieces.hpp"
+#include "src/mesh/pieces/chunk_pieces.hpp"
 
 #include <algorithm>
 #include <span>

@@ -1,4 +1,4 @@
-#include "src/mesh/decomposition/join_pieces.hpp"
+#include "src/mesh/pieces/join_pieces.hpp"
 
 #include <algorithm>
 #include <array>

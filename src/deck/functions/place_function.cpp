@@ -1,8 +1,8 @@
-#include "src/deck/place_function.hpp"
+#include "src/deck/functions/place_function.hpp"
 
 #include <mutex>
 
-#include "src/deck/expression.hpp"
+#include "src/deck/functions/expression.hpp"
 
 namespace percuss {
 

@@ -1,4 +1,4 @@
-#include "src/mesh/decomposition/check_pieces.hpp"
+#include "src/mesh/pieces/check_pieces.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "src/deck/expression.hpp"
+#include "src/deck/functions/expression.hpp"
 
 #include <fmt/format.h>
 

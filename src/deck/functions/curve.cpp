@@ -1,4 +1,4 @@
-#include "src/deck/curve.hpp"
+#include "src/deck/functions/curve.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "src/deck/expression.hpp"
+#include "src/deck/functions/expression.hpp"
 
 namespace percuss {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The checks of generated parts, each rank its own share, and one answer for all.
 
-#include "src/mesh/decomposition/chunk_pieces.hpp"
+#include "src/mesh/pieces/chunk_pieces.hpp"
 
 namespace percuss {
 

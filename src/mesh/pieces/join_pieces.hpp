@@ -1,7 +1,7 @@
 #pragma once
 // What joints of parts (src/mesh/parts/part_joints.hpp) mean for the pieces of a mesh.
 
-#include "src/mesh/decomposition/chunk_pieces.hpp"
+#include "src/mesh/pieces/chunk_pieces.hpp"
 
 namespace percuss {
 
