@@ -35,7 +35,11 @@ Corners find_corner_forces(const VectorModes<double>& modes) {
   return f;
 }
 
-double& find_place(Corners& c, int i) { return (i < 8 ? c.x : i < 16 ? c.y : c.z)[i % 8]; }
+/// Not a conditional expression of arrays: GCC 12 takes the wrong one under its sanitizers.
+double& find_place(Corners& c, int i) {
+  double* const coordinates[] = {c.x, c.y, c.z};
+  return coordinates[i / 8][i % 8];
+}
 
 /// A distorted brick, one corner of which is pushed towards its opposite one until its share is about `share`.
 Corners make_folding_element(Random& random, double distortion, double share) {
