@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tests/src/step/scene.hpp"
-#include "tests/verification/support/closest_depth.hpp"
+#include "tests/verification/contact/closest_depth.hpp"
 
 namespace percuss::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/verification/support/closest_depth.hpp"
+#include "tests/verification/contact/closest_depth.hpp"
 
 #include <algorithm>
 #include <array>
