@@ -87,7 +87,11 @@ def find_hull(part):
     points, radius = _HULLS[kind](shape)
     if "array" in part:
         count, pitch = part["array"]["count"], part["array"]["pitch"]
-        ends = np.array([[(count[k] - 1) * pitch[k] * (i >> k & 1) for k in range(3)] for i in range(8)])
+        reach = [(count[k] - 1) * pitch[k] for k in range(3)]
+        along = 1 if count[1] > 1 else 0
+        if count[2] > 1:
+            reach[along] += part["array"].get("stagger", 0) * pitch[along]
+        ends = np.array([[reach[k] * (i >> k & 1) for k in range(3)] for i in range(8)])
         points = (points[:, None, :] + ends[None, :, :]).reshape(-1, 3)
     for turn in part.get("rotate", []):
         points = points @ _find_rotation(turn["axis"], turn["angle"]).T

@@ -271,11 +271,13 @@ void ContactStage::archive(CheckpointArchive& archive) {
 // (1.7), (1.8), (1.9), the last in Enforcer::enforce().
 ContactReport ContactStage::apply(const ContactMotion& motion) {
   Impl& stage = *impl_;
-  const SurfaceMotion predicted{motion.x, motion.v, motion.dt};
+  stage.enforcer.show_seen(motion);
+  const SurfaceMotion seen{motion.x, motion.v, motion.dt};
   stage.is_step_counted = false;
-  const bool has_searched = stage.search(predicted);
+  const bool has_searched = stage.search(seen);
   if (has_searched) stage.count_search();
-  const int num_touches = stage.check(predicted);
+  const int num_touches = stage.check(seen);
+  stage.enforcer.show_predicted(motion);
   const Phase phase("percuss::contact_enforce", stage.clocks.enforce);
   const bool is_repetition = stage.is_repetition(num_touches);
   ContactReport report = is_repetition ? stage.last : ContactReport{};

@@ -284,7 +284,7 @@ struct ElementDeck {
   Integration integration = Integration::one_point;
   Hourglass hourglass = Hourglass::assumed_strain;  // only with Integration::one_point
   double hourglass_coefficient = 0.05;              // not with Hourglass::assumed_strain
-  bool resist_folding = false;                      // forces at corners of hexahedra that turn inside out
+  bool resist_folding = true;                       // forces at corners of hexahedra that turn inside out
   bool skip_resting = true;                         // leave chunks of elements alone that rest; no result depends on it
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;

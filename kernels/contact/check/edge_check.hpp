@@ -172,6 +172,11 @@ struct PairInReach {
   bool flips;     // the normal is against a x b
 };
 
+/// The widest predicted gap of a row.
+KOKKOS_INLINE_FUNCTION double find_edge_row_gap(bool known, double size) {
+  return (known ? contact_limits::history_row_gap : contact_limits::row_gap) * size;
+}
+
 /// Where a pair touches: on the edges at the end of the step, at their ends where it was before, or where it went
 /// through. In: touch with its gaps between the lines; false if it does not touch.
 KOKKOS_INLINE_FUNCTION bool find_place(const PairInReach& p, EdgeTouch& touch) {
@@ -192,7 +197,7 @@ KOKKOS_INLINE_FUNCTION bool find_place(const PairInReach& p, EdgeTouch& touch) {
     if (at_start ? !is_deep : !sweep_edges(p.pair, p.flips, touch)) return false;
   }
   touch.gap_end = measure_edge_gap(end_places, touch.s, touch.t, touch.normal) - p.offset;
-  return touch.gap_end <= limits::row_gap * touch.size;
+  return touch.gap_end <= find_edge_row_gap(p.known, touch.size);
 }
 
 /// Checks one pair; touch is meaningful if the answer is true. last_normal: of the contact that touch.record continues.
@@ -217,7 +222,7 @@ KOKKOS_INLINE_FUNCTION bool check_edge_pair(const EdgeSurface& surface, const Su
   touch.offset = static_cast<float>(offset);
   touch.s = end.s;
   touch.t = end.t;
-  if (touch.gap_end > contact_limits::row_gap * h) return false;
+  if (touch.gap_end > find_edge_row_gap(known, h)) return false;
   const double deepest = known ? contact_limits::history_depth * h + offset : contact_limits::new_depth * h;
   if (touch.gap_start < -deepest) return false;
   return find_place({pair, start, end, offset, known, dot(along_cross, end.normal) < 0}, touch);

@@ -8,8 +8,8 @@
 
 namespace percuss {
 
-/// Order of the faces of a node: history, then time, then least penetration, then least distance beside the face,
-/// then the face of the last step, then the face's number.
+/// Order of the faces of a node: history, then time, what is kept last; then least penetration, then least distance
+/// beside the face, then the face of the last step, then its number.
 struct TouchKey {
   int value[6];
 };
@@ -32,7 +32,7 @@ KOKKOS_INLINE_FUNCTION TouchKey make_key(const Touch& touch) {
   const double depth = touch.gap_end < 0 ? -touch.gap_end : 0;
   TouchKey key;
   key.value[0] = touch.record >= 0 ? 0 : 1;
-  key.value[1] = touch.record >= 0 ? 0 : quantise(touch.tau, contact_limits::time_quantum);
+  key.value[1] = touch.record < 0 ? quantise(touch.tau, contact_limits::time_quantum) : touch.is_kept ? 1 : 0;
   key.value[2] = quantise(depth, contact_limits::depth_quantum * touch.size);
   key.value[3] = quantise(touch.off, contact_limits::off_quantum * touch.size);
   key.value[4] = touch.same_face ? 0 : 1;
@@ -105,14 +105,26 @@ KOKKOS_INLINE_FUNCTION void settle_start(const ContactSurface& surface, const Su
   measure_start(load_touched_face(surface, motion, faces, node.x, node.v, touch.face, offset).start, touch);
 }
 
+/// Whether the face and one that pushed the node in the last step meet in a valley: the node may slide from the one
+/// behind the other.
+KOKKOS_INLINE_FUNCTION bool is_across_valley(const ContactSurface& surface, const SurfaceMotion& motion,
+                                             const FaceState& faces, const KnownFaces& known, int face) {
+  for (const int old : known.face)
+    if (old >= 0 && old != face && share_corner(surface, old, face) && !are_convex(surface, motion, faces, old, face))
+      return true;
+  return false;
+}
+
 /// A node that slips in just below an edge goes through a face that looks past it. It is lifted over the edge by the
 /// neighbour that it then lies behind by a little, rather than caught by the face; without such a neighbour it is
 /// caught.
 template <Thickness thickness>
 KOKKOS_INLINE_FUNCTION bool is_ruled_out(const ContactSurface& surface, const SurfaceMotion& motion,
-                                         const FaceState& faces, const CheckedNode& node, TouchList& found, int i) {
+                                         const FaceState& faces, const KnownFaces& known, const CheckedNode& node,
+                                         TouchList& found, int i) {
   const Touch& touch = found.touch[i];
   if (touch.same_face || (touch.opposed && !touch.beside)) return false;
+  if (touch.opposed && is_across_valley(surface, motion, faces, known, touch.face)) return false;
   for (int j = 0; j < found.count; ++j) {
     const Touch& other = found.touch[j];
     const bool is_edge =
@@ -158,7 +170,8 @@ KOKKOS_INLINE_FUNCTION void check_node(const ContactSurface& surface, const Surf
     check_pairs<thickness>(surface, motion, faces, known, checked, pairs, [&](const Touch& t) { found.insert(t); });
   }
   bool decided[TouchList::capacity];
-  for (int i = 0; i < found.count; ++i) decided[i] = is_ruled_out<thickness>(surface, motion, faces, checked, found, i);
+  for (int i = 0; i < found.count; ++i)
+    decided[i] = is_ruled_out<thickness>(surface, motion, faces, known, checked, found, i);
   accepted.count = 0;
   for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
     if (decided[i]) continue;

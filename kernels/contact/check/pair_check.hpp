@@ -2,8 +2,9 @@
 // The detailed check of one pair: is this contact node in contact with this face in this step, where, how deep?
 //
 // Ways into contact: the node is at the face at the end of the step (touching: the closest point at the predicted
-// place), goes through it within the step (swept, at any speed), or leaves it far behind (held). A node behind a face
-// that it did not go through is not in contact with it. Nothing here depends on what other pairs exist.
+// place), goes through it within the step (swept, at any speed), leaves it far behind (held), is beside it after it was
+// pushed (kept), or went through it in the last step unseen (passed). A node behind a face that it did not go through
+// is not in contact with it. Nothing here depends on what other pairs exist.
 
 #include "kernels/contact/check/touch.hpp"
 #include "kernels/contact/geometry/swept_root.hpp"
@@ -26,6 +27,19 @@ KOKKOS_INLINE_FUNCTION double find_reach(const Touch& touch) {
   return find_known_depth(touch, contact_limits::capture);
 }
 
+/// The widest predicted gap of a row. What moves far in a step may be pushed as far.
+KOKKOS_INLINE_FUNCTION double find_row_gap(const Touch& touch) {
+  const double widest = contact_limits::history_row_gap * touch.size;
+  const double gap = contact_limits::row_gap * touch.size + contact_limits::row_gap_ways * touch.way;
+  return touch.record >= 0 || gap > widest ? widest : gap;
+}
+
+KOKKOS_INLINE_FUNCTION double find_longest_way(const FacePoints& move) {
+  double longest = 0;
+  for (int i = 0; i < 4; ++i) longest = larger(longest, dot(move.corner[i], move.corner[i]));
+  return std::sqrt(longest);
+}
+
 /// Bounds leave this much room for round-off.
 inline constexpr double bound_slack = 1.001;
 
@@ -40,12 +54,11 @@ KOKKOS_INLINE_FUNCTION double find_contact_time(const Touch& touch) {
 /// gap is more than 1 / least_push_cosine times the distance.
 inline constexpr double least_push_cosine = 0.5;
 
-/// Change of the gap with the place of the node: the `normal` of the triangle, so scaled that moving along the push
-/// direction by one closes the gap by one. Push direction and triangle differ on smooth surfaces; without this every
-/// push would fall short by the square of the angle.
-KOKKOS_INLINE_FUNCTION Point3 find_gap_gradient(const Point3& normal, const Point3& push) {
+/// Distance of the origin from the triangle with this normal along a push direction.
+KOKKOS_INLINE_FUNCTION double measure_distance(const FacePoints& face, const Point3& normal, const double weight[4],
+                                               const Point3& push) {
   const double cosine = dot(normal, push);
-  return cosine > least_push_cosine ? (1 / cosine) * normal : push;
+  return -dot(cosine > least_push_cosine ? (1 / cosine) * normal : push, interpolate(face, weight));
 }
 
 /// Sets direction and predicted gap of a touch at the point of the face with touch.weight, on the triangle with this
@@ -53,21 +66,14 @@ KOKKOS_INLINE_FUNCTION Point3 find_gap_gradient(const Point3& normal, const Poin
 KOKKOS_INLINE_FUNCTION void measure_end(const ContactSurface& surface, const FaceState& faces, const FacePoints& end,
                                         const Point3& normal, Touch& touch) {
   touch.normal = find_push_direction(surface, faces, touch.face, touch.weight);
-  touch.gap_gradient = find_gap_gradient(normal, touch.normal);
-  touch.gap_end = -dot(touch.gap_gradient, interpolate(end, touch.weight));
-}
-
-/// Gap of the origin from a point of the face, on the triangle with this normal, along the push direction of the touch.
-KOKKOS_INLINE_FUNCTION double measure_gap(const FacePoints& face, const Point3& normal, const double weight[4],
-                                          const Touch& touch) {
-  return -dot(find_gap_gradient(normal, touch.normal), interpolate(face, weight));
+  touch.gap_end = measure_distance(end, normal, touch.weight, touch.normal);
 }
 
 /// The gap at n, which is that of the closest point at n: that of the predicted point would count sliding as depth
 /// wherever push direction and face differ by a little. Returns that point.
 KOKKOS_INLINE_FUNCTION FacePoint measure_start(const FacePoints& start, Touch& touch) {
   const FacePoint before = find_closest_point(start);
-  touch.gap_start = measure_gap(start, before.normal, before.weight, touch);
+  touch.gap_start = measure_distance(start, before.normal, before.weight, touch.normal);
   touch.owes_start = false;
   return before;
 }
@@ -91,7 +97,7 @@ KOKKOS_INLINE_FUNCTION bool check_touching(const ContactSurface& surface, const 
   for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
   touch.off = closest.off;
   measure_end(surface, faces, end, closest.normal, touch);
-  if (touch.gap_end > contact_limits::row_gap * h) return false;
+  if (touch.gap_end > find_row_gap(touch)) return false;
   touch.owes_start = is_surely_shallow(start, touch);
   if (touch.owes_start) return true;
   const FacePoint before = measure_start(start, touch);
@@ -126,9 +132,32 @@ KOKKOS_INLINE_FUNCTION bool check_swept(const ContactSurface& surface, const Fac
   for (int i = 0; i < 4; ++i) touch.weight[i] = hit.weight[i];
   touch.off = hit.off;
   measure_end(surface, faces, end, find_triangle_normal(end, hit.triangle), touch);
-  touch.gap_start = measure_gap(relative.start, find_triangle_normal(relative.start, hit.triangle), hit.weight, touch);
+  touch.gap_start =
+      measure_distance(relative.start, find_triangle_normal(relative.start, hit.triangle), hit.weight, touch.normal);
   touch.tau = touch.gap_start <= contact_limits::new_band * h ? 0 : hit.tau;
-  return touch.gap_end <= contact_limits::row_gap * h && touch.gap_start >= -contact_limits::new_depth * h;
+  return touch.gap_end <= find_row_gap(touch) && touch.gap_start >= -contact_limits::new_depth * h;
+}
+
+/// Passed: the node went through the face in the last step, where no check saw it going: pushes of that step turned it,
+/// or the face. The way back from n is that of the last step for all that was pushed in it.
+KOKKOS_INLINE_FUNCTION bool check_passed(const ContactSurface& surface, const FaceState& faces,
+                                         const RelativeFace& relative, const FacePoints& end, Touch& touch) {
+  const double h = touch.size;
+  FacePoints before;
+  for (int i = 0; i < 4; ++i) before.corner[i] = relative.start.corner[i] - relative.move.corner[i];
+  if (!may_meet(before, relative.start, bound_slack * contact_limits::new_band * h)) return false;
+  const SweptHit hit = sweep_face(before, relative.move, contact_limits::new_band * h);
+  if (!hit.hit) return false;
+  const double height = -dot(find_triangle_normal(before, hit.triangle), interpolate(before, hit.weight));
+  const FacePoint closest = find_closest_point(relative.start);
+  if (height <= contact_limits::overlap * h || closest.off > contact_limits::new_band * h) return false;
+  for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
+  touch.off = closest.off;
+  touch.tau = 0;
+  measure_end(surface, faces, end, find_triangle_normal(end, closest.triangle), touch);
+  touch.gap_start = measure_distance(relative.start, closest.normal, closest.weight, touch.normal);
+  touch.owes_start = touch.beside = false;
+  return touch.gap_end <= find_row_gap(touch) && touch.gap_start >= -contact_limits::history_depth * h;
 }
 
 /// Whether a node is certainly not held, by its distance from the closest point at the predicted place: from there to
@@ -151,9 +180,26 @@ KOKKOS_INLINE_FUNCTION bool check_held(const ContactSurface& surface, const Face
   for (int i = 0; i < 4; ++i) touch.weight[i] = closest.weight[i];
   touch.off = closest.off;
   measure_end(surface, faces, end, find_triangle_normal(end, closest.triangle), touch);
-  touch.gap_start = measure_gap(start, closest.normal, closest.weight, touch);
+  touch.gap_start = measure_distance(start, closest.normal, closest.weight, touch.normal);
   if (touch.gap_start > contact_limits::new_band * h || touch.gap_end > -find_reach(touch)) return false;
   return touch.gap_start >= -find_deepest_start(touch);
+}
+
+/// Kept: the face pushed the node in the last step and the predicted place is beside it. Between two faces that meet in
+/// a valley neither may be dropped before the other holds the node, or it is pushed into the one that is.
+KOKKOS_INLINE_FUNCTION bool check_kept(const ContactSurface& surface, const FaceState& faces, const FacePoints& start,
+                                       const FacePoints& end, Touch& touch) {
+  if (!touch.same_face) return false;
+  const double h = touch.size;
+  const FacePoint before = find_closest_point(start);
+  if (before.distance > find_reach(touch) || before.off > contact_limits::history_band * h) return false;
+  for (int i = 0; i < 4; ++i) touch.weight[i] = before.weight[i];
+  touch.off = before.off;
+  touch.is_kept = true;
+  measure_end(surface, faces, end, find_triangle_normal(end, before.triangle), touch);
+  touch.gap_start = measure_distance(start, before.normal, before.weight, touch.normal);
+  touch.owes_start = false;
+  return touch.gap_end <= find_row_gap(touch) && touch.gap_start >= -find_deepest_start(touch);
 }
 
 /// Candidate faces of a node that are checked together; touch is meaningful for those that are found in contact.
@@ -172,7 +218,7 @@ KOKKOS_INLINE_FUNCTION void add_pair(const ContactSurface& surface, const Surfac
   if (offset > 0) {
     find_record(surface, faces, known, touch);
     if (is_off_slab(faces.slab(face), load_row(faces.normal, face), motion, node, offset,
-                    contact_limits::row_gap * touch.size, find_reach(touch)))
+                    contact_limits::history_row_gap * touch.size, find_reach(touch)))
       return;
   }
   if constexpr (thickness == Thickness::of_shells)
@@ -190,6 +236,21 @@ KOKKOS_INLINE_FUNCTION bool starts_in_front(const FacePack& faces, int lane, dou
   return faces.range.most_start[lane] > contact_limits::overlap * size;
 }
 
+/// Whether the node may have gone through the face in the last step: it is behind its plane now and was clearly in
+/// front, if it came as it goes on.
+KOKKOS_INLINE_FUNCTION bool may_have_passed(const FacePack& faces, int lane, double size) {
+  if (!(faces.range.least[lane] < 0)) return false;
+  const Point3 normal{faces.normal[0][lane], faces.normal[1][lane], faces.normal[2][lane]};
+  const FacePoints start = faces.start[lane], move = faces.move[lane];
+  bool is_behind = false, was_in_front = false;
+  for (int i = 0; i < 4; ++i) {
+    const double height = -dot(normal, start.corner[i]);
+    is_behind = is_behind || height < 0;
+    was_in_front = was_in_front || height + dot(normal, move.corner[i]) > contact_limits::overlap * size;
+  }
+  return is_behind && was_in_front;
+}
+
 /// By the plane of the face and by what node and face look at. In: FacePack::range.
 template <Thickness thickness>
 KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const ContactSurface& surface, const SurfaceMotion& motion,
@@ -197,14 +258,18 @@ KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const ContactSurface& surface, c
                                                 const CheckedNode& node, int lane, PairPack& pairs) {
   Touch& touch = pairs.touch[lane];
   const auto& range = pairs.faces.range;
-  if (range.least[lane] > contact_limits::row_gap * touch.size || range.most[lane] < -find_reach(touch))
+  if (range.least[lane] > contact_limits::history_row_gap * touch.size || range.most[lane] < -find_reach(touch))
     return PairOutlook::out;
   if (!(touch.offset > 0)) find_record(surface, faces, known, touch);
+  touch.way = find_longest_way(pairs.faces.move[lane]);
+  if (range.least[lane] > find_row_gap(touch)) return PairOutlook::out;
   touch.opposed = thickness == Thickness::of_shells
                       ? looks_against(surface, motion, faces, node.node, touch.face)
                       : has_opposed_face(surface, faces, node.node, touch.face, contact_limits::opposing);
   if (touch.opposed || touch.same_face) return PairOutlook::any;
-  return starts_in_front(pairs.faces, lane, touch.size) ? PairOutlook::swept_only : PairOutlook::out;
+  const bool may_cross =
+      starts_in_front(pairs.faces, lane, touch.size) || may_have_passed(pairs.faces, lane, touch.size);
+  return may_cross ? PairOutlook::swept_only : PairOutlook::out;
 }
 
 /// Whether a pair is in contact. closest: at the predicted place, none where it can only be swept.
@@ -217,13 +282,19 @@ KOKKOS_INLINE_FUNCTION bool judge_pair(const ContactSurface& surface, const Face
   // nothing.
   const bool may_sweep = starts_in_front(pairs.faces, lane, touch.size) &&
                          pairs.faces.range.least[lane] <= bound_slack * contact_limits::new_band * touch.size;
+  const auto has_passed = [&] {
+    return may_have_passed(pairs.faces, lane, touch.size) && check_passed(surface, faces, relative, end, touch);
+  };
   if (closest == nullptr)
-    return may_sweep && check_swept(surface, faces, relative, end, touch) &&
-           touch.gap_start > contact_limits::overlap * touch.size;
+    return (may_sweep && check_swept(surface, faces, relative, end, touch) &&
+            touch.gap_start > contact_limits::overlap * touch.size) ||
+           has_passed();
   if (check_touching(surface, faces, relative.start, end, *closest, touch)) return true;
   if (may_sweep && check_swept(surface, faces, relative, end, touch)) return true;
-  return !is_surely_not_held(relative.move, closest->distance, touch) &&
-         check_held(surface, faces, relative.start, end, touch);
+  if (!is_surely_not_held(relative.move, closest->distance, touch) &&
+      check_held(surface, faces, relative.start, end, touch))
+    return true;
+  return touch.record >= 0 ? check_kept(surface, faces, relative.start, end, touch) : has_passed();
 }
 
 /// Checks the pairs of a pack and calls found(touch) for those in contact, in their order.

@@ -13,26 +13,28 @@ struct Touch {
   bool same_face;   // the record is of this very face
   bool opposed;     // whether some face of the node looks against this one
   bool beside;      // behind the face since the start, but beside it then: it came in through another face
+  bool is_kept;     // the predicted place is beside the face that pushed the node: seen where it was at n
   bool owes_start;  // gap_start is still to be found: nothing but the row of an obeyed touch asks for it
   float offset;     // distance that the node keeps from the face of the mesh by thickness, for limits
   double weight[4];
-  Point3 normal;        // push direction of the node
-  Point3 gap_gradient;  // how the gap changes with the place of the node; its part along the push direction is 1
-  double gap_start;     // distance along the normal at n, negative behind the face [length]; see owes_start
-  double gap_end;       // the same at the predicted place
-  double off;           // distance beside the face
-  double tau;           // when a new contact begins, share of the step; 0: touching since the start
-  double size;          // h of the face
+  Point3 normal;     // push direction of the node: how the gap changes with its place
+  double gap_start;  // distance along the normal at n, negative behind the face [length]; see owes_start
+  double gap_end;    // the same at the predicted place
+  double off;        // distance beside the face
+  double tau;        // when a new contact begins, share of the step; 0: touching since the start
+  double size;       // h of the face
+  double way;        // longest way of a corner of the face relative to the node in the step
 };
 
 KOKKOS_INLINE_FUNCTION void start_touch(int face, double size, double offset, Touch& touch) {
   touch.face = face;
   touch.record = -1;
   touch.opposed = true;
-  touch.same_face = touch.beside = touch.owes_start = false;
+  touch.same_face = touch.beside = touch.is_kept = touch.owes_start = false;
   touch.offset = static_cast<float>(offset);
   touch.gap_start = touch.gap_end = touch.off = touch.tau = 0;
   touch.size = size;
+  touch.way = 0;
 }
 
 /// Up to three touches that the node obeys.

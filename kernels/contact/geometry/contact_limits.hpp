@@ -19,6 +19,11 @@ inline constexpr double lift_depth = 5e-3;
 inline constexpr double history_depth = 0.25;
 /// A face that the node does not reach in the step still gets a row up to this distance: it may be pushed there.
 inline constexpr double row_gap = 0.02;
+/// ... and by so many ways of the step more.
+inline constexpr double row_gap_ways = 2;
+/// The same for a face that pushed the node in the last step. The node is seen to go on as it went, and may go
+/// elsewhere.
+inline constexpr double history_row_gap = 0.25;
 /// No accepted pair is farther apart than this; capture boxes are widened by it.
 inline constexpr double capture = 0.27;
 /// Penetration of an earlier step is recovered by at most this a step; more would throw bodies apart.
@@ -44,8 +49,9 @@ inline constexpr double feature = 0.8660254037844386;
 inline constexpr double least_sine = 0.05;
 /// Share of an edge at each end that is left to nodes and faces.
 inline constexpr double end_band = 1e-3;
-/// A contact with history is kept past an end by this share of the edge ...
-inline constexpr double history_end_band = 1e-2;
+/// A contact with history is kept past an end by this share of the edge: in a valley of bent edges neither pair of the
+/// one line may go before the other holds ...
+inline constexpr double history_end_band = 3e-2;
 /// ... and by this share of the predicted depth. Where edges of one line of elements have bent into a valley, the place
 /// of a body that presses into it leaves both; the tangent of half the bend is what it leaves them by.
 inline constexpr double history_bend = 0.5;

@@ -63,6 +63,41 @@ KOKKOS_INLINE_FUNCTION void limit_closing(const RowNodes& at, double dt, Contact
   if (reachable < row.target) row.target = reachable;
 }
 
+/// Changes of place in the step by the velocities without contact, and by those with which the check saw the nodes.
+struct RowWays {
+  Point3 predicted{}, seen{};
+};
+
+KOKKOS_INLINE_FUNCTION RowWays find_ways(const RowNodes& at, double dt, const ContactRow& row) {
+  return {dt * find_work_velocity(row, TouchedVelocity{at.v, row}),
+          dt * find_work_velocity(row, TouchedVelocity{at.v_seen, row})};
+}
+
+/// The discrete gradient of the gap (Gonzalez, J. Nonlinear Sci. 6, 1996): turns the push direction of a contact that
+/// goes on, along the way that the two sides slide, so that the motion that the check saw changes the gap by what it
+/// was seen to change by. A push then gives no energy where the gap stays as it is, however normals turn and bodies
+/// dent. change: of the gap.
+KOKKOS_INLINE_FUNCTION Point3 find_discrete_gradient(const Point3& normal, const Point3& way, double change,
+                                                     double size) {
+  constexpr double most_turn = 0.2, least_slide = 1e-5;  // tangent of an angle; share of h
+  const double along = dot(normal, way), missing = change - along;
+  const Point3 slide = way - along * normal;
+  // Of sides that do not slide much, or rather come together than slide, little is known.
+  const double least = least_slide * size, slid = dot(slide, slide), square = slid + along * along + least * least;
+  const double turn = missing / square, most = most_turn * most_turn;
+  const double steep = turn * turn * slid;
+  return normalize(normal + (steep > most ? turn * std::sqrt(most / steep) : turn) * slide);
+}
+
+/// Depth is given back slowly as the row itself measures it: from where its own gap was at n, whatever the geometry at
+/// n says. What the two differ by has cost nothing, and would be recovered under load.
+KOKKOS_INLINE_FUNCTION void limit_recovery(const RowWays& ways, ContactRow& row) {
+  const double recovered = contact_limits::recovery * row.size;
+  if (row.gap_start >= recovered) return;
+  const double reachable = row.gap - dot(row.gap_gradient, ways.predicted) + recovered;
+  if (reachable < row.target) row.target = reachable;
+}
+
 /// Continues a history record: first guess of the impulses, owed slip, accepted overlap.
 KOKKOS_INLINE_FUNCTION void continue_record(const LastContact& record, const RowInputs& inputs, ContactRow& row) {
   const Point3 last = inputs.impulse_scale * record.impulse;
@@ -135,12 +170,19 @@ KOKKOS_INLINE_FUNCTION void fill_touch_row(const ContactHistory& history, const 
   row.size = touch.size;
   row.has_thickness = touch.has_thickness;
   row.gap_start = touch.gap_start;
-  row.gap = touch.gap_end;
   set_arms(at.x, row);
+  const RowWays ways = find_ways(at, inputs.motion.dt, row);
+  if (touch.old_record >= 0)
+    row.normal = row.gap_gradient =
+        find_discrete_gradient(touch.normal, ways.seen, touch.gap_end - touch.gap_start, touch.size);
+  row.gap = touch.gap_end + dot(row.gap_gradient, ways.predicted - ways.seen);
   const int old = touch.old_record;
+  // Depth that no contact has seen arise cost nothing: it is held.
+  if (old < 0 && row.gap_start < 0) row.reference = -row.gap_start;
   LastContact last;
   if (old >= 0) last = touch.kind == RowKind::edges ? load_record(history.edges, old) : load_record(history, old);
   complete_row(inputs, at, old >= 0, last, row);
+  limit_recovery(ways, row);
   limit_closing(at, inputs.motion.dt, row);
 }
 

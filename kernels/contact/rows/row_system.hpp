@@ -69,7 +69,7 @@ KOKKOS_INLINE_FUNCTION RowTouch make_row_touch(const Touch& touch) {
   RowTouch row;
   for (int i = 0; i < 4; ++i) row.weight[i + 1] = -touch.weight[i];
   row.normal = touch.normal;
-  row.gap_gradient = touch.gap_gradient;
+  row.gap_gradient = touch.normal;
   row.gap_start = touch.gap_start;
   row.gap_end = touch.gap_end;
   row.size = touch.size;
@@ -135,9 +135,16 @@ struct RowNodes {
   Rows3<double> x = Rows3<double>("contact::row_x", 0);
   Rows3<double> v = Rows3<double>("contact::row_v", 0);  // predicted without contact
   Rows3<double> v_before = Rows3<double>("contact::row_v_before", 0);
+  Rows3<double> v_seen = Rows3<double>("contact::row_v_seen", 0);              // with which the check saw them
   Rows3<double> inverse_mass = Rows3<double>("contact::row_inverse_mass", 0);  // 0: held
   Array<double> spring = Array<double>("contact::row_spring", 0);              // stiffness of springs.hpp; penalty only
 };
+
+/// Whether contact pushed a node in the last step. The check then sees it going on as it went.
+KOKKOS_INLINE_FUNCTION bool was_pushed(const Rows3<const double>& last_impulse, int node) {
+  const Point3 impulse = load_row(last_impulse, node);
+  return impulse.x != 0 || impulse.y != 0 || impulse.z != 0;
+}
 
 /// What rows read of the mesh.
 struct RowInputs {
@@ -151,9 +158,10 @@ struct RowInputs {
   // Sides push each other from this depth on: those that touch but for the round-off of their places are at rest to the
   // last bit. The same in all rows: what one wants must not contradict the others beside it by however little.
   double play = 0;
-  Array<const double> spring{};     // [mesh nodes] stiffness of springs.hpp, empty without penalty
-  Array<const TieGeometry> ties{};  // of this rank; their touches come last
-  bool looks_inside = true;         // whether walls are to stop nodes inside bodies too
+  Array<const double> spring{};        // [mesh nodes] stiffness of springs.hpp, empty without penalty
+  Array<const TieGeometry> ties{};     // of this rank; their touches come last
+  Rows3<const double> last_impulse{};  // [mesh nodes] of contact in the last step; empty: none
+  bool looks_inside = true;            // whether walls are to stop nodes inside bodies too
 };
 
 struct RowSystem {

@@ -3,9 +3,10 @@
 //
 // Subzonal pressures (Caramana and Shashkov, J. Comp. Phys. 142, 1998) resist every change of a corner's share of the
 // volume. Here a corner resists below a threshold r0 of that share only, with an energy of the geometry alone:
-//   W = k V sum_I psi(r_I),   psi = (r0 - r)^2 / 2 below r0, else 0,   r_I = J_I / V,
+//   W = k V sum_I psi(r_I),   psi = (r0 - r)^3 / (3 r0) below r0, else 0,   r_I = J_I / V,
 // J_I = e1 . (e2 x e3) the triple product of the three edges at corner I, V the exact volume. r does not change in a
-// linear map, so that compression, shear and rotation meet no resistance. No history is kept.
+// linear map, so that compression, shear and rotation meet no resistance. No history is kept. The stiffness sets in from
+// zero: a step that meets a jump of it makes an error of its energy.
 
 #include "kernels/element/hex8/hex8.hpp"
 
@@ -115,7 +116,7 @@ struct FoldForces {
 template <class T>
 PERCUSS_FORCE_INLINE FoldForces<T> find_fold_forces(const FoldRule<T>& rule, const EdgeField<T>& edges,
                                                     const CornerShares<T>& shares, const VolumeGradient<T>& b) {
-  const T half = number<T>(0.5);
+  const T third = number<T>(1.0 / 3.0), stiffness = rule.modulus * (T(1) / rule.threshold);
   EdgeField<T> g;
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 4; ++i) g.along[k][i] = {T(0), T(0), T(0)};
@@ -123,9 +124,9 @@ PERCUSS_FORCE_INLINE FoldForces<T> find_fold_forces(const FoldRule<T>& rule, con
   T energy(0), pressure(0);
   for (int i = 0; i < 8; ++i) {
     const T depth = larger(rule.threshold - shares.share[i], T(0));
-    const T weight = rule.modulus * depth;
-    energy = energy + half * weight * depth;
-    pressure = pressure + half * weight * (rule.threshold + shares.share[i]);
+    const T weight = stiffness * depth * depth;
+    energy = energy + third * weight * depth;
+    pressure = pressure + weight * (third * depth + shares.share[i]);
     const int p = find_edge(i, 0), q = find_edge(i, 1), s = find_edge(i, 2);
     const Vector3<T>&e1 = edges.along[0][p], &e2 = edges.along[1][q], &e3 = edges.along[2][s];
     g.along[0][p] = g.along[0][p] - weight * cross(e2, e3);
@@ -140,8 +141,9 @@ PERCUSS_FORCE_INLINE FoldForces<T> find_fold_forces(const FoldRule<T>& rule, con
 
 /// Upper bound of the largest eigenvalue of the Hessian of W over the corners' positions, where no corner goes deeper
 /// than `depth` (of r0 - r, by corner; 0: it stays above the threshold):
-///   k sum_I [ (|dJ| + |r| |dV|)^2 / V + depth (|ddJ| + r0 |ddV|) ]
-/// with |dJ|^2 = sum |A_k|^2 + |sum A_k|^2, A_k the products of two edges, |ddJ| <= 4 sum |e_k| (three edges that share
+///   k sum_I [ psi'' (|dJ| + |r| |dV|)^2 / V + |psi'| (|ddJ| + max(r0, 2 depth / 3) |ddV|) ]
+/// with psi'' = 2 depth / r0 and |psi'| = depth^2 / r0, which grow with the depth,
+/// |dJ|^2 = sum |A_k|^2 + |sum A_k|^2, A_k the products of two edges, |ddJ| <= 4 sum |e_k| (three edges that share
 /// a node, whose graph has the eigenvalue 4) and |ddV| <= |a| / 3 (the bilinear form of the modes, row by row).
 template <class T>
 PERCUSS_FORCE_INLINE T bound_fold_stiffness(const FoldRule<T>& rule, const EdgeField<T>& edges,
@@ -165,10 +167,10 @@ PERCUSS_FORCE_INLINE T bound_fold_stiffness(const FoldRule<T>& rule, const EdgeF
     const T length = square_root(dot(e1, e1)) + square_root(dot(e2, e2)) + square_root(dot(e3, e3));
     const T size = larger(shares.share[i], -shares.share[i]);
     const T slope = of_jacobian + larger(size, rule.threshold) * first;
-    const T of_corner = slope * slope * inverse + depth.share[i] * (T(4) * length + rule.threshold * second);
-    sum = sum + select(depth.share[i] > T(0), of_corner, T(0));
+    const T pull = larger(rule.threshold, number<T>(2.0 / 3.0) * depth.share[i]);
+    sum = sum + depth.share[i] * (T(2) * slope * slope * inverse + depth.share[i] * (T(4) * length + pull * second));
   }
-  return rule.modulus * sum;
+  return rule.modulus * (T(1) / rule.threshold) * sum;
 }
 
 /// Whether a corner of an element of the pack is near the threshold or below it.

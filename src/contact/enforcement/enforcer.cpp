@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/index_lists.hpp"
 #include "src/contact/ties/tie_rows.hpp"
 
 namespace percuss {
@@ -80,18 +81,66 @@ void Enforcer::redefine(const Mesh& mesh, const SurfaceShare& share, const WallP
   system_.num_written = -1;
 }
 
-void Enforcer::clear_last_impulse(const ContactMotion& motion) {
-  // Only the nodes of the last step's rows and copies of others' can be set, if it is the same memory.
+/// Only the nodes of the last step's rows and copies of others' can have impulses, if it is the same memory.
+void Enforcer::list_pushed(const ContactMotion& motion) {
+  num_pushed_ = 0;
+  const Rows3<const double> impulse = motion.impulse;
   if (last_impulse_ != motion.impulse.data()) {
-    Kokkos::deep_copy(ExecSpace(), motion.impulse, 0.0);
+    reserve(pushed_, static_cast<int>(impulse.extent(0)));
+    num_pushed_ = list_where<ExecSpace>(
+        ExecSpace(), static_cast<int>(impulse.extent(0)),
+        [impulse] KOKKOS_FUNCTION(int n) { return was_pushed(impulse, n); }, pushed_);
   } else if (was_pushed_) {
-    const Array<const int> copies = impulse_copies_.copies();
-    const int num_copies = static_cast<int>(copies.extent(0));
-    run_where_it_pays((system_.num_nodes + num_copies) / 10, [&](const auto& space) {
-      clear_impulses(space, system_.nodes, system_.num_nodes, motion.impulse);
-      clear_impulses(space, copies, num_copies, motion.impulse);
+    const Array<const int> copies = impulse_copies_.copies(), own = system_.nodes;
+    const int num_own = system_.num_nodes;
+    num_pushed_ = num_own + static_cast<int>(copies.extent(0));
+    reserve(pushed_, num_pushed_);
+    const Array<int> pushed = pushed_;
+    run_where_it_pays(num_pushed_ / 10, [&](const auto& space) {
+      Kokkos::parallel_for(
+          "contact::list_pushed", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_),
+          KOKKOS_LAMBDA(int i) { pushed(i) = i < num_own ? own(i) : copies(i - num_own); });
     });
   }
+}
+
+void Enforcer::show_seen(const ContactMotion& motion) {
+  list_pushed(motion);
+  if (num_pushed_ == 0) return;
+  reserve(predicted_, num_pushed_);
+  const Array<const int> pushed = pushed_;
+  const Rows3<double> v = motion.v, predicted = predicted_;
+  const Rows3<const double> v_before = motion.v_before, impulse = motion.impulse;
+  run_where_it_pays(num_pushed_ / 10, [&](const auto& space) {
+    Kokkos::parallel_for(
+        "contact::show_seen", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_), KOKKOS_LAMBDA(int i) {
+          const int n = pushed(i);
+          store_row(predicted, i, load_row(v, n));
+          if (was_pushed(impulse, n)) store_row(v, n, load_row(v_before, n));
+        });
+    space.fence();
+  });
+}
+
+void Enforcer::show_predicted(const ContactMotion& motion) {
+  if (num_pushed_ == 0) return;
+  const Array<const int> pushed = pushed_;
+  const Rows3<double> v = motion.v;
+  const Rows3<const double> predicted = predicted_;
+  run_where_it_pays(num_pushed_ / 10, [&](const auto& space) {
+    Kokkos::parallel_for(
+        "contact::show_predicted", RangeOf<std::decay_t<decltype(space)>>(space, 0, num_pushed_),
+        KOKKOS_LAMBDA(int i) { store_row(v, pushed(i), load_row(predicted, i)); });
+    space.fence();
+  });
+}
+
+void Enforcer::clear_last_impulse(const ContactMotion& motion) {
+  if (num_pushed_ > 0) {
+    run_where_it_pays(num_pushed_ / 10,
+                      [&](const auto& space) { clear_impulses(space, pushed_, num_pushed_, motion.impulse); });
+  }
+  num_pushed_ = 0;
   last_impulse_ = motion.impulse.data();
   was_pushed_ = false;
 }
@@ -127,7 +176,6 @@ void Enforcer::rest(const ContactMotion& motion, ContactHistory& history) {
 void Enforcer::repeat(const ContactMotion& motion) {
   clear_last_impulse(motion);
   last_dt_ = motion.dt;
-  last_pushes_ = 0;
 }
 
 template <class Space>
@@ -155,7 +203,6 @@ void Enforcer::book_pairs(const Space& space) {
 
 void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
                        ContactHistory& history, ContactReport& report) {
-  clear_last_impulse(motion);
   const bool has_springs = deck_.enforcement == ContactDeck::Enforcement::penalty;
   const RowInputs inputs{{motion.x, motion.v, motion.dt},
                          motion.v_before,
@@ -167,6 +214,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
                          play_,
                          spring_,
                          ties_,
+                         motion.impulse,
                          last_pushes_ != 0};
   const double dt_mean = last_dt_ > 0 ? 0.5 * (last_dt_ + motion.dt) : motion.dt;
   last_dt_ = motion.dt;
@@ -177,6 +225,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
   // A row's solution costs some dozen passes; a wall's pair that is out of reach costs one look.
   run_where_it_pays(num_touches + wall_pairs / 8, [&](const auto& space) {
     build_rows(space, inputs, touches, num_touches, walls_, history, system_, exchange_);
+    clear_last_impulse(motion);
     const SolveReport solved = solve(space, motion.dt, dt_mean);
     if (solved.rows > 0) {
       apply_impulses(space, system_, motion.v, motion.impulse);

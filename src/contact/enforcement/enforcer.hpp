@@ -21,6 +21,12 @@ class Enforcer {
   Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls,
            const Array<const TieGeometry>& ties, const Deck& deck, ContactForces& forces);
 
+  /// Search and check see the nodes that contact pushed in the last step going on with the velocity of n-1/2: what
+  /// their own forces alone would do is no place that they ever reach. Until show_predicted(), motion.v holds that.
+  void show_seen(const ContactMotion& motion);
+  /// Puts the velocities predicted without contact back.
+  void show_predicted(const ContactMotion& motion);
+
   /// Corrects motion.v and fills motion.impulse for the touches of this rank's contact nodes, its ties last, on every
   /// copy of a node; writes the history for the next step; fills in what the report says of enforcement.
   void enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
@@ -48,6 +54,7 @@ class Enforcer {
   SolveReport solve(const Space& space, double dt, double dt_mean);
   template <class Space>
   void book_pairs(const Space& space);
+  void list_pushed(const ContactMotion& motion);
   void clear_last_impulse(const ContactMotion& motion);
   void update_copies(const ContactMotion& motion);
 
@@ -63,8 +70,13 @@ class Enforcer {
   RowSystem system_;
   RowSumMemory sums_;
   ContactForces& forces_;
-  Array<const double> spring_;            // [mesh nodes] of owned contact nodes; empty without penalty
-  std::vector<PairWork> pair_work_;       // empty: not asked for
+  Array<const double> spring_;       // [mesh nodes] of owned contact nodes; empty without penalty
+  std::vector<PairWork> pair_work_;  // empty: not asked for
+  // Mesh nodes that the last step may have pushed, copies of others' among them, from show_seen() on, and their
+  // predicted velocities until show_predicted().
+  int num_pushed_ = 0;
+  Array<int> pushed_ = Array<int>("contact::pushed_nodes", 0);
+  Rows3<double> predicted_ = Rows3<double>("contact::predicted_velocity", 0);
   bool was_pushed_ = false;               // impulses of the last step stand in motion.impulse
   const double* last_impulse_ = nullptr;  // where they were written
   double last_dt_ = 0;

@@ -21,7 +21,7 @@ struct RowExchange::ForeignNotice {
 
 /// What a row needs of a foreign node.
 struct RowExchange::ForeignData {
-  std::array<double, 3> x, v, v_before, inverse_mass;
+  std::array<double, 3> x, v, v_before, v_seen, inverse_mass;
   double spring = 0;
 };
 
@@ -68,9 +68,12 @@ void RowExchange::announce_foreign_nodes(const Array<const RowTouch>& touches, i
 /// Positions, velocities and masses of the foreign nodes, after those of the own ones.
 void RowExchange::receive_nodes(RowSystem& system) {
   if (!has_many_ranks_) return;
-  const Rows3<double>* const rows[4] = {&system.at.x, &system.at.v, &system.at.v_before, &system.at.inverse_mass};
-  std::array<double, 3> ForeignData::*const members[4] = {&ForeignData::x, &ForeignData::v, &ForeignData::v_before,
-                                                          &ForeignData::inverse_mass};
+  constexpr std::size_t count = 5;
+  RowNodes& at_places = system.at;
+  const Rows3<double>* const rows[count] = {&at_places.x, &at_places.v, &at_places.v_before, &at_places.v_seen,
+                                            &at_places.inverse_mass};
+  std::array<double, 3> ForeignData::*const members[count] = {&ForeignData::x, &ForeignData::v, &ForeignData::v_before,
+                                                              &ForeignData::v_seen, &ForeignData::inverse_mass};
   const auto place = to_host(system.remote_place);
   const auto spring = to_host(system.at.spring);
   const bool has_springs = spring.extent(0) > 0;
@@ -79,11 +82,11 @@ void RowExchange::receive_nodes(RowSystem& system) {
   for (const Rows3<double>* view : rows) hosts.push_back(to_host(*view));
   for (std::size_t k = 0; k < send.size(); ++k) {
     const auto a = at(place(k));
-    for (std::size_t i = 0; i < 4; ++i) send[k].*members[i] = {hosts[i](a, 0), hosts[i](a, 1), hosts[i](a, 2)};
+    for (std::size_t i = 0; i < count; ++i) send[k].*members[i] = {hosts[i](a, 0), hosts[i](a, 1), hosts[i](a, 2)};
     if (has_springs) send[k].spring = spring(a);
   }
   const std::vector<ForeignData> received = data_.exchange(reverse(plan_), send);
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < received.size(); ++k) {
       const auto a = at(system.num_nodes + order_[k]);
       for (std::size_t d = 0; d < 3; ++d) hosts[i](a, d) = (received[k].*members[i])[d];

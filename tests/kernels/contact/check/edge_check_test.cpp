@@ -130,10 +130,10 @@ TEST(EdgeCheck, ARememberedContactIsKeptAtAnEndThatItsDepthTakesItPast) {
     }
     return kept;
   };
-  EXPECT_TRUE(fall_past(0.005, 0));
-  EXPECT_FALSE(fall_past(0.02, 0));
-  EXPECT_TRUE(fall_past(0.05, 0.1));   // into a valley, on its predicted way
-  EXPECT_FALSE(fall_past(0.07, 0.1));  // off the edge
+  EXPECT_TRUE(fall_past(0.025, 0));
+  EXPECT_FALSE(fall_past(0.035, 0));
+  EXPECT_TRUE(fall_past(0.07, 0.1));   // into a valley, on its predicted way
+  EXPECT_FALSE(fall_past(0.09, 0.1));  // off the edge
   EXPECT_TRUE(fall_past(0.05, 0.4));   // deeper than any contact reaches: held where it was
 }
 

@@ -67,6 +67,35 @@ TEST(NodeCheck, ANodeJustBehindAFaceIsInContactWithIt) {
   EXPECT_NEAR(t.touch[0].gap_start, -0.01, tight);
 }
 
+TEST(NodeCheck, ANodeThatPassedAFaceInTheLastStepIsHeld) {
+  // Behind the face by 0.1, before the last step in front of it by 0.1.
+  const NodeTouches t = CheckedScene(make_drop({1, 1, 0.9}, {0, 0, -20}), 0.01).at(8);
+  ASSERT_EQ(t.count, 1);
+  EXPECT_EQ(t.touch[0].face, face_of(0, z_max));
+  EXPECT_EQ(t.touch[0].tau, 0);
+  EXPECT_NEAR(t.touch[0].gap_start, -0.1, tight);
+  EXPECT_NEAR(t.touch[0].gap_end, -0.3, tight);
+  // It came from behind, or from farther than contact reaches.
+  EXPECT_EQ(CheckedScene(make_drop({1, 1, 0.9}, {0, 0, -9}), 0.01).at(8).count, 0);
+  EXPECT_EQ(CheckedScene(make_drop({1, 1, 0.7}, {0, 0, -40}), 0.01).at(8).count, 0);
+}
+
+TEST(NodeCheck, AFaceKeepsANodeThatItPushedUntilTheNodeIsBesideItAtTheStart) {
+  for (const double x : {3.995, 4.02}) {  // h is 1; a node with a history may be beside by 0.01
+    CheckedScene scene(make_drop({x, 1, 1}, {5, 0, -1}), 0.01);
+    scene.history_face(3 * 8) = face_of(0, z_max);
+    scene.check();
+    const NodeTouches t = scene.at(8);
+    ASSERT_EQ(t.count, 1) << x;  // of the side x_max, beside which it is, where the top does not keep it
+    EXPECT_EQ(t.touch[0].face, face_of(0, x < 4.01 ? z_max : x_max));
+    EXPECT_EQ(t.touch[0].is_kept, x < 4.01);
+    if (x > 4.01) continue;
+    EXPECT_NEAR(t.touch[0].gap_start, 0, tight);
+    EXPECT_NEAR(t.touch[0].gap_end, -0.01, tight);
+    EXPECT_NEAR(4 * (t.touch[0].weight[1] + t.touch[0].weight[2]), x, tight);  // the place of n
+  }
+}
+
 TEST(NodeCheck, CoincidentStackedBricksTouchByTheirOpposedFacesOnly) {
   BrickScene scene;
   scene.add_brick({0, 0, 0}, {1, 1, 1});

@@ -27,6 +27,8 @@ struct EnforcedScene {
     if (solver == Solver::springs) {
       inputs.spring = to_array(std::vector<double>(bricks.v.size(), 1.0));
       inputs.longest_slip = 1e300;
+      // Springs push what earlier steps have seen going in; depth that nothing has seen is held.
+      for (int i = 0; i < scene.touches.count; ++i) touches(i).old_record = touches(i).record;
     }
     build_rows(space, inputs, touches, scene.touches.count, walls, history, system, others);
     if (system.num_rows == 0) return;
