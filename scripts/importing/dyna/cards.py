@@ -79,6 +79,10 @@ class Lines:
     def row(self, layout: str, widths: tuple[int, ...] = (10,) * 8) -> Row:
         return self.card.row(self.take(), layout, widths)
 
+    def holds_more(self) -> bool:
+        """Whether a line with something is left; passes over none."""
+        return any(text.strip() for _, text in self.card.lines[self._next :])
+
     def skip_blank(self) -> bool:
         """Passes over empty lines; whether there is one with something."""
         while self and not self.peek().strip():
@@ -120,7 +124,7 @@ class CardReader:
             if name == "KEYWORD":
                 width = find_width(card.lines.pop(0)[1] if card.lines else "", width)
             elif name.startswith("INCLUDE"):
-                yield from self._include(card, depth)
+                yield from self._include(card, path, depth)
             elif name.startswith("PARAMETER"):
                 parameters.read(card, self._ledger)
             else:
@@ -147,7 +151,7 @@ class CardReader:
         if card:
             yield card
 
-    def _include(self, card: Card, depth: int) -> Iterator[Card]:
+    def _include(self, card: Card, path_of_file: str, depth: int) -> Iterator[Card]:
         names = join_names(card)
         if card.keyword in ("INCLUDE_PATH", "INCLUDE_PATH_RELATIVE"):
             self._folders += [os.path.join(self._folder, name) for name in names]
@@ -156,7 +160,7 @@ class CardReader:
             self._ledger.refuse(card.keyword, card.place, "the file is not read", "the file is left out")
             return
         for name in names:
-            path = self._find(name, card.place)
+            path = self._find(name, card.place, os.path.dirname(os.path.realpath(path_of_file)))
             if depth >= MOST_OPEN or len(self._included) >= MOST_INCLUDED:
                 raise BadInput(card.place, "files include each other too deeply, or without end")
             if path in self._included:
@@ -166,9 +170,10 @@ class CardReader:
             shown = os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder))
             yield from self._read_file(path, shown, card.parameters.inner(), depth + 1, card.place)
 
-    def _find(self, name: str, place: Place) -> str:
+    def _find(self, name: str, place: Place, folder_of_file: str) -> str:
+        """Beside the main file, in the folders of _PATH, or beside the file that includes."""
         name = name.replace("\\", "/")
-        for folder in self._folders:
+        for folder in [*self._folders, folder_of_file]:
             path = os.path.realpath(os.path.join(folder, name)) if "\0" not in name else ""
             if not os.path.isfile(path):
                 continue

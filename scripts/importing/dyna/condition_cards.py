@@ -208,13 +208,13 @@ def read_extra_nodes(deck: KeywordDeck, card: Card) -> None:
         if not line[1].strip():
             continue
         row = card.row(line, "PID ID IFLAG~")
-        deck.find_part(row.integer("PID"), row.place)
         deck.extra_nodes.setdefault(row.integer("PID"), []).append((kind, row.integer("ID"), row.place))
 
 
 def check_extra_nodes(deck: KeywordDeck) -> None:
     for id, entries in deck.extra_nodes.items():
         for kind, _, place in entries:
+            deck.find_part(id, place)
             card = f"CONSTRAINED_EXTRA_NODES_{kind}"
             if id in deck.driven:
                 deck.ledger.translated(card, place, "they have the motion of the part")

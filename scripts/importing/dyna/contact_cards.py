@@ -89,7 +89,7 @@ def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = Fa
     if kind == 5 or (kind in (0, 2) and id == 0):
         return ""
     if kind == 0:
-        return deck.segment_set_name(id, place, both_sides=True)
+        return deck.segment_set_name(id, place)
     if kind in (1, 2):
         return deck.element_set_name("SHELL", id, place) if kind == 1 else deck.part_set_name(id, place)
     if kind == 3:

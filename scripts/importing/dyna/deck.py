@@ -91,7 +91,7 @@ class KeywordDeck:
         self.output = Output()
         self.contacts: list[dict] = []  # a, b, friction, title
         self.forces: list[dict] = []  # entries of output.history.forces
-        self.face_owners: FaceOwners | None = None
+        self._face_owners: FaceOwners | None = None
         self.single_nodes: dict[int, str] = {}  # sets of one node
         self._used_nodes: set[int] | None = None
         self._shell_nodes: set[int] | None = None
@@ -225,19 +225,28 @@ class KeywordDeck:
             self._shell_nodes = self.model.shell_nodes()
         return self._shell_nodes
 
-    def segment_set_name(self, id: int, place: Place, both_sides: bool) -> str:
-        key = ("SEGMENT", id, both_sides)
+    def find_owners(self) -> FaceOwners:
+        """Owners of all faces, made once."""
+        if self._face_owners is None:
+            self._face_owners = FaceOwners(self.model)
+        return self._face_owners
+
+    def segment_set_name(self, id: int, place: Place) -> str | None:
+        """A surface of contact: of shells both faces. None if no face is of an element."""
+        key = ("SEGMENT", id, True)
         if key not in self._names_of_sets:
             card = self.find_set("SEGMENT", id, place)
-            name = self.model.names.take(card.title or f"sides_{id}")
-            faces = list(card.segments)
-            if both_sides:
-                shells = self.shell_nodes()
-                faces += [face[::-1] for face in card.segments if all(node in shells for node in face)]
-            self.model.side_sets[name] = faces
+            signs = [(face, self.find_owners().find_sign(face)) for face in card.segments]
+            faces = [face for face, sign in signs if sign is not None]
+            if len(faces) < len(signs):
+                self.ledger.refuse("SET_SEGMENT.free", card.place, "segments that are no face of an element", "they are left out")
+            faces += [face[::-1] for face in faces if all(node in self.shell_nodes() for node in face)]
+            name = self.model.names.take(card.title or f"sides_{id}") if faces else ""
+            if name:
+                self.model.side_sets[name] = faces
             self._names_of_sets[key] = name
         self.used.add(("SEGMENT", id))
-        return self._names_of_sets[key]
+        return self._names_of_sets[key] or None
 
     def part_set_name(self, id: int, place: Place) -> str | None:
         """Name of a set of parts; the name of the part where it is one block. None if it is empty."""

@@ -4,7 +4,6 @@ from ..curves import interpolate, is_constant, make_time_value
 from ..fields import Row
 from ..ledger import Place
 from ..model import Deck
-from ..shapes import FaceOwners
 from .cards import Card
 from .condition_cards import AXES, DIRECTIONS, nodes_of
 from .deck import KeywordDeck
@@ -57,13 +56,6 @@ def add_pressure(deck: KeywordDeck, faces: str, value: "float | Deck") -> None:
     deck.model.deck.setdefault("loads", {}).setdefault("pressure", []).append({"faces": faces, "value": value})
 
 
-def find_owners(deck: KeywordDeck) -> FaceOwners:
-    """Owners of all faces, made once."""
-    if deck.face_owners is None:
-        deck.face_owners = FaceOwners(deck.model)
-    return deck.face_owners
-
-
 def read_segment_load(deck: KeywordDeck, card: Card) -> None:
     """*LOAD_SEGMENT and _SET, *LOAD_SHELL_SET and _ELEMENT: positive against the normal of the nodes."""
     if card.keyword not in ("LOAD_SEGMENT", "LOAD_SEGMENT_SET", "LOAD_SHELL_SET", "LOAD_SHELL_ELEMENT"):
@@ -95,7 +87,7 @@ def list_faces(deck: KeywordDeck, card: Card, row: Row) -> list[tuple[int, ...]]
 
 def apply_pressure(deck: KeywordDeck, card: Card, row: Row, faces: list[tuple[int, ...]]) -> None:
     """Pressures by side: percuss pushes into a solid, whatever the order of the nodes."""
-    owners = find_owners(deck)
+    owners = deck.find_owners()
     groups: dict[float, list[tuple[int, ...]]] = {}
     lost: Place | None = None
     for face in faces:

@@ -80,9 +80,9 @@ def add_solid(deck: KeywordDeck, card: Card, place: Place, part: int, id: int, c
     if len(corners) == 8 and different == 8:
         found.solids.append((id, tuple(corners)))
         return
-    is_tetrahedron = different == 4 and (len(corners) == 4 or len(set(corners[3:])) == 1)
-    if is_tetrahedron and deck.takes_tetrahedra:
-        found.solids.append((id, tuple(corners[:4])))
+    first = list(dict.fromkeys(corners))
+    if different == 4 and deck.takes_tetrahedra and corners in (first, first + first[3:] * 4, [*first[:3], first[2], *first[3:] * 4]):
+        found.solids.append((id, tuple(first)))
         return
     shape = "quadratic" if different > 8 else SHAPES.get(different, "degenerate")
     found.others.add(f"ELEMENT_SOLID.{shape}")

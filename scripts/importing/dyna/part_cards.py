@@ -24,7 +24,7 @@ def read_parts(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "this form of parts is not read", "it is left out")
         return
     reader = card.reader()
-    while reader.skip_blank():
+    while reader.holds_more():
         title = reader.text()
         row = reader.row("PID SECID MID EOSID HGID GRAV~ ADPOPT~ TMID~")
         id = row.integer("PID")
@@ -68,7 +68,9 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
             reader.take()
         lines = [reader.take()]
         row = card.row(lines[0], "SECID ELFORM A B C D E F")
-        if kind == "SHELL":
+        if row.integer("ELFORM") > 100:  # a user's element has lines of its own
+            lines += [reader.take() for _ in range(len(card.lines)) if reader]
+        elif kind == "SHELL":
             lines.append(reader.take())
             count = int(card.row(lines[0], "SECID ELFORM=2 SHRF=1 NIP=2 PROPT QR ICOMP SETYP").number("NIP"))
             if card.row(lines[0], "SECID A B C D E ICOMP F").integer("ICOMP"):

@@ -36,6 +36,9 @@ def name_law(keyword: str) -> str:
 
 def read_material(deck: KeywordDeck, card: Card) -> None:
     """Materials by id; a keyword may be followed by several of fixed length."""
+    if card.keyword.startswith("MAT_THERMAL"):
+        deck.ledger.refuse(card.keyword, card.place, "heat conduction", "there is none")
+        return
     card.keyword = "MAT_" + name_law(card.keyword)
     if card.keyword.startswith("MAT_ADD_EROSION"):
         reader = card.reader()
