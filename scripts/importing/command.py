@@ -48,9 +48,17 @@ def import_model(arguments: argparse.Namespace) -> int:
     if not arguments.quiet:
         report.print_table(ledger)
     write_reports(arguments, ledger, summary)
+    tell_unused(ledger)
     if refused:
         return tell_refused(arguments, ledger)
     return write_and_check(arguments, model, summary)
+
+
+def tell_unused(ledger: Ledger) -> None:
+    """What the user allows and the deck does not have."""
+    for pattern in ledger.allowed:
+        if pattern not in ledger.used_patterns and pattern != "ALL":
+            print(f"percuss import: --allow {clean(pattern)} fits nothing that is refused", file=sys.stderr)
 
 
 def write_reports(arguments: argparse.Namespace, ledger: Ledger, summary: list[str]) -> None:
@@ -69,9 +77,13 @@ def tell_refused(arguments: argparse.Namespace, ledger: Ledger) -> int:
 
 def write_and_check(arguments: argparse.Namespace, model: Model, summary: list[str]) -> int:
     deck = os.path.join(arguments.out, "deck.yaml")
+    try:
+        text = write_deck(model, os.path.basename(arguments.model), "mesh.k", arguments.units)
+    except OverflowError as error:
+        raise BadInput(clean(arguments.model), str(error)) from None
     write_mesh(model, os.path.join(arguments.out, "mesh.k"))
     with open(deck, "w", encoding="utf-8", newline="\n") as file:
-        file.write(write_deck(model, os.path.basename(arguments.model), "mesh.k", arguments.units))
+        file.write(text)
     for line in summary:
         print(clean(line))
     print(f"percuss import: {clean(deck)}", flush=True)

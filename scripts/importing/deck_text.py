@@ -1,5 +1,6 @@
 """A deck of percuss as text."""
 
+import math
 import re
 from typing import Any
 
@@ -7,6 +8,7 @@ from .model import Deck, Model
 
 WIDTH = 120
 ORDER = ("time", "parts", "materials", "elements", "added_mass", "initial", "conditions", "loads", "walls", "contact", "output", "audit")
+BREAK = re.compile(r", (?=[\[{]|[A-Za-z_0-9]+:)|(?<=[A-Za-z_]), (?=[A-Za-z_])")  # before an item or a key, never within a row
 PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9_/-]*\Z")
 WORDS_OF_YAML = {"true", "false", "yes", "no", "on", "off", "null"}
 
@@ -17,13 +19,18 @@ def format_number(value: float) -> str:
         return "true" if value else "false"
     if isinstance(value, int):
         return str(value)
-    text = repr(float(value))
+    if not math.isfinite(value):
+        raise OverflowError("a number of the deck has no bounds")
+    text = repr(float(value) + 0.0)  # no -0
     mantissa, _, exponent = text.partition("e")
     if exponent:
         return f"{mantissa}e{int(exponent)}"
     text = text.removesuffix(".0")
-    digits = text.rstrip("0")
-    return f"{digits}e{len(text) - len(digits)}" if len(text) - len(digits) > 4 and digits.strip("-") else text
+    digits = text.lstrip("-").rstrip("0")
+    if len(text) < 6 or len(text.lstrip("-")) - len(digits) < 4 or not digits:
+        return text
+    sign, power = "-" if text[0] == "-" else "", len(text.lstrip("-")) - 1
+    return f"{sign}{digits[0]}{'.' * (len(digits) > 1)}{digits[1:]}e{power}"
 
 
 def format_text(value: str) -> str:
@@ -47,8 +54,9 @@ def wrap(text: str, indent: str) -> str:
     """Breaks a long line of flow style behind commas."""
     lines: list[str] = []
     while len(text) > WIDTH:
-        at = text.rfind(", ", 0, WIDTH)
-        if at <= 0 or text.count('"', 0, at) % 2:
+        places = [found.start() for found in BREAK.finditer(text, 0, WIDTH) if text.count('"', 0, found.start()) % 2 == 0]
+        at = max(places, default=0)
+        if at <= len(indent):
             break
         lines.append(text[: at + 1])
         text = indent + text[at + 2 :]

@@ -23,7 +23,9 @@ def add_fixed(deck: KeywordDeck, name: str, directions: list[str], nodes: list[i
 
 def apply_fixed_nodes(deck: KeywordDeck) -> None:
     """TC and RC of *NODE."""
+    rigid = deck.model.nodes_of_blocks(deck.blocks_of(deck.driven))
     for (tc, rc), nodes in sorted(deck.fixed_nodes.items()):
+        nodes = [node for node in nodes if node not in rigid]  # as in LS-DYNA
         directions = [*CODES[tc], *("r" + axis for axis in CODES[rc])]
         label = "".join(CODES[tc]) + ("_r" + "".join(CODES[rc]) if rc else "")
         name = deck.make_node_set(f"fixed_{label}", nodes, deck.fixed_place)  # type: ignore[arg-type]

@@ -106,6 +106,11 @@ def side_name(deck: KeywordDeck, contact: Contact, side: str, for_tie: bool = Fa
     return None
 
 
+def name_whole(deck: KeywordDeck, name: str | None) -> str | None:
+    """An empty name for a set of all parts."""
+    return "" if name and len(deck.model.block_sets.get(name, [])) == len(deck.model.blocks) else name
+
+
 def surface_of_nodes(deck: KeywordDeck, id: int, place: Place) -> str | None:
     """The parts that have the nodes of a set."""
     nodes = set(deck.list_members("NODE", id, place))
@@ -148,8 +153,8 @@ def check_fields(deck: KeywordDeck, contact: Contact) -> None:
 def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool) -> None:
     """A pair of a surface with itself, or of two surfaces."""
     contact.sides.skip("MSID", "MSTYP")
-    a = side_name(deck, contact, "S")
-    b = a if is_single else side_name(deck, contact, "M")
+    a = name_whole(deck, side_name(deck, contact, "S"))
+    b = a if is_single else name_whole(deck, side_name(deck, contact, "M"))
     friction = find_friction(deck, contact)
     check_fields(deck, contact)
     if a is None or b is None:

@@ -75,6 +75,7 @@ class KeywordDeck:
         self.curves: dict[int, Curve] = {}
         self.sections: dict[int, Card] = {}
         self.materials: dict[int, Card] = {}
+        self.material_titles: dict[int, str] = {}
         self.states: dict[int, Card] = {}
         self.hourglass: dict[int, Row] = {}
         self.boxes: dict[int, Row] = {}
@@ -85,6 +86,7 @@ class KeywordDeck:
         self.detonations: list[Vector] = []
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
         self.takes_tetrahedra = False
+        self.shell_shift = 0  # what is added to the ids of shells
         self.end_time = 0.0
         self.general_hourglass: Row | None = None
         self.waiting_table: list[int] = []  # table and how many of its curves are still to come
@@ -141,11 +143,14 @@ class KeywordDeck:
             raise BadInput(place, f"*SET_{kind} {id} holds itself, or sets of sets too deep")
         found = self.find_set(kind, id, place)
         ids = list(found.ids)
+        if kind == "SHELL" and self.shell_shift:
+            ids = [i + self.shell_shift for i in ids]
         if kind == "NODE":
             ids += self.nodes_in(found.ranges)
         else:
             known = self.parts if kind == "PART" else self.list_elements(kind)
-            ids += [i for i in known for first, last in found.ranges if first <= i <= last]
+            shift = self.shell_shift if kind == "SHELL" else 0
+            ids += [i for i in known for first, last in found.ranges if first <= i - shift <= last]
         for inner in found.sets:
             ids += self.list_members(kind, inner, found.place, depth + 1)
         for option, values in found.options:

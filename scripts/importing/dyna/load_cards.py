@@ -81,7 +81,7 @@ def list_faces(deck: KeywordDeck, card: Card, row: Row) -> list[tuple[int, ...]]
     if card.keyword == "LOAD_SEGMENT_SET":
         deck.used.add(("SEGMENT", id))
         return deck.find_set("SEGMENT", id, row.place).segments
-    wanted = set(deck.list_members("SHELL", id, row.place)) if card.keyword == "LOAD_SHELL_SET" else {id}
+    wanted = set(deck.list_members("SHELL", id, row.place)) if card.keyword == "LOAD_SHELL_SET" else {id + deck.shell_shift}
     return [corners for block in deck.model.blocks for shell, corners in block.shells if shell in wanted]
 
 

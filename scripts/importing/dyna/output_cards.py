@@ -48,6 +48,8 @@ def read_points(deck: KeywordDeck, card: Card, name: str) -> None:
         ids = [card.row(line, "ID TITLE", (10, 70)).integer("ID") for line in card.lines if line[1].strip()]
     else:
         ids = read_ids(card.reader())
+    if kind == "SHELL" and "SET" not in name:
+        ids = [id + deck.shell_shift for id in ids]
     if "SET" in name:
         ids = [member for id in ids for member in deck.list_members(kind, id, card.place)]
     (deck.output.nodes if kind == "NODE" else deck.output.elements).extend(ids)
@@ -61,7 +63,7 @@ def finish_output(deck: KeywordDeck) -> None:
     if found.frames > 0:
         plastic = any("plastic" in law["model"] or law["model"] in ("combined_hardening", "johnson_cook") for law in deck.model.materials.values())
         output["fields"] = {"every": found.frames, "write": FIELDS + (["equivalent_plastic_strain"] if plastic else [])}
-    history: Deck = {"every": found.rows or deck.end_time / 1000}
+    history: Deck = {"every": found.rows or float(f"{deck.end_time / 1000:.6g}")}
     add_points(deck, history)
     if "MATSUM" in found.asked:
         history["parts"] = "all"
@@ -98,6 +100,6 @@ def add_points(deck: KeywordDeck, history: Deck) -> None:
     for key, ids, known in (("nodes", deck.output.nodes, used), ("elements", deck.output.elements, written)):
         kept = [id for id in dict.fromkeys(ids) if id in known][:MOST_POINTS]
         if kept:
-            history[key] = [{"name": deck.model.names.take(f"{key[:-1]}_{id}"), "id": id} for id in kept]
+            history[key] = [{"name": f"{key[:-1]}_{id}", "id": id} for id in kept]
 
 

@@ -188,7 +188,10 @@ class Expression:
         self._depth -= 1
         if isinstance(base, int) and isinstance(exponent, int) and 0 <= exponent <= 60:
             return int(float(base) ** exponent) if abs(float(base) ** exponent) > 2**53 else base**exponent
-        return float(base) ** exponent
+        value = float(base) ** exponent
+        if isinstance(value, complex):
+            raise self._fail("has a root of a negative number")
+        return value
 
     def _atom(self) -> float | int:
         if self._take("("):

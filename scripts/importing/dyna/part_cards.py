@@ -125,6 +125,7 @@ def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | Non
 
 def build_blocks(deck: KeywordDeck) -> None:
     """All elements as blocks of the model, a block for each part and thickness."""
+    separate_ids(deck)
     next_id = max(deck.parts, default=0) + 1
     for id, elements in deck.elements.items():
         part = deck.parts.get(id)
@@ -139,6 +140,19 @@ def build_blocks(deck: KeywordDeck) -> None:
     for id, part in deck.parts.items():
         if id not in deck.elements:
             deck.ledger.ignored("PART", part.place, "no element is of this part")
+
+
+def separate_ids(deck: KeywordDeck) -> None:
+    """Raises the ids of shells where solids have some of them: ids of elements are of one kind in percuss."""
+    solids = {id for elements in deck.elements.values() for id, _ in elements.solids}
+    shells = [shell for elements in deck.elements.values() for shell in elements.shells]
+    if not solids or solids.isdisjoint(shell.id for shell in shells):
+        return
+    deck.shell_shift = 10 ** len(str(max(solids)))
+    for shell in shells:
+        shell.id += deck.shell_shift
+    place = next(elements.place for elements in deck.elements.values() if elements.shells)
+    deck.ledger.approximated("ELEMENT_SHELL.EID", place, f"ids are raised by {deck.shell_shift}, since solids have some of them too")
 
 
 def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: int) -> list[Block]:

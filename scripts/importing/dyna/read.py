@@ -81,11 +81,19 @@ def sort_card(deck: KeywordDeck, card: Card, waiting: list[tuple[int, Card, Hand
     elif "PGP" in keyword or keyword.startswith("--"):
         raise BadInput(card.place, "an encrypted block cannot be read")
     elif definition and len(definition) >= len(action or ""):
-        DEFINITIONS[definition](deck, card)
+        apply(deck, card, DEFINITIONS[definition])
     elif action:
         waiting.append((list(ACTIONS).index(action), card, ACTIONS[action]))
     else:
         deck.ledger.refuse(keyword or "(blank)", card.place, "a card that percuss has nothing for", "it is left out")
+
+
+def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
+    """Numbers that are finite alone may have no finite quotient or power."""
+    try:
+        handler(deck, card)
+    except ArithmeticError as error:
+        raise BadInput(card.place, f"the numbers of *{card.keyword} are out of range ({error})") from None
 
 
 def read_keyword_deck(path: str, ledger: Ledger, takes_tetrahedra: bool = False) -> Model:
@@ -101,7 +109,7 @@ def read_keyword_deck(path: str, ledger: Ledger, takes_tetrahedra: bool = False)
         raise BadInput(path, "there is no *CONTROL_TERMINATION with a time")
     build(deck)
     for _, card, handler in sorted(waiting, key=lambda item: item[0]):
-        handler(deck, card)
+        apply(deck, card, handler)
     finish(deck)
     return deck.model
 

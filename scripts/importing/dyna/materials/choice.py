@@ -48,14 +48,14 @@ def read_material(deck: KeywordDeck, card: Card) -> None:
         return
     reader, count = card.reader(), LINES.get(name_law(card.keyword), 0)
     while reader.skip_blank():
-        if card.has_title:
-            reader.take()
+        title = reader.text() if card.has_title else ""
         lines = [reader.take()]
         while reader and (not count or len(lines) < count):
             lines.append(reader.take())
         id = card.row(lines[0], "MID RO").integer("MID")
         if id in deck.materials:
             raise BadInput(card.at(lines[0][0]), f"there are two materials {id}")
+        deck.material_titles[id] = title
         deck.materials[id] = Card(card.keyword, card.at(lines[0][0]), card.least_width, card.parameters, lines=lines)
 
 
@@ -107,7 +107,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     if law_name == "RIGID":
         law = translate_rigid(deck, card)
     elif law_name in LAWS:
-        law = LAWS[law_name](deck, card, use)
+        law = translate(deck, card, use, LAWS[law_name])
     else:
         deck.ledger.refuse(card.keyword, card.place, "a law that percuss does not have", "the parts made of it are left out")
         return None
@@ -117,9 +117,17 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
         deck.ledger.refuse(f"{card.keyword}.EOSID", part.place, "an equation of state with this law", "the law alone is used")
     add_erosion(deck, part.material, law, use)
     deck.ledger.translated(card.keyword, card.place, law["model"])
-    name = deck.model.names.take(f"material_{part.material}" + ("_shell" if f"material_{part.material}" in deck.model.materials else ""), "material")
+    name = deck.model.names.take(deck.material_titles[part.material] or f"material_{part.material}", "material")
     deck.model.materials[name] = law
     return name, law
+
+
+def translate(deck: KeywordDeck, card: Card, use: Use, law: Callable[[KeywordDeck, Card, Use], Deck | None]) -> Deck | None:
+    """Numbers that are finite alone may have no finite quotient or power."""
+    try:
+        return law(deck, card, use)
+    except ArithmeticError as error:
+        raise BadInput(card.place, f"the numbers of *{card.keyword} are out of range ({error})") from None
 
 
 def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:

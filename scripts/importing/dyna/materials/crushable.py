@@ -62,9 +62,10 @@ def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     reader = card.reader()
     row, more = reader.row("MID RO E LCID TC HU=1 BETA DAMP~"), reader.row("SHAPE=1 FAIL~ BVFLAG~ ED~ BETA1~ KCON~ REF~")
     row.skip("MID")
-    points = order_points(deck.material_curve(row.integer("LCID"), row.place))
-    if points[0][0] > 0:
-        points = [(0.0, 0.0), *points]
+    points = [point for point in order_points(deck.material_curve(row.integer("LCID"), row.place)) if point[0] > 0]
+    if not points:
+        row.fail("LCID", "a curve over strains above 0 is expected")
+    points = [(0.0, 0.0), *points]
     rows, error = thin_rows(points)
     if error > 1e-12:
         deck.ledger.approximated(f"{card.keyword}.curve", row.place, f"the curve has {len(rows)} rows, within {error:.2g}")
@@ -89,10 +90,10 @@ def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     if not points:
         row.fail("LCID", "a curve with stresses above 0 is expected")
     rows = [list(point) for point in thin_rows(points)[0]]
-    deck.ledger.approximated(card.keyword, row.place, "a honeycomb with the same curve in all directions; tension as compression")
+    deck.ledger.approximated(card.keyword, row.place, "a honeycomb with the same curve in all directions, compacted at the end of the curve; tension as compression")
     crush = {f"crush_{name}": rows for name in ("xx", "yy", "zz", "xy", "yz", "zx")}
     law = {"model": "honeycomb", "density": row.positive("RO"), "youngs_modulus": youngs, "poissons_ratio": 0.0,
-           "yield_stress": max(y for _, y in points), "compacted_volume": 0.0,
+           "yield_stress": max(y for _, y in points), "compacted_volume": min(max(1 - points[-1][0], 0.01), 0.99),
            "crush_moduli": [youngs] * 3, "shear_moduli": [youngs / 2] * 3, **crush}  # fmt: skip
     row.skip("PR", "TSC")
     return law

@@ -153,7 +153,7 @@ def limit_tension(deck: KeywordDeck, card: Card, law: Deck, row: Row) -> None:
 def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     reader = card.reader()
     row, flow = reader.row("MID RO G E PR DTF VP~ RATEOP"), reader.row("A B N C M TM TR EPSO=1")
-    heat, last = reader.row("CP PC SPALL~2 IT~ D1 D2 D3 D4"), reader.row("D5 C2 EROD EFMIN~ NUMINT~")
+    heat, last = reader.row("CP PC SPALL~ IT~ D1 D2 D3 D4"), reader.row("D5 C2 EROD EFMIN~ NUMINT~")
     row.skip("MID")
     law: Deck = {"model": "johnson_cook", "density": row.positive("RO")}
     if use.is_shell:
