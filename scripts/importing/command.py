@@ -5,6 +5,7 @@ import os
 import sys
 
 from . import proof, report, units
+from .abaqus.read import read_abaqus_deck
 from .deck_text import clean, write_deck
 from .dyna.read import read_keyword_deck
 from .ledger import BadInput, Ledger
@@ -19,7 +20,7 @@ def choose_reader(path: str):
     """By the extension, then by the first keyword."""
     name = path.lower()
     if name.endswith(ABAQUS_ENDINGS):
-        raise BadInput(clean(path), "Abaqus decks are not read yet")
+        return lambda ledger: read_abaqus_deck(path, ledger, TAKES_TETRAHEDRA)
     if name.endswith(KEYWORD_ENDINGS):
         return lambda ledger: read_keyword_deck(path, ledger, TAKES_TETRAHEDRA)
     with open(path, "rb") as file:

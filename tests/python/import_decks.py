@@ -298,3 +298,104 @@ DNODE,25
 501
 *END
 """
+
+ABAQUS = """\
+*HEADING
+a plate of shells falls on a block
+** one part of solids, one of shells, each with an instance
+*PART, NAME=Block
+*NODE
+1, 0., 0., 0.
+2, 1., 0., 0.
+3, 1., 1., 0.
+4, 0., 1., 0.
+5, 0., 0., 1.
+6, 1., 0., 1.
+7, 1., 1., 1.
+8, 0., 1., 1.
+*ELEMENT, TYPE=C3D8R, ELSET=all
+1, 1, 2, 3, 4, 5, 6,
+7, 8
+*NSET, NSET=foot, GENERATE
+1, 4, 1
+*SURFACE, NAME=top
+all, S2
+*SOLID SECTION, ELSET=all, MATERIAL=steel
+,
+*END PART
+*PART, NAME=plate
+*NODE, NSET=every
+1, 0., 0., 0.
+2, 1., 0., 0.
+3, 1., 1., 0.
+4, 0., 1., 0.
+5, 2., 0.5, 0.
+*ELEMENT, TYPE=S4R, ELSET=quads
+10, 1, 2, 3, 4
+*ELEMENT, TYPE=S3R, ELSET=tris
+11, 2, 5, 3
+*ELSET, ELSET=shell
+quads, tris
+*SURFACE, NAME=lower
+shell, SNEG
+*SHELL SECTION, ELSET=shell, MATERIAL=soft, OFFSET=SNEG
+0.1, 5
+*END PART
+*ASSEMBLY, NAME=assembly
+*INSTANCE, NAME=block-1, PART=block
+*END INSTANCE
+*INSTANCE, NAME=plate-1, PART=plate
+0., 0., 1.2
+0., 0., 1.2, 0., 0., 2.2, 90.
+*END INSTANCE
+*NSET, NSET=tip, INSTANCE=plate-1
+5,
+*SURFACE, NAME=both
+plate-1.shell,
+*END ASSEMBLY
+*AMPLITUDE, NAME=ramp
+0., 0., 5.e-5, 1.
+*MATERIAL, NAME=steel
+*DENSITY
+7850.,
+*ELASTIC
+2.e11, 0.3
+*MATERIAL, NAME=Soft
+*DENSITY
+2700.,
+*ELASTIC
+7.e10, 0.33
+*PLASTIC
+1.e8, 0.
+1.5e8, 0.2
+*RATE DEPENDENT, TYPE=POWER LAW
+6500., 4.
+*SURFACE INTERACTION, NAME=rough
+*FRICTION
+0.25,
+*BOUNDARY
+block-1.foot, ENCASTRE
+*INITIAL CONDITIONS, TYPE=VELOCITY
+plate-1.every, 3, -10.
+*STEP
+*DYNAMIC, EXPLICIT
+, 1.e-4
+*BULK VISCOSITY
+0.06, 1.2
+*BOUNDARY, TYPE=VELOCITY, AMPLITUDE=ramp
+tip, 1, 1, 2.
+*DLOAD
+, GRAV, 9.81, 0., 0., -1.
+*DSLOAD
+block-1.top, P, 1.e5
+*CLOAD
+tip, 2, 50.
+*CONTACT
+*CONTACT INCLUSIONS, ALL EXTERIOR
+*CONTACT PROPERTY ASSIGNMENT
+ , , rough
+*OUTPUT, FIELD, NUMBER INTERVAL=10
+*NODE OUTPUT
+U,
+*END STEP
+"""
