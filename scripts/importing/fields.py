@@ -7,7 +7,7 @@ from collections.abc import Callable
 from .ledger import BadInput, Ledger, Place
 
 MOST_ID = 10**15
-_REAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d{1,4}|[+-]\d{1,4})?\Z")
+_REAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d{1,4}|[+-]\d{1,4})?\Z", re.ASCII)
 _EXPONENT = re.compile(r"(?<=[\d.])([+-])")
 
 

@@ -1,5 +1,6 @@
 """Sections become parts; instances stand in one mesh."""
 
+from ..fields import MOST_ID
 from ..ledger import BadInput
 from ..model import Block as Part
 from ..model import Deck
@@ -30,7 +31,9 @@ def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
         if part is None:
             raise BadInput(instance.place, f"there is no part '{instance.part}'")
         if index > 0:
-            highest = max(*deck.mesh.nodes, *deck.mesh.elements, 1)
+            highest = max([*deck.mesh.nodes, *deck.mesh.elements, 1])
+            if highest > MOST_ID // 100:
+                raise BadInput(instance.place, f"the ids of the instances before go up to {highest}, which leaves no room for others")
             instance.shift = 10 ** len(str(highest))
             deck.ledger.approximated("INSTANCE", instance.place, f"ids of instance {instance.name} are raised by {instance.shift}")
         if len(deck.mesh.nodes) + len(part.nodes) > MOST_NODES:

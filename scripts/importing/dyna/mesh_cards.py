@@ -120,7 +120,7 @@ def read_shell_options(deck: KeywordDeck, card: Card, reader, options: set[str],
         values = [value for value in row.numbers("T1", "T2", "T3", "T4") if value]
         row.skip("BETA")  # of laws that percuss refuses
         if values:
-            thickness = sum(values) / len(values)
+            thickness = sum(values) / len(values) if len(set(values)) > 1 else values[0]
         if len(set(values)) > 1:
             deck.ledger.approximated("ELEMENT_SHELL.THICKNESS", row.place, "shells have the mean thickness of their corners")
         if has_mid_nodes:

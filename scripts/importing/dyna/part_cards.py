@@ -120,7 +120,8 @@ def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | Non
     more.finish(deck.ledger)
     deck.ledger.approximated(card.keyword, row.place, "percuss has one shell: four nodes, one point in the plane, physical stabilisation, "
                              "shear factor 5/6, Gauss points, thickness that follows the strain")
-    return ShellSection(sum(thicknesses) / len(thicknesses), min(points, 16), reference)
+    mean = sum(thicknesses) / len(thicknesses) if len(set(thicknesses)) > 1 else thicknesses[0]
+    return ShellSection(mean, min(points, 16), reference)
 
 
 def build_blocks(deck: KeywordDeck) -> None:
