@@ -72,7 +72,9 @@ def tell_refused(arguments: argparse.Namespace, ledger: Ledger) -> int:
     for entry in ledger.list_refused():
         more = f" (and {entry.count - 1} more)" if entry.count > 1 else ""
         print(f"{clean(str(entry.first))}: error: *{clean(entry.card)}: {clean(entry.text)}{more}", file=sys.stderr)
-    print(f"percuss import: no deck is written; {os.path.join(arguments.out, 'import_report.md')} lists every card", file=sys.stderr)
+    print(
+        f"percuss import: no deck is written; {os.path.join(arguments.out, 'import_report.md')} lists every card", file=sys.stderr
+    )
     return 2
 
 

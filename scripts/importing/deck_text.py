@@ -7,7 +7,20 @@ from typing import Any
 from .model import Deck, Model
 
 WIDTH = 120
-ORDER = ("time", "parts", "materials", "elements", "added_mass", "initial", "conditions", "loads", "walls", "contact", "output", "audit")
+ORDER = (
+    "time",
+    "parts",
+    "materials",
+    "elements",
+    "added_mass",
+    "initial",
+    "conditions",
+    "loads",
+    "walls",
+    "contact",
+    "output",
+    "audit",
+)
 BREAK = re.compile(r", (?=[\[{]|[A-Za-z_0-9]+:)|(?<=[A-Za-z_]), (?=[A-Za-z_])")  # before an item or a key, never within a row
 PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9_/-]*\Z")
 WORDS_OF_YAML = {"true", "false", "yes", "no", "on", "off", "null"}
@@ -106,5 +119,3 @@ def write_deck(model: Model, source: str, mesh_file: str, units: str) -> str:
 
 def clean(text: str) -> str:
     return "".join(c if c.isprintable() else "?" for c in text)
-
-

@@ -61,7 +61,9 @@ class Model:
 
     def nodes_of_blocks(self, ids: Iterable[int]) -> set[int]:
         wanted = set(ids)
-        return {node for block in self.blocks if block.id in wanted for _, corners in block.solids + block.shells for node in corners}
+        return {
+            node for block in self.blocks if block.id in wanted for _, corners in block.solids + block.shells for node in corners
+        }
 
     def add(self, section: str, entry: Deck) -> None:
         """Appends to a section of the deck that is a list."""

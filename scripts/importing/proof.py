@@ -10,7 +10,11 @@ from libraries import SCRIPTS
 def find_program() -> str | None:
     """The program that called this script, or the one of this checkout or installation, or of PATH."""
     root = os.path.dirname(SCRIPTS)
-    places = [os.environ.get("PERCUSS_PROGRAM", ""), os.path.join(root, "build/release/percuss"), os.path.join(root, "../../bin/percuss")]
+    places = [
+        os.environ.get("PERCUSS_PROGRAM", ""),
+        os.path.join(root, "build/release/percuss"),
+        os.path.join(root, "../../bin/percuss"),
+    ]
     return next((place for place in places if place and os.access(place, os.X_OK)), shutil.which("percuss"))
 
 

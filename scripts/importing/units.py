@@ -15,7 +15,10 @@ def list_fits(model: Model) -> list[str]:
         for law in model.materials.values():
             modulus = law.get("youngs_modulus", 0.0) / modulus_factor
             density = law["density"] / density_factor
-            if any(abs(density / rho - 1) < 0.15 and abs(modulus / youngs - 1) < 0.25 for rho, youngs in METALS) and name not in fits:
+            if (
+                any(abs(density / rho - 1) < 0.15 and abs(modulus / youngs - 1) < 0.25 for rho, youngs in METALS)
+                and name not in fits
+            ):
                 fits.append(name)
     return fits
 

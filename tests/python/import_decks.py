@@ -25,7 +25,9 @@ $    nid               x               y               z      tc      rc
 """
 
 # One cube in two lines, as older decks have it.
-BLOCK = BLOCK_NODES + """\
+BLOCK = (
+    BLOCK_NODES
+    + """\
 *ELEMENT_SOLID
 $    eid     pid
      500       3
@@ -42,6 +44,7 @@ steel
 $      mid        ro         e        pr
          3    7850.0    2.0e11       0.3
 """
+)
 
 # A quadrilateral and a triangle over it, with a gap.
 PLATE = """\
@@ -158,8 +161,11 @@ SMALL = _HEAD + BLOCK + "*END\n"
 
 def make_block(material: str, state: str = "", shells: bool = False) -> str:
     """A deck of one element of a material 1, with an equation of state 2 if there is a card of it."""
-    element = "*ELEMENT_SHELL\n5,1,1,2,3,4\n*SECTION_SHELL\n1,2\n0.1,0.1,0.1,0.1\n" if shells else (
-        "*ELEMENT_SOLID\n5,1,1,2,3,4,11,12,13,14\n*SECTION_SOLID\n1,1\n")
+    element = (
+        "*ELEMENT_SHELL\n5,1,1,2,3,4\n*SECTION_SHELL\n1,2\n0.1,0.1,0.1,0.1\n"
+        if shells
+        else ("*ELEMENT_SOLID\n5,1,1,2,3,4,11,12,13,14\n*SECTION_SOLID\n1,1\n")
+    )
     part = f"*PART\npart\n1,1,1,{2 if state else 0}\n"
     return _HEAD + BLOCK_NODES + element + part + material + state + "*END\n"
 
@@ -172,7 +178,12 @@ CURVE = "*DEFINE_CURVE\n7\n0.0,1.0e6\n0.5,2.0e6\n0.9,9.0e6\n"
 
 # Name of a law in percuss, cards, equation of state, whether for shells.
 LAWS = {
-    "kinematic": ("combined_hardening", "*MAT_PLASTIC_KINEMATIC\n1,7850.0,2.0e11,0.3,3.0e8,1.0e9,0.25\n40.0,5.0,0.3,1.0\n", "", True),
+    "kinematic": (
+        "combined_hardening",
+        "*MAT_PLASTIC_KINEMATIC\n1,7850.0,2.0e11,0.3,3.0e8,1.0e9,0.25\n40.0,5.0,0.3,1.0\n",
+        "",
+        True,
+    ),
     "isotropic": ("j2_plasticity", "*MAT_003\n1,7850.0,2.0e11,0.3,3.0e8,1.0e9,1.0\n0.0\n", "", False),
     "table": ("tabulated_plasticity", "*MAT_024\n1,7850.0,2.0e11,0.3,1.0,1.0,1e21\n0,0,0\n0,0.1,0.3\n3e8,4e8,4.5e8\n", "", True),
     "modified": ("j2_plasticity", "*MAT_123\n1,7850.0,2.0e11,0.3,3.0e8,1.0e9,0.3\n0,0,0,0,0,0,0.4,1\n0\n0\n", "", True),
@@ -181,9 +192,19 @@ LAWS = {
     "hydro": ("j2_plasticity", "*MAT_ELASTIC_PLASTIC_HYDRO\n1,7850.0,8.0e10,3.0e8,1.0e9,0.0,0.5\n0\n0\n0\n0\n", LINEAR, False),
     "johnson_cook": ("johnson_cook", "*MAT_JOHNSON_COOK\n1,8960.0,4.6e10,1.2e11,0.35\n9.0e7,2.92e8,0.31,0.025,1.09,1356.0,293.0,1.0\n"
                      "383.0,0.0,2.0,0.0,0.54,4.89,3.03,0.014\n1.12\n", GRUNEISEN_PLAIN, False),  # fmt: skip
-    "simplified": ("johnson_cook", "*MAT_SIMPLIFIED_JOHNSON_COOK\n1,7850.0,2.0e11,0.3\n3.0e8,4.0e8,0.3,0.01,0.5,1e28,1e28,1e-3\n", "", True),
+    "simplified": (
+        "johnson_cook",
+        "*MAT_SIMPLIFIED_JOHNSON_COOK\n1,7850.0,2.0e11,0.3\n3.0e8,4.0e8,0.3,0.01,0.5,1e28,1e28,1e-3\n",
+        "",
+        True,
+    ),
     "power": ("tabulated_plasticity", "*MAT_POWER_LAW_PLASTICITY\n1,7850.0,2.0e11,0.3,6.0e8,0.2\n3.0e8\n", "", True),
-    "soil": ("soil_and_foam", "*MAT_SOIL_AND_FOAM\n1,1800.0,3.0e7,1.0e9,3.0e10,0.0,0.0,-1e3\n0.0\n0,-0.05,-0.1\n0\n0,1e6,5e6\n0\n", "", False),
+    "soil": (
+        "soil_and_foam",
+        "*MAT_SOIL_AND_FOAM\n1,1800.0,3.0e7,1.0e9,3.0e10,0.0,0.0,-1e3\n0.0\n0,-0.05,-0.1\n0\n0,1e6,5e6\n0\n",
+        "",
+        False,
+    ),
     "viscous": ("viscoelastic", "*MAT_VISCOELASTIC\n1,1200.0,2.0e9,5.0e7,1.0e7,100.0\n", "", False),
     "blatz": ("neo_hookean", "*MAT_BLATZ-KO_RUBBER\n1,1200.0,1.0e6\n", "", False),
     "mooney": ("mooney_rivlin", "*MAT_MOONEY-RIVLIN_RUBBER\n1,1200.0,0.49,5.0e5,1.0e5\n0\n", "", False),
@@ -191,27 +212,50 @@ LAWS = {
     "crushable": ("honeycomb", CURVE + "*MAT_CRUSHABLE_FOAM\n1,60.0,1.0e7,0.0,7,1e5,0.1\n", "", False),
     "fluid": ("fluid", "*MAT_NULL\n1,1000.0\n", GRUNEISEN_PLAIN, False),
     "elastic_fluid": ("fluid", "*MAT_ELASTIC_FLUID\n1,1000.0,0,0,0,0,2.2e9\n0\n", "", False),
-    "explosive": ("fluid", "*MAT_HIGH_EXPLOSIVE_BURN\n1,1630.0,6930.0,2.1e10\n*INITIAL_DETONATION\n1,0.5,0.5,0.0,0.0\n", JWL, False),
+    "explosive": (
+        "fluid",
+        "*MAT_HIGH_EXPLOSIVE_BURN\n1,1630.0,6930.0,2.1e10\n*INITIAL_DETONATION\n1,0.5,0.5,0.0,0.0\n",
+        JWL,
+        False,
+    ),
 }
 
-PARAMETERS = _HEAD.replace("*CONTROL_TERM", """*PARAMETER
+PARAMETERS = (
+    _HEAD.replace(
+        "*CONTROL_TERM",
+        """*PARAMETER
 R   rho,   7850.0, I   five, 5
 R    e0    2.0e11
 *PARAMETER_EXPRESSION
 Rhalf      0.5*(&rho+rho*0)/(1+sqrt(4.0)-2)
 Ithird     &five/3
-*CONTROL_TERM""") + BLOCK.replace("    7850.0    2.0e11", "     &half       &e0") + "*END\n"
+*CONTROL_TERM""",
+    )
+    + BLOCK.replace("    7850.0    2.0e11", "     &half       &e0")
+    + "*END\n"
+)
 
-WIDE = """\
+WIDE = (
+    """\
 *KEYWORD LONG=Y
 *CONTROL_TERMINATION
               1.0e-4
 *NODE
-""" + "".join(f"{i:20d}{x:20.6f}{y:20.6f}{z:20.6f}\n" for i, (x, y, z) in enumerate(
-    ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)), 900000000001)) + """\
+"""
+    + "".join(
+        f"{i:20d}{x:20.6f}{y:20.6f}{z:20.6f}\n"
+        for i, (x, y, z) in enumerate(
+            ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)), 900000000001
+        )
+    )
+    + """\
 *ELEMENT_SOLID-
    77700       1
-""" + "*ELEMENT_SOLID+\n" + f"{123456789012:20d}{1:20d}" + "".join(f"{900000000000 + i:20d}" for i in range(1, 9)) + """
+"""
+    + "*ELEMENT_SOLID+\n"
+    + f"{123456789012:20d}{1:20d}"
+    + "".join(f"{900000000000 + i:20d}" for i in range(1, 9))
+    + """
 *PART+
 wide
                    1                   1                   1
@@ -221,9 +265,15 @@ wide
                    1              7850.0              2.0e11                 0.3
 *END
 """
+)
 WIDE = WIDE.replace("*ELEMENT_SOLID-\n   77700       1\n", "")
 
-RIGID = _HEAD + BLOCK.replace("*MAT_ELASTIC_TITLE\nsteel\n", "*MAT_RIGID\n").replace("       0.3\n", "       0.3\n       1.0       4.0       7.0\n\n") + """\
+RIGID = (
+    _HEAD
+    + BLOCK.replace("*MAT_ELASTIC_TITLE\nsteel\n", "*MAT_RIGID\n").replace(
+        "       0.3\n", "       0.3\n       1.0       4.0       7.0\n\n"
+    )
+    + """\
 *BOUNDARY_PRESCRIBED_MOTION_RIGID
          3         3         0        61       1.0
 *DEFINE_CURVE
@@ -234,8 +284,13 @@ RIGID = _HEAD + BLOCK.replace("*MAT_ELASTIC_TITLE\nsteel\n", "*MAT_RIGID\n").rep
       99             0.5             0.5             2.0
 *END
 """
+)
 
-FORMS = _HEAD + BLOCK + PLATE + """\
+FORMS = (
+    _HEAD
+    + BLOCK
+    + PLATE
+    + """\
 *SET_NODE_LIST_GENERATE
 1
 1,999999999999
@@ -298,6 +353,7 @@ DNODE,25
 501
 *END
 """
+)
 
 ABAQUS = """\
 *HEADING

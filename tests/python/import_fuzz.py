@@ -16,8 +16,9 @@ import traceback
 
 LIMIT = 20  # seconds for one mutant, of which a sound one takes 10 ms
 MEMORY = 2 << 30
-WORDS = ["0", "-1", "1e308", "1e-308", "nan", "inf", "99999999999999999999", "1000000000000000", "*", "*END", "&a", "&", ",", ",,,,", "",
-         "-", "1-400", "$", "\t", "\u00e9", "2147483648", "<a+1>", "*INCLUDE", "../x", "*KEYWORD LONG=Y", "*NODE", "*PART", "=", "**", "ALL"]  # fmt: skip
+WORDS = ["0", "-1", "1e308", "1e-308", "nan", "inf", "ALL",
+         "99999999999999999999", "1000000000000000", "*", "*END", "&a", "&", ",", ",,,,", "",
+         "-", "1-400", "$", "\t", "\u00e9", "2147483648", "<a+1>", "*INCLUDE", "../x", "*KEYWORD LONG=Y", "*NODE", "*PART", "=", "**"]  # fmt: skip
 
 
 def mutate(text: str, others: list[str], random_: random.Random) -> str:

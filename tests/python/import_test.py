@@ -52,8 +52,14 @@ class InFolder(unittest.TestCase):
             self.assertIn(word, str(caught.exception))
 
     def percuss(self, *words):
-        return subprocess.run([PERCUSS, *words], capture_output=True, text=True, timeout=300, cwd=self.folder,
-                              env=dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false"))
+        return subprocess.run(
+            [PERCUSS, *words],
+            capture_output=True,
+            text=True,
+            timeout=300,
+            cwd=self.folder,
+            env=dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false"),
+        )
 
 
 class Numbers(unittest.TestCase):
@@ -66,7 +72,15 @@ class Numbers(unittest.TestCase):
 
     def test_expressions_divide_integers_as_fortran_does(self):
         parameters = Parameters()
-        for text, value in (("7/2", 3), ("-7/2", -3), ("7/2.", 3.5), ("2**3**2", 512), ("-2**2", -4), ("max(1,2.5)*2", 5.0), ("mod(7,4)", 3)):
+        for text, value in (
+            ("7/2", 3),
+            ("-7/2", -3),
+            ("7/2.", 3.5),
+            ("2**3**2", 512),
+            ("-2**2", -4),
+            ("max(1,2.5)*2", 5.0),
+            ("mod(7,4)", 3),
+        ):
             self.assertEqual(evaluate(text, parameters, HERE), value, text)
         for text in ("1/0", "(1", "1+", "sqrt(-1)", "(-8)**0.5", "a", "1e308*10", "f(1)", "(" * 100 + "1" + ")" * 100, ""):
             with self.assertRaises(BadInput, msg=text):
@@ -118,7 +132,9 @@ class Mesh(InFolder):
 
     def test_constraints_of_nodes_become_conditions(self):
         model, _ = self.read(decks.SMALL)
-        self.assertEqual(model.deck["conditions"], [{"nodes": "fixed_z", "fixed": ["z"]}, {"nodes": "fixed_xyz_rxyz", "fixed": ["x", "y", "z"]}])
+        self.assertEqual(
+            model.deck["conditions"], [{"nodes": "fixed_z", "fixed": ["z"]}, {"nodes": "fixed_xyz_rxyz", "fixed": ["x", "y", "z"]}]
+        )
         self.assertEqual(model.node_sets["fixed_z"], [2])
 
     def test_elements_of_other_shapes_are_refused_with_their_line(self):
@@ -131,12 +147,16 @@ class Mesh(InFolder):
     def test_thickness_of_elements_makes_parts(self):
         shells = "*ELEMENT_SHELL_THICKNESS\n500,8,21,22,23,24\n0.1,0.1,0.1,0.1\n501,8,22,25,23,23\n0.2,0.2,0.2\n"
         start, _, rest = decks.PLATE.partition("*ELEMENT_SHELL")
-        model, _ = self.read(decks._HEAD + start + shells + rest[rest.index("*PART"):])
+        model, _ = self.read(decks._HEAD + start + shells + rest[rest.index("*PART") :])
         self.assertEqual([(b.name, b.thickness, len(b.shells)) for b in model.blocks], [("plate", 0.1, 1), ("plate_t2", 0.2, 1)])
 
     def test_what_does_not_fit_together_is_an_error_with_its_place(self):
-        self.fails(decks.SMALL.replace("*SECTION_SOLID\n         3", "*SECTION_SOLID\n         4"), "deck.k:27", "there is no section 3")
-        self.fails(decks.SMALL.replace("      11             0.0", "      10             0.0"), "there is no node 11, of element 500")
+        self.fails(
+            decks.SMALL.replace("*SECTION_SOLID\n         3", "*SECTION_SOLID\n         4"), "deck.k:27", "there is no section 3"
+        )
+        self.fails(
+            decks.SMALL.replace("      11             0.0", "      10             0.0"), "there is no node 11, of element 500"
+        )
         self.fails(decks.SMALL.replace("7850.0", "7850,0"), "error:")
         self.fails("*KEYWORD\n*NODE\n1,0,0\n*END\n", "no elements")
         self.fails(decks.SMALL.replace("1.0E-04", "       "), "ENDTIM")
@@ -146,7 +166,9 @@ class Files(InFolder):
     def test_includes_are_read_beside_the_main_file(self):
         self.write("*NODE\n99,0,0,9\n", "parts/more.k")
         self.write("*PARAMETER\nR   rho,7850.0\n", "values.k")
-        model, _ = self.read(decks.SMALL.replace("    7850.0", "      &rho").replace("*TITLE", "*INCLUDE\nparts/mo +\nre.k\nvalues.k\n*TITLE"))
+        model, _ = self.read(
+            decks.SMALL.replace("    7850.0", "      &rho").replace("*TITLE", "*INCLUDE\nparts/mo +\nre.k\nvalues.k\n*TITLE")
+        )
         self.assertIn(99, model.nodes)
         self.assertEqual(model.materials["steel"]["density"], 7850)
 
@@ -211,7 +233,10 @@ class Laws(InFolder):
         text = decks.make_block("*MAT_OGDEN_RUBBER\n1,1e3\n")
         self.assertIn("deck.k:27", self.refusals(text)["MAT_OGDEN_RUBBER"])
         _, cards, _, shells = decks.LAWS["table"]
-        self.assertIn("MAT_PIECEWISE_LINEAR_PLASTICITY.LCSR", self.refusals(decks.make_block(cards.replace("0,0,0\n", "0,0,0,7\n"), "", shells)))
+        self.assertIn(
+            "MAT_PIECEWISE_LINEAR_PLASTICITY.LCSR",
+            self.refusals(decks.make_block(cards.replace("0,0,0\n", "0,0,0,7\n"), "", shells)),
+        )
         self.assertIn("EOS_GRUNEISEN.A", self.refusals(decks.make_block("*MAT_NULL\n1,1000.0\n", decks.GRUNEISEN)))
         self.assertIn("MAT_MOONEY-RIVLIN_RUBBER.shells", self.refusals(decks.make_block(decks.LAWS["mooney"][1], "", True)))
 
@@ -226,7 +251,13 @@ class Scene(InFolder):
     def test_a_deck_with_everything_is_accepted(self):
         done = self.percuss("import", self.write(decks.FULL), "--out", "out", "--units", "m, kg, s")
         self.assertEqual(done.returncode, 0, done.stderr)
-        for words in ("*CONTACT_AUTOMATIC_SINGLE_SURFACE", "mass: 9027.5", "1 quadrilaterals, 1 triangles", "ids kept", "units: m, kg, s"):
+        for words in (
+            "*CONTACT_AUTOMATIC_SINGLE_SURFACE",
+            "mass: 9027.5",
+            "1 quadrilaterals, 1 triangles",
+            "ids kept",
+            "units: m, kg, s",
+        ):
             self.assertIn(words, done.stdout)
         with open(os.path.join(self.folder, "out/import_report.json"), encoding="utf-8") as file:
             cards = {entry["card"]: entry for entry in json.load(file)["cards"]}
@@ -253,7 +284,10 @@ class Scene(InFolder):
         model, _ = self.read(decks.FORMS)
         self.assertEqual(model.node_sets["nodes_2"], [21, 22, 23, 24])
         self.assertEqual(model.deck["contact"]["ties"], [{"a": "nodes_2", "b": "block_of_steel", "distance": 0.6}])
-        self.assertEqual(model.deck["initial"][0], {"nodes": "plate", "velocity": [1, 0, 0], "angular_velocity": [0, 0, 100], "center": [0.5, 0.5, 0]})
+        self.assertEqual(
+            model.deck["initial"][0],
+            {"nodes": "plate", "velocity": [1, 0, 0], "angular_velocity": [0, 0, 100], "center": [0.5, 0.5, 0]},
+        )
         self.assertEqual(model.deck["added_mass"], [{"nodes": "mass_1", "mass": 5.0, "spread": "evenly"}])
         push = next(c for c in model.deck["conditions"] if "displacement" in c)
         self.assertEqual(push["displacement"]["z"]["table"][-1], [1e-4, -5e-5])  # along a vector that points down
@@ -261,7 +295,9 @@ class Scene(InFolder):
         self.assertEqual(model.deck["elements"]["bulk_viscosity"]["quadratic"], 1.2)
 
     def test_pressure_on_a_solid_follows_the_order_of_the_nodes(self):
-        inward = decks.FULL.replace("        11        12        13        14\n*LOAD_NODE", "        14        13        12        11\n*LOAD_NODE")
+        inward = decks.FULL.replace(
+            "        11        12        13        14\n*LOAD_NODE", "        14        13        12        11\n*LOAD_NODE"
+        )
         self.assertEqual(self.read(inward)[0].deck["loads"]["pressure"][0]["value"], -1e5)
 
     def test_a_rigid_part_whose_motion_is_given_is_exact(self):

@@ -33,6 +33,7 @@ class AbaqusDeck:
         self.pairs: list[Deck] = []
         self.whole: Deck | None = None  # contact of everything
         self.end_time = 0.0
+        self.step_scale = 0.0  # 0: percuss' own
         self.takes_tetrahedra = False
         self.integrations: dict[str, int] = {}  # of solids, with their number
         self.blocks_of_elements: dict[int, int] = {}  # element: index of its block
@@ -49,7 +50,9 @@ class AbaqusDeck:
         fits = [key for key in table if key.endswith("." + name)]
         if len(fits) == 1:
             return table[fits[0]]
-        raise BadInput(place, f"there is no {what} '{clip(name)}'" if not fits else f"'{clip(name)}' may be one of {len(fits)} {what}s")
+        raise BadInput(
+            place, f"there is no {what} '{clip(name)}'" if not fits else f"'{clip(name)}' may be one of {len(fits)} {what}s"
+        )
 
     def list_ids(self, table: dict, known: dict, name: str, place: Place, what: str) -> list[int]:
         """Ids of a set, or one id, also as INSTANCE.ID."""

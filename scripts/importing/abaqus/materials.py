@@ -51,7 +51,9 @@ def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck
         return translate_rubber(deck, rubber)
     if elastic is None or elastic.option("TYPE") not in ("", "ISOTROPIC"):
         place = elastic.place if elastic else material.place
-        deck.ledger.refuse("MATERIAL", place, f"material {name} is not of isotropic elasticity", "the parts made of it are left out")
+        deck.ledger.refuse(
+            "MATERIAL", place, f"material {name} is not of isotropic elasticity", "the parts made of it are left out"
+        )
         return None
     line = require_line(elastic)
     law: Deck = {"model": "elastic", "youngs_modulus": elastic.number(line, 0), "poissons_ratio": elastic.number(line, 1)}
@@ -76,14 +78,23 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
         law |= {"model": "johnson_cook", "a": a, "b": b, "n": n or 1.0, "m": m or 1.0,
                 "melt_temperature": melt if melt > room else room + NEVER, "room_temperature": room, "start_temperature": room,
                 "specific_heat": NEVER}  # fmt: skip
-        deck.ledger.approximated("PLASTIC", block.place, "Johnson and Cook's law without heating: no temperature field, as without *INELASTIC HEAT FRACTION")
+        deck.ledger.approximated(
+            "PLASTIC",
+            block.place,
+            "Johnson and Cook's law without heating: no temperature field, as without *INELASTIC HEAT FRACTION",
+        )
         return
     if "RATE" in block.options:
         deck.ledger.refuse("PLASTIC.RATE", block.place, "a table for each rate", "the first table is used")
     points = [(block.number(row, 1), block.number(row, 0)) for row in block.lines]
     if kind == "KINEMATIC" and len(points) > 1:
         (x0, y0), (x1, y1) = points[:2]
-        law |= {"model": "combined_hardening", "yield_stress": y0, "hardening_modulus": (y1 - y0) / (x1 - x0) if x1 > x0 else 0.0, "kinematic_share": 1.0}
+        law |= {
+            "model": "combined_hardening",
+            "yield_stress": y0,
+            "hardening_modulus": (y1 - y0) / (x1 - x0) if x1 > x0 else 0.0,
+            "kinematic_share": 1.0,
+        }
         return
     if kind not in ("", "ISOTROPIC", "KINEMATIC"):
         deck.ledger.refuse("PLASTIC.HARDENING", block.place, f"hardening of the kind {kind}", "isotropic hardening is used")
@@ -93,7 +104,9 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
         return
     rows, error = thin_rows(ascending)
     if error > 1e-12:
-        deck.ledger.approximated("PLASTIC", block.place, f"{len(points)} rows become {len(rows)}, within {error:.2g} of the largest stress")
+        deck.ledger.approximated(
+            "PLASTIC", block.place, f"{len(points)} rows become {len(rows)}, within {error:.2g} of the largest stress"
+        )
     law |= {"model": "tabulated_plasticity", "hardening": [list(row) for row in rows]}
 
 
@@ -127,10 +140,19 @@ def translate_rubber(deck: AbaqusDeck, block: Block) -> Deck | None:
     line = require_line(block)
     is_mooney, is_neo = "MOONEY-RIVLIN" in block.options, "NEO HOOKE" in block.options
     c10, c01, d1 = block.number(line, 0), block.number(line, 1) if is_mooney else 0.0, block.number(line, 2 if is_mooney else 1)
-    if not (is_mooney or is_neo) or "TEST DATA INPUT" in block.options or not (c10 > 0 and c01 >= 0 and d1 > 0) or math.isinf(2 / d1):
-        deck.ledger.refuse("HYPERELASTIC", block.place, "rubber without constants C10, C01 and D1 above 0", "the parts made of it are left out")
+    if (
+        not (is_mooney or is_neo)
+        or "TEST DATA INPUT" in block.options
+        or not (c10 > 0 and c01 >= 0 and d1 > 0)
+        or math.isinf(2 / d1)
+    ):
+        deck.ledger.refuse(
+            "HYPERELASTIC", block.place, "rubber without constants C10, C01 and D1 above 0", "the parts made of it are left out"
+        )
         return None
-    deck.ledger.approximated("HYPERELASTIC", block.place, "the same constants and bulk modulus 2 / D1, with percuss' term of volume")
+    deck.ledger.approximated(
+        "HYPERELASTIC", block.place, "the same constants and bulk modulus 2 / D1, with percuss' term of volume"
+    )
     return {"model": "mooney_rivlin", "c10": c10, "c01": c01, "bulk_modulus": 2 / d1}
 
 

@@ -107,6 +107,9 @@ def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], known: dict
     if not name:
         raise BadInput(block.place, f"*{block.keyword} has no name")
     members = sets.setdefault(name, [])
+    if block.keyword == "NSET" and "ELSET" in block.options:
+        members += list_corners(scope, block)
+        return
     for line in block.lines:
         if "GENERATE" in block.options:
             first, last, step = block.integer(line, 0), block.integer(line, 1), block.integer(line, 2, 1) or 1
@@ -122,6 +125,14 @@ def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], known: dict
                 members += sets[text.upper()]
             else:
                 raise BadInput(block.at(line[0]), f"there is no set '{text[:60]}'")
+
+
+def list_corners(scope: Scope, block: Block) -> list[int]:
+    """Nodes of a set of elements."""
+    elements = scope.element_sets.get(block.option("ELSET"))
+    if elements is None:
+        raise BadInput(block.place, f"there is no element set '{block.option('ELSET')[:60]}' in this part")
+    return list(dict.fromkeys(corner for id in elements if id in scope.elements for corner in scope.elements[id][1]))
 
 
 def read_surface(scope: Scope, block: Block, ledger: Ledger) -> None:

@@ -33,7 +33,9 @@ def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
         if index > 0:
             highest = max([*deck.mesh.nodes, *deck.mesh.elements, 1])
             if highest > MOST_ID // 100:
-                raise BadInput(instance.place, f"the ids of the instances before go up to {highest}, which leaves no room for others")
+                raise BadInput(
+                    instance.place, f"the ids of the instances before go up to {highest}, which leaves no room for others"
+                )
             instance.shift = 10 ** len(str(highest))
             deck.ledger.approximated("INSTANCE", instance.place, f"ids of instance {instance.name} are raised by {instance.shift}")
         if len(deck.mesh.nodes) + len(part.nodes) > MOST_NODES:
@@ -62,13 +64,19 @@ def build_parts(deck: AbaqusDeck) -> None:
     left = [id for id, (kind, _) in deck.mesh.elements.items() if id not in deck.blocks_of_elements and kind != "MASS"]
     if left and deck.mesh.place:
         kinds = sorted({deck.mesh.elements[id][0] for id in left})
-        deck.ledger.refuse("ELEMENT.left", deck.mesh.place, f"{len(left)} elements of {', '.join(kinds)[:60]} without a section that is read",
-                           "they are left out")
+        deck.ledger.refuse(
+            "ELEMENT.left",
+            deck.mesh.place,
+            f"{len(left)} elements of {', '.join(kinds)[:60]} without a section that is read",
+            "they are left out",
+        )
 
 
 def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, law: Deck) -> None:
     wish = section.elements.rpartition(".")[0] or section.elements
-    part = Part(number, number, deck.model.names.take(wish, "part"), section.place, density=law["density"], keys={"material": material})
+    part = Part(
+        number, number, deck.model.names.take(wish, "part"), section.place, density=law["density"], keys={"material": material}
+    )
     for id in deck.elements_of(section.elements, section.place):
         if id not in deck.mesh.elements:
             raise BadInput(section.place, f"there is no element {id}")
@@ -97,7 +105,9 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         integration = "full" if kind == "C3D8" else "one_point"
         deck.integrations[integration] = deck.integrations.get(integration, 0) + 1
     else:
-        deck.ledger.refuse(f"ELEMENT.{kind}", section.place, f"elements {kind or 'without TYPE'}, which percuss does not have", "they are left out")
+        deck.ledger.refuse(
+            f"ELEMENT.{kind}", section.place, f"elements {kind or 'without TYPE'}, which percuss does not have", "they are left out"
+        )
         return
     deck.blocks_of_elements[id] = len(deck.model.blocks)
 
@@ -118,7 +128,12 @@ def choose_integration(deck: AbaqusDeck) -> None:
         return
     chosen = max(deck.integrations, key=lambda kind: deck.integrations[kind])
     if len(deck.integrations) > 1 and deck.mesh.place:
-        deck.ledger.refuse("ELEMENT.mixed", deck.mesh.place, "C3D8 and C3D8R in one model, percuss has one integration for all", f"all are {chosen}")
+        deck.ledger.refuse(
+            "ELEMENT.mixed",
+            deck.mesh.place,
+            "C3D8 and C3D8R in one model, percuss has one integration for all",
+            f"all are {chosen}",
+        )
     if chosen == "full":
         deck.model.deck.setdefault("elements", {})["integration"] = "full"
 

@@ -8,12 +8,14 @@ from . import steps
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
 from .mesh import Scope, read_elements, read_instance, read_nodes, read_set, read_surface
+from .options import check_options
 from .parts import add_masses, build_parts, choose_integration, place_instances, read_section
 
 Handler = Callable[[AbaqusDeck, Block], None]
 IGNORED = {
     "PREPRINT": "output", "RESTART": "output", "NODE OUTPUT": "output", "ELEMENT OUTPUT": "output", "ENERGY OUTPUT": "output",
-    "CONTACT OUTPUT": "output", "MONITOR": "output", "FILE OUTPUT": "output", "NODE PRINT": "output", "EL PRINT": "output", "NODE FILE": "output",
+    "CONTACT OUTPUT": "output", "MONITOR": "output", "FILE OUTPUT": "output", "NODE PRINT": "output", "EL PRINT": "output",
+    "NODE FILE": "output",
     "EL FILE": "output", "SECTION CONTROLS": "numerics", "CONTACT CONTROLS": "numerics", "CONTACT CONTROLS ASSIGNMENT": "numerics",
     "CONTACT": "what follows it says all", "END STEP": "the end of the step", "SURFACE BEHAVIOR": "contact is hard, and may part",
     "CONTACT FORMULATION": "contact works both ways", "DIAGNOSTICS": "output", "INTEGRATED OUTPUT": "output", "INCREMENTATION OUTPUT": "output",
@@ -37,6 +39,7 @@ class Reader:
 
     def take(self, block: Block) -> None:
         keyword = block.keyword
+        check_options(block, self.deck.ledger)
         if self.material and keyword not in MATERIAL_END:
             self.material.parts.append(block)
             return
@@ -77,7 +80,9 @@ class Reader:
     def elements(self, block: Block) -> None:
         self.scope.place = self.scope.place or block.place
         read_elements(self.scope, block)
-        self.deck.ledger.translated(f"ELEMENT, TYPE={block.option('TYPE')}", block.place, "elements of the mesh, where a section has them")
+        self.deck.ledger.translated(
+            f"ELEMENT, TYPE={block.option('TYPE')}", block.place, "elements of the mesh, where a section has them"
+        )
 
     def sets(self, block: Block) -> None:
         if self.scope is self.assembly:
@@ -120,16 +125,22 @@ class Reader:
     def begin_step(self, block: Block) -> None:
         self.steps += 1
         if self.steps > 1:
-            self.deck.ledger.refuse("STEP", block.place, "a second step", "its conditions and loads act from the start, its time counts on")
+            self.deck.ledger.refuse(
+                "STEP", block.place, "a second step", "its conditions and loads act from the start, its time counts on"
+            )
 
     def dynamic(self, block: Block) -> None:
         if "EXPLICIT" not in block.options:
             self.deck.ledger.refuse("DYNAMIC", block.place, "an implicit step", "the run is explicit")
+        if "SCALE FACTOR" in block.options:
+            self.deck.step_scale = block.number((block.place.line, [block.options["SCALE FACTOR"]]), 0, 1.0)
         self.deck.end_time += max((block.number(line, 1) for line in block.lines[:1]), default=0.0)
         self.deck.ledger.translated("DYNAMIC", block.place, "time.end")
 
     def static(self, block: Block) -> None:
-        self.deck.ledger.refuse(block.keyword, block.place, "a step that is not explicit dynamics", "the run is explicit, with its time")
+        self.deck.ledger.refuse(
+            block.keyword, block.place, "a step that is not explicit dynamics", "the run is explicit, with its time"
+        )
         self.deck.end_time += max((block.number(line, 1, 1.0) for line in block.lines[:1]), default=1.0)
 
     def viscosity(self, block: Block) -> None:
@@ -199,7 +210,11 @@ def read_assembly_sets(reader: Reader) -> None:
         local = {id - part.shift: None for id in known if id > part.shift} if part else known
         found: dict[str, list[int]] = {}
         if part:
-            found = {name.partition(".")[2]: [id - part.shift for id in ids] for name, ids in sets.items() if name.startswith(part.name + ".")}
+            found = {
+                name.partition(".")[2]: [id - part.shift for id in ids]
+                for name, ids in sets.items()
+                if name.startswith(part.name + ".")
+            }
         else:
             found = dict(sets)
         name = block.option("NSET" if is_nodes else "ELSET")
@@ -230,4 +245,7 @@ def finish(deck: AbaqusDeck) -> None:
     if "fields" in every:
         output["fields"] = {"every": max(every["fields"], deck.end_time / 1e5), "write": ["velocity", "von_mises"]}
     deck.model.deck["output"] = output
-    deck.model.deck["time"] = {"end": deck.end_time}
+    time = {"end": deck.end_time}
+    if 0 < deck.step_scale < 1:
+        time["step_scale"] = deck.step_scale
+    deck.model.deck["time"] = time

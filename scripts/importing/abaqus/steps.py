@@ -65,7 +65,9 @@ def read_boundary(deck: AbaqusDeck, block: Block) -> None:
             add_condition(deck, block, line, name, directions, value)
 
 
-def add_condition(deck: AbaqusDeck, block: Block, line: tuple[int, list[str]], name: str, directions: list[str], value: float) -> None:
+def add_condition(
+    deck: AbaqusDeck, block: Block, line: tuple[int, list[str]], name: str, directions: list[str], value: float
+) -> None:
     shells = deck.model.shell_nodes()
     if not any(node in shells for node in deck.model.node_sets[name]):
         directions = [d for d in directions if d in AXES[:3]]
@@ -79,7 +81,12 @@ def add_condition(deck: AbaqusDeck, block: Block, line: tuple[int, list[str]], n
     elif kind == "DISPLACEMENT" and "AMPLITUDE" in block.options and not any(d.startswith("r") for d in directions):
         entry = {"displacement": {d: time_value(deck, block, value) for d in directions}}
     else:
-        deck.ledger.refuse("BOUNDARY.TYPE", block.at(line[0]), f"a {kind.lower()} of {', '.join(directions)}, or without an amplitude", "it is left out")
+        deck.ledger.refuse(
+            "BOUNDARY.TYPE",
+            block.at(line[0]),
+            f"a {kind.lower()} of {', '.join(directions)}, or without an amplitude",
+            "it is left out",
+        )
         return
     deck.model.add("conditions", {"nodes": name, **entry})
     deck.ledger.translated("BOUNDARY", block.at(line[0]), "conditions")
@@ -129,7 +136,9 @@ def read_node_force(deck: AbaqusDeck, block: Block) -> None:
     for line in block.lines:
         name, dof = deck.node_set_name(block.text(line, 0), block.at(line[0])), block.integer(line, 1)
         if not name or not 1 <= dof <= 6:
-            deck.ledger.refuse("CLOAD.dof", block.at(line[0]), f"a load on direction {dof} of '{clip(block.text(line, 0))}'", INSTEAD)
+            deck.ledger.refuse(
+                "CLOAD.dof", block.at(line[0]), f"a load on direction {dof} of '{clip(block.text(line, 0))}'", INSTEAD
+            )
             continue
         kind = "force" if dof <= 3 else "moment"
         value = time_value(deck, block, block.number(line, 2))
@@ -155,7 +164,9 @@ def read_distributed(deck: AbaqusDeck, block: Block) -> None:
                 deck.model.deck.setdefault("loads", {}).setdefault("pressure", []).append({"faces": name, "value": value})
                 deck.ledger.translated("DSLOAD", block.at(line[0]), "loads.pressure")
         else:
-            deck.ledger.refuse(f"{block.keyword}.{label or 'blank'}", block.at(line[0]), f"a distributed load {clip(label)}", INSTEAD)
+            deck.ledger.refuse(
+                f"{block.keyword}.{label or 'blank'}", block.at(line[0]), f"a distributed load {clip(label)}", INSTEAD
+            )
 
 
 def read_tie(deck: AbaqusDeck, block: Block) -> None:
@@ -164,7 +175,9 @@ def read_tie(deck: AbaqusDeck, block: Block) -> None:
         place = block.at(line[0])
         slave, master = block.text(line, 0), block.text(line, 1)
         if slave.upper() in deck.mesh.node_surfaces:
-            nodes = [n for name in deck.mesh.node_surfaces[slave.upper()] for n in deck.nodes_of(name, place) if n in deck.used_nodes()]
+            nodes = [
+                n for name in deck.mesh.node_surfaces[slave.upper()] for n in deck.nodes_of(name, place) if n in deck.used_nodes()
+            ]
             a = deck.model.add_node_set(slave, nodes) if nodes else ""
         else:
             a = deck.surface_name(slave, place, of_contact=True)
@@ -209,7 +222,9 @@ def read_property(deck: AbaqusDeck, block: Block) -> None:
             deck.whole = {"a": "all", "b": "all", "friction": friction}
             deck.ledger.translated(block.keyword, block.at(line[0]), "contact.friction")
         else:
-            deck.ledger.refuse(block.keyword, block.at(line[0]), "a friction of two surfaces in general contact", "that of all is used")
+            deck.ledger.refuse(
+                block.keyword, block.at(line[0]), "a friction of two surfaces in general contact", "that of all is used"
+            )
 
 
 def finish_contact(deck: AbaqusDeck) -> None:

@@ -179,8 +179,11 @@ class CardReader:
                 continue
             inside = os.path.commonpath([path, self._folder]) == self._folder
             if not inside and not self._ledger.allows("INCLUDE.outside"):
-                raise BadInput(place, f"'{clip(name, 100)}' lies outside of the folder of the first file "
-                                      "(--allow INCLUDE.outside reads it, if you trust the deck)")
+                raise BadInput(
+                    place,
+                    f"'{clip(name, 100)}' lies outside of the folder of the first file "
+                    "(--allow INCLUDE.outside reads it, if you trust the deck)",
+                )
             return path
         raise BadInput(place, f"there is no file '{clip(name, 100)}'")
 

@@ -70,7 +70,9 @@ def apply_spc(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
         if set(directions) & set(AXES) == set(AXES) and len(directions) in (3, 6):
             axes = [0, 1, 2]  # all directions of any system
         else:
-            deck.ledger.refuse("BOUNDARY_SPC.CID", row.place, f"fixed directions of the axes of system {system}", "the condition is left out")
+            deck.ledger.refuse(
+                "BOUNDARY_SPC.CID", row.place, f"fixed directions of the axes of system {system}", "the condition is left out"
+            )
             return
     turned = [("r" if d.startswith("r") else "") + AXES[axes[AXES.index(d[-1])]] for d in directions]
     name = nodes_of(deck, row.integer("ID"), is_set, row.place)
@@ -104,7 +106,9 @@ def read_rigid_motion(deck: KeywordDeck, card: Card) -> None:
         if direction in AXES:
             deck.rigid_motions.setdefault(row.integer("ID"), {})[direction] = row
         else:
-            deck.ledger.refuse(f"{card.keyword}.DOF", row.place, "a rotation, or a direction of a vector, of a rigid part", "it is left out")
+            deck.ledger.refuse(
+                f"{card.keyword}.DOF", row.place, "a rotation, or a direction of a vector, of a rigid part", "it is left out"
+            )
 
 
 def read_motion(deck: KeywordDeck, card: Card) -> None:
@@ -126,7 +130,9 @@ def read_motion(deck: KeywordDeck, card: Card) -> None:
 def apply_motion(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
     found = find_direction(deck, row)
     if found is None:
-        deck.ledger.refuse("BOUNDARY_PRESCRIBED_MOTION.DOF", row.place, "motion along a direction that is no axis", "it is left out")
+        deck.ledger.refuse(
+            "BOUNDARY_PRESCRIBED_MOTION.DOF", row.place, "motion along a direction that is no axis", "it is left out"
+        )
         return
     direction, sign = found
     name = nodes_of(deck, row.integer("ID"), is_set, row.place)
@@ -162,7 +168,9 @@ def make_motion(deck: KeywordDeck, row: Row, direction: str, sign: float) -> Dec
         curve = Curve(curve.place, order_points(integrate(order_points(curve.points))))
         deck.ledger.approximated("BOUNDARY_PRESCRIBED_MOTION.VAD", row.place, "the integral of the acceleration as a velocity")
     elif kind not in (0, 2) or (kind == 2 and direction.startswith("r")):
-        deck.ledger.refuse("BOUNDARY_PRESCRIBED_MOTION.VAD", row.place, f"VAD {kind} in direction {direction}", "the motion is left out")
+        deck.ledger.refuse(
+            "BOUNDARY_PRESCRIBED_MOTION.VAD", row.place, f"VAD {kind} in direction {direction}", "the motion is left out"
+        )
         return None
     value = make_time_value(curve, scale, deck.end_time)
     return {"displacement" if kind == 2 else "velocity": {direction: value}}
@@ -174,7 +182,11 @@ def apply_rigid_motions(deck: KeywordDeck) -> None:
         names = deck.part_names([id])
         nodes = deck.model.nodes_of_blocks(deck.blocks_of([id]))
         targets = list(names)
-        extra = [n for kind, i, place in deck.extra_nodes.get(id, []) for n in ([i] if kind == "NODE" else deck.list_members("NODE", i, place))]
+        extra = [
+            n
+            for kind, i, place in deck.extra_nodes.get(id, [])
+            for n in ([i] if kind == "NODE" else deck.list_members("NODE", i, place))
+        ]
         name = deck.make_node_set(f"extra_{id}", extra, deck.parts[id].place) if extra else ""
         if name:
             targets.append(name)

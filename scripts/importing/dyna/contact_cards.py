@@ -60,7 +60,11 @@ def read_optional(deck: KeywordDeck, card: Card, reader: Lines) -> None:
     while reader:
         rest.append(reader.take())
     if any(text.strip("0. ") for _, text in rest):
-        deck.ledger.ignored(f"{card.keyword.split('_')[0]} cards A-G", card.at(rest[0][0]), "numerics of the penalty method; percuss corrects velocities instead")
+        deck.ledger.ignored(
+            f"{card.keyword.split('_')[0]} cards A-G",
+            card.at(rest[0][0]),
+            "numerics of the penalty method; percuss corrects velocities instead",
+        )
 
 
 def translate_contact(deck: KeywordDeck, card: Card, contact: Contact) -> None:
@@ -140,9 +144,16 @@ def check_fields(deck: KeywordDeck, contact: Contact) -> None:
     if contact.sides.integer("SBOXID") or contact.sides.integer("MBOXID"):
         deck.ledger.refuse("CONTACT.SBOXID", contact.place, "contact in a box", "it acts everywhere")
     if any(v < 0 or v > 0 for v in contact.scale.numbers("SST", "MST")):
-        deck.ledger.refuse("CONTACT.SST", contact.place, "a thickness of contact other than that of the shells", "shells touch at half their own thickness")
+        deck.ledger.refuse(
+            "CONTACT.SST",
+            contact.place,
+            "a thickness of contact other than that of the shells",
+            "shells touch at half their own thickness",
+        )
     if set(contact.scale.numbers("SFST", "SFMT")) - {0.0, 1.0}:
-        deck.ledger.refuse("CONTACT.SFST", contact.place, "a factor on the thickness of contact", "shells touch at half their own thickness")
+        deck.ledger.refuse(
+            "CONTACT.SFST", contact.place, "a factor on the thickness of contact", "shells touch at half their own thickness"
+        )
     if contact.law.number("VC"):
         deck.ledger.refuse("CONTACT.VC", contact.place, "a limit of the shear stress of friction", "there is none")
     contact.law.finish(deck.ledger)
@@ -184,7 +195,9 @@ def tie(deck: KeywordDeck, contact: Contact) -> None:
     if reach:
         entry["distance"] = reach
     deck.model.deck.setdefault("contact", {}).setdefault("ties", []).append(entry)
-    deck.ledger.approximated(contact.keyword, contact.place, "contact.ties: gaps stay as they are; the reach is percuss', or 0.6 (SST + MST)")
+    deck.ledger.approximated(
+        contact.keyword, contact.place, "contact.ties: gaps stay as they are; the reach is percuss', or 0.6 (SST + MST)"
+    )
 
 
 def transduce(deck: KeywordDeck, contact: Contact) -> None:

@@ -6,7 +6,8 @@ from .cards import Card
 from .deck import KeywordDeck
 
 HARMLESS = {
-    "ACCURACY": "numerics", "OUTPUT": "output", "SOLUTION": "numerics", "PARALLEL": "percuss has the same bits on any ranks", "CPU": "time limit",
+    "ACCURACY": "numerics", "OUTPUT": "output", "SOLUTION": "numerics", "CPU": "time limit",
+    "PARALLEL": "percuss has the same bits on any ranks",
     "ENERGY": "percuss books all energies", "MPP": "decomposition", "SHELL": "percuss has one shell, whose thickness follows the strain",
     "SOLID": "numerics", "CONTACT": "numerics of the penalty method", "UNITS": "a text; --units says it", "RIGID": "of rigid bodies",
     "SUBCYCLE": "numerics", "REMESHING": "of adaptivity", "CHECK": "output", "DEBUG": "output", "REFINE": "of adaptivity",
@@ -60,7 +61,9 @@ def scale_masses(deck: KeywordDeck, card: Card, step: float, once: bool, row: Ro
             continue
         block.keys["mass_scaling"] = {"step": step, "max_added": 1.0, **({} if once else {"every": 10})}
     if left:
-        deck.ledger.refuse("CONTROL_TIMESTEP.DT2MS", row.place, f"mass scaling of solids of {', '.join(sorted(left))}", "these get no mass")
+        deck.ledger.refuse(
+            "CONTROL_TIMESTEP.DT2MS", row.place, f"mass scaling of solids of {', '.join(sorted(left))}", "these get no mass"
+        )
     text = "mass_scaling of each part, at most its own mass"
     if row.number("DT2MS") > 0:
         text += "; no element loses mass"

@@ -290,5 +290,4 @@ class KeywordDeck:
         return self._names_of_sets[key] or None
 
 
-
 Handler = Callable[[KeywordDeck, Card], None]

@@ -81,13 +81,21 @@ def add_solid(deck: KeywordDeck, card: Card, place: Place, part: int, id: int, c
         found.solids.append((id, tuple(corners)))
         return
     first = list(dict.fromkeys(corners))
-    if different == 4 and deck.takes_tetrahedra and corners in (first, first + first[3:] * 4, [*first[:3], first[2], *first[3:] * 4]):
+    if (
+        different == 4
+        and deck.takes_tetrahedra
+        and corners in (first, first + first[3:] * 4, [*first[:3], first[2], *first[3:] * 4])
+    ):
         found.solids.append((id, tuple(first)))
         return
     shape = "quadratic" if different > 8 else SHAPES.get(different, "degenerate")
     found.others.add(f"ELEMENT_SOLID.{shape}")
-    deck.ledger.refuse(f"ELEMENT_SOLID.{shape}", place, f"a {shape} solid ({different} nodes), an element that percuss does not have",
-                       "these elements are left out, and the body has holes")
+    deck.ledger.refuse(
+        f"ELEMENT_SOLID.{shape}",
+        place,
+        f"a {shape} solid ({different} nodes), an element that percuss does not have",
+        "these elements are left out, and the body has holes",
+    )
 
 
 def read_shells(deck: KeywordDeck, card: Card) -> None:
@@ -104,7 +112,9 @@ def read_shells(deck: KeywordDeck, card: Card) -> None:
         nodes = [to_id(card, line[0], text, "node", True) for text in texts[2:10]]
         thickness = read_shell_options(deck, card, reader, options, any(nodes[4:]))
         if any(nodes[4:]):
-            deck.ledger.refuse("ELEMENT_SHELL.mid_nodes", card.at(line[0]), "shells with nodes on their edges", "the corners alone are used")
+            deck.ledger.refuse(
+                "ELEMENT_SHELL.mid_nodes", card.at(line[0]), "shells with nodes on their edges", "the corners alone are used"
+            )
         corners = nodes[:3] if nodes[3] in (0, nodes[2]) else nodes[:4]
         if 0 in corners or len(set(corners)) < len(corners):
             raise BadInput(card.at(line[0]), f"shell {id} has not three or four different corners")

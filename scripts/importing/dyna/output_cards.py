@@ -61,7 +61,10 @@ def finish_output(deck: KeywordDeck) -> None:
     output: Deck = {}
     found = deck.output
     if found.frames > 0:
-        plastic = any("plastic" in law["model"] or law["model"] in ("combined_hardening", "johnson_cook") for law in deck.model.materials.values())
+        plastic = any(
+            "plastic" in law["model"] or law["model"] in ("combined_hardening", "johnson_cook")
+            for law in deck.model.materials.values()
+        )
         output["fields"] = {"every": found.frames, "write": FIELDS + (["equivalent_plastic_strain"] if plastic else [])}
     history: Deck = {"every": found.rows or float(f"{deck.end_time / 1000:.6g}")}
     add_points(deck, history)
@@ -101,5 +104,3 @@ def add_points(deck: KeywordDeck, history: Deck) -> None:
         kept = [id for id in dict.fromkeys(ids) if id in known][:MOST_POINTS]
         if kept:
             history[key] = [{"name": f"{key[:-1]}_{id}", "id": id} for id in kept]
-
-

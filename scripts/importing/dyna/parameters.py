@@ -96,7 +96,11 @@ class Parameters:
         for number, line in card.lines:
             if not line.strip():
                 continue
-            word, _, text = line.partition(",") if "," in line[:11] else (line[: max(10, card.least_width)], "", line[max(10, card.least_width) :])
+            word, _, text = (
+                line.partition(",")
+                if "," in line[:11]
+                else (line[: max(10, card.least_width)], "", line[max(10, card.least_width) :])
+            )
             value = evaluate(text.strip(), self, card.at(number))
             scope = self if "LOCAL" in card.keyword else self._root()
             scope._define(word.strip(), value, card.at(number), True)

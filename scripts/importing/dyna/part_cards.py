@@ -51,7 +51,9 @@ def read_part_options(deck: KeywordDeck, card: Card, reader, part: PartCard, opt
         for _ in range(PART_LINES[option]):
             line = reader.row("A B C D E F G H")
         if option == "INERTIA":
-            deck.ledger.refuse("PART_INERTIA", part.place, "mass and inertia that replace those of the mesh", "those of the mesh are used")
+            deck.ledger.refuse(
+                "PART_INERTIA", part.place, "mass and inertia that replace those of the mesh", "those of the mesh are used"
+            )
         elif option == "REPOSITION" and line.has("B"):
             deck.ledger.refuse("PART_REPOSITION", part.place, "a part that is moved", "it stays")
 
@@ -118,8 +120,12 @@ def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | Non
     row.finish(deck.ledger)
     reference = more.number("NLOC")
     more.finish(deck.ledger)
-    deck.ledger.approximated(card.keyword, row.place, "percuss has one shell: four nodes, one point in the plane, physical stabilisation, "
-                             "shear factor 5/6, Gauss points, thickness that follows the strain")
+    deck.ledger.approximated(
+        card.keyword,
+        row.place,
+        "percuss has one shell: four nodes, one point in the plane, physical stabilisation, "
+        "shear factor 5/6, Gauss points, thickness that follows the strain",
+    )
     mean = sum(thicknesses) / len(thicknesses) if len(set(thicknesses)) > 1 else thicknesses[0]
     return ShellSection(mean, min(points, 16), reference)
 
@@ -153,7 +159,9 @@ def separate_ids(deck: KeywordDeck) -> None:
     for shell in shells:
         shell.id += deck.shell_shift
     place = next(elements.place for elements in deck.elements.values() if elements.shells)
-    deck.ledger.approximated("ELEMENT_SHELL.EID", place, f"ids are raised by {deck.shell_shift}, since solids have some of them too")
+    deck.ledger.approximated(
+        "ELEMENT_SHELL.EID", place, f"ids are raised by {deck.shell_shift}, since solids have some of them too"
+    )
 
 
 def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: int) -> list[Block]:
@@ -172,7 +180,9 @@ def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: 
     return divide_shells(deck, part, elements.shells, found, name, next_id)
 
 
-def divide_shells(deck: KeywordDeck, part: PartCard, shells: list[Element], section: ShellSection, name: str, next_id: int) -> list[Block]:
+def divide_shells(
+    deck: KeywordDeck, part: PartCard, shells: list[Element], section: ShellSection, name: str, next_id: int
+) -> list[Block]:
     """Blocks of equal thickness."""
     groups: dict[float, list[tuple[int, tuple[int, ...]]]] = {}
     for shell in shells:
@@ -201,8 +211,9 @@ def round_thicknesses(deck: KeywordDeck, part: PartCard, groups: dict) -> dict:
     rounded: dict[float, list] = {}
     for thickness, members in groups.items():
         rounded.setdefault(low + step * round((thickness - low) / step), []).extend(members)
-    deck.ledger.approximated("ELEMENT_SHELL_THICKNESS", part.place,
-                             f"{len(groups)} thicknesses are rounded to {len(rounded)}, by at most {step / 2:.3g}")
+    deck.ledger.approximated(
+        "ELEMENT_SHELL_THICKNESS", part.place, f"{len(groups)} thicknesses are rounded to {len(rounded)}, by at most {step / 2:.3g}"
+    )
     return rounded
 
 
@@ -230,8 +241,12 @@ def translate_integration(deck: KeywordDeck) -> None:
     chosen = counts.most_common(1)[0][0]
     if len(counts) > 1:
         other = next(kind for kind in counts if kind != chosen)
-        deck.ledger.refuse("SECTION_SOLID.mixed", places[other], "one-point and fully integrated solids in one model, percuss has one for all",
-                           f"all are {chosen}")
+        deck.ledger.refuse(
+            "SECTION_SOLID.mixed",
+            places[other],
+            "one-point and fully integrated solids in one model, percuss has one for all",
+            f"all are {chosen}",
+        )
     if chosen != "one_point":
         deck.model.deck.setdefault("elements", {})["integration"] = chosen
 

@@ -39,7 +39,9 @@ def make_wall(deck: KeywordDeck, plane: Row, name: str) -> Deck | None:
     friction = plane.number("FRIC")
     wall: Deck = {"name": deck.model.names.take(name, "wall"), "point": list(point), "normal": list(normal)}
     if friction >= 2:
-        deck.ledger.refuse("RIGIDWALL_PLANAR.FRIC", plane.place, "nodes that are welded to the wall", "they stick, and may part from it")
+        deck.ledger.refuse(
+            "RIGIDWALL_PLANAR.FRIC", plane.place, "nodes that are welded to the wall", "they stick, and may part from it"
+        )
     if friction >= 1:
         deck.ledger.approximated("RIGIDWALL_PLANAR.FRIC", plane.place, f"sticking is a friction of {STICK:g}")
         friction = STICK
@@ -57,7 +59,9 @@ def read_wall_options(deck: KeywordDeck, reader: Lines, words: list[str]) -> Non
         first = reader.row("A B C D E F G H")
         if option == "ORTHO":
             reader.take()
-            deck.ledger.refuse("RIGIDWALL_PLANAR_ORTHO", first.place, "friction that depends on the direction", "FRIC acts in all directions")
+            deck.ledger.refuse(
+                "RIGIDWALL_PLANAR_ORTHO", first.place, "friction that depends on the direction", "FRIC acts in all directions"
+            )
         elif option == "FINITE":
             deck.ledger.refuse("RIGIDWALL_PLANAR_FINITE", first.place, "a wall with edges", "the plane goes on without end")
         elif option == "MOVING":

@@ -134,8 +134,12 @@ def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
     """Whether shells take the law."""
     if not use.is_shell or law["model"] not in SOLIDS_ONLY:
         return True
-    deck.ledger.refuse(f"{card.keyword}.shells", use.place, f"shells of the law {law['model']}, which percuss has for solids",
-                       "the parts made of it are left out")
+    deck.ledger.refuse(
+        f"{card.keyword}.shells",
+        use.place,
+        f"shells of the law {law['model']}, which percuss has for solids",
+        "the parts made of it are left out",
+    )
     return False
 
 

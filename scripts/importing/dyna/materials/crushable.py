@@ -19,13 +19,20 @@ def soil_and_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     if more.integer("LCID"):
         points = deck.material_curve(more.integer("LCID"), more.place)
     a0, a1, a2 = row.numbers("A0", "A1", "A2")
-    law: Deck = {"model": "soil_and_foam", "density": row.positive("RO"), "shear_modulus": row.positive("G"), "unloading_bulk_modulus": row.positive("BULK")}
+    law: Deck = {
+        "model": "soil_and_foam",
+        "density": row.positive("RO"),
+        "shear_modulus": row.positive("G"),
+        "unloading_bulk_modulus": row.positive("BULK"),
+    }
     if a1 == 0 and a2 == 0 and a0 >= 0:
         law["a0"] = (3 * a0) ** 0.5
     elif a0 == 0 and a1 == 0 and a2 > 0:
         law |= {"a0": 0.0, "a1": (3 * a2) ** 0.5}
     else:
-        deck.ledger.refuse(f"{card.keyword}.A1", row.place, "J2 = A0 + A1 p + A2 p^2 with several terms", "the parts made of it are left out")
+        deck.ledger.refuse(
+            f"{card.keyword}.A1", row.place, "J2 = A0 + A1 p + A2 p^2 with several terms", "the parts made of it are left out"
+        )
         return None
     law["tension_limit"] = max(-row.number("PC"), 0.0)
     law["compaction"] = make_compaction(deck, card, row, points)
@@ -69,7 +76,12 @@ def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     rows, error = thin_rows(points)
     if error > 1e-12:
         deck.ledger.approximated(f"{card.keyword}.curve", row.place, f"the curve has {len(rows)} rows, within {error:.2g}")
-    law: Deck = {"model": "low_density_foam", "density": row.positive("RO"), "youngs_modulus": row.positive("E"), "compression": [list(r) for r in rows]}
+    law: Deck = {
+        "model": "low_density_foam",
+        "density": row.positive("RO"),
+        "youngs_modulus": row.positive("E"),
+        "compression": [list(r) for r in rows],
+    }
     if row.number("HU") != 1:
         law |= {"hysteretic_unloading": row.number("HU"), "unloading_shape": more.number("SHAPE") or 1.0}
     more.skip("SHAPE")
@@ -90,7 +102,11 @@ def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     if not points:
         row.fail("LCID", "a curve with stresses above 0 is expected")
     rows = [list(point) for point in thin_rows(points)[0]]
-    deck.ledger.approximated(card.keyword, row.place, "a honeycomb with the same curve in all directions, compacted at the end of the curve; tension as compression")
+    deck.ledger.approximated(
+        card.keyword,
+        row.place,
+        "a honeycomb with the same curve in all directions, compacted at the end of the curve; tension as compression",
+    )
     crush = {f"crush_{name}": rows for name in ("xx", "yy", "zz", "xy", "yz", "zx")}
     law = {"model": "honeycomb", "density": row.positive("RO"), "youngs_modulus": youngs, "poissons_ratio": 0.0,
            "yield_stress": max(y for _, y in points), "compacted_volume": min(max(1 - points[-1][0], 0.01), 0.99),

@@ -11,7 +11,12 @@ def elastic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     reader = card.reader()
     row = reader.row("MID RO E PR DA~ DB~ K~")
     row.skip("MID")
-    law = {"model": "elastic", "density": row.positive("RO"), "youngs_modulus": row.positive("E"), "poissons_ratio": row.number("PR")}
+    law = {
+        "model": "elastic",
+        "density": row.positive("RO"),
+        "youngs_modulus": row.positive("E"),
+        "poissons_ratio": row.number("PR"),
+    }
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)
     return law
@@ -20,7 +25,11 @@ def elastic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
 def elastic_fluid(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     row = card.reader().row("MID RO E~ PR~ DA~ DB~ K")
     row.skip("MID")
-    law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": {"kind": "linear", "bulk_modulus": row.positive("K")}}
+    law: Deck = {
+        "model": "fluid",
+        "density": row.positive("RO"),
+        "equation_of_state": {"kind": "linear", "bulk_modulus": row.positive("K")},
+    }
     row.finish(deck.ledger)
     return law
 
@@ -32,7 +41,12 @@ def null(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     row.skip("MID")
     state = translate_state(deck, use)
     if state is None:
-        deck.ledger.refuse(f"{card.keyword}.skin", card.place, "a material without stress or equation of state", "the parts made of it are left out")
+        deck.ledger.refuse(
+            f"{card.keyword}.skin",
+            card.place,
+            "a material without stress or equation of state",
+            "the parts made of it are left out",
+        )
         return None
     law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": state}
     cut_off(deck, card, row.number("PC"), law)
@@ -52,7 +66,12 @@ def viscoelastic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     row = card.reader().row("MID RO BULK G0 GI BETA")
     row.skip("MID")
     start, end, decay = row.numbers("G0", "GI", "BETA")
-    law: Deck = {"model": "viscoelastic", "density": row.positive("RO"), "bulk_modulus": row.positive("BULK"), "long_term_shear_modulus": end}
+    law: Deck = {
+        "model": "viscoelastic",
+        "density": row.positive("RO"),
+        "bulk_modulus": row.positive("BULK"),
+        "long_term_shear_modulus": end,
+    }
     if decay <= 0 or start <= end:
         row.fail("BETA", "a decay above 0 and G0 above GI are expected")
     law["relaxation"] = [[1 / decay, start - end]]
@@ -63,7 +82,12 @@ def blatz_ko(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     row = card.reader().row("MID RO G REF~")
     row.skip("MID")
     deck.ledger.approximated(card.keyword, card.place, "neo-Hookean rubber with the same shear modulus and Poisson's ratio 0.463")
-    law = {"model": "neo_hookean", "density": row.positive("RO"), "youngs_modulus": 2 * 1.463 * row.positive("G"), "poissons_ratio": 0.463}
+    law = {
+        "model": "neo_hookean",
+        "density": row.positive("RO"),
+        "youngs_modulus": 2 * 1.463 * row.positive("G"),
+        "poissons_ratio": 0.463,
+    }
     row.finish(deck.ledger)
     return law
 
@@ -76,10 +100,21 @@ def mooney_rivlin(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     if not more.integer("LCID") and not 0 < ratio < 0.5:
         row.fail("PR", "between 0 and 0.5 is expected")
     if more.integer("LCID") or a <= 0 or b < 0:
-        deck.ledger.refuse(f"{card.keyword}.LCID", card.place, "rubber fitted to a curve, or with constants below 0", "the parts made of it are left out")
+        deck.ledger.refuse(
+            f"{card.keyword}.LCID",
+            card.place,
+            "rubber fitted to a curve, or with constants below 0",
+            "the parts made of it are left out",
+        )
         return None
     deck.ledger.approximated(card.keyword, card.place, "the same constants, with percuss' term of volume")
-    law = {"model": "mooney_rivlin", "density": row.positive("RO"), "c10": a, "c01": b, "bulk_modulus": 4 * (a + b) * (1 + ratio) / (3 * (1 - 2 * ratio))}
+    law = {
+        "model": "mooney_rivlin",
+        "density": row.positive("RO"),
+        "c10": a,
+        "c01": b,
+        "bulk_modulus": 4 * (a + b) * (1 + ratio) / (3 * (1 - 2 * ratio)),
+    }
     row.finish(deck.ledger)
     return law
 
@@ -89,12 +124,18 @@ def explosive(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     row = card.reader().row("MID RO D PCJ~ BETA K G SIGY")
     row.skip("MID")
     if len(deck.detonations) != 1:
-        deck.ledger.refuse("INITIAL_DETONATION", card.place, f"{len(deck.detonations)} points of detonation, percuss takes one at time 0",
-                           "the parts made of it are left out")
+        deck.ledger.refuse(
+            "INITIAL_DETONATION",
+            card.place,
+            f"{len(deck.detonations)} points of detonation, percuss takes one at time 0",
+            "the parts made of it are left out",
+        )
         return None
     state = translate_state(deck, use)
     if state is None or state.get("kind") != "jwl":
-        deck.ledger.refuse(f"{card.keyword}.EOSID", card.place, "an explosive without *EOS_JWL", "the parts made of it are left out")
+        deck.ledger.refuse(
+            f"{card.keyword}.EOSID", card.place, "an explosive without *EOS_JWL", "the parts made of it are left out"
+        )
         return None
     state |= {"detonation_velocity": row.positive("D"), "detonation_point": list(deck.detonations[0])}
     law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": state}

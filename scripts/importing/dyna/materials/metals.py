@@ -5,8 +5,17 @@ from ...fields import Row
 from ...model import Deck
 from ..cards import Card
 from ..deck import KeywordDeck
-from .shared import (NEVER, Use, add_rate, elastic_from_shear_and_bulk, finish_lines, make_hardening, read_points, set_failure,
-                       tangent_to_hardening)
+from .shared import (
+    NEVER,
+    Use,
+    add_rate,
+    elastic_from_shear_and_bulk,
+    finish_lines,
+    make_hardening,
+    read_points,
+    set_failure,
+    tangent_to_hardening,
+)
 from .states import initial_bulk_modulus, translate_state
 
 EIGHT = " ".join("ABCDEFGH")
@@ -51,7 +60,9 @@ def find_hardening(deck: KeywordDeck, card: Card, more: Row, points: Points) -> 
     """The table of *MAT_024 and 123: LCSS before EPS and ES. None where it is refused."""
     id = more.integer("LCSS")
     if id and id in deck.tables:
-        if not deck.ledger.refuse(f"{card.keyword}.table", more.place, "curves for several rates", "the curve of the lowest rate is used"):
+        if not deck.ledger.refuse(
+            f"{card.keyword}.table", more.place, "curves for several rates", "the curve of the lowest rate is used"
+        ):
             return None
         id = deck.tables[id]
     if id:
@@ -74,7 +85,12 @@ def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
         law["hardening"] = table
     else:
         hardening = tangent_to_hardening(row, law["youngs_modulus"], row.number("ETAN"))
-        law |= {"model": "combined_hardening", "yield_stress": row.positive("SIGY"), "hardening_modulus": hardening, "kinematic_share": 0.0}
+        law |= {
+            "model": "combined_hardening",
+            "yield_stress": row.positive("SIGY"),
+            "hardening_modulus": hardening,
+            "kinematic_share": 0.0,
+        }
     add_rate(law, deck, card, more.number("C"), more.number("P"), more)
     more.skip("VP")
     if law["model"] == "combined_hardening" and "cowper_symonds_rate" not in law:
@@ -104,13 +120,19 @@ def shear_and_bulk(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     reader = card.reader()
     row = reader.row("MID RO G SIGY ETAN BULK")
     row.skip("MID")
-    law: Deck = {"model": "j2_plasticity", "density": row.positive("RO"), **elastic_from_shear_and_bulk(row.positive("G"), row.positive("BULK"))}
+    law: Deck = {
+        "model": "j2_plasticity",
+        "density": row.positive("RO"),
+        **elastic_from_shear_and_bulk(row.positive("G"), row.positive("BULK")),
+    }
     law |= {"yield_stress": row.positive("SIGY"), "hardening_modulus": max(row.number("ETAN"), 0.0)}
     if card.keyword.endswith("FAILURE"):
         more = reader.row("EPF PRF REM TREM")
         set_failure(law, plastic_strain=more.number("EPF"), pressure=-more.number("PRF"), step=more.number("TREM"))
         if "failure" in law and more.integer("REM"):
-            deck.ledger.refuse(f"{card.keyword}.REM", more.place, "failed elements that stay as a fluid", "failed elements are eroded")
+            deck.ledger.refuse(
+                f"{card.keyword}.REM", more.place, "failed elements that stay as a fluid", "failed elements are eroded"
+            )
     row.finish(deck.ledger)
     finish_lines(deck, card, reader)
     return law
@@ -124,7 +146,9 @@ def elastic_plastic_hydro(deck: KeywordDeck, card: Card, use: Use) -> Deck | Non
     row.skip("MID")
     state = translate_state(deck, use)
     if state is None or state["kind"] == "jwl":
-        deck.ledger.refuse(f"{card.keyword}.EOSID", use.place, "a law that needs an equation of state", "the parts made of it are left out")
+        deck.ledger.refuse(
+            f"{card.keyword}.EOSID", use.place, "a law that needs an equation of state", "the parts made of it are left out"
+        )
         return None
     density = row.positive("RO")
     moduli = elastic_from_shear_and_bulk(row.positive("G"), initial_bulk_modulus(state, density))
@@ -134,7 +158,10 @@ def elastic_plastic_hydro(deck: KeywordDeck, card: Card, use: Use) -> Deck | Non
     if table:
         law |= {"model": "tabulated_plasticity", "hardening": table}
     else:
-        law |= {"yield_stress": row.number("SIGY") or 1e-12 * moduli["youngs_modulus"], "hardening_modulus": max(row.number("EH"), 0.0)}
+        law |= {
+            "yield_stress": row.number("SIGY") or 1e-12 * moduli["youngs_modulus"],
+            "hardening_modulus": max(row.number("EH"), 0.0),
+        }
     set_failure(law, plastic_strain=row.number("FS"))
     limit_tension(deck, card, law, row)
     row.finish(deck.ledger)
@@ -161,8 +188,12 @@ def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     else:
         state = translate_state(deck, use)
         if state is None:
-            deck.ledger.refuse(f"{card.keyword}.EOSID", use.place, "Johnson and Cook's law for solids needs an equation of state",
-                               "the parts made of it are left out")
+            deck.ledger.refuse(
+                f"{card.keyword}.EOSID",
+                use.place,
+                "Johnson and Cook's law for solids needs an equation of state",
+                "the parts made of it are left out",
+            )
             return None
         law |= {**johnson_cook_moduli(row, state, law["density"]), "equation_of_state": state}
     row.skip("E", "PR", "G")
@@ -187,11 +218,22 @@ def johnson_cook_moduli(row: Row, state: Deck, density: float) -> Deck:
 
 def read_flow(row: Row) -> Deck:
     """Constants of the flow stress."""
-    keys: Deck = {"a": row.positive("A"), "b": row.number("B"), "n": row.number("N") or 1.0, "c": row.number("C"), "m": row.number("M") or 1.0}
+    keys: Deck = {
+        "a": row.positive("A"),
+        "b": row.number("B"),
+        "n": row.number("N") or 1.0,
+        "c": row.number("C"),
+        "m": row.number("M") or 1.0,
+    }
     melt, room = row.numbers("TM", "TR")
     if melt <= room:
         melt = room + NEVER
-    return keys | {"reference_rate": row.number("EPSO") or 1.0, "melt_temperature": melt, "room_temperature": room, "start_temperature": room}
+    return keys | {
+        "reference_rate": row.number("EPSO") or 1.0,
+        "melt_temperature": melt,
+        "room_temperature": room,
+        "start_temperature": room,
+    }
 
 
 def read_damage(deck: KeywordDeck, card: Card, law: Deck, heat: Row, last: Row, rate: float) -> None:
@@ -203,8 +245,12 @@ def read_damage(deck: KeywordDeck, card: Card, law: Deck, heat: Row, last: Row, 
     if keeps:
         deck.ledger.refuse(f"{card.keyword}.EROD", last.place, "failed elements that are not eroded", "failed elements are eroded")
     if d3 < 0:
-        deck.ledger.refuse(f"{card.keyword}.D3", heat.place, "D3 below 0 makes the material tougher in tension in LS-DYNA, whose triaxiality is that of pressure",
-                           "the sign is taken as a mistake: less ductile in tension")
+        deck.ledger.refuse(
+            f"{card.keyword}.D3",
+            heat.place,
+            "D3 below 0 makes the material tougher in tension in LS-DYNA, whose triaxiality is that of pressure",
+            "the sign is taken as a mistake: less ductile in tension",
+        )
     if d1 < 0 or d4 < 0 or d2 < 0:
         deck.ledger.refuse(f"{card.keyword}.D1", heat.place, "D1, D2 or D4 below 0", "0 is used")
     damage = {"d1": max(d1, 0.0), "d2": max(d2, 0.0), "d3": -abs(d3), "d4": max(d4, 0.0), "d5": d5, "reference_rate": rate}

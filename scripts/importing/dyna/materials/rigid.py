@@ -11,7 +11,12 @@ INSTEAD = "its parts are elastic bodies with E and PR of the card"
 
 def read_law(row: Row) -> Deck:
     row.skip("MID", "N", "COUPLE", "M", "ALIAS")
-    return {"model": "elastic", "density": row.positive("RO"), "youngs_modulus": row.positive("E"), "poissons_ratio": row.number("PR")}
+    return {
+        "model": "elastic",
+        "density": row.positive("RO"),
+        "youngs_modulus": row.positive("E"),
+        "poissons_ratio": row.number("PR"),
+    }
 
 
 def translate_rigid(deck: KeywordDeck, card: Card) -> Deck | None:
@@ -30,6 +35,8 @@ def translate_rigid(deck: KeywordDeck, card: Card) -> Deck | None:
         if turns_fixed and fixed | set(motions) >= set("xyz"):
             deck.driven[part.id] = fixed - set(motions)
             deck.ledger.translated("MAT_RIGID", card.place, "a part whose motion is given: at all its nodes")
-        elif not deck.ledger.refuse("MAT_RIGID", card.place, f"a rigid body that moves freely (part {part.id}), which percuss does not have", INSTEAD):
+        elif not deck.ledger.refuse(
+            "MAT_RIGID", card.place, f"a rigid body that moves freely (part {part.id}), which percuss does not have", INSTEAD
+        ):
             return law
     return law

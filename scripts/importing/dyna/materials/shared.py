@@ -33,7 +33,10 @@ def tangent_to_hardening(row: Row, youngs: float, tangent: float) -> float:
 
 def elastic_from_shear_and_bulk(shear: float, bulk: float) -> Deck:
     """Young's modulus and Poisson's ratio."""
-    return {"youngs_modulus": 9 * bulk * shear / (3 * bulk + shear), "poissons_ratio": (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear)}
+    return {
+        "youngs_modulus": 9 * bulk * shear / (3 * bulk + shear),
+        "poissons_ratio": (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear),
+    }
 
 
 def make_hardening(deck: KeywordDeck, points: Points, card: str, place: Place) -> list[list[float]]:
@@ -45,7 +48,9 @@ def make_hardening(deck: KeywordDeck, points: Points, card: str, place: Place) -
         points[0] = (0.0, points[0][1])
     rows, error = thin_rows(points, 31)
     if error > 1e-12:
-        deck.ledger.approximated(f"{card}.curve", place, f"{len(points)} rows become {len(rows)}, within {error:.2g} of the largest stress")
+        deck.ledger.approximated(
+            f"{card}.curve", place, f"{len(points)} rows become {len(rows)}, within {error:.2g} of the largest stress"
+        )
     if len(rows) > 1:
         (x0, y0), (x1, y1) = rows[-2:]
         slope = (y1 - y0) / (x1 - x0)
@@ -79,7 +84,9 @@ def add_rate(law: Deck, deck: KeywordDeck, card: Card, rate: float, exponent: fl
         return
     law["cowper_symonds_rate"], law["cowper_symonds_exponent"] = rate, exponent
     if row.integer("VP") == 0:
-        deck.ledger.approximated(f"{card.keyword}.VP", row.place, "the stress is scaled by the rate of plastic strain, as with VP=1")
+        deck.ledger.approximated(
+            f"{card.keyword}.VP", row.place, "the stress is scaled by the rate of plastic strain, as with VP=1"
+        )
 
 
 def set_failure(law: Deck, **limits: float) -> None:

@@ -30,7 +30,12 @@ def grueneisen(deck: KeywordDeck, use: Use) -> Deck:
     reader = use.state.reader()  # type: ignore[union-attr]
     row, more = reader.row("EOSID C S1 S2 S3 GAMMA0 A E0"), reader.row("V0 UNUSED~ LCID")
     row.skip("EOSID")
-    state: Deck = {"kind": "mie_grueneisen", "sound_speed": row.positive("C"), "slope": row.number("S1"), "grueneisen": row.number("GAMMA0")}
+    state: Deck = {
+        "kind": "mie_grueneisen",
+        "sound_speed": row.positive("C"),
+        "slope": row.number("S1"),
+        "grueneisen": row.number("GAMMA0"),
+    }
     if row.number("E0"):
         state["start_energy"] = row.number("E0")
     check_volume(deck, more, "V0")
@@ -58,8 +63,12 @@ def translate_state(deck: KeywordDeck, use: Use) -> Deck | None:
     use.has_used_state = True
     translate = STATES.get(use.state.keyword)
     if translate is None:
-        deck.ledger.refuse(use.state.keyword, use.state.place, "an equation of state that percuss does not have",
-                           "the law is used without it, or the part is left out")
+        deck.ledger.refuse(
+            use.state.keyword,
+            use.state.place,
+            "an equation of state that percuss does not have",
+            "the law is used without it, or the part is left out",
+        )
         return None
     state = translate(deck, use)
     deck.ledger.translated(use.state.keyword, use.state.place, state["kind"])
