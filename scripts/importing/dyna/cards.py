@@ -121,7 +121,7 @@ class CardReader:
             card.keyword, card.least_width = name, WIDTH[width_of_card]
             if name == "END":
                 return
-            if name == "KEYWORD":
+            if name == "KEYWORD" or name.startswith("KEYWORD_"):
                 width = find_width(card.lines.pop(0)[1] if card.lines else "", width)
             elif name.startswith("INCLUDE"):
                 yield from self._include(card, path, depth)
@@ -142,7 +142,7 @@ class CardReader:
                     yield card
                 words = re.split(r"[\s,]", line[1:], maxsplit=1)
                 card = Card(words[0].upper(), Place(shown, number), 0, parameters)
-                if card.keyword == "KEYWORD":
+                if card.keyword.startswith("KEYWORD"):
                     card.lines.append((number, line.upper()))
             elif card:
                 card.lines.append((number, line))

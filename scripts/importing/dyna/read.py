@@ -56,7 +56,7 @@ ACTIONS: dict[str, Handler] = {
     "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
 }  # fmt: skip
 # Harmless whatever they say.
-IGNORED = {"COMMENT": "a comment", "CASE": "a case", "CONTROL_STRUCTURED": "output", "PARAMETER_TYPE": "a type"}
+IGNORED = {"COMMENT": "a comment", "CONTROL_STRUCTURED": "output", "PARAMETER_TYPE": "a type"}
 EXACT = {"NODE", "TITLE", "DEFINE_CURVE", "INITIAL_VELOCITY", "ELEMENT_MASS"}  # with a suffix they are other cards
 
 
@@ -78,6 +78,8 @@ def sort_card(deck: KeywordDeck, card: Card, waiting: list[tuple[int, Card, Hand
     definition, action = find_handler(DEFINITIONS, keyword), find_handler(ACTIONS, keyword)
     if any(keyword.startswith(word) for word in IGNORED):
         deck.ledger.ignored(keyword, card.place, next(text for word, text in IGNORED.items() if keyword.startswith(word)))
+    elif keyword.startswith("CASE"):
+        deck.ledger.refuse("CASE", card.place, "several cases in one deck", "the cards of all cases act; keep one of them")
     elif "PGP" in keyword or keyword.startswith("--"):
         raise BadInput(card.place, "an encrypted block cannot be read")
     elif definition and len(definition) >= len(action or ""):

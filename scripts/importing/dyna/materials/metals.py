@@ -40,10 +40,11 @@ def plastic_kinematic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     hardening = tangent_to_hardening(row, law["youngs_modulus"], row.number("ETAN"))
     law |= {"yield_stress": row.positive("SIGY"), "hardening_modulus": hardening}
     rate, exponent = more.numbers("SRC", "SRP")
-    if hardening == 0 or row.number("BETA") == 1:
+    isotropic_share = row.number("BETA")
+    if hardening == 0 or isotropic_share == 1:
         law["kinematic_share"] = 0.0
     else:
-        law["kinematic_share"] = min(max(1 - row.number("BETA"), 0.0), 1.0)
+        law["kinematic_share"] = min(max(1 - isotropic_share, 0.0), 1.0)
     add_rate(law, deck, card, rate, exponent, more)
     if law["kinematic_share"] == 0 and "cowper_symonds_rate" not in law:
         del law["kinematic_share"]
