@@ -40,7 +40,11 @@ def import_model(arguments: argparse.Namespace) -> int:
     if not os.path.isfile(arguments.model):
         raise BadInput(clean(arguments.model), "is no file")
     ledger = make_ledger(arguments.allow)
-    model = choose_reader(arguments.model)(ledger)
+    try:
+        model = choose_reader(arguments.model)(ledger)
+    except BadInput:
+        print_refused(ledger)
+        raise
     refused = ledger.list_refused()
     if not refused and not model.blocks:
         raise BadInput(clean(arguments.model), "no part is left to run")
@@ -68,14 +72,19 @@ def write_reports(arguments: argparse.Namespace, ledger: Ledger, summary: list[s
 
 
 def tell_refused(arguments: argparse.Namespace, ledger: Ledger) -> int:
-    """An error for each row that is refused."""
-    for entry in ledger.list_refused():
-        more = f" (and {entry.count - 1} more)" if entry.count > 1 else ""
-        print(f"{clean(str(entry.first))}: error: *{clean(entry.card)}: {clean(entry.text)}{more}", file=sys.stderr)
+    """Tells what is refused, and that no deck is written."""
+    print_refused(ledger)
     print(
         f"percuss import: no deck is written; {os.path.join(arguments.out, 'import_report.md')} lists every card", file=sys.stderr
     )
     return 2
+
+
+def print_refused(ledger: Ledger) -> None:
+    """An error for each row that is refused."""
+    for entry in ledger.list_refused():
+        more = f" (and {entry.count - 1} more)" if entry.count > 1 else ""
+        print(f"{clean(str(entry.first))}: error: *{clean(entry.card)}: {clean(entry.text)}{more}", file=sys.stderr)
 
 
 def write_and_check(arguments: argparse.Namespace, model: Model, summary: list[str]) -> int:

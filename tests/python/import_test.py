@@ -181,6 +181,34 @@ class Files(InFolder):
         self.fails("*KEYWORD\n*INCLUDE\n/etc/hostname\n", "outside")
         self.fails("*KEYWORD\n*INCLUDE\ndeck.k\n", "included twice")
 
+    def test_files_are_moved_and_turned(self):
+        nodes = decks.BLOCK_NODES
+        self.write("*KEYWORD\n" + nodes, "nodes.k")
+        deck = decks.SMALL.replace(
+            nodes,
+            """\
+*DEFINE_TRANSFORMATION
+$ the last row acts first
+1
+TRANSL,0,0,5
+ROTATE,0,0,2,0,0,0,90
+*INCLUDE_TRANSFORM
+nodes.k
+0
+0
+1,1,1
+1
+""",
+        )
+        x = self.read(deck)[0].nodes[2]
+        for found, expected in zip(x, (0.0, 1.0, 5.0)):
+            self.assertAlmostEqual(found, expected)
+        self.assertIn("INCLUDE_TRANSFORM.IDNOFF", self.refusals(deck.replace("nodes.k\n0\n", "nodes.k\n100\n")))
+        self.fails(deck.replace("1,1,1\n1\n", "1,1,1\n2\n"), "no such *DEFINE_TRANSFORMATION")
+        self.write("*KEYWORD\n" + nodes + "*LOAD_BODY_Z\n1\n", "nodes.k")
+        curve = "*DEFINE_CURVE\n1\n0,1\n9,1\n*END"
+        self.assertIn("INCLUDE_TRANSFORM.LOAD_BODY_Z", self.refusals(deck.replace("*END", curve), "LOAD_BODY*"))
+
     def test_parameters_and_expressions_are_put_in_place(self):
         steel = self.read(decks.PARAMETERS)[0].materials["steel"]
         self.assertEqual((steel["density"], steel["youngs_modulus"]), (3925.0, 2e11))
@@ -323,7 +351,7 @@ class Strictness(InFolder):
         for card, key in (("*CONSTRAINED_SPOTWELD\n1,2\n", "CONSTRAINED_SPOTWELD"), ("*SOMETHING_NEW\n1\n", "SOMETHING_NEW"),
                           ("*CONTROL_IMPLICIT_GENERAL\n1\n", "CONTROL_IMPLICIT_GENERAL"), ("*DAMPING_GLOBAL\n0,1.0\n", "DAMPING_GLOBAL"),
                           ("*RIGIDWALL_PLANAR_MOVING\n0\n0,0,-1,0,0,1\n5.0,1.0\n", "RIGIDWALL_PLANAR_MOVING"),
-                          ("*INCLUDE_TRANSFORM\nx.k\n", "INCLUDE_TRANSFORM"),
+                          ("*INCLUDE_STAMPED_PART\nx.k\n", "INCLUDE_STAMPED_PART"),
                           ("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n3,3,3,3\n0\n0\n1\n", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
                           ("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.1,0,0,0,0,0,1e-5\n0\n", "CONTACT.BT")):  # fmt: skip
             with self.subTest(key):

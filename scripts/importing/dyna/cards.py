@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from ..fields import Row, clip, parse_integer
 from ..ledger import BadInput, Ledger, Place
 from .parameters import Parameters
+from .transforms import SAME, Affine, check_card, compose, read_include, read_transformation
 
 MOST_OPEN, MOST_INCLUDED = 20, 1000
 MOST_BYTES = 4 << 30
@@ -26,6 +27,7 @@ class Card:
     has_title: bool = False
     has_id: bool = False
     lines: list[tuple[int, str]] = field(default_factory=list)
+    transform: Affine = SAME  # of the nodes of the file
 
     def at(self, number: int) -> Place:
         return Place(self.place.file, number)
@@ -100,6 +102,7 @@ class CardReader:
         self._main = path
         self._included: set[str] = set()
         self._bytes = 0
+        self._transformations: dict[int, Affine] = {}
 
     def read(self) -> Iterator[Card]:
         self._included.add(os.path.realpath(self._main))
@@ -125,6 +128,11 @@ class CardReader:
                 width = find_width(card.lines.pop(0)[1] if card.lines else "", width)
             elif name.startswith("INCLUDE"):
                 yield from self._include(card, path, depth)
+            elif name.startswith("DEFINE_TRANSFORMATION"):
+                strip_options(card)
+                id, transform = read_transformation(card)
+                self._transformations[id] = transform
+                self._ledger.translated(card.keyword, card.place, "moves the files that name it")
             elif name.startswith("PARAMETER"):
                 parameters.read(card, self._ledger)
             else:
@@ -152,6 +160,9 @@ class CardReader:
             yield card
 
     def _include(self, card: Card, path_of_file: str, depth: int) -> Iterator[Card]:
+        if card.keyword == "INCLUDE_TRANSFORM":
+            yield from self._include_moved(card, path_of_file, depth)
+            return
         names = join_names(card)
         if card.keyword in ("INCLUDE_PATH", "INCLUDE_PATH_RELATIVE"):
             self._folders += [os.path.join(self._folder, name) for name in names]
@@ -160,15 +171,28 @@ class CardReader:
             self._ledger.refuse(card.keyword, card.place, "the file is not read", "the file is left out")
             return
         for name in names:
-            path = self._find(name, card.place, os.path.dirname(os.path.realpath(path_of_file)))
-            if depth >= MOST_OPEN or len(self._included) >= MOST_INCLUDED:
-                raise BadInput(card.place, "files include each other too deeply, or without end")
-            if path in self._included:
-                raise BadInput(card.place, f"'{clip(name)}' is included twice")
-            self._included.add(path)
-            self._ledger.translated("INCLUDE", card.place, "the file is read")
-            shown = os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder))
-            yield from self._read_file(path, shown, card.parameters.inner(), depth + 1, card.place)
+            yield from self._read_included(name, card, path_of_file, depth)
+
+    def _include_moved(self, card: Card, path_of_file: str, depth: int) -> Iterator[Card]:
+        """*INCLUDE_TRANSFORM: the same file may come again only if its ids are others, so it may not."""
+        name, transform = read_include(card, self._transformations, self._ledger)
+        for inner in self._read_included(name, card, path_of_file, depth):
+            if transform is not SAME:
+                inner.transform = compose(transform, inner.transform)
+            check_card(inner, self._ledger)
+            yield inner
+
+    def _read_included(self, name: str, card: Card, path_of_file: str, depth: int) -> Iterator[Card]:
+        """The cards of an included file."""
+        path = self._find(name, card.place, os.path.dirname(os.path.realpath(path_of_file)))
+        if depth >= MOST_OPEN or len(self._included) >= MOST_INCLUDED:
+            raise BadInput(card.place, "files include each other too deeply, or without end")
+        if path in self._included:
+            raise BadInput(card.place, f"'{clip(name)}' is included twice")
+        self._included.add(path)
+        self._ledger.translated(card.keyword, card.place, "the file is read")
+        shown = os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder))
+        yield from self._read_file(path, shown, card.parameters.inner(), depth + 1, card.place)
 
     def _find(self, name: str, place: Place, folder_of_file: str) -> str:
         """Beside the main file, in the folders of _PATH, or beside the file that includes."""
@@ -203,8 +227,6 @@ def join_names(card: Card) -> list[str]:
         goes_on = names[-1].endswith(" +")
         if goes_on:
             names[-1] = names[-1][:-2]
-    if not names:
-        raise BadInput(card.place, "*INCLUDE names no file")
     return names
 
 

@@ -3,6 +3,7 @@
 from ..fields import MOST_ID, clip, parse_integer, parse_real
 from ..ledger import BadInput, Place
 from .cards import Card
+from .transforms import SAME, apply
 from .deck import Element, Elements, KeywordDeck
 
 NODE_WIDTHS = (8, 16, 16, 16, 8, 8)
@@ -38,6 +39,8 @@ def read_nodes(deck: KeywordDeck, card: Card) -> None:
         texts = card.split(line, NODE_WIDTHS) + [""] * 6
         id = to_id(card, line[0], texts[0], "NID")
         x = tuple(to_real(card, line[0], texts[i], "XYZ"[i - 1]) for i in (1, 2, 3))
+        if card.transform is not SAME:
+            x = apply(card.transform, x)  # type: ignore[arg-type]
         if deck.nodes.get(id, x) != x:
             raise BadInput(card.at(line[0]), f"node {id} stands at another place already")
         deck.nodes[id] = x  # type: ignore[assignment]

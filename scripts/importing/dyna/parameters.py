@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
 NAME = re.compile(r"&([A-Za-z_][A-Za-z0-9_]*)")
 TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:[eEdD][+-]?\d{1,4})?|\.\d+(?:[eEdD][+-]?\d{1,4})?)|&?([A-Za-z_]\w*)|(\*\*|[-+*/^(),]))")
+OPERATION = re.compile(r"\w[-+*/(]")  # &end*0.99 in a field
 MOST_DEPTH = 60
 FUNCTIONS = {
     "abs": abs, "sqrt": math.sqrt, "exp": math.exp, "log": math.log, "log10": math.log10, "sin": math.sin, "cos": math.cos,
@@ -46,6 +47,8 @@ class Parameters:
         words = text.replace(" ", "")
         if words.startswith(("<", "&<")):
             return str(evaluate(words.strip("&<>"), self, place))
+        if OPERATION.search(words):
+            return str(evaluate(words, self, place))
         value = NAME.sub(lambda found: str(self.find(found.group(1), place)), words)
         return value[2:] if value.startswith("--") else value
 
