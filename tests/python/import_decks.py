@@ -210,6 +210,12 @@ LAWS = {
     "mooney": ("mooney_rivlin", "*MAT_MOONEY-RIVLIN_RUBBER\n1,1200.0,0.49,5.0e5,1.0e5\n0\n", "", False),
     "foam": ("low_density_foam", CURVE + "*MAT_LOW_DENSITY_FOAM\n1,60.0,1.0e7,7,1e20,0.1\n5.0\n", "", False),
     "crushable": ("honeycomb", CURVE + "*MAT_CRUSHABLE_FOAM\n1,60.0,1.0e7,0.0,7,1e5,0.1\n", "", False),
+    "honeycomb": (
+        "honeycomb",
+        CURVE + "*MAT_HONEYCOMB\n1,80.0,7.0e10,0.33,2.0e8,0.1\n7,0,0,0\n1e9,3e8,3e8,4e8,4e8,2e8,2.0\n0,0,0,1,0,0\n0,1,0\n",
+        "",
+        False,
+    ),
     "fluid": ("fluid", "*MAT_NULL\n1,1000.0\n", GRUNEISEN_PLAIN, False),
     "elastic_fluid": ("fluid", "*MAT_ELASTIC_FLUID\n1,1000.0,0,0,0,0,2.2e9\n0\n", "", False),
     "explosive": (

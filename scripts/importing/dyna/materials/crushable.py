@@ -2,6 +2,7 @@
 
 from ...curves import Points, order_points, thin_rows
 from ...fields import Row
+from ...ledger import BadInput
 from ...model import Deck
 from ..cards import Card
 from ..deck import KeywordDeck
@@ -115,5 +116,53 @@ def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     return law
 
 
-CRUSHABLE = {"SOIL_AND_FOAM": soil_and_foam, "SOIL_AND_FOAM_FAILURE": soil_and_foam, "LOW_DENSITY_FOAM": low_density_foam,
-             "CRUSHABLE_FOAM": crushable_foam}  # fmt: skip
+def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """*MAT_HONEYCOMB: six curves over the crush; the axes of percuss are those of space."""
+    reader = card.reader()
+    row, curves = reader.row("MID RO E PR SIGY VF MU~ BULK~"), reader.row("LCA LCB LCC LCS LCAB LCBC LCCA LCSR")
+    moduli, axes, plane = reader.row("EAAU EBBU ECCU GABU GBCU GCAU AOPT"), reader.row("XP YP ZP A1 A2 A3"), reader.row("D1 D2 D3")
+    row.skip("MID")
+    first, second, third, shear = (curves.integer(name) for name in ("LCA", "LCB", "LCC", "LCS"))
+    ids = [first, second or first, third or first, *(curves.integer(name) or shear or first for name in ("LCAB", "LCBC", "LCCA"))]
+    is_along = axes.numbers("A1", "A2", "A3") == [1, 0, 0] and plane.numbers("D1", "D2", "D3") == [0, 1, 0]
+    if moduli.number("AOPT") != 2 or not is_along:
+        deck.ledger.refuse(
+            f"{card.keyword}.AOPT", moduli.place, "axes of the material that are not those of space", "they are those of space"
+        )
+    law: Deck = {
+        "model": "honeycomb",
+        "density": row.positive("RO"),
+        "youngs_modulus": row.positive("E"),
+        "poissons_ratio": row.number("PR"),
+    }
+    law |= {"yield_stress": row.positive("SIGY"), "compacted_volume": row.positive("VF")}
+    law |= {"crush_moduli": moduli.numbers("EAAU", "EBBU", "ECCU"), "shear_moduli": moduli.numbers("GABU", "GBCU", "GCAU")}
+    for name, id in zip(("xx", "yy", "zz", "xy", "yz", "zx"), ids):
+        law[f"crush_{name}"] = read_crush(deck, card, curves, id)
+    for found in (row, curves, moduli, axes, plane):
+        found.finish(deck.ledger, "the strength does not depend on it")
+    return law
+
+
+def read_crush(deck: KeywordDeck, card: Card, row: Row, id: int) -> list[list[float]]:
+    """Strength over the crush 1 - V; a curve over V ends at 1 and falls."""
+    points = order_points(deck.material_curve(id, row.place))
+    if points[-1][0] == 1.0 and points[0][1] > points[-1][1]:
+        points = order_points([(1 - x, y) for x, y in points])
+    points = [(x, y) for x, y in points if y > 0]
+    if not points:
+        raise BadInput(row.place, f"curve {id} has no strength above 0")
+    rows, error = thin_rows(points)
+    if error > 1e-12:
+        deck.ledger.approximated(f"{card.keyword}.curve", row.place, f"the curve has {len(rows)} rows, within {error:.2g}")
+    return [list(point) for point in rows]
+
+
+CRUSHABLE = {
+    "HONEYCOMB": honeycomb,
+    "MODIFIED_HONEYCOMB": honeycomb,
+    "SOIL_AND_FOAM": soil_and_foam,
+    "SOIL_AND_FOAM_FAILURE": soil_and_foam,
+    "LOW_DENSITY_FOAM": low_density_foam,
+    "CRUSHABLE_FOAM": crushable_foam,
+}
