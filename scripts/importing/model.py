@@ -81,15 +81,17 @@ class Names:
 
     def __init__(self) -> None:
         self._taken: set[str] = set(RESERVED)
+        self._numbers: dict[str, int] = {}  # where to go on counting
 
     def take(self, wish: str, otherwise: str = "set") -> str:
         """A free name like the wish."""
         base = re.sub(r"[^A-Za-z0-9_-]+", "_", wish).strip("_-")[:60] or otherwise
         if not base[0].isalpha():
             base = f"{otherwise}_{base}"
-        name, number = base, 2
+        name, number = base, self._numbers.get(base, 2)
         while name in self._taken:
             name = f"{base}_{number}"
             number += 1
+        self._numbers[base] = number
         self._taken.add(name)
         return name

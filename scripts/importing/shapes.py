@@ -63,17 +63,19 @@ def measure_block(model: Model, block: Block) -> tuple[float, Vector]:
 
 
 class FaceOwners:
-    """Which element a face belongs to, to know which way its nodes run."""
+    """Which element a face of some nodes belongs to, to know which way its nodes run."""
 
-    def __init__(self, model: Model):
+    def __init__(self, model: Model, nodes: set[int]):
         self._model = model
         self._solids: dict[frozenset[int], tuple[int, ...]] = {}
         self._shells: set[frozenset[int]] = set()
         for block in model.blocks:
             for _, corners in block.solids:
+                if nodes.isdisjoint(corners):
+                    continue
                 for face in HEX_FACES if len(corners) == 8 else TET_FACES:
                     self._solids[frozenset(corners[i] for i in face)] = corners
-            self._shells.update(frozenset(corners) for _, corners in block.shells)
+            self._shells.update(frozenset(corners) for _, corners in block.shells if nodes.issuperset(corners))
 
     def find_sign(self, face: tuple[int, ...]) -> float | None:
         """1 if a pressure against the normal of the nodes pushes into the body, -1 if out of it, None without an element."""

@@ -1,6 +1,7 @@
 """Nodes, elements and sets of parts, and instances of them in one mesh."""
 
 import math
+from bisect import bisect_left, bisect_right
 from dataclasses import dataclass, field
 
 from ..fields import parse_integer
@@ -14,6 +15,7 @@ SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3
 NODES_OF_OTHERS = {"C3D10": 10, "C3D10M": 10, "C3D20": 20, "C3D20R": 20, "C3D15": 15, "C3D27": 27}
 HEX_SIDES = ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
 TET_SIDES = ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0))
+MOST_MEMBERS = 20_000_000
 Side = tuple[str, str]  # an element or a set of elements, the label of a face
 
 
@@ -107,13 +109,17 @@ def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], known: dict
     if not name:
         raise BadInput(block.place, f"*{block.keyword} has no name")
     members = sets.setdefault(name, [])
+    ids = sorted(known) if "GENERATE" in block.options else []
     if block.keyword == "NSET" and "ELSET" in block.options:
         members += list_corners(scope, block)
         return
     for line in block.lines:
         if "GENERATE" in block.options:
-            first, last, step = block.integer(line, 0), block.integer(line, 1), block.integer(line, 2, 1) or 1
-            members += [id for id in known if first <= id <= last and (id - first) % abs(step) == 0]
+            first, last, step = block.integer(line, 0), block.integer(line, 1), abs(block.integer(line, 2, 1)) or 1
+            found = ids[bisect_left(ids, first) : bisect_right(ids, last)]
+            members += [id for id in found if (id - first) % step == 0]
+            if len(members) > MOST_MEMBERS:
+                raise BadInput(block.at(line[0]), f"set '{name[:60]}' has more than {MOST_MEMBERS} members")
             continue
         for text in line[1]:
             if not text:

@@ -12,6 +12,8 @@ from ..shapes import FaceOwners
 from .cards import Card
 from .output import Output
 
+MOST_SETS = 200  # that one set may be made of
+
 
 @dataclass
 class SetCard:
@@ -61,6 +63,17 @@ class Elements:
     others: set[str] = field(default_factory=set)
 
 
+def pick(ids: list[int], ranges: list[tuple[int, int]]) -> list[int]:
+    """Those of ascending ids that lie in any of the ranges, each once."""
+    picked: list[int] = []
+    reached = 0
+    for first, last in sorted(ranges):
+        start, end = max(bisect_left(ids, first), reached), bisect_right(ids, last)
+        picked += ids[start:end]
+        reached = max(reached, end)
+    return picked
+
+
 class KeywordDeck:
     """All definitions, and the model that they become."""
 
@@ -93,7 +106,6 @@ class KeywordDeck:
         self.output = Output()
         self.contacts: list[dict] = []  # a, b, friction, title
         self.forces: list[dict] = []  # entries of output.history.forces
-        self._face_owners: FaceOwners | None = None
         self.single_nodes: dict[int, str] = {}  # sets of one node
         self._used_nodes: set[int] | None = None
         self._shell_nodes: set[int] | None = None
@@ -103,7 +115,7 @@ class KeywordDeck:
         self.extra_nodes: dict[int, list[tuple[str, int, Place]]] = {}  # of rigid parts: "NODE" or "SET", id
         self.used: set[tuple[str, int]] = set()
         self._names_of_sets: dict[tuple[str, int, bool], str] = {}
-        self._sorted_nodes: list[int] | None = None
+        self._sorted: dict[str, list[int]] = {}  # ids by kind
 
     # --- references
 
@@ -131,31 +143,30 @@ class KeywordDeck:
 
     # --- members of sets
 
-    def nodes_in(self, ranges: Iterable[tuple[int, int]]) -> list[int]:
-        if self._sorted_nodes is None:
-            self._sorted_nodes = sorted(self.nodes)
-        ids = self._sorted_nodes
-        return [ids[i] for first, last in ranges for i in range(bisect_left(ids, first), bisect_right(ids, last))]
-
-    def list_members(self, kind: str, id: int, place: Place, depth: int = 0) -> list[int]:
+    def list_members(self, kind: str, id: int, place: Place, seen: set[int] | None = None) -> list[int]:
         """Ids of nodes, parts or elements of a set, those of its sets included."""
-        if depth > 20:
-            raise BadInput(place, f"*SET_{kind} {id} holds itself, or sets of sets too deep")
+        seen = seen if seen is not None else set()
+        seen.add(id)
+        if len(seen) > MOST_SETS:
+            raise BadInput(place, f"*SET_{kind} {id} is the last of more than {MOST_SETS} sets of sets")
         found = self.find_set(kind, id, place)
-        ids = list(found.ids)
-        if kind == "SHELL" and self.shell_shift:
-            ids = [i + self.shell_shift for i in ids]
-        if kind == "NODE":
-            ids += self.nodes_in(found.ranges)
-        else:
-            known = self.parts if kind == "PART" else self.list_elements(kind)
-            shift = self.shell_shift if kind == "SHELL" else 0
-            ids += [i for i in known for first, last in found.ranges if first <= i - shift <= last]
+        shift = self.shell_shift if kind == "SHELL" else 0
+        ids = [i + shift for i in found.ids]
+        if found.ranges:
+            ids += pick(self._sort_known(kind), [(first + shift, last + shift) for first, last in found.ranges])
         for inner in found.sets:
-            ids += self.list_members(kind, inner, found.place, depth + 1)
+            if inner not in seen:
+                ids += self.list_members(kind, inner, found.place, seen)
         for option, values in found.options:
             ids = self._apply_option(kind, ids, option, values, found.place)
         return list(dict.fromkeys(ids))
+
+    def _sort_known(self, kind: str) -> list[int]:
+        """All ids of a kind."""
+        if kind not in self._sorted:
+            known = {"NODE": self.nodes, "PART": self.parts}.get(kind) or self.list_elements(kind)
+            self._sorted[kind] = sorted(known)
+        return self._sorted[kind]
 
     def list_elements(self, kind: str) -> list[int]:
         if kind == "SHELL":
@@ -230,18 +241,13 @@ class KeywordDeck:
             self._shell_nodes = self.model.shell_nodes()
         return self._shell_nodes
 
-    def find_owners(self) -> FaceOwners:
-        """Owners of all faces, made once."""
-        if self._face_owners is None:
-            self._face_owners = FaceOwners(self.model)
-        return self._face_owners
-
     def segment_set_name(self, id: int, place: Place) -> str | None:
         """A surface of contact: of shells both faces. None if no face is of an element."""
         key = ("SEGMENT", id, True)
         if key not in self._names_of_sets:
             card = self.find_set("SEGMENT", id, place)
-            signs = [(face, self.find_owners().find_sign(face)) for face in card.segments]
+            owners = FaceOwners(self.model, {node for face in card.segments for node in face})
+            signs = [(face, owners.find_sign(face)) for face in card.segments]
             faces = [face for face, sign in signs if sign is not None]
             if len(faces) < len(signs):
                 self.ledger.refuse("SET_SEGMENT.free", card.place, "segments that are no face of an element", "they are left out")

@@ -2,11 +2,13 @@
 
 from ..curves import interpolate, is_constant, make_time_value
 from ..fields import Row
-from ..ledger import Place
 from ..model import Deck
+from ..shapes import FaceOwners
 from .cards import Card
 from .condition_cards import AXES, DIRECTIONS, nodes_of
 from .deck import KeywordDeck
+
+Face = tuple[int, ...]
 
 
 def read_body_load(deck: KeywordDeck, card: Card) -> None:
@@ -61,6 +63,8 @@ def read_segment_load(deck: KeywordDeck, card: Card) -> None:
     if card.keyword not in ("LOAD_SEGMENT", "LOAD_SEGMENT_SET", "LOAD_SHELL_SET", "LOAD_SHELL_ELEMENT"):
         deck.ledger.refuse(card.keyword, card.place, "this form of pressure is not in percuss", "it is left out")
         return
+    groups: dict[tuple[int, float, float], list[Face]] = {}
+    shells = {id: corners for block in deck.model.blocks for id, corners in block.shells} if "SHELL" in card.keyword else {}
     reader = card.reader()
     while reader.skip_blank():
         if card.has_id:
@@ -71,37 +75,38 @@ def read_segment_load(deck: KeywordDeck, card: Card) -> None:
             faces = [tuple(nodes[:3] if nodes[3] in (0, nodes[2]) else nodes)]
         else:
             row = reader.row("ID LCID SF=1 AT")
-            faces = list_faces(deck, card, row)
-        apply_pressure(deck, card, row, faces)
+            faces = list_faces(deck, card, row, shells)
+        key = (row.integer("LCID"), row.number("SF") or 1.0, row.number("AT"))
+        groups.setdefault(key, []).extend(faces)
+    apply_pressures(deck, card, groups)
 
 
-def list_faces(deck: KeywordDeck, card: Card, row: Row) -> list[tuple[int, ...]]:
+def list_faces(deck: KeywordDeck, card: Card, row: Row, shells: dict[int, Face]) -> list[Face]:
     """Faces of a set of segments or shells."""
     id = row.integer("ID")
     if card.keyword == "LOAD_SEGMENT_SET":
         deck.used.add(("SEGMENT", id))
         return deck.find_set("SEGMENT", id, row.place).segments
-    wanted = set(deck.list_members("SHELL", id, row.place)) if card.keyword == "LOAD_SHELL_SET" else {id + deck.shell_shift}
-    return [corners for block in deck.model.blocks for shell, corners in block.shells if shell in wanted]
+    wanted = deck.list_members("SHELL", id, row.place) if card.keyword == "LOAD_SHELL_SET" else [id + deck.shell_shift]
+    return [shells[shell] for shell in wanted if shell in shells]
 
 
-def apply_pressure(deck: KeywordDeck, card: Card, row: Row, faces: list[tuple[int, ...]]) -> None:
-    """Pressures by side: percuss pushes into a solid, whatever the order of the nodes."""
-    owners = deck.find_owners()
-    groups: dict[float, list[tuple[int, ...]]] = {}
-    lost: Place | None = None
-    for face in faces:
-        sign = owners.find_sign(face)
-        if sign is None:
-            lost = row.place
-        else:
-            groups.setdefault(sign, []).append(face)
-    if lost:
-        deck.ledger.refuse(f"{card.keyword}.free", lost, "segments that are no face of an element", "they are left out")
-    curve, scale, shift = deck.curve(row.integer("LCID"), row.place), row.number("SF") or 1.0, row.number("AT")
-    for sign, members in groups.items():
-        name = deck.model.names.take(f"pressed_{card.keyword.lower().removeprefix('load_')}")
-        deck.model.side_sets[name] = members
-        add_pressure(deck, name, make_time_value(curve, scale * sign, deck.end_time, shift))
-    if groups:
-        deck.ledger.translated(card.keyword, row.place, "loads.pressure")
+def apply_pressures(deck: KeywordDeck, card: Card, groups: dict[tuple[int, float, float], list[Face]]) -> None:
+    """Pressures by curve and side: percuss pushes into a solid, whatever the order of the nodes."""
+    owners = FaceOwners(deck.model, {node for faces in groups.values() for face in faces for node in face})
+    is_lost = False
+    for (curve_id, scale, shift), faces in groups.items():
+        by_sign: dict[float, list[Face]] = {}
+        for face in faces:
+            sign = owners.find_sign(face)
+            is_lost = is_lost or sign is None
+            if sign is not None:
+                by_sign.setdefault(sign, []).append(face)
+        curve = deck.curve(curve_id, card.place)
+        for sign, members in by_sign.items():
+            name = deck.model.names.take(f"pressed_{card.keyword.lower().removeprefix('load_')}")
+            deck.model.side_sets[name] = members
+            add_pressure(deck, name, make_time_value(curve, scale * sign, deck.end_time, shift))
+            deck.ledger.translated(card.keyword, card.place, "loads.pressure")
+    if is_lost:
+        deck.ledger.refuse(f"{card.keyword}.free", card.place, "segments that are no face of an element", "they are left out")
