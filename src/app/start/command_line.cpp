@@ -167,6 +167,7 @@ struct Parser {
     plan = add("plan", "Predict how a deck's scene would run on many ranks", plan_help);
     info = add("info", "Describe a results file or a mesh", info_help);
     schema = add("schema", "Print a JSON Schema of the deck, for editors", schema_help);
+    add_tool("import", "Make a deck of an LS-DYNA or Abaqus model", "Commands");
     const char* of_results = "Results";
     add_tool("plot", "Draw columns of history.csv of one run or several", of_results);
     add_tool("report", "Write one page about a run, or a comparison of runs", of_results);
@@ -280,8 +281,8 @@ Answer refuse_extra(const std::string& extra, const CLI::App& app, const std::st
   }
   if (command.empty()) {
     return wrong(fmt::format("unknown command '{}'{}", extra,
-                             name_hint(extra, {"run", "check", "plan", "info", "schema", "plot", "report", "watch",
-                                               "render", "help", "version"})));
+                             name_hint(extra, {"run", "check", "plan", "info", "schema", "import", "plot", "report",
+                                               "watch", "render", "help", "version"})));
   }
   const char* takes = command == "schema" ? "none" : "one file";
   return wrong(fmt::format("'{}' is one argument too many (percuss {} takes {})", extra, command, takes), command);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -15,10 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path find_this_program() {
+  std::error_code ignored;
+  return fs::read_symlink("/proc/self/exe", ignored);
+}
+
 /// The tool of a checkout in which this program was built, or of an installation.
 fs::path find_tool(const std::string& name) {
   std::error_code ignored;
-  const fs::path bin = fs::read_symlink("/proc/self/exe", ignored).parent_path();
+  const fs::path bin = find_this_program().parent_path();
   for (const fs::path& root : {bin.parent_path().parent_path(), bin.parent_path() / "share/percuss"}) {
     fs::path file = root / "scripts" / name;
     if (fs::exists(root / "python/percuss", ignored) && fs::exists(file, ignored)) return file;
@@ -32,7 +38,7 @@ fs::path find_tool(const std::string& name) {
 }  // namespace
 
 const std::vector<std::string>& tool_names() {
-  static const std::vector<std::string> names = {"plot", "report", "watch", "render"};
+  static const std::vector<std::string> names = {"import", "plot", "report", "watch", "render"};
   return names;
 }
 
@@ -43,6 +49,7 @@ bool become_tool(int argc, char** argv) {
   if (is_launched())
     throw InputError(fmt::format("percuss: error: percuss {} needs no ranks: call it without mpirun", name));
   std::string tool = find_tool(name).string();
+  ::setenv("PERCUSS_PROGRAM", find_this_program().c_str(), 1);  // for tools that call percuss
   std::vector<char*> words{tool.data()};
   words.insert(words.end(), argv + 2, argv + argc);
   words.push_back(nullptr);

@@ -1,0 +1,136 @@
+"""Keywords of Abaqus decks with their options and data lines, files included."""
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from ..fields import MOST_ID, clip, parse_integer, parse_real
+from ..ledger import BadInput, Ledger, Place
+
+MOST_OPEN, MOST_INCLUDED = 20, 1000
+
+
+@dataclass
+class Block:
+    """A keyword with its options and its data lines."""
+
+    keyword: str  # in capitals, one blank between words
+    place: Place
+    options: dict[str, str] = field(default_factory=dict)  # names in capitals; a flag is ""
+    lines: list[tuple[int, list[str]]] = field(default_factory=list)
+
+    def at(self, number: int) -> Place:
+        return Place(self.place.file, number)
+
+    def option(self, name: str) -> str:
+        """A value of an option in capitals, empty where it is not given."""
+        return self.options.get(name, "").upper()
+
+    def number(self, line: tuple[int, list[str]], index: int, default: float = 0.0) -> float:
+        """A number of a data line; a default where it is blank."""
+        text = line[1][index] if index < len(line[1]) else ""
+        value = parse_real(text) if text else default
+        if value is None:
+            raise BadInput(self.at(line[0]), f"'{clip(text)}' in *{self.keyword} is no number")
+        return value
+
+    def integer(self, line: tuple[int, list[str]], index: int, default: int = 0) -> int:
+        text = line[1][index] if index < len(line[1]) else ""
+        value = parse_integer(text) if text else default
+        if value is None:
+            raise BadInput(self.at(line[0]), f"'{clip(text)}' in *{self.keyword} is no whole number")
+        return value
+
+    def id(self, line: tuple[int, list[str]], index: int) -> int:
+        value = self.integer(line, index)
+        if not 1 <= value <= MOST_ID:
+            raise BadInput(self.at(line[0]), f"'{value}' in *{self.keyword} is no id from 1 to 10^15")
+        return value
+
+    def text(self, line: tuple[int, list[str]], index: int) -> str:
+        return line[1][index] if index < len(line[1]) else ""
+
+
+def split_keyword(text: str) -> tuple[str, dict[str, str]]:
+    """`*ELEMENT, TYPE=S4R, ELSET=a` as its name and options."""
+    words = [word.strip() for word in text[1:].split(",")]
+    options = {}
+    for word in words[1:]:
+        name, _, value = word.partition("=")
+        if name.strip():
+            options[" ".join(name.upper().split())] = value.strip().strip('"')
+    return " ".join(words[0].upper().split()), options
+
+
+class BlockReader:
+    """All keywords of a file and of those that it includes."""
+
+    def __init__(self, path: str, ledger: Ledger):
+        self._main, self._ledger = path, ledger
+        self._folder = os.path.dirname(os.path.realpath(path))
+        self._included: set[str] = set()
+
+    def read(self) -> Iterator[Block]:
+        yield from self._read_file(self._main, self._main, 1)
+
+    def _read_file(self, path: str, shown: str, depth: int) -> Iterator[Block]:
+        for block in self._cut(path, shown):
+            if block.keyword == "INCLUDE":
+                yield from self._include(block, depth)
+            else:
+                if "INPUT" in block.options:
+                    block.lines += self._read_data(block)
+                yield block
+
+    def _cut(self, path: str, shown: str) -> Iterator[Block]:
+        with open(path, "rb") as file:
+            texts = file.read().decode("utf-8", "replace").split("\n")
+        block: Block | None = None
+        waiting = ""
+        for number, raw in enumerate(texts, 1):
+            text = raw.strip()
+            if text.startswith("**") or not text:
+                continue
+            if text.startswith("*") or waiting:
+                joined = waiting + text
+                if joined.endswith(","):  # goes on in the next line
+                    waiting = joined
+                    continue
+                waiting = ""
+                if block:
+                    yield block
+                keyword, options = split_keyword(joined)
+                block = Block(keyword, Place(shown, number), options)
+            elif block:
+                block.lines.append((number, [word.strip() for word in text.split(",")]))
+            else:
+                raise BadInput(Place(shown, number), f"'{clip(text)}' stands before any keyword")
+        if block:
+            yield block
+
+    def _find(self, name: str, place: Place) -> str:
+        path = os.path.realpath(os.path.join(self._folder, name.replace("\\", "/"))) if "\0" not in name else ""
+        if not name or not os.path.isfile(path):
+            raise BadInput(place, f"there is no file '{clip(name, 100)}'")
+        if os.path.commonpath([path, self._folder]) != self._folder and not self._ledger.allows("INCLUDE.outside"):
+            raise BadInput(place, f"'{clip(name, 100)}' lies outside of the folder of the first file "
+                                  "(--allow INCLUDE.outside reads it, if you trust the deck)")  # fmt: skip
+        if path in self._included or len(self._included) >= MOST_INCLUDED:
+            raise BadInput(place, f"'{clip(name, 100)}' is included twice")
+        self._included.add(path)
+        return path
+
+    def _include(self, block: Block, depth: int) -> Iterator[Block]:
+        if depth >= MOST_OPEN:
+            raise BadInput(block.place, "files include each other too deeply")
+        path = self._find(block.options.get("INPUT", ""), block.place)
+        self._ledger.translated("INCLUDE", block.place, "the file is read")
+        yield from self._read_file(path, os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder)), depth + 1)
+
+    def _read_data(self, block: Block) -> list[tuple[int, list[str]]]:
+        """Data lines of a file of their own."""
+        path = self._find(block.options["INPUT"], block.place)
+        with open(path, "rb") as file:
+            texts = file.read().decode("utf-8", "replace").split("\n")
+        lines = [(block.place.line, [word.strip() for word in text.split(",")]) for text in texts]
+        return [line for line in lines if any(line[1]) and not line[1][0].startswith("*")]

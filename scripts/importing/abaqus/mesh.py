@@ -1,0 +1,191 @@
+"""Nodes, elements and sets of parts, and instances of them in one mesh."""
+
+import math
+from bisect import bisect_left, bisect_right
+from dataclasses import dataclass, field
+
+from ..fields import parse_integer
+from ..ledger import BadInput, Ledger, Place
+from ..model import Vector
+from .lines import Block
+
+# Type: corners, kind; what percuss does not have has no kind.
+SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D4": 4}
+SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3}
+NODES_OF_OTHERS = {"C3D10": 10, "C3D10M": 10, "C3D20": 20, "C3D20R": 20, "C3D15": 15, "C3D27": 27}
+HEX_SIDES = ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
+TET_SIDES = ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0))
+MOST_MEMBERS = 20_000_000
+Side = tuple[str, str]  # an element or a set of elements, the label of a face
+
+
+@dataclass
+class Section:
+    """*SOLID SECTION or *SHELL SECTION."""
+
+    kind: str
+    elements: str
+    material: str
+    place: Place
+    thickness: float = 0.0
+    points: int = 5
+    offset: float = 0.0
+
+
+@dataclass
+class Scope:
+    """What a part, the assembly, or a deck without parts defines. Names are in capitals."""
+
+    nodes: dict[int, Vector] = field(default_factory=dict)
+    elements: dict[int, tuple[str, tuple[int, ...]]] = field(default_factory=dict)
+    node_sets: dict[str, list[int]] = field(default_factory=dict)
+    element_sets: dict[str, list[int]] = field(default_factory=dict)
+    surfaces: dict[str, list[Side]] = field(default_factory=dict)
+    node_surfaces: dict[str, list[str]] = field(default_factory=dict)
+    sections: list[Section] = field(default_factory=list)
+    masses: list[tuple[str, float, Place]] = field(default_factory=list)
+    place: Place | None = None
+
+
+@dataclass
+class Instance:
+    """A part in its place."""
+
+    name: str
+    part: str
+    place: Place
+    move: Vector = (0.0, 0.0, 0.0)
+    turn: tuple[Vector, Vector, float] | None = None  # two points of an axis, degrees
+    shift: int = 0  # what is added to the ids
+
+    def put(self, x: Vector) -> Vector:
+        """A point of the part in the assembly: moved, then turned."""
+        p = (x[0] + self.move[0], x[1] + self.move[1], x[2] + self.move[2])
+        return rotate(p, *self.turn) if self.turn else p
+
+
+def rotate(p: Vector, a: Vector, b: Vector, degrees: float) -> Vector:
+    """Rotates about the axis from a to b (Rodrigues)."""
+    axis = [b[d] - a[d] for d in range(3)]
+    length = math.sqrt(sum(c * c for c in axis)) or 1.0
+    u = [c / length for c in axis]
+    v = [p[d] - a[d] for d in range(3)]
+    cosine, sine = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    along = sum(u[d] * v[d] for d in range(3)) * (1 - cosine)
+    across = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+    return tuple(a[d] + v[d] * cosine + across[d] * sine + u[d] * along for d in range(3))  # type: ignore[return-value]
+
+
+def read_nodes(scope: Scope, block: Block) -> None:
+    for line in block.lines:
+        id = block.id(line, 0)
+        scope.nodes[id] = (block.number(line, 1), block.number(line, 2), block.number(line, 3))
+        if "NSET" in block.options:
+            scope.node_sets.setdefault(block.option("NSET"), []).append(id)
+
+
+def read_elements(scope: Scope, block: Block) -> None:
+    """An element may go over several lines."""
+    kind = block.option("TYPE")
+    count = SOLIDS.get(kind) or SHELLS.get(kind) or NODES_OF_OTHERS.get(kind, 0)
+    lines = iter(block.lines)
+    for line in lines:
+        values = [block.id(line, i) for i in range(len(line[1])) if line[1][i]]
+        while values and len(values) - 1 < count:
+            more = next(lines, None)
+            if more is None:
+                raise BadInput(block.at(line[0]), f"element {values[0]} of *ELEMENT, TYPE={kind} has {len(values) - 1} nodes")
+            values += [block.id(more, i) for i in range(len(more[1])) if more[1][i]]
+        if not values:
+            continue
+        scope.elements[values[0]] = (kind, tuple(values[1:]))
+        if "ELSET" in block.options:
+            scope.element_sets.setdefault(block.option("ELSET"), []).append(values[0])
+
+
+def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], known: dict[int, object]) -> None:
+    """*NSET and *ELSET: ids, names of sets, or GENERATE first, last, step."""
+    name = block.option("NSET" if block.keyword == "NSET" else "ELSET")
+    if not name:
+        raise BadInput(block.place, f"*{block.keyword} has no name")
+    members = sets.setdefault(name, [])
+    ids = sorted(known) if "GENERATE" in block.options else []
+    if block.keyword == "NSET" and "ELSET" in block.options:
+        members += list_corners(scope, block)
+        return
+    for line in block.lines:
+        if "GENERATE" in block.options:
+            first, last, step = block.integer(line, 0), block.integer(line, 1), abs(block.integer(line, 2, 1)) or 1
+            found = ids[bisect_left(ids, first) : bisect_right(ids, last)]
+            members += [id for id in found if (id - first) % step == 0]
+            if len(members) > MOST_MEMBERS:
+                raise BadInput(block.at(line[0]), f"set '{name[:60]}' has more than {MOST_MEMBERS} members")
+            continue
+        for text in line[1]:
+            if not text:
+                continue
+            id = parse_integer(text)
+            if id is not None:
+                members.append(id)
+            elif text.upper() in sets:
+                members += sets[text.upper()]
+            else:
+                raise BadInput(block.at(line[0]), f"there is no set '{text[:60]}'")
+
+
+def list_corners(scope: Scope, block: Block) -> list[int]:
+    """Nodes of a set of elements."""
+    elements = scope.element_sets.get(block.option("ELSET"))
+    if elements is None:
+        raise BadInput(block.place, f"there is no element set '{block.option('ELSET')[:60]}' in this part")
+    return list(dict.fromkeys(corner for id in elements if id in scope.elements for corner in scope.elements[id][1]))
+
+
+def read_surface(scope: Scope, block: Block, ledger: Ledger) -> None:
+    name = block.option("NAME")
+    if block.option("TYPE") == "NODE":
+        scope.node_surfaces[name] = [block.text(line, 0).upper() for line in block.lines]
+    elif block.option("TYPE") not in ("", "ELEMENT"):
+        ledger.refuse("SURFACE.TYPE", block.place, f"a surface of type {block.option('TYPE')}", "it is left out")
+    else:
+        scope.surfaces[name] = [(block.text(line, 0).upper(), block.text(line, 1).upper()) for line in block.lines]
+
+
+def read_instance(block: Block) -> Instance:
+    """Line 1 moves, line 2 turns about an axis."""
+    found = Instance(block.option("NAME"), block.option("PART"), block.place)
+    if block.lines:
+        found.move = tuple(block.number(block.lines[0], i) for i in range(3))  # type: ignore[assignment]
+    if len(block.lines) > 1:
+        v = [block.number(block.lines[1], i) for i in range(7)]
+        found.turn = ((v[0], v[1], v[2]), (v[3], v[4], v[5]), v[6])
+    return found
+
+
+def join(into: Scope, part: Scope, instance: Instance) -> None:
+    """Adds an instance of a part to the mesh: ids raised, sets as INSTANCE.SET and, where nothing has the name, SET."""
+    shift = instance.shift
+    for id, x in part.nodes.items():
+        into.nodes[id + shift] = instance.put(x)
+    for id, (kind, corners) in part.elements.items():
+        into.elements[id + shift] = (kind, tuple(corner + shift for corner in corners))
+    for name, ids in part.node_sets.items():
+        add_names(into.node_sets, instance.name, name, [id + shift for id in ids])
+    for name, ids in part.element_sets.items():
+        add_names(into.element_sets, instance.name, name, [id + shift for id in ids])
+    for name, sides in part.surfaces.items():
+        add_names(into.surfaces, instance.name, name, [(qualify(where, instance), label) for where, label in sides])
+    for name, names in part.node_surfaces.items():
+        add_names(into.node_surfaces, instance.name, name, [qualify(where, instance) for where in names])
+    for section in part.sections:
+        into.sections.append(Section(**{**vars(section), "elements": f"{instance.name}.{section.elements}"}))
+    into.masses += [(f"{instance.name}.{name}", mass, place) for name, mass, place in part.masses]
+
+
+def add_names(names: dict, instance: str, name: str, value: object) -> None:
+    names[f"{instance}.{name}"] = value
+
+
+def qualify(where: str, instance: Instance) -> str:
+    id = parse_integer(where)
+    return f"{instance.name}.{where}" if id is None else str(id + instance.shift)

@@ -1,0 +1,151 @@
+"""Sections become parts; instances stand in one mesh."""
+
+from ..fields import MOST_ID
+from ..ledger import BadInput
+from ..model import Block as Part
+from ..model import Deck
+from .deck import AbaqusDeck
+from .lines import Block
+from .materials import translate_material
+from .mesh import SHELLS, SOLIDS, Scope, Section, join
+
+MOST_NODES = 20_000_000
+
+
+def read_section(scope: Scope, block: Block) -> None:
+    """*SOLID SECTION and *SHELL SECTION."""
+    section = Section(block.keyword.split()[0], block.option("ELSET"), block.option("MATERIAL"), block.place)
+    if section.kind == "SHELL" and block.lines:
+        section.thickness, section.points = block.number(block.lines[0], 0), block.integer(block.lines[0], 1, 5)
+        offset = block.option("OFFSET")
+        section.offset = {"SPOS": 0.5, "SNEG": -0.5}.get(offset, 0.0)
+        if offset and offset not in ("SPOS", "SNEG"):
+            section.offset = block.number((block.place.line, [offset]), 0)
+    scope.sections.append(section)
+
+
+def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
+    """All instances in one mesh: the ids of one alone are kept, those of others raised."""
+    for index, instance in enumerate(deck.instances):
+        part = deck.parts.get(instance.part)
+        if part is None:
+            raise BadInput(instance.place, f"there is no part '{instance.part}'")
+        if index > 0:
+            highest = max([*deck.mesh.nodes, *deck.mesh.elements, 1])
+            if highest > MOST_ID // 100:
+                raise BadInput(
+                    instance.place, f"the ids of the instances before go up to {highest}, which leaves no room for others"
+                )
+            instance.shift = 10 ** len(str(highest))
+            deck.ledger.approximated("INSTANCE", instance.place, f"ids of instance {instance.name} are raised by {instance.shift}")
+        if len(deck.mesh.nodes) + len(part.nodes) > MOST_NODES:
+            raise BadInput(instance.place, "the instances have more than 20 million nodes")
+        join(deck.mesh, part, instance)
+        deck.ledger.translated("INSTANCE", instance.place, "a part in its place")
+    for id, x in assembly.nodes.items():  # reference points
+        deck.mesh.nodes.setdefault(id, x)
+    for name, table in (("node_sets", assembly.node_sets), ("element_sets", assembly.element_sets), ("surfaces", assembly.surfaces),
+                        ("node_surfaces", assembly.node_surfaces)):  # fmt: skip
+        getattr(deck.mesh, name).update(table)
+
+
+def build_parts(deck: AbaqusDeck) -> None:
+    """A part for each section."""
+    made: dict[str, tuple[str, Deck] | None] = {}
+    for number, section in enumerate(deck.mesh.sections, 1):
+        name = section.material
+        if name not in made:
+            law = translate_material(deck, name, section.place)
+            made[name] = (deck.model.names.take(name, "material"), law) if law else None
+            if law:
+                deck.model.materials[made[name][0]] = law  # type: ignore[index]
+        if made[name]:
+            build_part(deck, section, number, *made[name])  # type: ignore[misc]
+    left = [id for id, (kind, _) in deck.mesh.elements.items() if id not in deck.blocks_of_elements and kind != "MASS"]
+    if left and deck.mesh.place:
+        kinds = sorted({deck.mesh.elements[id][0] for id in left})
+        deck.ledger.refuse(
+            "ELEMENT.left",
+            deck.mesh.place,
+            f"{len(left)} elements of {', '.join(kinds)[:60]} without a section that is read",
+            "they are left out",
+        )
+
+
+def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, law: Deck) -> None:
+    wish = section.elements.rpartition(".")[0] or section.elements
+    part = Part(
+        number, number, deck.model.names.take(wish, "part"), section.place, density=law["density"], keys={"material": material}
+    )
+    for id in deck.elements_of(section.elements, section.place):
+        if id not in deck.mesh.elements:
+            raise BadInput(section.place, f"there is no element {id}")
+        kind, corners = deck.mesh.elements[id]
+        if id in deck.blocks_of_elements:
+            raise BadInput(section.place, f"element {id} has two sections")
+        sort_element(deck, section, part, id, kind, corners)
+        for corner in corners:
+            if corner not in deck.mesh.nodes:
+                raise BadInput(section.place, f"there is no node {corner}, of element {id}")
+    if part.shells:
+        add_shell_keys(deck, section, part)
+    if part.solids and part.shells:
+        raise BadInput(section.place, "a section of solids and shells")
+    if part.solids or part.shells:
+        deck.model.blocks.append(part)
+        deck.ledger.translated(f"{section.kind} SECTION", section.place, "a part")
+
+
+def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: str, corners: tuple[int, ...]) -> None:
+    """A solid or a shell; anything else is refused."""
+    if kind in SHELLS and len(corners) == SHELLS[kind]:
+        part.shells.append((id, corners))
+    elif kind in SOLIDS and len(set(corners)) == SOLIDS[kind] and (kind != "C3D4" or deck.takes_tetrahedra):
+        part.solids.append((id, corners))
+        integration = "full" if kind == "C3D8" else "one_point"
+        deck.integrations[integration] = deck.integrations.get(integration, 0) + 1
+    else:
+        deck.ledger.refuse(
+            f"ELEMENT.{kind}", section.place, f"elements {kind or 'without TYPE'}, which percuss does not have", "they are left out"
+        )
+        return
+    deck.blocks_of_elements[id] = len(deck.model.blocks)
+
+
+def add_shell_keys(deck: AbaqusDeck, section: Section, part: Part) -> None:
+    if section.thickness <= 0:
+        raise BadInput(section.place, "the thickness of a shell must be positive")
+    part.thickness = section.thickness
+    part.keys["points"] = min(max(section.points, 1), 16)
+    if section.offset:
+        part.keys["reference"] = {0.5: "top", -0.5: "bottom"}.get(section.offset, section.offset * section.thickness)
+    deck.ledger.approximated("SHELL SECTION", section.place, "Gauss points; percuss' one shell, whose thickness follows the strain")
+
+
+def choose_integration(deck: AbaqusDeck) -> None:
+    """One integration of all solids."""
+    if not deck.integrations:
+        return
+    chosen = max(deck.integrations, key=lambda kind: deck.integrations[kind])
+    if len(deck.integrations) > 1 and deck.mesh.place:
+        deck.ledger.refuse(
+            "ELEMENT.mixed",
+            deck.mesh.place,
+            "C3D8 and C3D8R in one model, percuss has one integration for all",
+            f"all are {chosen}",
+        )
+    if chosen == "full":
+        deck.model.deck.setdefault("elements", {})["integration"] = "full"
+
+
+def add_masses(deck: AbaqusDeck) -> None:
+    """*MASS on elements of the type MASS."""
+    for name, mass, place in deck.mesh.masses:
+        nodes = [deck.mesh.elements[id][1][0] for id in deck.elements_of(name, place) if deck.mesh.elements[id][1]]
+        used = [node for node in nodes if node in deck.used_nodes()]
+        if len(used) < len(nodes):
+            deck.ledger.refuse("MASS", place, "masses on nodes without elements", "they are left out")
+        if used and mass > 0:
+            set_name = deck.model.add_node_set(f"mass_{name.rpartition('.')[2]}", used)
+            deck.model.add("added_mass", {"nodes": set_name, "mass": mass * len(used), "spread": "evenly"})
+            deck.ledger.translated("MASS", place, "added_mass")

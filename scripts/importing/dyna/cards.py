@@ -1,0 +1,268 @@
+"""Cards of keyword decks: files and what they include, comments, fields in columns or between commas."""
+
+import os
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+
+from ..fields import Row, clip, parse_integer
+from ..ledger import BadInput, Ledger, Place
+from .parameters import Parameters
+from .transforms import SAME, Affine, check_card, compose, read_include, read_transformation
+
+MOST_OPEN, MOST_INCLUDED = 20, 1000
+MOST_BYTES = 4 << 30
+WIDTH = {"standard": 0, "i10": 10, "long": 20}
+OPTIONS = re.compile(r"_(TITLE|ID)(?=_|$)")
+
+
+@dataclass
+class Card:
+    """A keyword with the lines up to the next one, without comments."""
+
+    keyword: str  # in capitals, without star, suffix of width, _TITLE and _ID
+    place: Place
+    least_width: int
+    parameters: Parameters
+    has_title: bool = False
+    has_id: bool = False
+    lines: list[tuple[int, str]] = field(default_factory=list)
+    transform: Affine = SAME  # of the nodes of the file
+
+    def at(self, number: int) -> Place:
+        return Place(self.place.file, number)
+
+    def split(self, line: tuple[int, str], widths: tuple[int, ...]) -> list[str]:
+        """The fields of a line, parameters replaced."""
+        number, text = line
+        if "," in text:
+            texts = [word.strip() for word in text.split(",")]
+        else:
+            texts, first = [], 0
+            for width in widths:
+                width = max(width, self.least_width)
+                texts.append(text[first : first + width].strip())
+                first += width
+        if "&" in text:
+            texts = [self.parameters.replace(word, self.at(number)) if "&" in word else word for word in texts]
+        return texts
+
+    def row(self, line: tuple[int, str], layout: str, widths: tuple[int, ...] = (10,) * 8) -> Row:
+        """A line as named fields."""
+        return Row(self.keyword, self.at(line[0]), layout, self.split(line, widths))
+
+    def reader(self) -> "Lines":
+        return Lines(self)
+
+
+class Lines:
+    """Takes the lines of a card one after the other. A missing line is a line of blanks."""
+
+    def __init__(self, card: Card):
+        self.card, self._next = card, 0
+
+    def __bool__(self) -> bool:
+        return self._next < len(self.card.lines)
+
+    def take(self) -> tuple[int, str]:
+        if not self:
+            last = self.card.lines[-1][0] if self.card.lines else self.card.place.line
+            self._next += 1
+            return last, ""
+        self._next += 1
+        return self.card.lines[self._next - 1]
+
+    def peek(self) -> str:
+        return self.card.lines[self._next][1] if self else ""
+
+    def text(self) -> str:
+        return self.take()[1].strip()
+
+    def row(self, layout: str, widths: tuple[int, ...] = (10,) * 8) -> Row:
+        return self.card.row(self.take(), layout, widths)
+
+    def holds_more(self) -> bool:
+        """Whether a line with something is left; passes over none."""
+        return any(text.strip() for _, text in self.card.lines[self._next :])
+
+    def skip_blank(self) -> bool:
+        """Passes over empty lines; whether there is one with something."""
+        while self and not self.peek().strip():
+            self._next += 1
+        return bool(self)
+
+
+class CardReader:
+    """All cards of a file and of those that it includes, in their order."""
+
+    def __init__(self, path: str, ledger: Ledger):
+        self._ledger = ledger
+        self._folder = os.path.dirname(os.path.realpath(path))
+        self._folders = [self._folder]
+        self._main = path
+        self._included: set[str] = set()
+        self._bytes = 0
+        self._transformations: dict[int, Affine] = {}
+
+    def read(self) -> Iterator[Card]:
+        self._included.add(os.path.realpath(self._main))
+        yield from self._read_file(self._main, self._main, Parameters(), 1)
+
+    def _read_lines(self, path: str, place: "Place | str") -> list[str]:
+        if not os.path.isfile(path):
+            raise BadInput(place, f"{clip(path, 200)} is no file")
+        self._bytes += os.path.getsize(path)
+        if self._bytes > MOST_BYTES:
+            raise BadInput(place, "the files hold more than 4 GiB")
+        with open(path, "rb") as file:
+            return file.read().decode("utf-8", "replace").split("\n")
+
+    def _read_file(self, path: str, shown: str, parameters: Parameters, depth: int, place: "Place | str" = "") -> Iterator[Card]:
+        width = "standard"
+        for card in self._cut_cards(self._read_lines(path, place or shown), shown, parameters):
+            name, width_of_card = strip_width(card.keyword, width)
+            card.keyword, card.least_width = name, WIDTH[width_of_card]
+            if name == "END":
+                return
+            if name == "KEYWORD" or name.startswith("KEYWORD_"):
+                width = find_width(card.lines.pop(0)[1] if card.lines else "", width)
+            elif name.startswith("INCLUDE"):
+                yield from self._include(card, path, depth)
+            elif name.startswith("DEFINE_TRANSFORMATION"):
+                strip_options(card)
+                id, transform = read_transformation(card)
+                self._transformations[id] = transform
+                self._ledger.translated(card.keyword, card.place, "moves the files that name it")
+            elif name.startswith("PARAMETER"):
+                parameters.read(card, self._ledger)
+            else:
+                strip_options(card)
+                yield card
+
+    def _cut_cards(self, lines: list[str], shown: str, parameters: Parameters) -> Iterator[Card]:
+        card: Card | None = None
+        for number, line in enumerate(lines, 1):
+            if line.startswith("$"):
+                continue
+            line = line.rstrip("\r")
+            if line.startswith("*"):
+                if card:
+                    yield card
+                words = re.split(r"[\s,]", line[1:], maxsplit=1)
+                card = Card(words[0].upper(), Place(shown, number), 0, parameters)
+                if card.keyword.startswith("KEYWORD"):
+                    card.lines.append((number, line.upper()))
+            elif card:
+                card.lines.append((number, line))
+            elif line.strip():
+                raise BadInput(Place(shown, number), f"'{clip(line.strip())}' stands before any keyword")
+        if card:
+            yield card
+
+    def _include(self, card: Card, path_of_file: str, depth: int) -> Iterator[Card]:
+        if card.keyword == "INCLUDE_TRANSFORM":
+            yield from self._include_moved(card, path_of_file, depth)
+            return
+        names = join_names(card)
+        if card.keyword in ("INCLUDE_PATH", "INCLUDE_PATH_RELATIVE"):
+            self._folders += [os.path.join(self._folder, name) for name in names]
+            return
+        if card.keyword != "INCLUDE":
+            self._ledger.refuse(card.keyword, card.place, "the file is not read", "the file is left out")
+            return
+        for name in names:
+            yield from self._read_included(name, card, path_of_file, depth)
+
+    def _include_moved(self, card: Card, path_of_file: str, depth: int) -> Iterator[Card]:
+        """*INCLUDE_TRANSFORM: the same file may come again only if its ids are others, so it may not."""
+        name, transform = read_include(card, self._transformations, self._ledger)
+        for inner in self._read_included(name, card, path_of_file, depth):
+            if transform is not SAME:
+                inner.transform = compose(transform, inner.transform)
+            check_card(inner, self._ledger)
+            yield inner
+
+    def _read_included(self, name: str, card: Card, path_of_file: str, depth: int) -> Iterator[Card]:
+        """The cards of an included file."""
+        path = self._find(name, card.place, os.path.dirname(os.path.realpath(path_of_file)))
+        if depth >= MOST_OPEN or len(self._included) >= MOST_INCLUDED:
+            raise BadInput(card.place, "files include each other too deeply, or without end")
+        if path in self._included:
+            raise BadInput(card.place, f"'{clip(name)}' is included twice")
+        self._included.add(path)
+        self._ledger.translated(card.keyword, card.place, "the file is read")
+        shown = os.path.join(os.path.dirname(self._main), os.path.relpath(path, self._folder))
+        yield from self._read_file(path, shown, card.parameters.inner(), depth + 1, card.place)
+
+    def _find(self, name: str, place: Place, folder_of_file: str) -> str:
+        """Beside the main file, in the folders of _PATH, or beside the file that includes."""
+        name = name.replace("\\", "/")
+        for folder in [*self._folders, folder_of_file]:
+            path = os.path.realpath(os.path.join(folder, name)) if "\0" not in name else ""
+            if not os.path.isfile(path):
+                continue
+            inside = os.path.commonpath([path, self._folder]) == self._folder
+            if not inside and not self._ledger.allows("INCLUDE.outside"):
+                raise BadInput(
+                    place,
+                    f"'{clip(name, 100)}' lies outside of the folder of the first file "
+                    "(--allow INCLUDE.outside reads it, if you trust the deck)",
+                )
+            return path
+        raise BadInput(place, f"there is no file '{clip(name, 100)}'")
+
+
+def join_names(card: Card) -> list[str]:
+    """File names of an *INCLUDE: ` +` at the end of a line goes on in the next."""
+    names: list[str] = []
+    goes_on = False
+    for _, line in card.lines:
+        name = line.strip()
+        if not name:
+            continue
+        if goes_on:
+            names[-1] += name
+        else:
+            names.append(name)
+        goes_on = names[-1].endswith(" +")
+        if goes_on:
+            names[-1] = names[-1][:-2]
+    return names
+
+
+def find_width(line: str, otherwise: str) -> str:
+    """Width of fields that a *KEYWORD line asks for."""
+    return "long" if "LONG=Y" in line else "i10" if "I10=Y" in line else otherwise
+
+
+def strip_width(keyword: str, width: str) -> tuple[str, str]:
+    """A keyword without its suffix of width, and the width of its fields."""
+    suffixes = {"+": "long", "%": "i10", "-": "standard"}
+    if keyword[-1:] in suffixes:
+        return keyword[:-1], suffixes[keyword[-1]]
+    return keyword, width
+
+
+def strip_options(card: Card) -> None:
+    """Takes _TITLE and _ID out of the keyword, wherever they stand."""
+    options = OPTIONS.findall(card.keyword)
+    card.has_title, card.has_id = "TITLE" in options, "ID" in options
+    card.keyword = OPTIONS.sub("", card.keyword)
+
+
+def read_ids(lines: Lines, per_line: int = 8) -> list[int]:
+    """All ids of the lines that are left, zeros left out."""
+    ids: list[int] = []
+    card = lines.card
+    while lines:
+        line = lines.take()
+        for text in card.split(line, (10,) * per_line)[:per_line]:
+            value = parse_integer(text) if text else 0
+            if value is None:
+                raise BadInput(card.at(line[0]), f"'{clip(text)}' in *{card.keyword} is no whole number")
+            if value:
+                ids.append(value)
+    return ids
+
+
+Handler = Callable[..., None]

@@ -1,0 +1,236 @@
+"""*BOUNDARY_...: fixed and prescribed motion of nodes."""
+
+from ..curves import Curve, integrate, make_time_value, order_points
+from ..fields import Row
+from ..ledger import Place
+from ..model import Deck
+from .cards import Card
+from .deck import KeywordDeck
+
+AXES = ("x", "y", "z")
+CODES = {0: (), 1: ("x",), 2: ("y",), 3: ("z",), 4: ("x", "y"), 5: ("y", "z"), 6: ("x", "z"), 7: AXES}
+DIRECTIONS = {1: "x", 2: "y", 3: "z", 5: "rx", 6: "ry", 7: "rz"}
+
+
+def add_fixed(deck: KeywordDeck, name: str, directions: list[str], nodes: list[int]) -> None:
+    """A condition; rotations only where one of the nodes has shells."""
+    shells = deck.shell_nodes()
+    if not any(node in shells for node in nodes):
+        directions = [d for d in directions if d in AXES]
+    if directions:
+        deck.model.add("conditions", {"nodes": name, "fixed": directions})
+
+
+def apply_fixed_nodes(deck: KeywordDeck) -> None:
+    """TC and RC of *NODE."""
+    rigid = deck.model.nodes_of_blocks(deck.blocks_of(deck.driven))
+    for (tc, rc), nodes in sorted(deck.fixed_nodes.items()):
+        nodes = [node for node in nodes if node not in rigid]  # as in LS-DYNA
+        directions = [*CODES[tc], *("r" + axis for axis in CODES[rc])]
+        label = "".join(CODES[tc]) + ("_r" + "".join(CODES[rc]) if rc else "")
+        name = deck.make_node_set(f"fixed_{label}", nodes, deck.fixed_place)  # type: ignore[arg-type]
+        if name:
+            add_fixed(deck, name, directions, deck.model.node_sets[name])
+
+
+def axis_of_system(deck: KeywordDeck, id: int) -> list[int] | None:
+    """Which axis of space each axis of a system is, for those that lie along space. None for others."""
+    axes = []
+    for axis in deck.systems.get(id, ()):
+        along = [d for d in range(3) if abs(abs(axis[d]) - 1) < 1e-9]
+        if not along:
+            return None
+        axes.append(along[0])
+    return axes if len(axes) == 3 else None
+
+
+def read_spc(deck: KeywordDeck, card: Card) -> None:
+    """*BOUNDARY_SPC_NODE and _SET."""
+    options = set(card.keyword.removeprefix("BOUNDARY_SPC").split("_")) - {""}
+    if options - {"NODE", "SET", "BIRTH", "DEATH"} or not options & {"NODE", "SET"}:
+        deck.ledger.refuse(card.keyword, card.place, "this form is not read", "it is left out")
+        return
+    reader = card.reader()
+    while reader.skip_blank():
+        if card.has_id:
+            reader.take()
+        row = reader.row("ID CID X Y Z RX RY RZ")
+        if "BIRTH" in options:
+            window = reader.row("BIRTH DEATH=1e20")
+            if window.number("BIRTH") > 0 or window.number("DEATH") < deck.end_time:
+                deck.ledger.refuse("BOUNDARY_SPC.BIRTH", window.place, "a condition for a part of the time", "it acts all the time")
+        apply_spc(deck, card, row, "SET" in options)
+
+
+def apply_spc(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
+    directions = [d for d in ("x", "y", "z", "rx", "ry", "rz") if row.integer(d.upper())]
+    system = row.integer("CID")
+    axes = axis_of_system(deck, system) if system else [0, 1, 2]
+    if axes is None:
+        if set(directions) & set(AXES) == set(AXES) and len(directions) in (3, 6):
+            axes = [0, 1, 2]  # all directions of any system
+        else:
+            deck.ledger.refuse(
+                "BOUNDARY_SPC.CID", row.place, f"fixed directions of the axes of system {system}", "the condition is left out"
+            )
+            return
+    turned = [("r" if d.startswith("r") else "") + AXES[axes[AXES.index(d[-1])]] for d in directions]
+    name = nodes_of(deck, row.integer("ID"), is_set, row.place)
+    if name is None:
+        deck.ledger.ignored(card.keyword, row.place, "its nodes have no element")
+        return
+    add_fixed(deck, name, turned, deck.model.node_sets[name])
+    deck.ledger.translated(card.keyword, row.place, "conditions: fixed")
+
+
+def nodes_of(deck: KeywordDeck, id: int, is_set: bool, place: Place) -> str | None:
+    """Name of a node set, or of a set of one node."""
+    if is_set:
+        return deck.node_set_name(id, place)
+    name = deck.single_nodes.get(id) or deck.make_node_set(f"node_{id}", [id], place)
+    if name:
+        deck.single_nodes[id] = name
+    return name or None
+
+
+def read_rigid_motion(deck: KeywordDeck, card: Card) -> None:
+    """Gathers motions of rigid parts: they decide whether the part can be expressed."""
+    reader = card.reader()
+    while reader.skip_blank():
+        if card.has_id:
+            reader.take()
+        row = reader.row("ID DOF VAD LCID SF=1 VID DEATH=1e28 BIRTH")
+        if abs(row.integer("DOF")) in (4, 8, 9, 10, 11) or row.integer("VAD") == 4:
+            reader.take()
+        direction = DIRECTIONS.get(row.integer("DOF"))
+        if direction in AXES:
+            deck.rigid_motions.setdefault(row.integer("ID"), {})[direction] = row
+        else:
+            deck.ledger.refuse(
+                f"{card.keyword}.DOF", row.place, "a rotation, or a direction of a vector, of a rigid part", "it is left out"
+            )
+
+
+def read_motion(deck: KeywordDeck, card: Card) -> None:
+    """*BOUNDARY_PRESCRIBED_MOTION_NODE and _SET."""
+    form = card.keyword.removeprefix("BOUNDARY_PRESCRIBED_MOTION_")
+    if form not in ("NODE", "SET"):
+        deck.ledger.refuse(card.keyword, card.place, "this form is not read", "it is left out")
+        return
+    reader = card.reader()
+    while reader.skip_blank():
+        if card.has_id:
+            reader.take()
+        row = reader.row("ID DOF VAD LCID SF=1 VID DEATH=1e28 BIRTH")
+        if abs(row.integer("DOF")) in (9, 10, 11) or row.integer("VAD") == 4:
+            reader.take()
+        apply_motion(deck, card, row, form == "SET")
+
+
+def apply_motion(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
+    found = find_direction(deck, row)
+    if found is None:
+        deck.ledger.refuse(
+            "BOUNDARY_PRESCRIBED_MOTION.DOF", row.place, "motion along a direction that is no axis", "it is left out"
+        )
+        return
+    direction, sign = found
+    name = nodes_of(deck, row.integer("ID"), is_set, row.place)
+    if name is None:
+        deck.ledger.ignored(card.keyword, row.place, "its nodes have no element")
+        return
+    motion = make_motion(deck, row, direction, sign)
+    if motion:
+        deck.model.add("conditions", {"nodes": name, **motion})
+        deck.ledger.translated(card.keyword, row.place, "conditions: velocity or displacement")
+
+
+def find_direction(deck: KeywordDeck, row: Row) -> tuple[str, float] | None:
+    """Direction of a motion along an axis, and its sign. DOF 4 and 8 are along a vector."""
+    dof, vector = row.integer("DOF"), row.integer("VID")
+    if dof in DIRECTIONS:
+        return DIRECTIONS[dof], 1.0
+    axis = deck.vectors.get(vector, (0.0, 0.0, 0.0))
+    along = [d for d in range(3) if abs(abs(axis[d]) - 1) < 1e-9]
+    if abs(dof) in (4, 8) and along:
+        return ("r" if abs(dof) == 8 else "") + AXES[along[0]], axis[along[0]]
+    return None
+
+
+def make_motion(deck: KeywordDeck, row: Row, direction: str, sign: float) -> Deck | None:
+    """A condition of percuss without its nodes: velocity, displacement, or the integral of an acceleration."""
+    birth, death = row.numbers("BIRTH", "DEATH")
+    if birth > 0 or 0 < death < deck.end_time:
+        deck.ledger.refuse("BOUNDARY_PRESCRIBED_MOTION.DEATH", row.place, "motion for a part of the time", "it acts all the time")
+    kind, scale = row.integer("VAD"), (row.number("SF") or 1.0) * sign
+    curve = deck.curve(row.integer("LCID"), row.place)
+    if kind == 1 and curve.points:
+        curve = Curve(curve.place, order_points(integrate(order_points(curve.points))))
+        deck.ledger.approximated("BOUNDARY_PRESCRIBED_MOTION.VAD", row.place, "the integral of the acceleration as a velocity")
+    elif kind not in (0, 2) or (kind == 2 and direction.startswith("r")):
+        deck.ledger.refuse(
+            "BOUNDARY_PRESCRIBED_MOTION.VAD", row.place, f"VAD {kind} in direction {direction}", "the motion is left out"
+        )
+        return None
+    value = make_time_value(curve, scale, deck.end_time)
+    return {"displacement" if kind == 2 else "velocity": {direction: value}}
+
+
+def apply_rigid_motions(deck: KeywordDeck) -> None:
+    """Rigid parts whose motion is given: conditions on all their nodes."""
+    for id, fixed in deck.driven.items():
+        names = deck.part_names([id])
+        nodes = deck.model.nodes_of_blocks(deck.blocks_of([id]))
+        targets = list(names)
+        extra = [
+            n
+            for kind, i, place in deck.extra_nodes.get(id, [])
+            for n in ([i] if kind == "NODE" else deck.list_members("NODE", i, place))
+        ]
+        name = deck.make_node_set(f"extra_{id}", extra, deck.parts[id].place) if extra else ""
+        if name:
+            targets.append(name)
+        for target in targets:
+            members = deck.model.node_sets.get(target, list(nodes))
+            add_fixed(deck, target, sorted(fixed) + ["rx", "ry", "rz"], members)
+            for direction, row in deck.rigid_motions.get(id, {}).items():
+                motion = make_motion(deck, row, direction, 1.0) if direction not in fixed else None
+                if motion:
+                    deck.model.add("conditions", {"nodes": target, **motion})
+    for id, motions in deck.rigid_motions.items():
+        if id not in deck.driven:
+            move_elastic_part(deck, id, motions)
+
+
+def move_elastic_part(deck: KeywordDeck, id: int, motions: dict[str, Row]) -> None:
+    """A rigid part that the user allowed as an elastic body: the motion acts on all its nodes."""
+    names = deck.part_names([id])
+    for direction, row in motions.items():
+        if not names:
+            deck.ledger.ignored("BOUNDARY_PRESCRIBED_MOTION_RIGID", row.place, "its part has no element")
+            continue
+        deck.ledger.approximated("BOUNDARY_PRESCRIBED_MOTION_RIGID", row.place, "the motion of all nodes of the part")
+        motion = make_motion(deck, row, direction, 1.0)
+        for name in names if motion else []:
+            deck.model.add("conditions", {"nodes": name, **(motion or {})})
+
+
+def read_extra_nodes(deck: KeywordDeck, card: Card) -> None:
+    """*CONSTRAINED_EXTRA_NODES_NODE and _SET: nodes that move with a rigid part."""
+    kind = card.keyword.rsplit("_", 1)[1]
+    for line in card.lines:
+        if not line[1].strip():
+            continue
+        row = card.row(line, "PID ID IFLAG~")
+        deck.extra_nodes.setdefault(row.integer("PID"), []).append((kind, row.integer("ID"), row.place))
+
+
+def check_extra_nodes(deck: KeywordDeck) -> None:
+    for id, entries in deck.extra_nodes.items():
+        for kind, _, place in entries:
+            deck.find_part(id, place)
+            card = f"CONSTRAINED_EXTRA_NODES_{kind}"
+            if id in deck.driven:
+                deck.ledger.translated(card, place, "they have the motion of the part")
+            else:
+                deck.ledger.refuse(card, place, "nodes on a rigid body that moves freely", "they are free")

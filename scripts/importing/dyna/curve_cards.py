@@ -1,0 +1,74 @@
+"""*DEFINE_CURVE and its like."""
+
+from ..curves import Curve, Points, order_points
+from ..ledger import BadInput
+from .cards import Card
+from .deck import KeywordDeck
+
+
+def read_curve(deck: KeywordDeck, card: Card) -> None:
+    """Points SF (A + OFF)."""
+    reader = card.reader()
+    if card.has_title:
+        reader.take()
+    row = reader.row("LCID SIDR~ SFA=1 SFO=1 OFFA OFFO DATTYP~ LCINT~")
+    id, offset_a, offset_o = row.integer("LCID"), row.number("OFFA"), row.number("OFFO")
+    scale_a, scale_o = row.number("SFA") or 1.0, row.number("SFO") or 1.0
+    points: Points = []
+    while reader.skip_blank():
+        point = reader.row("A O", (20, 20))
+        points.append((scale_a * (point.number("A") + offset_a), scale_o * (point.number("O") + offset_o)))
+    if id < 1:
+        row.fail("LCID", "an id is expected")
+    if not points:
+        raise BadInput(row.place, f"curve {id} has no points")
+    if id in deck.curves:
+        raise BadInput(row.place, f"there are two curves {id}")
+    if row.integer("SIDR") == 1:
+        deck.ledger.ignored("DEFINE_CURVE.SIDR", row.place, "a curve of dynamic relaxation alone")
+    deck.curves[id] = Curve(row.place, order_points(points))
+    deck.ledger.translated(card.keyword, row.place, "a table where something uses it")
+    if deck.waiting_table:
+        deck.tables.setdefault(deck.waiting_table[0], id)
+        deck.waiting_table[1] -= 1
+        if deck.waiting_table[1] <= 0:
+            deck.waiting_table = []
+
+
+def read_smooth_curve(deck: KeywordDeck, card: Card) -> None:
+    """A velocity that rises, stays and falls, with a given distance under it."""
+    reader = card.reader()
+    if card.has_title:
+        reader.take()
+    row = reader.row("LCID SIDR~ DIST TSTART TEND TRISE VMAX")
+    distance, start, end, rise, largest = row.numbers("DIST", "TSTART", "TEND", "TRISE", "VMAX")
+    if not end and largest:
+        end = start + rise + distance / largest
+    if end - start - rise <= 0 or rise <= 0:
+        row.fail("TEND", "TEND must be above TSTART + TRISE")
+    value = largest or distance / (end - start - rise)
+    up, down = f"(1 - cos(pi * (t - {start!r}) / {rise!r})) / 2", f"(1 - cos(pi * ({end!r} - t) / {rise!r})) / 2"
+    text = f"(t <= {start!r} || t >= {end!r}) ? 0 : (t < {start + rise!r} ? {value!r} * {up} : (t > {end - rise!r} ? {value!r} * {down} : {value!r}))"
+    deck.curves[row.integer("LCID")] = Curve(row.place, expression=text)
+    deck.ledger.approximated(card.keyword, row.place, "rise and fall by half a cosine")
+
+
+def read_table(deck: KeywordDeck, card: Card) -> None:
+    """*DEFINE_TABLE, whose curves stand behind it, and _2D, which names them: the first curve is kept."""
+    reader = card.reader()
+    if card.has_title:
+        reader.take()
+    row = reader.row("TBID SFA~ OFFA~")
+    id, count = row.integer("TBID"), 0
+    while reader.skip_blank():
+        point = reader.row("VALUE LCID", (20, 20))
+        count += 1
+        if point.integer("LCID"):
+            deck.tables.setdefault(id, point.integer("LCID"))
+    if id not in deck.tables and count:
+        deck.waiting_table = [id, count]
+    deck.ledger.ignored(card.keyword, row.place, "a law that uses it is refused, or takes its first curve")
+
+
+def read_other_curve(deck: KeywordDeck, card: Card) -> None:
+    deck.ledger.ignored(card.keyword, card.place, "not read; a card that uses it is refused")

@@ -1,0 +1,299 @@
+"""A keyword deck in memory: what its cards define, by id, before it is applied."""
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+
+from ..curves import Curve, Points
+from ..fields import Row
+from ..ledger import BadInput, Ledger, Place
+from ..model import Model, Vector
+from ..shapes import FaceOwners
+from .cards import Card
+from .output import Output
+
+MOST_SETS = 200  # that one set may be made of
+
+
+@dataclass
+class SetCard:
+    """A set as its cards give it. GENERATE ranges and sets of sets wait until all members are known."""
+
+    kind: str  # NODE, PART, SEGMENT, SHELL, SOLID
+    id: int
+    title: str
+    place: Place
+    ids: list[int] = field(default_factory=list)
+    ranges: list[tuple[int, int]] = field(default_factory=list)
+    sets: list[int] = field(default_factory=list)
+    segments: list[tuple[int, ...]] = field(default_factory=list)
+    options: list[tuple[str, list[int]]] = field(default_factory=list)  # of _GENERAL
+
+
+@dataclass
+class PartCard:
+    """*PART with its section, material and further cards by id."""
+
+    id: int
+    title: str
+    place: Place
+    section: int
+    material: int
+    state: int
+    hourglass: int
+    friction: float | None = None
+
+
+@dataclass
+class Element:
+    """An element that is not a plain hexahedron, or a shell."""
+
+    id: int
+    corners: tuple[int, ...]
+    thickness: float | None = None
+
+
+@dataclass
+class Elements:
+    """Elements of one part."""
+
+    place: Place
+    solids: list[tuple[int, tuple[int, ...]]] = field(default_factory=list)
+    shells: list[Element] = field(default_factory=list)
+    others: set[str] = field(default_factory=set)
+
+
+def pick(ids: list[int], ranges: list[tuple[int, int]]) -> list[int]:
+    """Those of ascending ids that lie in any of the ranges, each once."""
+    picked: list[int] = []
+    reached = 0
+    for first, last in sorted(ranges):
+        start, end = max(bisect_left(ids, first), reached), bisect_right(ids, last)
+        picked += ids[start:end]
+        reached = max(reached, end)
+    return picked
+
+
+class KeywordDeck:
+    """All definitions, and the model that they become."""
+
+    def __init__(self, ledger: Ledger):
+        self.ledger, self.model = ledger, Model()
+        self.nodes: dict[int, Vector] = self.model.nodes
+        self.fixed_nodes: dict[tuple[int, int], list[int]] = {}
+        self.fixed_place: Place | None = None
+        self.elements: dict[int, Elements] = {}
+        self.parts: dict[int, PartCard] = {}
+        self.sets: dict[tuple[str, int], SetCard] = {}
+        self.curves: dict[int, Curve] = {}
+        self.sections: dict[int, Card] = {}
+        self.materials: dict[int, Card] = {}
+        self.material_titles: dict[int, str] = {}
+        self.states: dict[int, Card] = {}
+        self.hourglass: dict[int, Row] = {}
+        self.boxes: dict[int, Row] = {}
+        self.systems: dict[int, tuple[Vector, Vector, Vector]] = {}
+        self.vectors: dict[int, Vector] = {}
+        self.erosions: dict[int, Card] = {}
+        self.tables: dict[int, int] = {}  # first curve of a table
+        self.detonations: list[Vector] = []
+        self.masses: list[tuple[int, float, Place]] = []  # node, mass
+        self.takes_tetrahedra = False
+        self.shell_shift = 0  # what is added to the ids of shells
+        self.end_time = 0.0
+        self.general_hourglass: Row | None = None
+        self.waiting_table: list[int] = []  # table and how many of its curves are still to come
+        self.output = Output()
+        self.contacts: list[dict] = []  # a, b, friction, title
+        self.forces: list[dict] = []  # entries of output.history.forces
+        self.single_nodes: dict[int, str] = {}  # sets of one node
+        self._used_nodes: set[int] | None = None
+        self._shell_nodes: set[int] | None = None
+        self.names_of_parts: dict[int, list[str]] = {}  # in the deck: one name a thickness
+        self.driven: dict[int, set[str]] = {}  # rigid parts whose motion is given: their fixed directions
+        self.rigid_motions: dict[int, dict[str, Row]] = {}  # *BOUNDARY_PRESCRIBED_MOTION_RIGID by part and direction
+        self.extra_nodes: dict[int, list[tuple[str, int, Place]]] = {}  # of rigid parts: "NODE" or "SET", id
+        self.used: set[tuple[str, int]] = set()
+        self._names_of_sets: dict[tuple[str, int, bool], str] = {}
+        self._sorted: dict[str, list[int]] = {}  # ids by kind
+
+    # --- references
+
+    def curve(self, id: int, place: Place) -> Curve:
+        if id not in self.curves:
+            raise BadInput(place, f"there is no curve {id}")
+        self.used.add(("curve", id))
+        return self.curves[id]
+
+    def material_curve(self, id: int, place: Place) -> Points:
+        curve = self.curve(id, place)
+        if not curve.points:
+            raise BadInput(place, f"curve {id} is a function of time, not a table")
+        return curve.points
+
+    def find_set(self, kind: str, id: int, place: Place) -> SetCard:
+        if (kind, id) not in self.sets:
+            raise BadInput(place, f"there is no *SET_{kind} {id}")
+        return self.sets[kind, id]
+
+    def find_part(self, id: int, place: Place) -> PartCard:
+        if id not in self.parts:
+            raise BadInput(place, f"there is no part {id}")
+        return self.parts[id]
+
+    # --- members of sets
+
+    def list_members(self, kind: str, id: int, place: Place, seen: set[int] | None = None) -> list[int]:
+        """Ids of nodes, parts or elements of a set, those of its sets included."""
+        seen = seen if seen is not None else set()
+        seen.add(id)
+        if len(seen) > MOST_SETS:
+            raise BadInput(place, f"*SET_{kind} {id} is the last of more than {MOST_SETS} sets of sets")
+        found = self.find_set(kind, id, place)
+        shift = self.shell_shift if kind == "SHELL" else 0
+        ids = [i + shift for i in found.ids]
+        if found.ranges:
+            ids += pick(self._sort_known(kind), [(first + shift, last + shift) for first, last in found.ranges])
+        for inner in found.sets:
+            if inner not in seen:
+                ids += self.list_members(kind, inner, found.place, seen)
+        for option, values in found.options:
+            ids = self._apply_option(kind, ids, option, values, found.place)
+        return list(dict.fromkeys(ids))
+
+    def _sort_known(self, kind: str) -> list[int]:
+        """All ids of a kind."""
+        if kind not in self._sorted:
+            known = {"NODE": self.nodes, "PART": self.parts}.get(kind) or self.list_elements(kind)
+            self._sorted[kind] = sorted(known)
+        return self._sorted[kind]
+
+    def list_elements(self, kind: str) -> list[int]:
+        if kind == "SHELL":
+            return [element.id for part in self.elements.values() for element in part.shells]
+        return [id for part in self.elements.values() for id, _ in part.solids]
+
+    def _apply_option(self, kind: str, ids: list[int], option: str, values: list[int], place: Place) -> list[int]:
+        removes = option.startswith("D")
+        option = option.removeprefix("D")
+        if option == "ALL":
+            more = list(self.nodes) if kind == "NODE" else list(self.parts)
+        elif option == kind:
+            more = values
+        elif option == "PART" and kind == "NODE":
+            more = [node for part in values for node in self.nodes_of_part(part)]
+        elif option == "BOX" and kind == "NODE":
+            more = [node for box in values for node in self.nodes_of_box(box, place)]
+        else:
+            raise BadInput(place, f"*SET_{kind}_GENERAL with {option} is not read")
+        gone = set(more) if removes else set()
+        return [i for i in ids if i not in gone] if removes else ids + more
+
+    def nodes_of_part(self, id: int) -> list[int]:
+        found = self.elements.get(id)
+        if not found:
+            return []
+        corners = [c for _, nodes in found.solids for c in nodes] + [c for e in found.shells for c in e.corners]
+        return list(dict.fromkeys(corners))
+
+    def nodes_of_box(self, id: int, place: Place) -> list[int]:
+        if id not in self.boxes:
+            raise BadInput(place, f"there is no *DEFINE_BOX {id}")
+        low_high = self.boxes[id].numbers("XMN", "XMX", "YMN", "YMX", "ZMN", "ZMX")
+        return [n for n, x in self.nodes.items() if all(low_high[2 * d] <= x[d] <= low_high[2 * d + 1] for d in range(3))]
+
+    # --- names in the deck of percuss
+
+    def part_names(self, ids: Iterable[int]) -> list[str]:
+        """Names of all blocks of these parts that are in the model."""
+        return [name for id in ids for name in self.names_of_parts.get(id, [])]
+
+    def blocks_of(self, parts: Iterable[int]) -> list[int]:
+        wanted = set(parts)
+        return [block.id for block in self.model.blocks if block.part in wanted]
+
+    def node_set_name(self, id: int, place: Place) -> str | None:
+        """Name of a set of nodes in the deck. None if no node of it has an element."""
+        key = ("NODE", id, False)
+        if key not in self._names_of_sets:
+            card = self.find_set("NODE", id, place)
+            self._names_of_sets[key] = self.make_node_set(card.title or f"nodes_{id}", self.list_members("NODE", id, place), place)
+        self.used.add(("NODE", id))
+        return self._names_of_sets[key] or None
+
+    def make_node_set(self, wish: str, nodes: Iterable[int], place: Place) -> str:
+        """A set of those of the nodes that have an element; an empty name if there is none."""
+        nodes = list(nodes)
+        for node in nodes:
+            if node not in self.nodes:
+                raise BadInput(place, f"there is no node {node}")
+        used = self.used_nodes()
+        kept = [node for node in nodes if node in used]
+        return self.model.add_node_set(wish, kept) if kept else ""
+
+    def used_nodes(self) -> set[int]:
+        if self._used_nodes is None:
+            self._used_nodes = self.model.used_nodes()
+        return self._used_nodes
+
+    def shell_nodes(self) -> set[int]:
+        if self._shell_nodes is None:
+            self._shell_nodes = self.model.shell_nodes()
+        return self._shell_nodes
+
+    def segment_set_name(self, id: int, place: Place) -> str | None:
+        """A surface of contact: of shells both faces. None if no face is of an element."""
+        key = ("SEGMENT", id, True)
+        if key not in self._names_of_sets:
+            card = self.find_set("SEGMENT", id, place)
+            owners = FaceOwners(self.model, {node for face in card.segments for node in face})
+            signs = [(face, owners.find_sign(face)) for face in card.segments]
+            faces = [face for face, sign in signs if sign is not None]
+            if len(faces) < len(signs):
+                self.ledger.refuse("SET_SEGMENT.free", card.place, "segments that are no face of an element", "they are left out")
+            faces += [face[::-1] for face in faces if all(node in self.shell_nodes() for node in face)]
+            name = self.model.names.take(card.title or f"sides_{id}") if faces else ""
+            if name:
+                self.model.side_sets[name] = faces
+            self._names_of_sets[key] = name
+        self.used.add(("SEGMENT", id))
+        return self._names_of_sets[key] or None
+
+    def part_set_name(self, id: int, place: Place) -> str | None:
+        """Name of a set of parts; the name of the part where it is one block. None if it is empty."""
+        key = ("PART", id, False)
+        if key not in self._names_of_sets:
+            card = self.find_set("PART", id, place)
+            self._names_of_sets[key] = self.name_blocks(self.list_members("PART", id, place), card.title or f"parts_{id}")
+        self.used.add(("PART", id))
+        return self._names_of_sets[key] or None
+
+    def name_blocks(self, parts: Iterable[int], wish: str) -> str:
+        """One name for the blocks of these parts; empty if there is none."""
+        blocks = self.blocks_of(parts)
+        if len(blocks) == 1:
+            return next(block.name for block in self.model.blocks if block.id == blocks[0])
+        if not blocks:
+            return ""
+        for name, members in self.model.block_sets.items():
+            if members == blocks:
+                return name
+        name = self.model.names.take(wish)
+        self.model.block_sets[name] = blocks
+        return name
+
+    def element_set_name(self, kind: str, id: int, place: Place) -> str | None:
+        key = (kind, id, False)
+        if key not in self._names_of_sets:
+            card = self.find_set(kind, id, place)
+            members = set(self.list_members(kind, id, place))
+            written = {e for b in self.model.blocks for e, _ in (b.shells if kind == "SHELL" else b.solids)}
+            name = self.model.names.take(card.title or f"elements_{id}") if members & written else ""
+            if name:
+                self.model.element_sets[name] = (kind, sorted(members & written))
+            self._names_of_sets[key] = name
+        self.used.add((kind, id))
+        return self._names_of_sets[key] or None
+
+
+Handler = Callable[[KeywordDeck, Card], None]

@@ -1,0 +1,1 @@
+"""*MAT_ and *EOS_ as laws of percuss."""

@@ -1,0 +1,158 @@
+"""*MAT_...: which law of percuss a material becomes, for the parts that use it."""
+
+from collections.abc import Callable
+
+from ...ledger import BadInput
+from ...model import Block, Deck
+from ..cards import Card
+from .crushable import CRUSHABLE
+from ..deck import KeywordDeck, PartCard
+from .elastic import ELASTIC
+from .erosion import add_erosion
+from .shared import Use
+from .metals import METALS
+from .rigid import translate_rigid
+
+NUMBERS = {
+    1: "ELASTIC", 3: "PLASTIC_KINEMATIC", 5: "SOIL_AND_FOAM", 6: "VISCOELASTIC", 7: "BLATZ-KO_RUBBER", 8: "HIGH_EXPLOSIVE_BURN",
+    9: "NULL", 10: "ELASTIC_PLASTIC_HYDRO", 12: "ISOTROPIC_ELASTIC_PLASTIC", 13: "ISOTROPIC_ELASTIC_FAILURE",
+    14: "SOIL_AND_FOAM_FAILURE", 15: "JOHNSON_COOK", 18: "POWER_LAW_PLASTICITY", 20: "RIGID", 24: "PIECEWISE_LINEAR_PLASTICITY",
+    26: "HONEYCOMB", 27: "MOONEY-RIVLIN_RUBBER", 57: "LOW_DENSITY_FOAM", 63: "CRUSHABLE_FOAM",
+    98: "SIMPLIFIED_JOHNSON_COOK", 126: "MODIFIED_HONEYCOMB", 123: "MODIFIED_PIECEWISE_LINEAR_PLASTICITY",
+}  # fmt: skip
+LINES = {"ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1}
+LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE}
+SOLIDS_ONLY = ("neo_hookean", "mooney_rivlin", "viscoelastic", "soil_and_foam", "honeycomb", "low_density_foam", "fluid")
+
+
+def name_law(keyword: str) -> str:
+    """ELASTIC of MAT_ELASTIC, MAT_001 and MAT_1."""
+    name = keyword.removeprefix("MAT_")
+    number = name.split("_")[0]
+    if number.isdigit() and number.isascii() and int(number[:4]) in NUMBERS:
+        return NUMBERS[int(number[:4])] + name[len(number) :]
+    return name.replace("BLATZ_KO", "BLATZ-KO").replace("MOONEY_RIVLIN", "MOONEY-RIVLIN")
+
+
+def read_material(deck: KeywordDeck, card: Card) -> None:
+    """Materials by id; a keyword may be followed by several of fixed length."""
+    if card.keyword.startswith("MAT_THERMAL"):
+        deck.ledger.refuse(card.keyword, card.place, "heat conduction", "there is none")
+        return
+    card.keyword = "MAT_" + name_law(card.keyword)
+    if card.keyword.startswith("MAT_ADD_EROSION"):
+        reader = card.reader()
+        if card.has_title:
+            reader.take()
+        deck.erosions[card.row(reader.take(), "MID EXCL").integer("MID")] = card
+        return
+    reader, count = card.reader(), LINES.get(name_law(card.keyword), 0)
+    while reader.skip_blank():
+        title = reader.text() if card.has_title else ""
+        lines = [reader.take()]
+        while reader and (not count or len(lines) < count):
+            lines.append(reader.take())
+        id = card.row(lines[0], "MID RO").integer("MID")
+        if id in deck.materials:
+            raise BadInput(card.at(lines[0][0]), f"there are two materials {id}")
+        deck.material_titles[id] = title
+        deck.materials[id] = Card(card.keyword, card.at(lines[0][0]), card.least_width, card.parameters, lines=lines)
+
+
+def read_state(deck: KeywordDeck, card: Card) -> None:
+    """*EOS_... by id."""
+    reader = card.reader()
+    if card.has_title:
+        reader.take()
+    lines = [reader.take()]
+    while reader:
+        lines.append(reader.take())
+    found = Card(card.keyword, card.at(lines[0][0]), card.least_width, card.parameters, lines=lines)
+    deck.states[found.row(lines[0], "EOSID A").integer("EOSID")] = found
+
+
+def build_materials(deck: KeywordDeck) -> None:
+    """The material of each block. Blocks whose material is left out go out of the model."""
+    made: dict[tuple[int, int, bool], tuple[str, Deck] | None] = {}
+    kept: list[Block] = []
+    for block in deck.model.blocks:
+        part = deck.parts[block.part]
+        key = (part.material, part.state, bool(block.shells))
+        if key not in made:
+            made[key] = make_material(deck, part, block)
+        if made[key]:
+            name, law = made[key]  # type: ignore[misc]
+            block.keys = {"material": name, **block.keys}
+            block.density = law["density"]
+            kept.append(block)
+        else:
+            deck.names_of_parts[block.part].remove(block.name)
+    deck.model.blocks[:] = kept
+    for id, card in deck.materials.items():
+        if ("material", id) not in deck.used:
+            deck.ledger.ignored(card.keyword, card.place, "no element is of this material")
+    for card in deck.states.values():
+        if not any(deck.states.get(part.state) is card for part in deck.parts.values()):
+            deck.ledger.ignored(card.keyword, card.place, "no part has this equation of state")
+
+
+def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str, Deck] | None":
+    """Name and keys of a material for a part; None where it is left out or refused."""
+    card = deck.materials.get(part.material)
+    if card is None:
+        raise BadInput(part.place, f"there is no material {part.material}, of part {part.id}")
+    deck.used.add(("material", part.material))
+    use = Use(bool(block.shells), find_state(deck, part), part.place, block.keys.get("points", 1))
+    law_name = name_law(card.keyword)
+    if law_name == "RIGID":
+        law = translate_rigid(deck, card)
+    elif law_name in LAWS:
+        law = translate(deck, card, use, LAWS[law_name])
+    else:
+        deck.ledger.refuse(card.keyword, card.place, "a law that percuss does not have", "the parts made of it are left out")
+        return None
+    if law is None or not may_be_used(deck, card, law, use):
+        return None
+    if use.state and not use.has_used_state and "equation_of_state" not in law:
+        deck.ledger.refuse(f"{card.keyword}.EOSID", part.place, "an equation of state with this law", "the law alone is used")
+    add_erosion(deck, part.material, law, use)
+    deck.ledger.translated(card.keyword, card.place, law["model"])
+    name = deck.model.names.take(deck.material_titles[part.material] or f"material_{part.material}", "material")
+    deck.model.materials[name] = law
+    return name, law
+
+
+def translate(deck: KeywordDeck, card: Card, use: Use, law: Callable[[KeywordDeck, Card, Use], Deck | None]) -> Deck | None:
+    """Numbers that are finite alone may have no finite quotient or power."""
+    try:
+        return law(deck, card, use)
+    except ArithmeticError as error:
+        raise BadInput(card.place, f"the numbers of *{card.keyword} are out of range ({error})") from None
+
+
+def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
+    """Whether shells take the law."""
+    if not use.is_shell or law["model"] not in SOLIDS_ONLY:
+        return True
+    deck.ledger.refuse(
+        f"{card.keyword}.shells",
+        use.place,
+        f"shells of the law {law['model']}, which percuss has for solids",
+        "the parts made of it are left out",
+    )
+    return False
+
+
+def find_state(deck: KeywordDeck, part: PartCard) -> Card | None:
+    if not part.state:
+        return None
+    if part.state not in deck.states:
+        raise BadInput(part.place, f"there is no equation of state {part.state}, of part {part.id}")
+    return deck.states[part.state]
+
+
+def note_unused(deck: KeywordDeck) -> None:
+    """Curves that nothing uses."""
+    for id, curve in deck.curves.items():
+        if ("curve", id) not in deck.used:
+            deck.ledger.ignored("DEFINE_CURVE", curve.place, "nothing that is translated uses it")

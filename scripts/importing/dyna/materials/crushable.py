@@ -1,0 +1,168 @@
+"""Soil, foam and honeycomb."""
+
+from ...curves import Points, order_points, thin_rows
+from ...fields import Row
+from ...ledger import BadInput
+from ...model import Deck
+from ..cards import Card
+from ..deck import KeywordDeck
+from .shared import Use, finish_lines
+
+EIGHT, TWO = " ".join("ABCDEFGH"), "I J"
+
+
+def soil_and_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """J2 = A0 + A1 p + A2 p^2 in LS-DYNA, von Mises stress = a0 + a1 p + a2 p^2 in percuss."""
+    reader = card.reader()
+    row, more = reader.row("MID RO G BULK A0 A1 A2 PC"), reader.row("VCR REF~ LCID")
+    row.skip("MID")
+    points = [(x, y) for x, y in read_soil_points(reader)]
+    if more.integer("LCID"):
+        points = deck.material_curve(more.integer("LCID"), more.place)
+    a0, a1, a2 = row.numbers("A0", "A1", "A2")
+    law: Deck = {
+        "model": "soil_and_foam",
+        "density": row.positive("RO"),
+        "shear_modulus": row.positive("G"),
+        "unloading_bulk_modulus": row.positive("BULK"),
+    }
+    if a1 == 0 and a2 == 0 and a0 >= 0:
+        law["a0"] = (3 * a0) ** 0.5
+    elif a0 == 0 and a1 == 0 and a2 > 0:
+        law |= {"a0": 0.0, "a1": (3 * a2) ** 0.5}
+    else:
+        deck.ledger.refuse(
+            f"{card.keyword}.A1", row.place, "J2 = A0 + A1 p + A2 p^2 with several terms", "the parts made of it are left out"
+        )
+        return None
+    law["tension_limit"] = max(-row.number("PC"), 0.0)
+    law["compaction"] = make_compaction(deck, card, row, points)
+    row.finish(deck.ledger)
+    more.finish(deck.ledger)
+    return law
+
+
+def read_soil_points(reader) -> Points:
+    """Ten strains on two lines, ten pressures on two lines."""
+    xs = reader.row(EIGHT).numbers(*EIGHT.split()) + reader.row(TWO).numbers(*TWO.split())
+    ys = reader.row(EIGHT).numbers(*EIGHT.split()) + reader.row(TWO).numbers(*TWO.split())
+    points = list(zip(xs, ys))
+    while points and points[-1] == (0.0, 0.0):
+        points.pop()
+    return points
+
+
+def make_compaction(deck: KeywordDeck, card: Card, row: Row, points: Points) -> list[list[float]]:
+    """Pressure over -ln V; LS-DYNA has ln V, below 0 in compression, and takes positive strains too."""
+    is_negative = any(x < 0 for x, _ in points)
+    points = order_points([(-x if is_negative else x, y) for x, y in points])
+    if not points or points[0][0] > 0:
+        points = [(0.0, 0.0), *points]
+    if len(points) < 2:
+        row.fail("BULK", "a curve of pressure is expected below it")
+    rows, error = thin_rows(points)
+    if error > 1e-12:
+        deck.ledger.approximated(f"{card.keyword}.curve", row.place, f"the curve has {len(rows)} rows, within {error:.2g}")
+    return [list(point) for point in rows]
+
+
+def low_density_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
+    reader = card.reader()
+    row, more = reader.row("MID RO E LCID TC HU=1 BETA DAMP~"), reader.row("SHAPE=1 FAIL~ BVFLAG~ ED~ BETA1~ KCON~ REF~")
+    row.skip("MID")
+    points = [point for point in order_points(deck.material_curve(row.integer("LCID"), row.place)) if point[0] > 0]
+    if not points:
+        row.fail("LCID", "a curve over strains above 0 is expected")
+    points = [(0.0, 0.0), *points]
+    rows, error = thin_rows(points)
+    if error > 1e-12:
+        deck.ledger.approximated(f"{card.keyword}.curve", row.place, f"the curve has {len(rows)} rows, within {error:.2g}")
+    law: Deck = {
+        "model": "low_density_foam",
+        "density": row.positive("RO"),
+        "youngs_modulus": row.positive("E"),
+        "compression": [list(r) for r in rows],
+    }
+    if row.number("HU") != 1:
+        law |= {"hysteretic_unloading": row.number("HU"), "unloading_shape": more.number("SHAPE") or 1.0}
+    more.skip("SHAPE")
+    if row.number("TC") >= 1e15:
+        row.skip("TC")
+    row.finish(deck.ledger)
+    more.finish(deck.ledger)
+    finish_lines(deck, card, reader)
+    return law
+
+
+def crushable_foam(deck: KeywordDeck, card: Card, use: Use) -> Deck:
+    """Stress over the volumetric strain 1 - V, the same in all directions: a honeycomb with equal curves."""
+    row = card.reader().row("MID RO E PR LCID TSC DAMP~")
+    row.skip("MID")
+    youngs = row.positive("E")
+    points = [(x, y) for x, y in order_points(deck.material_curve(row.integer("LCID"), row.place)) if y > 0 and x >= 0]
+    if not points:
+        row.fail("LCID", "a curve with stresses above 0 is expected")
+    rows = [list(point) for point in thin_rows(points)[0]]
+    deck.ledger.approximated(
+        card.keyword,
+        row.place,
+        "a honeycomb with the same curve in all directions, compacted at the end of the curve; tension as compression",
+    )
+    crush = {f"crush_{name}": rows for name in ("xx", "yy", "zz", "xy", "yz", "zx")}
+    law = {"model": "honeycomb", "density": row.positive("RO"), "youngs_modulus": youngs, "poissons_ratio": 0.0,
+           "yield_stress": max(y for _, y in points), "compacted_volume": min(max(1 - points[-1][0], 0.01), 0.99),
+           "crush_moduli": [youngs] * 3, "shear_moduli": [youngs / 2] * 3, **crush}  # fmt: skip
+    row.skip("PR", "TSC")
+    return law
+
+
+def honeycomb(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """*MAT_HONEYCOMB: six curves over the crush; the axes of percuss are those of space."""
+    reader = card.reader()
+    row, curves = reader.row("MID RO E PR SIGY VF MU~ BULK~"), reader.row("LCA LCB LCC LCS LCAB LCBC LCCA LCSR")
+    moduli, axes, plane = reader.row("EAAU EBBU ECCU GABU GBCU GCAU AOPT"), reader.row("XP YP ZP A1 A2 A3"), reader.row("D1 D2 D3")
+    row.skip("MID")
+    first, second, third, shear = (curves.integer(name) for name in ("LCA", "LCB", "LCC", "LCS"))
+    ids = [first, second or first, third or first, *(curves.integer(name) or shear or first for name in ("LCAB", "LCBC", "LCCA"))]
+    is_along = axes.numbers("A1", "A2", "A3") == [1, 0, 0] and plane.numbers("D1", "D2", "D3") == [0, 1, 0]
+    if moduli.number("AOPT") != 2 or not is_along:
+        deck.ledger.refuse(
+            f"{card.keyword}.AOPT", moduli.place, "axes of the material that are not those of space", "they are those of space"
+        )
+    law: Deck = {
+        "model": "honeycomb",
+        "density": row.positive("RO"),
+        "youngs_modulus": row.positive("E"),
+        "poissons_ratio": row.number("PR"),
+    }
+    law |= {"yield_stress": row.positive("SIGY"), "compacted_volume": row.positive("VF")}
+    law |= {"crush_moduli": moduli.numbers("EAAU", "EBBU", "ECCU"), "shear_moduli": moduli.numbers("GABU", "GBCU", "GCAU")}
+    for name, id in zip(("xx", "yy", "zz", "xy", "yz", "zx"), ids):
+        law[f"crush_{name}"] = read_crush(deck, card, curves, id)
+    for found in (row, curves, moduli, axes, plane):
+        found.finish(deck.ledger, "the strength does not depend on it")
+    return law
+
+
+def read_crush(deck: KeywordDeck, card: Card, row: Row, id: int) -> list[list[float]]:
+    """Strength over the crush 1 - V; a curve over V ends at 1 and falls."""
+    points = order_points(deck.material_curve(id, row.place))
+    if points[-1][0] == 1.0 and points[0][1] > points[-1][1]:
+        points = order_points([(1 - x, y) for x, y in points])
+    points = [(x, y) for x, y in points if y > 0]
+    if not points:
+        raise BadInput(row.place, f"curve {id} has no strength above 0")
+    rows, error = thin_rows(points)
+    if error > 1e-12:
+        deck.ledger.approximated(f"{card.keyword}.curve", row.place, f"the curve has {len(rows)} rows, within {error:.2g}")
+    return [list(point) for point in rows]
+
+
+CRUSHABLE = {
+    "HONEYCOMB": honeycomb,
+    "MODIFIED_HONEYCOMB": honeycomb,
+    "SOIL_AND_FOAM": soil_and_foam,
+    "SOIL_AND_FOAM_FAILURE": soil_and_foam,
+    "LOW_DENSITY_FOAM": low_density_foam,
+    "CRUSHABLE_FOAM": crushable_foam,
+}

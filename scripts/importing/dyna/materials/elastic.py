@@ -1,0 +1,149 @@
+"""Laws without yield: elastic, rubber, relaxation, fluids and explosives."""
+
+from ...model import Deck
+from ..cards import Card
+from ..deck import KeywordDeck
+from .shared import Use, finish_lines, set_failure
+from .states import translate_state
+
+
+def elastic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
+    reader = card.reader()
+    row = reader.row("MID RO E PR DA~ DB~ K~")
+    row.skip("MID")
+    law = {
+        "model": "elastic",
+        "density": row.positive("RO"),
+        "youngs_modulus": row.positive("E"),
+        "poissons_ratio": row.number("PR"),
+    }
+    row.finish(deck.ledger)
+    finish_lines(deck, card, reader)
+    return law
+
+
+def elastic_fluid(deck: KeywordDeck, card: Card, use: Use) -> Deck:
+    row = card.reader().row("MID RO E~ PR~ DA~ DB~ K")
+    row.skip("MID")
+    law: Deck = {
+        "model": "fluid",
+        "density": row.positive("RO"),
+        "equation_of_state": {"kind": "linear", "bulk_modulus": row.positive("K")},
+    }
+    row.finish(deck.ledger)
+    return law
+
+
+def null(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """A fluid with an equation of state. Without one it is a skin for contact."""
+    reader = card.reader()
+    row = reader.row("MID RO PC MU TEROD CEROD YM~ PR~")
+    row.skip("MID")
+    state = translate_state(deck, use)
+    if state is None:
+        deck.ledger.refuse(
+            f"{card.keyword}.skin",
+            card.place,
+            "a material without stress or equation of state",
+            "the parts made of it are left out",
+        )
+        return None
+    law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": state}
+    cut_off(deck, card, row.number("PC"), law)
+    row.finish(deck.ledger)
+    finish_lines(deck, card, reader)
+    return law
+
+
+def cut_off(deck: KeywordDeck, card: Card, pressure: float, law: Deck) -> None:
+    """A tensile cut-off, which percuss has as failure."""
+    if pressure < 0 and deck.ledger.refuse(f"{card.keyword}.PC", card.place, "a limit of tension that does not fail the element",
+                                           "the element fails at it"):  # fmt: skip
+        set_failure(law, pressure=-pressure)
+
+
+def viscoelastic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
+    row = card.reader().row("MID RO BULK G0 GI BETA")
+    row.skip("MID")
+    start, end, decay = row.numbers("G0", "GI", "BETA")
+    law: Deck = {
+        "model": "viscoelastic",
+        "density": row.positive("RO"),
+        "bulk_modulus": row.positive("BULK"),
+        "long_term_shear_modulus": end,
+    }
+    if decay <= 0 or start <= end:
+        row.fail("BETA", "a decay above 0 and G0 above GI are expected")
+    law["relaxation"] = [[1 / decay, start - end]]
+    return law
+
+
+def blatz_ko(deck: KeywordDeck, card: Card, use: Use) -> Deck:
+    row = card.reader().row("MID RO G REF~")
+    row.skip("MID")
+    deck.ledger.approximated(card.keyword, card.place, "neo-Hookean rubber with the same shear modulus and Poisson's ratio 0.463")
+    law = {
+        "model": "neo_hookean",
+        "density": row.positive("RO"),
+        "youngs_modulus": 2 * 1.463 * row.positive("G"),
+        "poissons_ratio": 0.463,
+    }
+    row.finish(deck.ledger)
+    return law
+
+
+def mooney_rivlin(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    reader = card.reader()
+    row, more = reader.row("MID RO PR A B REF~"), reader.row("SGL~ SW~ ST~ LCID")
+    row.skip("MID")
+    ratio, a, b = row.numbers("PR", "A", "B")
+    if not more.integer("LCID") and not 0 < ratio < 0.5:
+        row.fail("PR", "between 0 and 0.5 is expected")
+    if more.integer("LCID") or a <= 0 or b < 0:
+        deck.ledger.refuse(
+            f"{card.keyword}.LCID",
+            card.place,
+            "rubber fitted to a curve, or with constants below 0",
+            "the parts made of it are left out",
+        )
+        return None
+    deck.ledger.approximated(card.keyword, card.place, "the same constants, with percuss' term of volume")
+    law = {
+        "model": "mooney_rivlin",
+        "density": row.positive("RO"),
+        "c10": a,
+        "c01": b,
+        "bulk_modulus": 4 * (a + b) * (1 + ratio) / (3 * (1 - 2 * ratio)),
+    }
+    row.finish(deck.ledger)
+    return law
+
+
+def explosive(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """*MAT_HIGH_EXPLOSIVE_BURN with *EOS_JWL and one *INITIAL_DETONATION."""
+    row = card.reader().row("MID RO D PCJ~ BETA K G SIGY")
+    row.skip("MID")
+    if len(deck.detonations) != 1:
+        deck.ledger.refuse(
+            "INITIAL_DETONATION",
+            card.place,
+            f"{len(deck.detonations)} points of detonation, percuss takes one at time 0",
+            "the parts made of it are left out",
+        )
+        return None
+    state = translate_state(deck, use)
+    if state is None or state.get("kind") != "jwl":
+        deck.ledger.refuse(
+            f"{card.keyword}.EOSID", card.place, "an explosive without *EOS_JWL", "the parts made of it are left out"
+        )
+        return None
+    state |= {"detonation_velocity": row.positive("D"), "detonation_point": list(deck.detonations[0])}
+    law: Deck = {"model": "fluid", "density": row.positive("RO"), "equation_of_state": state}
+    row.finish(deck.ledger)
+    return law
+
+
+ELASTIC = {
+    "ELASTIC": elastic, "ELASTIC_FLUID": elastic_fluid, "NULL": null, "VISCOELASTIC": viscoelastic, "BLATZ-KO_RUBBER": blatz_ko,
+    "MOONEY-RIVLIN_RUBBER": mooney_rivlin, "HIGH_EXPLOSIVE_BURN": explosive,
+}  # fmt: skip

@@ -1,0 +1,306 @@
+"""Laws of metals."""
+
+from ...curves import Points
+from ...fields import Row
+from ...model import Deck
+from ..cards import Card
+from ..deck import KeywordDeck
+from .shared import (
+    NEVER,
+    Use,
+    add_rate,
+    elastic_from_shear_and_bulk,
+    finish_lines,
+    make_hardening,
+    read_points,
+    set_failure,
+    tangent_to_hardening,
+)
+from .states import initial_bulk_modulus, translate_state
+
+EIGHT = " ".join("ABCDEFGH")
+
+
+def start_law(row: Row, model: str) -> Deck:
+    """The keys that all of them have."""
+    row.skip("MID")
+    return {"model": model, "density": row.positive("RO"), "youngs_modulus": row.positive("E"), "poissons_ratio": row.number("PR")}
+
+
+def add_state(deck: KeywordDeck, law: Deck, use: Use) -> None:
+    state = translate_state(deck, use)
+    if state:
+        law["equation_of_state"] = state
+
+
+def plastic_kinematic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
+    reader = card.reader()
+    row, more = reader.row("MID RO E PR SIGY ETAN BETA"), reader.row("SRC SRP FS VP")
+    law = start_law(row, "combined_hardening")
+    hardening = tangent_to_hardening(row, law["youngs_modulus"], row.number("ETAN"))
+    law |= {"yield_stress": row.positive("SIGY"), "hardening_modulus": hardening}
+    rate, exponent = more.numbers("SRC", "SRP")
+    isotropic_share = row.number("BETA")
+    if hardening == 0 or isotropic_share == 1:
+        law["kinematic_share"] = 0.0
+    else:
+        law["kinematic_share"] = min(max(1 - isotropic_share, 0.0), 1.0)
+    add_rate(law, deck, card, rate, exponent, more)
+    if law["kinematic_share"] == 0 and "cowper_symonds_rate" not in law:
+        del law["kinematic_share"]
+        law["model"] = "j2_plasticity"
+    set_failure(law, plastic_strain=more.number("FS"))
+    row.finish(deck.ledger)
+    more.skip("VP")
+    more.finish(deck.ledger)
+    finish_lines(deck, card, reader)
+    return law
+
+
+def find_hardening(deck: KeywordDeck, card: Card, more: Row, points: Points) -> list[list[float]] | None:
+    """The table of *MAT_024 and 123: LCSS before EPS and ES. None where it is refused."""
+    id = more.integer("LCSS")
+    if id and id in deck.tables:
+        if not deck.ledger.refuse(
+            f"{card.keyword}.table", more.place, "curves for several rates", "the curve of the lowest rate is used"
+        ):
+            return None
+        id = deck.tables[id]
+    if id:
+        points = deck.material_curve(id, more.place)
+    return make_hardening(deck, points, card.keyword, more.place)
+
+
+def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """*MAT_PIECEWISE_LINEAR_PLASTICITY and its modified form."""
+    reader = card.reader()
+    row = reader.row("MID RO E PR SIGY ETAN FAIL TDEL")
+    more = reader.row("C P LCSS LCSR VP EPSTHIN EPSMAJ NUMINT")
+    points = read_points(reader, EIGHT, EIGHT)
+    law = start_law(row, "tabulated_plasticity")
+    table = find_hardening(deck, card, more, points)
+    if table is None:
+        return None
+    row.skip("SIGY", "ETAN")
+    if table:
+        law["hardening"] = table
+    else:
+        hardening = tangent_to_hardening(row, law["youngs_modulus"], row.number("ETAN"))
+        law |= {
+            "model": "combined_hardening",
+            "yield_stress": row.positive("SIGY"),
+            "hardening_modulus": hardening,
+            "kinematic_share": 0.0,
+        }
+    add_rate(law, deck, card, more.number("C"), more.number("P"), more)
+    more.skip("VP")
+    if law["model"] == "combined_hardening" and "cowper_symonds_rate" not in law:
+        law["model"] = "j2_plasticity"
+        del law["kinematic_share"]
+    set_failure(law, plastic_strain=row.number("FAIL"), step=row.number("TDEL"))
+    if card.keyword.startswith("MAT_MODIFIED"):
+        read_modified(deck, card, law, more, use)
+    row.finish(deck.ledger)
+    more.finish(deck.ledger, "the stress does not depend on it" if more.has("LCSR") else "it is left out")
+    finish_lines(deck, card, reader)
+    return law
+
+
+def read_modified(deck: KeywordDeck, card: Card, law: Deck, more: Row, use: Use) -> None:
+    """Failure of *MAT_123 by the largest strain, and by so many layers."""
+    set_failure(law, principal_strain=more.number("EPSMAJ"))
+    layers = more.number("NUMINT")
+    if use.is_shell and layers > 0 and "failure" in law:
+        law["failure"]["layers"] = min(layers / use.points, 1.0)
+    elif layers < 0:
+        deck.ledger.refuse(f"{card.keyword}.NUMINT", more.place, "failure by a share of the layers", "all layers must fail")
+
+
+def shear_and_bulk(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """*MAT_ISOTROPIC_ELASTIC_PLASTIC and _FAILURE: the hardening modulus is over plastic strain."""
+    reader = card.reader()
+    row = reader.row("MID RO G SIGY ETAN BULK")
+    row.skip("MID")
+    law: Deck = {
+        "model": "j2_plasticity",
+        "density": row.positive("RO"),
+        **elastic_from_shear_and_bulk(row.positive("G"), row.positive("BULK")),
+    }
+    law |= {"yield_stress": row.positive("SIGY"), "hardening_modulus": max(row.number("ETAN"), 0.0)}
+    if card.keyword.endswith("FAILURE"):
+        more = reader.row("EPF PRF REM TREM")
+        set_failure(law, plastic_strain=more.number("EPF"), pressure=-more.number("PRF"), step=more.number("TREM"))
+        if "failure" in law and more.integer("REM"):
+            deck.ledger.refuse(
+                f"{card.keyword}.REM", more.place, "failed elements that stay as a fluid", "failed elements are eroded"
+            )
+    row.finish(deck.ledger)
+    finish_lines(deck, card, reader)
+    return law
+
+
+def elastic_plastic_hydro(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    """*MAT_ELASTIC_PLASTIC_HYDRO with an equation of state."""
+    reader = card.reader()
+    row = reader.row("MID RO G SIGY EH PC FS CHARL~")
+    points = read_points(reader, EIGHT, EIGHT, 2)
+    row.skip("MID")
+    state = translate_state(deck, use)
+    if state is None or state["kind"] == "jwl":
+        deck.ledger.refuse(
+            f"{card.keyword}.EOSID", use.place, "a law that needs an equation of state", "the parts made of it are left out"
+        )
+        return None
+    density = row.positive("RO")
+    moduli = elastic_from_shear_and_bulk(row.positive("G"), initial_bulk_modulus(state, density))
+    law: Deck = {"model": "j2_plasticity", "density": density, **moduli, "equation_of_state": state}
+    table = make_hardening(deck, points, card.keyword, row.place)
+    row.skip("SIGY", "EH")
+    if table:
+        law |= {"model": "tabulated_plasticity", "hardening": table}
+    else:
+        law |= {
+            "yield_stress": row.number("SIGY") or 1e-12 * moduli["youngs_modulus"],
+            "hardening_modulus": max(row.number("EH"), 0.0),
+        }
+    set_failure(law, plastic_strain=row.number("FS"))
+    limit_tension(deck, card, law, row)
+    row.finish(deck.ledger)
+    finish_lines(deck, card, reader)
+    return law
+
+
+def limit_tension(deck: KeywordDeck, card: Card, law: Deck, row: Row) -> None:
+    """PC: a limit of tension that does not fail the element; percuss has failure by pressure."""
+    limit = row.number("PC")
+    if limit < 0 and deck.ledger.refuse(f"{card.keyword}.PC", row.place, "a limit of tension that does not fail the element",
+                                        "there is no limit"):  # fmt: skip
+        return
+
+
+def johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
+    reader = card.reader()
+    row, flow = reader.row("MID RO G E PR DTF VP~ RATEOP"), reader.row("A B N C M TM TR EPSO=1")
+    heat, last = reader.row("CP PC SPALL~ IT~ D1 D2 D3 D4"), reader.row("D5 C2 EROD EFMIN~ NUMINT~")
+    row.skip("MID")
+    law: Deck = {"model": "johnson_cook", "density": row.positive("RO")}
+    if use.is_shell:
+        law |= {"youngs_modulus": row.positive("E"), "poissons_ratio": row.number("PR")}
+    else:
+        state = translate_state(deck, use)
+        if state is None:
+            deck.ledger.refuse(
+                f"{card.keyword}.EOSID",
+                use.place,
+                "Johnson and Cook's law for solids needs an equation of state",
+                "the parts made of it are left out",
+            )
+            return None
+        law |= {**johnson_cook_moduli(row, state, law["density"]), "equation_of_state": state}
+    row.skip("E", "PR", "G")
+    law |= read_flow(flow)
+    law |= {"specific_heat": heat.number("CP") or NEVER, "heating_share": 1.0}
+    limit_tension(deck, card, law, heat)
+    read_damage(deck, card, law, heat, last, flow.number("EPSO") or 1.0)
+    set_failure(law, step=row.number("DTF"))
+    for found in (row, flow, heat, last):
+        found.finish(deck.ledger)
+    finish_lines(deck, card, reader)
+    return law
+
+
+def johnson_cook_moduli(row: Row, state: Deck, density: float) -> Deck:
+    """Solids take the shear modulus of the card and the bulk modulus of the equation of state."""
+    shear = row.number("G") or row.number("E") / (2 * (1 + row.number("PR")))
+    if shear <= 0:
+        row.fail("G", "must be positive")
+    return elastic_from_shear_and_bulk(shear, initial_bulk_modulus(state, density))
+
+
+def read_flow(row: Row) -> Deck:
+    """Constants of the flow stress."""
+    keys: Deck = {
+        "a": row.positive("A"),
+        "b": row.number("B"),
+        "n": row.number("N") or 1.0,
+        "c": row.number("C"),
+        "m": row.number("M") or 1.0,
+    }
+    melt, room = row.numbers("TM", "TR")
+    if melt <= room:
+        melt = room + NEVER
+    return keys | {
+        "reference_rate": row.number("EPSO") or 1.0,
+        "melt_temperature": melt,
+        "room_temperature": room,
+        "start_temperature": room,
+    }
+
+
+def read_damage(deck: KeywordDeck, card: Card, law: Deck, heat: Row, last: Row, rate: float) -> None:
+    """D1 to D5. LS-DYNA's triaxiality is that of pressure, so D3 changes its sign."""
+    d1, d2, d3, d4 = heat.numbers("D1", "D2", "D3", "D4")
+    d5, keeps = last.number("D5"), last.integer("EROD")
+    if not (d1 or d2):
+        return
+    if keeps:
+        deck.ledger.refuse(f"{card.keyword}.EROD", last.place, "failed elements that are not eroded", "failed elements are eroded")
+    if d3 < 0:
+        deck.ledger.refuse(
+            f"{card.keyword}.D3",
+            heat.place,
+            "D3 below 0 makes the material tougher in tension in LS-DYNA, whose triaxiality is that of pressure",
+            "the sign is taken as a mistake: less ductile in tension",
+        )
+    if d1 < 0 or d4 < 0 or d2 < 0:
+        deck.ledger.refuse(f"{card.keyword}.D1", heat.place, "D1, D2 or D4 below 0", "0 is used")
+    damage = {"d1": max(d1, 0.0), "d2": max(d2, 0.0), "d3": -abs(d3), "d4": max(d4, 0.0), "d5": d5, "reference_rate": rate}
+    law.setdefault("failure", {})["johnson_cook"] = damage
+    deck.ledger.approximated(f"{card.keyword}.D1", heat.place, "damage by percuss' form, without the lower limit EFMIN")
+
+
+def simplified_johnson_cook(deck: KeywordDeck, card: Card, use: Use) -> Deck:
+    reader = card.reader()
+    row, flow = reader.row("MID RO E PR VP~"), reader.row("A B N C PSFAIL SIGMAX SIGSAT EPSO=1")
+    law = start_law(row, "johnson_cook")
+    law |= {"a": flow.positive("A"), "b": flow.number("B"), "n": flow.number("N") or 1.0, "c": flow.number("C")}
+    law |= {"reference_rate": flow.number("EPSO") or 1.0, "melt_temperature": NEVER, "specific_heat": NEVER}
+    set_failure(law, plastic_strain=flow.number("PSFAIL"))
+    for name in ("SIGMAX", "SIGSAT"):
+        if flow.number(name) >= 1e20:
+            flow.skip(name)
+        elif flow.number(name) > 0:
+            deck.ledger.refuse(f"{card.keyword}.{name}", flow.place, "a limit of the stress", "there is none")
+    row.finish(deck.ledger)
+    flow.finish(deck.ledger)
+    finish_lines(deck, card, reader)
+    return law
+
+
+def power_law(deck: KeywordDeck, card: Card, use: Use) -> Deck:
+    """Y = K (e0 + p)^N, sampled more densely near zero."""
+    reader = card.reader()
+    row, more = reader.row("MID RO E PR K N SRC SRP"), reader.row("SIGY VP EPSF")
+    law = start_law(row, "tabulated_plasticity")
+    strength, exponent, start = row.positive("K"), row.positive("N"), more.number("SIGY")
+    if start > 0.02:
+        offset = (start / strength) ** (1 / exponent)
+    else:
+        offset = start or (law["youngs_modulus"] / strength) ** (1 / (exponent - 1))
+    strains = [2.0 * (i / 30) ** 3 for i in range(31)]
+    law["hardening"] = [[p, strength * (offset + p) ** exponent] for p in strains]
+    deck.ledger.approximated(card.keyword, card.place, "the power law by 31 rows up to a plastic strain of 2")
+    add_rate(law, deck, card, *row.numbers("SRC", "SRP"), more)
+    more.skip("VP")
+    set_failure(law, plastic_strain=more.number("EPSF"))
+    row.finish(deck.ledger)
+    more.finish(deck.ledger)
+    return law
+
+
+METALS = {
+    "PLASTIC_KINEMATIC": plastic_kinematic, "PIECEWISE_LINEAR_PLASTICITY": piecewise_linear,
+    "MODIFIED_PIECEWISE_LINEAR_PLASTICITY": piecewise_linear, "ISOTROPIC_ELASTIC_PLASTIC": shear_and_bulk,
+    "ISOTROPIC_ELASTIC_FAILURE": shear_and_bulk, "ELASTIC_PLASTIC_HYDRO": elastic_plastic_hydro, "JOHNSON_COOK": johnson_cook,
+    "SIMPLIFIED_JOHNSON_COOK": simplified_johnson_cook, "POWER_LAW_PLASTICITY": power_law,
+}  # fmt: skip

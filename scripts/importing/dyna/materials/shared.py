@@ -1,0 +1,96 @@
+"""What the translations of materials share."""
+
+from dataclasses import dataclass
+
+from ...curves import Points, order_points, thin_rows
+from ...fields import Row
+from ...ledger import Place
+from ...model import Deck
+from ..cards import Card, Lines
+from ..deck import KeywordDeck
+
+FAR = 1.0  # plastic strain by which a table goes on with its last slope
+NEVER = 1e15  # a specific heat, a melting point, a failure strain that nothing reaches
+
+
+@dataclass
+class Use:
+    """How a part uses a material."""
+
+    is_shell: bool
+    state: Card | None
+    place: Place
+    points: int
+    has_used_state: bool = False
+
+
+def tangent_to_hardening(row: Row, youngs: float, tangent: float) -> float:
+    """Slope of the yield stress over plastic strain from that of the stress over strain."""
+    if tangent >= youngs:
+        row.fail("ETAN", "must be below Young's modulus")
+    return max(youngs * tangent / (youngs - tangent), 0.0)
+
+
+def elastic_from_shear_and_bulk(shear: float, bulk: float) -> Deck:
+    """Young's modulus and Poisson's ratio."""
+    return {
+        "youngs_modulus": 9 * bulk * shear / (3 * bulk + shear),
+        "poissons_ratio": (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear),
+    }
+
+
+def make_hardening(deck: KeywordDeck, points: Points, card: str, place: Place) -> list[list[float]]:
+    """A table of yield stress over plastic strain, which goes on with its last slope."""
+    points = [(x, y) for x, y in order_points(points) if x >= 0 and y > 0]
+    if not points:
+        return []
+    if points[0][0] > 0:
+        points[0] = (0.0, points[0][1])
+    rows, error = thin_rows(points, 31)
+    if error > 1e-12:
+        deck.ledger.approximated(
+            f"{card}.curve", place, f"{len(points)} rows become {len(rows)}, within {error:.2g} of the largest stress"
+        )
+    if len(rows) > 1:
+        (x0, y0), (x1, y1) = rows[-2:]
+        slope = (y1 - y0) / (x1 - x0)
+        far = y1 + FAR * slope
+        if slope != 0:
+            rows.append((x1 + FAR, far) if far > 0 else (x1 + 0.99 * y1 / -slope, 0.01 * y1))
+    return [list(row) for row in rows]
+
+
+def read_points(reader: Lines, layout_x: str, layout_y: str, lines: int = 1) -> Points:
+    """Points from lines of abscissae and as many of ordinates; those behind the last abscissa are left out."""
+    xs = [value for row in [reader.row(layout_x) for _ in range(lines)] for value in row.numbers(*layout_x.split())]
+    ys = [value for row in [reader.row(layout_y) for _ in range(lines)] for value in row.numbers(*layout_y.split())]
+    points = list(zip(xs, ys))
+    while points and points[-1] == (0.0, 0.0):
+        points.pop()
+    return points
+
+
+def finish_lines(deck: KeywordDeck, card: Card, reader: Lines) -> None:
+    """Refuses lines that no field was read of, if they hold anything but zeros."""
+    while reader.skip_blank():
+        line = reader.take()
+        if any(text.strip("0.+-eE") for text in card.split(line, (10,) * 8)):
+            deck.ledger.refuse(f"{card.keyword}.lines", card.at(line[0]), "a line that is not read", "it is left out")
+
+
+def add_rate(law: Deck, deck: KeywordDeck, card: Card, rate: float, exponent: float, row: Row) -> None:
+    """Cowper and Symonds' dependence on the rate."""
+    if rate <= 0 or exponent <= 0:
+        return
+    law["cowper_symonds_rate"], law["cowper_symonds_exponent"] = rate, exponent
+    if row.integer("VP") == 0:
+        deck.ledger.approximated(
+            f"{card.keyword}.VP", row.place, "the stress is scaled by the rate of plastic strain, as with VP=1"
+        )
+
+
+def set_failure(law: Deck, **limits: float) -> None:
+    """Criteria of failure; 0 and what nothing reaches mean none."""
+    for name, value in limits.items():
+        if 0 < value < NEVER:
+            law.setdefault("failure", {})[name] = value

@@ -1,0 +1,168 @@
+"""*NODE and *ELEMENT_...: nodes and elements, what they cannot be is refused."""
+
+from ..fields import MOST_ID, clip, parse_integer, parse_real
+from ..ledger import BadInput, Place
+from .cards import Card
+from .transforms import SAME, apply
+from .deck import Element, Elements, KeywordDeck
+
+NODE_WIDTHS = (8, 16, 16, 16, 8, 8)
+EIGHTS = (8,) * 10
+SIXTEENS = (16,) * 5
+SHAPES = {4: "tetrahedron", 5: "pyramid", 6: "wedge", 7: "degenerate"}
+# Beams and the like have no law in percuss: what is left of the model without them.
+OTHERS = ("BEAM", "DISCRETE", "SEATBELT", "SPH", "TSHELL", "PLOTEL", "INERTIA", "GENERALIZED")
+
+
+def to_id(card: Card, number: int, text: str, what: str, may_be_blank: bool = False) -> int:
+    """A positive id of a field; 0 where it may be blank and is."""
+    if may_be_blank and text == "":
+        return 0
+    value = parse_integer(text)
+    if value is None or not (0 if may_be_blank else 1) <= value <= MOST_ID:
+        raise BadInput(card.at(number), f"{what} of *{card.keyword} is '{clip(text)}' (an id from 1 to 10^15 is expected)")
+    return value
+
+
+def to_real(card: Card, number: int, text: str, what: str) -> float:
+    value = parse_real(text) if text else 0.0
+    if value is None:
+        raise BadInput(card.at(number), f"{what} of *{card.keyword} is '{clip(text)}' (a number is expected)")
+    return value
+
+
+def read_nodes(deck: KeywordDeck, card: Card) -> None:
+    """NID X Y Z TC RC."""
+    for line in card.lines:
+        if not line[1].strip():
+            continue
+        texts = card.split(line, NODE_WIDTHS) + [""] * 6
+        id = to_id(card, line[0], texts[0], "NID")
+        x = tuple(to_real(card, line[0], texts[i], "XYZ"[i - 1]) for i in (1, 2, 3))
+        if card.transform is not SAME:
+            x = apply(card.transform, x)  # type: ignore[arg-type]
+        if deck.nodes.get(id, x) != x:
+            raise BadInput(card.at(line[0]), f"node {id} stands at another place already")
+        deck.nodes[id] = x  # type: ignore[assignment]
+        code = int(to_real(card, line[0], texts[4], "TC")), int(to_real(card, line[0], texts[5], "RC"))
+        if code != (0, 0):
+            if not all(0 <= c <= 7 for c in code):
+                raise BadInput(card.at(line[0]), f"TC and RC of node {id} are {code} (0 to 7 are expected)")
+            deck.fixed_nodes.setdefault(code, []).append(id)
+            deck.fixed_place = deck.fixed_place or card.at(line[0])
+    deck.ledger.translated("NODE", card.place, "nodes of the mesh, ids kept; TC and RC as fixed directions")
+
+
+def elements_of(deck: KeywordDeck, part: int, place: Place) -> Elements:
+    if part not in deck.elements:
+        deck.elements[part] = Elements(place)
+    return deck.elements[part]
+
+
+def read_solids(deck: KeywordDeck, card: Card) -> None:
+    """EID PID N1-N8 on one line, or EID PID and N1-N10 on two."""
+    if card.keyword != "ELEMENT_SOLID":
+        deck.ledger.refuse(card.keyword, card.place, "this form of solids is not read", "these elements are left out")
+        return
+    reader = card.reader()
+    while reader.skip_blank():
+        line = reader.take()
+        texts = card.split(line, EIGHTS) + [""] * 10
+        if parse_integer(texts[2] or "0") == 0:
+            texts = texts[:2] + card.split(reader.take(), EIGHTS) + [""] * 10
+        id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
+        corners = [to_id(card, line[0], text, "node", True) for text in texts[2:12]]
+        add_solid(deck, card, card.at(line[0]), part, id, [c for c in corners if c])
+    deck.ledger.translated("ELEMENT_SOLID", card.place, "elements of the mesh, ids kept")
+
+
+def add_solid(deck: KeywordDeck, card: Card, place: Place, part: int, id: int, corners: list[int]) -> None:
+    """A hexahedron, or a refusal by what it is."""
+    different = len(set(corners))
+    found = elements_of(deck, part, place)
+    if len(corners) == 8 and different == 8:
+        found.solids.append((id, tuple(corners)))
+        return
+    first = list(dict.fromkeys(corners))
+    if (
+        different == 4
+        and deck.takes_tetrahedra
+        and corners in (first, first + first[3:] * 4, [*first[:3], first[2], *first[3:] * 4])
+    ):
+        found.solids.append((id, tuple(first)))
+        return
+    shape = "quadratic" if different > 8 else SHAPES.get(different, "degenerate")
+    found.others.add(f"ELEMENT_SOLID.{shape}")
+    deck.ledger.refuse(
+        f"ELEMENT_SOLID.{shape}",
+        place,
+        f"a {shape} solid ({different} nodes), an element that percuss does not have",
+        "these elements are left out, and the body has holes",
+    )
+
+
+def read_shells(deck: KeywordDeck, card: Card) -> None:
+    """EID PID N1-N4, with more lines by the options THICKNESS, BETA, MCID and OFFSET."""
+    options = set(card.keyword.removeprefix("ELEMENT_SHELL").split("_")) - {""}
+    if options - {"THICKNESS", "BETA", "MCID", "OFFSET"}:
+        deck.ledger.refuse(card.keyword, card.place, "this form of shells is not read", "these elements are left out")
+        return
+    reader = card.reader()
+    while reader.skip_blank():
+        line = reader.take()
+        texts = card.split(line, EIGHTS) + [""] * 10
+        id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
+        nodes = [to_id(card, line[0], text, "node", True) for text in texts[2:10]]
+        thickness = read_shell_options(deck, card, reader, options, any(nodes[4:]))
+        if any(nodes[4:]):
+            deck.ledger.refuse(
+                "ELEMENT_SHELL.mid_nodes", card.at(line[0]), "shells with nodes on their edges", "the corners alone are used"
+            )
+        corners = nodes[:3] if nodes[3] in (0, nodes[2]) else nodes[:4]
+        if 0 in corners or len(set(corners)) < len(corners):
+            raise BadInput(card.at(line[0]), f"shell {id} has not three or four different corners")
+        elements_of(deck, part, card.at(line[0])).shells.append(Element(id, tuple(corners), thickness))
+    deck.ledger.translated(card.keyword, card.place, "elements of the mesh, ids kept")
+
+
+def read_shell_options(deck: KeywordDeck, card: Card, reader, options: set[str], has_mid_nodes: bool) -> float | None:
+    """Thickness of a shell from its further lines: the mean of its corners."""
+    thickness = None
+    if options & {"THICKNESS", "BETA", "MCID"}:
+        row = reader.row("T1 T2 T3 T4 BETA", SIXTEENS)
+        values = [value for value in row.numbers("T1", "T2", "T3", "T4") if value]
+        row.skip("BETA")  # of laws that percuss refuses
+        if values:
+            thickness = sum(values) / len(values) if len(set(values)) > 1 else values[0]
+        if len(set(values)) > 1:
+            deck.ledger.approximated("ELEMENT_SHELL.THICKNESS", row.place, "shells have the mean thickness of their corners")
+        if has_mid_nodes:
+            reader.take()
+    if "OFFSET" in options and reader.row("OFFSET", (16,)).number("OFFSET") != 0:
+        deck.ledger.refuse("ELEMENT_SHELL.OFFSET", card.place, "shells with offsets of their own", "the mesh is the middle surface")
+    return thickness
+
+
+def read_masses(deck: KeywordDeck, card: Card) -> None:
+    """EID NID MASS: mass of a node."""
+    for line in card.lines:
+        if not line[1].strip():
+            continue
+        row = card.row(line, "EID ID MASS PID~", (8, 8, 16, 8))
+        deck.masses.append((row.integer("ID"), row.number("MASS"), row.place))
+        row.skip("EID")
+        row.finish(deck.ledger)
+
+
+def read_other_elements(deck: KeywordDeck, card: Card) -> None:
+    """Elements that percuss does not have."""
+    kind = next((word for word in OTHERS if card.keyword.startswith("ELEMENT_" + word)), "")
+    if kind == "PLOTEL":
+        deck.ledger.ignored(card.keyword, card.place, "lines for pictures")
+        return
+    for line in card.lines:
+        texts = card.split(line, EIGHTS)
+        part = parse_integer(texts[1]) if len(texts) > 1 and texts[1] else None
+        if part and part > 0:
+            elements_of(deck, part, card.at(line[0])).others.add(card.keyword)
+    deck.ledger.refuse(card.keyword, card.place, "elements that percuss does not have", "these elements are left out")

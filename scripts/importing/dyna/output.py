@@ -1,0 +1,11 @@
+"""What a deck asks for as output."""
+
+
+class Output:
+    """Gathers the intervals and what is asked for."""
+
+    def __init__(self) -> None:
+        self.frames = self.rows = 0.0
+        self.asked: set[str] = set()
+        self.nodes: list[int] = []
+        self.elements: list[int] = []

@@ -1,0 +1,106 @@
+"""*DATABASE_...: what is written, and when."""
+
+from ..model import Deck
+from .cards import Card, read_ids
+from .deck import KeywordDeck
+
+FIELDS = ["velocity", "von_mises"]
+MOST_POINTS = 200  # followed nodes and elements, each a group of columns
+ASCII = {"NODOUT", "ELOUT", "GLSTAT", "MATSUM", "RCFORC", "SPCFORC", "RWFORC"}
+
+
+def read_database(deck: KeywordDeck, card: Card) -> None:
+    """Intervals of fields and history."""
+    name = card.keyword.removeprefix("DATABASE_")
+    if name == "BINARY_D3PLOT":
+        read_frames(deck, card)
+    elif name in ASCII:
+        row = card.reader().row("DT BINARY~ LCUR~ IOOPT~")
+        step = row.number("DT")
+        deck.output.asked.add(name)
+        if step > 0:
+            deck.output.rows = min(deck.output.rows or step, step)
+        deck.ledger.translated(card.keyword, card.place, "output.history, all at the shortest interval")
+    elif name.startswith("HISTORY_"):
+        read_points(deck, card, name.removeprefix("HISTORY_"))
+    else:
+        deck.ledger.ignored(card.keyword, card.place, "output")
+
+
+def read_frames(deck: KeywordDeck, card: Card) -> None:
+    reader = card.reader()
+    row, more = reader.row("DT LCDT~ BEAM~ NPLTC PSETID~"), reader.row("IOOPT~")
+    count, step = row.integer("NPLTC"), row.number("DT")
+    if count > 0 and deck.end_time > 0:
+        step = deck.end_time / count
+    deck.output.frames = max(step, deck.end_time / 1e5)
+    more.finish(deck.ledger)
+    deck.ledger.translated(card.keyword, card.place, "output.fields.every")
+
+
+def read_points(deck: KeywordDeck, card: Card, name: str) -> None:
+    """Nodes and elements to follow, by ids or by sets."""
+    kind = name.split("_")[0]
+    if kind not in ("NODE", "SHELL", "SOLID") or "LOCAL" in name:
+        deck.ledger.ignored(card.keyword, card.place, "output of what percuss does not have")
+        return
+    if card.has_id:
+        ids = [card.row(line, "ID TITLE", (10, 70)).integer("ID") for line in card.lines if line[1].strip()]
+    else:
+        ids = read_ids(card.reader())
+    if kind == "SHELL" and "SET" not in name:
+        ids = [id + deck.shell_shift for id in ids]
+    if "SET" in name:
+        ids = [member for id in ids for member in deck.list_members(kind, id, card.place)]
+    (deck.output.nodes if kind == "NODE" else deck.output.elements).extend(ids)
+    deck.ledger.translated(card.keyword, card.place, "output.history.nodes, elements")
+
+
+def finish_output(deck: KeywordDeck) -> None:
+    """The section of output."""
+    output: Deck = {}
+    found = deck.output
+    if found.frames > 0:
+        plastic = any(
+            "plastic" in law["model"] or law["model"] in ("combined_hardening", "johnson_cook")
+            for law in deck.model.materials.values()
+        )
+        output["fields"] = {"every": found.frames, "write": FIELDS + (["equivalent_plastic_strain"] if plastic else [])}
+    history: Deck = {"every": found.rows or float(f"{deck.end_time / 1000:.6g}")}
+    add_points(deck, history)
+    if "MATSUM" in found.asked:
+        history["parts"] = "all"
+    forces = list(deck.forces)
+    if "RWFORC" in found.asked:
+        forces += [{"name": f"force_{wall['name']}", "wall": wall["name"]} for wall in deck.model.deck.get("walls", [])]
+    if "SPCFORC" in found.asked and "conditions" in deck.model.deck:
+        forces.append({"name": "supports", "support": "all"})
+    if "RCFORC" in found.asked:
+        forces += pair_forces(deck)
+    if forces:
+        history["forces"] = forces[:32]
+    output["history"] = history
+    deck.model.deck["output"] = output
+
+
+def pair_forces(deck: KeywordDeck) -> list[Deck]:
+    """Forces of pairs of parts."""
+    names = {block.name for block in deck.model.blocks} | set(deck.model.block_sets)
+    members = {name: [b.name for b in deck.model.blocks if b.id in ids] for name, ids in deck.model.block_sets.items()}
+    forces = []
+    for contact in deck.contacts:
+        a, b = contact["a"], contact["b"]
+        if a in names and b in names and a != b and not set(members.get(a, [a])) & set(members.get(b, [b])):
+            name = deck.model.names.take(f"force_{contact['title'] or a}")
+            forces.append({"name": name, "contact": [members.get(a, a), members.get(b, b)]})
+    return forces
+
+
+def add_points(deck: KeywordDeck, history: Deck) -> None:
+    """Followed nodes and elements, by the user's ids."""
+    used = deck.used_nodes()
+    written = {id for block in deck.model.blocks for id, _ in block.shells + block.solids}
+    for key, ids, known in (("nodes", deck.output.nodes, used), ("elements", deck.output.elements, written)):
+        kept = [id for id in dict.fromkeys(ids) if id in known][:MOST_POINTS]
+        if kept:
+            history[key] = [{"name": f"{key[:-1]}_{id}", "id": id} for id in kept]

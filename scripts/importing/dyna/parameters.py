@@ -1,0 +1,237 @@
+"""*PARAMETER and the expressions of *PARAMETER_EXPRESSION."""
+
+import math
+import re
+from typing import TYPE_CHECKING
+
+from ..fields import clip, parse_real
+from ..ledger import BadInput, Ledger, Place
+
+if TYPE_CHECKING:
+    from .cards import Card
+
+NAME = re.compile(r"&([A-Za-z_][A-Za-z0-9_]*)")
+TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:[eEdD][+-]?\d{1,4})?|\.\d+(?:[eEdD][+-]?\d{1,4})?)|&?([A-Za-z_]\w*)|(\*\*|[-+*/^(),]))")
+OPERATION = re.compile(r"\w[-+*/(]")  # &end*0.99 in a field
+MOST_DEPTH = 60
+FUNCTIONS = {
+    "abs": abs, "sqrt": math.sqrt, "exp": math.exp, "log": math.log, "log10": math.log10, "sin": math.sin, "cos": math.cos,
+    "tan": math.tan, "asin": math.asin, "acos": math.acos, "atan": math.atan, "sinh": math.sinh, "cosh": math.cosh,
+    "tanh": math.tanh, "int": int, "aint": lambda x: float(int(x)), "nint": lambda x: math.floor(x + 0.5),
+    "float": float, "ceil": math.ceil, "floor": math.floor, "sign": lambda a, b: math.copysign(a, b), "atan2": math.atan2,
+    "min": min, "max": max, "mod": math.fmod,
+}  # fmt: skip
+Value = float | int | str
+
+
+class Parameters:
+    """Values by name, in capitals. Those of _LOCAL are known in one file and those that it includes."""
+
+    def __init__(self, outer: "Parameters | None" = None):
+        self._outer = outer
+        self._values: dict[str, Value] = {}
+
+    def inner(self) -> "Parameters":
+        return Parameters(self)
+
+    def find(self, name: str, place: Place) -> Value:
+        scope: Parameters | None = self
+        while scope:
+            if name.upper() in scope._values:
+                return scope._values[name.upper()]
+            scope = scope._outer
+        raise BadInput(place, f"there is no parameter &{clip(name)}")
+
+    def replace(self, text: str, place: Place) -> str:
+        """A field with the values of its parameters."""
+        words = text.replace(" ", "")
+        if words.startswith(("<", "&<")):
+            return str(evaluate(words.strip("&<>"), self, place))
+        if OPERATION.search(words):
+            return str(evaluate(words, self, place))
+        value = NAME.sub(lambda found: str(self.find(found.group(1), place)), words)
+        return value[2:] if value.startswith("--") else value
+
+    def read(self, card: "Card", ledger: Ledger) -> None:
+        """Reads a *PARAMETER card."""
+        words = card.keyword.split("_")[1:]
+        if words == ["DUPLICATION"]:
+            ledger.ignored(card.keyword, card.place, "a second value of a parameter is an error here")
+            return
+        if any(word not in ("EXPRESSION", "LOCAL", "MUTABLE", "GLOBAL") for word in words):
+            ledger.refuse(card.keyword, card.place, "this form of parameters is not read")
+            return
+        scope = self if "LOCAL" in words else self._root()
+        pairs = self._read_expressions(card) if "EXPRESSION" in words else self._read_values(card)
+        for number, word, value in pairs:
+            scope._define(word, value, card.at(number), "MUTABLE" in words)
+            ledger.translated(card.keyword, card.place, "values are put in place")
+
+    def _root(self) -> "Parameters":
+        return self._outer._root() if self._outer else self
+
+    def _define(self, word: str, value: Value, place: Place, is_mutable: bool) -> None:
+        kind, name = word[:1].upper(), word[1:].strip().upper()
+        if kind not in ("R", "I", "C") or not name:
+            raise BadInput(place, f"'{clip(word)}' is no parameter (R, I or C and its name are expected)")
+        if name in self._values and not is_mutable and self._values[name] != value:
+            raise BadInput(place, f"parameter {clip(name)} has a value already")
+        if kind == "C" or isinstance(value, str):
+            self._values[name] = str(value)
+        else:
+            self._values[name] = int(value) if kind == "I" else float(value)
+
+    def _read_values(self, card: "Card") -> "list[tuple[int, str, Value]]":
+        pairs: list[tuple[int, str, Value]] = []
+        for line in card.lines:
+            texts = card.split(line, (10,) * 8)
+            for word, text in zip(texts[::2], texts[1::2]):
+                if not word:
+                    continue
+                value: Value | None = text if word[:1] in "cC" else parse_real(text)
+                if value is None:
+                    raise BadInput(card.at(line[0]), f"the value of {clip(word)} is '{clip(text)}' (a number is expected)")
+                pairs.append((line[0], word, value))
+        return pairs
+
+    def _read_expressions(self, card: "Card") -> "list[tuple[int, str, Value]]":
+        pairs: list[tuple[int, str, Value]] = []
+        for number, line in card.lines:
+            if not line.strip():
+                continue
+            word, _, text = (
+                line.partition(",")
+                if "," in line[:11]
+                else (line[: max(10, card.least_width)], "", line[max(10, card.least_width) :])
+            )
+            value = evaluate(text.strip(), self, card.at(number))
+            scope = self if "LOCAL" in card.keyword else self._root()
+            scope._define(word.strip(), value, card.at(number), True)
+            pairs.append((number, word.strip(), value))
+        return pairs
+
+
+def evaluate(text: str, parameters: Parameters, place: Place) -> float | int:
+    """Value of an expression: integers divide as in Fortran."""
+    try:
+        value = Expression(text, parameters, place).value()
+        is_finite = not isinstance(value, complex) and math.isfinite(value)
+    except (ArithmeticError, ValueError, TypeError) as error:
+        raise BadInput(place, f"'{clip(text)}' has no value ({error})") from None
+    if not is_finite:
+        raise BadInput(place, f"'{clip(text)}' has no value")
+    return value
+
+
+class Expression:
+    """Recursive descent over + - * / ** ( ) and functions."""
+
+    def __init__(self, text: str, parameters: Parameters, place: Place):
+        self._text, self._parameters, self._place = text, parameters, place
+        self._tokens = self._cut(text)
+        self._next = self._depth = 0
+
+    def _fail(self, text: str) -> BadInput:
+        return BadInput(self._place, f"the expression '{clip(self._text)}' {text}")
+
+    def _cut(self, text: str) -> list[tuple[str, str, str]]:
+        tokens, first, text = [], 0, text.strip()
+        while first < len(text):
+            found = TOKEN.match(text, first)
+            if not found:
+                raise self._fail(f"has '{clip(text[first:], 5)}', which is not understood")
+            tokens.append(found.groups(default=""))
+            first = found.end()
+        return tokens
+
+    def _take(self, *symbols: str) -> str:
+        if self._next < len(self._tokens) and self._tokens[self._next][2] in symbols and self._tokens[self._next][2]:
+            self._next += 1
+            return self._tokens[self._next - 1][2]
+        return ""
+
+    def value(self) -> float | int:
+        value = self._sum()
+        if self._next < len(self._tokens):
+            raise self._fail("goes on behind its end")
+        return value
+
+    def _sum(self) -> float | int:
+        self._depth += 1
+        if self._depth > MOST_DEPTH:
+            raise self._fail("has too many brackets")
+        value = self._product()
+        while sign := self._take("+", "-"):
+            value = value + self._product() if sign == "+" else value - self._product()
+        self._depth -= 1
+        return value
+
+    def _product(self) -> float | int:
+        value = self._signed()
+        while sign := self._take("*", "/"):
+            other = self._signed()
+            if sign == "*":
+                value = value * other
+            elif isinstance(value, int) and isinstance(other, int):
+                value = int(value / other)
+            else:
+                value = value / other
+        return value
+
+    def _signed(self) -> float | int:
+        sign = 1
+        while word := self._take("-", "+"):
+            sign = -sign if word == "-" else sign
+        return sign * self._power()
+
+    def _power(self) -> float | int:
+        base = self._atom()
+        if not self._take("**", "^"):
+            return base
+        self._depth += 1
+        if self._depth > MOST_DEPTH:
+            raise self._fail("has too many powers")
+        exponent = self._signed()
+        self._depth -= 1
+        if isinstance(base, int) and isinstance(exponent, int) and 0 <= exponent <= 60:
+            return int(float(base) ** exponent) if abs(float(base) ** exponent) > 2**53 else base**exponent
+        value = float(base) ** exponent
+        if isinstance(value, complex):
+            raise self._fail("has a root of a negative number")
+        return value
+
+    def _atom(self) -> float | int:
+        if self._take("("):
+            value = self._sum()
+            if not self._take(")"):
+                raise self._fail("lacks a bracket")
+            return value
+        if self._next >= len(self._tokens):
+            raise self._fail("ends too early")
+        number, name, symbol = self._tokens[self._next]
+        self._next += 1
+        if number:
+            return int(number) if number.isdigit() and len(number) < 16 else float(parse_real(number) or 0.0)
+        if symbol:
+            raise self._fail(f"has '{symbol}' in a wrong place")
+        if self._take("("):
+            return self._call(name.lower())
+        return self._constant(name)
+
+    def _constant(self, name: str) -> float | int:
+        if name.lower() == "pi":
+            return math.pi
+        value = self._parameters.find(name, self._place)
+        if isinstance(value, str):
+            raise self._fail(f"has &{clip(name)}, which is a text")
+        return value
+
+    def _call(self, name: str) -> float | int:
+        arguments = [self._sum()]
+        while self._take(","):
+            arguments.append(self._sum())
+        if not self._take(")"):
+            raise self._fail("lacks a bracket")
+        if name not in FUNCTIONS:
+            raise self._fail(f"has {clip(name)}(), which is not known")
+        return FUNCTIONS[name](*arguments)

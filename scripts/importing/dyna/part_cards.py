@@ -1,0 +1,299 @@
+"""*PART, *SECTION_..., *HOURGLASS: what the parts of the deck are made of."""
+
+from collections import Counter
+from dataclasses import dataclass
+
+from ..fields import Row
+from ..ledger import BadInput, Place
+from ..model import Block, Deck
+from .cards import Card
+from .deck import Element, Elements, KeywordDeck, PartCard
+
+MOST_THICKNESSES = 64  # parts that one *PART may become by the thickness of its elements
+SHELL_FORMS = {1, 2, 3, 4, 6, 7, 8, 10, 11, 16, -16, 17, 18, 20, 21, 25, 26}
+ONE_POINT, FULL = {1}, {-2, -1, 2, 3, 18}
+TETRAHEDRA_FORMS = {10, 13}
+HOURGLASS_KINDS = {1: "viscous", 2: "viscous", 3: "viscous", 4: "stiffness", 5: "stiffness", 8: "assumed_strain"}
+PART_LINES = {"INERTIA": 3, "REPOSITION": 1, "CONTACT": 1, "PRINT": 1, "ATTACHMENT_NODES": 1}
+
+
+def read_parts(deck: KeywordDeck, card: Card) -> None:
+    """A title, then PID SECID MID EOSID HGID GRAV ADPOPT TMID, for each part."""
+    options = [word for word in PART_LINES if f"_{word}" in card.keyword]
+    if "".join(sorted(card.keyword.removeprefix("PART"))) != "".join(sorted("".join(f"_{word}" for word in options))):
+        deck.ledger.refuse(card.keyword, card.place, "this form of parts is not read", "it is left out")
+        return
+    reader = card.reader()
+    while reader.holds_more():
+        title = reader.text()
+        row = reader.row("PID SECID MID EOSID HGID GRAV~ ADPOPT~ TMID~")
+        id = row.integer("PID")
+        if id < 1:
+            row.fail("PID", "an id is expected")
+        if id in deck.parts:
+            raise BadInput(row.place, f"there are two parts {id}")
+        part = PartCard(id, title, row.place, *(row.integer(n) for n in ("SECID", "MID", "EOSID", "HGID")))
+        row.finish(deck.ledger)
+        deck.parts[id] = part
+        read_part_options(deck, card, reader, part, options)
+        deck.ledger.translated(card.keyword, row.place, "a part for each thickness, its blocks share nodes with others")
+
+
+def read_part_options(deck: KeywordDeck, card: Card, reader, part: PartCard, options: list[str]) -> None:
+    """Further lines of a part."""
+    for option in options:
+        if option == "CONTACT":
+            row = reader.row("FS FD DC~ VC OPTT SFT=1 SSF~")
+            part.friction = row.number("FS")
+            row.skip("FD")
+            row.finish(deck.ledger)
+            continue
+        for _ in range(PART_LINES[option]):
+            line = reader.row("A B C D E F G H")
+        if option == "INERTIA":
+            deck.ledger.refuse(
+                "PART_INERTIA", part.place, "mass and inertia that replace those of the mesh", "those of the mesh are used"
+            )
+        elif option == "REPOSITION" and line.has("B"):
+            deck.ledger.refuse("PART_REPOSITION", part.place, "a part that is moved", "it stays")
+
+
+def read_section(deck: KeywordDeck, card: Card) -> None:
+    """Sections by id: cards of their own. A keyword may be followed by several."""
+    kind = card.keyword.removeprefix("SECTION_").split("_")[0]
+    if kind not in ("SOLID", "SHELL"):
+        deck.ledger.ignored(card.keyword, card.place, "a section of elements that percuss does not have")
+        return
+    reader = card.reader()
+    while reader.skip_blank():
+        if card.has_title:
+            reader.take()
+        lines = [reader.take()]
+        row = card.row(lines[0], "SECID ELFORM A B C D E F")
+        if row.integer("ELFORM") > 100:  # a user's element has lines of its own
+            lines += [reader.take() for _ in range(len(card.lines)) if reader]
+        elif kind == "SHELL":
+            lines.append(reader.take())
+            count = int(card.row(lines[0], "SECID ELFORM=2 SHRF=1 NIP=2 PROPT QR ICOMP SETYP").number("NIP"))
+            if card.row(lines[0], "SECID A B C D E ICOMP F").integer("ICOMP"):
+                lines += [reader.take() for _ in range(min(-(-count // 8), 100))]
+        deck.sections[row.integer("SECID")] = Card(card.keyword, row.place, card.least_width, card.parameters, lines=lines)
+
+
+def read_hourglass(deck: KeywordDeck, card: Card) -> None:
+    reader = card.reader()
+    while reader.skip_blank():
+        if card.has_title:
+            reader.take()
+        row = reader.row("HGID IHQ=1 QM=0.1 IBQ~ Q1=1.5 Q2=0.06 QB~ QW~")
+        deck.hourglass[row.integer("HGID")] = row
+
+
+@dataclass
+class ShellSection:
+    """What a *SECTION_SHELL says."""
+
+    thickness: float
+    points: int
+    reference: float  # height of the mesh over the middle, in half thicknesses
+
+
+def translate_shell_section(deck: KeywordDeck, card: Card) -> ShellSection | None:
+    """None where the section is refused."""
+    reader = card.reader()
+    row = reader.row("SECID ELFORM=2 SHRF~ NIP=2 PROPT~ QR ICOMP SETYP~")
+    more = reader.row("T1 T2 T3 T4 NLOC MAREA~ IDOF~ EDGSET~")
+    form = row.integer("ELFORM") or 2
+    if form not in SHELL_FORMS and not deck.ledger.refuse(
+        "SECTION_SHELL.ELFORM", row.place, f"formulation {form} (membranes, plane and axisymmetric elements are not in percuss)",
+        "the shell of percuss is used"):  # fmt: skip
+        return None
+    thicknesses = [value for value in more.numbers("T1", "T2", "T3", "T4") if value > 0] or [0.0]
+    if len(set(thicknesses)) > 1:
+        deck.ledger.refuse("SECTION_SHELL.T2", more.place, "thickness that differs between the corners", "the mean is used")
+    points = abs(row.integer("NIP")) or 2
+    if row.integer("QR") not in (0, 1):
+        deck.ledger.approximated("SECTION_SHELL.QR", row.place, "Gauss points in place of a rule of the user's")
+    if row.integer("ICOMP"):
+        deck.ledger.refuse("SECTION_SHELL.ICOMP", row.place, "angles of layers", "they are left out")
+    row.skip("SECID", "SHRF")
+    row.finish(deck.ledger)
+    reference = more.number("NLOC")
+    more.finish(deck.ledger)
+    deck.ledger.approximated(
+        card.keyword,
+        row.place,
+        "percuss has one shell: four nodes, one point in the plane, physical stabilisation, "
+        "shear factor 5/6, Gauss points, thickness that follows the strain",
+    )
+    mean = sum(thicknesses) / len(thicknesses) if len(set(thicknesses)) > 1 else thicknesses[0]
+    return ShellSection(mean, min(points, 16), reference)
+
+
+def build_blocks(deck: KeywordDeck) -> None:
+    """All elements as blocks of the model, a block for each part and thickness."""
+    separate_ids(deck)
+    next_id = max(deck.parts, default=0) + 1
+    for id, elements in deck.elements.items():
+        part = deck.parts.get(id)
+        if part is None:
+            raise BadInput(elements.place, f"there is no part {id}")
+        if not elements.solids and not elements.shells:
+            continue
+        for block in divide_part(deck, part, elements, next_id):
+            next_id = max(next_id, block.id + 1)
+            deck.model.blocks.append(block)
+            deck.names_of_parts.setdefault(id, []).append(block.name)
+    for id, part in deck.parts.items():
+        if id not in deck.elements:
+            deck.ledger.ignored("PART", part.place, "no element is of this part")
+
+
+def separate_ids(deck: KeywordDeck) -> None:
+    """Raises the ids of shells where solids have some of them: ids of elements are of one kind in percuss."""
+    solids = {id for elements in deck.elements.values() for id, _ in elements.solids}
+    shells = [shell for elements in deck.elements.values() for shell in elements.shells]
+    if not solids or solids.isdisjoint(shell.id for shell in shells):
+        return
+    deck.shell_shift = 10 ** len(str(max(solids)))
+    for shell in shells:
+        shell.id += deck.shell_shift
+    place = next(elements.place for elements in deck.elements.values() if elements.shells)
+    deck.ledger.approximated(
+        "ELEMENT_SHELL.EID", place, f"ids are raised by {deck.shell_shift}, since solids have some of them too"
+    )
+
+
+def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: int) -> list[Block]:
+    """The blocks of a part, without its material."""
+    section = deck.sections.get(part.section)
+    if section is None:
+        raise BadInput(part.place, f"there is no section {part.section}, of part {part.id}")
+    name = deck.model.names.take(part.title or f"part_{part.id}", "part")
+    if not elements.shells:
+        return [Block(part.id, part.id, name, part.place, solids=elements.solids)]
+    if elements.solids or not section.keyword.startswith("SECTION_SHELL"):
+        raise BadInput(part.place, f"part {part.id} has shells, but its section or other elements are of solids")
+    found = translate_shell_section(deck, section)
+    if found is None:
+        return []
+    return divide_shells(deck, part, elements.shells, found, name, next_id)
+
+
+def divide_shells(
+    deck: KeywordDeck, part: PartCard, shells: list[Element], section: ShellSection, name: str, next_id: int
+) -> list[Block]:
+    """Blocks of equal thickness."""
+    groups: dict[float, list[tuple[int, tuple[int, ...]]]] = {}
+    for shell in shells:
+        groups.setdefault(shell.thickness or section.thickness, []).append((shell.id, shell.corners))
+    if len(groups) > MOST_THICKNESSES:
+        groups = round_thicknesses(deck, part, groups)
+    blocks = []
+    for index, (thickness, members) in enumerate(sorted(groups.items(), key=lambda item: -len(item[1]))):
+        if thickness <= 0:
+            raise BadInput(part.place, f"part {part.id} has shells without thickness")
+        keys: Deck = {"points": section.points}
+        if section.reference:
+            keys["reference"] = {1: "top", -1: "bottom"}.get(section.reference, 0.5 * section.reference * thickness)
+        own_name = name if index == 0 else deck.model.names.take(f"{name}_t{index + 1}", "part")
+        id = part.id if index == 0 else next_id + index - 1
+        blocks.append(Block(id, part.id, own_name, part.place, shells=members, thickness=thickness, keys=keys))
+    if len(blocks) > 1:
+        deck.ledger.approximated("ELEMENT_SHELL_THICKNESS", part.place, "a part for each thickness")
+    return blocks
+
+
+def round_thicknesses(deck: KeywordDeck, part: PartCard, groups: dict) -> dict:
+    """As many different thicknesses as parts can be made of."""
+    low, high = min(groups), max(groups)
+    step = (high - low) / (MOST_THICKNESSES - 1)
+    rounded: dict[float, list] = {}
+    for thickness, members in groups.items():
+        rounded.setdefault(low + step * round((thickness - low) / step), []).extend(members)
+    deck.ledger.approximated(
+        "ELEMENT_SHELL_THICKNESS", part.place, f"{len(groups)} thicknesses are rounded to {len(rounded)}, by at most {step / 2:.3g}"
+    )
+    return rounded
+
+
+# --- what is global in percuss
+
+
+def translate_integration(deck: KeywordDeck) -> None:
+    """ELFORM of all solids: one integration for all of them."""
+    counts: Counter[str] = Counter()
+    places: dict[str, Place] = {}
+    for block in deck.model.blocks:
+        if not block.solids:
+            continue
+        section = deck.sections[deck.parts[block.part].section]
+        row = section.reader().row("SECID ELFORM=1 AET A B C GASKETT~ D")
+        form = row.integer("ELFORM") or 1
+        row.skip("SECID")
+        row.finish(deck.ledger)
+        kind = judge_solid_form(deck, form, row)
+        counts[kind] += len(block.solids)
+        places.setdefault(kind, row.place)
+        deck.ledger.translated(section.keyword, row.place, "elements.integration")
+    if not counts:
+        return
+    chosen = counts.most_common(1)[0][0]
+    if len(counts) > 1:
+        other = next(kind for kind in counts if kind != chosen)
+        deck.ledger.refuse(
+            "SECTION_SOLID.mixed",
+            places[other],
+            "one-point and fully integrated solids in one model, percuss has one for all",
+            f"all are {chosen}",
+        )
+    if chosen != "one_point":
+        deck.model.deck.setdefault("elements", {})["integration"] = chosen
+
+
+def judge_solid_form(deck: KeywordDeck, form: int, row: Row) -> str:
+    """Integration in percuss of an ELFORM."""
+    if form in ONE_POINT or (form in TETRAHEDRA_FORMS and deck.takes_tetrahedra):
+        return "one_point"
+    if form in FULL:
+        deck.ledger.approximated("SECTION_SOLID.ELFORM", row.place, "2x2x2 points with mean dilatation for fully integrated solids")
+        return "full"
+    deck.ledger.refuse("SECTION_SOLID.ELFORM", row.place, f"formulation {form} of solids", "one-point hexahedra are used")
+    return "one_point"
+
+
+def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
+    """One hourglass control for all solids: that of most elements."""
+    counts: Counter[tuple[str, float]] = Counter()
+    places: dict[tuple[str, float], Place] = {}
+    for block in deck.model.blocks:
+        if not block.solids or "integration" in deck.model.deck.get("elements", {}):
+            continue
+        id = deck.parts[block.part].hourglass
+        if id and id not in deck.hourglass:
+            raise BadInput(deck.parts[block.part].place, f"there is no *HOURGLASS {id}")
+        row = deck.hourglass[id] if id else general
+        key = judge_hourglass(row)
+        counts[key] += len(block.solids)
+        places.setdefault(key, row.place if row else block.place)
+    for row in deck.hourglass.values():
+        if row.number("Q1") not in (0, 1.5) or row.number("Q2") not in (0, 0.06):
+            deck.ledger.refuse("HOURGLASS.Q1", row.place, "bulk viscosity of one part", "that of all parts is used")
+    if not counts:
+        return
+    (kind, coefficient), _ = counts.most_common(1)[0]
+    text = f"{kind}" + (f" with {coefficient}" if kind != "assumed_strain" else "")
+    for key, place in places.items():
+        what = "hourglass control" if key == (kind, coefficient) else "hourglass control of a part (percuss has one for all)"
+        deck.ledger.approximated("HOURGLASS", place, f"{what} becomes {text}")
+    if kind != "assumed_strain":
+        deck.model.deck.setdefault("elements", {})["hourglass"] = {"kind": kind, "coefficient": coefficient}
+
+
+def judge_hourglass(row: Row | None) -> tuple[str, float]:
+    """Kind and coefficient of percuss. Where the deck says nothing, percuss has its own default too."""
+    if row is None:
+        return "assumed_strain", 0.0
+    kind = HOURGLASS_KINDS.get(row.integer("IHQ") or 1, "assumed_strain")
+    coefficient = row.number("QM" if row.card == "HOURGLASS" else "QH") or 0.1
+    return kind, 0.0 if kind == "assumed_strain" else min(abs(coefficient), 1.0)

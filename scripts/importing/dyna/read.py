@@ -1,0 +1,160 @@
+"""A keyword deck becomes a model: which card is read by what, and in which order."""
+
+from collections.abc import Callable
+
+from ..ledger import BadInput, Ledger
+from ..model import Model
+from . import condition_cards as conditions
+from . import start_cards as start
+from .cards import Card, CardReader
+from .contact_cards import finish_contacts, read_contact
+from .control_cards import apply_timestep, apply_viscosity, read_general_hourglass, read_other_control, read_termination
+from .curve_cards import read_curve, read_other_curve, read_smooth_curve, read_table
+from .deck import KeywordDeck
+from .load_cards import read_body_load, read_node_load, read_segment_load
+from .materials.choice import build_materials, note_unused, read_material, read_state
+from .mesh_cards import read_masses, read_nodes, read_other_elements, read_shells, read_solids
+from .output_cards import finish_output, read_database
+from .part_cards import build_blocks, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
+from .set_cards import read_box, read_set, read_system, read_vector
+from .wall_cards import read_wall
+
+Handler = Callable[[KeywordDeck, Card], None]
+
+
+def read_title(deck: KeywordDeck, card: Card) -> None:
+    deck.model.title = " ".join(text.strip() for _, text in card.lines[:1])
+    deck.ledger.translated("TITLE", card.place, "title")
+
+
+def read_detonation(deck: KeywordDeck, card: Card) -> None:
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("PID X Y Z LT MMGSET~")
+        if row.number("LT"):
+            deck.ledger.refuse("INITIAL_DETONATION.LT", row.place, "a later time of detonation", "it is time 0")
+        deck.detonations.append(tuple(row.numbers("X", "Y", "Z")))  # type: ignore[arg-type]
+
+
+# Read at once, by the longest name that a keyword begins with.
+DEFINITIONS: dict[str, Handler] = {
+    "TITLE": read_title, "NODE": read_nodes, "ELEMENT_SOLID": read_solids, "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses,
+    "ELEMENT_": read_other_elements, "PART": read_parts, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
+    "EOS_": read_state, "SET_": read_set, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
+    "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve, "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box,
+    "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination,
+    "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": conditions.read_rigid_motion,
+    "CONSTRAINED_EXTRA_NODES_": conditions.read_extra_nodes, "INITIAL_DETONATION": read_detonation,
+}  # fmt: skip
+# Applied in this order, once all definitions and the parts are known.
+ACTIONS: dict[str, Handler] = {
+    "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_": read_other_control,
+    "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_PRESCRIBED_MOTION": conditions.read_motion,
+    "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
+    "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
+    "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
+    "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
+}  # fmt: skip
+# Harmless whatever they say.
+IGNORED = {"COMMENT": "a comment", "CONTROL_STRUCTURED": "output", "PARAMETER_TYPE": "a type"}
+EXACT = {"NODE", "TITLE", "DEFINE_CURVE", "INITIAL_VELOCITY", "ELEMENT_MASS"}  # with a suffix they are other cards
+
+
+def find_handler(table: dict[str, Handler], keyword: str) -> str | None:
+    """The longest name of a table that the keyword begins with; names without '_' at the end must end a word."""
+    found = None
+    for name in table:
+        fits = keyword.startswith(name) and (name.endswith("_") or keyword == name or keyword[len(name)] == "_")
+        if fits and name in EXACT and keyword != name:
+            continue
+        if fits and len(name) > len(found or ""):
+            found = name
+    return found
+
+
+def sort_card(deck: KeywordDeck, card: Card, waiting: list[tuple[int, Card, Handler]]) -> None:
+    """Reads a definition, keeps an action for later, refuses what is not known."""
+    keyword = card.keyword
+    definition, action = find_handler(DEFINITIONS, keyword), find_handler(ACTIONS, keyword)
+    if any(keyword.startswith(word) for word in IGNORED):
+        deck.ledger.ignored(keyword, card.place, next(text for word, text in IGNORED.items() if keyword.startswith(word)))
+    elif keyword.startswith("CASE"):
+        deck.ledger.refuse("CASE", card.place, "several cases in one deck", "the cards of all cases act; keep one of them")
+    elif "PGP" in keyword or keyword.startswith("--"):
+        raise BadInput(card.place, "an encrypted block cannot be read")
+    elif definition and len(definition) >= len(action or ""):
+        apply(deck, card, DEFINITIONS[definition])
+    elif action:
+        waiting.append((list(ACTIONS).index(action), card, ACTIONS[action]))
+    else:
+        deck.ledger.refuse(keyword or "(blank)", card.place, "a card that percuss has nothing for", "it is left out")
+
+
+def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
+    """Numbers that are finite alone may have no finite quotient or power."""
+    try:
+        handler(deck, card)
+    except ArithmeticError as error:
+        raise BadInput(card.place, f"the numbers of *{card.keyword} are out of range ({error})") from None
+
+
+def read_keyword_deck(path: str, ledger: Ledger, takes_tetrahedra: bool = False) -> Model:
+    """Reads a deck and what it includes. The ledger tells what became of it."""
+    deck = KeywordDeck(ledger)
+    deck.takes_tetrahedra = takes_tetrahedra
+    waiting: list[tuple[int, Card, Handler]] = []
+    for card in CardReader(path, ledger).read():
+        sort_card(deck, card, waiting)
+    if not deck.elements:
+        raise BadInput(path, "the deck has no elements that are read")
+    if deck.end_time <= 0:
+        raise BadInput(path, "there is no *CONTROL_TERMINATION with a time")
+    build(deck)
+    for _, card, handler in sorted(waiting, key=lambda item: item[0]):
+        apply(deck, card, handler)
+    finish(deck)
+    return deck.model
+
+
+def build(deck: KeywordDeck) -> None:
+    """Parts with their materials."""
+    check_corners(deck)
+    build_blocks(deck)
+    build_materials(deck)
+    translate_integration(deck)
+    translate_hourglass(deck, deck.general_hourglass)
+    conditions.apply_fixed_nodes(deck)
+
+
+def check_corners(deck: KeywordDeck) -> None:
+    """Every corner is a node."""
+    for elements in deck.elements.values():
+        for id, corners in [*elements.solids, *((shell.id, shell.corners) for shell in elements.shells)]:
+            for node in corners:
+                if node not in deck.nodes:
+                    raise BadInput(elements.place, f"there is no node {node}, of element {id}")
+
+
+def finish(deck: KeywordDeck) -> None:
+    """What needs all cards."""
+    conditions.apply_rigid_motions(deck)
+    conditions.check_extra_nodes(deck)
+    start.add_masses(deck)
+    finish_contacts(deck)
+    finish_output(deck)
+    keep_sets(deck)
+    note_unused(deck)
+
+
+def keep_sets(deck: KeywordDeck) -> None:
+    """Sets that nothing uses are written too, so that a user finds them by name."""
+    for (kind, id), card in deck.sets.items():
+        if (kind, id) in deck.used or kind not in ("NODE", "PART"):
+            continue
+        if kind == "NODE":
+            used = deck.used_nodes()
+            members = [node for node in deck.list_members(kind, id, card.place) if node in used]
+            if members:
+                deck.model.add_node_set(card.title or f"nodes_{id}", members)
+        else:
+            deck.part_set_name(id, card.place)

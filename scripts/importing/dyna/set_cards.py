@@ -1,0 +1,146 @@
+"""*SET_...: nodes, parts, segments, shells, solids; and *DEFINE_ boxes, systems and vectors."""
+
+from ..fields import parse_integer
+from ..ledger import BadInput
+from ..model import Vector
+from .cards import Card, Lines, read_ids
+from .deck import KeywordDeck, SetCard
+
+KINDS = ("NODE", "PART", "SEGMENT", "SHELL", "SOLID", "BEAM", "DISCRETE", "TSHELL", "BOX")
+
+
+def read_set(deck: KeywordDeck, card: Card) -> None:
+    """SET_KIND with _LIST, _GENERATE, _GENERAL, _ADD, _COLUMN, _COLLECT and a title."""
+    kind, *options = card.keyword.removeprefix("SET_").split("_")
+    form = [word for word in options if word not in ("LIST", "COLLECT")]
+    if kind not in KINDS or kind in ("BEAM", "DISCRETE", "TSHELL", "BOX"):
+        deck.ledger.ignored(card.keyword, card.place, "a set of what percuss does not have; a card that uses it is refused")
+        return
+    reader = card.reader()
+    title = reader.text() if card.has_title else ""
+    row = reader.row("SID DA1~ DA2~ DA3~ DA4~ SOLVER~ ITS~")
+    found = SetCard(kind, row.integer("SID"), title, row.place)
+    if ("COLLECT" in options) and (kind, found.id) in deck.sets:
+        found = deck.sets[kind, found.id]
+    elif (kind, found.id) in deck.sets:
+        raise BadInput(row.place, f"there are two *SET_{kind} {found.id}")
+    deck.sets[kind, found.id] = found
+    read_members(deck, card, reader, found, form)
+    deck.ledger.translated(card.keyword, card.place, "a set of the mesh, where something uses it")
+
+
+def read_members(deck: KeywordDeck, card: Card, reader: Lines, found: SetCard, form: list[str]) -> None:
+    """The lines of a set by its form."""
+    if found.kind == "SEGMENT" and not form:
+        found.segments += read_segments(reader)
+    elif not form:
+        found.ids += read_ids(reader)
+    elif form == ["GENERATE"]:
+        pairs = read_ids(reader)
+        if len(pairs) % 2:
+            raise BadInput(card.place, f"*{card.keyword} has a beginning without an end")
+        found.ranges += list(zip(pairs[::2], pairs[1::2]))
+    elif form == ["ADD"]:
+        found.sets += read_ids(reader)
+    elif form == ["COLUMN"]:
+        found.ids += [ids[0] for ids in (read_ids(line_of(reader)) for _ in iter(lambda: bool(reader), False)) if ids]
+    elif form == ["GENERAL"]:
+        read_general(card, reader, found)
+    else:
+        raise BadInput(card.place, f"*{card.keyword} is not read (LIST, GENERATE, GENERAL, ADD and COLUMN are)")
+
+
+def line_of(reader: Lines) -> Lines:
+    """One line as lines of their own."""
+    line = reader.take()
+    card = reader.card
+    return Lines(Card(card.keyword, card.place, card.least_width, card.parameters, lines=[line]))
+
+
+def read_segments(reader: Lines) -> list[tuple[int, ...]]:
+    segments = []
+    while reader.skip_blank():
+        row = reader.row("N1 N2 N3 N4 A1~ A2~ A3~ A4~")
+        nodes = [row.integer(name) for name in ("N1", "N2", "N3", "N4")]
+        segments.append(tuple(nodes[:3] if nodes[3] in (0, nodes[2]) else nodes))
+    return segments
+
+
+def read_general(card: Card, reader: Lines, found: SetCard) -> None:
+    """OPTION E1-E7, one after the other."""
+    while reader.skip_blank():
+        line = reader.take()
+        texts = card.split(line, (10,) * 8)
+        values = [parse_integer(text) for text in texts[1:8] if text]
+        if found.kind == "SEGMENT" and texts[0].upper() == "SEG":
+            found.segments.append(tuple(dict.fromkeys(v for v in values[:4] if v)))
+            continue
+        if None in values or found.kind not in ("NODE", "PART"):
+            raise BadInput(card.at(line[0]), f"this line of *{card.keyword} is not read")
+        found.options.append((texts[0].upper(), [v for v in values if v]))
+
+
+def read_box(deck: KeywordDeck, card: Card) -> None:
+    reader = card.reader()
+    if card.has_title:
+        reader.take()
+    row = reader.row("BOXID XMN XMX YMN YMX ZMN ZMX")
+    deck.boxes[row.integer("BOXID")] = row
+    deck.ledger.translated(card.keyword, card.place, "limits what uses it")
+
+
+def subtract(a: Vector, b: Vector) -> Vector:
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def dot(a: Vector, b: Vector) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def normalise(a: Vector) -> Vector:
+    length = dot(a, a) ** 0.5
+    return (a[0] / length, a[1] / length, a[2] / length) if length > 0 else (0.0, 0.0, 0.0)
+
+
+def read_system(deck: KeywordDeck, card: Card) -> None:
+    """*DEFINE_COORDINATE_SYSTEM, _NODES and _VECTOR: three axes that stay as they are at the start."""
+    reader = card.reader()
+    if card.has_title:
+        reader.take()
+    form = card.keyword.removeprefix("DEFINE_COORDINATE_")
+    if form == "SYSTEM":
+        row, more = reader.row("CID XO YO ZO XL YL ZL CIDL"), reader.row("XP YP ZP")
+        origin = tuple(row.numbers("XO", "YO", "ZO"))
+        x = subtract(tuple(row.numbers("XL", "YL", "ZL")), origin)  # type: ignore[arg-type]
+        xy = subtract(tuple(more.numbers("XP", "YP", "ZP")), origin)  # type: ignore[arg-type]
+    elif form == "VECTOR":
+        row = reader.row("CID XX YX ZX XV YV ZV NID")
+        x, xy = tuple(row.numbers("XX", "YX", "ZX")), tuple(row.numbers("XV", "YV", "ZV"))  # type: ignore[assignment]
+    elif form == "NODES":
+        row = reader.row("CID N1 N2 N3 FLAG DIR")
+        points = [deck.nodes.get(row.integer(name)) for name in ("N1", "N2", "N3")]
+        if None in points or row.text("DIR").upper() not in ("", "X") or row.integer("FLAG"):
+            deck.ledger.ignored(card.keyword, card.place, "not of fixed axes; a card that uses it is refused")
+            return
+        x, xy = subtract(points[1], points[0]), subtract(points[2], points[0])  # type: ignore[arg-type]
+    else:
+        deck.ledger.ignored(card.keyword, card.place, "not read; a card that uses it is refused")
+        return
+    z = normalise(cross(x, xy))
+    deck.systems[row.integer("CID")] = (normalise(x), normalise(cross(z, x)), z)
+    deck.ledger.translated(card.keyword, card.place, "axes of what uses it")
+
+
+def read_vector(deck: KeywordDeck, card: Card) -> None:
+    reader = card.reader()
+    if card.has_title:
+        reader.take()
+    row = reader.row("VID XT YT ZT XH YH ZH CID")
+    tail, head = tuple(row.numbers("XT", "YT", "ZT")), tuple(row.numbers("XH", "YH", "ZH"))
+    if not row.integer("CID"):
+        deck.vectors[row.integer("VID")] = normalise(subtract(head, tail))  # type: ignore[arg-type]
+    deck.ledger.translated(card.keyword, card.place, "direction of what uses it")

@@ -1,0 +1,105 @@
+"""*RIGIDWALL_...: planes."""
+
+from ..fields import Row
+from ..model import Deck
+from .cards import Card, Lines
+from .deck import KeywordDeck
+from .set_cards import dot, normalise, subtract
+
+OPTIONS = ("ORTHO", "FINITE", "MOVING", "FORCES", "DISPLAY")
+STICK = 100.0  # a coefficient of friction that no node slips under
+
+
+def read_wall(deck: KeywordDeck, card: Card) -> None:
+    """*RIGIDWALL_PLANAR with _ID, _FORCES, and others that are refused."""
+    words = card.keyword.removeprefix("RIGIDWALL_PLANAR").split("_")[1:]
+    if not card.keyword.startswith("RIGIDWALL_PLANAR") or set(words) - set(OPTIONS):
+        deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is no plane", "it is left out")
+        return
+    reader = card.reader()
+    while reader.skip_blank():
+        name = ""
+        if card.has_id:
+            head = reader.row("ID TITLE", (10, 70))
+            name = head.text("TITLE") or f"wall_{head.integer('ID')}"
+        row = reader.row("NSID NSIDEX BOXID OFFSET BIRTH DEATH=1e20 RWKSF~")
+        plane = reader.row("XT YT ZT XH YH ZH FRIC WVEL")
+        wall = make_wall(deck, plane, name or f"wall_{len(deck.model.deck.get('walls', [])) + 1}")
+        read_wall_options(deck, reader, words)
+        if wall and choose_nodes(deck, row, plane, wall):
+            deck.model.add("walls", wall)
+            deck.ledger.translated(card.keyword, row.place, "walls")
+
+
+def make_wall(deck: KeywordDeck, plane: Row, name: str) -> Deck | None:
+    point = tuple(plane.numbers("XT", "YT", "ZT"))
+    normal = normalise(subtract(tuple(plane.numbers("XH", "YH", "ZH")), point))  # type: ignore[arg-type]
+    if normal == (0.0, 0.0, 0.0):
+        plane.fail("XH", "the head must not be the tail")
+    friction = plane.number("FRIC")
+    wall: Deck = {"name": deck.model.names.take(name, "wall"), "point": list(point), "normal": list(normal)}
+    if friction >= 2:
+        deck.ledger.refuse(
+            "RIGIDWALL_PLANAR.FRIC", plane.place, "nodes that are welded to the wall", "they stick, and may part from it"
+        )
+    if friction >= 1:
+        deck.ledger.approximated("RIGIDWALL_PLANAR.FRIC", plane.place, f"sticking is a friction of {STICK:g}")
+        friction = STICK
+    if friction:
+        wall["friction"] = friction
+    plane.finish(deck.ledger)
+    return wall
+
+
+def read_wall_options(deck: KeywordDeck, reader: Lines, words: list[str]) -> None:
+    """Further lines, in the order of the manual."""
+    for option in (word for word in OPTIONS if word in words):
+        if option == "DISPLAY":
+            continue
+        first = reader.row("A B C D E F G H")
+        if option == "ORTHO":
+            reader.take()
+            deck.ledger.refuse(
+                "RIGIDWALL_PLANAR_ORTHO", first.place, "friction that depends on the direction", "FRIC acts in all directions"
+            )
+        elif option == "FINITE":
+            deck.ledger.refuse("RIGIDWALL_PLANAR_FINITE", first.place, "a wall with edges", "the plane goes on without end")
+        elif option == "MOVING":
+            deck.ledger.refuse("RIGIDWALL_PLANAR_MOVING", first.place, "a wall with a mass", "the wall is fixed")
+        else:
+            deck.ledger.ignored("RIGIDWALL_PLANAR_FORCES", first.place, "output; percuss writes the force of each wall")
+
+
+def choose_nodes(deck: KeywordDeck, row: Row, plane: Row, wall: Deck) -> bool:
+    """Which nodes the wall stops; False if none has an element."""
+    id, exempt, box = row.integer("NSID"), row.integer("NSIDEX"), row.integer("BOXID")
+    offset, birth, death = row.numbers("OFFSET", "BIRTH", "DEATH")
+    if birth > 0 or 0 < death < deck.end_time:
+        deck.ledger.refuse("RIGIDWALL_PLANAR.BIRTH", row.place, "a wall for a part of the time", "it acts all the time")
+    row.finish(deck.ledger)
+    if not (id or exempt or box or offset):
+        return True
+    if not id and not exempt and not box and is_everything_near(deck, wall, offset):
+        return True
+    members = deck.list_members("NODE", id, row.place) if id else sorted(deck.used_nodes())
+    if exempt:
+        gone = set(deck.list_members("NODE", exempt, row.place))
+        members = [node for node in members if node not in gone]
+    if box:
+        inside = set(deck.nodes_of_box(box, row.place))
+        members = [node for node in members if node in inside]
+    if offset and not id:
+        members = [node for node in members if node_height(deck, wall, node) <= offset]
+    name = deck.make_node_set(f"{wall['name']}_nodes", members, row.place)
+    wall["nodes"] = name
+    if not name:
+        deck.ledger.ignored("RIGIDWALL_PLANAR", row.place, "its nodes have no element")
+    return bool(name)
+
+
+def node_height(deck: KeywordDeck, wall: Deck, node: int) -> float:
+    return dot(subtract(deck.nodes[node], tuple(wall["point"])), tuple(wall["normal"]))  # type: ignore[arg-type]
+
+
+def is_everything_near(deck: KeywordDeck, wall: Deck, offset: float) -> bool:
+    return offset <= 0 or all(node_height(deck, wall, node) <= offset for node in deck.used_nodes())

@@ -1,0 +1,119 @@
+"""Numbers of fixed and free fields, and rows of named fields that know which of them were read."""
+
+import math
+import re
+from collections.abc import Callable
+
+from .ledger import BadInput, Ledger, Place
+
+MOST_ID = 10**15
+_REAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d{1,4}|[+-]\d{1,4})?\Z", re.ASCII)
+_EXPONENT = re.compile(r"(?<=[\d.])([+-])")
+
+
+def parse_real(text: str) -> float | None:
+    """A number as Fortran writes it: 1.5-10 and 1d3 too. None for anything else, and for what is not finite."""
+    if not _REAL.match(text):
+        return None
+    text = text.replace("d", "e").replace("D", "e")
+    if "e" not in text and "E" not in text:
+        text = _EXPONENT.sub(r"e\1", text)
+    value = float(text)
+    return value if math.isfinite(value) else None
+
+
+def parse_integer(text: str) -> int | None:
+    """A whole number, also as '2.' or '2.0'. None for anything else."""
+    if len(text) < 20 and (text.isdigit() or (text[:1] in "+-" and text[1:].isdigit())) and text.isascii():
+        return int(text)
+    value = parse_real(text)
+    return int(value) if value is not None and value == int(value) and abs(value) <= MOST_ID else None
+
+
+class Row:
+    """Named fields of one line.
+
+    The layout is words: `NAME` (0 or blank by default), `NAME=2` (another default) and `NAME~` (harmless whatever it
+    is). finish() reports each field that has another value than its default and was not asked for.
+    """
+
+    def __init__(self, card: str, place: Place, layout: str, texts: list[str]):
+        self.card, self.place = card, place
+        self._texts: dict[str, str] = {}
+        self._defaults: dict[str, str] = {}
+        self._harmless: set[str] = set()
+        self._read: set[str] = set()
+        for index, word in enumerate(layout.split()):
+            name, _, default = word.partition("=")
+            if name.endswith("~"):
+                name = name[:-1]
+                self._harmless.add(name)
+            self._defaults[name] = default or "0"
+            self._texts[name] = texts[index] if index < len(texts) else ""
+
+    def text(self, name: str) -> str:
+        self._read.add(name)
+        return self._texts[name]
+
+    def has(self, name: str) -> bool:
+        """Whether the field is not blank."""
+        return self._texts[name] != ""
+
+    def number(self, name: str) -> float:
+        """The field as a number; its default where it is blank."""
+        return self._parse(name, parse_real, "a number")
+
+    def integer(self, name: str) -> int:
+        """The field as a whole number; its default where it is blank."""
+        return int(self._parse(name, parse_integer, "a whole number"))
+
+    def numbers(self, *names: str) -> list[float]:
+        return [self.number(name) for name in names]
+
+    def positive(self, name: str) -> float:
+        """A number that must be above 0."""
+        value = self.number(name)
+        if value <= 0:
+            self.fail(name, "must be positive")
+        return value
+
+    def or_default(self, name: str, default: float) -> float:
+        """The field as a number, where 0 means a default too."""
+        return self.number(name) or default
+
+    def fail(self, name: str, text: str) -> None:
+        raise BadInput(self.place, f"{name} of *{self.card} is '{clip(self._texts[name]) or self._defaults[name]}' ({text})")
+
+    def skip(self, *names: str) -> None:
+        """Marks fields as read."""
+        self._read.update(names)
+
+    def finish(self, ledger: Ledger, instead: str = "its default is used") -> None:
+        """Reports what differs from its default and was not asked for."""
+        for name, text in self._texts.items():
+            if name in self._read or text == "":
+                continue
+            value, default = parse_real(text), float(self._defaults[name])
+            if value in (default, 0.0):
+                continue
+            shown = f"{name} is {clip(text)}"
+            if name in self._harmless:
+                ledger.ignored(f"{self.card}.{name}", self.place, "numerics or output, not physics")
+            else:
+                ledger.refuse(f"{self.card}.{name}", self.place, f"{shown}, which percuss does not have", instead)
+
+    def _parse(self, name: str, parse: Callable[[str], float | None], wanted: str) -> float:
+        self._read.add(name)
+        text = self._texts[name]
+        if text == "":
+            return float(self._defaults[name])
+        value = parse(text)
+        if value is None:
+            self.fail(name, f"{wanted} is expected")
+        return value  # type: ignore[return-value]
+
+
+def clip(text: str, most: int = 40) -> str:
+    """A field as messages show it: printable, and not too long."""
+    shown = "".join(c if c.isprintable() else "?" for c in text)
+    return shown if len(shown) <= most else shown[:most] + "..."

@@ -1,0 +1,94 @@
+"""What became of every card: translated, approximated, ignored or refused."""
+
+import fnmatch
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import NamedTuple
+
+
+class Place(NamedTuple):
+    """A line of a file, as messages show it."""
+
+    file: str
+    line: int
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}"
+
+
+class BadInput(Exception):
+    """A file that cannot be read on; the message begins with its place."""
+
+    def __init__(self, place: "Place | str", text: str):
+        super().__init__(f"{place}: error: {text}")
+
+
+class Status(Enum):
+    """Order of the report: what hurts most comes first."""
+
+    REFUSED = "refused"
+    LEFT_OUT = "left out"
+    APPROXIMATED = "approximated"
+    IGNORED = "ignored"
+    TRANSLATED = "translated"
+
+
+@dataclass
+class Entry:
+    """One row of the report: all cards of one kind with one outcome."""
+
+    card: str
+    status: Status
+    text: str
+    first: Place
+    count: int = 1
+
+
+@dataclass
+class Ledger:
+    """Gathers entries. What a user allows by a pattern is left out or approximated instead of refused."""
+
+    allowed: list[str] = field(default_factory=list)
+    entries: dict[tuple[str, Status, str], Entry] = field(default_factory=dict)
+    used_patterns: set[str] = field(default_factory=set)
+
+    def note(self, card: str, status: Status, place: Place, text: str) -> None:
+        """Adds one card to its row."""
+        key = (card, status, text)
+        if key in self.entries:
+            self.entries[key].count += 1
+        else:
+            self.entries[key] = Entry(card, status, text, place)
+
+    def translated(self, card: str, place: Place, text: str) -> None:
+        self.note(card, Status.TRANSLATED, place, text)
+
+    def approximated(self, card: str, place: Place, text: str) -> None:
+        self.note(card, Status.APPROXIMATED, place, text)
+
+    def ignored(self, card: str, place: Place, text: str) -> None:
+        self.note(card, Status.IGNORED, place, text)
+
+    def allows(self, key: str) -> bool:
+        """Whether a pattern of the user covers the key."""
+        for pattern in self.allowed:
+            if pattern == "ALL" or fnmatch.fnmatchcase(key.upper(), pattern):
+                self.used_patterns.add(pattern)
+                return True
+        return False
+
+    def refuse(self, key: str, place: Place, problem: str, instead: str = "") -> bool:
+        """Refuses a card or a field, unless the user allows what percuss does instead. Returns whether that is so."""
+        if instead and self.allows(key):
+            self.note(key, Status.LEFT_OUT, place, f"{problem}: {instead}")
+            return True
+        self.note(key, Status.REFUSED, place, f"{problem}; --allow {key}: {instead}" if instead else problem)
+        return False
+
+    def list_rows(self) -> list[Entry]:
+        """All rows, by outcome, then by card."""
+        order = list(Status)
+        return sorted(self.entries.values(), key=lambda e: (order.index(e.status), e.card, e.first))
+
+    def list_refused(self) -> list[Entry]:
+        return [entry for entry in self.list_rows() if entry.status is Status.REFUSED]

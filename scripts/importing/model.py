@@ -1,0 +1,97 @@
+"""A model as both readers leave it: a mesh with its sets, and the sections of a deck."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+from .ledger import Place
+
+Vector = tuple[float, float, float]
+Deck = dict[str, Any]
+
+RESERVED = {"all", "top", "bottom"}
+
+
+@dataclass
+class Block:
+    """Elements of one part with one thickness: a part of the deck.
+
+    solids and shells: (id, corners). A shell has 3 or 4 corners, a solid 8, or 4 where it is a tetrahedron.
+    """
+
+    id: int
+    part: int
+    name: str
+    place: Place
+    solids: list[tuple[int, tuple[int, ...]]] = field(default_factory=list)
+    shells: list[tuple[int, tuple[int, ...]]] = field(default_factory=list)
+    thickness: float | None = None
+    keys: Deck = field(default_factory=dict)  # further keys of parts.NAME, such as points
+    density: float = 0.0
+
+
+@dataclass
+class Model:
+    """All that is written. Sets are by their names in the deck."""
+
+    title: str = ""
+    nodes: dict[int, Vector] = field(default_factory=dict)
+    blocks: list[Block] = field(default_factory=list)
+    node_sets: dict[str, list[int]] = field(default_factory=dict)
+    side_sets: dict[str, list[tuple[int, ...]]] = field(default_factory=dict)
+    block_sets: dict[str, list[int]] = field(default_factory=dict)
+    element_sets: dict[str, tuple[str, list[int]]] = field(default_factory=dict)  # kind "SHELL" or "SOLID", ids
+    materials: dict[str, Deck] = field(default_factory=dict)
+    deck: Deck = field(default_factory=dict)  # the other sections
+    names: "Names" = field(default_factory=lambda: Names())
+
+    def used_nodes(self) -> set[int]:
+        """Nodes of the elements that are written."""
+        used: set[int] = set()
+        for block in self.blocks:
+            for _, corners in block.solids:
+                used.update(corners)
+            for _, corners in block.shells:
+                used.update(corners)
+        return used
+
+    def shell_nodes(self) -> set[int]:
+        return {node for block in self.blocks for _, corners in block.shells for node in corners}
+
+    def nodes_of_blocks(self, ids: Iterable[int]) -> set[int]:
+        wanted = set(ids)
+        return {
+            node for block in self.blocks if block.id in wanted for _, corners in block.solids + block.shells for node in corners
+        }
+
+    def add(self, section: str, entry: Deck) -> None:
+        """Appends to a section of the deck that is a list."""
+        self.deck.setdefault(section, []).append(entry)
+
+    def add_node_set(self, wish: str, nodes: Iterable[int]) -> str:
+        """A set of nodes under a name of its own."""
+        name = self.names.take(wish)
+        self.node_sets[name] = sorted(set(nodes))
+        return name
+
+
+class Names:
+    """Names of parts, sets, materials and points, each given once: letters, digits, '_' and '-', a letter first."""
+
+    def __init__(self) -> None:
+        self._taken: set[str] = set(RESERVED)
+        self._numbers: dict[str, int] = {}  # where to go on counting
+
+    def take(self, wish: str, otherwise: str = "set") -> str:
+        """A free name like the wish."""
+        base = re.sub(r"[^A-Za-z0-9_-]+", "_", wish).strip("_-")[:60] or otherwise
+        if not base[0].isalpha():
+            base = f"{otherwise}_{base}"
+        name, number = base, self._numbers.get(base, 2)
+        while name in self._taken:
+            name = f"{base}_{number}"
+            number += 1
+        self._numbers[base] = number
+        self._taken.add(name)
+        return name

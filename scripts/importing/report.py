@@ -1,0 +1,89 @@
+"""What became of every card, and what the model is, for the terminal and for import_report.md."""
+
+import json
+
+from .deck_text import clean
+from .ledger import Entry, Ledger, Status
+from .model import Model
+from .shapes import measure_block
+
+WIDTH = 118
+TOLD = {Status.REFUSED: "refused: nothing is written", Status.LEFT_OUT: "left out or approximated, as you allow",
+        Status.APPROXIMATED: "approximated", Status.IGNORED: "ignored, harmless", Status.TRANSLATED: "translated"}  # fmt: skip
+
+
+def shorten(text: str, most: int) -> str:
+    return text if len(text) <= most else text[: most - 3] + "..."
+
+
+def list_rows(ledger: Ledger) -> list[tuple[Entry, str]]:
+    return [(entry, f"{clean(entry.first.file).rsplit('/', 1)[-1]}:{entry.first.line}" + (f" and {entry.count - 1} more" if entry.count > 1 else ""))
+            for entry in ledger.list_rows()]  # fmt: skip
+
+
+def print_table(ledger: Ledger) -> None:
+    """One line a row on the terminal, outcomes apart."""
+    rows = list_rows(ledger)
+    width = min(max((len(entry.card) for entry, _ in rows), default=0), 44)
+    last = None
+    for entry, place in rows:
+        if entry.status is not last:
+            print(f"{TOLD[entry.status]}:")
+            last = entry.status
+        text = f"  *{shorten(clean(entry.card), width):{width}}  {clean(entry.text)}"
+        print(f"{shorten(text, WIDTH - len(place) - 2)}  {place}")
+
+
+def summarise(model: Model, notes: list[str]) -> list[str]:
+    """Mass, extent, centre, parts, counts, ids, and what the units may be."""
+    nodes = model.used_nodes()
+    solids = sum(len(block.solids) for block in model.blocks)
+    shells = [corners for block in model.blocks for _, corners in block.shells]
+    triangles = sum(1 for corners in shells if len(corners) == 3)
+    lines = [f"nodes: {len(nodes)}, ids {min(nodes)} to {max(nodes)}, kept" if nodes else "nodes: none",
+             f"elements: {solids} solids, {len(shells) - triangles} quadrilaterals, {triangles} triangles, ids kept"]  # fmt: skip
+    if nodes:
+        lines += measure(model, nodes)
+    return lines + notes
+
+
+def measure(model: Model, nodes: set[int]) -> list[str]:
+    low = [min(model.nodes[node][d] for node in nodes) for d in range(3)]
+    high = [max(model.nodes[node][d] for node in nodes) for d in range(3)]
+    total, moment, lines = 0.0, [0.0, 0.0, 0.0], []
+    for block in model.blocks:
+        mass, of_block = measure_block(model, block)
+        total += mass
+        moment = [a + b for a, b in zip(moment, of_block)]
+        count = len(block.solids) + len(block.shells)
+        lines.append(f"part {block.name}: id {block.part}, {count} elements, {block.keys['material']}, mass {mass:.6g}")
+    center = [m / total if total else 0.0 for m in moment]
+    show = lambda v: ", ".join(f"{x:.6g}" for x in v)  # noqa: E731
+    return [f"extent: {show(low)} to {show(high)}", f"mass: {total:.6g}, centre {show(center)}", *lines]
+
+
+def write_report(path: str, source: str, ledger: Ledger, summary: list[str]) -> None:
+    """import_report.md beside the deck."""
+    lines = [f"# What became of {clean(source)}", ""]
+    for status in Status:
+        rows = [(entry, place) for entry, place in list_rows(ledger) if entry.status is status]
+        if rows:
+            lines += [f"## {TOLD[status].capitalize()}", "", "| card | how | where |", "|---|---|---|"]
+            lines += [f"| `*{escape(entry.card)}` | {escape(entry.text)} | {escape(place)} |" for entry, place in rows]
+            lines.append("")
+    lines += ["## The model", "", *(f"- {escape(line)}" for line in summary)]
+    with open(path, "w", encoding="utf-8", newline="\n") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+def escape(text: str) -> str:
+    return clean(text).replace("|", "\\|").replace("<", "&lt;")
+
+
+def write_json(path: str, source: str, ledger: Ledger, summary: list[str]) -> None:
+    """The same for programs."""
+    cards = [{"card": entry.card, "outcome": entry.status.value, "how": entry.text, "file": entry.first.file, "line": entry.first.line,
+              "count": entry.count} for entry in ledger.list_rows()]  # fmt: skip
+    with open(path, "w", encoding="utf-8", newline="\n") as file:
+        json.dump({"source": source, "cards": cards, "model": summary}, file, indent=1)
+        file.write("\n")

@@ -1,0 +1,91 @@
+"""Geometry of elements: volumes, areas, faces."""
+
+from .model import Block, Model, Vector
+
+HEX_FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+# Whether these are turned outward (1) or inward (-1) on a solid whose first four corners run round its bottom.
+FACE_SIGNS = {face: -1 if face == HEX_FACES[0] else 1 for face in HEX_FACES}
+TET_FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3))
+
+
+def subtract(a: Vector, b: Vector) -> Vector:
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def dot(a: Vector, b: Vector) -> float:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def mean(points: list[Vector]) -> Vector:
+    n = len(points)
+    return (sum(p[0] for p in points) / n, sum(p[1] for p in points) / n, sum(p[2] for p in points) / n)
+
+
+def tet_volume(a: Vector, b: Vector, c: Vector, d: Vector) -> float:
+    return dot(subtract(b, a), cross(subtract(c, a), subtract(d, a))) / 6
+
+
+def hex_volume(x: list[Vector]) -> float:
+    """Volume of the trilinear hexahedron: the mean of the two ways to cut each face into triangles."""
+    center, volume = mean(x), 0.0
+    for a, b, c, d in HEX_FACES:
+        p, q, r, s = x[a], x[b], x[c], x[d]
+        both = tet_volume(center, p, q, r) + tet_volume(center, p, r, s) + tet_volume(center, p, q, s) + tet_volume(center, q, r, s)
+        volume += 0.5 * both * FACE_SIGNS[a, b, c, d]
+    return abs(volume)
+
+
+def shell_area(x: list[Vector]) -> float:
+    """Half the cross product of the diagonals, or of two edges."""
+    normal = cross(subtract(x[2], x[0]), subtract(x[3], x[1])) if len(x) == 4 else cross(subtract(x[1], x[0]), subtract(x[2], x[0]))
+    return 0.5 * dot(normal, normal) ** 0.5
+
+
+def measure_block(model: Model, block: Block) -> tuple[float, Vector]:
+    """Mass, and mass times centre."""
+    mass, moment = 0.0, [0.0, 0.0, 0.0]
+    for is_shell, elements in ((False, block.solids), (True, block.shells)):
+        for _, corners in elements:
+            x = [model.nodes[node] for node in corners]
+            if is_shell:
+                volume = shell_area(x) * (block.thickness or 0.0)
+            else:
+                volume = hex_volume(x) if len(x) == 8 else abs(tet_volume(*x))
+            center = mean(x)
+            mass += volume * block.density
+            for d in range(3):
+                moment[d] += volume * block.density * center[d]
+    return mass, (moment[0], moment[1], moment[2])
+
+
+class FaceOwners:
+    """Which element a face of some nodes belongs to, to know which way its nodes run."""
+
+    def __init__(self, model: Model, nodes: set[int]):
+        self._model = model
+        self._solids: dict[frozenset[int], tuple[int, ...]] = {}
+        self._shells: set[frozenset[int]] = set()
+        for block in model.blocks:
+            for _, corners in block.solids:
+                if nodes.isdisjoint(corners):
+                    continue
+                for face in HEX_FACES if len(corners) == 8 else TET_FACES:
+                    self._solids[frozenset(corners[i] for i in face)] = corners
+            self._shells.update(frozenset(corners) for _, corners in block.shells if nodes.issuperset(corners))
+
+    def find_sign(self, face: tuple[int, ...]) -> float | None:
+        """1 if a pressure against the normal of the nodes pushes into the body, -1 if out of it, None without an element."""
+        key = frozenset(face)
+        if key in self._shells:
+            return 1.0
+        corners = self._solids.get(key)
+        if corners is None:
+            return None
+        x = [self._model.nodes[node] for node in face]
+        normal = cross(subtract(x[1], x[0]), subtract(x[2], x[0]))
+        outward = subtract(mean(x), mean([self._model.nodes[node] for node in corners]))
+        return 1.0 if dot(normal, outward) >= 0 else -1.0

@@ -1,0 +1,437 @@
+"""percuss import: import_test.py ROOT PERCUSS."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
+sys.path[:0] = [os.path.join(ROOT, "scripts")]
+import import_decks as decks  # noqa: E402
+from importing.abaqus.read import read_abaqus_deck  # noqa: E402
+from importing.curves import Curve, integrate, make_time_value, thin_rows  # noqa: E402
+from importing.deck_text import format_section  # noqa: E402
+from importing.dyna.parameters import Parameters, evaluate  # noqa: E402
+from importing.dyna.read import read_keyword_deck  # noqa: E402
+from importing.fields import parse_integer, parse_real  # noqa: E402
+from importing.ledger import BadInput, Ledger, Place, Status  # noqa: E402
+from importing.shapes import hex_volume  # noqa: E402
+
+HERE = Place("deck.k", 1)
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(lambda: __import__("shutil").rmtree(self.folder))
+
+    def write(self, text, name="deck.k"):
+        path = os.path.join(self.folder, name)
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def read(self, text, *allowed):
+        """The model of a deck and its ledger."""
+        ledger = Ledger(allowed=[word.upper() for word in allowed])
+        return read_keyword_deck(self.write(text), ledger), ledger
+
+    def read_abaqus(self, text, *allowed):
+        ledger = Ledger(allowed=[word.upper() for word in allowed])
+        return read_abaqus_deck(self.write(text, "deck.inp"), ledger), ledger
+
+    def refusals(self, text, *allowed):
+        return {entry.card: f"{entry.first}: {entry.text}" for entry in self.read(text, *allowed)[1].list_refused()}
+
+    def fails(self, text, *words):
+        with self.assertRaises(BadInput) as caught:
+            self.read(text)
+        for word in words:
+            self.assertIn(word, str(caught.exception))
+
+    def percuss(self, *words):
+        return subprocess.run(
+            [PERCUSS, *words],
+            capture_output=True,
+            text=True,
+            timeout=300,
+            cwd=self.folder,
+            env=dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false"),
+        )
+
+
+class Numbers(unittest.TestCase):
+    def test_are_those_of_fortran(self):
+        for text, value in (("1.5-10", 1.5e-10), ("1D3", 1e3), (".5", 0.5), ("2.", 2.0), ("+1.e+2", 100.0), ("-3", -3.0)):
+            self.assertEqual(parse_real(text), value)
+        for text in ("", "nan", "inf", "1e999", "1,5", "0x10", "1_000", "--1", "1e", "\u0661"):
+            self.assertIsNone(parse_real(text), text)
+        self.assertEqual([parse_integer(text) for text in ("7", "2.", "-3", "1.5", "9" * 30, "a")], [7, 2, -3, None, None, None])
+
+    def test_expressions_divide_integers_as_fortran_does(self):
+        parameters = Parameters()
+        for text, value in (
+            ("7/2", 3),
+            ("-7/2", -3),
+            ("7/2.", 3.5),
+            ("2**3**2", 512),
+            ("-2**2", -4),
+            ("max(1,2.5)*2", 5.0),
+            ("mod(7,4)", 3),
+        ):
+            self.assertEqual(evaluate(text, parameters, HERE), value, text)
+        for text in ("1/0", "(1", "1+", "sqrt(-1)", "(-8)**0.5", "a", "1e308*10", "f(1)", "(" * 100 + "1" + ")" * 100, ""):
+            with self.assertRaises(BadInput, msg=text):
+                evaluate(text, parameters, HERE)
+
+
+class Curves(unittest.TestCase):
+    def test_are_zero_behind_their_end(self):
+        table = make_time_value(Curve(HERE, [(0.0, 1.0), (1.0, 3.0)]), 2.0, 10.0)["table"]
+        self.assertEqual(table[:2], [[0.0, 2.0], [1.0, 6.0]])
+        self.assertEqual(table[-1], [10.0, 0.0])
+        self.assertEqual(make_time_value(Curve(HERE, [(0.0, 5.0), (20.0, 5.0)]), 2.0, 10.0), 10.0)
+
+    def test_integral_of_a_line_is_a_parabola(self):
+        for time, value in integrate([(0.0, 0.0), (2.0, 4.0)]):
+            self.assertAlmostEqual(value, time * time)
+
+    def test_thinning_tells_its_error(self):
+        points = [(i / 100, (i / 100) ** 0.5) for i in range(101)]
+        rows, error = thin_rows(points)
+        self.assertEqual(len(rows), 32)
+        self.assertLess(error, 0.01)
+        self.assertEqual(thin_rows(points[:20]), (points[:20], 0.0))
+
+
+class Shapes(unittest.TestCase):
+    def test_volume_of_a_twisted_hexahedron_does_not_depend_on_its_diagonals(self):
+        cube = [(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0), (0, 0, 3), (2, 0, 3), (2, 1, 3), (0, 1, 3)]
+        self.assertAlmostEqual(hex_volume([tuple(map(float, x)) for x in cube]), 6.0)
+        cube[6] = (2.5, 1.2, 3.4)
+        turned = [cube[i] for i in (1, 2, 3, 0, 5, 6, 7, 4)]
+        self.assertAlmostEqual(hex_volume(cube), hex_volume(turned))
+
+
+class Mesh(InFolder):
+    def test_ids_are_kept_in_all_widths_and_lines(self):
+        model, _ = self.read(decks.WIDE)
+        self.assertEqual(model.blocks[0].solids, [(123456789012, tuple(range(900000000001, 900000000009)))])
+        model, _ = self.read(decks.SMALL)
+        self.assertEqual(model.blocks[0].solids, [(500, (1, 2, 3, 4, 11, 12, 13, 14))])
+        commas = decks.SMALL.replace("       1       2       3       4      11      12      13      14\n", "1,2,3,4,11,12,13,14\n")
+        self.assertEqual(self.read(commas)[0].blocks[0].solids, model.blocks[0].solids)
+        self.assertEqual(self.read(decks.SMALL.lower())[0].blocks[0].solids, model.blocks[0].solids)
+
+    def test_ids_of_shells_that_solids_have_are_raised(self):
+        model, ledger = self.read(decks.FULL)
+        self.assertEqual([id for id, _ in model.blocks[1].shells], [1500, 1501])
+        self.assertIn("ELEMENT_SHELL.EID", {e.card for e in ledger.list_rows() if e.status is Status.APPROXIMATED})
+
+    def test_constraints_of_nodes_become_conditions(self):
+        model, _ = self.read(decks.SMALL)
+        self.assertEqual(
+            model.deck["conditions"], [{"nodes": "fixed_z", "fixed": ["z"]}, {"nodes": "fixed_xyz_rxyz", "fixed": ["x", "y", "z"]}]
+        )
+        self.assertEqual(model.node_sets["fixed_z"], [2])
+
+    def test_elements_of_other_shapes_are_refused_with_their_line(self):
+        wedge = decks.SMALL.replace("      11      12      13      14\n", "      11      11      14      14\n")
+        self.assertIn("deck.k:21", self.refusals(wedge)["ELEMENT_SOLID.wedge"])
+        beam = decks.SMALL.replace("*END", "*ELEMENT_BEAM\n7,3,1,2,3\n*END")
+        self.assertIn("ELEMENT_BEAM", self.refusals(beam))
+        self.assertEqual(self.refusals(beam, "element_*"), {})
+
+    def test_thickness_of_elements_makes_parts(self):
+        shells = "*ELEMENT_SHELL_THICKNESS\n500,8,21,22,23,24\n0.1,0.1,0.1,0.1\n501,8,22,25,23,23\n0.2,0.2,0.2\n"
+        start, _, rest = decks.PLATE.partition("*ELEMENT_SHELL")
+        model, _ = self.read(decks._HEAD + start + shells + rest[rest.index("*PART") :])
+        self.assertEqual([(b.name, b.thickness, len(b.shells)) for b in model.blocks], [("plate", 0.1, 1), ("plate_t2", 0.2, 1)])
+
+    def test_what_does_not_fit_together_is_an_error_with_its_place(self):
+        self.fails(
+            decks.SMALL.replace("*SECTION_SOLID\n         3", "*SECTION_SOLID\n         4"), "deck.k:27", "there is no section 3"
+        )
+        self.fails(
+            decks.SMALL.replace("      11             0.0", "      10             0.0"), "there is no node 11, of element 500"
+        )
+        self.fails(decks.SMALL.replace("7850.0", "7850,0"), "error:")
+        self.fails("*KEYWORD\n*NODE\n1,0,0\n*END\n", "no elements")
+        self.fails(decks.SMALL.replace("1.0E-04", "       "), "ENDTIM")
+
+
+class Files(InFolder):
+    def test_includes_are_read_beside_the_main_file(self):
+        self.write("*NODE\n99,0,0,9\n", "parts/more.k")
+        self.write("*PARAMETER\nR   rho,7850.0\n", "values.k")
+        model, _ = self.read(
+            decks.SMALL.replace("    7850.0", "      &rho").replace("*TITLE", "*INCLUDE\nparts/mo +\nre.k\nvalues.k\n*TITLE")
+        )
+        self.assertIn(99, model.nodes)
+        self.assertEqual(model.materials["steel"]["density"], 7850)
+
+    def test_loops_and_files_elsewhere_are_refused(self):
+        self.write("*INCLUDE\nb.k\n", "a.k")
+        self.write("*INCLUDE\na.k\n", "b.k")
+        self.fails("*KEYWORD\n*INCLUDE\na.k\n", "included twice")
+        self.fails("*KEYWORD\n*INCLUDE\nnone.k\n", "deck.k:2: error: there is no file 'none.k'")
+        self.fails("*KEYWORD\n*INCLUDE\n/etc/hostname\n", "outside")
+        self.fails("*KEYWORD\n*INCLUDE\ndeck.k\n", "included twice")
+
+    def test_files_are_moved_and_turned(self):
+        nodes = decks.BLOCK_NODES
+        self.write("*KEYWORD\n" + nodes, "nodes.k")
+        deck = decks.SMALL.replace(
+            nodes,
+            """\
+*DEFINE_TRANSFORMATION
+$ the last row acts first
+1
+TRANSL,0,0,5
+ROTATE,0,0,2,0,0,0,90
+*INCLUDE_TRANSFORM
+nodes.k
+0
+0
+1,1,1
+1
+""",
+        )
+        x = self.read(deck)[0].nodes[2]
+        for found, expected in zip(x, (0.0, 1.0, 5.0)):
+            self.assertAlmostEqual(found, expected)
+        self.assertIn("INCLUDE_TRANSFORM.IDNOFF", self.refusals(deck.replace("nodes.k\n0\n", "nodes.k\n100\n")))
+        self.fails(deck.replace("1,1,1\n1\n", "1,1,1\n2\n"), "no such *DEFINE_TRANSFORMATION")
+        self.write("*KEYWORD\n" + nodes + "*LOAD_BODY_Z\n1\n", "nodes.k")
+        curve = "*DEFINE_CURVE\n1\n0,1\n9,1\n*END"
+        self.assertIn("INCLUDE_TRANSFORM.LOAD_BODY_Z", self.refusals(deck.replace("*END", curve), "LOAD_BODY*"))
+
+    def test_parameters_and_expressions_are_put_in_place(self):
+        steel = self.read(decks.PARAMETERS)[0].materials["steel"]
+        self.assertEqual((steel["density"], steel["youngs_modulus"]), (3925.0, 2e11))
+        self.fails(decks.PARAMETERS.replace("&e0", "&e9"), "there is no parameter &e9")
+
+
+class Laws(InFolder):
+    def test_every_law_is_the_one_that_percuss_has_and_is_accepted(self):
+        parts, materials = {}, {}
+        for index, (name, (law, _, _, shells)) in enumerate(decks.LAWS.items()):
+            materials[name] = self.keys(name)
+            self.assertEqual(materials[name]["model"], law)
+            shape = (
+                {"shell_plate": {"size": [1, 1], "cells": [1, 1]}, "thickness": 0.1}
+                if shells
+                else {"box": {"size": [1, 1, 1], "cells": [1, 1, 1]}}
+            )
+            parts[name] = {**shape, "at": [2 * index, 0, 0], "material": name}
+        sections = {"time": {"end": 1e-5}, "parts": parts, "materials": materials}
+        deck = self.write("".join(format_section(key, value) + "\n" for key, value in sections.items()), "laws.yaml")
+        done = self.percuss("check", deck)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def law(self, name, *allowed):
+        _, cards, state, shells = decks.LAWS[name]
+        return self.read(decks.make_block(cards, state, shells), *allowed)[0].materials
+
+    def keys(self, name):
+        return next(iter(self.law(name).values()))
+
+    def test_tangents_become_slopes_over_plastic_strain(self):
+        kinematic = self.keys("kinematic")
+        self.assertAlmostEqual(kinematic["hardening_modulus"], 2e11 * 1e9 / (2e11 - 1e9))
+        self.assertEqual(kinematic["kinematic_share"], 0.75)
+        self.assertEqual((kinematic["cowper_symonds_rate"], kinematic["cowper_symonds_exponent"]), (40, 5))
+        self.assertEqual(kinematic["failure"], {"plastic_strain": 0.3})
+        self.assertEqual(self.keys("shear")["hardening_modulus"], 1e9)  # it is over plastic strain already
+        self.assertAlmostEqual(self.keys("shear")["youngs_modulus"], 9 * 1.6e11 * 8e10 / (3 * 1.6e11 + 8e10))
+
+    def test_curves_go_on_with_their_last_slope(self):
+        table = self.keys("table")["hardening"]
+        self.assertEqual(table[:3], [[0.0, 3e8], [0.1, 4e8], [0.3, 4.5e8]])
+        self.assertAlmostEqual(table[3][1], 4.5e8 + (table[3][0] - 0.3) * 2.5e8)
+
+    def test_curves_are_scaled_and_shifted(self):
+        plate = self.read(decks.FULL)[0].materials["material_8"]
+        self.assertEqual(plate["hardening"][:3], [[0.0, 3e8], [0.1, 4e8], [0.2, 4.2e8]])
+
+    def test_johnson_cook_takes_shear_and_bulk_moduli_and_turns_d3(self):
+        law = self.keys("johnson_cook")
+        bulk = law["youngs_modulus"] / (3 * (1 - 2 * law["poissons_ratio"]))
+        self.assertAlmostEqual(bulk / (8960 * 3940**2), 1)
+        self.assertAlmostEqual(law["youngs_modulus"] / (2 * (1 + law["poissons_ratio"])) / 4.6e10, 1)
+        self.assertEqual(law["failure"]["johnson_cook"]["d3"], -3.03)
+        _, cards, state, _ = decks.LAWS["johnson_cook"]
+        self.assertIn("MAT_JOHNSON_COOK.D3", self.refusals(decks.make_block(cards.replace("3.03", "-3.03"), state)))
+
+    def test_other_laws_and_fields_are_refused(self):
+        text = decks.make_block("*MAT_OGDEN_RUBBER\n1,1e3\n")
+        self.assertIn("deck.k:27", self.refusals(text)["MAT_OGDEN_RUBBER"])
+        _, cards, _, shells = decks.LAWS["table"]
+        self.assertIn(
+            "MAT_PIECEWISE_LINEAR_PLASTICITY.LCSR",
+            self.refusals(decks.make_block(cards.replace("0,0,0\n", "0,0,0,7\n"), "", shells)),
+        )
+        self.assertIn("EOS_GRUNEISEN.A", self.refusals(decks.make_block("*MAT_NULL\n1,1000.0\n", decks.GRUNEISEN)))
+        self.assertIn("MAT_MOONEY-RIVLIN_RUBBER.shells", self.refusals(decks.make_block(decks.LAWS["mooney"][1], "", True)))
+
+    def test_power_law_is_sampled(self):
+        rows = self.keys("power")["hardening"]
+        offset = (3e8 / 6e8) ** (1 / 0.2)
+        for strain, stress in rows:
+            self.assertAlmostEqual(stress / (6e8 * (offset + strain) ** 0.2), 1)
+
+
+class Scene(InFolder):
+    def test_a_deck_with_everything_is_accepted(self):
+        done = self.percuss("import", self.write(decks.FULL), "--out", "out", "--units", "m, kg, s")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for words in (
+            "*CONTACT_AUTOMATIC_SINGLE_SURFACE",
+            "mass: 9027.5",
+            "1 quadrilaterals, 1 triangles",
+            "ids kept",
+            "units: m, kg, s",
+        ):
+            self.assertIn(words, done.stdout)
+        with open(os.path.join(self.folder, "out/import_report.json"), encoding="utf-8") as file:
+            cards = {entry["card"]: entry for entry in json.load(file)["cards"]}
+        self.assertEqual(cards["CONTROL_ENERGY"]["outcome"], "ignored")
+        self.assertEqual(cards["LOAD_BODY_Z"]["line"], 87)
+        with open(os.path.join(self.folder, "out/import_report.md"), encoding="utf-8") as file:
+            self.assertIn("| `*LOAD_BODY_Z` |", file.read())
+
+    def test_conditions_loads_and_starts(self):
+        deck = self.read(decks.FULL)[0].deck
+        self.assertEqual(deck["initial"], [{"velocity": [0, 0, -5]}, {"nodes": "the_right_edge", "velocity": [1, 0, 0]}])
+        self.assertEqual(deck["loads"]["gravity"], [0, 0, -9.81])
+        self.assertEqual(deck["loads"]["pressure"][0]["value"], 1e5)
+        self.assertIn({"nodes": "the_right_edge", "fixed": ["y", "rx"]}, deck["conditions"])
+        motion = deck["conditions"][-1]["velocity"]["z"]["table"]
+        self.assertEqual(motion[:3], [[0.0, 0.0], [5e-5, -2.0], [6e-5, -2.0]])
+        self.assertEqual(motion[-1], [1e-4, 0.0])
+        self.assertEqual(deck["walls"], [{"name": "floor", "point": [0, 0, -0.1], "normal": [0, 0, 1], "friction": 0.1}])
+        pairs = deck["contact"]["surfaces"]
+        self.assertEqual([(p["a"], p["b"], p["friction"]) for p in pairs], [("block_of_steel", "plate", 0.3), ("all", "all", 0.15)])
+        self.assertEqual(deck["time"], {"end": 1e-4, "collapse_ratio": 0.01, "step_scale": 0.67})
+
+    def test_forms_of_sets_ties_and_spins(self):
+        model, _ = self.read(decks.FORMS)
+        self.assertEqual(model.node_sets["nodes_2"], [21, 22, 23, 24])
+        self.assertEqual(model.deck["contact"]["ties"], [{"a": "nodes_2", "b": "block_of_steel", "distance": 0.6}])
+        self.assertEqual(
+            model.deck["initial"][0],
+            {"nodes": "plate", "velocity": [1, 0, 0], "angular_velocity": [0, 0, 100], "center": [0.5, 0.5, 0]},
+        )
+        self.assertEqual(model.deck["added_mass"], [{"nodes": "mass_1", "mass": 5.0, "spread": "evenly"}])
+        push = next(c for c in model.deck["conditions"] if "displacement" in c)
+        self.assertEqual(push["displacement"]["z"]["table"][-1], [1e-4, -5e-5])  # along a vector that points down
+        self.assertEqual(model.side_sets["pressed_shell_set"], [(21, 22, 23, 24), (22, 25, 23)])
+        self.assertEqual(model.deck["elements"]["bulk_viscosity"]["quadratic"], 1.2)
+
+    def test_pressure_on_a_solid_follows_the_order_of_the_nodes(self):
+        inward = decks.FULL.replace(
+            "        11        12        13        14\n*LOAD_NODE", "        14        13        12        11\n*LOAD_NODE"
+        )
+        self.assertEqual(self.read(inward)[0].deck["loads"]["pressure"][0]["value"], -1e5)
+
+    def test_a_rigid_part_whose_motion_is_given_is_exact(self):
+        deck = self.read(decks.RIGID)[0].deck
+        self.assertEqual(deck["conditions"][0], {"nodes": "block_of_steel", "fixed": ["x", "y"]})
+        self.assertEqual(deck["conditions"][1]["velocity"]["z"]["table"][1], [5e-5, 1.0])
+        free = decks.RIGID.replace("       1.0       4.0       7.0", "       1.0       4.0       4.0")
+        self.assertIn("MAT_RIGID", self.refusals(free))
+        self.assertEqual(self.refusals(free, "MAT_RIGID"), {})
+
+
+class Strictness(InFolder):
+    def test_nothing_is_dropped_silently(self):
+        for card, key in (("*CONSTRAINED_SPOTWELD\n1,2\n", "CONSTRAINED_SPOTWELD"), ("*SOMETHING_NEW\n1\n", "SOMETHING_NEW"),
+                          ("*CONTROL_IMPLICIT_GENERAL\n1\n", "CONTROL_IMPLICIT_GENERAL"), ("*DAMPING_GLOBAL\n0,1.0\n", "DAMPING_GLOBAL"),
+                          ("*RIGIDWALL_PLANAR_MOVING\n0\n0,0,-1,0,0,1\n5.0,1.0\n", "RIGIDWALL_PLANAR_MOVING"),
+                          ("*INCLUDE_STAMPED_PART\nx.k\n", "INCLUDE_STAMPED_PART"),
+                          ("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n3,3,3,3\n0\n0\n1\n", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
+                          ("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.1,0,0,0,0,0,1e-5\n0\n", "CONTACT.BT")):  # fmt: skip
+            with self.subTest(key):
+                self.assertIn(key, self.refusals(decks.SMALL.replace("*END", card + "*END")))
+
+    def test_a_refusal_ends_with_its_place_and_code_2_and_writes_no_deck(self):
+        path = self.write(decks.SMALL.replace("*END", "*CONSTRAINED_SPOTWELD\n1,2\n*END"))
+        done = self.percuss("import", path, "--out", "out")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("deck.k:34: error: *CONSTRAINED_SPOTWELD", done.stderr)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "out/deck.yaml")))
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "out/import_report.md")))
+        done = self.percuss("import", path, "--out", "out", "--allow", "constrained_*,nothing")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("--allow NOTHING fits nothing", done.stderr)
+        self.assertIn("left out or approximated, as you allow", done.stdout)
+
+    def test_units_are_hinted_at_and_not_assumed(self):
+        done = self.percuss("import", self.write(decks.SMALL), "--out", "out")
+        self.assertIn("would fit 'm, kg, s'", done.stdout)
+        with open(os.path.join(self.folder, "out/deck.yaml"), encoding="utf-8") as file:
+            self.assertNotIn("units:", file.read())
+
+    def test_wrong_words_end_with_code_2(self):
+        self.assertEqual(self.percuss("import", "none.k", "--out", "out").returncode, 2)
+        self.assertEqual(self.percuss("import", self.write("x", "a.txt"), "--out", "out").returncode, 2)
+        self.assertEqual(self.percuss("import", self.write(decks.SMALL)).returncode, 2)
+
+
+class Abaqus(InFolder):
+    def test_a_deck_with_instances_is_accepted(self):
+        done = self.percuss("import", self.write(decks.ABAQUS, "deck.inp"), "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("mass: 8255", done.stdout)
+
+    def test_instances_are_moved_then_turned(self):
+        model, _ = self.read_abaqus(decks.ABAQUS)
+        for found, expected in zip(model.nodes[15], (-0.5, 2.0, 1.2)):
+            self.assertAlmostEqual(found, expected)
+        self.assertEqual(model.node_sets["tip"], [15])
+        self.assertEqual(model.blocks[1].shells, [(20, (11, 12, 13, 14)), (21, (12, 15, 13))])
+
+    def test_sections_materials_and_loads(self):
+        model, _ = self.read_abaqus(decks.ABAQUS)
+        self.assertEqual(model.blocks[1].keys, {"material": "SOFT", "points": 5, "reference": "bottom"})
+        self.assertEqual(model.materials["SOFT"]["hardening"], [[0, 1e8], [0.2, 1.5e8]])
+        self.assertEqual(model.deck["loads"]["gravity"], [0, 0, -9.81])
+        self.assertEqual(model.side_sets["block-1_top"], [(5, 8, 7, 6)])
+        self.assertEqual(model.deck["contact"], {"surfaces": "all", "friction": 0.25})
+        self.assertEqual(model.deck["initial"], [{"nodes": "PLATE-1", "velocity": [0, 0, -10]}])
+        self.assertEqual(model.deck["conditions"][1]["velocity"]["x"]["table"], [[0, 0], [5e-5, 2], [1e-4, 2]])
+
+    def test_other_content_is_refused(self):
+        for old, new, key in (("*DYNAMIC, EXPLICIT", "*STATIC", "STATIC"), ("C3D8R", "C3D8I", "ELEMENT.C3D8I"),
+                              ("*BULK VISCOSITY", "*COUPLING", "COUPLING"), ("TYPE=POWER LAW", "TYPE=YIELD RATIO", "RATE DEPENDENT"),
+                              ("*PLASTIC\n", "*PLASTIC, RATE=1.\n", "PLASTIC.RATE")):  # fmt: skip
+            with self.subTest(key):
+                refused = {entry.card for entry in self.read_abaqus(decks.ABAQUS.replace(old, new))[1].list_refused()}
+                self.assertIn(key, refused)
+
+
+class Tube(InFolder):
+    def test_the_imported_tube_is_the_one_written_by_hand(self):
+        scene = os.path.join(ROOT, "inputs/keyword_tube")
+        done = self.percuss("import", os.path.join(scene, "tube.k"), "--out", "tube", "--units", "mm, t, s")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        hashes, summaries = set(), []
+        for deck, out in ((os.path.join(self.folder, "tube/deck.yaml"), "imported"), (os.path.join(scene, "deck.yaml"), "hand")):
+            done = self.percuss("run", deck, "--out", out, "--quiet", "--set", "time.end=4e-4")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(os.path.join(self.folder, out, "summary.json"), encoding="utf-8") as file:
+                summaries.append(json.load(file))
+            hashes.add(summaries[-1]["state_hash"])
+        self.assertEqual(len(hashes), 1)
+        for summary in summaries:
+            self.assertLess(abs(summary["energy"]["error"]), 1e-5)
+            self.assertLess(summary["momentum"]["linear_error"], 1e-12)
+            # 20.25 kg on the cap and 0.201 kg of steel at 12 m/s, before the wall takes some of it
+            self.assertAlmostEqual(summary["energy"]["initial"] / (0.5 * (0.02025 + 2.0097e-4) * 12000**2), 1, 4)
+
+
+if __name__ == "__main__":
+    unittest.main()
