@@ -11,10 +11,10 @@ from PIL import Image
 from . import colors
 from .camera import place_camera, sample_positions
 from .coloring import Coloring
+from .plates import span_wall
 from .scene import Scene, Surface
 from .selection import BadChoice, choose_elements
 from .skin import Skin
-from .walls import span_wall
 
 MOST_FACES_WITH_EDGES = 60_000
 MOST_LEGEND_ENTRIES = 12

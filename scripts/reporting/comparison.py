@@ -1,6 +1,7 @@
 """Two runs or more beside each other: numbers, bits, decks."""
 
 import difflib
+import os
 import re
 
 import numpy as np
@@ -37,12 +38,46 @@ def make_bits_text(runs):
     if not all(hashes):
         return "<p>Not every run has a state hash (it is written at the end), so that bits cannot be compared.</p>"
     if len(set(hashes)) == 1:
-        return f"<p class=same>Same bits: all runs ended in the state {escape(hashes[0])}.</p>"
+        return f"<p class=same>Same bits: all runs ended in the state {escape(hashes[0])}.</p>" + make_first_difference(runs)
     groups = {}
     for run, value in zip(runs, hashes):
         groups.setdefault(value, []).append(run)
     rows = [(value, ", ".join(run.folder for run in found)) for value, found in groups.items()]
-    return "<p class=other>Other bits: the final states differ.</p>" + make_table(("state hash", "runs"), rows)
+    return ("<p class=other>Other bits: the final states differ.</p>" + make_table(("state hash", "runs"), rows) +
+            make_first_difference(runs))
+
+
+def make_first_difference(runs):
+    """Whether the texts of the histories are the same, and where the first row differs. Texts read back to the same bits."""
+    if not all(run.has_history for run in runs):
+        return ""
+    first, text = _read_lines(runs[0]), ""
+    for run in runs[1:]:
+        other = _read_lines(run)
+        row = next((n for n, (a, b) in enumerate(zip(first, other)) if a != b), min(len(first), len(other)))
+        if row == len(first) == len(other):
+            words = "has the same bytes"
+        elif row == 0:
+            words = "has other columns"
+        elif row == min(len(first), len(other)):
+            words = f"has the same {row - 1} rows as far as both go ({len(first) - 1} and {len(other) - 1} rows)"
+        else:
+            words = f"differs first in row {row}, {_name_differences(first, other, row)}"
+        text += f"<p>history.csv of {escape(run.folder)} {escape(words)}.</p>"
+    return text
+
+
+def _read_lines(run):
+    with open(os.path.join(run.folder, "history.csv"), encoding="utf-8", errors="replace") as file:
+        return file.read().splitlines()
+
+
+def _name_differences(first, other, row, most=6):
+    """'at t = 0.01, in dt, kinetic'"""
+    names, a, b = (line.split(",") for line in (first[0], first[row], other[row]))
+    changed = [name for name, x, y in zip(names, a, b) if x != y]
+    more = f" and {len(changed) - most} more" if len(changed) > most else ""
+    return f"at t = {a[0]}, in {', '.join(changed[:most])}{more}"
 
 
 def make_summary_table(runs, labels):

@@ -13,6 +13,7 @@ from rendering.colors import CATEGORIES, label_of
 
 from . import comparison, scene
 from .findings import find_findings, find_peaks
+from .forces import make_balance_table, make_forces_table
 from .markup import escape, make_table, with_unit
 from .pictures import Worst, choose_field, draw_pictures, find_range
 from .surface import pack_surface, read_library
@@ -44,10 +45,10 @@ def make_page(runs, options):
     links = "".join(f"<a href='#{name}'>{escape(heading)}</a>" for name, heading, text in sections if text)
     parts += [f"<nav>{links}</nav>", scene.make_facts(runs[0]) if len(runs) == 1 else ""]
     parts += [f"<section id={name}><h2>{escape(heading)}</h2>{text}</section>" for name, heading, text in sections if text]
-    return _wrap(title, "".join(parts))
+    return wrap_page(title, "".join(parts))
 
 
-def _wrap(title, body):
+def wrap_page(title, body):
     with open(os.path.join(HERE, "style.css"), encoding="utf-8") as file:
         style = file.read()
     return ("<!DOCTYPE html>\n<html lang=en><head><meta charset=utf-8>"
@@ -117,31 +118,35 @@ def _show_pictures(fields, name, worst, frames, options, shared):
 def _make_view(run, options):
     if not run.has_fields or not options.interactive:
         return ""
-    library = read_library()
-    if library is None:
-        note("no interactive view: three.js is missing (scripts/install_dependencies --report installs libjs-three)")
-        return "<p class=soft>The interactive view needs three.js (Debian's package libjs-three) where the report is written.</p>"
     packed = pack_surface(run.fields, choose_field(run.fields, options.field))
     if packed is None:
         note("no interactive view: the surface is too large")
         return "<p class=soft>The surface is too large for this page: open fields.xdmf2 with ParaView.</p>"
     about, data = packed
+    return embed_view(about, data, f"{about['frames']} of {len(run.fields.times)} frames, {about['faces']:,} faces.")
+
+
+def embed_view(about, data, sentence):
+    """The interactive view of a surface that is packed."""
+    library = read_library()
+    if library is None:
+        note("no interactive view: three.js is missing (scripts/install_dependencies --report installs libjs-three)")
+        return "<p class=soft>The interactive view needs three.js (Debian's package libjs-three) where the report is written.</p>"
     with open(os.path.join(HERE, "viewer.js"), encoding="utf-8") as file:
         scripts = [*library, file.read()]
     code = "".join(f"<script>{text.replace('</script', '<' + chr(92) + '/script')}</script>" for text in scripts)
-    frames = f"{about['frames']} of {len(run.fields.times)} frames, {about['faces']:,} faces."
-    return (_VIEW + f"<p class=soft>{frames}</p>"
+    return (_VIEW + f"<p class=soft>{escape(sentence)}</p>"
             f"<script type='application/json' id=surface-about>{json.dumps(about).replace('<', chr(92) + 'u003c')}</script>"
             f"<script type='text/plain' id=surface-data>{data}</script>{code}")
 
 
 _VIEW = """<div id=view><canvas></canvas>
-<div class=row><button class=play>Play</button><input type=range min=0 step=1 aria-label=Frame><span class=clock></span></div>
+<div class='row time'><button class=play>Play</button><input type=range min=0 step=1 aria-label=Frame><span class=clock></span></div>
 <div class=row><div class=bar><div class=bar-title></div><i></i><div class=bar-labels></div></div>
 <button data-view='-50:22'>Default view</button><button data-view='0:0.01'>Along x</button>
 <button data-view='-90:0.01'>Along y</button><button data-view='-90:89.9'>Along z</button>
 <label><input type=checkbox class=edges>Edges</label><label><input type=checkbox class=by-part>Colours by part</label></div>
-<div class='row parts'></div><div class='row note soft'>Loading ...</div></div>"""
+<div class='row parts'></div><div class='row layers'></div><div class='row note soft'>Loading ...</div></div>"""
 
 
 # --- plots and tables -------------------------------------------------------------------------------------------------
@@ -168,7 +173,9 @@ def _make_plots(runs, labels):
     if marks:
         rows = [(number, f"{moment:.4g}", words) for number, (moment, words) in enumerate(marks, 1)]
         text = "<h3>Warnings in the plots</h3>" + make_table(("mark", "time", "rule and place"), rows)
-    return f"<div class=plots>{figures}</div>{text}{_make_peaks(runs[0]) if len(runs) == 1 else ''}"
+    if len(runs) == 1:
+        text += make_forces_table(runs[0]) + make_balance_table(runs[0]) + _make_peaks(runs[0])
+    return f"<div class=plots>{figures}</div>{text}"
 
 
 def _make_peaks(run):

@@ -29,8 +29,12 @@ def read_library():
         return None
 
 
-def pack_surface(fields, name):
-    """What viewer.js takes: (description, text of base 64), with as many frames as fit. None where not even two do."""
+def pack_surface(fields, name, frames=None):
+    """What viewer.js takes: (description, text of base 64), with as many frames as fit. None where not even two do, or not
+    those that are given."""
+    if frames is not None:
+        description, pack = _pack(fields, name, np.asarray(frames))
+        return (description, base64.b64encode(pack).decode("ascii")) if len(pack) <= LARGEST_PACK else None
     count = len(fields.times)
     wanted = min(count, MOST_FRAMES)
     while True:

@@ -84,7 +84,7 @@
   lines.frustumCulled = false;
   scene.add(mesh, lines);
 
-  const state = {frame: about.frames - 1, byPart: false, hidden: new Set()};
+  const state = {frame: about.frames - 1, byPart: Boolean(about.byPart), hidden: new Set()};
   const triangles = [0, 1, 2, 0, 2, 3], sides = [0, 1, 1, 2, 2, 3, 3, 0];
 
   function fill() {
@@ -107,6 +107,55 @@
     edges.setDrawRange(0, end);
     surface.attributes.position.needsUpdate = surface.attributes.color.needsUpdate = edges.attributes.position.needsUpdate = true;
     box.querySelector('.clock').textContent = about.times[state.frame] + ' (frame ' + about.numbers[state.frame] + ')';
+  }
+
+  // Marks beside the surface, of a scene before its run: sets, conditions, walls, arrows, overlaps (reporting/marks.py).
+  function addLayer(layer) {
+    let corners = [];
+    for (let i = 0; i < layer.places.length; ++i) corners.push(layer.places[i] - middle[i % 3]);
+    if (layer.kind === 'arrows') corners = addHeads(corners);
+    if (layer.kind === 'plates') corners = addTriangles(corners);
+    const shape = new THREE.BufferGeometry();
+    shape.setAttribute('position', new THREE.BufferAttribute(new Float32Array(corners), 3));
+    const look = {color: layer.color, depthTest: !layer.top, transparent: true};
+    let made;
+    if (layer.kind === 'points') made = new THREE.Points(shape, new THREE.PointsMaterial({...look, size: layer.top ? 8 : 5, sizeAttenuation: false}));
+    else if (layer.kind === 'plates') made = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({...look, opacity: 0.25, depthWrite: false, side: THREE.DoubleSide}));
+    else made = new THREE.LineSegments(shape, new THREE.LineBasicMaterial({...look, linewidth: 2}));
+    made.frustumCulled = false;
+    made.visible = layer.shown;
+    made.renderOrder = layer.top ? 2 : 1;
+    scene.add(made);
+    addSwitch(box.querySelector('.layers'), layer.name, layer.color, layer.shown, shown => { made.visible = shown; draw(); });
+  }
+  function addHeads(lines) {
+    const all = lines.slice();
+    for (let i = 0; i < lines.length; i += 6) {
+      const tail = new THREE.Vector3(...lines.slice(i, i + 3)), tip = new THREE.Vector3(...lines.slice(i + 3, i + 6));
+      const along = tip.clone().sub(tail), length = along.length();
+      const away = Math.abs(along.x) < 0.6 * length ? new THREE.Vector3(1, 0, 0) : new THREE.Vector3(0, 1, 0);
+      const first = along.clone().cross(away).setLength(0.11 * length), second = along.clone().cross(first).setLength(0.11 * length);
+      for (const side of [first, second]) {
+        for (const sign of [1, -1]) all.push(...tip.toArray(), ...tip.clone().addScaledVector(along, -0.3).addScaledVector(side, sign).toArray());
+      }
+    }
+    return all;
+  }
+  function addTriangles(plates) {
+    const all = [];
+    for (let i = 0; i < plates.length; i += 12) {
+      for (const t of [0, 1, 2, 0, 2, 3]) all.push(...plates.slice(i + 3 * t, i + 3 * t + 3));
+    }
+    return all;
+  }
+  function addSwitch(row, name, color, on, change) {
+    const label = document.createElement('label'), tick = document.createElement('input'), patch = document.createElement('i');
+    tick.type = 'checkbox';
+    tick.checked = on;
+    patch.style.background = color;
+    tick.addEventListener('change', () => change(tick.checked));
+    label.append(tick, patch, name);
+    row.append(label);
   }
 
   let due = false;
@@ -177,19 +226,13 @@
   for (const button of box.querySelectorAll('[data-view]')) {
     button.addEventListener('click', () => look(...button.dataset.view.split(':').map(Number)));
   }
-  const parts = box.querySelector('.parts');
-  about.parts.slice(0, 24).forEach((name, number) => {
-    const label = document.createElement('label'), tick = document.createElement('input'), patch = document.createElement('i');
-    tick.type = 'checkbox';
-    tick.checked = true;
-    patch.style.background = about.partColors[number];
-    tick.addEventListener('change', () => {
-      if (tick.checked) state.hidden.delete(number); else state.hidden.add(number);
-      choose(state.frame);
-    });
-    label.append(tick, patch, name);
-    parts.append(label);
-  });
+  about.parts.slice(0, 24).forEach((name, number) => addSwitch(box.querySelector('.parts'), name, about.partColors[number], true, shown => {
+    if (shown) state.hidden.delete(number); else state.hidden.add(number);
+    choose(state.frame);
+  }));
+  for (const layer of about.layers || []) addLayer(layer);
+  box.querySelector('.by-part').checked = state.byPart;
+  if (about.still) box.querySelector('.time').style.display = 'none';
   lines.visible = box.querySelector('.edges').checked = about.faces <= 30000;
   box.querySelector('.bar-title').textContent = about.label;
   box.querySelector('.bar i').style.background = `linear-gradient(to right, ${about.map.join(',')})`;

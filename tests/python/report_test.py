@@ -29,6 +29,7 @@ import percuss  # noqa: E402
 import sample_run  # noqa: E402
 from reporting.comparison import compare_numbers, find_history_differences  # noqa: E402
 from reporting.findings import BAD, GOOD, LOOK, find_findings  # noqa: E402
+from reporting.forces import find_balances, find_impulse, list_forces  # noqa: E402
 from reporting.markup import show_deck  # noqa: E402
 from reporting.pictures import Worst  # noqa: E402
 from reporting.surface import pack_surface, read_library  # noqa: E402
@@ -167,6 +168,34 @@ class Report(OfARun):
         self.check(text)
         self.expect(text, "Other bits", "energy.internal", "History: softer against out",
                     "+# --set materials.steel.yield_stress=200e6")
+
+    def test_tells_forces_and_balances(self):
+        out = os.path.join(self.folder.name, "forces")
+        if not os.path.exists(out):
+            forces = "[{name: hit, contact: [block, all]}, {name: back, contact: [plate, block]}, {name: clamp, support: plate/x_min}]"
+            sample_run.run(PERCUSS, self.folder.name, "--set", f"output.history.forces={forces}", name="forces")
+        text = self.make(out, "--no-pictures", "--no-view")
+        self.check(text)
+        self.expect(text, "largest resultant", "contact block and all", "support plate/x_min", "impulse of hit", "in balance",
+                    "work of contact by all pairs", "momentum z of all parts")
+        history = percuss.read(out).history
+        self.assertEqual(list_forces(history), ["hit", "back", "clamp"])
+        change = history["momentum_z:block"][-1] - history["momentum_z:block"][0]
+        self.assertAlmostEqual(find_impulse(history, "hit")[2] / change, 1, places=10)  # nothing else acts on the block
+        self.assertLess(max(difference for _, _, _, difference, _ in find_balances(history)), 1e-10)
+
+    def test_says_where_histories_part(self):
+        same, other = self.copy("bytes"), self.copy("parted")
+        path = os.path.join(other, "history.csv")
+        with open(path, encoding="utf-8") as file:
+            rows = file.read().splitlines()
+        values = rows[3].split(",")
+        values[rows[0].split(",").index("kinetic")] = "1"
+        rows[3] = ",".join(values)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("\n".join(rows) + "\n")
+        text = self.make(self.out, same, other, "--no-pictures", "--no-view")
+        self.expect(text, "history.csv of " + same + " has the same bytes", f"{other} differs first in row 3, at t = {values[0]}, in kinetic.")
 
     def test_reads_in_chromium_without_an_error(self):
         if not CHROMIUM or not read_library():

@@ -5,6 +5,7 @@
 
 #include "src/app/commands/commands.hpp"
 #include "src/app/commands/read_together.hpp"
+#include "src/app/reports/scene_json.hpp"
 #include "src/app/reports/scene_report.hpp"
 #include "src/app/reports/stage_line.hpp"
 #include "src/checks/rules.hpp"
@@ -78,6 +79,7 @@ std::vector<Warning> list_warnings(const CheckedScene& scene, const ChunkedMesh&
 }  // namespace
 
 ExitCode check_command(const Command& command, const Communicator& ranks) {
+  if (command.json && ranks.size() > 1) throw InputError("percuss check --json needs one rank: call it without mpirun");
   StageLine stage(stderr, ranks.rank() == 0 ? StageLine::Speaker::yes : StageLine::Speaker::no);
   stage.show("reading the deck");
   const Deck deck = read_deck_together(command, ranks);
@@ -111,7 +113,11 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
   scene.warnings = list_warnings({deck, &measures, &contact.start_overlap(), state.bound.step}, chunked);
   stage.clear();
-  if (ranks.rank() == 0) print_text(stdout, format_scene(scene));
+  if (command.json) {
+    print_text(stdout, format_scene_json(scene, chunked, contact.start_overlap(), state.results));
+  } else if (ranks.rank() == 0) {
+    print_text(stdout, format_scene(scene));
+  }
   return ExitCode::done;
 }
 

@@ -3,123 +3,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <Kokkos_Core.hpp>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
-#include "kernels/core/precision.hpp"
-#include "kernels/core/views.hpp"
+#include "src/app/help/help_texts.hpp"
+#include "src/app/help/version.hpp"
 #include "src/deck/text/nearest_name.hpp"
 
 namespace percuss {
 namespace {
-
-constexpr const char* about =
-    "percuss simulates impact with explicit finite elements: solids and shells, with contact between all surfaces.";
-
-constexpr const char* general_help = R"(
-Examples:
-  percuss check inputs/brick_wall/deck.yaml
-  percuss run inputs/brick_wall/deck.yaml --out wall
-  percuss plan inputs/brick_wall/deck.yaml --ranks 1,8,64
-  percuss report wall
-  percuss run deck.yaml --set time.end=1e-3 --set 'initial.0.velocity=[100, 0, 0]'
-
-Exit codes:
-  0    done
-  2    the deck, a mesh or the command is wrong
-  3    the run failed: an element inverted, the energy balance broke, a value is not finite
-  4    the system failed: files, memory, MPI
-  130  interrupted (Ctrl-C, SIGTERM, SIGUSR1, SIGHUP or SIGXCPU); results and a checkpoint for a restart are written;
-       before the first step nothing is changed
-mpirun passes these on, with two exceptions: it ends with a code of its own after a signal to itself (Open MPI: 1 after
-Ctrl-C or SIGTERM) and when a rank is killed (137 after SIGKILL). See `status` in summary.json then: `running` means that
-the run was killed.
-
-Environment:
-  OMP_NUM_THREADS   threads of each rank; default: one for every core that the rank may use. Ranks of a machine that
-                    are not bound to cores share them
-  OMP_PROC_BIND     how OpenMP binds threads to cores; default: no binding
-  OMP_WAIT_POLICY   how threads wait; default: they spin for some 20 microseconds and then sleep
-
-`percuss help COMMAND` or `percuss COMMAND --help` explains a command; `percuss version` prints the version.
-docs/deck.md describes the deck.
-)";
-
-constexpr const char* run_help = R"(
-Always writes summary.json. The deck's `output` selects fields.vtkhdf, with fields.xdmf2 (ParaView) and fields.xdmf
-(VisIt) beside it, and history.csv. Results go to the folder of --out, by default out/SCENE in the current folder. SCENE
-is the deck's name, or the name of its folder if it is called deck.yaml. A folder that is not empty is refused unless
---force is given, which overwrites an earlier run's files and nothing else. A folder of an active run is always refused;
-run.lock in it names that run.
-
-Ctrl-C, SIGTERM, SIGUSR1, SIGHUP and SIGXCPU end the run after its step; a checkpoint is written first. A second Ctrl-C
-ends it at once. On ranks use `kill -USR1 PID_OF_MPIRUN`: it reaches them at once and gives them enough time. After Ctrl-C
-mpirun waits a second before it signals its ranks, and one more before it kills them; `mpirun --mca
-odls_base_sigkill_timeout 10` makes both ten (Open MPI 4). During the run summary.json says `running`; without an active
-run that means it was killed. `output.checkpoint` of the deck writes checkpoints during the run.
-
---restart continues from a checkpoint, on any number of ranks and threads, to the same bits as if the run had never
-stopped. It continues history and fields in the checkpoint's folder, or begins new ones in the empty folder of --out.
-time.end may be later than before. A restart that would remove results without computing them again (beyond its end) is
-refused with a message, unless --force is given.
-
-Examples:
-  percuss run inputs/taylor_bar/deck.yaml
-  percuss run deck.yaml --out slow --set time.step_scale=0.5
-  percuss run deck.yaml --restart out/deck/checkpoint.h5
-  OMP_NUM_THREADS=4 percuss run deck.yaml --quiet
-  OMP_NUM_THREADS=2 mpirun -n 8 --map-by slot:PE=2 percuss run deck.yaml
-)";
-
-constexpr const char* check_help = R"(
-Reads the deck, makes or reads its meshes, resolves every name, sums the masses, computes the first time step and
-reports overlap at the start. Runs nothing and writes no file.
-
-Examples:
-  percuss check inputs/brick_wall/deck.yaml
-  percuss check deck.yaml --set 'parts.rod.cylinder.cells=[16, 64]'
-)";
-
-constexpr const char* plan_help = R"(
-Predicts on one process, without mpirun, how the scene would be divided among ranks: elements and contact surfaces of
-each rank, messages and memory. From a few figures of the machine it estimates the time of a step, the parallel
-efficiency, the run time and the core hours. The table has a column for each number of ranks; docs/plan.md explains every
-line. Runs nothing and writes no file; needs memory for the whole mesh.
-
-Examples:
-  percuss plan inputs/brick_wall/deck.yaml --ranks 1,8,64
-  percuss plan deck.yaml --ranks 512 --set 'parts.rod.cylinder.cells=[16, 64]'
-  percuss plan deck.yaml --ranks 8,64 --latency 30e-6 --bandwidth 1e8
-)";
-
-constexpr const char* schema_help = R"(
-A JSON Schema (draft 2020-12) for editors: all keys with their meaning and values, and which are required. percuss check
-alone checks conditions on several keys. Editors for YAML schemas, such as VS Code with its YAML extension, look for a
-comment in the deck:
-
-  # yaml-language-server: $schema=percuss.schema.json
-
-Example:
-  percuss schema > percuss.schema.json
-)";
-
-constexpr const char* info_help = R"(
-FILE is a summary.json, a fields.vtkhdf, a checkpoint.h5, a folder that holds them, or an Exodus II mesh.
-
-Examples:
-  percuss info out/brick_wall
-  percuss info mesh.e
-)";
-
-std::string describe_version() {
-  return fmt::format("percuss {} (Kokkos {}.{}.{}, {} back end, {} precision)\n", PERCUSS_VERSION,
-                     KOKKOS_VERSION / 10000, KOKKOS_VERSION / 100 % 100, KOKKOS_VERSION % 100, ExecSpace::name(),
-                     precision_name);
-}
 
 /// More ranks than any machine has; beyond, a plan only fills memory.
 constexpr int most_ranks = 1'000'000;
@@ -152,21 +47,21 @@ CLI::Validator at_least(double least, const std::string& words) {
 }
 
 struct Parser {
-  CLI::App app{about, "percuss"};
+  CLI::App app{help_texts::about, "percuss"};
   CLI::App *run = nullptr, *check = nullptr, *plan = nullptr, *info = nullptr, *schema = nullptr;
   Command command;
-  bool version = false;
+  bool version = false, page = false;
 
   Parser() {
-    app.footer(general_help);
+    app.footer(help_texts::general);
     app.get_formatter()->label("SUBCOMMAND", "COMMAND");
     app.set_help_flag("-h,--help", "Print this help");
     app.add_flag("--version", version, "Print the version");
-    run = add("run", "Run the scene of a deck", run_help);
-    check = add("check", "Read a deck and its meshes and say whether they can be run", check_help);
-    plan = add("plan", "Predict how a deck's scene would run on many ranks", plan_help);
-    info = add("info", "Describe a results file or a mesh", info_help);
-    schema = add("schema", "Print a JSON Schema of the deck, for editors", schema_help);
+    run = add("run", "Run the scene of a deck", help_texts::run);
+    check = add("check", "Read a deck and its meshes and say whether they can be run", help_texts::check);
+    plan = add("plan", "Predict how a deck's scene would run on many ranks", help_texts::plan);
+    info = add("info", "Describe a results file or a mesh", help_texts::info);
+    schema = add("schema", "Print a JSON Schema of the deck, for editors", help_texts::schema);
     add_tool("import", "Make a deck of an LS-DYNA or Abaqus model", "Commands");
     const char* of_results = "Results";
     add_tool("plot", "Draw columns of history.csv of one run or several", of_results);
@@ -177,6 +72,7 @@ struct Parser {
     add_deck(check);
     add_deck(plan);
     add_plan_options();
+    add_check_options();
     run->add_option("-o,--out", command.out_dir, "Folder for the results (default: out/SCENE)")->type_name("DIR");
     run->add_option("-r,--restart", command.restart,
                     "Continue from a checkpoint of this deck's run, or the one in a folder")
@@ -240,6 +136,14 @@ struct Parser {
            "Time of a core for a contact node or face and step");
     figure("--iterations", f.iterations, zero_or_more, "COUNT", "Iterations of the contact enforcement in a step");
     figure("--steps-per-search", f.steps_per_search, one_or_more, "COUNT", "Steps between two contact searches");
+  }
+
+  /// --report and --out are those of the program that writes the page (tools.hpp), here for their lines of help.
+  void add_check_options() {
+    check->add_flag("--json", command.json, "Print what was found as JSON, for programs");
+    check->add_flag("--report", page, "Write a page about the scene and a short run of it");
+    check->add_option("-o,--out", command.out_dir, "With --report: the page (default: SCENE_check.html)")
+        ->type_name("FILE");
   }
 
   void add_deck(CLI::App* sub) {
@@ -379,6 +283,8 @@ std::variant<Command, Answer> parse_command_line(int argc, const char* const* ar
   const auto extras = parser.app.remaining(true);
   if (!extras.empty()) return refuse_extra(extras.front(), *chosen->first, chosen->first->get_name());
   parser.command.kind = chosen->second;
+  if (parser.command.kind == Command::Kind::check && !parser.command.out_dir.empty())
+    return wrong("percuss check writes a file with --report only (--out names it)", "check");
   if (const auto refusal = refuse_empty_setting(parser.command)) return *refusal;
   return parser.command;
 }

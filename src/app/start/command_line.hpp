@@ -25,6 +25,7 @@ struct Command {
   std::string file;                   // the deck; for info, any file or folder of results
   std::vector<std::string> settings;  // --set path.to.key=value
   std::string out_dir;                // run: empty for the default
+  bool json = false;                  // check: what was found as JSON
   std::string restart = {};           // run: checkpoint to continue from
   bool force = false;                 // run: earlier results may be overwritten
   bool quiet = false;                 // run: no progress

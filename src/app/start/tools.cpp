@@ -44,8 +44,10 @@ const std::vector<std::string>& tool_names() {
 
 bool become_tool(int argc, char** argv) {
   if (argc < 2) return false;
-  const std::string name = argv[1];
-  if (std::find(tool_names().begin(), tool_names().end(), name) == tool_names().end()) return false;
+  std::string name = argv[1];
+  if (name == "check" && std::find(argv + 2, argv + argc, std::string("--report")) != argv + argc) name = "preview";
+  if (std::find(tool_names().begin(), tool_names().end(), name) == tool_names().end() && name != "preview")
+    return false;
   if (is_launched())
     throw InputError(fmt::format("percuss: error: percuss {} needs no ranks: call it without mpirun", name));
   std::string tool = find_tool(name).string();

@@ -38,6 +38,7 @@ void add(const PartOverlap& more, std::vector<PartOverlap>& parts) {
 void note(StartOverlap& found, std::int64_t node, const PartOverlap& overlap, bool held) {
   const double depth = overlap.deepest;
   add(overlap, found.parts);
+  found.inside.push_back(node);
   ++found.nodes;
   if (!held) ++found.too_deep;
   if (depth < found.deepest || (depth == found.deepest && found.deepest_node >= 0 && node > found.deepest_node)) return;

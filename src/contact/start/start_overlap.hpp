@@ -17,14 +17,15 @@ struct PartOverlap {
 
 /// Overlap at the start: what was found, on all ranks, and taken into the history.
 struct StartOverlap {
-  std::int64_t nodes = 0;          // contact nodes inside another body or behind a wall
-  std::int64_t too_deep = 0;       // of these, deeper than contact can hold
-  double deepest = 0;              // [length]
-  std::int64_t deepest_node = -1;  // number of the node, lowest of equals
-  std::vector<PartOverlap> parts;  // by (part, other)
-  std::int64_t edge_pairs = 0;     // pairs of edges inside one another
-  double deepest_edges = 0;        // [length]
-  std::vector<PartGap> gaps;       // of parts within reach of each other
+  std::int64_t nodes = 0;            // contact nodes inside another body or behind a wall
+  std::int64_t too_deep = 0;         // of these, deeper than contact can hold
+  double deepest = 0;                // [length]
+  std::int64_t deepest_node = -1;    // number of the node, lowest of equals
+  std::vector<PartOverlap> parts;    // by (part, other)
+  std::int64_t edge_pairs = 0;       // pairs of edges inside one another
+  double deepest_edges = 0;          // [length]
+  std::vector<PartGap> gaps;         // of parts within reach of each other
+  std::vector<std::int64_t> inside;  // numbers of the nodes, of this rank alone, one for each that holds it
 };
 
 /// What looks for overlap: a finder of its own, so that the search of the steps is not disturbed.

@@ -35,6 +35,8 @@ TEST(CommandLine, ReadsARun) {
 TEST(CommandLine, LetsFilesTakeDataFromOthersOnDemand) {
   EXPECT_TRUE(command({"run", "d", "--allow-external"}).allow_external);
   EXPECT_TRUE(command({"check", "d", "--allow-external"}).allow_external);
+  EXPECT_TRUE(command({"check", "d", "--json"}).json);
+  EXPECT_FALSE(command({"check", "d"}).json);
   EXPECT_TRUE(command({"plan", "d", "--ranks", "2", "--allow-external"}).allow_external);
   EXPECT_TRUE(command({"info", "mesh.e", "--allow-external"}).allow_external);
 }
@@ -98,6 +100,7 @@ TEST(CommandLine, HelpsOnDemand) {
 TEST(CommandLine, TellsItsVersion) {
   EXPECT_EQ(answer({"--version"}).exit_code, ExitCode::done);
   EXPECT_THAT(answer({"--version"}).text, HasSubstr("percuss " PERCUSS_VERSION));
+  EXPECT_THAT(answer({"--version"}).text, testing::ContainsRegex("\nbuilt     [A-Z].*\nlibraries .*HDF5 [0-9.]+\n"));
 }
 
 TEST(CommandLine, HelpsAndTellsItsVersionByWordsToo) {

@@ -1,0 +1,142 @@
+"""Forces of a run: their peaks and impulses, and whether impulses and momenta, and pairs and their sum, are in balance."""
+
+import numpy as np
+
+from .markup import make_table, with_unit
+
+ROUND_OFF = 1e-9  # relative: what the shortest texts of numbers leave is below
+
+
+def list_forces(history):
+    """Names of output.history.forces, in the order of their columns."""
+    return [name[3:] for name in history if name.startswith("fx:")]
+
+
+def find_force(history, name):
+    """[rows][3]: means over the time since the row before."""
+    return np.stack([np.asarray(history[f"f{axis}:{name}"]) for axis in "xyz"], axis=1)
+
+
+def find_impulse(history, name):
+    """[3]: exactly the momentum exchanged between the first row and the last."""
+    force = find_force(history, name)
+    return (force[1:] * np.diff(history["time"])[:, None]).sum(axis=0)
+
+
+def describe_kind(run, name):
+    """'contact of a with b', as the deck has it; empty where it is not known."""
+    for force in run.deck.get("output.history.forces") or []:
+        if isinstance(force, dict) and force.get("name") == name:
+            for kind in ("contact", "wall", "support", "section"):
+                if kind in force:
+                    return f"{kind} {_name(force[kind])}"
+    return ""
+
+
+def _name(value):
+    if isinstance(value, dict):
+        return ", ".join(f"{key} {_name(item)}" for key, item in value.items())
+    if isinstance(value, list):
+        return " and ".join(_name(item) for item in value)
+    return str(value)
+
+
+def make_forces_table(run):
+    """A row for each force: largest resultant and its time, impulse, mean, largest normal force."""
+    history = run.history
+    names = list_forces(history)
+    if not names or len(history) < 2:
+        return ""
+    force_unit, time_unit = history.unit(f"fx:{names[0]}"), history.unit("time")
+    rows = []
+    for name in names:
+        size = np.linalg.norm(find_force(history, name), axis=1)
+        size = np.where(np.isfinite(size), size, 0)
+        top = int(np.argmax(size))
+        impulse = find_impulse(history, name)
+        mean = np.linalg.norm(impulse) / (history["time"][-1] - history["time"][0])
+        normal = f"normal:{name}"
+        rows.append((name, describe_kind(run, name), _show(size[top], force_unit), _show(history["time"][top], time_unit),
+                     "(" + ", ".join(f"{x:.4g}" for x in impulse) + ")", _show(mean, force_unit),
+                     _show(np.nanmax(history[normal]), force_unit) if normal in history else ""))
+    unit = f" [{force_unit} {time_unit}]" if force_unit else ""
+    heading = ("force", "of", "largest resultant", "at", f"impulse{unit}", "mean", "largest normal force")
+    text = "<h3>Forces</h3>" + make_table(heading, rows, (2, 3, 5, 6))
+    return text + ("<p class=soft>Means over the time between rows: no impulse is lost, and a peak shorter than that time is "
+                   "averaged. The impulse is the momentum exchanged over the whole run.</p>")
+
+
+def _show(value, unit):
+    return with_unit(float(f"{value:.4g}"), unit)
+
+
+def find_balances(history):
+    """[(what, sum of the shares, the whole, difference over the largest magnitude)] of what must add up: the work of all pairs of
+    contact; energies, momenta of all parts, where there is a column for each."""
+    found = []
+    for whole in ("contact", "friction"):
+        _add(found, history, whole, f"work of {whole} by all pairs", [n for n in history if n.startswith(f"{whole}:")])
+    # Work between parts and from outside is in no part, and removed nodes are in none.
+    if "vanished_mass" not in history:
+        for whole in ("kinetic", "internal", "momentum_x", "momentum_y", "momentum_z"):
+            _add(found, history, whole, f"{whole.replace('_', ' ')} of all parts", [n for n in history if n.startswith(f"{whole}:")])
+    return found
+
+
+def _add(found, history, whole, what, shares):
+    """Of the row in which they differ most."""
+    if not shares or whole not in history:
+        return
+    total = np.sum([np.asarray(history[name]) for name in shares], axis=0)
+    largest = max(float(np.nanmax(np.abs(history[name]))) for name in [whole, *shares])
+    if whole.startswith("momentum"):  # of the vector, so that round-off of a component that is zero does not count
+        largest = max([largest] + [float(np.nanmax(np.abs(history[f"momentum_{axis}"]))) for axis in "xyz"])
+    if not largest > 0:
+        return
+    difference = np.abs(total - history[whole])
+    row = int(np.nanargmax(difference))
+    found.append((what, float(total[row]), float(history[whole][row]), float(difference[row]) / largest, whole))
+
+
+def make_balance_table(run):
+    rows = []
+    for what, total, whole, difference, column in find_balances(run.history):
+        unit = run.history.unit(column)
+        verdict = "in balance" if difference <= ROUND_OFF else "not the same: not every share has a column"
+        rows.append((what, _show(total, unit), _show(whole, unit), f"{difference:.2g}", verdict))
+    rows += [(f"impulse of {name}", f"{size:.4g}", f"{change:.4g}", f"{difference:.2g}", verdict)
+             for name, size, change, difference, verdict in find_momentum_balances(run)]
+    if not rows:
+        return ""
+    heading = ("sum", "of the shares", "of the whole", "difference", "")
+    return "<h3>Balances</h3>" + make_table(heading, rows, (1, 2, 3)) + \
+        "<p class=soft>Of the row with the largest difference, which is a share of the largest magnitude.</p>"
+
+
+def find_momentum_balances(run):
+    """[(force, impulse, change of momentum, difference, words)] of each contact force on parts from all others, whose momenta are in
+    the history: they are the same where nothing else acts on the parts. Magnitudes of vectors."""
+    history, found = run.history, []
+    for name in list_forces(history):
+        parts = _list_parts_acted_on(run, name)
+        if not parts or not all(f"momentum_x:{part}" in history for part in parts):
+            continue
+        change = np.array([sum(history[f"momentum_{axis}:{part}"][-1] - history[f"momentum_{axis}:{part}"][0] for part in parts)
+                           for axis in "xyz"])
+        impulse = find_impulse(history, name)
+        largest = max(np.linalg.norm(impulse), np.linalg.norm(change))
+        if not largest > 0:
+            continue
+        difference = float(np.linalg.norm(impulse - change) / largest)
+        verdict = "in balance" if difference <= ROUND_OFF else "the rest is of supports and loads"
+        found.append((name, float(np.linalg.norm(impulse)), float(np.linalg.norm(change)), difference, verdict))
+    return found
+
+
+def _list_parts_acted_on(run, name):
+    for force in run.deck.get("output.history.forces") or []:
+        if isinstance(force, dict) and force.get("name") == name and "contact" in force:
+            pair = force["contact"]
+            if isinstance(pair, list) and len(pair) == 2 and pair[1] == "all":
+                return pair[0] if isinstance(pair[0], list) else [pair[0]]
+    return []

@@ -1,0 +1,109 @@
+#pragma once
+// The texts of `percuss --help` and `percuss COMMAND --help` around the lists of options. The manual page and the
+// completion of shells are made from what these commands print (scripts/make_manual).
+
+namespace percuss::help_texts {
+
+inline constexpr const char* about =
+    "percuss simulates impact with explicit finite elements: solids and shells, with contact between all surfaces.";
+
+inline constexpr const char* general = R"(
+Examples:
+  percuss check inputs/brick_wall/deck.yaml
+  percuss run inputs/brick_wall/deck.yaml --out wall
+  percuss plan inputs/brick_wall/deck.yaml --ranks 1,8,64
+  percuss report wall
+  percuss run deck.yaml --set time.end=1e-3 --set 'initial.0.velocity=[100, 0, 0]'
+
+Exit codes:
+  0    done
+  2    the deck, a mesh or the command is wrong
+  3    the run failed: an element inverted, the energy balance broke, a value is not finite
+  4    the system failed: files, memory, MPI
+  130  interrupted (Ctrl-C, SIGTERM, SIGUSR1, SIGHUP or SIGXCPU); results and a checkpoint for a restart are written;
+       before the first step nothing is changed
+mpirun passes these on, with two exceptions: it ends with a code of its own after a signal to itself (Open MPI: 1 after
+Ctrl-C or SIGTERM) and when a rank is killed (137 after SIGKILL). See `status` in summary.json then: `running` means that
+the run was killed.
+
+Environment:
+  OMP_NUM_THREADS   threads of each rank; default: one for every core that the rank may use. Ranks of a machine that
+                    are not bound to cores share them
+  OMP_PROC_BIND     how OpenMP binds threads to cores; default: no binding
+  OMP_WAIT_POLICY   how threads wait; default: they spin for some 20 microseconds and then sleep
+
+`percuss help COMMAND` or `percuss COMMAND --help` explains a command; `percuss version` prints the version.
+docs/deck.md describes the deck.
+)";
+
+inline constexpr const char* run = R"(
+Always writes summary.json. The deck's `output` selects fields.vtkhdf, with fields.xdmf2 (ParaView) and fields.xdmf
+(VisIt) beside it, and history.csv. Results go to the folder of --out, by default out/SCENE in the current folder. SCENE
+is the deck's name, or the name of its folder if it is called deck.yaml. A folder that is not empty is refused unless
+--force is given, which overwrites an earlier run's files and nothing else. A folder of an active run is always refused;
+run.lock in it names that run.
+
+Ctrl-C, SIGTERM, SIGUSR1, SIGHUP and SIGXCPU end the run after its step; a checkpoint is written first. A second Ctrl-C
+ends it at once. On ranks use `kill -USR1 PID_OF_MPIRUN`: it reaches them at once and gives them enough time. After Ctrl-C
+mpirun waits a second before it signals its ranks, and one more before it kills them; `mpirun --mca
+odls_base_sigkill_timeout 10` makes both ten (Open MPI 4). During the run summary.json says `running`; without an active
+run that means it was killed. `output.checkpoint` of the deck writes checkpoints during the run.
+
+--restart continues from a checkpoint, on any number of ranks and threads, to the same bits as if the run had never
+stopped. It continues history and fields in the checkpoint's folder, or begins new ones in the empty folder of --out.
+time.end may be later than before. A restart that would remove results without computing them again (beyond its end) is
+refused with a message, unless --force is given.
+
+Examples:
+  percuss run inputs/taylor_bar/deck.yaml
+  percuss run deck.yaml --out slow --set time.step_scale=0.5
+  percuss run deck.yaml --restart out/deck/checkpoint.h5
+  OMP_NUM_THREADS=4 percuss run deck.yaml --quiet
+  OMP_NUM_THREADS=2 mpirun -n 8 --map-by slot:PE=2 percuss run deck.yaml
+)";
+
+inline constexpr const char* check = R"(
+Reads the deck, makes or reads its meshes, resolves every name, sums the masses, computes the first time step and
+reports overlap at the start. Runs nothing and writes no file.
+
+--report runs a few steps in a temporary folder and writes one HTML page: the scene with parts, sets, conditions, walls,
+velocities and overlaps, its masses and steps by part, the predicted steps, time, memory and disk, and all warnings.
+
+Examples:
+  percuss check inputs/brick_wall/deck.yaml
+  percuss check deck.yaml --set 'parts.rod.cylinder.cells=[16, 64]'
+  percuss check deck.yaml --report --out before.html
+)";
+
+inline constexpr const char* plan = R"(
+Predicts on one process, without mpirun, how the scene would be divided among ranks: elements and contact surfaces of
+each rank, messages and memory. From a few figures of the machine it estimates the time of a step, the parallel
+efficiency, the run time and the core hours. The table has a column for each number of ranks; docs/plan.md explains every
+line. Runs nothing and writes no file; needs memory for the whole mesh.
+
+Examples:
+  percuss plan inputs/brick_wall/deck.yaml --ranks 1,8,64
+  percuss plan deck.yaml --ranks 512 --set 'parts.rod.cylinder.cells=[16, 64]'
+  percuss plan deck.yaml --ranks 8,64 --latency 30e-6 --bandwidth 1e8
+)";
+
+inline constexpr const char* schema = R"(
+A JSON Schema (draft 2020-12) for editors: all keys with their meaning and values, and which are required. percuss check
+alone checks conditions on several keys. Editors for YAML schemas, such as VS Code with its YAML extension, look for a
+comment in the deck:
+
+  # yaml-language-server: $schema=percuss.schema.json
+
+Example:
+  percuss schema > percuss.schema.json
+)";
+
+inline constexpr const char* info = R"(
+FILE is a summary.json, a fields.vtkhdf, a checkpoint.h5, a folder that holds them, or an Exodus II mesh.
+
+Examples:
+  percuss info out/brick_wall
+  percuss info mesh.e
+)";
+
+}  // namespace percuss::help_texts

@@ -1,0 +1,12 @@
+#pragma once
+// Which percuss this is.
+
+#include <string>
+
+namespace percuss {
+
+/// What `percuss --version` prints, in lines: version and back end; commit, where the sources were a checkout when it
+/// was built, and whether they were changed; compiler and options; libraries.
+std::string describe_version();
+
+}  // namespace percuss

@@ -1,0 +1,60 @@
+"""CHANGELOG and the recipes in packaging/, as far as they can be tested without Spack and a container: packaging_test.py ROOT."""
+
+import os
+import re
+import sys
+import types
+import unittest
+
+ROOT = sys.argv.pop()
+
+
+def read(*names):
+    with open(os.path.join(ROOT, *names), encoding="utf-8") as file:
+        return file.read()
+
+
+def load_recipe():
+    """The recipe with words of Spack that only note what they are told."""
+    told = {"depends_on": [], "variant": [], "version": [], "conflicts": [], "license": [], "generator": []}
+    module = types.ModuleType("spack.package")
+    for word, list_ in told.items():
+        setattr(module, word, lambda *words, list_=list_, **options: list_.append(words[0]))
+    module.CMakePackage = type("CMakePackage", (), {
+        "run_tests": False, "define": lambda self, name, value: f"-D{name}={value}",
+        "define_from_variant": lambda self, name, variant: f"-D{name}={variant}"})
+    sys.modules["spack"], sys.modules["spack.package"] = types.ModuleType("spack"), module
+    names = {}
+    exec(compile(read("packaging/spack/packages/percuss/package.py"), "package.py", "exec"), names)
+    return names["Percuss"](), told
+
+
+class Packaging(unittest.TestCase):
+    def test_changes_begin_with_this_version(self):
+        version = re.search(r"project\(percuss VERSION (\S+)", read("CMakeLists.txt"))[1]
+        self.assertEqual(re.search(r"^## (\d+\.\d+\.\d+)", read("CHANGELOG.md"), re.M)[1], version)
+
+    def test_recipe_of_spack_names_options_and_libraries_of_the_build(self):
+        recipe, told = load_recipe()
+        settings = read("CMakeLists.txt")
+        for argument in recipe.cmake_args():
+            name = re.match(r"-D(\w+)=", argument)[1]
+            self.assertTrue(name == "BUILD_TESTING" or re.search(rf"(set|option)\({name} ", settings), name)
+        dependencies = {re.match(r"[\w-]+", text)[0] for text in told["depends_on"]}
+        sought = re.findall(r"find_package\(([\w+-]+)", read("cmake/PercussDependencies.cmake"))
+        names = {"KokkosKernels": "kokkos-kernels", "nlohmann_json": "nlohmann-json", "PkgConfig": "pkgconfig"}
+        self.assertLessEqual({names.get(name, name.lower()) for name in sought}, dependencies)
+        self.assertLessEqual({"metis", "seacas", "netcdf-c", "muparser"}, dependencies)
+
+    def test_container_has_packages_that_the_scripts_name(self):
+        text = read("packaging/Containerfile")
+        packages = set(re.findall(r"(?<![\w/-])(python3-[\w]+|libjs-three|fonts-dejavu-core|xvfb|xauth)", text))
+        named = set(re.findall(r"[\w.+-]+", read("scripts/install_dependencies")))
+        self.assertTrue(packages)
+        self.assertLessEqual(packages, named)
+        preset = re.search(r"--preset (\w+)", text)[1]
+        self.assertIn(f'"name": "{preset}"', read("CMakePresets.json"))
+
+
+if __name__ == "__main__":
+    unittest.main()
