@@ -5,8 +5,8 @@
 // volume. Here a corner resists below a threshold r0 of that share only, with an energy of the geometry alone:
 //   W = k V sum_I psi(r_I),   psi = (r0 - r)^3 / (3 r0) below r0, else 0,   r_I = J_I / V,
 // J_I = e1 . (e2 x e3) the triple product of the three edges at corner I, V the exact volume. r does not change in a
-// linear map, so that compression, shear and rotation meet no resistance. No history is kept. The stiffness sets in from
-// zero: a step that meets a jump of it makes an error of its energy.
+// linear map, so that compression, shear and rotation meet no resistance. No history is kept. The stiffness sets in
+// from zero: a step that meets a jump of it makes an error of its energy.
 
 #include "kernels/element/hex8/hex8.hpp"
 
