@@ -109,9 +109,10 @@ void Rcb::share_cuts(RcbReport& report) {
   if (report.weight > 0) {
     report.imbalance = static_cast<double>(heaviest) * rank_count / static_cast<double>(report.weight);
   }
+  publish();
 }
 
-RcbReport Rcb::decompose(const ExecSpace& space, const RcbPoints& points) {
+RcbReport Rcb::divide(const ExecSpace& space, const RcbPoints& points) {
   RcbReport report;
   travelling_.begin(points);
   if (groups_.empty()) {
@@ -119,8 +120,12 @@ RcbReport Rcb::decompose(const ExecSpace& space, const RcbPoints& points) {
     own_weight_ = report.weight;
   }
   bisect(space, 0, report);
+  return report;
+}
+
+RcbReport Rcb::decompose(const ExecSpace& space, const RcbPoints& points) {
+  RcbReport report = divide(space, points);
   share_cuts(report);
-  publish();
   return report;
 }
 

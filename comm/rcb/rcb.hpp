@@ -47,6 +47,10 @@ class Rcb {
   /// finite or a weight not positive; MpiError.
   RcbReport decompose(const ExecSpace& space, const RcbPoints& points);
 
+  /// The two steps of decompose(): (5.2) divides the points; (5.3) tells all ranks all cuts and completes the report.
+  RcbReport divide(const ExecSpace& space, const RcbPoints& points);
+  void share_cuts(RcbReport& report);
+
   /// The cuts, on every rank: who owns a point, which ranks a box reaches.
   const CutTree& tree() const { return tree_; }
 
@@ -69,7 +73,6 @@ class Rcb {
   };
 
   void bisect(const ExecSpace& space, std::size_t level, RcbReport& report);
-  void share_cuts(RcbReport& report);
   void publish();
 
   OwnedCommunicator ranks_;

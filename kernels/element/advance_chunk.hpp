@@ -61,11 +61,10 @@ PERCUSS_NO_INLINE inline bool is_pack_near_folding(Real threshold, const VectorM
 }
 
 /// The resistance of a pack, likewise.
-PERCUSS_NO_INLINE inline bool resist_folding_of_pack(const FoldRule<HexLanes>& rule, const VectorModes<HexLanes>& a,
-                                                     const VectorModes<HexLanes>& v, const HexLanes& dt,
+PERCUSS_NO_INLINE inline bool resist_folding_of_pack(const FoldRule<HexLanes>& rule, const FoldMotion<HexLanes>& motion,
                                                      const HexLanes& mass, HexLanes (&f)[3][8],
                                                      HexResult<HexLanes>& result) {
-  return add_fold_resistance(rule, a, v, dt, mass, f, result);
+  return add_fold_resistance(rule, motion, mass, f, result);
 }
 
 /// Follows the bounds of a pack: growth of the square of the element's frequency since the estimate, relative to it or
@@ -166,7 +165,7 @@ struct AdvanceChunk {
       if (!acted_) return;
       const auto modulus = static_cast<Real>(fold_stiffness * (parameters.lambda + 2 * parameters.mu));
       const FoldRule<HexLanes> rule{HexLanes(modulus), HexLanes(threshold_)};
-      resists_ = resist_folding_of_pack(rule, a, v, HexLanes(dt_), mass, f, result) || resists_;
+      resists_ = resist_folding_of_pack(rule, {a, v, HexLanes(dt_)}, mass, f, result) || resists_;
     }
     KOKKOS_FUNCTION bool acted() const { return acted_; }
     KOKKOS_FUNCTION void leave(const ChunkResults& results, int c) const {
@@ -213,7 +212,7 @@ struct AdvanceChunk {
       if (watched) std::memcpy(before, record, static_cast<std::size_t>(record_size) * sizeof(Real));
       HexLanes f[3][8];
       HexResult<HexLanes> result =
-          advance_hex8(parameters, a, v, HexLanes(static_cast<Real>(motion.dt)), s, f[0], f[1], f[2]);
+          advance_hex8(parameters, a, v, HexLanes(static_cast<Real>(motion.dt)), s, {f[0], f[1], f[2]});
       fetch_third<fetched>(next, 2);
       folding.resist(parameters, a, v, s.mass, f, result);
       if (living.can_fail()) living.settle(result, f);
@@ -270,18 +269,18 @@ struct AdvanceChunk {
 
 template <class Material, HexKind Kind>
 void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
-                   const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
-                   const ChunkResults& results) {
+                   const ElementMotion& motion, const ChunkFields& fields) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
   using Kernel = AdvanceChunk<Material, Kind>;
   const ChunkPolicy policy = HexScratch::make_policy(space, count, chunks.largest_slot_count);
-  Kokkos::parallel_for("percuss::advance_elements", policy, Kernel{chunks, block, motion, state, slot_force, results});
+  Kokkos::parallel_for("percuss::advance_elements", policy,
+                       Kernel{chunks, block, motion, fields.state, fields.slot_force, fields.results});
 }
 
 /// Compiles advance_block for a material and a kind of element.
 #define PERCUSS_COMPILE_ADVANCE(MATERIAL, KIND)                                                    \
   template void advance_block(const ExecSpace&, const HexChunks&, const HexBlock<MATERIAL, KIND>&, \
-                              const ElementMotion&, const Array<Real>&, const Rows3<double>&, const ChunkResults&);
+                              const ElementMotion&, const ChunkFields&);
 
 }  // namespace percuss

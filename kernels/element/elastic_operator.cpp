@@ -65,7 +65,7 @@ struct ProbeChunk {
                                             load_pack(record + HexRecord::viscous_pressure * width),
                                             HexLanes(static_cast<Real>(probe.step))};
       HexLanes f[3][8];
-      probe_hex8<Kind>(parameters, a, u, element, f[0], f[1], f[2]);
+      probe_hex8<Kind>(parameters, a, u, element, {f[0], f[1], f[2]});
       scatter_forces(f, corners, count - i * width < width ? count - i * width : width, forces);
     }
   }
@@ -87,23 +87,20 @@ struct ProbeChunk {
 
 template <class Material, HexKind Kind>
 void probe_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
-                 const ElasticProbe& probe, const Array<Real>& state, const ChunkResults& results,
-                 const Rows3<double>& slot_force) {
+                 const ElasticProbe& probe, const ChunkFields& fields) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
   using Kernel = ProbeChunk<Material, Kind>;
   const ChunkPolicy policy = HexScratch::make_policy(space, count, chunks.largest_slot_count);
   Kokkos::parallel_for("percuss::apply_elastic_operator", policy,
-                       Kernel{chunks, block, probe, state, results, slot_force});
+                       Kernel{chunks, block, probe, fields.state, fields.results, fields.slot_force});
 }
 
 }  // namespace
 
 void apply_elastic_operator(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
-                            const ElasticProbe& probe, const Array<Real>& state, const ChunkResults& results,
-                            const Rows3<double>& slot_force) {
-  std::apply([&](const auto&... block) { (probe_block(space, chunks, block, probe, state, results, slot_force), ...); },
-             blocks);
+                            const ElasticProbe& probe, const ChunkFields& fields) {
+  std::apply([&](const auto&... block) { (probe_block(space, chunks, block, probe, fields), ...); }, blocks);
 }
 
 }  // namespace percuss

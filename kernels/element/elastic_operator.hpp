@@ -18,11 +18,10 @@ struct ElasticProbe {
   double coarse = 0;      // chunks whose step bound is above this count with that bound instead of their stiffness
 };
 
-/// slot_force: out, minus the chunks' share of A(h) u. state: element records at n. results: of the evaluation at n.
-/// Where `coarse` allows it a chunk counts as (h / bound)^2 m u, which is an upper bound of its A(h).
+/// fields.slot_force: out, minus the chunks' share of A(h) u; state and results: in, of the evaluation at n. Where
+/// `coarse` allows it a chunk counts as (h / bound)^2 m u, which is an upper bound of its A(h).
 void apply_elastic_operator(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
-                            const ElasticProbe& probe, const Array<Real>& state, const ChunkResults& results,
-                            const Rows3<double>& slot_force);
+                            const ElasticProbe& probe, const ChunkFields& fields);
 
 /// What an element brings along besides its geometry.
 template <class T>
@@ -88,11 +87,11 @@ PERCUSS_FORCE_INLINE VectorModes<T> probe_points(double mu, const VectorModes<T>
   return force;
 }
 
-/// A(h) u of one element, or a pack of them. a, u: modes of x(n) and of the velocities. fx, fy, fz: out, by corner.
+/// A(h) u of one element, or a pack of them. a, u: modes of x(n) and of the velocities.
 template <HexKind Kind, class T, class Material>
 PERCUSS_FORCE_INLINE void probe_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
-                                     const VectorModes<T>& u, const ProbedElement<T>& element, T (&fx)[8], T (&fy)[8],
-                                     T (&fz)[8]) {
+                                     const VectorModes<T>& u, const ProbedElement<T>& element,
+                                     const CornerForces<T>& out) {
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
   const T density = element.mass * (T(1) / b.volume);
@@ -105,13 +104,13 @@ PERCUSS_FORCE_INLINE void probe_hex8(const HexParameters<Material>& par, const V
       find_viscous_tangent(par.viscosity, density, find_thickness(size, b.volume), speed, element.viscous_pressure);
   if constexpr (Kind == HexKind::full) {
     const T bulk = number<T>(par.lambda + 2 * par.mu / 3) * elastic + viscous;
-    find_full_forces(probe_points(par.mu, a, u, elastic), identity_matrix<T>(), bulk * trace(d), b, fx, fy, fz);
+    find_full_forces(probe_points(par.mu, a, u, elastic), identity_matrix<T>(), bulk * trace(d), b, out);
   } else {
     const T pressure = (number<T>(par.lambda) * elastic + viscous) * trace(d);
     const Symmetric3<T> t =
         (number<T>(2 * par.mu) * elastic) * d + Symmetric3<T>{pressure, pressure, pressure, T(0), T(0), T(0)};
     const HourglassModes<T> q = probe_hourglass<Kind>(par, a, b, size.trace, element, find_hourglass_rates(u, a, l));
-    find_corner_forces(t, q, a, b, fx, fy, fz);
+    find_corner_forces(t, q, a, b, out);
   }
 }
 

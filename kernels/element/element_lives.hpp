@@ -78,6 +78,13 @@ struct ElementLives {
   Array<double> layers;          // of shells (kernels/shell/layer_lives.hpp); of them the three above are means
 };
 
+/// The elements that can fail: their chunks, the records of all elements at n+1, and their lives, in and out.
+struct FailingElements {
+  FailingChunks chunks;
+  Array<Real> records;
+  ElementLives lives;
+};
+
 /// What counts of an element in the step to its next evaluation.
 struct LifeShares {
   double now = 1;    // of its force at n

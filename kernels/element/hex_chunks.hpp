@@ -59,6 +59,15 @@ struct ChunkResults {
   Array<double> resists;           // [count] 1: an element resists folding at n; empty as HexChunks::fold_threshold
 };
 
+/// What evaluating the elements of all chunks reads and writes.
+struct ChunkFields {
+  Array<Real> state;         // records of the elements, in and out
+  Rows3<double> slot_force;  // out: the chunk's share of the force on its nodes (minus the internal force), as it was
+                             // where a chunk is skipped
+  ChunkResults results;      // out; work is added to
+  Rows3<double> slot_moment{};  // out: of moments likewise; of shells only
+};
+
 /// Points with stress and history of their own.
 template <HexKind Kind>
 inline constexpr int hex_points = Kind == HexKind::full ? 8 : 1;

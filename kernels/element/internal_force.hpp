@@ -52,16 +52,13 @@ struct AllHexBlocks<TypeList<Material...>> {
 /// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
 using HexBlocks = AllHexBlocks<CompiledMaterials>::type;
 
-/// Advances every element from n to n+1. state: element records, in and out. slot_force: out, the chunk's share of the
-/// force on its nodes (minus the internal force), as it was where a chunk is skipped. results: out; work is added to.
+/// Advances every element from n to n+1.
 void advance_elements(const ExecSpace& space, const HexChunks& chunks, const HexBlocks& blocks,
-                      const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
-                      const ChunkResults& results);
+                      const ElementMotion& motion, const ChunkFields& fields);
 
 /// The same for one variant; compiled in a file for each material.
 template <class Material, HexKind Kind>
 void advance_block(const ExecSpace& space, const HexChunks& chunks, const HexBlock<Material, Kind>& block,
-                   const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
-                   const ChunkResults& results);
+                   const ElementMotion& motion, const ChunkFields& fields);
 
 }  // namespace percuss

@@ -136,16 +136,38 @@ PERCUSS_FORCE_INLINE ShellRates<T> join_stresses(const ShellState<T>& state, con
   return on;
 }
 
-/// Advances the element from n to n+1. x, v: differences of the corner positions at n+1 and of the velocities at n+1/2;
-/// w: angular velocities of the corners at n+1/2; all in space axes. layer: the records of its points, in and out.
-/// force, moment: out, what resists the motion at the corners (the node feels the negative). With dt = 0 it evaluates
-/// forces and step only. lives: of layers that can fail, in and out. shapes: what of the pack is a triangle.
+/// The motion of an element's corners in a step, in space axes.
+template <class T>
+struct CornerMotion {
+  const ShellDifferences<T>& x;  // of the positions at n+1
+  const ShellDifferences<T>& v;  // of the velocities at n+1/2
+  const Vector3<T> (&w)[4];      // angular velocities at n+1/2
+  T dt;
+};
+
+/// Where an element's record lies, in and out.
+template <class T>
+struct StoredShell {
+  ShellState<T>& state;
+  T* layer;  // the records of its points
+};
+
+/// Out: what resists the motion at the corners (the node feels the negative).
+template <class T>
+struct CornerLoads {
+  Vector3<T> (&force)[4], (&moment)[4];
+};
+
+/// Advances the element from n to n+1. With dt = 0 it evaluates forces and step only. lives: of layers that can fail,
+/// in and out. shapes: what of the pack is a triangle.
 template <class T, class Material, class Lives = WholeLayers, class Shapes = Quadrilaterals>
-PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Material>& par, const ShellDifferences<T>& x,
-                                                   const ShellDifferences<T>& v, const Vector3<T> (&w)[4], const T& dt,
-                                                   ShellState<T>& state, T* layer, Vector3<T> (&force)[4],
-                                                   Vector3<T> (&moment)[4], const Lives& lives = {},
-                                                   const Shapes& shapes = {}) {
+PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Material>& par, const CornerMotion<T>& motion,
+                                                   const StoredShell<T>& stored, const CornerLoads<T>& out,
+                                                   const Lives& lives = {}, const Shapes& shapes = {}) {
+  const ShellDifferences<T>&x = motion.x, &v = motion.v;
+  const Vector3<T>(&w)[4] = motion.w;
+  const T& dt = motion.dt;
+  ShellState<T>& state = stored.state;
   const PlaneElasticity& elastic = par.material.elasticity;
   const T half = T(0.5);
   const ShellGeometry<T> middle = find_shell_geometry(step_back(x, v, half * dt), shapes);
@@ -153,7 +175,8 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
   ShellRates<T> rate = find_shell_rates(middle, turn(middle.frame, v), turned, shapes);  // (1.3) strain rate
   if (par.offset != 0) move_to_middle(T(par.offset), rate);
 
-  const LayerSums<T> layers = advance_layers(par, rate, dt, half * state.thickness, layer, lives);  // (1.4) stress
+  const LayerSums<T> layers =
+      advance_layers(par, rate, dt, half * state.thickness, stored.layer, lives);  // (1.4) stress
   T work = layers.work, modulus = T(shell_shear_correction * elastic.shear_modulus);
   if constexpr (Shapes::has_triangles) modulus = find_shear_share(middle, state.thickness, shapes) * modulus;
   for (int k = 0; k < 2; ++k) {
@@ -163,8 +186,8 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
     work = work + added;
     state.shear[k] = state.shear[k] + change;
   }
-  const StoredForces<Material::can_yield, Lives::can_fail, T> stored{layers.flow, layers.left};
-  const T hourglass_work = advance_hourglass(elastic, middle, rate, stored, dt, shapes, state);
+  const StoredForces<Material::can_yield, Lives::can_fail, T> forces{layers.flow, layers.left};
+  const T hourglass_work = advance_hourglass(elastic, ShellStep<T>{middle, rate, dt}, forces, shapes, state);
   const T old_thickness = state.thickness;
   const T half_across = half * layers.across;
   state.thickness = old_thickness * ((T(1) + half_across) * (T(1) / (T(1) - half_across)));
@@ -173,7 +196,7 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
   ShellRates<T> on = join_stresses<Lives::can_fail>(state, layers, end.area, shapes);
   if (par.offset != 0) move_to_corners(T(par.offset), on);
   const ShellSection<T> section{state.thickness, state.mass, state.gyration_square, par.offset};
-  find_shell_forces(end, on, force, moment, shapes);  // (1.5) internal forces
+  find_shell_forces(end, on, out.force, out.moment, shapes);  // (1.5) internal forces
   return {{half * (old_thickness + state.thickness) * middle.area * work, hourglass_work},
           find_shell_step(end, section, elastic, shapes),
           end.area,

@@ -68,17 +68,25 @@ KOKKOS_INLINE_FUNCTION bool fade_layers(const FailingShell& shell, int points, i
   return changed;
 }
 
+/// By what the shells of a chunk are judged in a step.
+struct ShellCriteria {
+  const ThicknessPoints& rule;
+  const FailureLimits& limits;
+  double dt;
+};
+
 /// Judges the layers of a whole element; returns whether the element fails. Those that fail in the step in which it
 /// does fade with it.
-KOKKOS_INLINE_FUNCTION bool judge_layers(const FailingShell& shell, const ThicknessPoints& rule,
-                                         const FailureLimits& limits, double dt, bool& changed) {
+KOKKOS_INLINE_FUNCTION bool judge_layers(const FailingShell& shell, const ShellCriteria& by, bool& changed) {
+  const ThicknessPoints& rule = by.rule;
+  const FailureLimits& limits = by.limits;
   constexpr double round_off = 1e-12;
   bool fresh[most_thickness_points];
   double failed = 0;
   int count = 0;
   for (int p = 0; p < rule.count; ++p) {
     const bool is_whole = shell.left(p) == ElementLives::whole;
-    fresh[p] = is_whole && judge_layer(shell, p, rule.place[p], limits, dt);
+    fresh[p] = is_whole && judge_layer(shell, p, rule.place[p], limits, by.dt);
     if (is_whole && !fresh[p]) continue;
     failed += rule.weight[p];
     ++count;
@@ -108,16 +116,17 @@ KOKKOS_INLINE_FUNCTION void take_means(const FailingShell& shell, const Thicknes
   lives.time_at_yield(lane) = time;
 }
 
-KOKKOS_INLINE_FUNCTION bool judge(const FailingShell& shell, const ThicknessPoints& rule, const FailureLimits& limits,
-                                  double dt, const ElementLives& lives, int lane, FailureCounts& counts) {
-  bool changed = fade_layers(shell, rule.count, limits.fade_steps);
+KOKKOS_INLINE_FUNCTION bool judge(const FailingShell& shell, const ShellCriteria& by, const ElementLives& lives,
+                                  int lane, FailureCounts& counts) {
+  const FailureLimits& limits = by.limits;
+  bool changed = fade_layers(shell, by.rule.count, limits.fade_steps);
   if (go_on_dying(lives, lane, limits, counts)) return true;
-  if (judge_layers(shell, rule, limits, dt, changed)) {
+  if (judge_layers(shell, by, changed)) {
     ++counts.failing;
     set_left(lives, lane, limits.fade_steps, limits);
     changed = true;
   }
-  take_means(shell, rule, limits, lives, lane);
+  take_means(shell, by.rule, limits, lives, lane);
   return changed;
 }
 
@@ -155,11 +164,12 @@ struct JudgeShells {
     const FailingRecords of = find_records(chunks, failing, elements, c);
     const int count = chunks.first_element(c + 1) - chunks.first_element(c);
     if (results.is_settled(c) != 0 && !is_ending(of, c, count)) return;  // as it was judged last
+    const ShellCriteria by{rules(chunks.points(c)), limits, dt};
     FailureCounts here;
     bool changed = false;
     for (int i = 0; i < count; ++i) {
       if (lives.steps_left(of.first_lane + i) == 0) continue;
-      if (judge(find(of, c, i), rules(chunks.points(c)), limits, dt, lives, of.first_lane + i, here)) changed = true;
+      if (judge(find(of, c, i), by, lives, of.first_lane + i, here)) changed = true;
     }
     if (changed) results.is_settled(c) = 0;
     if (changed) end_lanes_past_end(lives, of, count);
@@ -171,14 +181,14 @@ struct JudgeShells {
 
 }  // namespace
 
-FailureCounts find_shell_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing,
-                                  const ThicknessRules& rules, double dt, const Array<Real>& elements,
-                                  const ElementLives& lives, const ChunkResults& results) {
+FailureCounts find_shell_failures(const ExecSpace& space, const HexChunks& chunks, const FailingElements& elements,
+                                  const ThicknessRules& rules, double dt, const ChunkResults& results) {
+  const FailingChunks& failing = elements.chunks;
   FailureCounts counts;
   if (failing.first_layer.extent(0) == 0) return counts;
   Kokkos::parallel_reduce("percuss::find_shell_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
-                          JudgeShells{chunks, failing, rules, dt, elements, lives, results}, counts.failing,
-                          counts.died);
+                          JudgeShells{chunks, failing, rules, dt, elements.records, elements.lives, results},
+                          counts.failing, counts.died);
   return counts;
 }
 

@@ -13,9 +13,8 @@ namespace percuss {
 using ThicknessRules = Kokkos::View<ThicknessPoints*, MemSpace>;
 
 /// As find_failures(), for the chunks of shells.
-FailureCounts find_shell_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing,
-                                  const ThicknessRules& rules, double dt, const Array<Real>& elements,
-                                  const ElementLives& lives, const ChunkResults& results);
+FailureCounts find_shell_failures(const ExecSpace& space, const HexChunks& chunks, const FailingElements& elements,
+                                  const ThicknessRules& rules, double dt, const ChunkResults& results);
 
 /// Sets the shares of a layer with so many evaluations left. layer: its first scalar in ElementLives::layers.
 KOKKOS_INLINE_FUNCTION void set_layer_left(double* layer, int left, int fade_steps) {

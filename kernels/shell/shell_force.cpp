@@ -119,7 +119,7 @@ struct AdvanceShellChunk {
       copy_row(motion.w.data() + n, node + 8);
       for (int k = 0; k < shell_force_record; ++k) forces[shell_force_record * s + k] = 0;
     }
-    const bool changed = advance_packs(c, nodes, forces, at_rest);
+    const bool changed = advance_packs(c, scratch, at_rest);
     results.is_settled(c) = at_rest && !changed ? 1 : 0;
     for (int s = 0; s < slot_count; ++s) {
       copy_row(forces + shell_force_record * s, &slot_force(first_slot + s, 0));
@@ -137,7 +137,7 @@ struct AdvanceShellChunk {
   }
 
   /// Returns whether a bit of the records has changed, if watched.
-  KOKKOS_FUNCTION bool advance_packs(int c, const double* nodes, double* forces, bool watched) const {
+  KOKKOS_FUNCTION bool advance_packs(int c, const ShellScratch& scratch, bool watched) const {
     const ShellParameters<Layer> parameters = block.parameters(chunks.parameters(c));
     constexpr int largest_record = find_shell_record_size(most_thickness_points, Layer::most_history) * width;
     const int record_size = chunks.record_size(c) * width;
@@ -157,7 +157,7 @@ struct AdvanceShellChunk {
         if (living.can_fail() && !living.take_pack(gathered)) continue;
       }
       if (watched) std::memcpy(before, record, bytes);
-      const ShellResult<Lanes> result = advance_pack(parameters, nodes, gathered, lanes, record, forces, living);
+      const ShellResult<Lanes> result = advance_pack(parameters, scratch, gathered, lanes, record, living);
       sums.take(result, e, lanes);
       if (motion.bound.extent(0) > 0) store_bounds(result.stable_step, lanes, &motion.bound(e));
       if (watched) changed = changed || std::memcmp(before, record, bytes) != 0;
@@ -169,21 +169,21 @@ struct AdvanceShellChunk {
     return changed;
   }
 
-  KOKKOS_FUNCTION ShellResult<Lanes> advance_pack(const ShellParameters<Layer>& parameters, const double* nodes,
+  KOKKOS_FUNCTION ShellResult<Lanes> advance_pack(const ShellParameters<Layer>& parameters, const ShellScratch& scratch,
                                                   const std::uint16_t* corners, int lanes, double* record,
-                                                  double* forces,
                                                   [[maybe_unused]] const LivingShells<Lanes>& living) const {
     Vector3<Lanes> x[4], v[4], w[4], f[4], m[4];
-    gather_corners(nodes, corners, x);
-    gather_corners(nodes + 4, corners, v);
-    gather_corners(nodes + 8, corners, w);
+    gather_corners(scratch.nodes, corners, x);
+    gather_corners(scratch.nodes + 4, corners, v);
+    gather_corners(scratch.nodes + 8, corners, w);
     auto& head = *reinterpret_cast<ShellState<Lanes>*>(record);  // its scalars lie like the record's
     static_assert(sizeof(ShellState<Lanes>) == ShellRecord::layers * sizeof(Lanes));
     auto* const layers = reinterpret_cast<Lanes*>(record + ShellRecord::layers * width);
     const auto advance = [&](const auto& lives) {
       const auto advance_shapes = [&](const auto& shapes) {
-        return advance_shell4(parameters, find_differences(x), find_differences(v), w, Lanes(motion.dt), head, layers,
-                              f, m, lives, shapes);
+        return advance_shell4(parameters,
+                              CornerMotion<Lanes>{find_differences(x), find_differences(v), w, Lanes(motion.dt)},
+                              {head, layers}, {f, m}, lives, shapes);
       };
       if constexpr (HasTriangles) {
         return advance_shapes(find_shapes(corners));
@@ -202,24 +202,24 @@ struct AdvanceShellChunk {
     } else {
       result = advance(WholeLayers{});
     }
-    scatter_corners(f, corners, lanes, forces);
-    scatter_corners(m, corners, lanes, forces + 4);
+    scatter_corners(f, corners, lanes, scratch.forces);
+    scatter_corners(m, corners, lanes, scratch.forces + 4);
     return result;
   }
 };
 
 template <class Layer>
 void advance_block(const ExecSpace& space, const HexChunks& chunks, const ShellBlock<Layer>& block,
-                   const ShellMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
-                   const Rows3<double>& slot_moment, const ChunkResults& results) {
+                   const ShellMotion& motion, const ChunkFields& fields) {
   const int count = static_cast<int>(block.chunks.extent(0));
   if (count == 0) return;
   const ChunkPolicy policy = ShellScratch::make_policy(space, count, chunks.largest_slot_count);
   const auto advance = [&]<bool CanFail, bool HasTriangles>(std::bool_constant<CanFail>,
                                                             std::bool_constant<HasTriangles>) {
     using Kernel = AdvanceShellChunk<Layer, CanFail, HasTriangles>;
-    Kokkos::parallel_for("percuss::advance_shells", policy,
-                         Kernel{chunks, block, motion, state, slot_force, slot_moment, results});
+    Kokkos::parallel_for(
+        "percuss::advance_shells", policy,
+        Kernel{chunks, block, motion, fields.state, fields.slot_force, fields.slot_moment, fields.results});
   };
   const auto advance_shapes = [&](const auto can_fail) {
     if (block.has_triangles) return advance(can_fail, std::true_type{});
@@ -234,13 +234,8 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const ShellB
 }  // namespace
 
 void advance_shells(const ExecSpace& space, const HexChunks& chunks, const ShellBlocks& blocks,
-                    const ShellMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
-                    const Rows3<double>& slot_moment, const ChunkResults& results) {
-  std::apply(
-      [&](const auto&... block) {
-        (advance_block(space, chunks, block, motion, state, slot_force, slot_moment, results), ...);
-      },
-      blocks);
+                    const ShellMotion& motion, const ChunkFields& fields) {
+  std::apply([&](const auto&... block) { (advance_block(space, chunks, block, motion, fields), ...); }, blocks);
 }
 
 }  // namespace percuss

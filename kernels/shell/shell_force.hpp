@@ -53,11 +53,8 @@ struct ShellMotion {
   Array<double> bound{};  // [elements] out: step bound of each shell, without the deck's scale; empty: nobody asks
 };
 
-/// Advances every shell from n to n+1. state: element records, in and out. slot_force, slot_moment: out, the chunk's
-/// share of the force and the moment on its nodes (minus the internal ones), as they were where a chunk is skipped.
-/// results: out; work is added to.
+/// Advances every shell from n to n+1.
 void advance_shells(const ExecSpace& space, const HexChunks& chunks, const ShellBlocks& blocks,
-                    const ShellMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
-                    const Rows3<double>& slot_moment, const ChunkResults& results);
+                    const ShellMotion& motion, const ChunkFields& fields);
 
 }  // namespace percuss

@@ -134,13 +134,24 @@ PERCUSS_FORCE_INLINE ModeChanges<T> find_bending_changes(const PlaneElasticity& 
       {b[0], b[1]}};
 }
 
+/// The motion that the stored forces follow.
+template <class T>
+struct ShellStep {
+  const ShellGeometry<T>& middle;  // at n+1/2
+  const ShellRates<T>& rate;       // on it
+  T dt;
+};
+
 /// Advances the stored forces by their rates: the stiffness of the element's own membrane, bending and shear beyond
 /// what its point sees (physical stabilisation, Belytschko and Leviatan 1994), and that against drilling, with what the
 /// flow of its layers leaves of it. Returns their work.
 template <bool CanYield, bool CanFail, class T, class Shapes>
-PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellGeometry<T>& g, const ShellRates<T>& rate,
-                                         StoredForces<CanYield, CanFail, T> stored, const T& dt, const Shapes& shapes,
+PERCUSS_FORCE_INLINE T advance_hourglass(const PlaneElasticity& e, const ShellStep<T>& step,
+                                         StoredForces<CanYield, CanFail, T> stored, const Shapes& shapes,
                                          ShellState<T>& state) {
+  const ShellGeometry<T>& g = step.middle;
+  const ShellRates<T>& rate = step.rate;
+  const T& dt = step.dt;
   const T t = state.thickness, volume_dt = t * g.area * dt;
   const ModeChanges<T> membrane = find_membrane_changes(e, g, rate, t, dt, shapes);
   const ModeChanges<T> bending = find_bending_changes(e, g, rate, t, dt);

@@ -63,8 +63,7 @@ struct Block {
   }
 
   void advance(double dt) {
-    advance_elements(ExecSpace(), model.chunks, model.blocks, {state.x, state.v, dt}, state.elements, state.slot_force,
-                     state.results);
+    advance_elements(ExecSpace(), model.chunks, model.blocks, {state.x, state.v, dt}, state.chunk_fields());
   }
 };
 

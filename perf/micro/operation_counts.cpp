@@ -44,7 +44,7 @@ OperationCounts count(const Material& material) {
   Modes a, v;
   Counted::counts = {};
   find_modes(a, v);
-  advance_hex8(parameters, a, v, Counted(1e-3), state, fx, fy, fz);
+  advance_hex8(parameters, a, v, Counted(1e-3), state, {fx, fy, fz});
   return Counted::counts;
 }
 

@@ -279,7 +279,7 @@ void Erosion::redefine(State& state, Bookkeeper& books) {
 
 void Erosion::restore(State& state) {
   if (state.books.eroded_elements == 0) return;
-  copy_into_dead_lanes(ExecSpace(), model_.chunks, model_.failing, state.lives, state.elements);
+  copy_into_dead_lanes(ExecSpace(), model_.chunks, state.failing_elements(model_.failing));
   open_faces(list_newly_dead(state));
   unload_faces(state, false);
   sort_nodes(state, nullptr);

@@ -280,22 +280,22 @@ void Stepper::advance_blocks(State& state, const HexBlocks& blocks, const ShellB
   const Array<double> shell_bounds = scaler_ ? scaler_->shell_bounds() : Array<double>();
   const ElementMotion motion{state.x, state.v,        dt,         deck_.elements.skip_resting, state.time + dt,
                              watch,   model_.failing, state.lives};
-  advance_elements(space_, model_.chunks, blocks, motion, state.elements, state.slot_force, state.results);
+  const ChunkFields fields = state.chunk_fields();
+  advance_elements(space_, model_.chunks, blocks, motion, fields);
   if (!model_.has_shells) return;
   advance_shells(
       space_, model_.chunks, shells,
-      {state.x, state.v, state.w, dt, deck_.elements.skip_resting, model_.failing, state.lives, shell_bounds},
-      state.elements, state.slot_force, state.slot_moment, state.results);
+      {state.x, state.v, state.w, dt, deck_.elements.skip_resting, model_.failing, state.lives, shell_bounds}, fields);
 }
 
 /// Which elements fail, which die.
 void Stepper::judge_elements(State& state, double dt) {
   if (model_.failing.pack_count == 0) return;
   const Phase phase("percuss::failure", clocks_.internal_force);
-  const FailureCounts counts =
-      find_failures(space_, model_.chunks, model_.failing, dt, state.elements, state.lives, state.results);
-  const FailureCounts of_shells = find_shell_failures(space_, model_.chunks, model_.failing, model_.thickness_rules, dt,
-                                                      state.elements, state.lives, state.results);
+  const FailingElements elements = state.failing_elements(model_.failing);
+  const FailureCounts counts = find_failures(space_, model_.chunks, elements, dt, state.results);
+  const FailureCounts of_shells =
+      find_shell_failures(space_, model_.chunks, elements, model_.thickness_rules, dt, state.results);
   some_died_ = counts.died + of_shells.died > 0;
 }
 

@@ -46,7 +46,6 @@ template <class Rule>
 struct BlockWalk {
   Rule rule;
   PointQuery query;
-  Boxes boxes;
   BlockTree tree;
   Array<const int> names, rows;  // of points, in their order
   Array<HitChunk> chunks;
@@ -78,7 +77,7 @@ struct BlockWalk {
 
   /// Asks for box i, and for what the rule reads of it.
   KOKKOS_FORCEINLINE_FUNCTION void fetch_box(int i) const {
-    fetch_ahead(reinterpret_cast<const double(*)[6]>(&boxes(i, 0)));
+    fetch_ahead(reinterpret_cast<const double(*)[6]>(&query.boxes(i, 0)));
     rule.fetch(query.box_names(i));
   }
 
@@ -113,7 +112,7 @@ struct BlockWalk {
     std::uint32_t in_doubt = points & ~find_lanes_inside<false>(block.points, tree.boxes(place).box);
     for (; in_doubt != 0; in_doubt &= in_doubt - 1) {
       const int lane = find_lowest_bit(in_doubt);
-      if (!is_in_box(block.x[lane], boxes, tree.order(place))) points &= ~(std::uint32_t{1} << lane);
+      if (!is_in_box(block.x[lane], query.boxes, tree.order(place))) points &= ~(std::uint32_t{1} << lane);
     }
     return points;
   }
@@ -196,8 +195,8 @@ std::vector<int> order_points(const PointQuery& query) {
   return find_kd_order(places);
 }
 
-std::vector<int> order_boxes(const PointQuery& query, const Boxes& boxes) {
-  const auto box = to_host(boxes);
+std::vector<int> order_boxes(const PointQuery& query) {
+  const auto box = to_host(query.boxes);
   const std::size_t count = query.box_names.extent(0);
   std::vector<double> centres(3 * count);
   for (std::size_t i = 0; i < count; ++i)
@@ -211,14 +210,14 @@ bool is_usable(const NumberedOrder& of, std::size_t count) {
 }
 
 /// Puts points and boxes in order, each anew where it has none that goes on. Returns whether both went on.
-bool order_blocks(const PointQuery& query, const Boxes& boxes, BlockScratch& scratch) {
+bool order_blocks(const PointQuery& query, BlockScratch& scratch) {
   const std::size_t num_points = query.point_names.extent(0), num_boxes = query.box_names.extent(0);
   const bool points_go_on = !scratch.is_worn && is_usable(scratch.point_order, num_points);
   const bool boxes_go_on = !scratch.is_worn && is_usable(scratch.box_order, num_boxes);
   std::vector<int>& point_order = scratch.point_order.order;
   std::vector<int>& box_order = scratch.box_order.order;
   if (!points_go_on) point_order = order_points(query);
-  if (!boxes_go_on) box_order = order_boxes(query, boxes);
+  if (!boxes_go_on) box_order = order_boxes(query);
   std::vector<int> names(num_points), rows(num_points);
   const auto point_names = to_host(query.point_names), points = to_host(query.points);
   for (std::size_t i = 0; i < num_points; ++i) {
@@ -246,8 +245,8 @@ void sort_boxes(const Space& space, const BlockWalk<Rule>& walk) {
         const int i = w.tree.order(place);
         TreeBox& box = w.tree.boxes(place);
         for (int axis = 0; axis < 3; ++axis) {
-          box.box.low[axis] = to_float(w.boxes(i, axis), w.origin[axis]);
-          box.box.high[axis] = to_float(w.boxes(i, axis + 3), w.origin[axis]);
+          box.box.low[axis] = to_float(w.query.boxes(i, axis), w.origin[axis]);
+          box.box.high[axis] = to_float(w.query.boxes(i, axis + 3), w.origin[axis]);
         }
         box.mark = w.rule.mark(w.query.box_names(i));
       });
@@ -337,21 +336,21 @@ void identify(const std::vector<std::int64_t>& points, const std::vector<std::in
 }
 
 template <class Space, class Rule>
-std::int64_t find_hits_in_blocks(const Space& space, const PointQuery& query, const Boxes& boxes, const Rule& rule,
-                                 std::int64_t max_pairs, BlockScratch& scratch, CandidateList& list) {
+std::int64_t find_hits_in_blocks(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
+                                 BlockScratch& scratch, CandidateList& list) {
   constexpr double wear = 1.5;  // tests after which a new order pays, over those that it begins with
   const int num_points = static_cast<int>(query.point_names.extent(0));
   const bool is_known = !scratch.is_worn && !scratch.is_other &&
                         are_equal<Space>(space, query.point_names, scratch.point_names) &&
                         are_equal<Space>(space, query.points, scratch.point_rows) &&
                         are_equal<Space>(space, query.box_names, scratch.box_names);
-  const bool goes_on = is_known || order_blocks(query, boxes, scratch);
+  const bool goes_on = is_known || order_blocks(query, scratch);
   const int blocks = (num_points + block_size - 1) / block_size;
   reserve(scratch.first_chunk, blocks);
   reserve(scratch.tests, blocks);
   reserve(scratch.count, query.num_names);
   reserve(list.offset, query.num_names + 1);
-  BlockWalk<Rule> walk{rule, query, boxes, scratch.tree, scratch.names, scratch.rows, {}, {}, {}, {}, {}};
+  BlockWalk<Rule> walk{rule, query, scratch.tree, scratch.names, scratch.rows, {}, {}, {}, {}, {}};
   walk.num_chunks = scratch.num_chunks;
   walk.first_chunk = scratch.first_chunk;
   walk.tests = scratch.tests;
@@ -377,10 +376,10 @@ std::int64_t find_hits_in_blocks(const Space& space, const PointQuery& query, co
 }
 
 #define PERCUSS_INSTANTIATE(Space)                                                                              \
-  template std::int64_t find_hits_in_blocks(const Space&, const PointQuery&, const Boxes&, const NodeFaceRule&, \
-                                            std::int64_t, BlockScratch&, CandidateList&);                       \
-  template std::int64_t find_hits_in_blocks(const Space&, const PointQuery&, const Boxes&, const EdgePairRule&, \
-                                            std::int64_t, BlockScratch&, CandidateList&);
+  template std::int64_t find_hits_in_blocks(const Space&, const PointQuery&, const NodeFaceRule&, std::int64_t, \
+                                            BlockScratch&, CandidateList&);                                     \
+  template std::int64_t find_hits_in_blocks(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, \
+                                            BlockScratch&, CandidateList&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -29,11 +29,18 @@ KOKKOS_INLINE_FUNCTION void store_box(const Boxes& boxes, int face, const Point3
   boxes(face, 3) = high.x, boxes(face, 4) = high.y, boxes(face, 5) = high.z;
 }
 
-/// Size, box and slab of those faces that are boxed. at, velocity: of their corners; relative: the same to the first.
+/// The motion of their corners, by itself and relative to the first, and their normals at the predicted place.
+struct CornerMotions {
+  const FaceOf<Packed>&at, &velocity;
+  const RelativeFaceOf<Packed>& relative;
+  const PackedPoint& normal;
+};
+
+/// Size, box and slab of those faces that are boxed.
 PERCUSS_FORCE_INLINE void measure_boxed(const SurfaceOffsets& offsets, const SurfaceMotion& motion,
-                                        const MeasuredFaces& faces, const FaceOf<Packed>& at,
-                                        const FaceOf<Packed>& velocity, const RelativeFaceOf<Packed>& relative,
-                                        const PackedPoint& normal, const FaceState& out) {
+                                        const MeasuredFaces& faces, const CornerMotions& corners,
+                                        const FaceState& out) {
+  const auto& [at, velocity, relative, normal] = corners;
   // Distance from the middle of a face to that of the opposite side of its element.
   const FaceOf<Packed> behind = load_corners(motion.x, faces.back);
   PackedPoint sum = at.corner[0] - behind.corner[0];
@@ -76,13 +83,14 @@ PERCUSS_FORCE_INLINE void measure_faces(const SurfaceOffsets& offsets, const Sur
     constexpr double beyond = 1e300;  // a box that meets nothing
     store_box(out.box, faces.face[lane], {beyond, beyond, beyond}, {-beyond, -beyond, -beyond});
   }
-  if (faces.any_boxed) measure_boxed(offsets, motion, faces, at, velocity, relative, normal, out);
+  if (faces.any_boxed) measure_boxed(offsets, motion, faces, {at, velocity, relative, normal}, out);
 }
 
-/// The candidate faces of a node.
+/// The candidate faces of a node: of the list those from first to last - 1.
 struct NodeCandidates {
   Array<const int> face, with_history;
   bool leaves_out = false;  // those that only a node with a history is checked against
+  int first = 0, last = 0;
 
   /// -1: left out.
   KOKKOS_INLINE_FUNCTION int operator()(int c) const { return leaves_out && with_history(c) != 0 ? -1 : face(c); }
@@ -96,21 +104,19 @@ KOKKOS_INLINE_FUNCTION bool has_history(const Array<const int>& history_face, in
 
 /// Flattened: a pair is checked by some fifty small functions.
 template <Thickness thickness>
-PERCUSS_FLATTEN KOKKOS_FUNCTION void check_node_flat(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                     const FaceState& faces, const Array<const int>& history_face,
-                                                     int node, const NodeCandidates& candidates, int first, int last,
-                                                     NodeTouches& accepted) {
-  check_node<thickness>(surface, motion, faces, history_face, node, candidates, first, last, accepted);
+PERCUSS_FLATTEN KOKKOS_FUNCTION void check_node_flat(const CheckInputs& inputs, int node,
+                                                     const NodeCandidates& candidates, NodeTouches& accepted) {
+  check_node<thickness>(inputs.surface, inputs.motion, inputs.faces, inputs.history_face, node, candidates,
+                        candidates.first, candidates.last, accepted);
 }
 
-/// The first of the candidates first to last - 1 whose box the node meets in the step, or `last`: for most nodes, in
-/// most steps, there is none.
-KOKKOS_INLINE_FUNCTION int find_first_near(const ContactSurface& surface, const SurfaceMotion& motion,
-                                           const FaceState& faces, int node, const NodeCandidates& candidates,
-                                           int first, int last) {
-  const CheckedNode checked = load_checked_node(surface, motion, node);
-  for (; first < last; ++first)
-    if (const int face = candidates(first); face >= 0 && is_in_box(checked, faces.box, face)) break;
+/// The first of the candidates whose box the node meets in the step, or `last`: for most nodes, in most steps, there is
+/// none.
+KOKKOS_INLINE_FUNCTION int find_first_near(const MovingSurface& moving, int node, const NodeCandidates& candidates) {
+  const CheckedNode checked = load_checked_node(moving.surface, moving.motion, node);
+  int first = candidates.first;
+  for (; first < candidates.last; ++first)
+    if (const int face = candidates(first); face >= 0 && is_in_box(checked, moving.faces.box, face)) break;
   return first;
 }
 
@@ -176,30 +182,28 @@ StillCount mark_near_moved(const Space& space, const ContactSurface& surface, co
   return count;
 }
 
-/// The nodes to be checked: those that moved, or something near them, or that remember other faces than in the last
-/// check. Returns how many, of them or of all nodes if still faces are not watched and none are listed.
-template <class Space>
-int list_checked_nodes(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
-                       const Array<const int>& history_face, StillFaces& still, TouchTable& table) {
-  table.num_kept_pairs = 0;
-  if (!still.is_watched()) return candidates.num_nodes;
-  if (static_cast<int>(table.checked_at.extent(0)) < surface.num_nodes) {
-    reserve(table.checked_at, surface.num_nodes);
-    reserve(table.is_still, surface.num_nodes);
-    reserve(table.known, contact_limits::max_touches * surface.num_nodes);
-    Kokkos::deep_copy(table.checked_at, std::int64_t{-1});
-  }
+/// Memory of the nodes and faces for the watch of what lies still.
+void reserve_watch(const ContactSurface& surface, const CandidateList& candidates, TouchTable& table) {
   reserve(table.near_moved, surface.num_faces);
   reserve(table.checked, candidates.num_nodes);
-  const StillCount count = mark_near_moved(space, surface, candidates, still, table.near_moved);
-  still.count_still(count.still, count.faces);
-  const ContactSurface s = surface;
+  if (static_cast<int>(table.checked_at.extent(0)) >= surface.num_nodes) return;
+  reserve(table.checked_at, surface.num_nodes);
+  reserve(table.is_still, surface.num_nodes);
+  reserve(table.known, contact_limits::max_touches * surface.num_nodes);
+  Kokkos::deep_copy(table.checked_at, std::int64_t{-1});
+}
+
+/// Marks the nodes for which what the last check found still holds: TouchTable::checked_at is then this check, and -1
+/// for the others. Notes what all of them remember.
+template <class Space>
+void mark_kept_nodes(const Space& space, const CheckInputs& inputs, const CandidateList& candidates,
+                     const StillFaces& still, const TouchTable& table) {
+  const ContactSurface s = inputs.surface;
   const StillFaces seen = still;
   const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
-  const Array<const int> history = history_face, near_moved = table.near_moved;
+  const Array<const int> history = inputs.history_face, near_moved = table.near_moved;
   const Array<int> known = table.known, is_still = table.is_still;
   const Array<std::int64_t> checked_at = table.checked_at;
-  const Array<int> checked = table.checked;
   const std::int64_t now = still.now(), before = still.before();
   Kokkos::parallel_for(
       "contact::find_kept_nodes", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
@@ -215,6 +219,23 @@ int list_checked_nodes(const Space& space, const ContactSurface& surface, const 
         for (int c = offset(node); is_kept && c < offset(node + 1); ++c) is_kept = near_moved(face(c)) == 0;
         checked_at(node) = is_kept ? now : -1;
       });
+}
+
+/// The nodes to be checked: those that moved, or something near them, or that remember other faces than in the last
+/// check. Returns how many, of them or of all nodes if still faces are not watched and none are listed.
+template <class Space>
+int list_checked_nodes(const Space& space, const CheckInputs& inputs, const CandidateList& candidates,
+                       StillFaces& still, TouchTable& table) {
+  table.num_kept_pairs = 0;
+  if (!still.is_watched()) return candidates.num_nodes;
+  reserve_watch(inputs.surface, candidates, table);
+  const StillCount count = mark_near_moved(space, inputs.surface, candidates, still, table.near_moved);
+  still.count_still(count.still, count.faces);
+  mark_kept_nodes(space, inputs, candidates, still, table);
+  const Array<const int> nodes = candidates.nodes, offset = candidates.offset;
+  const Array<std::int64_t> checked_at = table.checked_at;
+  const Array<int> checked = table.checked;
+  const std::int64_t now = still.now();
   const int num_checked = list_where<Space>(
       space, candidates.num_nodes, [nodes, checked_at] KOKKOS_FUNCTION(int i) { return checked_at(nodes(i)) < 0; },
       table.checked);
@@ -257,13 +278,9 @@ struct StillTouches {
 
 /// is_listed: whether TouchTable::checked names the nodes to be checked, or it is all of them.
 template <Thickness thickness, class Space>
-void check_nodes(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
-                 const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
-                 bool is_listed, int num_checked, TouchTable& table) {
-  const ContactSurface s = surface;
-  const SurfaceMotion m = motion;
-  const FaceState f = faces;
-  const Array<const int> h = history_face;
+void check_nodes(const Space& space, const CheckInputs& inputs, const CandidateList& candidates, bool is_listed,
+                 int num_checked, TouchTable& table) {
+  const CheckInputs in = inputs;
   const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
   const Array<const int> with_history = candidates.with_history;
   const bool has_marks = with_history.extent(0) > 0;
@@ -273,13 +290,14 @@ void check_nodes(const Space& space, const ContactSurface& surface, const Surfac
       "contact::detailed_check", RangeOf<Space>(space, 0, num_checked),
       KOKKOS_LAMBDA(int k, int& found) {
         const int node = nodes(is_listed ? checked(k) : k);
-        const NodeCandidates own{face, with_history, has_marks && !has_history(h, node)};
-        const int last = offset(node + 1), first = find_first_near(s, m, f, node, own, offset(node), last);
+        NodeCandidates own{face, with_history, has_marks && !has_history(in.history_face, node), offset(node),
+                           offset(node + 1)};
+        own.first = find_first_near(in, node, own);
         const StillTouches before(is_listed && is_still(node) != 0 ? &by_node(node) : nullptr);
-        if (first == last)
+        if (own.first == own.last)
           by_node(node).count = 0;
         else
-          check_node_flat<thickness>(s, m, f, h, node, own, first, last, by_node(node));
+          check_node_flat<thickness>(in, node, own, by_node(node));
         found += before.are(by_node(node), near_moved) ? 0 : by_node(node).count;
       },
       table.num_new);
@@ -288,20 +306,18 @@ void check_nodes(const Space& space, const ContactSurface& surface, const Surfac
 }  // namespace
 
 template <class Space>
-void find_touches(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
-                  const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
-                  StillFaces& still, TouchTable& table) {
+void find_touches(const Space& space, const CheckInputs& inputs, const CandidateList& candidates, StillFaces& still,
+                  TouchTable& table) {
+  const ContactSurface& surface = inputs.surface;
   if (static_cast<int>(table.by_node.extent(0)) < surface.num_nodes) still.forget();
   reserve(table.by_node, surface.num_nodes);
   reserve(table.first, candidates.num_nodes);
-  const int num_checked = list_checked_nodes(space, surface, candidates, history_face, still, table);
+  const int num_checked = list_checked_nodes(space, inputs, candidates, still, table);
   const bool is_listed = still.is_watched();
   if (surface.offsets.largest > 0)
-    check_nodes<Thickness::of_shells>(space, surface, motion, candidates, faces, history_face, is_listed, num_checked,
-                                      table);
+    check_nodes<Thickness::of_shells>(space, inputs, candidates, is_listed, num_checked, table);
   else
-    check_nodes<Thickness::none>(space, surface, motion, candidates, faces, history_face, is_listed, num_checked,
-                                 table);
+    check_nodes<Thickness::none>(space, inputs, candidates, is_listed, num_checked, table);
   const Array<const int> nodes = candidates.nodes;
   const Array<NodeTouches> by_node = table.by_node;
   const Array<int> place_of_first = table.first;
@@ -317,8 +333,7 @@ void find_touches(const Space& space, const ContactSurface& surface, const Surfa
 #define PERCUSS_INSTANTIATE(Space)                                                                            \
   template void update_faces(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
                              const StillFaces&, const FaceState&);                                            \
-  template void find_touches(const Space&, const ContactSurface&, const SurfaceMotion&, const CandidateList&, \
-                             const FaceState&, const Array<const int>&, StillFaces&, TouchTable&);
+  template void find_touches(const Space&, const CheckInputs&, const CandidateList&, StillFaces&, TouchTable&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

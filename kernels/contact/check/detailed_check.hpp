@@ -30,11 +30,10 @@ template <class Space>
 void update_faces(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
                   const CandidateList& candidates, const StillFaces& still, const FaceState& faces);
 
-/// Checks every candidate pair but those of nodes that lie still, with all around them. history_face: [3 contact nodes]
-/// faces that pushed each node in the last step, -1: none. still: as update_faces() has left it.
+/// Checks every candidate pair but those of nodes that lie still, with all around them. still: as update_faces() has
+/// left it.
 template <class Space>
-void find_touches(const Space& space, const ContactSurface& surface, const SurfaceMotion& motion,
-                  const CandidateList& candidates, const FaceState& faces, const Array<const int>& history_face,
-                  StillFaces& still, TouchTable& table);
+void find_touches(const Space& space, const CheckInputs& inputs, const CandidateList& candidates, StillFaces& still,
+                  TouchTable& table);
 
 }  // namespace percuss

@@ -60,19 +60,18 @@ void update_edge_boxes(const Space& space, const EdgeSurface& surface, const Sur
 }
 
 template <class Space>
-void find_edge_touches(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
-                       const EdgePairs& pairs, const Boxes& boxes, const EdgeHistory& history, const StillEdges& still,
-                       EdgeTouchTable& table) {
+void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const EdgePairs& pairs,
+                       const StillEdges& still, EdgeTouchTable& table) {
   const StillEdges seen = still;
   const bool is_watched = still.is_watched() && table.list_of_pairs == pairs.list;
   table.list_of_pairs = pairs.list;
   reserve(table.by_pair, pairs.num_pairs);
   reserve(table.touches, pairs.num_pairs);
   reserve(table.list, pairs.num_pairs);
-  const EdgeSurface s = surface;
-  const SurfaceMotion m = motion;
-  const Boxes box = boxes;
-  const EdgeHistory past = history;
+  const EdgeSurface s = inputs.surface;
+  const SurfaceMotion m = inputs.motion;
+  const Boxes box = inputs.boxes;
+  const EdgeHistory past = inputs.history;
   const Array<const int> a = pairs.a, b = pairs.b;
   const Array<EdgeTouch> out = table.by_pair;
   const Array<int> touches = table.touches;
@@ -124,12 +123,12 @@ void find_edge_depths(const Space& space, const EdgeSurface& surface, const Surf
       space, pairs.num_pairs, [touches] KOKKOS_FUNCTION(int i) { return touches(i) != 0; }, table.list);
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                          \
-  template void update_edge_boxes(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&, \
-                                  StillEdges&, const Boxes&);                                               \
-  template void find_edge_touches(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&, \
-                                  const Boxes&, const EdgeHistory&, const StillEdges&, EdgeTouchTable&);    \
-  template void find_edge_depths(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,  \
+#define PERCUSS_INSTANTIATE(Space)                                                                           \
+  template void update_edge_boxes(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,  \
+                                  StillEdges&, const Boxes&);                                                \
+  template void find_edge_touches(const Space&, const EdgeCheckInputs&, const EdgePairs&, const StillEdges&, \
+                                  EdgeTouchTable&);                                                          \
+  template void find_edge_depths(const Space&, const EdgeSurface&, const SurfaceMotion&, const EdgePairs&,   \
                                  EdgeTouchTable&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

@@ -22,12 +22,18 @@ struct EdgeTouchTable {
   Array<int> list = Array<int>("contact::touching_edge_pairs", 0);          // [count] pairs, ascending
 };
 
-/// Checks every pair but those that lie still and remember nothing. history: of the last step; only its names, marks
-/// and normals are read. still: as update_edge_boxes() has left it.
+/// All that the check reads besides pairs of edges.
+struct EdgeCheckInputs {
+  EdgeSurface surface;
+  SurfaceMotion motion;
+  Boxes boxes;          // of update_edge_boxes()
+  EdgeHistory history;  // of the last step; only its names, marks and normals are read
+};
+
+/// Checks every pair but those that lie still and remember nothing. still: as update_edge_boxes() has left it.
 template <class Space>
-void find_edge_touches(const Space& space, const EdgeSurface& surface, const SurfaceMotion& motion,
-                       const EdgePairs& pairs, const Boxes& boxes, const EdgeHistory& history, const StillEdges& still,
-                       EdgeTouchTable& table);
+void find_edge_touches(const Space& space, const EdgeCheckInputs& inputs, const EdgePairs& pairs,
+                       const StillEdges& still, EdgeTouchTable& table);
 
 /// Depth of every pair at the places of a motion with dt = 0, as gap_start of the table's touches.
 template <class Space>

@@ -31,8 +31,10 @@ KOKKOS_INLINE_FUNCTION bool may_overlap(const ContactSurface& surface, const Fac
   return has_opposed_face(surface, faces, node, face, offset > 0 ? -flat_on_itself : contact_limits::opposing);
 }
 
-KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                 const FaceState& faces, int node, int face) {
+KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const MovingSurface& moving, int node, int face) {
+  const ContactSurface& surface = moving.surface;
+  const SurfaceMotion& motion = moving.motion;
+  const FaceState& faces = moving.faces;
   FaceDepth result;
   result.distance = -1;
   const double offset = find_offset(surface.offsets, node, face);
@@ -76,14 +78,14 @@ struct BodyDepth {
 /// Where sides of two bodies are flush, those that the node lies in say nothing of how deep it is: then by the faces
 /// that it looks against, if it projects on one.
 template <class Faces>
-KOKKOS_INLINE_FUNCTION BodyDepth find_body_depth(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                 const FaceState& faces, int node, const Faces& candidates, int c,
+KOKKOS_INLINE_FUNCTION BodyDepth find_body_depth(const MovingSurface& moving, int node, const Faces& candidates, int c,
                                                  int last) {
+  const ContactSurface& surface = moving.surface;
   BodyDepth all, opposed;
   const int body = surface.face_body(candidates(c));
   for (int i = c; i < last; ++i) {
     if (surface.face_body(candidates(i)) != body) continue;
-    const FaceDepth depth = find_face_depth(surface, motion, faces, node, candidates(i));
+    const FaceDepth depth = find_face_depth(moving, node, candidates(i));
     all.add(depth, candidates(i));
     if (depth.opposed) opposed.add(depth, candidates(i));
   }
@@ -125,9 +127,7 @@ void find_penetrations(const Space& space, const ContactSurface& surface, const 
   reserve(table.limit, surface.num_nodes);
   const Array<double> depth = table.depth, ratio = table.ratio, limit = table.limit;
   const Array<int> face = table.face;
-  const ContactSurface s = surface;
-  const SurfaceMotion m = motion;
-  const FaceState f = faces;
+  const MovingSurface moving{surface, motion, faces};
   const Array<const int> offset = candidates.offset, list = candidates.face;
   Kokkos::parallel_for(
       "contact::penetrations", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
@@ -136,8 +136,8 @@ void find_penetrations(const Space& space, const ContactSurface& surface, const 
         limit(node) = 0;
         face(node) = -1;
         for (int c = offset(node); c < offset(node + 1); ++c) {
-          if (!is_first_of_body(s, list, offset(node), c)) continue;
-          const BodyDepth body = find_body_depth(s, m, f, node, list, c, offset(node + 1));
+          if (!is_first_of_body(moving.surface, list, offset(node), c)) continue;
+          const BodyDepth body = find_body_depth(moving, node, list, c, offset(node + 1));
           if (body.face < 0 || body.least.depth <= depth(node)) continue;
           depth(node) = body.least.depth;
           ratio(node) = body.inside / body.least.edge;

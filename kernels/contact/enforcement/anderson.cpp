@@ -3,11 +3,59 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace percuss {
 namespace {
 
+using Vectors = Kokkos::View<double**, Kokkos::LayoutRight, MemSpace>;
+
 Array<double> make(const std::string& label, int n) { return Array<double>(label, static_cast<std::size_t>(n)); }
+
+/// The window as it is: differences in use, the one that is new, -1: none, and unknowns.
+struct WindowSize {
+  int count, fresh, n;
+};
+
+/// Dots of each difference with f, of each with the new one, and of f with itself.
+void find_dots(const WindowSize& size, const Vectors& df, const Array<const double>& f,
+               const Array<const double>& weight, const Array<double>& dots) {
+  const int differences = size.count, last = size.fresh, unknowns = size.n;
+  const Vectors of = df;
+  const Array<const double> residual = f, factor = weight;
+  const Array<double> out = dots;
+  Kokkos::parallel_for(
+      "contact::anderson_dots", Range(0, 2 * differences + 1), KOKKOS_LAMBDA(int d) {
+        double sum = 0;
+        if (d == 2 * differences) {
+          for (int i = 0; i < unknowns; ++i) sum += factor(i) * residual(i) * residual(i);
+        } else if (d < differences) {
+          for (int i = 0; i < unknowns; ++i) sum += factor(i) * of(d, i) * residual(i);
+        } else if (last >= 0) {
+          for (int i = 0; i < unknowns; ++i) sum += factor(i) * of(d - differences, i) * of(last, i);
+        }
+        out(d) = sum;
+      });
+  Kokkos::fence();
+}
+
+/// g - sum gamma_i dg_i. on_device: scratch [gamma].
+void subtract_differences(const std::vector<double>& gamma, const Vectors& dg, const Array<double>& on_device, int n,
+                          const Array<double>& g) {
+  const auto on_host = Kokkos::create_mirror_view(on_device);
+  for (std::size_t d = 0; d < gamma.size(); ++d) on_host(d) = gamma[d];
+  Kokkos::deep_copy(on_device, on_host);
+  const int count = static_cast<int>(gamma.size());
+  const Array<const double> coefficients = on_device;
+  const Vectors differences = dg;
+  const Array<double> out = g;
+  Kokkos::parallel_for(
+      "contact::anderson_step", Range(0, n), KOKKOS_LAMBDA(int i) {
+        double sum = 0;
+        for (int d = 0; d < count; ++d) sum += coefficients(d) * differences(d, i);
+        out(i) -= sum;
+      });
+}
 
 }  // namespace
 
@@ -81,44 +129,17 @@ double AndersonWindow::accelerate(const Array<const double>& z, const Array<doub
     count_ = std::min(count_ + 1, width);
   }
   has_last_ = true;
-  const Vectors df = df_;
-  const Array<double> dots = dots_;
-  const Array<const double> weight = weight_;
-  const int count = count_, n = n_;
-  Kokkos::parallel_for(
-      "contact::anderson_dots", Range(0, 2 * count + 1), KOKKOS_LAMBDA(int d) {
-        double sum = 0;
-        if (d == 2 * count) {
-          for (int i = 0; i < n; ++i) sum += weight(i) * f(i) * f(i);
-        } else if (d < count) {
-          for (int i = 0; i < n; ++i) sum += weight(i) * df(d, i) * f(i);
-        } else if (fresh >= 0) {
-          for (int i = 0; i < n; ++i) sum += weight(i) * df(d - count, i) * df(fresh, i);
-        }
-        dots(d) = sum;
-      });
-  Kokkos::fence();
+  find_dots({count_, fresh, n_}, df_, f_, weight_, dots_);
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), dots_);
-  const auto norm = std::sqrt(host(static_cast<std::size_t>(2 * count)));
-  if (count == 0) return norm;
+  const auto norm = std::sqrt(host(static_cast<std::size_t>(2 * count_)));
+  if (count_ == 0) return norm;
   std::vector<double> right;
-  for (int d = 0; d < count; ++d) {
+  for (int d = 0; d < count_; ++d) {
     right.push_back(host(static_cast<std::size_t>(d)));
-    const double dot = host(static_cast<std::size_t>(count + d));
+    const double dot = host(static_cast<std::size_t>(count_ + d));
     gram_[static_cast<std::size_t>(d * width + fresh)] = gram_[static_cast<std::size_t>(fresh * width + d)] = dot;
   }
-  const std::vector<double> gamma = solve_coefficients(std::move(right));
-  const Array<double> coefficients = dots_;
-  const auto on_host = Kokkos::create_mirror_view(coefficients);
-  for (std::size_t d = 0; d < gamma.size(); ++d) on_host(d) = gamma[d];
-  Kokkos::deep_copy(coefficients, on_host);
-  const Vectors dg = dg_;
-  Kokkos::parallel_for(
-      "contact::anderson_step", Range(0, n), KOKKOS_LAMBDA(int i) {
-        double sum = 0;
-        for (int d = 0; d < count; ++d) sum += coefficients(d) * dg(d, i);
-        g(i) -= sum;
-      });
+  subtract_differences(solve_coefficients(std::move(right)), dg_, dots_, n_, g);
   return norm;
 }
 

@@ -233,6 +233,24 @@ struct Sweeper {
   Array<int> status = Array<int>("contact::cone_status", static_cast<std::size_t>(problem.num_rows));
 };
 
+/// The best point so far, and when the residual was last halved.
+struct BestPoint {
+  Array<double> z;
+  double halved = std::numeric_limits<double>::infinity();
+  int last_gain = 0;  // sweeps
+
+  void take(const Array<double>& now, double residual, ConeReport& report) {
+    if (residual < report.residual) {
+      report.residual = residual;
+      Kokkos::deep_copy(z, now);
+    }
+    if (residual < 0.5 * halved) {
+      halved = residual;
+      last_gain = report.sweeps;
+    }
+  }
+};
+
 }  // namespace
 
 ConeReport solve_cone_problem(const ConeProblem& problem, double tolerance, const Array<double>& z) {
@@ -244,24 +262,15 @@ ConeReport solve_cone_problem(const ConeProblem& problem, double tolerance, cons
   AndersonWindow window(n, sweep.weight);
   const auto make = [n](const std::string& label) { return Array<double>(label, static_cast<std::size_t>(n)); };
   const Array<double> next = make("contact::cone_next"), swept = make("contact::cone_swept");
-  const Array<double> best = make("contact::cone_best");
-  double halved = std::numeric_limits<double>::infinity();
-  int last_gain = 0;
+  BestPoint best{make("contact::cone_best")};
   double last_move = std::numeric_limits<double>::infinity();
   ConeReport report{0, last_move, false};
   sweep.project(z);
   for (;;) {
     const double residual = sweep.find_residual(z);
-    if (residual < report.residual) {
-      report.residual = residual;
-      Kokkos::deep_copy(best, z);
-    }
-    if (residual < 0.5 * halved) {
-      halved = residual;
-      last_gain = report.sweeps;
-    }
+    best.take(z, residual, report);
     report.converged = residual <= tolerance;
-    const bool is_stuck = report.sweeps - last_gain > patience;
+    const bool is_stuck = report.sweeps - best.last_gain > patience;
     if (report.converged || is_stuck || report.sweeps >= max_sweeps) break;
     Kokkos::deep_copy(next, z);
     sweep(next);
@@ -279,7 +288,7 @@ ConeReport solve_cone_problem(const ConeProblem& problem, double tolerance, cons
     last_move = move;
     Kokkos::deep_copy(z, next);
   }
-  Kokkos::deep_copy(z, best);
+  Kokkos::deep_copy(z, best.z);
   return report;
 }
 

@@ -183,51 +183,70 @@ double find_largest(const double* values, int n) {
   return largest;
 }
 
-CoupledReport solve_coupled_rows(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
-  constexpr double tolerance = 1e-10;  // of the largest closing velocity
-  std::vector<int> first;
-  std::vector<double> b, friction, guess;
-  double closing = 0;
+namespace {
+
+/// The unknowns of all rows: pushes, and behind each with friction its rubs; of ties three of a kind.
+struct CoupledUnknowns {
+  std::vector<int> first;  // [rows + 1] of each row
+  std::vector<double> friction;
+  std::vector<double> b, guess;  // [unknowns]
+  double closing = 0;            // largest closing velocity
+};
+
+CoupledUnknowns list_unknowns(const std::vector<CoupledRow>& rows, double dt) {
+  CoupledUnknowns of;
   for (const CoupledRow& r : rows) {
-    first.push_back(static_cast<int>(b.size()));
-    friction.push_back(r.row.friction);
+    of.first.push_back(static_cast<int>(of.b.size()));
+    of.friction.push_back(r.row.friction);
     const double velocity = (r.row.gap - r.row.target) / dt;
-    b.push_back(velocity);
-    guess.push_back(r.row.impulse.push);
+    of.b.push_back(velocity);
+    of.guess.push_back(r.row.impulse.push);
     for (int d = 1; d < count_directions(r.row); ++d) {
-      b.push_back(r.row.slide[d - 1] / dt);
-      guess.push_back(r.row.impulse.rub[d - 1]);
+      of.b.push_back(r.row.slide[d - 1] / dt);
+      of.guess.push_back(r.row.impulse.rub[d - 1]);
     }
-    closing = std::max(closing, is_tie(r.row) ? find_largest(b.data() + first.back(), 3) : -velocity);
+    of.closing = std::max(of.closing, is_tie(r.row) ? find_largest(of.b.data() + of.first.back(), 3) : -velocity);
   }
-  first.push_back(static_cast<int>(b.size()));
-  impulses.assign(rows.size(), {});
-  CoupledReport report;
-  report.rows = static_cast<std::int64_t>(rows.size());
-  if (!(closing > 0)) return report;  // nothing closes: no impulse is the solution
+  of.first.push_back(static_cast<int>(of.b.size()));
+  return of;
+}
+
+ConeProblem make_cone_problem(const std::vector<CoupledRow>& rows, const CoupledUnknowns& of) {
   const NodeNumbering nodes(rows);
   const Coefficients coefficients = list_coefficients(rows, nodes);
-  const int unknowns = static_cast<int>(b.size());
+  const int unknowns = static_cast<int>(of.b.size());
   const Matrix a = multiply(coefficients.gaps.make("contact::H", 3 * nodes.count()),
                             transpose(coefficients.impulses, 3 * nodes.count()).make("contact::MGT", unknowns));
   ConeProblem problem;
   problem.a = {unknowns, a.graph.row_map, a.graph.entries, a.values};
-  problem.b = to_view("contact::cone_b", b);
+  problem.b = to_view("contact::cone_b", of.b);
   problem.num_rows = static_cast<int>(rows.size());
-  problem.first = to_view("contact::cone_first", first);
-  problem.friction = to_view("contact::cone_friction", friction);
-  const Array<double> z = to_view("contact::cone_z", guess);
-  const ConeReport solved = solve_cone_problem(problem, tolerance * closing, z);
+  problem.first = to_view("contact::cone_first", of.first);
+  problem.friction = to_view("contact::cone_friction", of.friction);
+  return problem;
+}
+
+}  // namespace
+
+CoupledReport solve_coupled_rows(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
+  constexpr double tolerance = 1e-10;  // of the largest closing velocity
+  const CoupledUnknowns unknowns = list_unknowns(rows, dt);
+  impulses.assign(rows.size(), {});
+  CoupledReport report;
+  report.rows = static_cast<std::int64_t>(rows.size());
+  if (!(unknowns.closing > 0)) return report;  // nothing closes: no impulse is the solution
+  const Array<double> z = to_view("contact::cone_z", unknowns.guess);
+  const ConeReport solved = solve_cone_problem(make_cone_problem(rows, unknowns), tolerance * unknowns.closing, z);
   const auto solution = to_host(z);
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    const std::size_t f = at(first[r]);
+    const std::size_t f = at(unknowns.first[r]);
     impulses[r].push = solution(f);
     if (count_directions(rows[r].row) == 1) continue;
     for (std::size_t d = 0; d < 2; ++d) impulses[r].rub[d] = solution(f + 1 + d);
   }
   report.sweeps = solved.sweeps;
   report.converged = solved.converged;
-  report.complementarity = solved.residual / closing;
+  report.complementarity = solved.residual / unknowns.closing;
   return report;
 }
 

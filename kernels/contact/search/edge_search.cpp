@@ -114,10 +114,10 @@ std::int64_t find_edge_pairs(const Space& space, const EdgeSurface& surface, con
   pairs.num_pairs = 0;
   pairs.num_edges = 0;
   const EdgePointNames& points = query.points;
-  const PointQuery by_point{query.places, points.points, points.points, points.edges,
-                            static_cast<int>(points.points.extent(0))};
+  const PointQuery by_point{query.places, points.points, points.points,
+                            query.boxes,  points.edges,  static_cast<int>(points.points.extent(0))};
   const EdgePairRule rule{surface, points.edge_of_point};
-  const std::int64_t hits = find_hits(space, by_point, query.boxes, rule, max_pairs, scratch.points, scratch.hits);
+  const std::int64_t hits = find_hits(space, by_point, rule, max_pairs, scratch.points, scratch.hits);
   if (hits > max_pairs) return hits;
   const PairFilter filter{surface, query};
   const int num_edges = surface.num_edges;

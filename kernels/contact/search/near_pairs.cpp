@@ -146,23 +146,17 @@ KOKKOS_INLINE_FUNCTION void link_histories(const ContactSurface& surface, const 
 
 }  // namespace
 
+namespace {
+
+/// Stores the faces of the candidate pairs as nodes see them.
 template <class Space>
-bool list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
-                     const FaceState& faces, const Array<const int>& history_face, const CandidateList& all,
-                     double travel, double most, NearScratch& scratch, CandidateList& near) {
-  reserve(scratch.count, surface.num_nodes);
-  reserve(scratch.nearness, all.num_pairs);
-  reserve(scratch.seen, SeenFaces::rows * surface.num_faces);
-  reserve(near.offset, surface.num_nodes + 1);
-  const ContactSurface s = surface;
-  const Rows3<const double> places = x;
-  const Array<const double> size = faces.size;
-  const Array<const int> history = history_face, offset = all.offset, face = all.face;
+void store_seen_faces(const Space& space, const CheckInputs& inputs, const CandidateList& all, double travel,
+                      const Rows4<double>& seen) {
+  const ContactSurface s = inputs.surface;
+  const Rows3<const double> places = inputs.motion.x;
+  const Array<const double> size = inputs.faces.size;
   const Array<const int> list = all.faces, is_candidate = all.is_boxed;
   const int num_faces = all.num_faces;
-  const Array<int> count = scratch.count, nearness = scratch.nearness, near_offset = near.offset;
-  const Rows4<double> seen = scratch.seen;
-  const double approach = approach_in_travel * travel;
   Kokkos::parallel_for(
       "contact::see_faces", RangeOf<Space>(space, 0, ListedFaces::count_packs(num_faces)), KOKKOS_LAMBDA(int pack) {
         const ListedFaces listed(s, list, is_candidate, pack, num_faces);
@@ -176,8 +170,20 @@ bool list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
         }
         store_seen(see_faces(load_corners(places, listed.corner), load_pack(h), Packed(travel)), stored, seen);
       });
+}
+
+/// Finds how near each pair is. count: out, [contact nodes] pairs that are to be listed; nearness: out, [pairs].
+template <class Space>
+void measure_nearness(const Space& space, const CheckInputs& inputs, const CandidateList& all, double travel,
+                      const NearScratch& scratch) {
+  const ContactSurface s = inputs.surface;
+  const Rows3<const double> places = inputs.motion.x;
+  const Array<const int> history = inputs.history_face, offset = all.offset, face = all.face;
+  const Array<int> count = scratch.count, nearness = scratch.nearness;
+  const Rows4<double> seen = scratch.seen;
+  const double approach = approach_in_travel * travel;
   Kokkos::parallel_for(
-      "contact::find_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
+      "contact::find_near_pairs", RangeOf<Space>(space, 0, s.num_nodes), KOKKOS_LAMBDA(int node) {
         const int first = offset(node), last = offset(node + 1);
         count(node) = 0;
         if (first == last) return;
@@ -202,35 +208,59 @@ bool list_near_pairs(const Space& space, const ContactSurface& surface, const Ro
         if (any && any_unlinked) link_histories(s, face, nearness, first, last);
         for (int c = first; c < last; ++c) count(node) += nearness(c) >= with_history ? 1 : 0;
       });
-  Kokkos::parallel_scan(
-      "contact::near_offset", RangeOf<Space>(space, 0, surface.num_nodes + 1),
-      KOKKOS_LAMBDA(int n, int& place, bool final_pass) {
-        if (final_pass) near_offset(n) = place;
-        if (n < s.num_nodes) place += count(n);
-      },
-      near.num_pairs);
-  if (near.num_pairs > most) return false;
+}
+
+/// Lists the pairs that are near, at the offsets of `near`.
+template <class Space>
+void fill_near_list(const Space& space, const ContactSurface& surface, const CandidateList& all,
+                    const Array<const int>& nearness, CandidateList& near) {
   const bool has_thickness = surface.offsets.largest > 0;
   reserve(near.face, near.num_pairs);
   if (has_thickness) reserve(near.with_history, near.num_pairs);
+  const Array<const int> offset = all.offset, face = all.face, near_offset = near.offset, measured = nearness;
   const Array<int> near_face = near.face, flag = near.with_history;
   Kokkos::parallel_for(
       "contact::list_near_pairs", RangeOf<Space>(space, 0, surface.num_nodes), KOKKOS_LAMBDA(int node) {
         int place = near_offset(node);
         for (int c = offset(node); c < offset(node + 1); ++c) {
-          if (nearness(c) < with_history) continue;
-          if (has_thickness) flag(place) = nearness(c) == with_history ? 1 : 0;
+          if (measured(c) < with_history) continue;
+          if (has_thickness) flag(place) = measured(c) == with_history ? 1 : 0;
           near_face(place++) = face(c);
         }
       });
+}
+
+}  // namespace
+
+template <class Space>
+bool list_near_pairs(const Space& space, const CheckInputs& inputs, const CandidateList& all, const NearLimits& limits,
+                     NearScratch& scratch, CandidateList& near) {
+  const ContactSurface& surface = inputs.surface;
+  const int num_nodes = surface.num_nodes;
+  reserve(scratch.count, num_nodes);
+  reserve(scratch.nearness, all.num_pairs);
+  reserve(scratch.seen, SeenFaces::rows * surface.num_faces);
+  reserve(near.offset, num_nodes + 1);
+  store_seen_faces(space, inputs, all, limits.travel, scratch.seen);
+  measure_nearness(space, inputs, all, limits.travel, scratch);
+  const Array<const int> count = scratch.count;
+  const Array<int> near_offset = near.offset;
+  Kokkos::parallel_scan(
+      "contact::near_offset", RangeOf<Space>(space, 0, num_nodes + 1),
+      KOKKOS_LAMBDA(int n, int& place, bool final_pass) {
+        if (final_pass) near_offset(n) = place;
+        if (n < num_nodes) place += count(n);
+      },
+      near.num_pairs);
+  if (near.num_pairs > limits.most_pairs) return false;
+  fill_near_list(space, surface, all, Array<const int>(scratch.nearness), near);
   list_concerned(space, surface, scratch.concerned, near);
   return true;
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                                 \
-  template bool list_near_pairs(const Space&, const ContactSurface&, const Rows3<const double>&, const FaceState&, \
-                                const Array<const int>&, const CandidateList&, double, double, NearScratch&,       \
-                                CandidateList&);
+#define PERCUSS_INSTANTIATE(Space)                                                                         \
+  template bool list_near_pairs(const Space&, const CheckInputs&, const CandidateList&, const NearLimits&, \
+                                NearScratch&, CandidateList&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

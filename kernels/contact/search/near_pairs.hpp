@@ -18,14 +18,18 @@ struct NearScratch {
   Array<int> nearness = Array<int>("contact::nearness", 0);      // [pairs]
 };
 
-/// Fills `near` with the pairs of `all` that the check could accept before some node, or one behind a face, is farther
-/// than `travel` [length] from its place x [mesh nodes][3], and with those of a node and a face that pushed it in the
-/// last step, whose place the check asks for. Where thickness lets nodes with a history be deeper, pairs that come near
-/// in no other way are marked. Returns whether there are at most `most` pairs; otherwise they are not listed. faces: of
-/// update_faces() for `all`; history_face: as in find_touches().
+/// What a list of near pairs is to serve.
+struct NearLimits {
+  double travel = 0;      // of any node, those behind faces too, from its place of now [length]
+  double most_pairs = 0;  // of which it still is worth it
+};
+
+/// Fills `near` with the pairs of `all` that the check could accept before some node has gone farther than the travel
+/// from its place at n, and with those of a node and a face that pushed it in the last step, whose place the check asks
+/// for. Where thickness lets nodes with a history be deeper, pairs that come near in no other way are marked. Returns
+/// whether there are at most `most_pairs`; otherwise they are not listed. inputs.faces: of update_faces() for `all`.
 template <class Space>
-bool list_near_pairs(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
-                     const FaceState& faces, const Array<const int>& history_face, const CandidateList& all,
-                     double travel, double most, NearScratch& scratch, CandidateList& near);
+bool list_near_pairs(const Space& space, const CheckInputs& inputs, const CandidateList& all, const NearLimits& limits,
+                     NearScratch& scratch, CandidateList& near);
 
 }  // namespace percuss

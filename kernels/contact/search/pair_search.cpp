@@ -5,17 +5,16 @@
 namespace percuss {
 
 template <class Space, class Rule>
-std::int64_t find_hits(const Space& space, const PointQuery& query, const Boxes& boxes, const Rule& rule,
-                       std::int64_t max_pairs, SearchScratch& scratch, CandidateList& list) {
+std::int64_t find_hits(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
+                       SearchScratch& scratch, CandidateList& list) {
   if (scratch.method == SearchMethod::blocks)
-    return find_hits_in_blocks(space, query, boxes, rule, max_pairs, scratch.blocks, list);
-  return find_hits_in_lists(space, query, boxes, rule, max_pairs, scratch.lists, list);
+    return find_hits_in_blocks(space, query, rule, max_pairs, scratch.blocks, list);
+  return find_hits_in_lists(space, query, rule, max_pairs, scratch.lists, list);
 }
 
 template <class Space>
-std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
-                                  const Boxes& boxes, std::int64_t max_pairs, SearchScratch& scratch,
-                                  CandidateList& list) {
+std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surface, const SearchedPlaces& places,
+                                  std::int64_t max_pairs, SearchScratch& scratch, CandidateList& list) {
   const int n = static_cast<int>(surface.searched_nodes.extent(0));
   reserve(scratch.points, n);
   const Array<int> points = scratch.points;
@@ -24,8 +23,9 @@ std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surf
       "contact::list_points", RangeOf<Space>(space, 0, n),
       KOKKOS_LAMBDA(int i) { points(i) = s.nodes(s.searched_nodes(i)); });
   const Array<const int> rows = Kokkos::subview(points, std::make_pair(0, n));  // without what is to spare
-  const PointQuery query{x, rows, surface.searched_nodes, surface.searched_faces, surface.num_nodes};
-  return find_hits(space, query, boxes, NodeFaceRule{surface}, max_pairs, scratch, list);
+  const PointQuery query{places.x,         rows, surface.searched_nodes, places.boxes, surface.searched_faces,
+                         surface.num_nodes};
+  return find_hits(space, query, NodeFaceRule{surface}, max_pairs, scratch, list);
 }
 
 template <class Space>
@@ -68,11 +68,11 @@ void list_concerned(const Space& space, const ContactSurface& surface, Concerned
       space, surface.num_nodes, [offset] KOKKOS_FUNCTION(int n) { return offset(n) < offset(n + 1); }, list.nodes);
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                                  \
-  template std::int64_t find_points_in_boxes(const Space&, const ContactSurface&, const Rows3<const double>&,       \
-                                             const Boxes&, std::int64_t, SearchScratch&, CandidateList&);           \
-  template std::int64_t find_hits(const Space&, const PointQuery&, const Boxes&, const EdgePairRule&, std::int64_t, \
-                                  SearchScratch&, CandidateList&);                                                  \
+#define PERCUSS_INSTANTIATE(Space)                                                                                     \
+  template std::int64_t find_points_in_boxes(const Space&, const ContactSurface&, const SearchedPlaces&, std::int64_t, \
+                                             SearchScratch&, CandidateList&);                                          \
+  template std::int64_t find_hits(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, SearchScratch&,  \
+                                  CandidateList&);                                                                     \
   template void list_concerned(const Space&, const ContactSurface&, ConcernedScratch&, CandidateList&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

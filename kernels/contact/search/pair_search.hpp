@@ -28,16 +28,21 @@ struct SearchScratch {
 /// Finds all pairs of a point and a box that holds it and is not ruled out; as find_points_in_boxes(). Rule:
 /// NodeFaceRule or EdgePairRule, called with both names.
 template <class Space, class Rule>
-std::int64_t find_hits(const Space& space, const PointQuery& query, const Boxes& boxes, const Rule& rule,
-                       std::int64_t max_pairs, SearchScratch& scratch, CandidateList& list);
+std::int64_t find_hits(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
+                       SearchScratch& scratch, CandidateList& list);
+
+/// Where nodes and faces are searched.
+struct SearchedPlaces {
+  Rows3<const double> x;  // [mesh nodes][3]
+  Boxes boxes;            // [searched faces]
+};
 
 /// Finds all pairs of a searched node and a searched face whose box holds the node, that may touch (pair table) and do
-/// not share an element. boxes: [searched faces]; x: [mesh nodes][3]. Fills offset, face, num_pairs of the list and
-/// returns the number of pairs; if that is above max_pairs the list is not filled.
+/// not share an element. Fills offset, face, num_pairs of the list and returns the number of pairs; if that is above
+/// max_pairs the list is not filled.
 template <class Space>
-std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surface, const Rows3<const double>& x,
-                                  const Boxes& boxes, std::int64_t max_pairs, SearchScratch& scratch,
-                                  CandidateList& list);
+std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surface, const SearchedPlaces& places,
+                                  std::int64_t max_pairs, SearchScratch& scratch, CandidateList& list);
 
 /// Lists the nodes that have candidates and the faces that their check reads: candidates, the faces around these and
 /// the nodes' own faces.

@@ -81,8 +81,9 @@ void sort_digit(const Space& space, const Blocks& blocks, int digit, const Strea
 }  // namespace
 
 template <class Space>
-void rank_points(const Space& space, const Rows3<const double>& x, const Array<const int>& points, int n, int axis,
-                 SortScratch& scratch, const Array<int>& order, const Array<int>& rank) {
+void rank_points(const Space& space, const PointsAlongAxis& points, SortScratch& scratch, const Array<int>& order,
+                 const Array<int>& rank) {
+  const int n = points.n;
   const Blocks blocks = cut_blocks<Space>(n);
   reserve(scratch.keys[0], n);
   reserve(scratch.keys[1], n);
@@ -90,9 +91,10 @@ void rank_points(const Space& space, const Rows3<const double>& x, const Array<c
   reserve(scratch.histogram, blocks.count * num_bins);
   Stream from{scratch.keys[0], order}, to{scratch.keys[1], scratch.items};
   const Array<std::uint64_t> keys = from.keys;
+  const PointsAlongAxis p = points;
   Kokkos::parallel_for(
       "contact::sort_keys", RangeOf<Space>(space, 0, n), KOKKOS_LAMBDA(int i) {
-        keys(i) = make_sort_key(x(points(i), axis));
+        keys(i) = make_sort_key(p.x(p.points(i), p.axis));
         order(i) = i;
       });
   const std::uint64_t varying = n > 0 ? find_varying_bits(space, keys, n) : 0;
@@ -109,11 +111,10 @@ void rank_points(const Space& space, const Rows3<const double>& x, const Array<c
       });
 }
 
-template void rank_points(const ExecSpace&, const Rows3<const double>&, const Array<const int>&, int, int, SortScratch&,
-                          const Array<int>&, const Array<int>&);
+template void rank_points(const ExecSpace&, const PointsAlongAxis&, SortScratch&, const Array<int>&, const Array<int>&);
 #if defined(PERCUSS_SMALL_SPACE)
-template void rank_points(const SmallSpace&, const Rows3<const double>&, const Array<const int>&, int, int,
-                          SortScratch&, const Array<int>&, const Array<int>&);
+template void rank_points(const SmallSpace&, const PointsAlongAxis&, SortScratch&, const Array<int>&,
+                          const Array<int>&);
 #endif
 
 }  // namespace percuss

@@ -14,11 +14,17 @@ struct SortScratch {
   Array<int> histogram = Array<int>("contact::sort_histogram", 0);
 };
 
-/// Sorts the points by (coordinate along the axis, place in the list).
-/// x: [mesh nodes][3]; points: [n] rows of x; order: out, [n] places in `points`, ascending in the coordinate;
-/// rank: out, [n] place of each point in `order`.
+/// Points to be ranked along an axis.
+struct PointsAlongAxis {
+  Rows3<const double> x;    // [mesh nodes][3]
+  Array<const int> points;  // [n] rows of x
+  int n = 0, axis = 0;
+};
+
+/// Sorts the points by (coordinate along the axis, place in the list). order: out, [n] places in `points`, ascending in
+/// the coordinate; rank: out, [n] place of each point in `order`.
 template <class Space>
-void rank_points(const Space& space, const Rows3<const double>& x, const Array<const int>& points, int n, int axis,
-                 SortScratch& scratch, const Array<int>& order, const Array<int>& rank);
+void rank_points(const Space& space, const PointsAlongAxis& points, SortScratch& scratch, const Array<int>& order,
+                 const Array<int>& rank);
 
 }  // namespace percuss

@@ -94,7 +94,7 @@ RankLists rank_all(const Space& space, const PointQuery& query, RankedListScratc
   for (int axis = 0; axis < 3; ++axis) {
     reserve(scratch.order[axis], lists.n);
     reserve(scratch.rank[axis], lists.n);
-    rank_points<Space>(space, query.x, query.points, lists.n, axis, scratch.sort, scratch.order[axis],
+    rank_points<Space>(space, {query.x, query.points, lists.n, axis}, scratch.sort, scratch.order[axis],
                        scratch.rank[axis]);
     lists.order[axis] = scratch.order[axis];
     lists.rank[axis] = scratch.rank[axis];
@@ -105,14 +105,14 @@ RankLists rank_all(const Space& space, const PointQuery& query, RankedListScratc
 /// Walks all boxes, again with more room if the hits do not fit; returns their number.
 template <class Space, class Rule>
 std::int64_t collect_hits(const Space& space, const PointQuery& query, const Rule& rule, const RankLists& lists,
-                          const Boxes& boxes, std::int64_t max_pairs, RankedListScratch& scratch) {
+                          std::int64_t max_pairs, RankedListScratch& scratch) {
   const int num_boxes = static_cast<int>(query.box_names.extent(0));
   const Array<std::int64_t> total = scratch.total;
   for (;;) {
     HitList hits{scratch.hit_node, scratch.hit_face, total, static_cast<int>(scratch.hit_node.extent(0))};
     Kokkos::deep_copy(space, total, std::int64_t{0});
     Kokkos::parallel_for("contact::points_in_box", RangeOf<Space>(space, 0, num_boxes),
-                         BoxWalk<Rule>{rule, query.point_names, query.box_names, lists, boxes, hits});
+                         BoxWalk<Rule>{rule, query.point_names, query.box_names, lists, query.boxes, hits});
     const std::int64_t found = read_value(space, total, 0);
     if (found <= hits.capacity || found > max_pairs) return found;
     reserve(scratch.hit_node, static_cast<int>(found));
@@ -123,10 +123,10 @@ std::int64_t collect_hits(const Space& space, const PointQuery& query, const Rul
 }  // namespace
 
 template <class Space, class Rule>
-std::int64_t find_hits_in_lists(const Space& space, const PointQuery& query, const Boxes& boxes, const Rule& rule,
-                                std::int64_t max_pairs, RankedListScratch& scratch, CandidateList& list) {
+std::int64_t find_hits_in_lists(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
+                                RankedListScratch& scratch, CandidateList& list) {
   const RankLists lists = rank_all(space, query, scratch);
-  const std::int64_t found = collect_hits(space, query, rule, lists, boxes, max_pairs, scratch);
+  const std::int64_t found = collect_hits(space, query, rule, lists, max_pairs, scratch);
   if (found > max_pairs) return found;
   list.num_pairs = static_cast<int>(found);
   reserve(list.offset, query.num_names + 1);
@@ -138,10 +138,10 @@ std::int64_t find_hits_in_lists(const Space& space, const PointQuery& query, con
 }
 
 #define PERCUSS_INSTANTIATE(Space)                                                                             \
-  template std::int64_t find_hits_in_lists(const Space&, const PointQuery&, const Boxes&, const NodeFaceRule&, \
-                                           std::int64_t, RankedListScratch&, CandidateList&);                  \
-  template std::int64_t find_hits_in_lists(const Space&, const PointQuery&, const Boxes&, const EdgePairRule&, \
-                                           std::int64_t, RankedListScratch&, CandidateList&);
+  template std::int64_t find_hits_in_lists(const Space&, const PointQuery&, const NodeFaceRule&, std::int64_t, \
+                                           RankedListScratch&, CandidateList&);                                \
+  template std::int64_t find_hits_in_lists(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, \
+                                           RankedListScratch&, CandidateList&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

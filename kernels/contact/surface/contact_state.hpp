@@ -25,6 +25,18 @@ struct FaceState {
   Array<FaceSlab> slab = Array<FaceSlab>("contact::face_slab", 0);
 };
 
+/// A surface in its motion of the step, as the detailed check reads it.
+struct MovingSurface {
+  ContactSurface surface;
+  SurfaceMotion motion;
+  FaceState faces;
+};
+
+/// All that the detailed check reads besides candidate pairs.
+struct CheckInputs : MovingSurface {
+  Array<const int> history_face;  // [3 contact nodes] faces that pushed each node in the last step, -1: none
+};
+
 /// A node as the check of its candidate faces sees it, loaded once.
 struct CheckedNode {
   int node = -1;  // contact node

@@ -27,8 +27,9 @@ struct PointQuery {
   Rows3<const double> x;
   Array<const int> points;       // [points] rows of x
   Array<const int> point_names;  // [points], no name twice
-  Array<const int> box_names;    // [boxes]
-  int num_names = 0;             // of points
+  Boxes boxes;
+  Array<const int> box_names;  // [boxes]
+  int num_names = 0;           // of points
 };
 
 /// What a rule asks of a box: read beside the box, where its name would be followed all over memory.

@@ -61,8 +61,11 @@ KOKKOS_INLINE_FUNCTION bool judge(const ElementLives& lives, int lane, const Fai
 
 }  // namespace
 
-FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing, double dt,
-                            const Array<Real>& elements, const ElementLives& lives, const ChunkResults& results) {
+FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, const FailingElements& elements, double dt,
+                            const ChunkResults& results) {
+  const FailingChunks failing = elements.chunks;
+  const ElementLives lives = elements.lives;
+  const Array<Real> records = elements.records;
   FailureCounts counts;
   Kokkos::parallel_reduce(
       "percuss::find_failures", Range(space, 0, static_cast<int>(failing.list.extent(0))),
@@ -70,7 +73,7 @@ FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, con
         const int c = failing.list(i);
         if (is_shell(chunks, c)) return;  // kernels/shell/shell_failure.hpp
         const FailureLimits limits = failing.limits(failing.row(c));
-        const FailingRecords of = find_records(chunks, failing, elements, c);
+        const FailingRecords of = find_records(chunks, failing, records, c);
         const int count = chunks.first_element(c + 1) - chunks.first_element(c);
         if (results.is_settled(c) != 0 && !is_any_ending(lives, of.first_lane, count)) return;  // as it was judged last
         FailureCounts here;
@@ -90,13 +93,15 @@ FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, con
   return counts;
 }
 
-void copy_into_dead_lanes(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing,
-                          const ElementLives& lives, const Array<Real>& elements) {
+void copy_into_dead_lanes(const ExecSpace& space, const HexChunks& chunks, const FailingElements& elements) {
+  const FailingChunks failing = elements.chunks;
+  const ElementLives lives = elements.lives;
+  const Array<Real> records = elements.records;
   Kokkos::parallel_for(
       "percuss::copy_into_dead_lanes", Range(space, 0, static_cast<int>(failing.list.extent(0))),
       KOKKOS_LAMBDA(const int i) {
         const int c = failing.list(i);
-        const FailingRecords of = find_records(chunks, failing, elements, c);
+        const FailingRecords of = find_records(chunks, failing, records, c);
         end_lanes_past_end(lives, of, chunks.first_element(c + 1) - chunks.first_element(c));
         repeat_living_lanes(lives, of);
       });

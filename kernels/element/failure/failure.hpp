@@ -12,14 +12,12 @@ struct FailureCounts {
   int died = 0;     // lost the last of their force
 };
 
-/// Tests the undamaged elements against the criteria and advances failing ones by one evaluation. elements: records at
-/// n+1. lives: in and out. results: chunks in which anything changed are no longer settled. Inactive lanes of a pack
-/// become copies of an active lane.
-FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing, double dt,
-                            const Array<Real>& elements, const ElementLives& lives, const ChunkResults& results);
+/// Tests the undamaged elements against the criteria and advances failing ones by one evaluation. results: chunks in
+/// which anything changed are no longer settled. Inactive lanes of a pack become copies of an active lane.
+FailureCounts find_failures(const ExecSpace& space, const HexChunks& chunks, const FailingElements& elements, double dt,
+                            const ChunkResults& results);
 
 /// The copies alone, for records from elsewhere.
-void copy_into_dead_lanes(const ExecSpace& space, const HexChunks& chunks, const FailingChunks& failing,
-                          const ElementLives& lives, const Array<Real>& elements);
+void copy_into_dead_lanes(const ExecSpace& space, const HexChunks& chunks, const FailingElements& elements);
 
 }  // namespace percuss

@@ -72,12 +72,18 @@ struct HourglassResponse {
   T stiffness;
 };
 
-/// Adds the forces of plate I, whose 1 / det M is `scale`. bound: in and out, by mode; sum over plates of what bounds
-/// their stiffness. A template, as in a loop over plates GCC would look up in memory what lies in which.
+/// Sums over the plates.
+template <class T>
+struct PlateSums {
+  HourglassModes<T>& q;  // rates of the hourglass forces
+  T (&bound)[3];         // by mode: of what bounds their stiffness
+};
+
+/// Adds the forces of plate I, whose 1 / det M is `scale`. A template, as in a loop over plates GCC would look up in
+/// memory what lies in which.
 template <int I, class T>
 PERCUSS_FORCE_INLINE void add_plate(const PlateModuli& moduli, const ElementAxes<T>& axes, const T& scale,
-                                    const T& third_volume, const HourglassModes<T>& u, HourglassModes<T>& q,
-                                    T (&bound)[3]) {
+                                    const T& third_volume, const HourglassModes<T>& u, const PlateSums<T>& sums) {
   constexpr Plate plate = find_plate(I);
   const Vector3<T>&g1 = axes.g[plate.first], &g2 = axes.g[plate.second];
   const Vector3<T>&u1 = u.mode[plate.first_mode], &u2 = u.mode[plate.second_mode];
@@ -92,11 +98,12 @@ PERCUSS_FORCE_INLINE void add_plate(const PlateModuli& moduli, const ElementAxes
   const T s11 = size * (spread * i11 + (w11 * i11 + w12 * i12));
   const T s22 = size * (spread * i22 + (w21 * i12 + w22 * i22));
   const T s12 = size * (spread * i12 + (w11 * i12 + w12 * i22));
-  q.mode[plate.first_mode] = q.mode[plate.first_mode] + s11 * g1 + s12 * g2;
-  q.mode[plate.second_mode] = q.mode[plate.second_mode] + s12 * g1 + s22 * g2;
+  Vector3<T>&q1 = sums.q.mode[plate.first_mode], &q2 = sums.q.mode[plate.second_mode];
+  q1 = q1 + s11 * g1 + s12 * g2;
+  q2 = q2 + s12 * g1 + s22 * g2;
   const T largest = larger(i11, i22) + larger(i12, -i12);
-  bound[plate.first_mode] = bound[plate.first_mode] + largest;
-  bound[plate.second_mode] = bound[plate.second_mode] + largest;
+  sums.bound[plate.first_mode] = sums.bound[plate.first_mode] + largest;
+  sums.bound[plate.second_mode] = sums.bound[plate.second_mode] + largest;
 }
 
 /// Rates of the hourglass forces for the rates u. The fourth mode, xi eta zeta, is given
@@ -119,9 +126,10 @@ PERCUSS_FORCE_INLINE HourglassResponse<T> find_assumed_strain_response(const Pla
   } else {
     find_reciprocals(determinant, scale);
   }
-  add_plate<0>(moduli, axes, scale[0], third_volume, u, out.force, bound);
-  add_plate<1>(moduli, axes, scale[1], third_volume, u, out.force, bound);
-  add_plate<2>(moduli, axes, scale[2], third_volume, u, out.force, bound);
+  const PlateSums<T> sums{out.force, bound};
+  add_plate<0>(moduli, axes, scale[0], third_volume, u, sums);
+  add_plate<1>(moduli, axes, scale[1], third_volume, u, sums);
+  add_plate<2>(moduli, axes, scale[2], third_volume, u, sums);
   const T rod = number<T>(moduli.young / 9) * volume;
   for (int k = 0; k < 3; ++k) {
     const T inverse = axes.inverse_square[k];

@@ -188,11 +188,19 @@ struct FoldStep {
   T depth;               // r0 - r of the sharpest corner at n+1; positive: it resists
 };
 
-/// Over the step to the modes a of x(n+1) with the velocities v. The next step is taken to bring the corners as far as
-/// this one has.
+/// The motion of an element over a step.
 template <class T>
-PERCUSS_FORCE_INLINE FoldStep<T> resist_folding(const FoldRule<T>& rule, const VectorModes<T>& a,
-                                                const VectorModes<T>& v, const T& dt) {
+struct FoldMotion {
+  const VectorModes<T>& end;   // modes of x(n+1)
+  const VectorModes<T>& rate;  // of v(n+1/2)
+  T dt;
+};
+
+/// The next step is taken to bring the corners as far as this one has.
+template <class T>
+PERCUSS_FORCE_INLINE FoldStep<T> resist_folding(const FoldRule<T>& rule, const FoldMotion<T>& motion) {
+  const VectorModes<T>&a = motion.end, &v = motion.rate;
+  const T& dt = motion.dt;
   VectorModes<T> start;
   for (int m = 1; m <= 7; ++m) start[m] = a[m] - dt * v[m];
   const VolumeGradient<T> start_b = find_volume_gradient(start);
@@ -224,12 +232,12 @@ PERCUSS_FORCE_INLINE T join_fold_step(const T& step, const T& stiffness, const T
   return find_stable_step(T(8) * stiffness * (T(1) / mass), T(2) / step);
 }
 
-/// Adds the resistance to what a step of the element has left. fx, fy, fz: forces as of advance_hex8. Returns whether
+/// Adds the resistance to what a step of the element has left. f: forces as of advance_hex8, x, y, z. Returns whether
 /// an element of the pack resists at n+1; the others keep every bit.
 template <class T>
-PERCUSS_FORCE_INLINE bool add_fold_resistance(const FoldRule<T>& rule, const VectorModes<T>& a, const VectorModes<T>& v,
-                                              const T& dt, const T& mass, T (&f)[3][8], HexResult<T>& result) {
-  const FoldStep<T> step = resist_folding(rule, a, v, dt);
+PERCUSS_FORCE_INLINE bool add_fold_resistance(const FoldRule<T>& rule, const FoldMotion<T>& motion, const T& mass,
+                                              T (&f)[3][8], HexResult<T>& result) {
+  const FoldStep<T> step = resist_folding(rule, motion);
   const auto acts = step.depth > T(0);
   T g[3][8];
   for (int k = 0; k < 3; ++k) g[k][0] = T(0);
@@ -238,7 +246,7 @@ PERCUSS_FORCE_INLINE bool add_fold_resistance(const FoldRule<T>& rule, const Vec
     g[1][m] = step.force[m].y;
     g[2][m] = step.force[m].z;
   }
-  finish_forces(g[0], g[1], g[2]);
+  finish_forces<T>({g[0], g[1], g[2]});
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 8; ++i) f[k][i] = select(acts, f[k][i] + g[k][i], f[k][i]);
   }

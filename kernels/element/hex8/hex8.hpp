@@ -25,16 +25,6 @@ struct HexState {
   [[no_unique_address]] MaterialHistory<T, Material, 1> history;
 };
 
-/// Numbers that are the same for all elements of a block.
-template <class Material>
-struct HexParameters {
-  Material material;
-  double lambda = 0, mu = 0;  // bound of the elastic stiffness; a negative lambda counts as 0
-  double hourglass = 0.05;    // coefficient of the stiffness and the viscous form
-  BulkViscosity viscosity;
-  double time = 0;  // at n+1; set for each step
-};
-
 /// Energy that one step put into the element [energy].
 template <class T>
 struct HexWork {
@@ -50,23 +40,29 @@ struct HexResult {
   T obliqueness;  // at n+1
 };
 
+/// Where the forces of an element go: out, by corner, in float by mode.
+template <class T>
+struct CornerForces {
+  T (&x)[8], (&y)[8], (&z)[8];
+};
+
 /// Forces by corner from those by mode. In float they stay by mode: who adds them up turns them to corners in double,
 /// where those of an element add up to nothing to the last digit of a double.
 template <class T>
-PERCUSS_FORCE_INLINE void finish_forces(T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
+PERCUSS_FORCE_INLINE void finish_forces(const CornerForces<T>& out) {
   if constexpr (!is_short<T>) {
-    to_corners(fx);
-    to_corners(fy);
-    to_corners(fz);
+    to_corners(out.x);
+    to_corners(out.y);
+    to_corners(out.z);
   }
 }
 
-/// Corner forces from Cauchy stress t and hourglass forces q on the end geometry; x, y, z hold them by corner.
+/// Corner forces from Cauchy stress t and hourglass forces q on the end geometry.
 /// Power balance: sum_I f_I . v_I = V t:D + sum_h Q_h . u_h, and sum_I x_I cross f_I = 0.
 template <class T>
 PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& t, const HourglassModes<T>& q,
-                                             const VectorModes<T>& a, const VolumeGradient<T>& b, T (&fx)[8],
-                                             T (&fy)[8], T (&fz)[8]) {
+                                             const VectorModes<T>& a, const VolumeGradient<T>& b,
+                                             const CornerForces<T>& out) {
   const T over_64 = number<T>(1.0 / 64.0), over_64_volumes = over_64 * (T(1) / b.volume);
   Matrix3<T> p{{q.mode[0].x * a[4], q.mode[0].y * a[4], q.mode[0].z * a[4]}};
   for (int h = 1; h < 4; ++h) {
@@ -75,20 +71,20 @@ PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& t, const Hourg
     p.row[2] = p.row[2] + q.mode[h].z * a[4 + h];
   }
   p = full(over_64 * t) - over_64_volumes * p;
-  fx[0] = fy[0] = fz[0] = T(0);
+  out.x[0] = out.y[0] = out.z[0] = T(0);
   for (int m = 1; m <= 6; ++m) {
     const Vector3<T> f = p * b[m];
-    fx[m] = f.x;
-    fy[m] = f.y;
-    fz[m] = f.z;
+    out.x[m] = f.x;
+    out.y[m] = f.y;
+    out.z[m] = f.z;
   }
-  fx[7] = fy[7] = fz[7] = T(0);
+  out.x[7] = out.y[7] = out.z[7] = T(0);
   for (int h = 0; h < 4; ++h) {
-    fx[4 + h] = fx[4 + h] + q.mode[h].x;
-    fy[4 + h] = fy[4 + h] + q.mode[h].y;
-    fz[4 + h] = fz[4 + h] + q.mode[h].z;
+    out.x[4 + h] = out.x[4 + h] + q.mode[h].x;
+    out.y[4 + h] = out.y[4 + h] + q.mode[h].y;
+    out.z[4 + h] = out.z[4 + h] + q.mode[h].z;
   }
-  finish_forces(fx, fy, fz);
+  finish_forces(out);
 }
 
 /// Input of a material for the step, and lambda + 2 mu at n.
@@ -118,13 +114,12 @@ PERCUSS_FORCE_INLINE ToldMotion<T> tell_motion(const HexParameters<Material>& pa
   return told;
 }
 
-/// Advances the element from n to n+1. a, v: modes of x(n+1) and v(n+1/2). fx, fy, fz: out, the internal forces by
-/// corner, in float by mode (they resist the motion: the node feels their negative). With dt = 0 it evaluates forces
-/// and step only.
+/// Advances the element from n to n+1. a, v: modes of x(n+1) and v(n+1/2). out: the internal forces (they resist the
+/// motion: the node feels their negative). With dt = 0 it evaluates forces and step only.
 template <class T, class Material, HexKind Kind>
 PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
                                                const VectorModes<T>& v, const T& dt, HexState<T, Material, Kind>& state,
-                                               T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
+                                               const CornerForces<T>& out) {
   const T half = number<T>(0.5);
   const StepMotion<T> step = follow_motion(a, v, dt, state.polar);  // (1.3) strain rate
 
@@ -150,14 +145,13 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   const HourglassElement<T> element{state.mass, size.trace, b.volume, step.b};
   HourglassModes<T> own_force;
   HourglassModes<T>& force = find_hourglass_place(state.hourglass, own_force);
-  const HourglassStep<T> hourglass =
-      control_hourglass<Kind>(par.material, par.mu, par.hourglass, response, motion, element, force);
+  const HourglassStep<T> hourglass = control_hourglass<Kind>(par, response, motion, element, force);
 
   Symmetric3<T> t = push_forward(state.polar.rotation, state.stress);
   t.xx = t.xx - viscous.pressure;
   t.yy = t.yy - viscous.pressure;
   t.zz = t.zz - viscous.pressure;
-  find_corner_forces(t, force, a, b, fx, fy, fz);  // (1.5) internal forces
+  find_corner_forces(t, force, a, b, out);  // (1.5) internal forces
 
   const T oblique = find_obliqueness(a, size, b.volume);
   const T frequency_square =

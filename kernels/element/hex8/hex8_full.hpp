@@ -47,17 +47,17 @@ PERCUSS_FORCE_INLINE Symmetric3<T> find_point_rate(const PointGeometry<T>& point
 /// Corner forces from the modes of the deviatoric forces in the unrotated frame (512 times) and a uniform pressure.
 template <class T>
 PERCUSS_FORCE_INLINE void find_full_forces(const VectorModes<T>& modes, const Matrix3<T>& rotation, const T& tension,
-                                           const VolumeGradient<T>& b, T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
+                                           const VolumeGradient<T>& b, const CornerForces<T>& out) {
   const T scale = number<T>(1.0 / 64.0) * tension;
-  fx[0] = fy[0] = fz[0] = T(0);
+  out.x[0] = out.y[0] = out.z[0] = T(0);
   for (int m = 1; m <= 7; ++m) {
     Vector3<T> f = number<T>(1.0 / 512.0) * (rotation * modes[m]);
     if (m <= 6) f = f + scale * b[m];
-    fx[m] = f.x;
-    fy[m] = f.y;
-    fz[m] = f.z;
+    out.x[m] = f.x;
+    out.y[m] = f.y;
+    out.z[m] = f.z;
   }
-  finish_forces(fx, fy, fz);
+  finish_forces(out);
 }
 
 /// What the points give together. S: double, or T where moduli change.
@@ -76,13 +76,14 @@ PERCUSS_FORCE_INLINE void take_larger(Moduli<T>& largest, const Moduli<T>& modul
   largest = {larger(largest.lambda, moduli.lambda), larger(largest.mu, moduli.mu)};
 }
 
-/// Strains, stresses and forces point by point. a, v, middle: modes of positions at n+1, of velocities at n+1/2 and of
-/// positions at n+1/2, all spatial; mean: the motion of the element's mean.
+/// Strains, stresses and forces point by point. a, v: modes of positions at n+1 and of velocities at n+1/2, spatial;
+/// step, mean: the motion of the element's mean.
 template <class T, class Material>
 PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, const VectorModes<T>& a,
-                                         const VectorModes<T>& v, const VectorModes<T>& middle, const Matrix3<T>& turn,
-                                         const PointMotion<T>& mean, HexState<T, Material, HexKind::full>& state) {
+                                         const VectorModes<T>& v, const StepMotion<T>& step, const PointMotion<T>& mean,
+                                         HexState<T, Material, HexKind::full>& state) {
   const T third = number<T>(1.0 / 3.0);
+  const Matrix3<T> turn = number<T>(0.5) * step.rotations;
   const VectorModes<T> rates = pull_back(turn, v), end = pull_back(state.polar.rotation, a);
   const T trace_de = trace(mean.de);
   PointSums<T, std::conditional_t<is_called<Material>, T, double>> sums;
@@ -92,7 +93,7 @@ PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, con
   sums.smallest_volume = number<T>(beyond_all<T>);
   for (int p = 0; p < 8; ++p) {
     const GaussPoint at = find_gauss_point(p);
-    const PointGeometry<T> mid_point = find_point_geometry(middle, at);
+    const PointGeometry<T> mid_point = find_point_geometry(step.middle, at);
     Symmetric3<T> de = mean.dt * find_point_rate(mid_point, at, rates, turn);
     const T dilatation = third * (trace_de - trace(de));
     de = de + Symmetric3<T>{dilatation, dilatation, dilatation, T(0), T(0), T(0)};
@@ -124,12 +125,12 @@ PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, con
 template <class T, class Material>
 PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& par, const VectorModes<T>& a,
                                                const VectorModes<T>& v, const T& dt,
-                                               HexState<T, Material, HexKind::full>& state, T (&fx)[8], T (&fy)[8],
-                                               T (&fz)[8]) {
+                                               HexState<T, Material, HexKind::full>& state,
+                                               const CornerForces<T>& out) {
   const T half = number<T>(0.5);
   const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
   const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
-  auto points = advance_points(par, a, v, step.middle, half * step.rotations, told.point, state);
+  auto points = advance_points(par, a, v, step, told.point, state);
 
   const VolumeGradient<T> b = find_volume_gradient(a);
   const GradientSize<T> size = find_gradient_size(b);
@@ -138,7 +139,7 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
       find_viscous_pressure(par.viscosity, state.mass / b.volume, find_thickness(size, b.volume), speed, step.trace_d);
   const T viscous_work = -half * step.b.volume * (state.viscous_pressure + viscous.pressure) * dt * step.trace_d;
   state.viscous_pressure = viscous.pressure;
-  find_full_forces(points.force, state.polar.rotation, points.tension / b.volume - viscous.pressure, b, fx, fy, fz);
+  find_full_forces(points.force, state.polar.rotation, points.tension / b.volume - viscous.pressure, b, out);
 
   // 2 mu |dev D|^2 + K (tr D)^2 <= 2 mu |D|^2 + lambda (tr D)^2, as the mean dilatation has the smallest square
   const T frequency_square = T(8) / state.mass *

@@ -4,11 +4,22 @@
 #include <type_traits>
 
 #include "kernels/element/hex8/assumed_strain.hpp"
+#include "kernels/element/hex8/bulk_viscosity.hpp"
 #include "kernels/element/hex8/hourglass.hpp"
 #include "kernels/element/hex8/kinematics.hpp"
 #include "kernels/element/hex8/material_point.hpp"
 
 namespace percuss {
+
+/// Numbers that are the same for all elements of a block.
+template <class Material>
+struct HexParameters {
+  Material material;
+  double lambda = 0, mu = 0;  // bound of the elastic stiffness; a negative lambda counts as 0
+  double hourglass = 0.05;    // coefficient of the stiffness and the viscous form
+  BulkViscosity viscosity;
+  double time = 0;  // at n+1; set for each step
+};
 
 /// What is compiled for each material: the one-point element with one of three hourglass controls, or 2x2x2 points.
 enum class HexKind { assumed_strain, stiffness, viscous, full };
@@ -141,18 +152,19 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_by_stiffness(double mu, double coe
   return {find_hourglass_work(sum, motion.rate, motion.dt), kappa, T(0)};
 }
 
-/// The control of Kind over one step; `mu` and `coefficient` size the forms of Flanagan and Belytschko. q: Q at n where
-/// it is kept, out at n+1.
+/// The control of Kind over one step; mu and hourglass of the parameters size the forms of Flanagan and Belytschko. q:
+/// Q at n where it is kept, out at n+1.
 template <HexKind Kind, class T, class Material, class Plastic>
-PERCUSS_FORCE_INLINE HourglassStep<T> control_hourglass(const Material& material, double mu, double coefficient,
-                                                        const Plastic& plastic, const HourglassMotion<T>& motion,
+PERCUSS_FORCE_INLINE HourglassStep<T> control_hourglass(const HexParameters<Material>& par, const Plastic& plastic,
+                                                        const HourglassMotion<T>& motion,
                                                         const HourglassElement<T>& element, HourglassModes<T>& q) {
   if constexpr (Kind == HexKind::assumed_strain) {
-    return control_by_assumed_strain(material, plastic, motion, element, q);
+    return control_by_assumed_strain(par.material, plastic, motion, element, q);
   } else if constexpr (Kind == HexKind::stiffness) {
-    return control_by_stiffness<T, Material>(mu, coefficient, plastic, motion, element, q);
+    return control_by_stiffness<T, Material>(par.mu, par.hourglass, plastic, motion, element, q);
   } else {
-    const T eta = find_hourglass_viscosity(element.gradient_square, element.volume, element.mass, mu, coefficient);
+    const T eta =
+        find_hourglass_viscosity(element.gradient_square, element.volume, element.mass, par.mu, par.hourglass);
     for (int h = 0; h < 4; ++h) q.mode[h] = eta * motion.rate.mode[h];
     return {motion.dt * find_power(q, motion.rate), T(0), eta};
   }

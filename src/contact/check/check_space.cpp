@@ -103,23 +103,20 @@ void NearPairs::ask(const NearWay& way) {
   if (way.near > 0) near_.ask();
 }
 
-void NearPairs::fill(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
-                     const Array<const int>& history_face, const CandidateList& of, double travel, PartList& part) {
+void NearPairs::fill(const CheckInputs& inputs, const CandidateList& of, double travel, PartList& part) {
   constexpr double worth_it = 0.7;  // share of the pairs above which a list of its own saves nothing
   constexpr int pause = 7;          // where it is not worth it, the next is made after so many that are not
   if (!part.is_due) return;
   part.is_due = false;
-  run_where_it_pays(surface.num_faces / 2, [&](const auto& space) {
-    part.is_used = list_near_pairs(space, surface, motion.x, faces, history_face, of, travel, worth_it * of.num_pairs,
-                                   scratch_, part.list);
+  run_where_it_pays(inputs.surface.num_faces / 2, [&](const auto& space) {
+    part.is_used = list_near_pairs(space, inputs, of, {travel, worth_it * of.num_pairs}, scratch_, part.list);
   });
   if (!part.is_used) part.turns_to_pass = pause;
 }
 
-void NearPairs::make(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
-                     const Array<const int>& history_face, const CandidateList& all) {
-  fill(surface, motion, faces, history_face, all, way_.search, reachable_);
-  fill(surface, motion, faces, history_face, reachable_pairs(all), way_.near, near_);
+void NearPairs::make(const CheckInputs& inputs, const CandidateList& all) {
+  fill(inputs, all, way_.search, reachable_);
+  fill(inputs, reachable_pairs(all), way_.near, near_);
 }
 
 void check_candidates(const SurfaceMotion& motion, CheckSpace& check) {
@@ -132,10 +129,10 @@ void check_candidates(const SurfaceMotion& motion, CheckSpace& check) {
     update_faces(space, check.surface, motion, check.read_pairs(), check.still, check.faces);
     space.fence();
   });
-  if (check.near.is_asked()) check.near.make(check.surface, motion, check.faces, check.history_face, check.candidates);
+  const CheckInputs inputs = check.make_inputs(motion);
+  if (check.near.is_asked()) check.near.make(inputs, check.candidates);
   run_where_it_pays(check.checked_pairs().num_pairs, [&](const auto& space) {
-    find_touches(space, check.surface, motion, check.checked_pairs(), check.faces, check.history_face, check.still,
-                 check.touches);
+    find_touches(space, inputs, check.checked_pairs(), check.still, check.touches);
   });
   check.counts.left_out += check.touches.num_kept_pairs;
 }

@@ -46,9 +46,8 @@ class NearPairs {
   void ask(const NearWay& way);
   bool is_asked() const { return reachable_.is_due || near_.is_due; }
 
-  /// Lists them; faces, history_face: of read_pairs().
-  void make(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
-            const Array<const int>& history_face, const CandidateList& all);
+  /// Lists them; inputs: of read_pairs().
+  void make(const CheckInputs& inputs, const CandidateList& all);
 
   /// Those that can come near before the next search, where these are listed.
   const CandidateList& reachable_pairs(const CandidateList& all) const {
@@ -73,8 +72,7 @@ class NearPairs {
     void ask();
   };
 
-  void fill(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
-            const Array<const int>& history_face, const CandidateList& of, double travel, PartList& part);
+  void fill(const CheckInputs& inputs, const CandidateList& of, double travel, PartList& part);
 
   NearWay way_;
   PartList reachable_, near_;
@@ -105,6 +103,8 @@ struct CheckSpace {
 
   /// Whether all that the last check found was found by the one before it as well, and is at rest.
   bool has_found_nothing_new() const { return touches.num_new == 0; }
+
+  CheckInputs make_inputs(const SurfaceMotion& motion) const { return {{surface, motion, faces}, history_face}; }
 };
 
 /// Takes a surface into use: memory for its faces and nodes.

@@ -95,7 +95,7 @@ int check_edge_pairs(const SurfaceMotion& motion, const EdgeHistory& history, Ed
   if (space.pairs.num_pairs == 0) return 0;
   run_where_it_pays(space.pairs.num_pairs, [&](const auto& where) {
     update_edge_boxes(where, space.surface, motion, space.pairs, space.still, space.boxes);
-    find_edge_touches(where, space.surface, motion, space.pairs, space.boxes, history, space.still, space.touches);
+    find_edge_touches(where, {space.surface, motion, space.boxes, history}, space.pairs, space.still, space.touches);
   });
   return space.touches.count;
 }

@@ -31,6 +31,46 @@ KOKKOS_INLINE_FUNCTION int find_remembered_face(const Array<const std::int64_t>&
   return number < 0 ? -1 : find_face(numbers, number);
 }
 
+/// Messages of what these contact nodes of the share remember.
+template <class Space>
+void pack_history(const Space& space, const Array<const int>& nodes, const Array<const std::int64_t>& remembered,
+                  const Array<HistoryItem>& send) {
+  const Array<const int> of = nodes;
+  const Array<const std::int64_t> from = remembered;
+  const Array<HistoryItem> out = send;
+  Kokkos::parallel_for(
+      "contact::pack_history", RangeOf<Space>(space, 0, static_cast<int>(of.extent(0))), KOKKOS_LAMBDA(int i) {
+        for (int slot = 0; slot < max_touches; ++slot) out(i).face[slot] = from(max_touches * of(i) + slot);
+      });
+}
+
+/// Which of the faces here nodes remember: faces is out, [3 nodes], of the nodes in rows. remembered(i, slot): number.
+template <class Space, class Remembered>
+void find_remembered_faces(const Space& space, const Array<const int>& rows, const Array<const std::int64_t>& numbers,
+                           const Remembered& remembered, const Array<int>& faces) {
+  const Array<const int> to = rows;
+  const Array<const std::int64_t> of_faces = numbers;
+  const Array<int> out = faces;
+  Kokkos::parallel_for(
+      "contact::find_remembered_faces", RangeOf<Space>(space, 0, static_cast<int>(to.extent(0))), KOKKOS_LAMBDA(int i) {
+        for (int slot = 0; slot < max_touches; ++slot)
+          out(max_touches * to(i) + slot) = find_remembered_face(of_faces, remembered(i, slot));
+      });
+}
+
+/// What a contact node of the share, and what a message remembers.
+struct OwnMemory {
+  Array<const std::int64_t> remembered;
+  Array<const int> places;
+  KOKKOS_INLINE_FUNCTION std::int64_t operator()(int i, int slot) const {
+    return remembered(max_touches * places(i) + slot);
+  }
+};
+struct SentMemory {
+  Array<const HistoryItem> items;
+  KOKKOS_INLINE_FUNCTION std::int64_t operator()(int i, int slot) const { return items(i).face[slot]; }
+};
+
 /// Marks the nodes whose motion the check of a list of pairs reads. is_wanted: out, [nodes].
 template <class Space>
 void mark_read_nodes(const Space& space, const ContactSurface& surface, const CandidateList& pairs,
@@ -145,23 +185,10 @@ SurfaceMotion RankedCheck::receive(const SurfaceMotion& motion, const ContactHis
                                 part.published_history.extent(0));
   const Array<HistoryItem> receive(Kokkos::view_alloc("contact::received_history", Kokkos::WithoutInitializing),
                                    part.history_rows.extent(0));
-  const Array<const std::int64_t> remembered = history.face, numbers = space_.face_numbers;
-  const Array<const int> published = part.published_history, places = part.own_history_places;
-  const Array<const int> rows = part.history_rows, own_rows = part.own_history_rows;
-  const Array<int> faces = space_.history_face;
   run_where_it_pays((sent + own) / 10, [&](const auto& space) {
-    using Space = std::decay_t<decltype(space)>;
-    Kokkos::parallel_for(
-        "contact::pack_history", RangeOf<Space>(space, 0, sent), KOKKOS_LAMBDA(int i) {
-          for (int slot = 0; slot < max_touches; ++slot)
-            send(i).face[slot] = remembered(max_touches * published(i) + slot);
-        });
-    Kokkos::parallel_for(
-        "contact::copy_own_history", RangeOf<Space>(space, 0, own), KOKKOS_LAMBDA(int i) {
-          for (int slot = 0; slot < max_touches; ++slot)
-            faces(max_touches * own_rows(i) + slot) =
-                find_remembered_face(numbers, remembered(max_touches * places(i) + slot));
-        });
+    pack_history(space, part.published_history, history.face, send);
+    find_remembered_faces(space, part.own_history_rows, space_.face_numbers,
+                          OwnMemory{history.face, part.own_history_places}, space_.history_face);
     space.fence();
   });
   const auto send_buffer = to_host(send);
@@ -172,11 +199,7 @@ SurfaceMotion RankedCheck::receive(const SurfaceMotion& motion, const ContactHis
   history_data_.end();
   Kokkos::deep_copy(receive, receive_buffer);
   run_where_it_pays(received / 10, [&](const auto& space) {
-    Kokkos::parallel_for(
-        "contact::unpack_history", RangeOf<std::decay_t<decltype(space)>>(space, 0, received), KOKKOS_LAMBDA(int i) {
-          for (int slot = 0; slot < max_touches; ++slot)
-            faces(max_touches * rows(i) + slot) = find_remembered_face(numbers, receive(i).face[slot]);
-        });
+    find_remembered_faces(space, part.history_rows, space_.face_numbers, SentMemory{receive}, space_.history_face);
     space.fence();
   });
   return here;
@@ -184,7 +207,7 @@ SurfaceMotion RankedCheck::receive(const SurfaceMotion& motion, const ContactHis
 
 /// Results to the FE owners of their nodes, among those of a part whose histories were requested.
 template <class Record>
-std::vector<Record> RankedCheck::send_results_to_fe_owners(const CheckPart& part, std::vector<Record> records) {
+std::vector<Record> RankedCheck::send_to_fe_owners(const CheckPart& part, std::vector<Record> records) {
   std::vector<int> owners;
   owners.reserve(records.size());
   for (const Record& record : records) owners.push_back(ranks_.numbering.find_node_owner(record.node));
@@ -221,13 +244,16 @@ std::vector<RankedCheck::TouchRecord> RankedCheck::list_touches() const {
   return records;
 }
 
-std::vector<RowTouch> RankedCheck::check(const SurfaceMotion& motion, const ContactHistory& history) {
-  if (total_pairs_ == 0) {
+void RankedCheck::check(const SurfaceMotion& motion, const ContactHistory& history) {
+  if (total_pairs_ == 0)
     forget_touches(space_);
-    return {};
-  }
-  check_candidates(receive(motion, history), space_);                                    // (5.6) detailed check
-  std::vector<TouchRecord> records = send_results_to_fe_owners(*read_, list_touches());  // (5.7)
+  else
+    check_candidates(receive(motion, history), space_);
+}
+
+std::vector<RowTouch> RankedCheck::send_results_to_fe_owners() {
+  if (total_pairs_ == 0) return {};
+  std::vector<TouchRecord> records = send_to_fe_owners(*read_, list_touches());
   if (asked_.near > 0) select_near();
   return make_row_touches(std::move(records));
 }
@@ -281,7 +307,7 @@ std::vector<Penetration> RankedCheck::find_penetrations(const SurfaceMotion& mot
     records.push_back({known_.nodes[at(n)], {0, of.number, depth(n), ratio(n), size(face(n)), of.part, limit(n)}});
   }
   std::vector<Penetration> found;
-  for (Record& record : send_results_to_fe_owners(of_all_, std::move(records))) {
+  for (Record& record : send_to_fe_owners(of_all_, std::move(records))) {
     record.penetration.node = find_contact_node(record.node);
     found.push_back(record.penetration);
   }

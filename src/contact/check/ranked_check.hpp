@@ -35,8 +35,12 @@ class RankedCheck {
   /// ContactFinder::narrow().
   void narrow(const NearWay& way);
 
-  /// Touches of this rank's contact nodes, by (node, face). Corners that other ranks own are numbered as foreign nodes.
-  std::vector<RowTouch> check(const SurfaceMotion& motion, const ContactHistory& history);
+  /// Checks the candidate pairs here: of nodes that this rank owns in the contact decomposition.
+  void check(const SurfaceMotion& motion, const ContactHistory& history);
+
+  /// What the last check found goes to the FE owners. Returns the touches of the contact nodes that this rank owns
+  /// there, by (node, face). Corners that other ranks own are numbered as foreign nodes.
+  std::vector<RowTouch> send_results_to_fe_owners();
 
   std::vector<Penetration> find_penetrations(const SurfaceMotion& motion);
   std::vector<PartGap> find_gaps(const SurfaceMotion& motion);
@@ -68,7 +72,7 @@ class RankedCheck {
   SurfaceMotion receive(const SurfaceMotion& motion, const ContactHistory& history);
   std::vector<TouchRecord> list_touches() const;
   template <class Record>
-  std::vector<Record> send_results_to_fe_owners(const CheckPart& part, std::vector<Record> records);
+  std::vector<Record> send_to_fe_owners(const CheckPart& part, std::vector<Record> records);
   std::vector<RowTouch> make_row_touches(std::vector<TouchRecord> records) const;
 
   ContactRanks ranks_;

@@ -112,20 +112,41 @@ void ContactDecomposition::take_over(const ContactDecomposition& before) {
   is_due_ = before.is_due_ || (has_changed && rebalance_ != ContactDeck::Rebalance::never);
 }
 
-void ContactDecomposition::update(const SurfaceMotion& motion, double margin) {
+// (5.1) Points go to the rank that owned them before, so that bisection finds nearly all where they belong.
+void ContactDecomposition::send_contact_data_to_previous_owners(const SurfaceMotion& motion) {
   begin_search(motion);
-  bool are_nodes_others = adopt_cuts();
-  if (is_due_) {
-    const RcbPoints points = send_contact_data_to_previous_owners();  // (5.1)
-    rebalance_points(points);                                         // (5.2) and (5.3)
-    are_nodes_others = find_new_owners() || are_nodes_others;
+  are_nodes_others_ = adopt_cuts();
+  if (is_due_) arrived_ = send_points_to_previous_owners();
+}
+
+void ContactDecomposition::rebalance() {
+  if (!is_due_) return;
+  divided_ = parts_->cuts().divide(ExecSpace(), arrived_);
+  just_rebalanced_ = true;
+}
+
+// (5.3) Every FE owner then knows who owns its nodes, and sends them there.
+void ContactDecomposition::share_cuts() {
+  if (just_rebalanced_) {
+    parts_->cuts().share_cuts(divided_);
+    arrived_ = {};
+    take_report(divided_);
+    are_nodes_others_ = find_new_owners() || are_nodes_others_;
   }
-  if (are_nodes_others) send_nodes_to_owners();
+  if (are_nodes_others_) send_nodes_to_owners();
   send_places_to_owners();
-  const bool are_told = are_faces_told_ && are_reached_parts_told(motion, margin);  // (5.4)
-  if (!are_told) send_overlapping_faces(motion, margin);                            // (5.5)
-  has_changed_ = are_nodes_others || !are_told;
-  send_boxes();  // (5.5) in every search
+}
+
+// (5.4) For all my faces: which ranks does the capture box reach, and do these know the face?
+void ContactDecomposition::find_reached_ranks(const SurfaceMotion& motion, double margin) {
+  are_reached_told_ = are_faces_told_ && are_reached_parts_told(motion, margin);
+}
+
+// (5.5) Faces to ranks that do not know them, boxes of this search to all.
+void ContactDecomposition::send_overlapping_faces(const SurfaceMotion& motion, double margin) {
+  if (!are_reached_told_) send_faces(motion, margin);
+  has_changed_ = are_nodes_others_ || !are_reached_told_;
+  send_boxes();  // in every search
 }
 
 void ContactDecomposition::begin_search(const SurfaceMotion& motion) {
@@ -160,9 +181,8 @@ void ContactDecomposition::locate_points(const SurfaceMotion& motion) {
   ExecSpace().fence();
 }
 
-// (5.1) Points go to the rank that owned them before, so that bisection finds nearly all where they belong. Before the
-// first bisection they stay with their FE owners.
-RcbPoints ContactDecomposition::send_contact_data_to_previous_owners() {
+/// Before the first bisection points stay with their FE owners.
+RcbPoints ContactDecomposition::send_points_to_previous_owners() {
   if (report_.rebalances == 0) return {points_.positions, points_.ids, {}};
   const auto x = to_host(points_.positions);
   const auto ids = to_host(points_.ids);
@@ -181,10 +201,7 @@ RcbPoints ContactDecomposition::send_contact_data_to_previous_owners() {
   return {positions, to_view("contact::received_ids", received_ids), {}};
 }
 
-// (5.2) and (5.3): the bisection ends with the cuts known to all ranks.
-void ContactDecomposition::rebalance_points(const RcbPoints& points) {
-  const RcbReport done = parts_->cuts().decompose(ExecSpace(), points);
-  just_rebalanced_ = true;
+void ContactDecomposition::take_report(const RcbReport& done) {
   ++report_.rebalances;
   points_at_rebalance_ = static_cast<std::int64_t>(points_.ids.extent(0));
   report_.imbalance = done.imbalance;
@@ -250,7 +267,7 @@ void ContactDecomposition::send_places_to_owners() {
   if (!just_rebalanced_) parts_->cuts().refit(ExecSpace(), places_);
 }
 
-// (5.4) For all my faces: which ranks does the capture box reach, and do these know the face?
+/// Whether all ranks that the boxes of this search reach know the faces.
 bool ContactDecomposition::are_reached_parts_told(const SurfaceMotion& motion, double margin) {
   bound_faces(ExecSpace(), share_.bounded_faces(), motion, margin, boxes_);
   const ReachCount count = count_reached_parts(exchange_.ranks(), parts_->cuts().tree(), boxes_,
@@ -259,8 +276,8 @@ bool ContactDecomposition::are_reached_parts_told(const SurfaceMotion& motion, d
   return !count.any_unlisted;
 }
 
-// (5.5) Faces to the ranks that need them, and to those that soon may.
-void ContactDecomposition::send_overlapping_faces(const SurfaceMotion& motion, double margin) {
+/// Sends faces to the ranks that need them, and to those that soon may.
+void ContactDecomposition::send_faces(const SurfaceMotion& motion, double margin) {
   const double wide = are_faces_told_ ? (1 + told_margins) * margin : margin;
   bound_faces(ExecSpace(), share_.bounded_faces(), motion, wide, boxes_);
   are_faces_told_ = true;

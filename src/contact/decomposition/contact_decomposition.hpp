@@ -1,6 +1,6 @@
 #pragma once
 // The contact decomposition: recursive coordinate bisection of contact nodes and faces, dynamic, beside the static one
-// of the elements. Steps (5.1) to (5.5) of the paper, each a function (ContactDecomposition::update()).
+// of the elements. Steps (5.1) to (5.5) of the paper, each a function, called in this order (ContactFinder).
 //
 // Four things differ from the paper. A face goes straight from its FE owner to every rank that its capture box reaches,
 // one message instead of two; a node likewise to its contact owner. A part goes to the rank that has most of its points
@@ -49,11 +49,16 @@ class ContactDecomposition {
   /// Continues with the cuts and the counts of the decomposition of another surface of the same scene. Collective.
   void take_over(const ContactDecomposition& before);
 
-  /// Brings searched contact nodes to their owners and searched faces to the ranks that their boxes, widened by
-  /// `margin`, reach, and maybe to more; rebalances before if that is due. Collective. Throws MpiError.
-  void update(const SurfaceMotion& motion, double margin);
+  /// Together, in this order, these bring searched contact nodes to their owners and searched faces to the ranks that
+  /// their boxes, widened by `margin`, reach, and maybe to more. (5.1) to (5.3) rebalance, where that is due. Each is
+  /// collective. Throw MpiError.
+  void send_contact_data_to_previous_owners(const SurfaceMotion& motion);   // (5.1)
+  void rebalance();                                                         // (5.2)
+  void share_cuts();                                                        // (5.3)
+  void find_reached_ranks(const SurfaceMotion& motion, double margin);      // (5.4)
+  void send_overlapping_faces(const SurfaceMotion& motion, double margin);  // (5.5)
 
-  /// What this rank has after update(), ascending in number, and whether that are others than before it, on any rank.
+  /// What this rank has after a search, ascending in number, and whether that are others than before it, on any rank.
   const std::vector<NodeRecord>& nodes() const { return nodes_; }
   const std::vector<FaceTopology>& faces() const { return faces_; }
   bool has_changed() const { return has_changed_; }
@@ -68,14 +73,14 @@ class ContactDecomposition {
   /// Those of faces() whose boxes reached this rank.
   std::int64_t count_reaching_here() const;
 
-  /// The cuts, and whether the last update() renewed them.
+  /// The cuts, and whether the last search renewed them.
   const AssignedParts& parts() const { return *parts_; }
   bool was_rebalanced() const { return just_rebalanced_; }
 
-  /// Takes the number of ghost faces on all ranks; decides whether the next update rebalances.
+  /// Takes the number of ghost faces on all ranks; decides whether the next search rebalances.
   void note_ghost_faces(std::int64_t ghosts);
 
-  /// The owner of each searched contact node of this rank's FE share, ascending; -1 before the first update().
+  /// The owner of each searched contact node of this rank's FE share, ascending; -1 before the first search.
   std::vector<int> node_owners() const;
   const DecompositionReport& report() const { return report_; }
   const Traffic& traffic() const { return data_.traffic(); }
@@ -90,14 +95,14 @@ class ContactDecomposition {
   void begin_search(const SurfaceMotion& motion);
   bool adopt_cuts();
   void locate_points(const SurfaceMotion& motion);
-  RcbPoints send_contact_data_to_previous_owners();
-  void rebalance_points(const RcbPoints& points);
+  RcbPoints send_points_to_previous_owners();
+  void take_report(const RcbReport& done);
   void assign_parts_once(const std::vector<int>& parts);
   bool find_new_owners();
   void send_nodes_to_owners();
   void send_places_to_owners();
   bool are_reached_parts_told(const SurfaceMotion& motion, double margin);
-  void send_overlapping_faces(const SurfaceMotion& motion, double margin);
+  void send_faces(const SurfaceMotion& motion, double margin);
   void send_boxes();
 
   const SurfaceShare& share_;
@@ -113,6 +118,9 @@ class ContactDecomposition {
   std::int64_t ghosts_after_rebalance_ = 0;
   std::int64_t points_at_rebalance_ = 0;  // of this rank's FE share
   bool is_due_ = true, just_rebalanced_ = false;
+  RcbPoints arrived_;                                         // from (5.1) to (5.3)
+  RcbReport divided_;                                         // likewise
+  bool are_nodes_others_ = false, are_reached_told_ = false;  // in the search that has begun
   double warm_rounds_ = 0;
   DecompositionReport report_;
 

@@ -17,8 +17,14 @@ auto take(const Rows3<double>& view, std::size_t first, std::size_t end) {
 }
 
 /// Records [first, end) of the history, `size` of them a row.
-void archive_records(CheckpointArchive& archive, const std::string& name, const ChunkRows& rows, int size,
-                     const ContactHistory& history, std::size_t first, std::size_t end) {
+struct RecordRange {
+  std::size_t first, end;
+  int size;
+};
+
+void archive_records(CheckpointArchive& archive, const std::string& name, const ChunkRows& rows,
+                     const ContactHistory& history, const RecordRange& range) {
+  const auto [first, end, size] = range;
   archive.rows(name + "/impulse", rows, 3 * size, take(history.impulse, first, end));
   archive.rows(name + "/slip", rows, 3 * size, take(history.slip, first, end));
   archive.rows(name + "/reference", rows, size, take(history.reference, first, end));
@@ -35,8 +41,8 @@ void archive_walls(CheckpointArchive& archive, const ChunkedMesh& chunked, const
     for (; end < wall.extent(0) && wall(end) == static_cast<int>(w); ++end) {
       numbers.push_back(chunked.mesh.node_numbers[static_cast<std::size_t>(node(end))]);
     }
-    archive_records(archive, fmt::format("contact/wall_{}", w), find_rows_of_nodes(chunked, numbers), 1, history,
-                    first_record + begin, first_record + end);
+    archive_records(archive, fmt::format("contact/wall_{}", w), find_rows_of_nodes(chunked, numbers), history,
+                    {first_record + begin, first_record + end, 1});
     begin = end;
   }
 }
@@ -49,7 +55,7 @@ void archive_history(CheckpointArchive& archive, const ChunkedMesh& chunked, con
   const int touches = contact_limits::max_touches;
   const std::size_t records = history.face.extent(0);
   archive.rows("contact/nodes/face", rows, touches, history.face);
-  archive_records(archive, "contact/nodes", rows, touches, history, 0, records);
+  archive_records(archive, "contact/nodes", rows, history, {0, records, touches});
   archive_walls(archive, chunked, walls, history, records);
 }
 

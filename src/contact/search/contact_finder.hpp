@@ -1,6 +1,6 @@
 #pragma once
-// Location phase and detailed check (the paper's (1.7), (1.8)) for the contact nodes that a rank owns: found where they
-// are, or in the contact decomposition and brought back.
+// Location phase and detailed check (the paper's (1.7), (1.8)) for the contact nodes that a rank owns, by steps
+// (5.1) to (5.7). On one rank those that only send do nothing.
 
 #include <cstdint>
 #include <memory>
@@ -22,23 +22,44 @@ struct SearchLoad {
   std::int64_t faces = 0;  // contact faces that reached it, copies included
 };
 
+/// What of steps (5.1) to (5.7) is to be done: a search for candidate pairs, their check, or both.
+struct FinderTask {
+  SurfaceMotion motion;
+  bool searches = false;
+  double margin = 0;                        // of a search: by this much capture boxes are wider
+  const ContactHistory* history = nullptr;  // of a check: that of the last step; none: there is no check
+};
+
+/// What has been found.
+struct FoundContacts {
+  std::int64_t candidates = 0;  // by a search, on all ranks
+  int touches = 0;              // by a check, of this rank
+};
+
 /// All calls are collective.
 class ContactFinder {
  public:
   virtual ~ContactFinder() = default;
 
-  /// Finds candidate pairs for capture boxes widened by `margin` and returns how many there are on all ranks. Throws
-  /// RunError, on all ranks, if they are absurdly many.
-  virtual std::int64_t search(const SurfaceMotion& motion, double margin) = 0;
+  /// Steps (5.1) to (5.7), in their order. touches: as in check(), which may be null without a check.
+  FoundContacts find_contacts(const FinderTask& task, Array<RowTouch>* touches);
+
+  /// The search alone. Finds candidate pairs for capture boxes widened by `margin` and returns how many there are on
+  /// all ranks. Throws RunError, on all ranks, if they are absurdly many.
+  std::int64_t search(const SurfaceMotion& motion, double margin) {
+    return find_contacts({motion, true, margin, nullptr}, nullptr).candidates;
+  }
 
   /// From the next check on leaves out the pairs of nodes and faces that it cannot accept before some node has used up
   /// its travel.
   virtual void narrow(const NearWay& way) = 0;
 
-  /// Checks the candidate pairs. touches: those of this rank's contact nodes, by (node, face), then those of edges
-  /// whose home this rank is, by (edge A, edge B); in: the same array with those of the last check as they were, where
-  /// they stay if it finds the same. Returns how many these are.
-  virtual int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) = 0;
+  /// The check alone, of the candidate pairs of the last search. touches: those of this rank's contact nodes, by (node,
+  /// face), then those of edges whose home this rank is, by (edge A, edge B); in: the same array with those of the last
+  /// check as they were, where they stay if it finds the same. Returns how many these are.
+  int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
+    return find_contacts({motion, false, 0, &history}, &touches).touches;
+  }
 
   /// Whether all that the last check found on this rank was found by the one before it as well, and is at rest: as many
   /// touches on all ranks are then the same ones.
@@ -66,6 +87,18 @@ class ContactFinder {
   /// Of a search, what went into the decomposition: steps (5.1) to (5.5).
   virtual PhaseClock decomposition_clock() const = 0;
   virtual Traffic traffic() const = 0;
+
+ private:
+  virtual void send_contact_data_to_previous_owners(const SurfaceMotion& /*motion*/) {}
+  virtual void rebalance() {}
+  virtual void share_cuts() {}
+  virtual void find_reached_ranks(const SurfaceMotion& /*motion*/, double /*margin*/) {}
+  virtual void send_overlapping_faces(const SurfaceMotion& /*motion*/, double /*margin*/) {}
+  /// Points in boxes; returns how many pairs there are on all ranks.
+  virtual std::int64_t find_candidates(const SurfaceMotion& motion, double margin) = 0;
+  virtual void check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) = 0;
+  /// Returns the number of touches of this rank's contact nodes and edges.
+  virtual int send_results_to_fe_owners(const FinderTask& task, Array<RowTouch>& touches) = 0;
 };
 
 /// The finder that suits the number of ranks.

@@ -71,7 +71,7 @@ void LocalFinder::take_over(const ContactFinder& before) {
   identify(nodes, faces, scratch_.blocks);
 }
 
-std::int64_t LocalFinder::search(const SurfaceMotion& motion, double margin) {
+std::int64_t LocalFinder::find_candidates(const SurfaceMotion& motion, double margin) {
   found_ = -1;  // by now the touches of the last check may have been written over
   return search_faces(motion, margin) + search_edges(motion, margin);
 }
@@ -102,7 +102,7 @@ std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margi
   // A search is some eighty launches, most of them of the sorts.
   run_where_it_pays(static_cast<int>(share_.searched_faces.size()) / 2, [&](const auto& space) {
     bound_faces(space, share_.bounded_faces(), motion, margin, boxes_);
-    pairs = find_points_in_boxes(space, surface, motion.x, boxes_, limit, scratch_, check_.candidates);
+    pairs = find_points_in_boxes(space, surface, {motion.x, boxes_}, limit, scratch_, check_.candidates);
     if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, check_.candidates);
   });
   refuse_too_many_pairs(pairs, find_pair_limit(share_), margin);
@@ -111,20 +111,23 @@ std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margi
   return pairs;
 }
 
-int LocalFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
-  const int of_faces = check_faces(motion, history);
-  const int found = of_faces + check_edge_pairs(motion, history.edges, edges_);
-  const bool has_found_the_same = has_found_nothing_new() && found == found_;
-  found_ = found;
-  if (has_found_the_same) return found;
-  if (of_faces > 0) {
-    run_where_it_pays(of_faces, [&](const auto& space) {
+void LocalFinder::check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) {
+  found_before_ = found_;
+  of_faces_ = check_faces(motion, history);
+  found_ = of_faces_ + check_edge_pairs(motion, history.edges, edges_);
+}
+
+/// This rank is the FE owner of all; touches that have not changed stay where they are.
+int LocalFinder::send_results_to_fe_owners(const FinderTask& /*task*/, Array<RowTouch>& touches) {
+  if (has_found_nothing_new() && found_ == found_before_) return found_;
+  if (of_faces_ > 0) {
+    run_where_it_pays(of_faces_, [&](const auto& space) {
       collect_touches(space, check_.surface, check_.checked_pairs(), check_.touches, check_.face_numbers, node_numbers_,
                       touches);
     });
   }
-  append_edge_touches(edges_, of_faces, touches);
-  return found;
+  append_edge_touches(edges_, of_faces_, touches);
+  return found_;
 }
 
 int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& history) {

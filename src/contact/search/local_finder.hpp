@@ -1,5 +1,6 @@
 #pragma once
-// One rank has the whole surface: search and check run on the arrays of the mesh, and nothing is sent.
+// One rank has the whole surface: search and check run on the arrays of the mesh. The steps of
+// ContactFinder::find_contacts() that send do nothing.
 
 #include "src/contact/check/check_space.hpp"
 #include "src/contact/check/edge_space.hpp"
@@ -14,9 +15,7 @@ class LocalFinder : public ContactFinder {
  public:
   LocalFinder(const SurfaceShare& share, const ContactDeck& deck);
 
-  std::int64_t search(const SurfaceMotion& motion, double margin) override;
   void narrow(const NearWay& way) override { check_.near.ask(way); }
-  int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
   bool has_found_nothing_new() const override {
     return check_.has_found_nothing_new() && edges_.has_found_nothing_new();
   }
@@ -32,6 +31,10 @@ class LocalFinder : public ContactFinder {
   Traffic traffic() const override { return {}; }
 
  private:
+  std::int64_t find_candidates(const SurfaceMotion& motion, double margin) override;
+  void check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) override;
+  int send_results_to_fe_owners(const FinderTask& task, Array<RowTouch>& touches) override;
+
   std::int64_t search_faces(const SurfaceMotion& motion, double margin);
   std::int64_t search_edges(const SurfaceMotion& motion, double margin);
   int check_faces(const SurfaceMotion& motion, const ContactHistory& history);
@@ -39,7 +42,8 @@ class LocalFinder : public ContactFinder {
   const SurfaceShare& share_;
   CheckSpace check_;
   Array<const std::int64_t> node_numbers_;  // [contact nodes]
-  int found_ = 0;                           // by the last check
+  int of_faces_ = 0, found_ = 0;            // touches of the last check: of nodes and faces, of all
+  int found_before_ = 0;                    // by the check before it; -1: its touches may have been written over
   Boxes boxes_;
   SearchScratch scratch_;
 

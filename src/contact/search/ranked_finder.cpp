@@ -102,21 +102,45 @@ SearchLoad RankedFinder::load() const {
   return {static_cast<std::int64_t>(decomposition_.nodes().size()), decomposition_.count_reaching_here()};
 }
 
-// Figure 5 of the paper, by whose numbers the steps are called. Where candidate pairs are used again, check() alone
-// runs.
-std::int64_t RankedFinder::search(const SurfaceMotion& motion, double margin) {
-  {
-    const Phase phase("percuss::contact_rcb", decomposition_clock_);
-    decomposition_.update(motion, margin);  // (5.1) to (5.5)
-  }
+void RankedFinder::send_contact_data_to_previous_owners(const SurfaceMotion& motion) {
+  const Phase phase = decompose();
+  decomposition_.send_contact_data_to_previous_owners(motion);
+}
+
+void RankedFinder::rebalance() {
+  const Phase phase = decompose();
+  decomposition_.rebalance();
+}
+
+void RankedFinder::share_cuts() {
+  const Phase phase = decompose();
+  decomposition_.share_cuts();
+}
+
+void RankedFinder::find_reached_ranks(const SurfaceMotion& motion, double margin) {
+  const Phase phase = decompose();
+  decomposition_.find_reached_ranks(motion, margin);
+}
+
+void RankedFinder::send_overlapping_faces(const SurfaceMotion& motion, double margin) {
+  const Phase phase = decompose();
+  decomposition_.send_overlapping_faces(motion, margin);
+}
+
+std::int64_t RankedFinder::find_candidates(const SurfaceMotion& motion, double margin) {
   if (decomposition_.has_changed()) redefine_surface();
-  const std::int64_t of_faces = search_faces(margin);  // (5.6) points in boxes
+  const std::int64_t of_faces = search_faces(margin);
   return of_faces + edges_.search(motion, margin, decomposition_);
 }
 
-int RankedFinder::check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
-  std::vector<RowTouch> rows = check_.check(motion, history);  // (5.6) detailed check, (5.7)
-  edges_.append_touches(motion, history.edges, rows);
+void RankedFinder::check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) {
+  check_.check(motion, history);
+}
+
+/// The touches of nodes; edges are checked here too, as their messages follow those of nodes.
+int RankedFinder::send_results_to_fe_owners(const FinderTask& task, Array<RowTouch>& touches) {
+  std::vector<RowTouch> rows = check_.send_results_to_fe_owners();
+  edges_.append_touches(task.motion, task.history->edges, rows);
   reserve(touches, static_cast<int>(rows.size()));
   Kokkos::View<const RowTouch*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(rows.data(),
                                                                                                  rows.size());
@@ -217,7 +241,7 @@ std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
     Kokkos::parallel_for(
         "contact::searched_places", RangeOf<std::decay_t<decltype(space)>>(space, 0, static_cast<int>(nodes.extent(0))),
         KOKKOS_LAMBDA(int i) { store_row(x, nodes(i), load_row(found, i)); });
-    pairs = find_points_in_boxes(space, surface, x, decomposition_.boxes(), limit, scratch_, candidates);
+    pairs = find_points_in_boxes(space, surface, {x, decomposition_.boxes()}, limit, scratch_, candidates);
     if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, candidates);
   });
   return pairs;

@@ -1,5 +1,5 @@
 #pragma once
-// Search and check in the contact decomposition: steps (5.1) to (5.7) of the paper, by search() and check().
+// Search and check in the contact decomposition: what the steps of ContactFinder::find_contacts() do on many ranks.
 //
 // A rank knows its part of the surface: the nodes that it owns there, the faces that reach it, and the faces around the
 // nodes of both, for normals. This topology is sent once and cached for many searches, until faces reach other ranks or
@@ -16,9 +16,7 @@ class RankedFinder : public ContactFinder {
  public:
   RankedFinder(const ContactRanks& ranks, const SurfaceShare& share, const ContactDeck& deck);
 
-  std::int64_t search(const SurfaceMotion& motion, double margin) override;
   void narrow(const NearWay& way) override { check_.narrow(way); }
-  int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) override;
   bool has_found_nothing_new() const override {
     return check_.space().has_found_nothing_new() && edges_.has_found_nothing_new();
   }
@@ -38,6 +36,16 @@ class RankedFinder : public ContactFinder {
   Traffic traffic() const override;
 
  private:
+  void send_contact_data_to_previous_owners(const SurfaceMotion& motion) override;
+  void rebalance() override;
+  void share_cuts() override;
+  void find_reached_ranks(const SurfaceMotion& motion, double margin) override;
+  void send_overlapping_faces(const SurfaceMotion& motion, double margin) override;
+  std::int64_t find_candidates(const SurfaceMotion& motion, double margin) override;
+  void check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) override;
+  int send_results_to_fe_owners(const FinderTask& task, Array<RowTouch>& touches) override;
+
+  Phase decompose() { return {"percuss::contact_rcb", decomposition_clock_}; }
   void redefine_surface();
   std::vector<std::int64_t> list_nodes_of_unknown_faces() const;
   std::vector<FaceTopology> ask_for_faces_around(const std::vector<std::int64_t>& nodes);

@@ -47,9 +47,16 @@ Handle create_dataset(hid_t parent, const std::string& name, hid_t type, hid_t s
           H5Dclose};
 }
 
+// Rows in memory.
+struct RowValues {
+  int components;
+  hid_t type;
+  const void* values;
+};
+
 // Writes a block of the rows of a dataset that begin at row `start`.
-void write_rows(hid_t dataset, const std::string& name, hsize_t start, const RowBlock& block, int components,
-                hid_t type, const void* values) {
+void write_rows(hid_t dataset, const std::string& name, hsize_t start, const RowBlock& block, const RowValues& rows) {
+  const auto [components, type, values] = rows;
   if (block.record != nullptr) block.record->add(dataset, start + block.first, block.count, type, values);
   if (block.all == 0) return;
   const std::string action = fmt::format("write dataset {}", name);
@@ -97,7 +104,7 @@ void write_dataset(hid_t parent, const std::string& name, hid_t file_type, const
                    const void* values) {
   const Handle space = create_space(make_extent(block.all, 1));
   Handle dataset = create_dataset(parent, name, file_type, space.get(), create_properties(name).get());
-  write_rows(dataset.get(), name, 0, block, 1, memory_type, values);
+  write_rows(dataset.get(), name, 0, block, {1, memory_type, values});
   check(dataset.reset(), fmt::format("close dataset {}", name));
 }
 
@@ -105,7 +112,7 @@ void write_rows_once(hid_t parent, const std::string& name, const RowBlock& bloc
                      std::span<const double> values) {
   const Handle space = create_space(make_extent(block.all, components));
   const Handle dataset = create_dataset(parent, name, H5T_IEEE_F64LE, space.get(), H5P_DEFAULT);
-  write_rows(dataset.get(), name, 0, block, components, H5T_NATIVE_DOUBLE, values.data());
+  write_rows(dataset.get(), name, 0, block, {components, H5T_NATIVE_DOUBLE, values.data()});
 }
 
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values) {
@@ -187,7 +194,7 @@ hsize_t Table::growth_bytes(hsize_t rows) const {
 void Table::append(const void* values, hid_t type, const RowBlock& block) {
   const Extent extent = make_extent(rows_ + block.all, components_);
   check(H5Dset_extent(dataset_.get(), extent.dims.data()), fmt::format("extend dataset {}", name_));
-  write_rows(dataset_.get(), name_, rows_, block, components_, type, values);
+  write_rows(dataset_.get(), name_, rows_, block, {components_, type, values});
   rows_ += block.all;
 }
 

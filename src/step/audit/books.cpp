@@ -86,12 +86,21 @@ void book_spin_conditions(const Model& model, ExactSums<7>& held_sums, State& st
   add_to_books(sums, 1, state.books);
 }
 
-/// The rest of the work of held directions: half a step of what the forces, or moments, at n+1 take, which stand in
-/// the slots. velocity: at n+1/2.
-void book_rest_of_work(const Model& model, ExactSums<1>& held_force_sum, const HeldDirections& held,
-                       const Array<int>& owned, const Rows3<double>& velocity, const Rows3<double>& slots, double dt,
+/// Held directions of velocities or of spins: those of this rank's own nodes, their motion at n+1/2, and the forces or
+/// moments at n+1, in the slots.
+struct HeldMotion {
+  HeldDirections held;
+  Array<int> owned;
+  Rows3<double> velocity, slots;
+};
+
+/// The rest of the work of held directions: half a step of what the forces, or moments, at n+1 take.
+void book_rest_of_work(const Model& model, ExactSums<1>& held_force_sum, const HeldMotion& motion, double dt,
                        Books& books) {
+  const HeldDirections held = motion.held;
+  const Array<int> owned = motion.owned;
   if (!model.is_driven || owned.extent(0) == 0) return;
+  const Rows3<double> velocity = motion.velocity, slots = motion.slots;
   const auto nodes_to_slots = model.nodes_to_slots;
   const auto work = held_force_sum(
       ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
@@ -292,10 +301,10 @@ void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, const Wa
 }
 
 void Bookkeeper::book_new_forces(State& state, double dt) {
-  book_rest_of_work(model_, held_force_sum_, model_.held, model_.owned_held, state.v, state.slot_force, dt,
+  book_rest_of_work(model_, held_force_sum_, {model_.held, model_.owned_held, state.v, state.slot_force}, dt,
                     state.books);
-  book_rest_of_work(model_, held_force_sum_, model_.held_spins, model_.owned_held_spins, state.w, state.slot_moment, dt,
-                    state.books);
+  book_rest_of_work(model_, held_force_sum_, {model_.held_spins, model_.owned_held_spins, state.w, state.slot_moment},
+                    dt, state.books);
   book_pressure_power(power_sum_, state, dt);
   book_nodal_power(power_sum_, state, dt);
 }

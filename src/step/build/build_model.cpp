@@ -104,6 +104,26 @@ std::vector<Real> find_fold_thresholds(const ChunkedMesh& chunked) {
   return thresholds;
 }
 
+/// Gives the records of each chunk their place. Returns the first scalar of each.
+std::vector<std::size_t> place_records(const ChunkTables& tables, const std::vector<int>& record_size, Model& model) {
+  std::vector<std::size_t> first_state(record_size.size());
+  for (std::size_t c = 0; c < first_state.size(); ++c) {
+    first_state[c] = model.state_size;
+    const int packs = tables.first_pack[c + 1] - tables.first_pack[c];
+    model.state_size += static_cast<std::size_t>(packs) * static_cast<std::size_t>(record_size[c]) * width;
+  }
+  return first_state;
+}
+
+void take_tables(const ChunkTables& tables, HexChunks& chunks) {
+  chunks.largest_slot_count = tables.largest_slot_count;
+  chunks.first_element = to_view("percuss::first_element", tables.first_element);
+  chunks.first_slot = to_view("percuss::first_slot", tables.first_slot);
+  chunks.slots_to_nodes = to_view("percuss::slots_to_nodes", tables.slots_to_nodes);
+  chunks.first_pack = to_view("percuss::first_pack", tables.first_pack);
+  chunks.corner_slots = to_view("percuss::corner_slots", tables.corner_slots);
+}
+
 // --- blocks
 
 void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
@@ -126,23 +146,12 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
                       builder.first_start, builder.start_count, builder.start_values},
                      model);
 
-  std::vector<std::size_t> first_state(count);
-  for (std::size_t c = 0; c < count; ++c) {
-    first_state[c] = model.state_size;
-    const int packs = tables.first_pack[c + 1] - tables.first_pack[c];
-    model.state_size += static_cast<std::size_t>(packs) * static_cast<std::size_t>(builder.record_size[c]) * width;
-  }
   HexChunks& chunks = model.chunks;
   chunks.count = static_cast<int>(count);
-  chunks.largest_slot_count = tables.largest_slot_count;
-  chunks.first_element = to_view("percuss::first_element", tables.first_element);
-  chunks.first_slot = to_view("percuss::first_slot", tables.first_slot);
-  chunks.slots_to_nodes = to_view("percuss::slots_to_nodes", tables.slots_to_nodes);
-  chunks.first_pack = to_view("percuss::first_pack", tables.first_pack);
-  chunks.corner_slots = to_view("percuss::corner_slots", tables.corner_slots);
+  take_tables(tables, chunks);
   if (deck.elements.resist_folding)
     chunks.fold_threshold = to_view("percuss::fold_threshold", find_fold_thresholds(chunked));
-  chunks.first_state = to_view("percuss::first_state", first_state);
+  chunks.first_state = to_view("percuss::first_state", place_records(tables, builder.record_size, model));
   chunks.parameters = to_view("percuss::parameters_of_chunk", builder.parameters);
   chunks.record_size = to_view("percuss::record_size", builder.record_size);
   chunks.history = to_view("percuss::history", builder.history);

@@ -51,8 +51,7 @@ std::vector<double> find_hex_bounds(const Model& model, const std::vector<double
   watch.reference = watch.bound;
   watch.growth = Array<double>("percuss::growth", static_cast<std::size_t>(model.chunks.count));
   for (const HexBlocks& blocks : {model.sending_blocks, model.blocks}) {
-    advance_elements(ExecSpace(), model.chunks, blocks, {state.x, state.v, 0, false, 0, watch}, state.elements,
-                     state.slot_force, state.results);
+    advance_elements(ExecSpace(), model.chunks, blocks, {state.x, state.v, 0, false, 0, watch}, state.chunk_fields());
   }
   const auto lanes = to_host(watch.bound);
   const auto first_element = to_host(model.chunks.first_element), first_pack = to_host(model.chunks.first_pack);

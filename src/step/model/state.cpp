@@ -156,6 +156,29 @@ Rows3<double> copy_rows(const std::string& label, const Rows3<double>& from) {
   return to;
 }
 
+ChunkResults make_results(const HexChunks& chunks) {
+  const auto count = static_cast<std::size_t>(chunks.count);
+  return {Array<double>("percuss::stable_step", count),
+          Array<int>("percuss::controlling_element", count),
+          Array<int>("percuss::failed_element", count),
+          WorkRows("percuss::work", count),
+          Array<int>("percuss::is_settled", count),
+          Array<std::int64_t>("percuss::skipped", count),
+          Array<double>("percuss::resists", chunks.fold_threshold.extent(0))};
+}
+
+/// What nodes of shells have besides.
+void start_rotations(const Model& model, State& s) {
+  const auto nodes = static_cast<std::size_t>(model.node_count);
+  s.w = Rows3<double>("percuss::w", nodes);
+  s.w_before = Rows3<double>("percuss::w_before", nodes);
+  s.moment = Rows3<double>("percuss::moment", nodes);
+  s.slot_moment = Rows3<double>("percuss::slot_moment", static_cast<std::size_t>(model.slot_count));
+  Kokkos::deep_copy(s.w, model.start_spin);
+  s.inertia = model.inertia;
+  s.inverse_inertia = model.inverse_inertia;
+}
+
 }  // namespace
 
 void own_masses(const Model& model, State& state) {
@@ -182,23 +205,8 @@ State make_initial_state(const Model& model) {
   set_start_history(model, s.elements);
   start_shells(model, s.elements);
   s.slot_force = make_streamed<Rows3<double>>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
-  if (model.has_shells) {
-    s.w = Rows3<double>("percuss::w", nodes);
-    s.w_before = Rows3<double>("percuss::w_before", nodes);
-    s.moment = Rows3<double>("percuss::moment", nodes);
-    s.slot_moment = Rows3<double>("percuss::slot_moment", static_cast<std::size_t>(model.slot_count));
-    Kokkos::deep_copy(s.w, model.start_spin);
-    s.inertia = model.inertia;
-    s.inverse_inertia = model.inverse_inertia;
-  }
-  const auto chunks = static_cast<std::size_t>(model.chunks.count);
-  s.results = {Array<double>("percuss::stable_step", chunks),
-               Array<int>("percuss::controlling_element", chunks),
-               Array<int>("percuss::failed_element", chunks),
-               WorkRows("percuss::work", chunks),
-               Array<int>("percuss::is_settled", chunks),
-               Array<std::int64_t>("percuss::skipped", chunks),
-               Array<double>("percuss::resists", model.chunks.fold_threshold.extent(0))};
+  if (model.has_shells) start_rotations(model, s);
+  s.results = make_results(model.chunks);
   s.lives = make_lives(model.failing);
   start_layers(model, s.lives);
   s.element_mass = model.element_mass;

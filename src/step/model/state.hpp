@@ -72,6 +72,11 @@ struct State {
   Rows3<double> moment;           // assembled moment, at n
   Rows3<double> slot_moment;      // internal moment (negative) by slot, at n; also those of other ranks
   Books books;
+
+  /// What an evaluation of the elements reads and writes.
+  ChunkFields chunk_fields() const { return {elements, slot_force, results, slot_moment}; }
+  /// Those that can fail, of the model.
+  FailingElements failing_elements(const FailingChunks& failing) const { return {failing, elements, lives}; }
 };
 
 /// The state at time 0: elements at rest in their first shape, held directions at their prescribed velocity.

@@ -12,59 +12,91 @@ namespace {
 
 constexpr std::size_t lanes = pack_size<Real>, across = pack_size<double>;  // packs of elements, of layers
 
-/// What the elements carry that can fail, element after element.
-void archive_elements_that_fail(CheckpointArchive& archive, const Model& model, const State& state) {
-  constexpr std::size_t columns = 4 + work_kinds;  // steps left, plastic strain, damage, time at yield, works
+constexpr std::size_t life_columns = 4 + work_kinds;  // steps left, plastic strain, damage, time at yield, works
+
+/// The elements that can fail, chunk after chunk.
+struct FailingRows {
+  ChunkRows rows;
+  std::vector<std::size_t> lanes;  // of each
+  std::vector<int> fade_steps;
+};
+
+FailingRows list_elements_that_fail(const Model& model) {
   const auto first_element = to_host(model.chunks.first_element), first_pack = to_host(model.failing.first_pack),
              row = to_host(model.failing.row);
   const auto limits = to_host(model.failing.limits);
-  const ElementLives& lives = state.lives;
-  const auto steps_left = to_host(lives.steps_left);
-  const auto plastic_strain = to_host(lives.plastic_strain), damage = to_host(lives.damage),
-             time_at_yield = to_host(lives.time_at_yield), work = to_host(lives.work);
-  const auto force_share = to_host(lives.force_share), work_share = to_host(lives.work_share);
-  ChunkRows rows;
-  std::vector<std::size_t> places;  // lanes
-  std::vector<int> fade_steps;
+  FailingRows of;
   for (std::size_t c = 0; c < static_cast<std::size_t>(model.chunks.count); ++c) {
     const bool can_fail = model.failing.pack_count > 0 && first_pack(c) >= 0;
-    rows.counts.push_back(can_fail ? first_element(c + 1) - first_element(c) : 0);
-    for (std::int64_t i = 0; i < rows.counts.back(); ++i) {
-      places.push_back(static_cast<std::size_t>(first_pack(c)) * lanes + static_cast<std::size_t>(i));
-      fade_steps.push_back(limits(static_cast<std::size_t>(row(c))).fade_steps);
+    of.rows.counts.push_back(can_fail ? first_element(c + 1) - first_element(c) : 0);
+    for (std::int64_t i = 0; i < of.rows.counts.back(); ++i) {
+      of.lanes.push_back(static_cast<std::size_t>(first_pack(c)) * lanes + static_cast<std::size_t>(i));
+      of.fade_steps.push_back(limits(static_cast<std::size_t>(row(c))).fade_steps);
     }
   }
-  std::vector<double> values(columns * places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::size_t l = places[i], first_work = l / lanes * work_kinds * lanes + l % lanes;
-    double* const v = &values[columns * i];
+  return of;
+}
+
+/// What elements carry, on the host.
+struct LivesOnHost {
+  explicit LivesOnHost(const ElementLives& lives)
+      : force_share(to_host(lives.force_share)),
+        work_share(to_host(lives.work_share)),
+        work(to_host(lives.work)),
+        steps_left(to_host(lives.steps_left)),
+        plastic_strain(to_host(lives.plastic_strain)),
+        damage(to_host(lives.damage)),
+        time_at_yield(to_host(lives.time_at_yield)) {}
+
+  static std::size_t find_work(std::size_t lane) { return lane / lanes * work_kinds * lanes + lane % lanes; }
+
+  /// v: out, [life_columns].
+  void read(std::size_t l, double* v) const {
     v[0] = steps_left(l);
     v[1] = plastic_strain(l);
     v[2] = damage(l);
     v[3] = time_at_yield(l);
-    for (std::size_t k = 0; k < work_kinds; ++k) v[4 + k] = work(first_work + k * lanes);
+    for (std::size_t k = 0; k < work_kinds; ++k) v[4 + k] = work(find_work(l) + k * lanes);
   }
-  archive.rows("elements/lives", rows, static_cast<int>(columns), std::span<double>(values));
-  if (!archive.is_loading()) return;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::size_t l = places[i], first_work = l / lanes * work_kinds * lanes + l % lanes;
-    const double* const v = &values[columns * i];
+
+  void write(std::size_t l, const double* v, int fade_steps) const {
     steps_left(l) = static_cast<int>(v[0]);
     plastic_strain(l) = v[1];
     damage(l) = v[2];
     time_at_yield(l) = v[3];
-    for (std::size_t k = 0; k < work_kinds; ++k) work(first_work + k * lanes) = v[4 + k];
-    const LifeShares shares = find_life_shares(steps_left(l), fade_steps[i]);
+    for (std::size_t k = 0; k < work_kinds; ++k) work(find_work(l) + k * lanes) = v[4 + k];
+    const LifeShares shares = find_life_shares(steps_left(l), fade_steps);
     force_share(l) = static_cast<Real>(shares.force);
     work_share(l) = static_cast<Real>(shares.work);
   }
-  Kokkos::deep_copy(lives.steps_left, steps_left);
-  Kokkos::deep_copy(lives.plastic_strain, plastic_strain);
-  Kokkos::deep_copy(lives.damage, damage);
-  Kokkos::deep_copy(lives.time_at_yield, time_at_yield);
-  Kokkos::deep_copy(lives.work, work);
-  Kokkos::deep_copy(lives.force_share, force_share);
-  Kokkos::deep_copy(lives.work_share, work_share);
+
+  void copy_to(const ElementLives& lives) const {
+    Kokkos::deep_copy(lives.steps_left, steps_left);
+    Kokkos::deep_copy(lives.plastic_strain, plastic_strain);
+    Kokkos::deep_copy(lives.damage, damage);
+    Kokkos::deep_copy(lives.time_at_yield, time_at_yield);
+    Kokkos::deep_copy(lives.work, work);
+    Kokkos::deep_copy(lives.force_share, force_share);
+    Kokkos::deep_copy(lives.work_share, work_share);
+  }
+
+  HostMirror<Array<Real>> force_share, work_share;
+  HostMirror<Array<double>> work;
+  HostMirror<Array<int>> steps_left;
+  HostMirror<Array<double>> plastic_strain, damage, time_at_yield;
+};
+
+/// What the elements carry that can fail, element after element.
+void archive_elements_that_fail(CheckpointArchive& archive, const Model& model, const State& state) {
+  const FailingRows of = list_elements_that_fail(model);
+  const LivesOnHost lives(state.lives);
+  std::vector<double> values(life_columns * of.lanes.size());
+  for (std::size_t i = 0; i < of.lanes.size(); ++i) lives.read(of.lanes[i], &values[life_columns * i]);
+  archive.rows("elements/lives", of.rows, static_cast<int>(life_columns), std::span<double>(values));
+  if (!archive.is_loading()) return;
+  for (std::size_t i = 0; i < of.lanes.size(); ++i)
+    lives.write(of.lanes[i], &values[life_columns * i], of.fade_steps[i]);
+  lives.copy_to(state.lives);
 }
 
 /// Calls visit(places in ElementLives::layers of the first row of each element, number of layers) chunk after chunk, of

@@ -61,7 +61,7 @@ struct ReadStress {
   int point = ShellPoint::mean;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const Real* record, double* row) const {
     if (is_shell(chunks, c)) {
-      read_shell_stress(shells, chunks, c, e, record, point, row);
+      read_shell_stress(shells, {chunks, c, e, record}, point, row);
       return;
     }
     const Real* s = record + HexRecord::stress * width;
@@ -95,14 +95,13 @@ struct ReadScalar {
   ShellTables shells;
   HistoryScalar name;
   int point = ShellPoint::mean;
-  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const Real* record,
-                                         double* row) const {
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const Real* record, double* row) const {
     if (is_shell(chunks, c)) {
       const auto& rule = shells.rules(chunks.points(c));
       const int place = chunks.find_scalar(c, name);
       const auto whole = [](int) { return 1.0; };
       const bool has = place >= 0 && point < rule.count;
-      row[0] = has ? read_layers(chunks, c, rule, record, place - ShellRecord::layers, point, whole) : 0;
+      row[0] = has ? read_layers({chunks, c, e, record}, rule, place - ShellRecord::layers, point, whole) : 0;
       return;
     }
     const int place = chunks.find_scalar(c, name);

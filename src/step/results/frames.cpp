@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "kernels/core/host_copy.hpp"
 #include "src/step/results/element_fields.hpp"
@@ -74,67 +75,98 @@ void Frames::note_constant_fields(const ChunkedMesh& chunked) {
   }
 }
 
-void Frames::write(const State& state) {
-  std::map<std::string, std::vector<double>> values;  // keeps what the frame's spans point to
-  std::vector<double> stresses;
-  if (has(names_, "stress") || has(names_, "pressure") || has(names_, "von_mises")) {
-    stresses = find_stresses(model_, state);
+namespace {
+
+/// From what the fields of a frame are made.
+struct FrameSource {
+  const Model& model;
+  const State& state;
+  const ContactStage& contact;
+  const std::vector<double>&body, &chunk;
+  std::vector<double> stresses;  // where a field asks for them
+};
+
+std::vector<double> find_contact_forces(const State& state) {
+  std::vector<double> force = copy_rows(state.impulse);
+  for (double& f : force) f = state.dt > 0 ? f / state.dt : 0;
+  return force;
+}
+
+std::vector<double> find_masses(const State& state) {
+  const auto mass = to_host(state.mass);
+  return {mass.data(), mass.data() + mass.extent(0)};
+}
+
+std::vector<double> find_fe_ranks(const Model& model) {
+  return std::vector<double>(static_cast<std::size_t>(model.element_count), model.ranks.rank());
+}
+
+/// A field by its name, and how to find it.
+struct FrameField {
+  const char* name;
+  FieldPlace place;
+  int components;
+  std::vector<double> (*find)(const FrameSource& of);
+  FieldNumber number = FieldNumber::real;
+};
+
+constexpr FrameField frame_fields[] = {
+    {"velocity", FieldPlace::node, 3, [](const FrameSource& of) { return copy_rows(of.state.v); }},
+    {"contact_force", FieldPlace::node, 3, [](const FrameSource& of) { return find_contact_forces(of.state); }},
+    {"mass", FieldPlace::node, 1, [](const FrameSource& of) { return find_masses(of.state); }},
+    {"stress", FieldPlace::element, 6, [](const FrameSource& of) { return of.stresses; }},
+    {"pressure", FieldPlace::element, 1, [](const FrameSource& of) { return find_pressures(of.stresses); }},
+    {"von_mises", FieldPlace::element, 1, [](const FrameSource& of) { return find_von_mises(of.stresses); }},
+    {"equivalent_plastic_strain", FieldPlace::element, 1,
+     [](const FrameSource& of) { return find_plastic_strains(of.model, of.state); }},
+    {"temperature", FieldPlace::element, 1,
+     [](const FrameSource& of) { return find_history(of.model, of.state, HistoryScalar::temperature); }},
+    {"internal_energy", FieldPlace::element, 1,
+     [](const FrameSource& of) { return find_history(of.model, of.state, HistoryScalar::internal_energy); }},
+    {"alive", FieldPlace::element, 1, [](const FrameSource& of) { return find_alive(of.model, of.state); },
+     FieldNumber::byte},
+    {"damage", FieldPlace::element, 1, [](const FrameSource& of) { return find_damage(of.model, of.state); }},
+    {"stress_bottom", FieldPlace::element, 6,
+     [](const FrameSource& of) { return find_point_stresses(of.model, of.state, ShellPoint::lowest); }},
+    {"stress_top", FieldPlace::element, 6,
+     [](const FrameSource& of) { return find_point_stresses(of.model, of.state, ShellPoint::highest); }},
+    {"thickness", FieldPlace::element, 1, [](const FrameSource& of) { return find_thicknesses(of.model, of.state); }},
+    {"body", FieldPlace::element, 1, [](const FrameSource& of) { return of.body; }},
+    {"chunk", FieldPlace::element, 1, [](const FrameSource& of) { return of.chunk; }},
+    {"fe_rank", FieldPlace::element, 1, [](const FrameSource& of) { return find_fe_ranks(of.model); }},
+    {"contact_rank", FieldPlace::node, 1, [](const FrameSource& of) { return of.contact.contact_ranks(); }},
+};
+
+/// Finds the values of a field. field: out, without them.
+std::vector<double> find_field(const std::string& name, const FrameSource& of, FieldData& field) {
+  for (const FrameField& known : frame_fields) {
+    if (name != known.name) continue;
+    field = {name, known.place, known.components, {}, known.number};
+    return known.find(of);
   }
+  field = {name, FieldPlace::element, 6, {}};
+  if (const auto stress = find_thickness_point(name, stress_points))
+    return find_point_stresses(of.model, of.state, *stress - 1);
+  field.components = 1;
+  if (const auto strain = find_thickness_point(name, plastic_strain_points))
+    return find_point_plastic_strains(of.model, of.state, *strain - 1);
+  throw std::logic_error("no field is called '" + name + "' (the deck reader lets it through)");
+}
+
+}  // namespace
+
+void Frames::write(const State& state) {
+  FrameSource source{model_, state, contact_, body_, chunk_, {}};
+  if (has(names_, "stress") || has(names_, "pressure") || has(names_, "von_mises"))
+    source.stresses = find_stresses(model_, state);
+  std::map<std::string, std::vector<double>> values;  // keeps what the frame's spans point to
   std::vector<FieldData> frame;
-  const auto add = [&](const std::string& name, FieldPlace place, int components, std::vector<double> data) {
-    const auto entry = values.emplace(name, std::move(data)).first;
-    frame.push_back({name, place, components, entry->second});
-  };
   for (const std::string& name : names_) {
     if (name == "displacement") continue;  // the file always has it
-    if (name == "velocity") {
-      add(name, FieldPlace::node, 3, copy_rows(state.v));
-    } else if (name == "contact_force") {
-      std::vector<double> force = copy_rows(state.impulse);
-      for (double& f : force) f = state.dt > 0 ? f / state.dt : 0;
-      add(name, FieldPlace::node, 3, std::move(force));
-    } else if (name == "mass") {
-      const auto mass = to_host(state.mass);
-      add(name, FieldPlace::node, 1, {mass.data(), mass.data() + mass.extent(0)});
-    } else if (name == "stress") {
-      add(name, FieldPlace::element, 6, stresses);
-    } else if (name == "pressure") {
-      add(name, FieldPlace::element, 1, find_pressures(stresses));
-    } else if (name == "von_mises") {
-      add(name, FieldPlace::element, 1, find_von_mises(stresses));
-    } else if (name == "equivalent_plastic_strain") {
-      add(name, FieldPlace::element, 1, find_plastic_strains(model_, state));
-    } else if (name == "temperature") {
-      add(name, FieldPlace::element, 1, find_history(model_, state, HistoryScalar::temperature));
-    } else if (name == "internal_energy") {
-      add(name, FieldPlace::element, 1, find_history(model_, state, HistoryScalar::internal_energy));
-    } else if (name == "alive") {
-      add(name, FieldPlace::element, 1, find_alive(model_, state));
-      frame.back().number = FieldNumber::byte;
-    } else if (name == "damage") {
-      add(name, FieldPlace::element, 1, find_damage(model_, state));
-    } else if (name == "stress_bottom") {
-      add(name, FieldPlace::element, 6, find_point_stresses(model_, state, ShellPoint::lowest));
-    } else if (name == "stress_top") {
-      add(name, FieldPlace::element, 6, find_point_stresses(model_, state, ShellPoint::highest));
-    } else if (const auto stress = find_thickness_point(name, stress_points)) {
-      add(name, FieldPlace::element, 6, find_point_stresses(model_, state, *stress - 1));
-    } else if (const auto strain = find_thickness_point(name, plastic_strain_points)) {
-      add(name, FieldPlace::element, 1, find_point_plastic_strains(model_, state, *strain - 1));
-    } else if (name == "thickness") {
-      add(name, FieldPlace::element, 1, find_thicknesses(model_, state));
-    } else if (name == "body") {
-      add(name, FieldPlace::element, 1, body_);
-    } else if (name == "chunk") {
-      add(name, FieldPlace::element, 1, chunk_);
-    } else if (name == "fe_rank") {
-      add(name, FieldPlace::element, 1,
-          std::vector<double>(static_cast<std::size_t>(model_.element_count), model_.ranks.rank()));
-    } else if (name == "contact_rank") {
-      add(name, FieldPlace::node, 1, contact_.contact_ranks());
-    } else {
-      throw std::logic_error("no field is called '" + name + "' (the deck reader lets it through)");
-    }
+    FieldData field;
+    std::vector<double> found = find_field(name, source, field);
+    field.values = values.emplace(name, std::move(found)).first->second;
+    frame.push_back(field);
   }
   const auto x = to_host(state.x);
   file_.write_frame(state.time, state.step, {x.data(), x.extent(0) * 3}, frame);

@@ -28,14 +28,21 @@ struct ShellTables {
   }
 };
 
-/// Scalar `place` of one point (a number below the rule's count, or as in ShellPoint). record: its scalars lie a pack
-/// apart; share(p): what counts of layer p.
+/// Element e of chunk c and its record, whose scalars lie a pack apart.
+struct RecordedShell {
+  const HexChunks& chunks;
+  int c, e;
+  const Real* record;
+};
+
+/// Scalar `place` of one point (a number below the rule's count, or as in ShellPoint). share(p): what counts of layer
+/// p.
 template <class Share>
-KOKKOS_INLINE_FUNCTION double read_layers(const HexChunks& chunks, int c, const ThicknessPoints& rule,
-                                          const Real* record, int place, int point, const Share& share) {
+KOKKOS_INLINE_FUNCTION double read_layers(const RecordedShell& shell, const ThicknessPoints& rule, int place, int point,
+                                          const Share& share) {
   constexpr int width = pack_size<Real>;
-  const int size = find_layer_size(chunks, c), count = rule.count;
-  const auto value = [&](int p) { return share(p) * record[(ShellRecord::layers + size * p + place) * width]; };
+  const int size = find_layer_size(shell.chunks, shell.c), count = rule.count;
+  const auto value = [&](int p) { return share(p) * shell.record[(ShellRecord::layers + size * p + place) * width]; };
   if (point == ShellPoint::highest) return value(count - 1);
   if (point != ShellPoint::mean) return value(point);
   double mean = 0;
@@ -43,9 +50,9 @@ KOKKOS_INLINE_FUNCTION double read_layers(const HexChunks& chunks, int c, const 
   return mean;
 }
 
-/// Axes of element e of chunk c as rows.
-KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const HexChunks& chunks, int c, int e,
-                                                        const Rows3<const double>& x) {
+/// Its axes as rows.
+KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const RecordedShell& shell, const Rows3<const double>& x) {
+  const auto& [chunks, c, e, record] = shell;
   constexpr int width = pack_size<Real>;
   const int i = e - chunks.first_element(c);
   const std::size_t pack = static_cast<std::size_t>(chunks.first_pack(c)) + static_cast<std::size_t>(i / width);
@@ -60,21 +67,24 @@ KOKKOS_INLINE_FUNCTION Matrix3<double> find_shell_frame(const HexChunks& chunks,
 }
 
 /// Stress in space axes: xx, yy, zz, xy, yz, zx. Transverse shear is that of all layers.
-KOKKOS_INLINE_FUNCTION void read_shell_stress(const ShellTables& tables, const HexChunks& chunks, int c, int e,
-                                              const Real* record, int point, double* row) {
+KOKKOS_INLINE_FUNCTION void read_shell_stress(const ShellTables& tables, const RecordedShell& shell, int point,
+                                              double* row) {
   constexpr int width = pack_size<Real>, shear = 3;  // ShellState::shear
+  const HexChunks& chunks = shell.chunks;
+  const int c = shell.c, i = shell.e - chunks.first_element(c);
+  const Real* const record = shell.record;
   const ThicknessPoints& rule = tables.rules(chunks.points(c));
   if (point >= rule.count) {
     for (int k = 0; k < 6; ++k) row[k] = 0;
     return;
   }
-  const auto share = [&](int p) { return tables.find_share(c, e - chunks.first_element(c), rule.count, p); };
-  const auto in_plane = [&](int k) { return read_layers(chunks, c, rule, record, k, point, share); };
+  const auto share = [&](int p) { return tables.find_share(c, i, rule.count, p); };
+  const auto in_plane = [&](int k) { return read_layers(shell, rule, k, point, share); };
   double left = 1;  // of the whole section
   for (int p = 0; p < rule.count; ++p) left -= rule.weight[p] * (1 - share(p));
   const Symmetric3<double> stress{
       in_plane(0), in_plane(1), 0, in_plane(2), left * record[(shear + 1) * width], left * record[shear * width]};
-  const Symmetric3<double> t = pull_back(find_shell_frame(chunks, c, e, tables.x), stress);
+  const Symmetric3<double> t = pull_back(find_shell_frame(shell, tables.x), stress);
   row[0] = t.xx;
   row[1] = t.yy;
   row[2] = t.zz;

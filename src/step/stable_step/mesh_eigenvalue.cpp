@@ -72,10 +72,11 @@ void MeshEigenvalue::start_vector() {
 /// Slots of -A(h) u.
 void MeshEigenvalue::apply(const State& state, double step) {
   const ElasticProbe probe{state.x, vector_, step, coarse_ratio * step};
+  const ChunkFields fields{state.elements, slots_, state.results};
   const ExecSpace space;
-  apply_elastic_operator(space, model_.chunks, model_.sending_blocks, probe, state.elements, state.results, slots_);
+  apply_elastic_operator(space, model_.chunks, model_.sending_blocks, probe, fields);
   halo_.begin(space, slots_);
-  apply_elastic_operator(space, model_.chunks, model_.blocks, probe, state.elements, state.results, slots_);
+  apply_elastic_operator(space, model_.chunks, model_.blocks, probe, fields);
   halo_.end();
 }
 

@@ -159,7 +159,7 @@ struct CheckedScene {
     Kokkos::deep_copy(history_face, -1);
     const SmallSpace space;
     bound_faces(space, {surface.face_corners}, motion, margin, boxes);  // every node is a contact node
-    find_points_in_boxes(space, surface, motion.x, boxes, 1'000'000, scratch, candidates);
+    find_points_in_boxes(space, surface, {motion.x, boxes}, 1'000'000, scratch, candidates);
     list_concerned(space, surface, scratch.concerned, candidates);
     check();
   }
@@ -167,8 +167,10 @@ struct CheckedScene {
   void check() {
     const SmallSpace space;
     update_faces(space, surface, motion, candidates, still, faces);
-    find_touches(space, surface, motion, candidates, faces, history_face, still, touches);
+    find_touches(space, inputs(), candidates, still, touches);
   }
+
+  CheckInputs inputs() const { return {{surface, motion, faces}, history_face}; }
 
   /// Touches of a node.
   NodeTouches at(int node) const {

@@ -30,15 +30,15 @@ struct Probed {
   }
   Corners probe(const Corners& u, double step, double pressure = 0) const {
     Corners f{};
-    probe_hex8<Kind>(par, find_modes(corners), find_modes(u), ProbedElement<double>{mass, pressure, step}, f.x, f.y,
-                     f.z);
+    probe_hex8<Kind>(par, find_modes(corners), find_modes(u), ProbedElement<double>{mass, pressure, step},
+                     {f.x, f.y, f.z});
     return f;
   }
   /// What the element itself answers, after a step dt at the velocity u from rest.
   Corners advance(const Corners& u, double dt) const {
     auto state = make_state<Material, Kind>(mass);
     Corners f{};
-    advance_hex8(par, find_modes(corners), find_modes(u), dt, state, f.x, f.y, f.z);
+    advance_hex8(par, find_modes(corners), find_modes(u), dt, state, {f.x, f.y, f.z});
     return f;
   }
 };

@@ -42,7 +42,7 @@ double find_stiffness(const LameConstants& m, const Corners& c, const Corners& v
   auto state = make_state<Elastic, Kind>(1.0);
   const double dt = 1e-8;
   Corners f{};
-  advance_hex8(par, find_modes(c), find_modes(v), dt, state, f.x, f.y, f.z);
+  advance_hex8(par, find_modes(c), find_modes(v), dt, state, {f.x, f.y, f.z});
   double power = 0;
   for (int i = 0; i < 8; ++i) power += f.x[i] * v.x[i] + f.y[i] * v.y[i] + f.z[i] * v.z[i];
   return power / dt;
@@ -127,9 +127,9 @@ TYPED_TEST(HexKinds, ForcesWorkWhatInternalAndHourglassEnergyGain) {
     load<TypeParam::value>(state, random);
     double fx[8], fy[8], fz[8];
     // A step of no length leaves the viscous pressure of this motion, so that the trapezoid has it at both ends.
-    advance_hex8(par, find_modes(x), find_modes(v), 0.0, state, fx, fy, fz);
+    advance_hex8(par, find_modes(x), find_modes(v), 0.0, state, {fx, fy, fz});
     const double dt = 1e-9;  // what forces change in it is 1e-9 of them
-    const HexWork<double> work = advance_hex8(par, find_modes(x), find_modes(v), dt, state, fx, fy, fz).work;
+    const HexWork<double> work = advance_hex8(par, find_modes(x), find_modes(v), dt, state, {fx, fy, fz}).work;
     double power = 0;
     Vector3<double> force{0, 0, 0}, moment{0, 0, 0};
     for (int i = 0; i < 8; ++i) {
@@ -152,7 +152,7 @@ TEST(AssumedStrain, ForcesAreLimitedByWhatYieldLeavesAndFollowTheReturn) {
   auto state = make_state<J2Plasticity, HexKind::assumed_strain>(1.0);
   Corners f{};
   // Bent far beyond yield, with no stress at the centre: the surface holds 1.5 yield, an ideally plastic section.
-  advance_hex8(par, find_modes(cube.corners), find_modes(bend(cube.corners)), 0.1, state, f.x, f.y, f.z);
+  advance_hex8(par, find_modes(cube.corners), find_modes(bend(cube.corners)), 0.1, state, {f.x, f.y, f.z});
   const ElementAxes<double> axes = find_element_axes(find_modes(cube.corners));
   EXPECT_NEAR(std::sqrt(find_surface_stress_square(axes, find_modes(cube.corners), 1.0, state.hourglass)) / yield, 1.5,
               0.1);
@@ -161,7 +161,7 @@ TEST(AssumedStrain, ForcesAreLimitedByWhatYieldLeavesAndFollowTheReturn) {
   const double before = norm(state.hourglass.mode[1]);
   Matrix3<double> g{};
   g.row[0].y = 4 * yield / (std::sqrt(3.0) * m.mu);
-  advance_hex8(par, find_modes(cube.corners), find_modes(apply(g, cube.corners)), 1.0, state, f.x, f.y, f.z);
+  advance_hex8(par, find_modes(cube.corners), find_modes(apply(g, cube.corners)), 1.0, state, {f.x, f.y, f.z});
   EXPECT_LT(norm(state.hourglass.mode[1]), 0.26 * before);
   EXPECT_GT(norm(state.hourglass.mode[1]), 0.02 * before);
 }

@@ -71,9 +71,9 @@ struct Twins {
   void advance(const Corners& v, double dt) {
     for (int i = 0; i < 8; ++i) x.x[i] += dt * v.x[i], x.y[i] += dt * v.y[i], x.z[i] += dt * v.z[i];
     long_result =
-        advance_hex8(par, find_modes(x), find_modes(v), dt, longer, long_force[0], long_force[1], long_force[2]);
+        advance_hex8(par, find_modes(x), find_modes(v), dt, longer, {long_force[0], long_force[1], long_force[2]});
     short_result = advance_hex8(par, find_short_modes(x), find_short_modes(v), static_cast<float>(dt), shorter,
-                                short_force[0], short_force[1], short_force[2]);
+                                {short_force[0], short_force[1], short_force[2]});
   }
 };
 
@@ -142,12 +142,12 @@ TYPED_TEST(ShortHex8, PacksGiveTheBitsOfScalars) {
   using Lanes = Pack<float>;
   auto state = make_state<J2Plasticity, TypeParam::value>(Lanes(static_cast<float>(density)));
   Lanes f[3][8];
-  const auto packed = advance_hex8(par, packed_a, packed_v, Lanes(1e-4F), state, f[0], f[1], f[2]);
+  const auto packed = advance_hex8(par, packed_a, packed_v, Lanes(1e-4F), state, {f[0], f[1], f[2]});
   alignas(64) float row[width];
   for (int lane = 0; lane < width; ++lane) {
     auto one = make_state<J2Plasticity, TypeParam::value>(static_cast<float>(density));
     float g[3][8];
-    const auto result = advance_hex8(par, a[lane], v[lane], 1e-4F, one, g[0], g[1], g[2]);
+    const auto result = advance_hex8(par, a[lane], v[lane], 1e-4F, one, {g[0], g[1], g[2]});
     for (int d = 0; d < 3; ++d) {
       for (int i = 0; i < 8; ++i) {
         store_pack(row, f[d][i]);
@@ -308,7 +308,7 @@ TYPED_TEST(ShortHex8, CalledMaterialsWorkInDouble) {
   for (int n = 0; n < 20; ++n) {
     const Corners v = make_velocity(random, 100);
     twins.advance(v, 2e-6);
-    advance_hex8(par, find_short_modes(twins.x), find_short_modes(v), 2e-6F, called, f[0], f[1], f[2]);
+    advance_hex8(par, find_short_modes(twins.x), find_short_modes(v), 2e-6F, called, {f[0], f[1], f[2]});
   }
   const auto expected = list_stresses(twins.longer), stresses = list_wide_stresses(called.stress);
   for (std::size_t p = 0; p < expected.size(); ++p) {

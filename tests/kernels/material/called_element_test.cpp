@@ -59,8 +59,8 @@ TYPED_TEST(CalledElement, GivesTheForcesAndTheStepOfACompiledInMaterial) {
       x.x[i] += dt * v.x[i], x.y[i] += dt * v.y[i], x.z[i] += dt * v.z[i];
     }
     double f[3][8], g[3][8];
-    const auto expected = advance_hex8(compiled, find_modes(x), find_modes(v), dt, one, f[0], f[1], f[2]);
-    const auto result = advance_hex8(called, find_modes(x), find_modes(v), dt, other, g[0], g[1], g[2]);
+    const auto expected = advance_hex8(compiled, find_modes(x), find_modes(v), dt, one, {f[0], f[1], f[2]});
+    const auto result = advance_hex8(called, find_modes(x), find_modes(v), dt, other, {g[0], g[1], g[2]});
     for (int k = 0; k < 3; ++k) {
       for (int i = 0; i < 8; ++i) EXPECT_NEAR(g[k][i], f[k][i], 1e-12 * 200e6);
     }
@@ -80,7 +80,7 @@ TYPED_TEST(CalledElement, GasHoldsItsPressureOnEveryFace) {
   const VolumeGradient<double> b = find_volume_gradient(find_modes(x));
   auto state = make_called_state<kind>(gas, density * b.volume);
   double f[3][8];
-  advance_hex8(par, find_modes(x), find_modes(Corners{}), 0.0, state, f[0], f[1], f[2]);
+  advance_hex8(par, find_modes(x), find_modes(Corners{}), 0.0, state, {f[0], f[1], f[2]});
   // f = -p dV/dx: with x itself, -3 p V
   double virial = 0;
   for (int i = 0; i < 8; ++i) virial += f[0][i] * x.x[i] + f[1][i] * x.y[i] + f[2][i] * x.z[i];

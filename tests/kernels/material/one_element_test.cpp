@@ -99,7 +99,7 @@ class Element {
     }
     par_.time += to.dt;
     double f[3][8];
-    const auto result = advance_hex8(par_, find_modes(x_), find_modes(v), to.dt, state, f[0], f[1], f[2]);
+    const auto result = advance_hex8(par_, find_modes(x_), find_modes(v), to.dt, state, {f[0], f[1], f[2]});
     energy += result.work.internal / volume_;
     // sum of f x = V sigma for a uniform stress, turned back by what the path has turned it
     Matrix3<double> moment{};

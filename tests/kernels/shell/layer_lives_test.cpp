@@ -30,8 +30,9 @@ struct FailingTestShell {
   ShellResult<double> advance(const ShellCorners& x, const ShellCorners& v, const ShellCorners& w, double dt) {
     Vec f[4], m[4];
     const Vec spins[4] = {w[0], w[1], w[2], w[3]};
-    const auto result = advance_shell4(shell.par, find_differences(x), find_differences(v), spins, dt, shell.state,
-                                       shell.layers.data(), f, m, FailingLayers<double>{rows.data()});
+    const auto result =
+        advance_shell4(shell.par, CornerMotion<double>{find_differences(x), find_differences(v), spins, dt},
+                       {shell.state, shell.layers.data()}, {f, m}, FailingLayers<double>{rows.data()});
     for (std::size_t i = 0; i < 4; ++i) {
       shell.force[i] = f[i];
       shell.moment[i] = m[i];

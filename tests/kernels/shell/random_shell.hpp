@@ -68,8 +68,8 @@ struct TestShell {
   ShellResult<double> advance(const ShellCorners& x, const ShellCorners& v, const ShellCorners& w, double dt) {
     Vec f[4], m[4];
     const Vec spins[4] = {w[0], w[1], w[2], w[3]};
-    const auto result = advance_shell4(par, find_differences(x), find_differences(v), spins, dt, state, layers.data(),
-                                       f, m, WholeLayers{}, find_shapes(x));
+    const auto result = advance_shell4(par, CornerMotion<double>{find_differences(x), find_differences(v), spins, dt},
+                                       {state, layers.data()}, {f, m}, WholeLayers{}, find_shapes(x));
     for (std::size_t i = 0; i < 4; ++i) {
       force[i] = f[i];
       moment[i] = m[i];

@@ -109,7 +109,7 @@ TEST(ShellLauncher, GivesWhatThePureFunctionGives) {
   const Rows3<double> force("force", node_count), moment("moment", node_count);
   const ChunkResults results = make_results();
   advance_shells(ExecSpace(), chunks, blocks, {to_rows("x", strip.x), to_rows("v", strip.v), to_rows("w", strip.w), dt},
-                 state, force, moment, results);
+                 {state, force, results, moment});
 
   RowsOnHost expected_force(node_count, {0, 0, 0}), expected_moment(node_count, {0, 0, 0});
   double step = 1e300, work = 0;
@@ -160,8 +160,8 @@ TEST(ShellLauncher, SkipsAChunkThatRestsAndIsSettled) {
   const ChunkResults results = make_results();
   const auto advance = [&] {
     advance_shells(ExecSpace(), make_chunks(), blocks,
-                   {to_rows("x", strip.x), to_rows("v", strip.v), to_rows("w", strip.w), dt, true}, state, force,
-                   moment, results);
+                   {to_rows("x", strip.x), to_rows("v", strip.v), to_rows("w", strip.w), dt, true},
+                   {state, force, results, moment});
     return to_host(results.skipped)(0);
   };
   EXPECT_EQ(advance(), 0);

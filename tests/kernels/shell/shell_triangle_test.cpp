@@ -324,8 +324,8 @@ TEST(ShellTriangle, QuadrilateralsAmongTrianglesHaveTheSameBits) {
   layers.fill(Lanes(0.0));
   const auto is_triangle = load_pack(repeated) > Lanes(0.5);
   const double dt = 1e-3;
-  const auto result = advance_shell4(alone[0].par, percuss::find_differences(px), percuss::find_differences(pv), pw,
-                                     Lanes(dt), state, layers.data(), force, moment, WholeLayers{},
+  const CornerMotion<Lanes> motion{percuss::find_differences(px), percuss::find_differences(pv), pw, Lanes(dt)};
+  const auto result = advance_shell4(alone[0].par, motion, {state, layers.data()}, {force, moment}, WholeLayers{},
                                      MixedShapes<std::remove_const_t<decltype(is_triangle)>>{is_triangle});
   const auto lane_of = [](const Lanes& pack, int lane) {
     alignas(64) double values[width];
@@ -338,11 +338,12 @@ TEST(ShellTriangle, QuadrilateralsAmongTrianglesHaveTheSameBits) {
     const Vec spins[4] = {w[lane][0], w[lane][1], w[lane][2], w[lane][3]};
     ShellResult<double> expected{};
     const auto dx = find_differences(x[lane]), dv = find_differences(v[lane]);
+    const CornerMotion<double> alone_motion{dx, dv, spins, dt};
+    const StoredShell<double> stored{shell.state, shell.layers.data()};
     if (lane % 2 == 0) {
-      expected = advance_shell4(shell.par, dx, dv, spins, dt, shell.state, shell.layers.data(), f, m);
+      expected = advance_shell4(shell.par, alone_motion, stored, {f, m});
     } else {
-      expected = advance_shell4(shell.par, dx, dv, spins, dt, shell.state, shell.layers.data(), f, m, WholeLayers{},
-                                MixedShapes<bool>{true});
+      expected = advance_shell4(shell.par, alone_motion, stored, {f, m}, WholeLayers{}, MixedShapes<bool>{true});
     }
     EXPECT_EQ(lane_of(result.stable_step, lane), expected.stable_step);
     EXPECT_EQ(lane_of(result.work.internal, lane), expected.work.internal);

@@ -90,7 +90,12 @@ struct Surface {
 
   /// As a search does.
   void update(ContactDecomposition& decomposition) const {
-    decomposition.update({x, x, 0}, margin);
+    const SurfaceMotion still{x, x, 0};
+    decomposition.send_contact_data_to_previous_owners(still);
+    decomposition.rebalance();
+    decomposition.share_cuts();
+    decomposition.find_reached_ranks(still, margin);
+    decomposition.send_overlapping_faces(still, margin);
     const std::int64_t faces = add_up(decomposition.reaching_faces());
     decomposition.note_ghost_faces(faces - share.total_searched_faces);
     const std::int64_t here = decomposition.count_reaching_here();

@@ -116,7 +116,7 @@ class LinearModel {
       Corners v{}, f{};
       get_component(v, j / 8)[j % 8] = 1;
       auto state = make_state<Elastic, Kind>(1.0);
-      advance_hex8(par, a, find_modes(v), dt, state, f.x, f.y, f.z);
+      advance_hex8(par, a, find_modes(v), dt, state, {f.x, f.y, f.z});
       for (std::size_t i = 0; i < 24; ++i) {
         const std::size_t row = 3 * element[i % 8] + i / 8;
         const double force = get_component(f, i / 8)[i % 8];

@@ -94,8 +94,8 @@ Counts compare_checks(double gap, double half_thickness, double travel) {
     Kokkos::deep_copy(scene.x, origin);
     Kokkos::deep_copy(scene.v, 0.0);
     scene.check();
-    EXPECT_TRUE(list_near_pairs(SmallSpace(), scene.surface, scene.x, scene.faces, scene.history_face, scene.candidates,
-                                travel, scene.candidates.num_pairs, scratch, near));
+    EXPECT_TRUE(list_near_pairs(SmallSpace(), scene.inputs(), scene.candidates,
+                                {travel, static_cast<double>(scene.candidates.num_pairs)}, scratch, near));
     counts.near += near.num_pairs;
     counts.all += scene.candidates.num_pairs;
     for (int draw = 0; draw < 8; ++draw) {

@@ -44,7 +44,7 @@ template <class Space>
 Pairs find_pairs(const BrickScene& scene, const Boxes& boxes, SearchScratch& scratch) {
   CandidateList list;
   const Rows3<double> x = to_rows(scene.x);
-  find_points_in_boxes(Space(), scene.surface(), x, boxes, 10'000'000, scratch, list);
+  find_points_in_boxes(Space(), scene.surface(), {x, boxes}, 10'000'000, scratch, list);
   Pairs pairs;
   for (int n = 0; n < scene.num_nodes(); ++n)
     for (int c = list.offset(n); c < list.offset(n + 1); ++c) pairs.emplace_back(n, list.face(c));
@@ -107,7 +107,7 @@ TEST(PointsInBox, ReportsTooManyPairsInsteadOfListingThem) {
     SearchScratch scratch;
     scratch.method = method;
     CandidateList list;
-    EXPECT_GT(find_points_in_boxes(SmallSpace(), scene.surface(), x, bound_all(scene, 1), 100, scratch, list), 100);
+    EXPECT_GT(find_points_in_boxes(SmallSpace(), scene.surface(), {x, bound_all(scene, 1)}, 100, scratch, list), 100);
     EXPECT_EQ(list.num_pairs, 0);
   }
 }
@@ -280,7 +280,7 @@ TEST(PointOrder, RanksByCoordinateThenByPlaceInTheList) {
   const Array<int> list = to_array(points), order("test::order", x.size()), rank("test::rank", x.size());
   SortScratch scratch;
   for (int axis = 0; axis < 3; ++axis) {
-    rank_points(ExecSpace(), rows, list, static_cast<int>(x.size()), axis, scratch, order, rank);
+    rank_points(ExecSpace(), {rows, list, static_cast<int>(x.size()), axis}, scratch, order, rank);
     std::vector<int> expected = points;
     std::stable_sort(expected.begin(), expected.end(), [&](int a, int b) { return rows(a, axis) < rows(b, axis); });
     for (std::size_t i = 0; i < x.size(); ++i) {

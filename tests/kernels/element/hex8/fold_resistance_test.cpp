@@ -175,7 +175,7 @@ TEST(FoldResistance, WorkOfAStepIsTheTrapezoidOfItsForces) {
   for (int m = 1; m <= 7; ++m) end[m] = start[m] + dt * v[m];
   const FoldForces<double> before = find_forces(start), after = find_forces(end);
   for (int m = 1; m <= 7; ++m) work += 0.5 * dt * dot(before.mode[m] + after.mode[m], v[m]);
-  const FoldStep<double> step = resist_folding(rule, end, v, dt);
+  const FoldStep<double> step = resist_folding(rule, {end, v, dt});
   EXPECT_NEAR(step.work, work, 1e-12 * std::abs(work));
   EXPECT_NEAR(step.work, after.energy - before.energy, 1e-2 * std::abs(work));
   EXPECT_DOUBLE_EQ(step.depth, rule.threshold - find_least_share(end));
@@ -187,7 +187,7 @@ TEST(FoldResistance, StiffnessBoundIsAboveTheLargestEigenvalueOfTheHessian) {
   for (int n = 0; n < 300; ++n) {
     const Corners c = make_folding_element(random, 0.2 * std::abs(random()), 0.05 + 0.14 * random());
     Corners rest{};
-    const double bound = resist_folding(rule, find_modes(c), find_modes(rest), 0.0).stiffness;
+    const double bound = resist_folding(rule, {find_modes(c), find_modes(rest), 0.0}).stiffness;
     Corners v{};
     for (int i = 0; i < 24; ++i) find_place(v, i) = random();
     double value = 0;

@@ -72,7 +72,7 @@ TYPED_TEST(Hex8Force, HundredImposedTurnsLeaveNoStressAndNoHourglassForce) {
     }
     x = next;
     double fx[8], fy[8], fz[8];
-    advance_hex8(par, find_modes(x), find_modes(v), dt, state, fx, fy, fz);
+    advance_hex8(par, find_modes(x), find_modes(v), dt, state, {fx, fy, fz});
   }
   for (const auto& stress : list_stresses(state)) EXPECT_LT(largest_stress(stress), 1e-12 * young);
   // Q of a unit modal strain is at most E / 48.
@@ -100,7 +100,7 @@ TYPED_TEST(Hex8Force, PreStressTurnsWithTheElement) {
     const Corners v = add(next, -1.0, x);
     x = next;
     double fx[8], fy[8], fz[8];
-    advance_hex8(par, find_modes(x), find_modes(v), 1.0, state, fx, fy, fz);
+    advance_hex8(par, find_modes(x), find_modes(v), 1.0, state, {fx, fy, fz});
   }
   const Symmetric3<double> expected = push_forward(q, stress0);
   for (const auto& stress : list_stresses(state)) {
@@ -125,7 +125,7 @@ TEST(CornerForces, BalanceInSumMomentAndPower) {
     HourglassModes<double> q;
     for (auto& mode : q.mode) mode = {random(), random(), random()};
     double fx[8], fy[8], fz[8];
-    find_corner_forces(t, q, a, b, fx, fy, fz);
+    find_corner_forces(t, q, a, b, {fx, fy, fz});
     Vector3<double> force{0, 0, 0}, moment{0, 0, 0};
     double power = 0;
     for (int i = 0; i < 8; ++i) {
@@ -158,7 +158,7 @@ TYPED_TEST(Hex8Force, UniaxialStrainGivesTheExactStress) {
     x = add(x, 1.0, v);
     length = next;
     double fx[8], fy[8], fz[8];
-    advance_hex8(par, find_modes(x), find_modes(v), 1.0, state, fx, fy, fz);
+    advance_hex8(par, find_modes(x), find_modes(v), 1.0, state, {fx, fy, fz});
   }
   // Mid-point strain rates sum to ln(1.1) with an error of dt^2 / 12: 1e-8 relative here.
   const LameConstants c = find_lame_constants(young, poisson);
@@ -231,11 +231,11 @@ TYPED_TEST(Hex8Force, PacksGiveTheSameBitsAsScalars) {
   }
   auto ps = make_state<J2Plasticity, TypeParam::value>(Lanes(density));
   Lanes fx[8], fy[8], fz[8];
-  advance_hex8(par, pa, pv, Lanes(1e-4), ps, fx, fy, fz);
+  advance_hex8(par, pa, pv, Lanes(1e-4), ps, {fx, fy, fz});
   for (int lane = 0; lane < width; ++lane) {
     auto s = make_state<J2Plasticity, TypeParam::value>(density);
     double sx[8], sy[8], sz[8];
-    advance_hex8(par, a[lane], v[lane], 1e-4, s, sx, sy, sz);
+    advance_hex8(par, a[lane], v[lane], 1e-4, s, {sx, sy, sz});
     alignas(64) double row[width];
     for (int i = 0; i < 8; ++i) {
       store_pack(row, fx[i]);

@@ -25,7 +25,7 @@ Corners apply_stiffness(const HexParameters<Material>& par, const Corners& c, do
   auto state = make_state<Material, Kind>(mass);
   Corners f{};
   const double dt = 1e-8;
-  advance_hex8(par, find_modes(c), find_modes(v), dt, state, f.x, f.y, f.z);
+  advance_hex8(par, find_modes(c), find_modes(v), dt, state, {f.x, f.y, f.z});
   for (int i = 0; i < 8; ++i) f.x[i] /= dt, f.y[i] /= dt, f.z[i] /= dt;
   return f;
 }
@@ -76,7 +76,7 @@ void compare_bounds(double largest_distortion, int count) {
     auto state = make_state<Material, Kind>(mass);
     Corners rest{};
     double fx[8], fy[8], fz[8];
-    const HexResult<double> result = advance_hex8(par, find_modes(c), find_modes(rest), 0.0, state, fx, fy, fz);
+    const HexResult<double> result = advance_hex8(par, find_modes(c), find_modes(rest), 0.0, state, {fx, fy, fz});
     if (!(result.volume > 0)) continue;  // inverted in a corner
     const double used = result.stable_step * std::sqrt(find_largest_frequency_square<Kind>(par, c, mass, random)) / 2;
     ASSERT_LE(used, 1.0 + 1e-7) << "shape " << k << " ey " << ey << " ez " << ez << " nu " << poisson;
