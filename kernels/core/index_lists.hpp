@@ -75,11 +75,25 @@ KOKKOS_INLINE_FUNCTION void sort_run(const Array<int>& values, int first, int la
   }
 }
 
-/// Groups values by key: offset [num_keys + 1], grouped [n] ascending within each key. Keys from num_keys on are left
-/// out. count: scratch [num_keys].
+/// Values with their keys. Those with keys from num_keys on are left out of groups.
+struct KeyedValues {
+  int count = 0;
+  Array<const int> key, value;  // [count]
+  int num_keys = 0;
+};
+
+/// Values by key, ascending within each.
+struct KeyGroups {
+  Array<int> count;   // [num_keys] scratch
+  Array<int> offset;  // [num_keys + 1] out
+  Array<int> values;  // [KeyedValues::count] out
+};
+
 template <class Space>
-void group_by_key(const Space& space, int n, const Array<int>& key, const Array<int>& value, int num_keys,
-                  const Array<int>& count, const Array<int>& offset, const Array<int>& grouped) {
+void group_by_key(const Space& space, const KeyedValues& of, const KeyGroups& groups) {
+  const int n = of.count, num_keys = of.num_keys;
+  const Array<const int> key = of.key, value = of.value;
+  const Array<int> count = groups.count, offset = groups.offset, grouped = groups.values;
   const bool is_alone = space.concurrency() == 1;  // and needs no atomics
   Kokkos::parallel_for(
       "contact::group_clear", RangeOf<Space>(space, 0, num_keys), KOKKOS_LAMBDA(int k) { count(k) = 0; });

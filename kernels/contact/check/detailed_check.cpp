@@ -106,8 +106,7 @@ KOKKOS_INLINE_FUNCTION bool has_history(const Array<const int>& history_face, in
 template <Thickness thickness>
 PERCUSS_FLATTEN KOKKOS_FUNCTION void check_node_flat(const CheckInputs& inputs, int node,
                                                      const NodeCandidates& candidates, NodeTouches& accepted) {
-  check_node<thickness>(inputs.surface, inputs.motion, inputs.faces, inputs.history_face, node, candidates,
-                        candidates.first, candidates.last, accepted);
+  check_node<thickness>(inputs, node, candidates, accepted);
 }
 
 /// The first of the candidates whose box the node meets in the step, or `last`: for most nodes, in most steps, there is

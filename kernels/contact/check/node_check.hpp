@@ -98,11 +98,11 @@ KOKKOS_INLINE_FUNCTION void decide_around(const ContactSurface& surface, const S
 
 /// Finds the gap at n of a touch that was accepted without it.
 template <Thickness thickness>
-KOKKOS_INLINE_FUNCTION void settle_start(const ContactSurface& surface, const SurfaceMotion& motion,
-                                         const FaceState& faces, const CheckedNode& node, Touch& touch) {
+KOKKOS_INLINE_FUNCTION void settle_start(const MovingSurface& moving, const CheckedNode& node, Touch& touch) {
   if (!touch.owes_start) return;
-  const double offset = thickness == Thickness::of_shells ? find_offset(surface.offsets, node.node, touch.face) : 0;
-  measure_start(load_touched_face(surface, motion, faces, node.x, node.v, touch.face, offset).start, touch);
+  const double offset =
+      thickness == Thickness::of_shells ? find_offset(moving.surface.offsets, node.node, touch.face) : 0;
+  measure_start(load_touched_face(moving, node.x, node.v, touch.face, offset).start, touch);
 }
 
 /// Whether the face and one that pushed the node in the last step meet in a valley: the node may slide from the one
@@ -119,9 +119,11 @@ KOKKOS_INLINE_FUNCTION bool is_across_valley(const ContactSurface& surface, cons
 /// neighbour that it then lies behind by a little, rather than caught by the face; without such a neighbour it is
 /// caught.
 template <Thickness thickness>
-KOKKOS_INLINE_FUNCTION bool is_ruled_out(const ContactSurface& surface, const SurfaceMotion& motion,
-                                         const FaceState& faces, const KnownFaces& known, const CheckedNode& node,
+KOKKOS_INLINE_FUNCTION bool is_ruled_out(const MovingSurface& moving, const KnownFaces& known, const CheckedNode& node,
                                          TouchList& found, int i) {
+  const ContactSurface& surface = moving.surface;
+  const SurfaceMotion& motion = moving.motion;
+  const FaceState& faces = moving.faces;
   const Touch& touch = found.touch[i];
   if (touch.same_face || (touch.opposed && !touch.beside)) return false;
   if (touch.opposed && is_across_valley(surface, motion, faces, known, touch.face)) return false;
@@ -131,7 +133,7 @@ KOKKOS_INLINE_FUNCTION bool is_ruled_out(const ContactSurface& surface, const Su
         share_corner(surface, touch.face, other.face) && are_convex(surface, motion, faces, touch.face, other.face);
     if (!is_edge || touch.opposed == other.opposed) continue;
     Touch& lift = touch.opposed ? found.touch[i] : found.touch[j];
-    settle_start<thickness>(surface, motion, faces, node, lift);
+    settle_start<thickness>(moving, node, lift);
     return (lift.gap_start >= -contact_limits::lift_depth * lift.size) != touch.opposed;
   }
   return touch.beside;
@@ -153,30 +155,32 @@ KOKKOS_INLINE_FUNCTION void sort_by_face(NodeTouches& touches) {
     }
 }
 
-/// Checks the candidate faces of a node, candidates(first) to candidates(last - 1) that are not negative.
-/// accepted: out.
+/// Checks the candidate faces of a node, candidates(candidates.first) to candidates(candidates.last - 1) that are not
+/// negative. accepted: out.
 template <Thickness thickness, class Faces>
-KOKKOS_INLINE_FUNCTION void check_node(const ContactSurface& surface, const SurfaceMotion& motion,
-                                       const FaceState& faces, const Array<const int>& history_face, int node,
-                                       const Faces& candidates, int first, int last, NodeTouches& accepted) {
+KOKKOS_INLINE_FUNCTION void check_node(const CheckInputs& inputs, int node, const Faces& candidates,
+                                       NodeTouches& accepted) {
+  const ContactSurface& surface = inputs.surface;
+  const SurfaceMotion& motion = inputs.motion;
+  const FaceState& faces = inputs.faces;
+  const int last = candidates.last;
   const CheckedNode checked = load_checked_node(surface, motion, node);
-  const KnownFaces known = load_known_faces(faces, history_face, checked);
+  const KnownFaces known = load_known_faces(faces, inputs.history_face, checked);
   TouchList found;
-  for (int c = first; c < last;) {
+  for (int c = candidates.first; c < last;) {
     PairPack pairs;
     for (; c < last && pairs.faces.count < FacePack::lanes; ++c)
       if (const int face = candidates(c); face >= 0 && is_in_box(checked, faces.box, face))
-        add_pair<thickness>(surface, motion, faces, known, checked, face, pairs);
-    check_pairs<thickness>(surface, motion, faces, known, checked, pairs, [&](const Touch& t) { found.insert(t); });
+        add_pair<thickness>(inputs, known, checked, face, pairs);
+    check_pairs<thickness>(inputs, known, checked, pairs, [&](const Touch& t) { found.insert(t); });
   }
   bool decided[TouchList::capacity];
-  for (int i = 0; i < found.count; ++i)
-    decided[i] = is_ruled_out<thickness>(surface, motion, faces, known, checked, found, i);
+  for (int i = 0; i < found.count; ++i) decided[i] = is_ruled_out<thickness>(inputs, known, checked, found, i);
   accepted.count = 0;
   for (int i = 0; i < found.count && accepted.count < contact_limits::max_touches; ++i) {
     if (decided[i]) continue;
     Touch touch = found.touch[i];
-    settle_start<thickness>(surface, motion, faces, checked, touch);
+    settle_start<thickness>(inputs, checked, touch);
     claim_record(accepted, touch);
     accepted.touch[accepted.count++] = touch;
     decide_around(surface, motion, faces, found, i, decided);

@@ -210,19 +210,22 @@ struct PairPack {
 
 /// Adds the pair of the node and a face whose box it meets, unless thickness keeps them apart for certain.
 template <Thickness thickness>
-KOKKOS_INLINE_FUNCTION void add_pair(const ContactSurface& surface, const SurfaceMotion& motion, const FaceState& faces,
-                                     const KnownFaces& known, const CheckedNode& node, int face, PairPack& pairs) {
+KOKKOS_INLINE_FUNCTION void add_pair(const MovingSurface& moving, const KnownFaces& known, const CheckedNode& node,
+                                     int face, PairPack& pairs) {
+  const ContactSurface& surface = moving.surface;
+  const SurfaceMotion& motion = moving.motion;
+  const FaceState& faces = moving.faces;
   const double offset = thickness == Thickness::of_shells ? find_offset(surface.offsets, node.node, face) : 0;
   Touch& touch = pairs.touch[pairs.faces.count];
   start_touch(face, faces.size(face), offset, touch);
   if (offset > 0) {
     find_record(surface, faces, known, touch);
-    if (is_off_slab(faces.slab(face), load_row(faces.normal, face), motion, node, offset,
-                    contact_limits::history_row_gap * touch.size, find_reach(touch)))
+    if (is_off_slab(faces.slab(face), load_row(faces.normal, face), motion, node,
+                    {offset, contact_limits::history_row_gap * touch.size, find_reach(touch)}))
       return;
   }
   if constexpr (thickness == Thickness::of_shells)
-    add_face(faces, face, load_touched_face(surface, motion, faces, node.x, node.v, face, offset), pairs.faces);
+    add_face(faces, face, load_touched_face(moving, node.x, node.v, face, offset), pairs.faces);
   else
     add_face(surface, motion, faces, face, pairs.faces);
 }
@@ -253,9 +256,11 @@ KOKKOS_INLINE_FUNCTION bool may_have_passed(const FacePack& faces, int lane, dou
 
 /// By the plane of the face and by what node and face look at. In: FacePack::range.
 template <Thickness thickness>
-KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                const FaceState& faces, const KnownFaces& known,
+KOKKOS_INLINE_FUNCTION PairOutlook look_at_pair(const MovingSurface& moving, const KnownFaces& known,
                                                 const CheckedNode& node, int lane, PairPack& pairs) {
+  const ContactSurface& surface = moving.surface;
+  const SurfaceMotion& motion = moving.motion;
+  const FaceState& faces = moving.faces;
   Touch& touch = pairs.touch[lane];
   const auto& range = pairs.faces.range;
   if (range.least[lane] > contact_limits::history_row_gap * touch.size || range.most[lane] < -find_reach(touch))
@@ -299,17 +304,16 @@ KOKKOS_INLINE_FUNCTION bool judge_pair(const ContactSurface& surface, const Face
 
 /// Checks the pairs of a pack and calls found(touch) for those in contact, in their order.
 template <Thickness thickness, class Found>
-KOKKOS_INLINE_FUNCTION void check_pairs(const ContactSurface& surface, const SurfaceMotion& motion,
-                                        const FaceState& faces, const KnownFaces& known, const CheckedNode& node,
+KOKKOS_INLINE_FUNCTION void check_pairs(const MovingSurface& moving, const KnownFaces& known, const CheckedNode& node,
                                         PairPack& pairs, const Found& found) {
   const int count = pairs.faces.count;
   if (count == 0) return;
-  if constexpr (thickness == Thickness::none) see_from(node.x, node.v, motion.dt, pairs.faces);
+  if constexpr (thickness == Thickness::none) see_from(node.x, node.v, moving.motion.dt, pairs.faces);
   measure_motion(pairs.faces);
   PairOutlook outlook[FacePack::lanes];
   int measured = 0;
   for (int lane = 0; lane < count; ++lane) {
-    outlook[lane] = look_at_pair<thickness>(surface, motion, faces, known, node, lane, pairs);
+    outlook[lane] = look_at_pair<thickness>(moving, known, node, lane, pairs);
     measured += outlook[lane] == PairOutlook::any ? 1 : 0;
   }
   constexpr int worth_a_pack = 2;  // one face is measured faster by its four triangles at once
@@ -320,7 +324,7 @@ KOKKOS_INLINE_FUNCTION void check_pairs(const ContactSurface& surface, const Sur
     FacePoint point;
     const bool is_measured = outlook[lane] == PairOutlook::any;
     if (is_measured) point = measured >= worth_a_pack ? closest[lane] : find_closest_point(pairs.faces.end[lane]);
-    if (judge_pair(surface, faces, is_measured ? &point : nullptr, lane, pairs)) found(pairs.touch[lane]);
+    if (judge_pair(moving.surface, moving.faces, is_measured ? &point : nullptr, lane, pairs)) found(pairs.touch[lane]);
   }
 }
 

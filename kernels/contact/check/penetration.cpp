@@ -42,7 +42,7 @@ KOKKOS_INLINE_FUNCTION FaceDepth find_face_depth(const MovingSurface& moving, in
     return result;
   result.opposed = offset > 0 ? looks_against(surface, motion, faces, node, face)
                               : has_opposed_face(surface, faces, node, face, contact_limits::opposing);
-  const RelativeFace relative = load_touched_face(surface, motion, faces, node, face);
+  const RelativeFace relative = load_touched_face(moving, node, face);
   const FacePoint closest = find_closest_point(relative.start);
   const double size = faces.size(face);
   result.distance = closest.distance;
@@ -106,10 +106,11 @@ KOKKOS_INLINE_FUNCTION bool is_first_of_body(const ContactSurface& surface, cons
 /// find_gaps(): the node is behind the face or of the same body.
 constexpr double no_gap = -1;
 
-KOKKOS_INLINE_FUNCTION double find_gap(const ContactSurface& surface, const SurfaceMotion& motion,
-                                       const FaceState& faces, int node, int face) {
+KOKKOS_INLINE_FUNCTION double find_gap(const MovingSurface& moving, int node, int face) {
+  const ContactSurface& surface = moving.surface;
+  const FaceState& faces = moving.faces;
   if (surface.node_body(node) == surface.face_body(face)) return no_gap;
-  const RelativeFace relative = load_touched_face(surface, motion, faces, node, face);
+  const RelativeFace relative = load_touched_face(moving, node, face);
   const FacePoint closest = find_closest_point(relative.start);
   if (closest.distance <= contact_limits::overlap * faces.size(face)) return 0;
   const double behind = dot(load_row(faces.normal, face), interpolate(relative.start, closest.weight));
@@ -152,13 +153,11 @@ void find_gaps(const Space& space, const ContactSurface& surface, const SurfaceM
                const CandidateList& candidates, const FaceState& faces, Array<double>& gaps) {
   reserve(gaps, candidates.num_pairs);
   const Array<double> out = gaps;
-  const ContactSurface s = surface;
-  const SurfaceMotion m = motion;
-  const FaceState f = faces;
+  const MovingSurface moving{surface, motion, faces};
   const Array<const int> nodes = candidates.nodes, offset = candidates.offset, face = candidates.face;
   Kokkos::parallel_for(
       "contact::gaps", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
-        for (int c = offset(nodes(i)); c < offset(nodes(i) + 1); ++c) out(c) = find_gap(s, m, f, nodes(i), face(c));
+        for (int c = offset(nodes(i)); c < offset(nodes(i) + 1); ++c) out(c) = find_gap(moving, nodes(i), face(c));
       });
   space.fence();
 }

@@ -34,14 +34,14 @@ struct OneRank {
 };
 
 /// Makes the rows of a step with their first guess; S and D. In: num_foreign, num_remote, remote_node, remote_key of
-/// the system. touches: [num_touches] by (node, face).
+/// the system.
 template <class Space, class Others>
-void build_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
-                const WallPairs& walls, const ContactHistory& history, RowSystem& system, Others& others) {
-  start_rows(space, inputs, touches, num_touches, walls, system);
+void build_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, const ContactHistory& history,
+                RowSystem& system, Others& others) {
+  start_rows(space, inputs, sources, system);
   space.fence();
   others.receive_nodes(system);
-  make_rows(space, inputs, touches, num_touches, walls, history, system);
+  make_rows(space, inputs, sources, history, system);
   others.send_coefficients(space, system);
   sum_coefficients(space, system);
   space.fence();

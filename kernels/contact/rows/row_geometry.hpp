@@ -195,13 +195,12 @@ KOKKOS_INLINE_FUNCTION double find_wall_gap(const WallPairs& walls, const Surfac
   return walls.offset.extent(0) > 0 ? gap - walls.offset(p) : gap;
 }
 
-/// The row of pair p of a wall and a node, whose place is set. first_record: history of the first pair.
+/// The row of pair p of a wall and a node, whose place is set.
 KOKKOS_INLINE_FUNCTION void fill_wall_row(const WallPairs& walls, const ContactHistory& history,
-                                          const RowInputs& inputs, const RowNodes& at, int first_record, int p,
-                                          ContactRow& row) {
+                                          const RowInputs& inputs, const RowNodes& at, int p, ContactRow& row) {
   const ContactWall& wall = walls.walls(walls.wall(p));
   row.key = make_wall_row_key(inputs.node_numbers(walls.node(p)), walls.wall(p));
-  row.record = first_record + p;
+  row.record = static_cast<int>(history.face.extent(0)) + p;  // behind those of faces
   row.normal = wall.normal;
   row.gap_gradient = wall.normal;
   row.friction = wall.friction;

@@ -180,7 +180,8 @@ void group_entries(const Space& space, const EntryNodes& entries, const RowKeys&
         value(num_local + k) = num_local + k;
       });
   // Of foreign nodes, and of slots not in use, there is no key.
-  group_by_key<Space>(space, num_entries, place_of_entry, value, num_nodes, system.count, system.offset, system.entry);
+  group_by_key<Space>(space, {num_entries, place_of_entry, value, num_nodes},
+                      {system.count, system.offset, system.entry});
   const Array<int> nodes = system.nodes, entry = system.entry, offset = system.offset;
   const Array<const std::int64_t> remote_key = system.remote_key;
   const RowKeys row_key = keys;
@@ -227,13 +228,12 @@ KOKKOS_INLINE_FUNCTION void share_coefficients(const ContactRow& row, int r, con
 
 template <class Space>
 void collect_touches(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
-                     const TouchTable& table, const Array<const std::int64_t>& face_numbers,
-                     const Array<const std::int64_t>& node_numbers, Array<RowTouch>& touches) {
+                     const TouchTable& table, const SurfaceNumbers& numbers_of, Array<RowTouch>& touches) {
   reserve(touches, table.count);
   const ContactSurface s = surface;
   const Array<const int> nodes = candidates.nodes, first = table.first;
   const Array<const NodeTouches> by_node = table.by_node;
-  const Array<const std::int64_t> faces = face_numbers, numbers = node_numbers;
+  const Array<const std::int64_t> faces = numbers_of.faces, numbers = numbers_of.nodes;
   const Array<RowTouch> out = touches;
   Kokkos::parallel_for(
       "contact::collect_touches", RangeOf<Space>(space, 0, candidates.num_nodes), KOKKOS_LAMBDA(int i) {
@@ -255,8 +255,8 @@ void collect_touches(const Space& space, const ContactSurface& surface, const Ca
 }
 
 template <class Space>
-void start_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
-                const WallPairs& walls, RowSystem& system) {
+void start_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system) {
+  const auto& [touches, num_touches, walls] = sources;
   const int num_ties = static_cast<int>(inputs.ties.extent(0));
   system.num_edge_rows = count_edge_touches(space, touches, num_touches - num_ties);
   system.num_rows = num_touches + list_near_walls(space, walls, inputs, system);
@@ -267,8 +267,11 @@ void start_rows(const Space& space, const RowInputs& inputs, const Array<const R
 }
 
 template <class Space>
-void make_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
-               const WallPairs& walls, const ContactHistory& history, RowSystem& system) {
+void make_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, const ContactHistory& history,
+               RowSystem& system) {
+  const Array<const RowTouch> touches = sources.touches;
+  const int num_touches = sources.num_touches;
+  const WallPairs& walls = sources.walls;
   reserve(system.rows, system.num_rows);
   group_entries(space, list_entry_nodes(touches, num_touches, walls, system),
                 {touches, num_touches, system.near_walls, walls, inputs.node_numbers}, system);
@@ -281,14 +284,13 @@ void make_rows(const Space& space, const RowInputs& inputs, const Array<const Ro
   const RowInputs in = inputs;
   const WallPairs w = walls;
   const ContactHistory h = history;
-  const int num_face_records = static_cast<int>(history.face.extent(0));
   Kokkos::parallel_for(
       "contact::make_rows", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
         ContactRow& row = rows(r);
         row = ContactRow{};
         if (r >= num_touches) {
           row.place[0] = place(r * row_nodes);
-          fill_wall_row(w, h, in, at, num_face_records, near_walls(r - num_touches), row);
+          fill_wall_row(w, h, in, at, near_walls(r - num_touches), row);
         } else {
           for (int slot = 0; slot < list(r).count; ++slot) row.place[slot] = place(r * row_nodes + slot);
           const int record = list(r).record;
@@ -371,17 +373,15 @@ void sum_stiffness(const Space& space, RowSystem& system) {
       });
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                                     \
-  template void collect_touches(const Space&, const ContactSurface&, const CandidateList&, const TouchTable&,          \
-                                const Array<const std::int64_t>&, const Array<const std::int64_t>&, Array<RowTouch>&); \
-  template void start_rows(const Space&, const RowInputs&, const Array<const RowTouch>&, int, const WallPairs&,        \
-                           RowSystem&);                                                                                \
-  template void make_rows(const Space&, const RowInputs&, const Array<const RowTouch>&, int, const WallPairs&,         \
-                          const ContactHistory&, RowSystem&);                                                          \
-  template void share_impulses(const Space&, const RowSystem&);                                                        \
-  template void get_foreign_shares(const Space&, const RowSystem&, const Rows3<double>&);                              \
-  template void place_remote_shares(const Space&, const RowSystem&);                                                   \
-  template void sum_coefficients(const Space&, RowSystem&);                                                            \
+#define PERCUSS_INSTANTIATE(Space)                                                                               \
+  template void collect_touches(const Space&, const ContactSurface&, const CandidateList&, const TouchTable&,    \
+                                const SurfaceNumbers&, Array<RowTouch>&);                                        \
+  template void start_rows(const Space&, const RowInputs&, const RowSources&, RowSystem&);                       \
+  template void make_rows(const Space&, const RowInputs&, const RowSources&, const ContactHistory&, RowSystem&); \
+  template void share_impulses(const Space&, const RowSystem&);                                                  \
+  template void get_foreign_shares(const Space&, const RowSystem&, const Rows3<double>&);                        \
+  template void place_remote_shares(const Space&, const RowSystem&);                                             \
+  template void sum_coefficients(const Space&, RowSystem&);                                                      \
   template void sum_stiffness(const Space&, RowSystem&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

@@ -164,6 +164,18 @@ struct RowInputs {
   bool looks_inside = true;            // whether walls are to stop nodes inside bodies too
 };
 
+/// Of what rows are made, besides ties: touches by (node, face), then those of edges and ties, and pairs of walls.
+struct RowSources {
+  Array<const RowTouch> touches;
+  int num_touches = 0;
+  WallPairs walls;
+};
+
+/// Numbers of the faces and contact nodes of a surface in the whole mesh.
+struct SurfaceNumbers {
+  Array<const std::int64_t> faces, nodes;
+};
+
 struct RowSystem {
   int num_rows = 0;
   int num_edge_rows = 0;  // of edge pairs among them, after those of faces
@@ -232,20 +244,18 @@ struct TouchedVelocity {
 /// face_numbers: [contact faces]; node_numbers: [contact nodes]; touches: out.
 template <class Space>
 void collect_touches(const Space& space, const ContactSurface& surface, const CandidateList& candidates,
-                     const TouchTable& table, const Array<const std::int64_t>& face_numbers,
-                     const Array<const std::int64_t>& node_numbers, Array<RowTouch>& touches);
+                     const TouchTable& table, const SurfaceNumbers& numbers, Array<RowTouch>& touches);
 
 /// First part of the set-up: counts the rows, numbers the nodes of this rank that rows and remote entries touch and
 /// gathers their data. In: num_foreign, num_remote and remote_node of the system. Foreign places are to be filled then.
 template <class Space>
-void start_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
-                const WallPairs& walls, RowSystem& system);
+void start_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system);
 
 /// Makes the rows from touches and walls with their first guess from history, and the entries of the owned nodes; sums
 /// of absolute coefficients of each entry: RowSystem::shares. In: RowSystem::at of all places, remote_key.
 template <class Space>
-void make_rows(const Space& space, const RowInputs& inputs, const Array<const RowTouch>& touches, int num_touches,
-               const WallPairs& walls, const ContactHistory& history, RowSystem& system);
+void make_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, const ContactHistory& history,
+               RowSystem& system);
 
 /// Impulse of each entry: RowSystem::shares.
 template <class Space>

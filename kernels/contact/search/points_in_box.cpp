@@ -132,8 +132,8 @@ std::int64_t find_hits_in_lists(const Space& space, const PointQuery& query, con
   reserve(list.offset, query.num_names + 1);
   reserve(list.face, list.num_pairs);
   reserve(scratch.count, query.num_names);
-  group_by_key<Space>(space, list.num_pairs, scratch.hit_node, scratch.hit_face, query.num_names, scratch.count,
-                      list.offset, list.face);
+  group_by_key<Space>(space, {list.num_pairs, scratch.hit_node, scratch.hit_face, query.num_names},
+                      {scratch.count, list.offset, list.face});
   return found;
 }
 

@@ -56,9 +56,11 @@ KOKKOS_INLINE_FUNCTION Point3 turn_from_to(const Point3& from, const Point3& to,
 /// The face that a node touches, relative to the node: that of the mesh, moved outward where thickness is between them.
 /// The directions are those of the end of the step and at its start these turned back with the face's normal: what
 /// else they change by in a step lies along the face.
-KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                      const FaceState& faces, const Point3& x, const Point3& v,
+KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const MovingSurface& moving, const Point3& x, const Point3& v,
                                                       int face, double offset) {
+  const ContactSurface& surface = moving.surface;
+  const SurfaceMotion& motion = moving.motion;
+  const FaceState& faces = moving.faces;
   RelativeFace relative = load_relative_face(surface, motion, x, v, face);
   if (offset == 0) return relative;
   const auto at_end = [&](int node) {
@@ -76,11 +78,10 @@ KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surf
   return relative;
 }
 
-KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const ContactSurface& surface, const SurfaceMotion& motion,
-                                                      const FaceState& faces, int node, int face) {
-  const int s = surface.nodes(node);
-  return load_touched_face(surface, motion, faces, load_row(motion.x, s), load_row(motion.v, s), face,
-                           find_offset(surface.offsets, node, face));
+KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const MovingSurface& moving, int node, int face) {
+  const int s = moving.surface.nodes(node);
+  return load_touched_face(moving, load_row(moving.motion.x, s), load_row(moving.motion.v, s), face,
+                           find_offset(moving.surface.offsets, node, face));
 }
 
 /// The slab of a face. relative: to its first corner, which is at `origin` and moves by `move`; normal: at the
@@ -105,15 +106,20 @@ PERCUSS_FORCE_INLINE FaceSlabOf<T> find_slab(const Vector3<T>& origin, const Vec
   return slab;
 }
 
-/// Whether a node stays, over the step, farther than `beyond` in front of the face moved outward by `offset`, or
-/// farther than `deepest` behind it: moved corners are higher by the offset, along the normal of their time.
+/// A face moved outward by `offset`, and how far in front of it and behind it something is still looked at.
+struct SlabReach {
+  double offset, beyond, deepest;
+};
+
+/// Whether a node stays, over the step, farther than `beyond` in front of the moved face, or farther than `deepest`
+/// behind it: moved corners are higher by the offset, along the normal of their time.
 KOKKOS_INLINE_FUNCTION bool is_off_slab(const FaceSlab& slab, const Point3& normal, const SurfaceMotion& motion,
-                                        const CheckedNode& node, double offset, double beyond, double deepest) {
+                                        const CheckedNode& node, const SlabReach& reach) {
   const Point3 from = node.x - slab.origin;
   const double start = dot(normal, from), end = start + dot(normal, motion.dt * node.v - slab.move);
   const double high = start - slab.low_start > end - slab.low_end ? start - slab.low_start : end - slab.low_end;
   const double low = start - slab.high_start < end - slab.high_end ? start - slab.high_start : end - slab.high_end;
-  return low - (1 + slab.turn) * offset > beyond || high - (1 - slab.turn) * offset < -deepest;
+  return low - (1 + slab.turn) * reach.offset > reach.beyond || high - (1 - slab.turn) * reach.offset < -reach.deepest;
 }
 
 }  // namespace percuss

@@ -224,7 +224,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
   const int wall_pairs = static_cast<int>(walls_.node.extent(0));
   // A row's solution costs some dozen passes; a wall's pair that is out of reach costs one look.
   run_where_it_pays(num_touches + wall_pairs / 8, [&](const auto& space) {
-    build_rows(space, inputs, touches, num_touches, walls_, history, system_, exchange_);
+    build_rows(space, inputs, {touches, num_touches, walls_}, history, system_, exchange_);
     clear_last_impulse(motion);
     const SolveReport solved = solve(space, motion.dt, dt_mean);
     if (solved.rows > 0) {

@@ -122,8 +122,8 @@ int LocalFinder::send_results_to_fe_owners(const FinderTask& /*task*/, Array<Row
   if (has_found_nothing_new() && found_ == found_before_) return found_;
   if (of_faces_ > 0) {
     run_where_it_pays(of_faces_, [&](const auto& space) {
-      collect_touches(space, check_.surface, check_.checked_pairs(), check_.touches, check_.face_numbers, node_numbers_,
-                      touches);
+      collect_touches(space, check_.surface, check_.checked_pairs(), check_.touches,
+                      {check_.face_numbers, node_numbers_}, touches);
     });
   }
   append_edge_touches(edges_, of_faces_, touches);

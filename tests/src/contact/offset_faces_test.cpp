@@ -75,13 +75,13 @@ TEST(OffsetFaces, WhatIsOffTheSlabIsOffTheMovedFace) {
   for (int draw = 0; draw < 4000; ++draw) {
     const SurfaceMotion motion = patch.draw(random);
     const CheckedNode node = load_checked_node(patch.check.surface, motion, CrookedPatch::node);
+    const MovingSurface moving{patch.check.surface, motion, patch.check.faces};
     for (int face = 0; face < patch.check.surface.num_faces; ++face) {
-      const RelativeFace moved =
-          load_touched_face(patch.check.surface, motion, patch.check.faces, node.x, node.v, face, half);
+      const RelativeFace moved = load_touched_face(moving, node.x, node.v, face, half);
       const Point3 normal = load_row(patch.check.faces.normal, face);
       const PlaneRange<double> range = find_plane_range(moved.start.corner, find_end(moved).corner, normal);
       const bool is_out = range.least > beyond || range.most < -deepest;
-      const bool is_off = is_off_slab(patch.check.faces.slab(face), normal, motion, node, half, beyond, deepest);
+      const bool is_off = is_off_slab(patch.check.faces.slab(face), normal, motion, node, {half, beyond, deepest});
       EXPECT_TRUE(is_out || !is_off) << "draw " << draw << " face " << face;
       off += is_off ? 1 : 0;
       on += is_out ? 0 : 1;
@@ -106,9 +106,9 @@ TEST(OffsetFaces, TurnWithTheFaceThroughTheStep) {
   }
   update_faces(SmallSpace(), patch.check.surface, motion, patch.check.candidates, StillFaces(), patch.check.faces);
   const CheckedNode node = load_checked_node(patch.check.surface, motion, CrookedPatch::node);
+  const MovingSurface moving{patch.check.surface, motion, patch.check.faces};
   for (int face = 0; face < patch.check.surface.num_faces; ++face) {
-    const RelativeFace moved =
-        load_touched_face(patch.check.surface, motion, patch.check.faces, node.x, node.v, face, half);
+    const RelativeFace moved = load_touched_face(moving, node.x, node.v, face, half);
     const RelativeFace flat = load_relative_face(patch.check.surface, motion, node.x, node.v, face);
     const FacePoints end = find_end(moved), flat_end = find_end(flat);
     const Point3 normal_start = patch.check.faces.slab(face).normal_at_start,

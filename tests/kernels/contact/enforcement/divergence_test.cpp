@@ -27,7 +27,7 @@ TEST(Divergence, RowsThatCloseEachOtherEndWithFinitePushes) {
   RowSystem system;
   OneRank others;
   const SmallSpace space;
-  build_rows(space, {scene.motion, before, inverse_mass, numbers, 1}, Array<RowTouch>("test::touches", 0), 0, walls,
+  build_rows(space, {scene.motion, before, inverse_mass, numbers, 1}, {Array<RowTouch>("test::touches", 0), 0, walls},
              history, system, others);
   ASSERT_EQ(system.num_rows, 2);
   for (int r = 0; r < 2; ++r) {

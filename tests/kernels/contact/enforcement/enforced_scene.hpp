@@ -21,7 +21,7 @@ struct EnforcedScene {
     const Space space;
     const Array<std::int64_t> nodes = count_up(scene.surface.num_nodes), faces = count_up(scene.surface.num_faces);
     Array<RowTouch> touches("test::touches", 0);
-    collect_touches(space, scene.surface, scene.candidates, scene.touches, faces, nodes, touches);
+    collect_touches(space, scene.surface, scene.candidates, scene.touches, {faces, nodes}, touches);
     OneRank others;
     RowInputs inputs{scene.motion, before, inverse_mass, nodes, 1};
     if (solver == Solver::springs) {
@@ -30,7 +30,7 @@ struct EnforcedScene {
       // Springs push what earlier steps have seen going in; depth that nothing has seen is held.
       for (int i = 0; i < scene.touches.count; ++i) touches(i).old_record = touches(i).record;
     }
-    build_rows(space, inputs, touches, scene.touches.count, walls, history, system, others);
+    build_rows(space, inputs, {touches, scene.touches.count, walls}, history, system, others);
     if (system.num_rows == 0) return;
     RowSumMemory memory;
     const SolveQuery query{dt, dt, tolerance, 2, nodes};

@@ -22,7 +22,7 @@ TEST(IndexLists, GroupsAreSortedWithinEachKeyShortAndLong) {
   }
   constexpr int keys = 8;  // those above are left out
   Array<int> count("test::count", keys), offset("test::offset", keys + 1), grouped("test::grouped", 3000);
-  group_by_key(ExecSpace(), 3000, to_array(key), to_array(value), keys, count, offset, grouped);
+  group_by_key(ExecSpace(), {3000, to_array(key), to_array(value), keys}, {count, offset, grouped});
   for (int k = 0; k < keys; ++k) {
     std::vector<int> expected;
     for (std::size_t i = 0; i < key.size(); ++i)
