@@ -135,6 +135,16 @@ struct MassScalingDeck {
   Place place;
 };
 
+/// A part that moves as one. What its elements give to mass, centre and inertia is lumped at the nodes.
+struct RigidDeck {
+  std::string body;                              // parts that name the same are one; empty: the part alone
+  std::optional<double> mass;                    // instead of that of the elements
+  std::optional<Vec3> center;                    // likewise [length]
+  std::optional<std::array<double, 6>> inertia;  // likewise, about the centre: xx, yy, zz, xy, yz, zx of the tensor
+  std::array<bool, 6> fixed{};                   // translations of the centre along, rotations about x, y, z
+  Place place;
+};
+
 struct PartDeck {
   std::string name;
   Shape shape;
@@ -146,6 +156,7 @@ struct PartDeck {
   std::optional<double> thickness;  // of its shells [length]; they need one
   std::optional<int> points;        // across the thickness of its shells; default: by the material
   double offset = 0;                // of the middle of its shells from the mesh, along their normal [length]
+  std::optional<RigidDeck> rigid;   // none: it deforms
   Place place;
 };
 

@@ -62,6 +62,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
       model_(model),
       contact_(contact),
       halo_(model.ranks, model.halo),
+      rigid_(model),
       bookkeeper_(deck, model),
       forces_(deck, chunked, model, contact),
       pressures_("percuss::pressures", model.pressures.size()),
@@ -81,6 +82,7 @@ void Stepper::start(State& state, StepWishes wishes) {
   // Held directions begin at their prescribed velocity; a displacement curve begins at rest.
   hold_conditions(state, 0);
   hold_spins(state, 0);
+  rigid_.start(state);
   compute_forces(state, 0);
   judge_elements(state, 0);
   agree_on_step(state, wishes);
@@ -156,7 +158,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
 /// Whether only elements and gravity act on the nodes: then nothing comes between their velocities and their motion,
 /// and nothing asks for their forces, or for their places before they move.
 bool Stepper::is_free() const {
-  return !contact_.is_active() && model_.held.count == 0 && model_.pressure_faces.count == 0 &&
+  return !contact_.is_active() && !rigid_.any() && model_.held.count == 0 && model_.pressure_faces.count == 0 &&
          model_.nodal_loads.count == 0 && !forces_.has_sections();
 }
 
@@ -166,7 +168,7 @@ void Stepper::predict_motion(State& state, double dt, double dt_mean) {
     integrate_free_motion(state, dt, dt_mean);
     return;
   }
-  integrate_motion(state, dt_mean);
+  integrate_motion(state, dt, dt_mean);
   hold_conditions(state, dt);
 }
 
@@ -174,17 +176,20 @@ void Stepper::accept_motion(State& state, double dt) {
   if (is_free()) return;
   const Phase phase("percuss::integrate", clocks_.integrate);
   move_nodes(space_, state.v, dt, state.x);
+  rigid_.place(state);
 }
 
 void Stepper::book_motion(State& state, double dt, double dt_mean) {
   const Phase phase("percuss::book", clocks_.reduce);
   bookkeeper_.book_impulses(state, dt, dt_mean, report_.walls);
   forces_.book(model_, state, dt_mean);
+  rigid_.book(state, dt, dt_mean);
 }
 
 void Stepper::book_forces(State& state, double dt) {
   const Phase phase("percuss::book", clocks_.reduce);
   bookkeeper_.book_new_forces(state, dt);
+  rigid_.book_rest(state, dt);
 }
 
 void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {
@@ -193,10 +198,11 @@ void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {
                      state.v, state.x);
 }
 
-void Stepper::integrate_motion(State& state, double dt_mean) {
+void Stepper::integrate_motion(State& state, double dt, double dt_mean) {
   const Phase phase("percuss::integrate", clocks_.integrate);
   predict_velocities(space_, {model_.nodes_to_slots, state.slot_force, state.inverse_mass, model_.gravity}, dt_mean,
                      state.force, state.v_before, state.v);
+  if (rigid_.any()) rigid_.predict(state, dt, dt_mean);
   if (state.step == 0) mirror_velocities(space_, state.v, state.v_before);
 }
 
@@ -210,6 +216,7 @@ void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
     if (state.step == 0) mirror_velocities(space_, state.w, state.w_before);
   }
   hold_spins(state, dt);
+  rigid_.set_spins(state);
 }
 
 void Stepper::hold_spins(State& state, double dt) {
@@ -241,8 +248,10 @@ void Stepper::resolve_contact(State& state, double dt) {
   if (!contact_.is_active()) return;
   const Vec3& center = model_.mass_center;
   const ContactMotion motion{
-      state.x, state.v_before, state.v, state.inverse_mass, state.impulse, dt, {center[0], center[1], center[2]}};
+      state.x,        state.v_before, state.v, state.inverse_mass, state.impulse, dt, {center[0], center[1], center[2]},
+      rigid_.inputs()};
   report_ = contact_.apply(motion);
+  if (rigid_.any()) rigid_.correct(state, report_.bodies, dt);
   state.books.contact_work += report_.normal_work;
   state.books.friction_work += report_.friction_work;
   const ContactClocks spent = contact_.clocks();
@@ -377,6 +386,7 @@ void Stepper::apply_forces(State& state, double time) {
 
 void Stepper::choose_step(State& state) const {
   double dt = deck_.time.step_scale * state.bound.step;
+  if (model_.rigid.is_all) dt = std::min(dt, rigid_.find_step(state, deck_.time.end));
   if (state.step > 0 && dt > state.dt) {
     dt = dt > (1 + least_step_growth) * state.dt ? std::min(dt, largest_step_growth * state.dt) : state.dt;
   }

@@ -15,6 +15,7 @@
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/phases.hpp"
+#include "src/step/rigid/rigid_stage.hpp"
 #include "src/step/stable_step/global_step.hpp"
 
 namespace percuss {
@@ -101,7 +102,7 @@ class Stepper {
   void book_motion(State& state, double dt, double dt_mean);
   void book_forces(State& state, double dt);
   void integrate_free_motion(State& state, double dt, double dt_mean);
-  void integrate_motion(State& state, double dt_mean);
+  void integrate_motion(State& state, double dt, double dt_mean);
   void integrate_spins(State& state, double dt, double dt_mean);
   void hold_conditions(State& state, double dt);
   void hold_spins(State& state, double dt);
@@ -129,6 +130,7 @@ class Stepper {
   StepWishes agreed_;
   std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
   std::unique_ptr<MassScaler> scaler_;  // likewise
+  RigidStage rigid_;
   Bookkeeper bookkeeper_;
   ForceBooks forces_;
   PrescribedMotions motions_;

@@ -67,10 +67,41 @@ class NodeNumbering {
   std::vector<std::int64_t> numbers_;
 };
 
-/// G M^-1 and H, a row for each direction of each contact row, three columns a node.
+/// G M^-1 and H, a row for each direction of each contact row, three columns a node, then six a rigid body.
 struct Coefficients {
   MatrixRows impulses, gaps;
+
+  void add(int first, const Point3& impulse, const Point3& gap) {
+    impulses.column.insert(impulses.column.end(), {first, first + 1, first + 2});
+    impulses.value.insert(impulses.value.end(), {impulse.x, impulse.y, impulse.z});
+    gaps.column.insert(gaps.column.end(), {first, first + 1, first + 2});
+    gaps.value.insert(gaps.value.end(), {gap.x, gap.y, gap.z});
+  }
 };
+
+/// What one direction of a row does to one rigid body: all its slots on it together, which one column must not have
+/// twice.
+struct BodyCoefficients {
+  int body = -1, slot = 0;  // the first of them
+  Wrench impulse, gap;
+};
+
+/// Adds the share of a slot to that of its body.
+void add_to_body(const CoupledRow& row, int slot, const Point3& c, const Point3& h,
+                 std::vector<BodyCoefficients>& bodies) {
+  auto place = std::find_if(bodies.begin(), bodies.end(), [&](const auto& b) { return b.body == row.body[slot]; });
+  if (place == bodies.end()) place = bodies.insert(place, {row.body[slot], slot, {}, {}});
+  const Wrench of_c = find_wrench(row.arm[slot], c), of_h = find_wrench(row.arm[slot], h);
+  place->impulse = {place->impulse.impulse + of_c.impulse, place->impulse.moment + of_c.moment};
+  place->gap = {place->gap.impulse + of_h.impulse, place->gap.moment + of_h.moment};
+}
+
+/// The number of bodies that rows touch, and of those before them.
+int count_bodies(const std::vector<CoupledRow>& rows) {
+  int last = -1;
+  for (const CoupledRow& r : rows) last = std::max(last, *std::max_element(r.body, r.body + row_nodes));
+  return last + 1;
+}
 
 Coefficients list_coefficients(const std::vector<CoupledRow>& rows, const NodeNumbering& nodes) {
   Coefficients list;
@@ -78,15 +109,22 @@ Coefficients list_coefficients(const std::vector<CoupledRow>& rows, const NodeNu
     for (int d = 0; d < count_directions(r.row); ++d) {
       const Point3 &push = get_direction(r.row, d), &watched = d == 0 ? r.row.gap_gradient : push;
       const Point3 push_couple = find_couple(r.row, push), watched_couple = find_couple(r.row, watched);
+      std::vector<BodyCoefficients> bodies;
       for (int slot = 0; slot < count_nodes(r.row); ++slot) {
         const Point3 c = spread_impulse(r.row, slot, push, push_couple);
         const Point3 h = spread_impulse(r.row, slot, watched, watched_couple);
         const Point3& w = r.inverse_mass[slot];
-        const int first = 3 * nodes.find(r.node[slot]);
-        list.impulses.column.insert(list.impulses.column.end(), {first, first + 1, first + 2});
-        list.impulses.value.insert(list.impulses.value.end(), {w.x * c.x, w.y * c.y, w.z * c.z});
-        list.gaps.column.insert(list.gaps.column.end(), {first, first + 1, first + 2});
-        list.gaps.value.insert(list.gaps.value.end(), {h.x, h.y, h.z});
+        if (r.body[slot] < 0)
+          list.add(3 * nodes.find(r.node[slot]), {w.x * c.x, w.y * c.y, w.z * c.z}, h);
+        else
+          add_to_body(r, slot, c, h, bodies);
+      }
+      for (const BodyCoefficients& b : bodies) {
+        const BodyResponse response{{}, r.inverse_mass[b.slot], r.inverse_inertia[b.slot]};
+        const BodyChange change = find_change(response, b.impulse);
+        const int first = 3 * nodes.count() + 6 * b.body;
+        list.add(first, change.velocity, b.gap.impulse);
+        list.add(first + 3, change.spin, b.gap.moment);
       }
       list.impulses.end_row();
       list.gaps.end_row();
@@ -112,6 +150,25 @@ Matrix sort_columns(const Matrix& a) {
   return transpose(transpose(rows, num_columns), rows.num_rows()).make("contact::A", num_columns);
 }
 
+/// Which slots of a row are of rigid bodies. A row within one body moves nothing.
+template <class Places, class Rows, class Responses>
+void set_bodies(const Places& of_place, const Rows& x, const Responses& responses, CoupledRow& coupled) {
+  const ContactRow& row = coupled.row;
+  const int first_body = of_place(row.place[0]);
+  bool is_within = row.kind != RowKind::wall && first_body >= 0;
+  for (int slot = 0; slot < count_nodes(row); ++slot) is_within = is_within && of_place(row.place[slot]) == first_body;
+  for (int slot = 0; slot < count_nodes(row); ++slot) {
+    const int body = of_place(row.place[slot]);
+    if (is_within) coupled.inverse_mass[slot] = {};
+    if (body < 0 || is_within) continue;
+    const BodyResponse& response = responses(body);
+    coupled.body[slot] = body;
+    coupled.arm[slot] = load_row(x, row.place[slot]) - response.center;
+    coupled.inverse_mass[slot] = response.inverse_mass;
+    coupled.inverse_inertia[slot] = response.inverse_inertia;
+  }
+}
+
 Matrix multiply(const Matrix& a, const Matrix& b) {
   KokkosKernels::Experimental::KokkosKernelsHandle<int, int, double, ExecSpace, MemSpace, MemSpace> handle;
   handle.create_spgemm_handle(KokkosSparse::SPGEMM_KK);
@@ -130,6 +187,9 @@ std::vector<CoupledRow> list_coupled_rows(const RowSystem& system, const Array<c
   const auto numbers = to_host(node_numbers);
   const auto foreign = to_host(system.foreign_number);
   const auto inverse_mass = to_host(system.at.inverse_mass);
+  const auto of_place = to_host(system.bodies.of_place);
+  const auto x = to_host(system.at.x);
+  const auto responses = to_host(system.bodies.inputs.responses);
   std::vector<CoupledRow> list(at(system.num_rows));
   for (std::size_t r = 0; r < list.size(); ++r) {
     list[r].row = rows(r);
@@ -139,6 +199,7 @@ std::vector<CoupledRow> list_coupled_rows(const RowSystem& system, const Array<c
       list[r].node[slot] = is_own ? numbers(at(nodes(at(place)))) : foreign(at(place - system.num_nodes));
       list[r].inverse_mass[slot] = load_row(inverse_mass, place);
     }
+    if (system.bodies.count() > 0) set_bodies(of_place, x, responses, list[r]);
   }
   return list;
 }
@@ -214,9 +275,9 @@ CoupledUnknowns list_unknowns(const std::vector<CoupledRow>& rows, double dt) {
 ConeProblem make_cone_problem(const std::vector<CoupledRow>& rows, const CoupledUnknowns& of) {
   const NodeNumbering nodes(rows);
   const Coefficients coefficients = list_coefficients(rows, nodes);
-  const int unknowns = static_cast<int>(of.b.size());
-  const Matrix a = multiply(coefficients.gaps.make("contact::H", 3 * nodes.count()),
-                            transpose(coefficients.impulses, 3 * nodes.count()).make("contact::MGT", unknowns));
+  const int unknowns = static_cast<int>(of.b.size()), columns = 3 * nodes.count() + 6 * count_bodies(rows);
+  const Matrix a = multiply(coefficients.gaps.make("contact::H", columns),
+                            transpose(coefficients.impulses, columns).make("contact::MGT", unknowns));
   ConeProblem problem;
   problem.a = {unknowns, a.graph.row_map, a.graph.entries, a.values};
   problem.b = to_view("contact::cone_b", of.b);

@@ -14,7 +14,10 @@ namespace percuss {
 struct CoupledRow {
   ContactRow row;
   std::int64_t node[row_nodes] = {-1, -1, -1, -1, -1};  // numbers
-  Point3 inverse_mass[row_nodes]{};                     // 0: held
+  Point3 inverse_mass[row_nodes]{};                     // 0: held; of a rigid body that of all of it
+  int body[row_nodes] = {-1, -1, -1, -1, -1};           // rigid one that has the node
+  Point3 arm[row_nodes]{};                              // of the node about its centre
+  Symmetric3<double> inverse_inertia[row_nodes]{};      // of it
 };
 
 struct CoupledReport {

@@ -13,6 +13,7 @@
 #include "kernels/contact/enforcement/coupled_rows.hpp"
 #include "kernels/contact/enforcement/enforcement.hpp"
 #include "kernels/contact/enforcement/springs.hpp"
+#include "kernels/contact/rows/body_rows.hpp"
 #include "kernels/contact/rows/row_packs.hpp"
 
 namespace percuss {
@@ -26,12 +27,31 @@ struct OneRank {
   template <class Space>
   void send_impulses(const Space&, RowSystem&, PassSums&) {}  // the same; reduces the sums
   void receive_corrections(RowSystem&) {}                     // fills RowSystem::correction at foreign places
+  void receive_bodies(RowSystem&) {}                          // fills RowBodies::marks at foreign places
+  void sum_bodies(std::vector<ExactSum>&) {}                  // adds the sums of all ranks
   void reduce(EnforcementSums&) {}
   // Solves the rows of all ranks as one problem; impulses: of this rank's rows.
   CoupledReport solve_together(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses) {
     return solve_in_key_order(rows, dt, impulses);
   }
 };
+
+/// S of the nodes of rigid bodies (body_rows.hpp).
+template <class Space, class Others>
+void weigh_bodies(const Space& space, RowSystem& system, Others& others) {
+  if (system.bodies.count() == 0) return;
+  std::vector<ExactSum> sums = sum_body_coefficients(space, system);
+  others.sum_bodies(sums);
+  spread_body_coefficients(space, sums, system);
+}
+
+/// Adds up what the impulses of the iterate do to each body: RowBodies::change.
+template <class Space, class Others>
+void push_bodies(const Space& space, RowSystem& system, Others& others) {
+  std::vector<ExactSum> sums = sum_body_impulses(space, system);
+  others.sum_bodies(sums);
+  set_body_changes(sums, system);
+}
 
 /// Makes the rows of a step with their first guess; S and D. In: num_foreign, num_remote, remote_node, remote_key of
 /// the system.
@@ -41,12 +61,18 @@ void build_rows(const Space& space, const RowInputs& inputs, const RowSources& s
   start_rows(space, inputs, sources, system);
   space.fence();
   others.receive_nodes(system);
+  if (system.bodies.count() > 0) {
+    others.receive_bodies(system);
+    mark_foreign_places(space, system);
+  }
   make_rows(space, inputs, sources, history, system);
   others.send_coefficients(space, system);
   sum_coefficients(space, system);
   space.fence();
+  weigh_bodies(space, system, others);
   others.receive_coefficients(system);
   sum_stiffness(space, system);
+  if (system.bodies.count() > 0) hold_rows_within_bodies(space, system);
 }
 
 /// What an enforcement reads besides the rows; each reads what it needs.
@@ -132,6 +158,10 @@ SolveReport solve_kinematic(const Space& space, const SolveQuery& query, RowSyst
   for (;;) {
     // The motion that the impulses cause, on both sides of every contact.
     move_nodes(space, extrapolation.beta, system);
+    if (system.bodies.count() > 0) {
+      push_bodies(space, system, others);
+      move_packed_body_places(space, extrapolation.beta, system);
+    }
     space.fence();
     others.receive_corrections(system);
     if (report.converged || report.iterations == max_iterations) break;
@@ -156,6 +186,10 @@ void follow_impulses(const Space& space, PassSums& sums, RowSystem& system, Othe
   share_impulses(space, system);
   others.send_impulses(space, system, sums);
   find_corrections(space, system);
+  if (system.bodies.count() > 0) {
+    push_bodies(space, system, others);
+    move_body_places(space, system);
+  }
   space.fence();
   others.receive_corrections(system);
 }

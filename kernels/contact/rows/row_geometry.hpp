@@ -9,14 +9,8 @@ KOKKOS_INLINE_FUNCTION Point3 find_abs(const Point3& c) {
   return {c.x < 0 ? -c.x : c.x, c.y < 0 ? -c.y : c.y, c.z < 0 ? -c.z : c.z};
 }
 
-/// D of the directions; free: D of the push if no direction of its nodes were held. A row whose nodes are all held
-/// cannot be moved and asks for nothing. Nor does one whose nodes are free only across the push, but for round-off of
-/// its direction: to close a gap they would have to move beyond all bounds.
-KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3], double free) {
-  const auto choose = [](double d) { return d > 0 ? d : 1; };
-  row.stiffness = choose(stiffness[0]);
-  row.rub_stiffness = choose(stiffness[1] > stiffness[2] ? stiffness[1] : stiffness[2]);
-  if (stiffness[0] > contact_limits::least_freedom * free) return;
+/// A row that nothing can move asks for nothing.
+KOKKOS_INLINE_FUNCTION void hold_row(ContactRow& row) {
   row.is_held = true;
   row.impulse = RowImpulse{};
   row.previous = RowImpulse{};
@@ -24,6 +18,16 @@ KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffnes
   row.couple = Point3{};
   row.friction = 0;
   row.target = row.gap;  // met as it is
+}
+
+/// D of the directions; free: D of the push if no direction of its nodes were held. A row whose nodes are all held
+/// cannot be moved and asks for nothing. Nor does one whose nodes are free only across the push, but for round-off of
+/// its direction: to close a gap they would have to move beyond all bounds.
+KOKKOS_INLINE_FUNCTION void set_stiffness(ContactRow& row, const double stiffness[3], double free) {
+  const auto choose = [](double d) { return d > 0 ? d : 1; };
+  row.stiffness = choose(stiffness[0]);
+  row.rub_stiffness = choose(stiffness[1] > stiffness[2] ? stiffness[1] : stiffness[2]);
+  if (!(stiffness[0] > contact_limits::least_freedom * free)) hold_row(row);
 }
 
 /// A vector shortened to `longest`.

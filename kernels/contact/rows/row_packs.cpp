@@ -1,5 +1,7 @@
 #include "kernels/contact/rows/row_packs.hpp"
 
+#include "kernels/contact/rows/place_velocity.hpp"
+
 namespace percuss {
 namespace {
 
@@ -68,17 +70,6 @@ KOKKOS_INLINE_FUNCTION bool is_moved(const RowPack& pack, const Array<const int>
   for (const auto& places : pack.place)
     for (const int place : places) any |= moved(place);
   return any != 0;
-}
-
-/// dv of a place in the extrapolated iterate.
-KOKKOS_INLINE_FUNCTION void set_dv(const RowPacks& packs, int a, const Point3& dv) {
-  store_row(packs.dv, a, dv);
-  packs.dv(a, 3) = 0;
-  packs.moved(a) = dv.x != 0 || dv.y != 0 || dv.z != 0 ? 1 : 0;
-}
-
-KOKKOS_INLINE_FUNCTION Point3 extrapolate(const Point3& dv, const Point3& before, double beta) {
-  return beta > 0 ? dv + beta * (dv - before) : dv;
 }
 
 /// Adds up how the rows of a pack changed. Ties are judged by themselves.
@@ -178,6 +169,8 @@ void move_nodes(const Space& space, double beta, const RowSystem& system) {
   const Rows3<double> correction = system.correction;
   const Rows3<const double> inverse_mass = system.at.inverse_mass;
   const int num_owned = system.num_nodes;
+  const bool has_bodies = system.bodies.count() > 0;
+  const Array<const int> body_of_place = system.bodies.of_place;
   Kokkos::parallel_for(
       "contact::move_nodes", RangeOf<Space>(space, 0, system.num_places()), KOKKOS_LAMBDA(int a) {
         const Point3 before = load_row(correction, a);
@@ -185,7 +178,7 @@ void move_nodes(const Space& space, double beta, const RowSystem& system) {
           store_row(p.dv, a, before);
           return;
         }
-        if (p.stirred(a) == 0) return;
+        if (p.stirred(a) == 0 || (has_bodies && body_of_place(a) >= 0)) return;
         const Point3 dv = multiply(load_row(inverse_mass, a), sums(a));
         store_row(correction, a, dv);
         set_dv(p, a, extrapolate(dv, before, beta));

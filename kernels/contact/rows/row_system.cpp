@@ -1,5 +1,6 @@
 #include "kernels/contact/rows/row_system.hpp"
 
+#include "kernels/contact/rows/body_rows.hpp"
 #include "kernels/contact/rows/row_geometry.hpp"
 #include "kernels/contact/rows/tie_row.hpp"
 #include "kernels/core/index_lists.hpp"
@@ -263,6 +264,7 @@ void start_rows(const Space& space, const RowInputs& inputs, const RowSources& s
   number_nodes(space, static_cast<int>(inputs.motion.x.extent(0)),
                list_entry_nodes(touches, num_touches, walls, system), system);
   gather_nodes(space, inputs, system);
+  start_bodies(space, inputs.bodies, system);
   for (Rows3<double>* rows : {&system.correction, &system.abs_sum}) reserve(*rows, system.num_places());
 }
 

@@ -11,6 +11,7 @@
 #include "kernels/contact/check/edge_check.hpp"
 #include "kernels/contact/geometry/tie_geometry.hpp"
 #include "kernels/contact/rows/contact_row.hpp"
+#include "kernels/contact/rows/row_bodies.hpp"
 #include "kernels/contact/rows/row_pack.hpp"
 #include "kernels/contact/rows/row_sums.hpp"
 
@@ -150,7 +151,7 @@ KOKKOS_INLINE_FUNCTION bool was_pushed(const Rows3<const double>& last_impulse, 
 struct RowInputs {
   SurfaceMotion motion;
   Rows3<const double> v_before;                    // [mesh nodes][3]
-  Rows3<const double> inverse_mass;                // [mesh nodes][3], 0: held
+  Rows3<const double> inverse_mass;                // [mesh nodes][3], 0: held; of rigid bodies anything
   Array<const std::int64_t> node_numbers;          // [mesh nodes]
   double impulse_scale = 1;                        // dt / last dt: the same force in this step, the first guess
   double longest_slip = contact_limits::recovery;  // that sticking takes over from earlier steps / h
@@ -162,6 +163,7 @@ struct RowInputs {
   Array<const TieGeometry> ties{};     // of this rank; their touches come last
   Rows3<const double> last_impulse{};  // [mesh nodes] of contact in the last step; empty: none
   bool looks_inside = true;            // whether walls are to stop nodes inside bodies too
+  BodyInputs bodies{};                 // rigid ones
 };
 
 /// Of what rows are made, besides ties: touches by (node, face), then those of edges and ties, and pairs of walls.
@@ -202,6 +204,7 @@ struct RowSystem {
   Rows3<double> abs_sum = Rows3<double>("contact::abs_sum", 0);        // S
   Array<int> wants = Array<int>("contact::wanting_rows", 0);           // [rows] wants_something() at the start
   RowPacks packs;                                                      // what the iteration works on
+  RowBodies bodies;                                                    // rigid ones
   // The history records of faces and walls that the last write_history() wrote; all others are empty (of a face: its
   // number is -1). -1: not known.
   int num_written = -1;

@@ -156,7 +156,9 @@ std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chun
   sum_over_ranks(ranks, masses);
   std::vector<PartReport> parts;
   for (std::size_t p = 0; p < count; ++p) {
-    parts.push_back({mesh.parts[p].name, deck.parts[p].material, counts[p], counts[count + p], masses[p].round()});
+    const std::string rigid = deck.parts[p].rigid ? ", rigid" : "";
+    parts.push_back(
+        {mesh.parts[p].name, deck.parts[p].material + rigid, counts[p], counts[count + p], masses[p].round()});
   }
   return parts;
 }

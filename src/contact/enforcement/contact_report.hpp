@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/contact/geometry/point3.hpp"
+#include "kernels/contact/rows/row_bodies.hpp"
 #include "kernels/contact/rows/wall_sums.hpp"
 #include "kernels/core/views.hpp"
 #include "src/deck/deck.hpp"
@@ -21,6 +22,7 @@ struct ContactMotion {
   Rows3<double> impulse;             // out: contact impulse of this step [force x time], zero where there is none
   double dt = 0;                     // from n to n+1
   Point3 center{};                   // about which moments of walls' impulses are taken
+  BodyInputs bodies{};               // rigid ones as they stand at n, which alone says how their nodes move
 };
 
 /// Result of one step's contact on all ranks, the same on each. Work is positive where contact adds energy to the
@@ -45,6 +47,7 @@ struct ContactReport {
   double torn = 0;                 // farthest that conditions hold a tied node from its place / face edge
   std::int64_t torn_node = -1;     // number of that node
   WallSums walls;                  // what walls gave the nodes of this rank, and of no other
+  std::vector<Wrench> bodies;      // what each rigid body got, of all ranks; empty: nothing
 };
 
 /// Names of what work is booked by: "surfaces" where all may touch all or "a:b" for each pair of the deck, "tie:a:b"

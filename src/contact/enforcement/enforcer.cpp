@@ -215,7 +215,8 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
                          spring_,
                          ties_,
                          motion.impulse,
-                         last_pushes_ != 0};
+                         last_pushes_ != 0,
+                         motion.bodies};
   const double dt_mean = last_dt_ > 0 ? 0.5 * (last_dt_ + motion.dt) : motion.dt;
   last_dt_ = motion.dt;
   last_pushes_ = 0;
@@ -245,6 +246,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
       forces_.book(space, system_, node_numbers_);
       if (system_.num_rows > num_touches)
         report.walls = sum_wall_impulses(space, num_touches, motion.x, motion.center, system_, sums_);
+      report.bodies = system_.bodies.wrench;
       report.residual = done.residual;
       report.deepest = done.deepest;
       report.deepest_node = done.deepest_key < 0 ? -1 : find_key_node(done.deepest_key);

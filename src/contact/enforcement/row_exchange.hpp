@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "comm/exact_reduction.hpp"
 #include "comm/exchange/data_exchange.hpp"
 #include "comm/exchange/unstructured_exchange.hpp"
 #include "comm/merge_reduction.hpp"
@@ -42,6 +43,10 @@ class RowExchange {
     end_sending(system);
   }
   void receive_corrections(RowSystem& system) { send_to_rows(system, system.correction); }
+  void receive_bodies(RowSystem& system) { send_to_rows(system, system.bodies.marks); }
+  void sum_bodies(std::vector<ExactSum>& sums) {
+    if (has_many_ranks_) sum_over_ranks(ranks_.ranks, sums);
+  }
   void reduce(EnforcementSums& sums);
   /// Gathers the rows of all ranks on the first one, which solves them in the order of their keys.
   CoupledReport solve_together(const std::vector<CoupledRow>& rows, double dt, std::vector<RowImpulse>& impulses);

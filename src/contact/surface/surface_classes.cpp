@@ -2,8 +2,20 @@
 
 #include <algorithm>
 
+#include "src/deck/rigid_bodies.hpp"
+
 namespace percuss {
 namespace {
+
+/// Numbers of rigid bodies among those of surfaces: after all of these.
+constexpr int first_body_surface = 1 << 24;
+
+/// Whether both belong to one rigid body, whose surfaces never move to each other.
+bool share_body(const SurfaceSet& node, const SurfaceSet& face) {
+  return std::any_of(face.begin(), face.end(), [&](int surface) {
+    return surface >= first_body_surface && std::binary_search(node.begin(), node.end(), surface);
+  });
+}
 
 bool has_surface(const SurfaceSet& set, int surface) { return std::binary_search(set.begin(), set.end(), surface); }
 
@@ -15,6 +27,7 @@ bool are_opposite(const SurfaceSet& node, const SurfaceSet& face, std::size_t pa
 
 /// Rule for a node on surfaces `node` and a face on surfaces `face`.
 PairRule find_rule(const ContactDeck& contact, const SurfaceSet& node, const SurfaceSet& face) {
+  if (share_body(node, face)) return {};
   for (std::size_t t = 0; t < contact.ties.size(); ++t)
     if (are_opposite(node, face, contact.pairs.size() + t)) return {};
   if (contact.surfaces == ContactDeck::Surfaces::all) return {0, contact.friction};
@@ -80,6 +93,12 @@ std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, c
   for (std::size_t t = 0; t < ties.faces.size(); ++t)
     for (std::size_t side = 0; side < 2; ++side)
       add(ties.faces[t][side], deck.contact.pairs.size() + t, static_cast<int>(side));
+  if (!has_rigid_parts(deck)) return sets;
+  const std::vector<int> bodies = name_rigid_bodies(deck).body_of_part;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const int body = bodies[static_cast<std::size_t>(mesh.part_of(static_cast<std::size_t>(faces[f].element)))];
+    if (body >= 0) sets[f].push_back(first_body_surface + body);
+  }
   return sets;
 }
 

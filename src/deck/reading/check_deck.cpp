@@ -83,15 +83,17 @@ void check_size(const Deck& deck, const Node& root, Reading& reading) {
                                  total.elements, total.nodes, largest_mesh));
 }
 
-/// Rotations are held of nodes of shells only.
+/// Rotations are held of nodes of shells and of rigid bodies only.
 void check_rotations(const Deck& deck, Reading& reading) {
-  const auto may_have_shells = [](const PartDeck& part) {
-    return part.thickness || std::holds_alternative<FileMesh>(part.shape);
+  const auto may_turn = [](const PartDeck& part) {
+    return part.thickness || part.rigid || std::holds_alternative<FileMesh>(part.shape);
   };
-  if (std::any_of(deck.parts.begin(), deck.parts.end(), may_have_shells)) return;
+  if (std::any_of(deck.parts.begin(), deck.parts.end(), may_turn)) return;
   for (const NameUse& use : reading.rotations) {
-    reading.errors.add(use.spot, fmt::format("{} is of no use{} (no part has shells, whose nodes alone have rotations)",
-                                             use.name, use.in));
+    reading.errors.add(use.spot,
+                       fmt::format("{} is of no use{} (no part has shells, whose nodes alone have rotations, or is "
+                                   "rigid)",
+                                   use.name, use.in));
   }
 }
 
@@ -233,6 +235,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_rotations(deck, reading);
   check_step_estimate(deck, root, reading);
   check_running_masses(deck, root, reading);
+  check_rigid(deck, root, reading);
   check_curves(deck, reading);
   check_estimate(deck, root, reading);
   check_fluids(deck, root, reading);

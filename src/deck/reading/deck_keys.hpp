@@ -51,6 +51,16 @@ struct JoinValue {
   std::string takes() const { return "true | false or a list of joints"; }
 };
 
+/// `rigid` of a part: true, or a map.
+struct RigidValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::optional<RigidDeck>& out) const;
+  Form form() const;
+  std::string takes() const { return "true | false or a map"; }
+};
+
+/// What rigid parts must have in common, and what they exclude.
+void check_rigid(const Deck& deck, const Node& root, Reading& reading);
+
 MapValue<TimeDeck> time_value();
 MapValue<MassScalingDeck> mass_scaling_value();
 MapValue<ElementDeck> element_value();

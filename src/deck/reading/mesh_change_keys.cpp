@@ -1,9 +1,10 @@
-// Keys of `join`, `imperfections` and `added_mass`.
+// Keys of `join`, `imperfections`, `added_mass` and `rigid`.
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/rigid_bodies.hpp"
 
 namespace percuss {
 namespace {
@@ -93,7 +94,108 @@ bool check_join(const Reader& reader, const Node& node, JoinDeck& join) {
   return false;
 }
 
+/// Translations and rotations of a body, each once.
+struct FreedomsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::array<bool, 6>& out) const {
+    std::vector<std::size_t> held;
+    if (!ListValue<ChoiceValue<std::size_t>>{direction()}.read(reader, name, node, held)) return false;
+    for (const std::size_t k : held) out[k] = true;
+    return true;
+  }
+  std::string takes() const { return "a list of directions: x, y, z, rx, ry, rz"; }
+  Form form() const { return list_form(direction().form()); }
+
+  static ChoiceValue<std::size_t> direction() {
+    return {{{"x", 0}, {"y", 1}, {"z", 2}, {"rx", 3}, {"ry", 4}, {"rz", 5}}};
+  }
+};
+
+const Keys<RigidDeck>& rigid_keys() {
+  static const Keys<RigidDeck> keys = {
+      may("body", &RigidDeck::body, NameValue{}),
+      may("mass", &RigidDeck::mass, NumberValue{positive}),
+      may("center", &RigidDeck::center, vector3()),
+      may("inertia", &RigidDeck::inertia, TupleValue<NumberValue, 6>{}),
+      may("fixed", &RigidDeck::fixed, FreedomsValue{}),
+  };
+  return keys;
+}
+
+/// Of real masses the tensor is positive definite, and no moment of inertia exceeds the sum of the others.
+bool check_inertia(const Reader& reader, const Node& node, RigidDeck& rigid) {
+  if (!rigid.inertia || is_inertia_of_masses(*rigid.inertia)) return true;
+  reader.error(node.find("inertia")->spot,
+               fmt::format("{} is no inertia of any masses{} (xx, yy, zz, xy, yz, zx of the tensor must be positive "
+                           "definite, and each principal moment at most the sum of the others)",
+                           reader.name_of("inertia"), reader.in()));
+  return false;
+}
+
+/// Values that several parts of one body give.
+void check_merged(const Deck& deck, const Node& parts, Reading& reading) {
+  const RigidNames names = name_rigid_bodies(deck);
+  for (const char* key : {"mass", "center", "inertia"}) {
+    std::vector<int> giver(names.bodies.size(), -1);
+    for (std::size_t p = 0; p < deck.parts.size(); ++p) {
+      if (names.body_of_part[p] < 0) continue;
+      const Node* given = parts.find(deck.parts[p].name)->find("rigid")->find(key);
+      int& first = giver[static_cast<std::size_t>(names.body_of_part[p])];
+      if (given != nullptr && first >= 0) {
+        reading.errors.add(given->spot,
+                           fmt::format("rigid.{} is given again in part '{}' (part '{}' gives that of body '{}') leave "
+                                       "one of them out",
+                                       key, deck.parts[p].name, deck.parts[static_cast<std::size_t>(first)].name,
+                                       names.bodies[static_cast<std::size_t>(names.body_of_part[p])]));
+      }
+      if (given != nullptr && first < 0) first = static_cast<int>(p);
+    }
+  }
+}
+
 }  // namespace
+
+bool RigidValue::read(const Reader& reader, const std::string& name, const Node& node,
+                      std::optional<RigidDeck>& out) const {
+  RigidDeck rigid;
+  rigid.place = node.spot.place;
+  if (node.kind == Node::Kind::scalar && (node.text == "true" || node.text == "false")) {
+    bool is_rigid = false;
+    if (!BooleanValue{}.read(reader, name, node, is_rigid)) return false;
+    if (is_rigid) out = rigid;
+    return true;
+  }
+  if (node.kind != Node::Kind::map) {
+    reader.refuse(node, name, takes());
+    return false;
+  }
+  if (!MapValue<RigidDeck>{rigid_keys, check_inertia}.read(reader, name, node, rigid)) return false;
+  out = rigid;
+  return true;
+}
+
+Form RigidValue::form() const {
+  return any_form({BooleanValue{}.form(), MapValue<RigidDeck>{rigid_keys, check_inertia}.form()});
+}
+
+void check_rigid(const Deck& deck, const Node& root, Reading& reading) {
+  const Node* parts = root.find("parts");
+  const auto rigid =
+      std::find_if(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) { return part.rigid.has_value(); });
+  if (rigid == deck.parts.end()) return;
+  for (const PartDeck& part : deck.parts) {
+    if (!part.rigid || !part.mass_scaling) continue;
+    reading.errors.add(
+        parts->find(part.name)->find("mass_scaling")->key,
+        fmt::format("mass_scaling is of no use in part '{}' (it is rigid, and holds no step down)", part.name));
+  }
+  if (deck.time.step_estimate == TimeDeck::StepEstimate::global) {
+    reading.errors.add(root.find("time")->find("step_estimate")->spot,
+                       fmt::format("time.step_estimate is global (part '{}' is rigid, which the estimate of the mesh "
+                                   "does not know) leave it out",
+                                   rigid->name));
+  }
+  check_merged(deck, *parts, reading);
+}
 
 bool JoinValue::read(const Reader& reader, const std::string& name, const Node& node,
                      std::vector<JoinDeck>& out) const {

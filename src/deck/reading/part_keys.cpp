@@ -109,6 +109,11 @@ bool read_axis(const DirectionValue& value, const Reader& reader, const std::str
   return true;
 }
 
+bool read_rigid(const RigidValue& value, const Reader& reader, const std::string& name, const Node& node,
+                PartDeck& part) {
+  return value.read(reader, name, node, part.rigid);
+}
+
 const Keys<PartDeck>& part_keys() {
   static const Keys<PartDeck> keys = [] {
     Keys<PartDeck> all = shape_keys();
@@ -121,6 +126,7 @@ const Keys<PartDeck>& part_keys() {
     all.push_back(may("rotate", &PartDeck::rotate, ListValue<MapValue<Rotation>>{{rotation_keys}}));
     all.push_back(may("at", &PartDeck::at, vector3()));
     all.push_back(may("mass_scaling", &PartDeck::mass_scaling, mass_scaling_value()));
+    all.push_back(make_key<PartDeck>("rigid", false, RigidValue{}, read_rigid));
     return all;
   }();
   return keys;

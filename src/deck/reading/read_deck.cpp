@@ -59,6 +59,7 @@ Deck read_deck(const std::string& file, const std::vector<std::string>& override
 }
 
 const MassScalingDeck* Deck::find_mass_scaling(std::size_t part) const {
+  if (parts[part].rigid) return nullptr;
   const auto& own = parts[part].mass_scaling;
   if (own) return &*own;
   return time.mass_scaling ? &*time.mass_scaling : nullptr;

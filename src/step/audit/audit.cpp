@@ -6,6 +6,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/step/model/moving_nodes.hpp"
+#include "src/step/rigid/rigid_sums.hpp"
 
 namespace percuss {
 
@@ -28,10 +29,12 @@ NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const 
   const auto mass = state.mass;
   const auto inverse_mass = state.inverse_mass;
   const auto gravity = model.gravity;
+  const Array<const int> body_of_node = model.rigid.body_of_node;
   const double first_dt = state.step == 0 ? state.next_dt : 0.0;
   const Kokkos::Array<double, 3> center{{model.mass_center[0], model.mass_center[1], model.mass_center[2]}};
   return sums(
       ExecSpace(), model.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, S::count_of_nodes>& sum) {
+        if (RigidModel::holds(body_of_node, n)) return;
         double f[3];
         nodes.find_force(n, f);
         const double m = mass(n);
@@ -60,8 +63,10 @@ void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model
   const auto inertia = state.inertia;
   const auto inverse_inertia = state.inverse_inertia;
   const double first_dt = state.step == 0 ? state.next_dt : 0.0;
+  const Array<const int> body_of_node = model.rigid.body_of_node;
   const auto of_spins = sums(
       ExecSpace(), model.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, S::count_of_nodes>& sum) {
+        if (RigidModel::holds(body_of_node, n)) return;
         double size = 0, moment[3];
         nodes.find_force(n, moment);
         for (int k = 0; k < 3; ++k) {
@@ -74,6 +79,25 @@ void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model
         sum[S::moment_size] += sqrt(size);
       });
   for (std::size_t i = 0; i < totals.size(); ++i) totals[i].merge(of_spins[i]);
+}
+
+/// Adds the rigid bodies, which every rank knows, on the first one. Collective.
+void add_rigid_bodies(RigidForces& find_forces, const Model& model, const State& state, NodeSums::Totals& totals) {
+  if (!model.rigid.any()) return;
+  const std::vector<Wrench> forces = find_forces(model, state);
+  if (model.ranks.rank() != 0) return;
+  for (std::size_t b = 0; b < forces.size(); ++b) {
+    const RigidSums body = sum_rigid_body(model, state, b, forces[b]);
+    totals[S::kinetic].add(body.kinetic);
+    totals[S::half_steps].add(body.half_steps);
+    totals[S::potential].add(body.fallen);
+    for (int k = 0; k < 3; ++k) {
+      totals[static_cast<std::size_t>(S::momentum + k)].add(get(body.momentum, k));
+      totals[static_cast<std::size_t>(S::angular + k)].add(get(body.angular, k));
+    }
+    totals[S::momentum_size].add(body.momentum_size);
+    totals[S::moment_size].add(body.angular_size);
+  }
 }
 
 /// Mass of the nodes of this rank that have vanished: where they may, masses are the state's own.
@@ -110,6 +134,7 @@ Audit::Totals Audit::sum_all(const State& state) {
   std::array<ExactSum, S::count> sums{};
   auto of_nodes = sum_nodes(node_sums_, model_, state);
   add_spins(node_sums_, model_, state, of_nodes);
+  add_rigid_bodies(rigid_forces_, model_, state, of_nodes);
   std::copy(of_nodes.begin(), of_nodes.end(), sums.begin());
   const auto work = to_host(state.results.work);
   for (std::size_t c = 0; c < work.extent(0); ++c) {

@@ -272,11 +272,16 @@ Bookkeeper::Bookkeeper(const Deck& deck, const Model& model) : deck_(deck), mode
 void Bookkeeper::start(const State& state) {
   const auto v = state.v;
   const auto mass = model_.mass;
-  momentum_ = round_total(
-      model_.ranks, OwnedNodeSums<3>("percuss::start_momentum")(
-                        ExecSpace(), model_.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 3>& sum) {
-                          for (int k = 0; k < 3; ++k) sum[k] += mass(n) * v(n, k);
-                        }));
+  const Array<const int> body_of_node = model_.rigid.body_of_node;
+  auto sums = OwnedNodeSums<3>("percuss::start_momentum")(
+      ExecSpace(), model_.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 3>& sum) {
+        if (RigidModel::holds(body_of_node, n)) return;
+        for (int k = 0; k < 3; ++k) sum[k] += mass(n) * v(n, k);
+      });
+  for (std::size_t b = 0; model_.ranks.rank() == 0 && b < state.bodies.size(); ++b)
+    for (int k = 0; k < 3; ++k)
+      sums[static_cast<std::size_t>(k)].add(model_.rigid.bodies[b].mass * get(state.bodies[b].velocity, k));
+  momentum_ = round_total(model_.ranks, sums);
 }
 
 void Bookkeeper::archive(CheckpointArchive& archive) {

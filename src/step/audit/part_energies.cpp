@@ -63,7 +63,7 @@ constexpr PartQuantity part_quantities[] = {
 };
 
 bool can_fail(const Deck& deck, const PartDeck& part) {
-  return std::any_of(deck.materials.begin(), deck.materials.end(), [&](const MaterialDeck& material) {
+  return !part.rigid && std::any_of(deck.materials.begin(), deck.materials.end(), [&](const MaterialDeck& material) {
     return material.name == part.material && material.failure.has_value();
   });
 }

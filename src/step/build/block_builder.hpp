@@ -87,7 +87,7 @@ struct BlockBuilder {
         if constexpr (std::is_same_v<std::decay_t<decltype(material)>, Material>) {
           const auto [row, is_new] = row_of_material.emplace(index, static_cast<int>(rows.size()));
           if (is_new) rows.push_back(make_parameters(material));
-          chunks.push_back(static_cast<int>(c));
+          if (!is_rigid_chunk(deck, chunked.chunks[c])) chunks.push_back(static_cast<int>(c));
           parameters[c] = row->second;
           describe_records<Kind>(c, material, find_named_history(law, material));
           if constexpr (is_called<Material>) add_start_history(c, material);

@@ -57,21 +57,25 @@ const char* name_direction(int k) {
 /// The held directions of this rank's nodes; of contradictions it notes the first, with its message.
 class HeldDirectionFinder {
  public:
-  HeldDirectionFinder(const Deck& deck, const ChunkedMesh& chunked, Model& model)
-      : deck_(deck), chunked_(chunked), model_(model) {}
+  HeldDirectionFinder(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& rigid, Model& model)
+      : deck_(deck), chunked_(chunked), rigid_(rigid), model_(model) {}
 
   HeldMap operator()() {
     model_.motions.push_back({});  // row 0: at rest
     for (std::size_t c = 0; c < deck_.conditions.size(); ++c) {
       const std::vector<int> nodes = select_nodes(chunked_.mesh, deck_, deck_.conditions[c].where);
       require_rotations(deck_.conditions[c], nodes);
-      for (int k = 0; k < (model_.has_shells ? direction_count : first_rotation); ++k) {
+      const bool turns = model_.has_shells || model_.rigid.any();
+      for (int k = 0; k < (turns ? direction_count : first_rotation); ++k) {
         if (deck_.conditions[c].active[static_cast<std::size_t>(k)]) hold(c, k, nodes);
       }
     }
     throw_contradiction();
     return std::move(held_);
   }
+
+  /// What conditions hold, for the rigid bodies among their nodes; after the call.
+  const std::vector<HeldMotion>& motions() const { return motions_; }
 
  private:
   void hold(std::size_t c, int k, const std::vector<int>& nodes) {
@@ -83,7 +87,9 @@ class HeldDirectionFinder {
           {condition.value[static_cast<std::size_t>(k)], condition.kind == ConditionDeck::Kind::displacement});
       model_.is_driven = true;
     }
+    motions_.push_back({c, k, row});
     for (const int node : nodes) {
+      if (rigid_.holds(node)) continue;
       const auto [entry, is_new] = held_.emplace(std::pair{node, k}, HeldDirection{row, &condition});
       const bool agrees = is_new || (entry->second.motion == 0 && row == 0);
       if (!agrees && first_.condition == Contradiction::none) note(c, k, node, *entry->second.condition);
@@ -95,15 +101,15 @@ class HeldDirectionFinder {
     const auto first = condition.active.begin() + first_rotation;
     const auto active = std::find(first, condition.active.end(), true);
     if (condition.kind == ConditionDeck::Kind::symmetry || active == condition.active.end()) return;
-    int some = 0;
-    if (model_.has_shells) {
+    int some = std::any_of(nodes.begin(), nodes.end(), [&](int n) { return rigid_.holds(n); }) ? 1 : 0;
+    if (model_.has_shells && some == 0) {
       const auto inertia = to_host(model_.inertia);
       some = std::any_of(nodes.begin(), nodes.end(), [&](int n) { return inertia(static_cast<std::size_t>(n)) > 0; });
     }
     all_reduce(model_.ranks, Reduce::largest, some);
     if (some != 0) return;
     throw InputError(fmt::format(
-        "{}: error: {} is of no use here (none of these nodes is one of shells, which alone "
+        "{}: error: {} is of no use here (none of these nodes is one of shells or of a rigid body, which alone "
         "have rotations)",
         deck_.where(condition.where.place), name_direction(static_cast<int>(active - condition.active.begin()))));
   }
@@ -127,8 +133,10 @@ class HeldDirectionFinder {
 
   const Deck& deck_;
   const ChunkedMesh& chunked_;
+  const RigidMap& rigid_;
   Model& model_;
   HeldMap held_;
+  std::vector<HeldMotion> motions_;
   Contradiction first_;
   std::string message_;
 };
@@ -141,10 +149,11 @@ struct HeldLists {
 };
 
 /// Those of three directions from the first on. mass: [node] mass, or rotary inertia.
-HeldLists list_held(const HeldMap& held, int first, const ChunkedMesh& chunked, const std::vector<double>& mass) {
+HeldLists list_held(const HeldMap& held, int first, const ChunkedMesh& chunked, const RigidMap& rigid,
+                    const std::vector<double>& mass) {
   std::vector<std::array<double, 3>> inverse(mass.size());
   for (std::size_t n = 0; n < mass.size(); ++n) {
-    if (mass[n] > 0) inverse[n] = {1 / mass[n], 1 / mass[n], 1 / mass[n]};
+    if (mass[n] > 0 && !rigid.holds(static_cast<int>(n))) inverse[n] = {1 / mass[n], 1 / mass[n], 1 / mass[n]};
   }
   std::vector<int> node, direction, motion, owned;
   std::vector<double> start;
@@ -169,17 +178,19 @@ HeldLists list_held(const HeldMap& held, int first, const ChunkedMesh& chunked, 
 
 }  // namespace
 
-void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass,
-                           Model& model) {
-  const HeldMap held = HeldDirectionFinder(deck, chunked, model)();
-  const HeldLists moves = list_held(held, 0, chunked, mass);
+void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& rigid,
+                           const std::vector<double>& mass, Model& model) {
+  HeldDirectionFinder find(deck, chunked, rigid, model);
+  const HeldMap held = find();
+  hold_rigid_bodies(deck, chunked, rigid, find.motions(), model);
+  const HeldLists moves = list_held(held, 0, chunked, rigid, mass);
   model.held = moves.all;
   model.owned_held = moves.owned;
   model.inverse_mass = moves.inverse;
   if (!model.has_shells) return;
   const auto inertia = to_host(model.inertia);
   const HeldLists spins =
-      list_held(held, first_rotation, chunked, {inertia.data(), inertia.data() + inertia.extent(0)});
+      list_held(held, first_rotation, chunked, rigid, {inertia.data(), inertia.data() + inertia.extent(0)});
   model.held_spins = spins.all;
   model.owned_held_spins = spins.owned;
   model.inverse_inertia = spins.inverse;

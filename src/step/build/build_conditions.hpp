@@ -10,6 +10,7 @@
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/step/model/model.hpp"
+#include "src/step/rigid/build_rigid.hpp"
 
 namespace percuss {
 
@@ -23,9 +24,11 @@ LocalSlots build_pressure_faces(const Deck& deck, const ChunkedMesh& chunked, Mo
 /// `slots` and, by load, of the sum of a node. Throws InputError: unknown sets.
 void build_nodal_loads(const Deck& deck, const ChunkedMesh& chunked, LocalSlots& slots, Model& model);
 
-/// Finds the held directions and their motions, and the inverse mass, which is 0 in them. mass: [node]. Throws
-/// InputError, the same on all ranks, where two conditions of the deck move the same node in the same direction.
-void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& mass, Model& model);
+/// Finds the held directions and their motions, and the inverse mass, which is 0 in them and of rigid nodes; what is
+/// held of rigid bodies. mass: [node]. Throws InputError, the same on all ranks, where two conditions of the deck move
+/// the same node in the same direction.
+void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& rigid,
+                           const std::vector<double>& mass, Model& model);
 
 /// Mass and centre of mass of some nodes.
 struct MassPoint {

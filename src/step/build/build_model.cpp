@@ -11,6 +11,7 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/hex8/fold_resistance.hpp"
 #include "src/deck/make_material.hpp"
+#include "src/deck/rigid_bodies.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/build/block_builder.hpp"
@@ -312,6 +313,29 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
   return mass;
 }
 
+/// Lumped masses of what deforms, and of what the deck adds at nodes; only where a rigid body's mass is given.
+std::vector<double> find_masses_of_others(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
+  if (!gives_rigid_masses(deck)) return {};
+  const auto of_elements = to_host(model.element_mass), extra = to_host(model.extra_mass);
+  std::vector<double> element_mass(chunked.mesh.elements.size(), 0);
+  for (const Chunk& chunk : chunked.chunks) {
+    if (is_rigid_chunk(deck, chunk)) continue;
+    for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e)
+      element_mass[static_cast<std::size_t>(e)] = of_elements(e);
+  }
+  std::vector<double> mass = assemble_masses(model, chunked.mesh.elements, element_mass);
+  for (std::size_t n = 0; n < extra.extent(0); ++n) mass[n] += extra(n);
+  return mass;
+}
+
+/// Chunks of rigid parts, of which nobody computes anything.
+void mark_rigid_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
+  if (!has_rigid_parts(deck)) return;
+  std::vector<int> is_rigid;
+  for (const Chunk& chunk : chunked.chunks) is_rigid.push_back(is_rigid_chunk(deck, chunk) ? 1 : 0);
+  model.is_rigid_chunk = to_view("percuss::is_rigid_chunk", is_rigid);
+}
+
 }  // namespace
 
 Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
@@ -321,6 +345,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   model.node_count = static_cast<int>(mesh.nodes.size());
   model.element_count = static_cast<int>(mesh.elements.size());
   build_chunks(deck, chunked, model);
+  mark_rigid_chunks(deck, chunked, model);
   build_failing_chunks(deck, chunked, model);
   build_numbers(chunked, model);
   LocalSlots slots = build_pressure_faces(deck, chunked, model);
@@ -328,8 +353,11 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_halo(chunked, slots, model);
   model.start = to_rows("percuss::start", mesh.nodes);
   const std::vector<double> mass = build_masses(deck, chunked, model);
-  build_held_directions(deck, chunked, mass, model);
+  const RigidMap rigid = find_rigid_nodes(deck, chunked, model);
+  build_rigid_bodies(deck, chunked, rigid, {mass, find_masses_of_others(deck, chunked, model)}, model);
+  build_held_directions(deck, chunked, rigid, mass, model);
   build_initial_velocities(deck, chunked, mass, model);
+  start_rigid_bodies(deck, chunked, rigid, mass, model);
   for (std::size_t k = 0; k < 3; ++k) model.gravity.g[k] = deck.gravity[k];
   return model;
 }

@@ -118,7 +118,7 @@ void build_block(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecord
         const double offset = deck.parts[static_cast<std::size_t>(part_index)].offset;
         if (is_new) rows.push_back({layer, find_thickness_points(points), offset});
         block.has_triangles = block.has_triangles || holds_triangle(chunked, chunked.chunks[c]);
-        chunks.push_back(static_cast<int>(c));
+        if (!is_rigid_chunk(deck, chunked.chunks[c])) chunks.push_back(static_cast<int>(c));
         records.parameters[c] = row->second;
         describe_records(law, layer, points, c, records);
         add_start_history(layer, chunked.chunks[c].element_count, c, records);

@@ -12,6 +12,11 @@ namespace percuss {
 /// Whether the elements of a chunk are shells.
 bool is_shell_chunk(const ChunkedMesh& chunked, const Chunk& chunk);
 
+/// Whether the elements of a chunk are rigid: then nobody computes them.
+inline bool is_rigid_chunk(const Deck& deck, const Chunk& chunk) {
+  return deck.parts[static_cast<std::size_t>(chunk.part)].rigid.has_value();
+}
+
 /// What the launchers need to know of each chunk, by chunk; filled by who builds its block.
 struct ChunkRecords {
   std::vector<int>&record_size, &history, &points, &parameters, &scalars;

@@ -21,6 +21,7 @@
 #include "src/deck/deck.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/ordering.hpp"
+#include "src/step/model/rigid_model.hpp"
 
 namespace percuss {
 
@@ -62,8 +63,9 @@ struct Model {
   HexBlocks blocks;            // the other chunks
   std::size_t state_size = 0;  // scalars of all element records
   StartHistory start_history;
-  FailingChunks failing;   // those whose material can fail
-  bool can_erode = false;  // whether there are any on any rank
+  Array<int> is_rigid_chunk;  // [chunks] 1: of a rigid part, which no block has; empty without rigid bodies
+  FailingChunks failing;      // those whose material can fail
+  bool can_erode = false;     // whether there are any on any rank
 
   bool has_shells = false;           // whether any rank has some; without them what follows is empty
   ShellBlocks sending_shell_blocks;  // as sending_blocks
@@ -89,7 +91,7 @@ struct Model {
   Rows3<double> start_velocity;         // velocity at time 0
   Array<double> element_mass;           // at time 0
   Array<double> mass;                   // lumped: an eighth of each element's mass to its corners, and extra_mass
-  Rows3<double> inverse_mass;           // 0 in held directions
+  Rows3<double> inverse_mass;           // 0 in held directions and of nodes of rigid bodies
   double total_mass = 0;                // of all ranks
   Vec3 mass_center{};                   // of all ranks, at time 0; moments are taken about it
   std::vector<AddedMass> added_masses;  // of the parts that the deck asks to scale; at the start
@@ -106,6 +108,7 @@ struct Model {
   Array<int> owned_held;        // entries of `held` whose nodes this rank owns
   std::vector<Motion> motions;  // by HeldDirections::motion; row 0 is "at rest"
   bool is_driven = false;       // whether a prescribed motion other than rest exists
+  RigidModel rigid;
 };
 
 /// Builds the model of a chunked mesh. Collective over the mesh's ranks. Throws InputError with the deck's place, the

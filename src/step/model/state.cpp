@@ -179,6 +179,27 @@ void start_rotations(const Model& model, State& s) {
   s.inverse_inertia = model.inverse_inertia;
 }
 
+/// Chunks of rigid parts are never computed: they hold no step down, and nothing fails.
+void rest_rigid_chunks(const Model& model, const ChunkResults& results) {
+  if (!model.rigid.any()) return;
+  const Array<int> is_rigid = model.is_rigid_chunk;
+  const HexChunks chunks = model.chunks;
+  Kokkos::parallel_for(
+      "percuss::rest_rigid_chunks", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        if (is_rigid(c) == 0) return;
+        results.stable_step(c) = INFINITY;
+        results.controlling_element(c) = chunks.first_element(c);
+        results.failed_element(c) = -1;
+      });
+}
+
+std::vector<RigidState> make_rigid_states(const Model& model) {
+  std::vector<RigidState> states;
+  for (const RigidBody& body : model.rigid.bodies)
+    states.push_back({body.center, {}, body.velocity, body.inertia * body.spin, body.spin});
+  return states;
+}
+
 }  // namespace
 
 void own_masses(const Model& model, State& state) {
@@ -207,6 +228,8 @@ State make_initial_state(const Model& model) {
   s.slot_force = make_streamed<Rows3<double>>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
   if (model.has_shells) start_rotations(model, s);
   s.results = make_results(model.chunks);
+  rest_rigid_chunks(model, s.results);
+  s.bodies = make_rigid_states(model);
   s.lives = make_lives(model.failing);
   start_layers(model, s.lives);
   s.element_mass = model.element_mass;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "kernels/core/exact_sum.hpp"
 #include "src/step/model/model.hpp"
@@ -65,12 +66,13 @@ struct State {
   NodalLoads nodal_loads;        // those of nodes that have vanished are gone
 
   // Of scenes with shells; empty otherwise.
-  Rows3<double> w;                // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)
-  Rows3<double> w_before;         // one step earlier; scratch of the step
-  Array<double> inertia;          // rotary, of the nodes: as mass
-  Rows3<double> inverse_inertia;  // 0 in held directions and of vanished nodes
-  Rows3<double> moment;           // assembled moment, at n
-  Rows3<double> slot_moment;      // internal moment (negative) by slot, at n; also those of other ranks
+  Rows3<double> w;                 // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)
+  Rows3<double> w_before;          // one step earlier; scratch of the step
+  Array<double> inertia;           // rotary, of the nodes: as mass
+  Rows3<double> inverse_inertia;   // 0 in held directions and of vanished nodes
+  Rows3<double> moment;            // assembled moment, at n
+  Rows3<double> slot_moment;       // internal moment (negative) by slot, at n; also those of other ranks
+  std::vector<RigidState> bodies;  // rigid ones
   Books books;
 
   /// What an evaluation of the elements reads and writes.

@@ -111,6 +111,35 @@ void archive_bound(CheckpointArchive& archive, StepBound& bound) {
   archive.number("bound/element_id", bound.element_id);
 }
 
+void archive_bodies(CheckpointArchive& archive, std::vector<RigidState>& bodies) {
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    RigidState& s = bodies[b];
+    Orientation& q = s.orientation;
+    double values[] = {s.center.x,
+                       s.center.y,
+                       s.center.z,
+                       q.w,
+                       q.x,
+                       q.y,
+                       q.z,
+                       s.velocity.x,
+                       s.velocity.y,
+                       s.velocity.z,
+                       s.spin_momentum.x,
+                       s.spin_momentum.y,
+                       s.spin_momentum.z,
+                       s.spin.x,
+                       s.spin.y,
+                       s.spin.z};
+    archive.numbers(fmt::format("bodies/{}", b), values);
+    s = {{values[0], values[1], values[2]},
+         {values[3], values[4], values[5], values[6]},
+         {values[7], values[8], values[9]},
+         {values[10], values[11], values[12]},
+         {values[13], values[14], values[15]}};
+  }
+}
+
 void archive_books(CheckpointArchive& archive, Books& books) {
   archive.sum("books/external_work", books.external_work);
   archive.sums("books/impulse", books.impulse);
@@ -178,6 +207,7 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   archive_elements(archive, model, state);
   archive_slots(archive, "elements/slot_force", model, state.slot_force);
   archive_spins(archive, nodes, model, state);
+  archive_bodies(archive, state.bodies);
   const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
   archive.rows("chunks/work", chunks, work_kinds, state.results.work);
   if (model.chunks.fold_threshold.extent(0) > 0) archive.rows("chunks/resists", chunks, 1, state.results.resists);

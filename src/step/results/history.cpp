@@ -86,6 +86,8 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
   std::vector<HistoryColumn> columns = table.columns();
   const std::vector<HistoryColumn> of_parts = list_part_columns(find_booked_parts(deck));
   columns.insert(columns.end(), of_parts.begin(), of_parts.end());
+  const std::vector<HistoryColumn> of_bodies = list_body_columns(deck);
+  columns.insert(columns.end(), of_bodies.begin(), of_bodies.end());
   const std::vector<HistoryColumn> of_forces = list_force_columns(deck);
   columns.insert(columns.end(), of_forces.begin(), of_forces.end());
   for (const FollowedPoint& point : points) add_point_columns(point, deck, columns);
@@ -167,6 +169,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   std::vector<double> row;
   table_.append(sources, row);
   parts_.append(model, state, row);
+  bodies_.append(model, state, row);
   row.insert(row.end(), sources.forces.begin(), sources.forces.end());
   gather_points(model, state, row);
   fail_together(ranks_, [&] {

@@ -8,6 +8,7 @@
 
 #include "src/output/history_file.hpp"
 #include "src/step/audit/part_energies.hpp"
+#include "src/step/results/body_columns.hpp"
 #include "src/step/results/history_table.hpp"
 
 namespace percuss {
@@ -54,6 +55,7 @@ class History {
   HistoryTable table_;
   std::vector<FollowedPoint> points_;
   PartEnergies parts_;
+  BodyColumns bodies_;
   std::vector<HistoryScalar> thermal_;  // columns of followed elements that only some materials fill
   std::optional<HistoryFile> file_;     // of rank 0
 };

@@ -40,7 +40,7 @@ std::vector<WrongDeck> missing_keys() {
        "silence names 'frictoin' (no warning has this rule): did you mean 'friction'?"},
       {"RuleThatIsNoList", append("silence: friction"), "6:10", "silence is 'friction' (must be a list of rules)"},
       {"RotationWithoutShells", append("conditions: [{nodes: rod, fixed: [x, ry]}]"), "6:38",
-       "ry is of no use (no part has shells, whose nodes alone have rotations)"},
+       "ry is of no use (no part has shells, whose nodes alone have rotations, or is rigid)"},
       {"PointFieldWithoutShells", append("output: {fields: {every: 1, write: [stress_point_1]}}"), "6:37",
        "output.fields.write has stress_point_1 (no part has shells)"},
       {"PointFieldOfAPointTooMany",

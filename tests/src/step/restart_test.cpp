@@ -111,6 +111,25 @@ void expect_same_end(const std::string& deck, const std::string& end, int steps)
 
 TEST(Restart, OfShellsEndsInTheSameBits) { expect_same_end(shells, "end: 3e-4", 9); }
 
+// Rigid bodies that turn, touch, are driven and joined to what deforms.
+const std::string rigid_bodies = R"yaml(
+time: {end: 4e-4}
+parts:
+  bar: {box: {size: [0.4, 0.1, 0.1], cells: [8, 3, 3]}, material: steel}
+  mass: {box: {size: [0.1, 0.1, 0.1], cells: [3, 3, 3]}, at: [0.4, 0, 0], material: steel, rigid: {mass: 12}}
+  ball: {sphere: {radius: 0.05, cells: 8}, at: [0.3, 0.05, 0.152], material: steel, rigid: true}
+  driver: {box: {size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, at: [-0.101, 0, 0], material: steel, rigid: true}
+join: [{parts: [bar, mass]}]
+materials: {steel: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, hardening_modulus: 1e9}}
+initial: [{part: ball, velocity: [5, 3, -100], angular_velocity: [100, 300, -200]}]
+loads: {gravity: [0, 0, -9.81]}
+conditions: [{nodes: driver, velocity: {x: {expression: "20 * sin(1e4 * t)"}, rx: 30}}]
+contact: {surfaces: all, friction: 0.3}
+output: {fields: {every: 1e-4, write: [velocity]}, history: {every: 0}}
+)yaml";
+
+TEST(Restart, OfRigidBodiesEndsInTheSameBits) { expect_same_end(rigid_bodies, "end: 4e-4", 30); }
+
 // Shells and a solid that hit a wall, fail, and are given mass.
 const std::string scaled_crash = R"yaml(
 time: {end: 3e-4, mass_scaling: {step: 1.5e-6, max_added: 9, every: 3}}

@@ -1,0 +1,209 @@
+#include "kernels/contact/rows/body_rows.hpp"
+
+#include "kernels/contact/rows/place_velocity.hpp"
+#include "kernels/contact/rows/row_geometry.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "kernels/core/index_lists.hpp"
+
+namespace percuss {
+namespace {
+
+/// Six sums over the owned places of each body: add_place(place, response, values).
+template <class Space, class Add>
+std::vector<ExactSum> sum_places(const Space& space, RowSystem& system, const Add& add_place) {
+  RowBodies& bodies = system.bodies;
+  std::vector<ExactSum> sums(6 * static_cast<std::size_t>(bodies.count()));
+  const Array<const int> places = bodies.places;
+  const Array<const BodyResponse> responses = bodies.inputs.responses;
+  for (int b = 0; b < bodies.count(); ++b) {
+    const auto place = static_cast<std::size_t>(b);
+    const int first = bodies.first[place];
+    const auto totals = bodies.memory(
+        space, bodies.first[place + 1] - first, [=] KOKKOS_FUNCTION(const int i, const ExactAdder& add) {
+          double values[6];
+          add_place(places(first + i), responses(b), values);
+          for (int k = 0; k < 6; ++k) add(k, values[k]);
+        });
+    for (std::size_t k = 0; k < 6; ++k) sums[6 * place + k] = totals[k];
+  }
+  return sums;
+}
+
+KOKKOS_INLINE_FUNCTION void store(const Wrench& w, double (&values)[6]) {
+  const double all[6] = {w.impulse.x, w.impulse.y, w.impulse.z, w.moment.x, w.moment.y, w.moment.z};
+  for (int k = 0; k < 6; ++k) values[k] = all[k];
+}
+
+Wrench round_wrench(const std::vector<ExactSum>& sums, std::size_t body) {
+  double v[6];
+  for (std::size_t k = 0; k < 6; ++k) v[k] = sums[6 * body + k].round();
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
+KOKKOS_INLINE_FUNCTION double divide(double a, double b) { return b > 0 ? a / b : 0; }
+
+}  // namespace
+
+template <class Space>
+void start_bodies(const Space& space, const BodyInputs& inputs, RowSystem& system) {
+  RowBodies& bodies = system.bodies;
+  bodies.inputs = inputs;
+  const int owned = system.num_nodes, count = inputs.count;
+  if (count == 0) return;
+  reserve(bodies.of_place, system.num_places());
+  reserve(bodies.marks, system.num_places());
+  for (Array<int>* list : {&bodies.places, &bodies.key, &bodies.index}) reserve(*list, owned);
+  reserve(bodies.size, count);
+  reserve(bodies.offset, count + 1);
+  reserve(bodies.change, count);
+  const Array<int> of_place = bodies.of_place, key = bodies.key, index = bodies.index;
+  const Rows3<double> marks = bodies.marks;
+  const BodyInputs in = inputs;
+  const Array<const int> nodes = system.nodes;
+  const RowNodes at = system.at;
+  Kokkos::parallel_for(
+      "contact::mark_bodies", RangeOf<Space>(space, 0, owned), KOKKOS_LAMBDA(int a) {
+        const int body = in.of_node(nodes(a));
+        of_place(a) = body;
+        key(a) = body < 0 ? count : body;
+        index(a) = a;
+        store_row(marks, a, Point3{static_cast<double>(body), 0, 0});
+        if (body < 0) return;
+        const BodyResponse& response = in.responses(body);
+        store_row(at.inverse_mass, a, find_compliance(response, load_row(at.x, a) - response.center));
+      });
+  group_by_key<Space>(space, owned, key, index, count, bodies.size, bodies.offset, bodies.places);
+  space.fence();
+  const auto offset = to_host(bodies.offset);
+  bodies.first.assign(offset.data(), offset.data() + count + 1);
+}
+
+template <class Space>
+void mark_foreign_places(const Space& space, RowSystem& system) {
+  const Array<int> of_place = system.bodies.of_place;
+  const Rows3<const double> marks = system.bodies.marks;
+  Kokkos::parallel_for(
+      "contact::mark_foreign_bodies", RangeOf<Space>(space, system.num_nodes, system.num_places()),
+      KOKKOS_LAMBDA(int a) { of_place(a) = static_cast<int>(marks(a, 0)); });
+}
+
+template <class Space>
+std::vector<ExactSum> sum_body_coefficients(const Space& space, RowSystem& system) {
+  const Rows3<const double> sum = system.abs_sum, x = system.at.x;
+  return sum_places(space, system, [=] KOKKOS_FUNCTION(int a, const BodyResponse& body, double(&values)[6]) {
+    const Point3 s = load_row(sum, a);
+    store({s, bound_cross(find_abs(load_row(x, a) - body.center), s)}, values);
+  });
+}
+
+template <class Space>
+void spread_body_coefficients(const Space& space, const std::vector<ExactSum>& sums, RowSystem& system) {
+  RowBodies& bodies = system.bodies;
+  std::vector<Wrench> totals;
+  for (int b = 0; b < bodies.count(); ++b) totals.push_back(round_wrench(sums, static_cast<std::size_t>(b)));
+  const Array<const Wrench> total = to_view("contact::body_coefficients", totals);
+  const Array<const int> places = bodies.places, of_place = bodies.of_place;
+  const Array<const BodyResponse> responses = bodies.inputs.responses;
+  const Rows3<double> sum = system.abs_sum;
+  const Rows3<const double> x = system.at.x, compliance = system.at.inverse_mass;
+  Kokkos::parallel_for(
+      "contact::spread_body_coefficients", RangeOf<Space>(space, 0, bodies.first.back()), KOKKOS_LAMBDA(int i) {
+        const int a = places(i), b = of_place(a);
+        const BodyResponse& body = responses(b);
+        const Point3 w = load_row(compliance, a), m = body.inverse_mass, s = total(b).impulse;
+        const Point3 turned = bound_cross(find_abs(load_row(x, a) - body.center),
+                                          find_abs_tensor(body.inverse_inertia) * total(b).moment);
+        const Point3 share = Point3{m.x * s.x, m.y * s.y, m.z * s.z} + turned;
+        store_row(sum, a, Point3{divide(share.x, w.x), divide(share.y, w.y), divide(share.z, w.z)});
+      });
+  space.fence();
+}
+
+template <class Space>
+void hold_rows_within_bodies(const Space& space, RowSystem& system) {
+  const Array<ContactRow> rows = system.rows;
+  const Array<const int> of_place = system.bodies.of_place;
+  const Array<int> wants = system.wants;
+  Kokkos::parallel_for(
+      "contact::hold_rows_within_bodies", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        ContactRow& row = rows(r);
+        const int body = of_place(row.place[0]);
+        if (body < 0 || row.kind == RowKind::wall) return;
+        for (int slot = 1; slot < count_nodes(row); ++slot)
+          if (of_place(row.place[slot]) != body) return;
+        row.slide[0] = row.slide[1] = 0;
+        if (is_tie(row)) row.gap = 0;
+        hold_row(row);
+        wants(r) = 0;
+      });
+}
+
+template <class Space>
+std::vector<ExactSum> sum_body_impulses(const Space& space, RowSystem& system) {
+  const ShareSums impulses(system);
+  const Rows3<const double> x = system.at.x;
+  return sum_places(space, system, [=] KOKKOS_FUNCTION(int a, const BodyResponse& body, double(&values)[6]) {
+    store(find_wrench(load_row(x, a) - body.center, impulses(a)), values);
+  });
+}
+
+void set_body_changes(const std::vector<ExactSum>& sums, RowSystem& system) {
+  RowBodies& bodies = system.bodies;
+  const auto count = static_cast<std::size_t>(bodies.count());
+  const auto responses = to_host(bodies.inputs.responses);
+  const auto change = Kokkos::create_mirror_view(bodies.change);
+  bodies.wrench.resize(count);
+  for (std::size_t b = 0; b < count; ++b) {
+    bodies.wrench[b] = round_wrench(sums, b);
+    change(b) = find_change(responses(b), bodies.wrench[b]);
+  }
+  Kokkos::deep_copy(bodies.change, change);
+}
+
+template <class Space>
+void move_packed_body_places(const Space& space, double beta, const RowSystem& system) {
+  const RowPacks p = system.packs;
+  const Array<const int> places = system.bodies.places, of_place = system.bodies.of_place;
+  const Array<const BodyResponse> responses = system.bodies.inputs.responses;
+  const Array<const BodyChange> change = system.bodies.change;
+  const Rows3<const double> x = system.at.x;
+  const Rows3<double> correction = system.correction;
+  Kokkos::parallel_for(
+      "contact::move_packed_body_places", RangeOf<Space>(space, 0, system.bodies.first.back()), KOKKOS_LAMBDA(int i) {
+        const int a = places(i), b = of_place(a);
+        const Point3 before = load_row(correction, a), dv = change(b).at(load_row(x, a) - responses(b).center);
+        store_row(correction, a, dv);
+        set_dv(p, a, extrapolate(dv, before, beta));
+      });
+}
+
+template <class Space>
+void move_body_places(const Space& space, const RowSystem& system) {
+  const Array<const int> places = system.bodies.places, of_place = system.bodies.of_place;
+  const Array<const BodyResponse> responses = system.bodies.inputs.responses;
+  const Array<const BodyChange> change = system.bodies.change;
+  const Rows3<const double> x = system.at.x;
+  const Rows3<double> correction = system.correction;
+  Kokkos::parallel_for(
+      "contact::move_body_places", RangeOf<Space>(space, 0, system.bodies.first.back()), KOKKOS_LAMBDA(int i) {
+        const int a = places(i), b = of_place(a);
+        store_row(correction, a, change(b).at(load_row(x, a) - responses(b).center));
+      });
+}
+
+#define PERCUSS_INSTANTIATE(Space)                                                              \
+  template void start_bodies(const Space&, const BodyInputs&, RowSystem&);                      \
+  template void mark_foreign_places(const Space&, RowSystem&);                                  \
+  template std::vector<ExactSum> sum_body_coefficients(const Space&, RowSystem&);               \
+  template void spread_body_coefficients(const Space&, const std::vector<ExactSum>&, RowSystem&); \
+  template void hold_rows_within_bodies(const Space&, RowSystem&);                              \
+  template std::vector<ExactSum> sum_body_impulses(const Space&, RowSystem&);                   \
+  template void move_packed_body_places(const Space&, double, const RowSystem&);                \
+  template void move_body_places(const Space&, const RowSystem&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss

@@ -1,0 +1,48 @@
+#pragma once
+// What rigid bodies change in the system of rows: how stiff a row is, and what moves its nodes.
+//
+// G M^-1 G^T has the compliance of the body, 1/M + [r]^T I^-1 [r], between all entries of all rows on it, whatever
+// nodes they have. The row sums of its absolute values are bounded by component: sum |c| / M over the impulses of all
+// entries on the body, and sum |r| x |c| through |I^-1|. Sums over a body are exact (kernels/core/exact_sum.hpp), so
+// that its nodes may lie on any ranks.
+//
+// Others (row_solution.hpp) adds the sums of all ranks.
+
+#include "kernels/contact/rows/row_system.hpp"
+
+namespace percuss {
+
+/// Bodies of the owned places, and the compliance of these in RowNodes::inverse_mass. After the nodes are gathered.
+template <class Space>
+void start_bodies(const Space& space, const BodyInputs& inputs, RowSystem& system);
+
+/// Bodies of foreign places, once their marks have come.
+template <class Space>
+void mark_foreign_places(const Space& space, RowSystem& system);
+
+/// Sums over the owned places of each body, six a body: of the absolute coefficients S and their bounds |r| x S.
+template <class Space>
+std::vector<ExactSum> sum_body_coefficients(const Space& space, RowSystem& system);
+
+/// With those sums of all ranks: S of the owned places such that S times the compliance is their share of D.
+template <class Space>
+void spread_body_coefficients(const Space& space, const std::vector<ExactSum>& sums, RowSystem& system);
+
+/// Rows between nodes of one body move nothing: they are held.
+template <class Space>
+void hold_rows_within_bodies(const Space& space, RowSystem& system);
+
+/// Impulse and moment of all entries on the owned places of each body, from their shares.
+template <class Space>
+std::vector<ExactSum> sum_body_impulses(const Space& space, RowSystem& system);
+
+/// With those sums of all ranks: RowBodies::wrench and change.
+void set_body_changes(const std::vector<ExactSum>& sums, RowSystem& system);
+
+/// dv of the owned places of bodies: RowSystem::correction and, in packs, dv + beta (dv - dv of the iterate before).
+template <class Space>
+void move_packed_body_places(const Space& space, double beta, const RowSystem& system);
+template <class Space>
+void move_body_places(const Space& space, const RowSystem& system);
+
+}  // namespace percuss

@@ -1,0 +1,65 @@
+#include "src/step/results/body_columns.hpp"
+
+#include <fmt/format.h>
+
+#include "src/deck/rigid_bodies.hpp"
+#include "src/step/rigid/rigid_sums.hpp"
+
+namespace percuss {
+namespace {
+
+/// What a value comes from.
+struct Source {
+  const RigidState& state;
+  const RigidSums& sums;
+};
+
+struct BodyColumn {
+  const char* name;
+  Dimension dimension;
+  const char* meaning;
+  double (*value)(const Source&);
+};
+
+constexpr Dimension rate{0, 0, -1};
+namespace dim = dimensions;
+
+constexpr BodyColumn body_columns[] = {
+    {"x", dim::length, "centre, x,", [](const Source& s) { return s.state.center.x; }},
+    {"y", dim::length, "centre, y,", [](const Source& s) { return s.state.center.y; }},
+    {"z", dim::length, "centre, z,", [](const Source& s) { return s.state.center.z; }},
+    {"vx", dim::velocity, "velocity of the centre, x,", [](const Source& s) { return s.state.velocity.x; }},
+    {"vy", dim::velocity, "velocity of the centre, y,", [](const Source& s) { return s.state.velocity.y; }},
+    {"vz", dim::velocity, "velocity of the centre, z,", [](const Source& s) { return s.state.velocity.z; }},
+    {"q0", {}, "orientation since the start, scalar of the quaternion,",
+     [](const Source& s) { return s.state.orientation.w; }},
+    {"q1", {}, "orientation, x of the quaternion,", [](const Source& s) { return s.state.orientation.x; }},
+    {"q2", {}, "orientation, y of the quaternion,", [](const Source& s) { return s.state.orientation.y; }},
+    {"q3", {}, "orientation, z of the quaternion,", [](const Source& s) { return s.state.orientation.z; }},
+    {"wx", rate, "angular velocity, x,", [](const Source& s) { return s.state.spin.x; }},
+    {"wy", rate, "angular velocity, y,", [](const Source& s) { return s.state.spin.y; }},
+    {"wz", rate, "angular velocity, z,", [](const Source& s) { return s.state.spin.z; }},
+    {"kinetic", dim::energy, "kinetic energy", [](const Source& s) { return s.sums.kinetic; }},
+};
+
+}  // namespace
+
+std::vector<HistoryColumn> list_body_columns(const Deck& deck) {
+  std::vector<HistoryColumn> columns;
+  for (const std::string& name : name_rigid_bodies(deck).bodies)
+    for (const BodyColumn& column : body_columns)
+      columns.push_back({fmt::format("body_{}:{}", column.name, name), column.dimension,
+                         fmt::format("{} of rigid body '{}'", column.meaning, name)});
+  return columns;
+}
+
+void BodyColumns::append(const Model& model, const State& state, std::vector<double>& row) {
+  if (!model.rigid.any()) return;
+  const std::vector<Wrench> forces = find_forces_(model, state);
+  for (std::size_t b = 0; b < forces.size(); ++b) {
+    const RigidSums sums = sum_rigid_body(model, state, b, forces[b]);
+    for (const BodyColumn& column : body_columns) row.push_back(column.value({state.bodies[b], sums}));
+  }
+}
+
+}  // namespace percuss

@@ -1,0 +1,342 @@
+#include "src/step/rigid/build_rigid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "comm/agreement.hpp"
+#include "comm/all_reduce.hpp"
+#include "comm/exact_reduction.hpp"
+#include "comm/halo/halo_swap.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/deck/rigid_bodies.hpp"
+#include "src/error.hpp"
+#include "src/step/model/whole_mesh.hpp"
+
+namespace percuss {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+Vector3<double> to_vector(const Vec3& a) { return {a[0], a[1], a[2]}; }
+
+/// Place of the first part of a body.
+std::string find_place(const Deck& deck, const RigidNames& names, int body) {
+  const auto part = std::find(names.body_of_part.begin(), names.body_of_part.end(), body) - names.body_of_part.begin();
+  return deck.where(deck.parts[static_cast<std::size_t>(part)].rigid->place);
+}
+
+// --- nodes
+
+/// Adds up, at each node, one row for every chunk that has it: row(chunk). In a fixed order, but all are small whole
+/// numbers.
+template <class Row>
+std::vector<std::array<double, 3>> sum_over_chunks(const ChunkedMesh& chunked, const Model& model, const Row& row) {
+  const Rows3<double> slots("percuss::rigid_marks", at(model.slot_count));
+  const auto host = Kokkos::create_mirror_view(slots);
+  const auto first_slot = to_host(model.chunks.first_slot);
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    const std::array<double, 3> values = row(chunked.chunks[c]);
+    for (int s = first_slot(c); s < first_slot(c + 1); ++s)
+      for (std::size_t k = 0; k < 3; ++k) host(at(s), k) = values[k];
+  }
+  Kokkos::deep_copy(slots, host);
+  HaloSwap swap(model.ranks, model.halo);
+  swap.begin(ExecSpace(), slots);
+  swap.end();
+  const Rows3<double> rows("percuss::rigid_mark_sums", at(model.node_count));
+  assemble_forces(ExecSpace(), model.nodes_to_slots, slots, rows);
+  const auto sums = to_host(rows);
+  std::vector<std::array<double, 3>> out(at(model.node_count));
+  for (std::size_t n = 0; n < out.size(); ++n) out[n] = {sums(n, 0), sums(n, 1), sums(n, 2)};
+  return out;
+}
+
+/// node: lowest number of one with two bodies on this rank.
+void refuse_two_bodies(const Deck& deck, const ChunkedMesh& chunked, const Model& model, std::int64_t node) {
+  all_reduce(model.ranks, Reduce::least, node);
+  if (node == std::numeric_limits<std::int64_t>::max()) return;
+  const int owner = chunked.numbering.find_node_owner(node), local = find_local_node(chunked, node);
+  const std::string id =
+      owner == model.ranks.rank() ? std::to_string(chunked.mesh.node_ids[at(local)]) : std::string();
+  throw InputError(fmt::format(
+      "{}: error: node {} belongs to two rigid bodies (they could not move without each other) give their parts the "
+      "same rigid.body",
+      find_place(deck, name_rigid_bodies(deck), 0), broadcast_text(model.ranks, id, owner)));
+}
+
+// --- masses
+
+/// Mass, centre and second moments of mass about the centre.
+struct MassSum {
+  double mass = 0;
+  Vector3<double> center{};
+  Symmetric3<double> second{};
+};
+
+/// Of the nodes of a body that this rank owns, with weights that the caller chooses. Collective.
+template <class Weight>
+MassSum sum_masses(const ChunkedMesh& chunked, const Model& model, const std::vector<int>& nodes,
+                   const Weight& weight) {
+  std::array<ExactSum, 4> first{};
+  for (const int n : nodes) {
+    const double m = weight(n);
+    first[3].add(m);
+    for (std::size_t k = 0; k < 3; ++k) first[k].add(m * chunked.mesh.nodes[at(n)][k]);
+  }
+  sum_over_ranks(model.ranks, first);
+  MassSum sum;
+  sum.mass = first[3].round();
+  if (!(sum.mass > 0)) return sum;
+  sum.center = (1 / sum.mass) * Vector3<double>{first[0].round(), first[1].round(), first[2].round()};
+  std::array<ExactSum, 6> second{};
+  for (const int n : nodes) {
+    const double m = weight(n);
+    const Vector3<double> r = to_vector(chunked.mesh.nodes[at(n)]) - sum.center;
+    const double values[6] = {r.x * r.x, r.y * r.y, r.z * r.z, r.x * r.y, r.y * r.z, r.z * r.x};
+    for (std::size_t k = 0; k < 6; ++k) second[k].add(m * values[k]);
+  }
+  sum_over_ranks(model.ranks, second);
+  double s[6];
+  for (std::size_t k = 0; k < 6; ++k) s[k] = second[k].round();
+  sum.second = {s[0], s[1], s[2], s[3], s[4], s[5]};
+  return sum;
+}
+
+/// tr(J) 1 - J: inertia from second moments.
+Symmetric3<double> to_inertia(const Symmetric3<double>& j) {
+  return {j.yy + j.zz, j.zz + j.xx, j.xx + j.yy, -j.xy, -j.yz, -j.zx};
+}
+
+Symmetric3<double> to_second_moments(const std::array<double, 6>& i) {
+  const double half = 0.5 * (i[0] + i[1] + i[2]);
+  return {half - i[0], half - i[1], half - i[2], -i[3], -i[4], -i[5]};
+}
+
+/// Both together.
+MassSum combine(const MassSum& a, const MassSum& b) {
+  if (!(b.mass > 0)) return a;
+  MassSum sum{a.mass + b.mass, {}, a.second + b.second};
+  sum.center = (1 / sum.mass) * (a.mass * a.center + b.mass * b.center);
+  for (const MassSum* of : {&a, &b}) {
+    const Vector3<double> r = of->center - sum.center;
+    sum.second = sum.second + of->mass * Symmetric3<double>{r.x * r.x, r.y * r.y, r.z * r.z,
+                                                            r.x * r.y, r.y * r.z, r.z * r.x};
+  }
+  return sum;
+}
+
+/// What the parts of a body give instead of their elements' masses.
+struct GivenMasses {
+  std::optional<double> mass;
+  std::optional<Vec3> center;
+  std::optional<std::array<double, 6>> inertia;
+  bool any() const { return mass || center || inertia; }
+};
+
+GivenMasses find_given(const Deck& deck, const RigidNames& names, int body) {
+  GivenMasses given;
+  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
+    if (names.body_of_part[p] != body) continue;
+    const RigidDeck& rigid = *deck.parts[p].rigid;
+    if (rigid.mass) given.mass = rigid.mass;
+    if (rigid.center) given.center = rigid.center;
+    if (rigid.inertia) given.inertia = rigid.inertia;
+  }
+  return given;
+}
+
+void apply(const GivenMasses& given, MassSum& sum) {
+  if (given.mass) {
+    sum.second = (*given.mass / sum.mass) * sum.second;
+    sum.mass = *given.mass;
+  }
+  if (given.center) sum.center = to_vector(*given.center);
+  if (given.inertia) sum.second = to_second_moments(*given.inertia);
+}
+
+/// Whether a body has inertia about every axis, but for round-off.
+bool has_inertia(const Symmetric3<double>& i) {
+  constexpr double round_off = 1e-12;
+  const double size = trace(i) / 3;
+  return size > 0 && find_adjugate(i).determinant > round_off * size * size * size;
+}
+
+/// Nodes of this rank's share by body; owned ones alone.
+std::vector<std::vector<int>> list_owned_nodes(const ChunkedMesh& chunked, const RigidMap& map, std::size_t bodies) {
+  std::vector<std::vector<int>> nodes(bodies);
+  for (std::size_t n = 0; n < map.body.size(); ++n)
+    if (map.body[n] >= 0 && owns_node(chunked, static_cast<int>(n))) nodes[at(map.body[n])].push_back(static_cast<int>(n));
+  return nodes;
+}
+
+// --- what acts on bodies
+
+/// Owned nodes with a slot that is not of a rigid chunk of this rank.
+RigidLoads list_loads(const ChunkedMesh& chunked, const Deck& deck, const std::vector<std::vector<int>>& owned,
+                      const Model& model) {
+  std::vector<char> is_idle(at(model.slot_count), 0);
+  const auto first_slot = to_host(model.chunks.first_slot);
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c)
+    for (int s = first_slot(c); s < first_slot(c + 1); ++s)
+      is_idle[at(s)] = deck.parts[at(chunked.chunks[c].part)].rigid ? 1 : 0;
+  const auto first = to_host(model.nodes_to_slots.first), slots = to_host(model.nodes_to_slots.slots);
+  RigidLoads loads;
+  std::vector<int> nodes;
+  loads.first.push_back(0);
+  for (const std::vector<int>& of_body : owned) {
+    for (const int n : of_body) {
+      bool acts = false;
+      for (int i = first(n); i < first(n + 1); ++i) acts = acts || is_idle[at(slots(i))] == 0;
+      if (acts) nodes.push_back(n);
+    }
+    loads.first.push_back(static_cast<int>(nodes.size()));
+  }
+  loads.node = to_view("percuss::rigid_load_nodes", nodes);
+  return loads;
+}
+
+double find_least_edge(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
+  const Mesh& mesh = chunked.mesh;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    if (!deck.parts[at(mesh.part_of(e))].rigid) continue;
+    const auto corners = mesh.corners(e);
+    for (const auto& [a, b] : mesh.topology_of(e).edges())
+      least = std::min(least, norm(to_vector(mesh.nodes[at(corners[at(a)])]) - to_vector(mesh.nodes[at(corners[at(b)])])));
+  }
+  all_reduce(model.ranks, Reduce::least, least);
+  return least;
+}
+
+/// Counts and extent of a body.
+void measure(const ChunkedMesh& chunked, const RigidMap& map, const std::vector<int>& owned, const Model& model,
+             RigidBody& body) {
+  std::int64_t counts[2] = {static_cast<std::int64_t>(owned.size()), 0};
+  for (const int n : owned) {
+    counts[1] += map.is_shared[at(n)];
+    body.radius = std::max(body.radius, norm(to_vector(chunked.mesh.nodes[at(n)]) - body.center));
+  }
+  all_reduce(model.ranks, Reduce::sum, counts);
+  all_reduce(model.ranks, Reduce::largest, body.radius);
+  body.nodes = counts[0];
+  body.shared_nodes = counts[1];
+}
+
+RigidNodes list_nodes(const ChunkedMesh& chunked, const RigidMap& map, const std::vector<RigidBody>& bodies) {
+  std::vector<int> node, body;
+  std::vector<Vec3> arm;
+  for (std::size_t n = 0; n < map.body.size(); ++n) {
+    if (map.body[n] < 0) continue;
+    node.push_back(static_cast<int>(n));
+    body.push_back(map.body[n]);
+    const Vector3<double> r = to_vector(chunked.mesh.nodes[n]) - bodies[at(map.body[n])].center;
+    arm.push_back({r.x, r.y, r.z});
+  }
+  return {static_cast<int>(node.size()), to_view("percuss::rigid_nodes", node), to_view("percuss::rigid_body", body),
+          to_rows("percuss::rigid_arm", arm)};
+}
+
+/// Total mass and mass centre, which given masses change.
+void find_total(const ChunkedMesh& chunked, const RigidMap& map, const std::vector<double>& mass, Model& model) {
+  std::vector<int> loose;
+  for (std::size_t n = 0; n < mass.size(); ++n)
+    if (map.body[n] < 0 && owns_node(chunked, static_cast<int>(n))) loose.push_back(static_cast<int>(n));
+  MassSum total = sum_masses(chunked, model, loose, [&](int n) { return mass[at(n)]; });
+  for (const RigidBody& body : model.rigid.bodies) total = combine({body.mass, body.center, {}}, total);
+  model.total_mass = total.mass;
+  model.mass_center = {total.center.x, total.center.y, total.center.z};
+}
+
+std::string describe(const RigidBody& body) {
+  const std::string parts = body.parts > 1 ? fmt::format(" of {} parts", body.parts) : "";
+  const std::string shared =
+      body.shared_nodes > 0 ? fmt::format(", {} shared with elements that deform", body.shared_nodes) : "";
+  return fmt::format("rigid body '{}'{}: mass {:.6g}, centre ({:.6g}, {:.6g}, {:.6g}), {} nodes{}", body.name, parts,
+                     body.mass, body.center.x, body.center.y, body.center.z, body.nodes, shared);
+}
+
+}  // namespace
+
+RigidMap find_rigid_nodes(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
+  RigidMap map;
+  if (!has_rigid_parts(deck)) return map;
+  const RigidNames names = name_rigid_bodies(deck);
+  const auto of_bodies = sum_over_chunks(chunked, model, [&](const Chunk& chunk) {
+    const double body = names.body_of_part[at(chunk.part)] + 1;
+    return std::array<double, 3>{body > 0 ? 1.0 : 0.0, body, body * body};
+  });
+  const auto of_others = sum_over_chunks(chunked, model, [&](const Chunk& chunk) {
+    return std::array<double, 3>{names.body_of_part[at(chunk.part)] < 0 ? 1.0 : 0.0, 0, 0};
+  });
+  std::int64_t torn = std::numeric_limits<std::int64_t>::max();
+  for (std::size_t n = 0; n < of_bodies.size(); ++n) {
+    const auto& [count, sum, squares] = of_bodies[n];
+    map.body.push_back(count > 0 ? static_cast<int>(std::lround(sum / count)) - 1 : -1);
+    map.is_shared.push_back(count > 0 && of_others[n][0] > 0 ? 1 : 0);
+    if (count * squares != sum * sum) torn = std::min(torn, chunked.mesh.node_numbers[n]);
+  }
+  refuse_two_bodies(deck, chunked, model, torn);
+  return map;
+}
+
+bool gives_rigid_masses(const Deck& deck) {
+  return std::any_of(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) {
+    return part.rigid && (part.rigid->mass || part.rigid->center || part.rigid->inertia);
+  });
+}
+
+void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map, const RigidMasses& masses,
+                        Model& model) {
+  if (map.body.empty()) return;
+  const RigidNames names = name_rigid_bodies(deck);
+  RigidModel& rigid = model.rigid;
+  const auto owned = list_owned_nodes(chunked, map, names.bodies.size());
+  for (std::size_t b = 0; b < names.bodies.size(); ++b) {
+    const int index = static_cast<int>(b);
+    const GivenMasses given = find_given(deck, names, index);
+    MassSum sum;
+    if (given.any()) {
+      sum = sum_masses(chunked, model, owned[b], [&](int n) { return masses.all[at(n)] - masses.of_others[at(n)]; });
+      apply(given, sum);
+      sum = combine(sum, sum_masses(chunked, model, owned[b], [&](int n) { return masses.of_others[at(n)]; }));
+    } else {
+      sum = sum_masses(chunked, model, owned[b], [&](int n) { return masses.all[at(n)]; });
+    }
+    RigidBody body;
+    body.name = names.bodies[b];
+    body.mass = sum.mass;
+    body.center = sum.center;
+    body.inertia = to_inertia(sum.second);
+    body.parts = std::count(names.body_of_part.begin(), names.body_of_part.end(), index);
+    if (!has_inertia(body.inertia)) {
+      throw InputError(fmt::format("{}: error: rigid body '{}' has no inertia about some axis (its masses lie on a "
+                                   "line) give rigid.inertia",
+                                   find_place(deck, names, index), body.name));
+    }
+    measure(chunked, map, owned[b], model, body);
+    if (body.shared_nodes > 0 && model.scales_in_run) {
+      throw InputError(fmt::format("{}: error: rigid body '{}' shares {} nodes with elements that deform "
+                                   "(mass_scaling.every adds mass during the run, which a body does not take) leave "
+                                   "`every` out",
+                                   find_place(deck, names, index), body.name, body.shared_nodes));
+    }
+    model.mass_notes.push_back(describe(body));
+    rigid.bodies.push_back(body);
+  }
+  rigid.nodes = list_nodes(chunked, map, rigid.bodies);
+  rigid.body_of_node = to_view("percuss::body_of_node", map.body);
+  rigid.loads = list_loads(chunked, deck, owned, model);
+  int some = rigid.loads.first.back() > 0 ? 1 : 0;
+  all_reduce(model.ranks, Reduce::largest, some);
+  rigid.is_loaded = some != 0;
+  rigid.is_all =
+      std::all_of(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) { return part.rigid.has_value(); });
+  rigid.least_edge = find_least_edge(deck, chunked, model);
+  if (gives_rigid_masses(deck)) find_total(chunked, map, masses.all, model);
+}
+
+}  // namespace percuss

@@ -1,0 +1,238 @@
+// What holds rigid bodies, and how they move at time 0.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "comm/all_reduce.hpp"
+#include "comm/exact_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/deck/rigid_bodies.hpp"
+#include "src/error.hpp"
+#include "src/step/model/whole_mesh.hpp"
+#include "src/step/rigid/build_rigid.hpp"
+
+namespace percuss {
+namespace {
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+const char* name_direction(int k) {
+  constexpr const char* names[6] = {"x", "y", "z", "rx", "ry", "rz"};
+  return names[k];
+}
+
+/// Holds a direction of a body. Rest is rest, whoever asks for it.
+void hold(RigidBody& body, int direction, int motion, const std::string& place) {
+  int& held = body.motion[at(direction)];
+  if (held == RigidBody::free || (held == 0 && motion == 0)) {
+    held = motion;
+    return;
+  }
+  throw InputError(fmt::format("{}: error: rigid body '{}' is held in direction {} already, and is to be moved in it "
+                               "leave it out of one of both",
+                               place, body.name, name_direction(direction)));
+}
+
+/// [bodies] nodes of each that a condition selects, on all ranks.
+std::vector<std::int64_t> count_selected(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map,
+                                         const ConditionDeck& condition, const Model& model) {
+  std::vector<std::int64_t> counts(model.rigid.bodies.size(), 0);
+  for (const int n : select_nodes(chunked.mesh, deck, condition.where))
+    if (map.body[at(n)] >= 0 && owns_node(chunked, n)) ++counts[at(map.body[at(n)])];
+  all_reduce(model.ranks, Reduce::sum, counts);
+  return counts;
+}
+
+void refuse_some_nodes(const Deck& deck, const ConditionDeck& condition, const RigidBody& body, std::int64_t count) {
+  if (count == body.nodes || condition.kind == ConditionDeck::Kind::symmetry) return;
+  throw InputError(fmt::format(
+      "{}: error: the condition names {} of the {} nodes of rigid body '{}' (a body is held as a whole) name its parts, "
+      "or use rigid.fixed",
+      deck.where(condition.where.place), count, body.nodes, body.name));
+}
+
+/// All nodes move alike in a direction only if the body does not turn about the two others.
+void hold_turns_about_others(RigidBody& body, int direction) {
+  for (int k = 0; k < 3; ++k) {
+    int& held = body.motion[at(3 + k)];
+    if (k != direction && held == RigidBody::free) held = 0;
+  }
+}
+
+}  // namespace
+
+void hold_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map,
+                       const std::vector<HeldMotion>& held, Model& model) {
+  if (map.body.empty()) return;
+  std::vector<RigidBody>& bodies = model.rigid.bodies;
+  const RigidNames names = name_rigid_bodies(deck);
+  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
+    if (names.body_of_part[p] < 0) continue;
+    const RigidDeck& rigid = *deck.parts[p].rigid;
+    for (int k = 0; k < 6; ++k)
+      if (rigid.fixed[at(k)]) hold(bodies[at(names.body_of_part[p])], k, 0, deck.where(rigid.place));
+  }
+  std::vector<std::int64_t> counts;
+  std::size_t counted = deck.conditions.size();
+  for (const HeldMotion& motion : held) {
+    const ConditionDeck& condition = deck.conditions[motion.condition];
+    if (counted != motion.condition) counts = count_selected(deck, chunked, map, condition, model);
+    counted = motion.condition;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (counts[b] == 0) continue;
+      refuse_some_nodes(deck, condition, bodies[b], counts[b]);
+      hold(bodies[b], motion.direction, motion.motion, deck.where(condition.where.place));
+    }
+  }
+  for (const HeldMotion& motion : held) {
+    if (motion.direction > 2) continue;
+    counts = count_selected(deck, chunked, map, deck.conditions[motion.condition], model);
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      if (counts[b] > 0) hold_turns_about_others(bodies[b], motion.direction);
+  }
+}
+
+// --- time 0
+
+namespace {
+
+/// Velocity of a body's centre of `center`, and its spin.
+struct RigidVelocity {
+  Vector3<double> center{}, velocity{}, spin{};
+  bool is_known = false;
+};
+
+/// From the velocities of nodes, by their momentum. Collective.
+template <class Velocities>
+RigidVelocity find_velocity(const ChunkedMesh& chunked, const Model& model, const std::vector<int>& nodes,
+                            const std::vector<double>& mass, const Velocities& v) {
+  const auto place = [&](int n) {
+    const Vec3& x = chunked.mesh.nodes[at(n)];
+    return Vector3<double>{x[0], x[1], x[2]};
+  };
+  std::array<ExactSum, 7> linear{};
+  for (const int n : nodes) {
+    const double m = mass[at(n)], values[7] = {m,         m * place(n).x, m * place(n).y, m * place(n).z,
+                                               m * v(n, 0), m * v(n, 1),    m * v(n, 2)};
+    for (std::size_t k = 0; k < 7; ++k) linear[k].add(values[k]);
+  }
+  sum_over_ranks(model.ranks, linear);
+  const double total = linear[0].round();
+  RigidVelocity found;
+  if (!(total > 0)) return found;
+  found.center = (1 / total) * Vector3<double>{linear[1].round(), linear[2].round(), linear[3].round()};
+  found.velocity = (1 / total) * Vector3<double>{linear[4].round(), linear[5].round(), linear[6].round()};
+  std::array<ExactSum, 9> angular{};
+  for (const int n : nodes) {
+    const double m = mass[at(n)];
+    const Vector3<double> r = place(n) - found.center;
+    const Vector3<double> l = cross(r, m * (Vector3<double>{v(n, 0), v(n, 1), v(n, 2)} - found.velocity));
+    const double values[9] = {m * (r.y * r.y + r.z * r.z), m * (r.z * r.z + r.x * r.x), m * (r.x * r.x + r.y * r.y),
+                              -m * r.x * r.y, -m * r.y * r.z, -m * r.z * r.x, l.x, l.y, l.z};
+    for (std::size_t k = 0; k < 9; ++k) angular[k].add(values[k]);
+  }
+  sum_over_ranks(model.ranks, angular);
+  double a[9];
+  for (std::size_t k = 0; k < 9; ++k) a[k] = angular[k].round();
+  const Symmetric3<double> inertia{a[0], a[1], a[2], a[3], a[4], a[5]};
+  const double size = trace(inertia) / 3;
+  found.is_known = size > 0 && find_adjugate(inertia).determinant > 1e-9 * size * size * size;
+  if (found.is_known && (a[6] != 0 || a[7] != 0 || a[8] != 0))
+    found.spin = solve(inertia, Vector3<double>{a[6], a[7], a[8]});
+  return found;
+}
+
+/// Whether all nodes have the very same velocity; then that. Collective.
+template <class Velocities>
+bool move_alike(const Model& model, const std::vector<int>& nodes, const Velocities& v, Vector3<double>& alike) {
+  constexpr double most = std::numeric_limits<double>::infinity();
+  double least[3] = {most, most, most}, largest[3] = {-most, -most, -most};
+  for (const int n : nodes) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      least[k] = std::min(least[k], v(n, k));
+      largest[k] = std::max(largest[k], v(n, k));
+    }
+  }
+  all_reduce(model.ranks, Reduce::least, least);
+  all_reduce(model.ranks, Reduce::largest, largest);
+  alike = {least[0], least[1], least[2]};
+  return std::equal(least, least + 3, largest);
+}
+
+/// Of a body: nodes that only rigid elements have, unless these alone do not say how it turns.
+template <class Velocities>
+RigidVelocity find_start(const ChunkedMesh& chunked, const RigidMap& map, int body, const std::vector<double>& mass,
+                         const Model& model, const Velocities& v, std::vector<int>& used) {
+  std::vector<int> all;
+  used.clear();
+  for (std::size_t n = 0; n < map.body.size(); ++n) {
+    if (map.body[n] != body || !owns_node(chunked, static_cast<int>(n))) continue;
+    all.push_back(static_cast<int>(n));
+    if (map.is_shared[n] == 0) used.push_back(static_cast<int>(n));
+  }
+  const RigidVelocity found = find_velocity(chunked, model, used, mass, v);
+  if (found.is_known) return found;
+  used = all;
+  return find_velocity(chunked, model, used, mass, v);
+}
+
+/// Largest deviation of nodes from a rigid motion, and their largest velocity; of all ranks.
+template <class Velocities>
+std::array<double, 2> compare(const ChunkedMesh& chunked, const Model& model, const std::vector<int>& nodes,
+                              const RigidVelocity& rigid, const Velocities& v) {
+  std::array<double, 2> largest{0, 0};
+  for (const int n : nodes) {
+    const Vec3& x = chunked.mesh.nodes[at(n)];
+    const Vector3<double> given{v(n, 0), v(n, 1), v(n, 2)};
+    const Vector3<double> r = Vector3<double>{x[0], x[1], x[2]} - rigid.center;
+    largest[0] = std::max(largest[0], norm(given - (rigid.velocity + cross(rigid.spin, r))));
+    largest[1] = std::max(largest[1], norm(given));
+  }
+  all_reduce(model.ranks, Reduce::largest, largest);
+  return largest;
+}
+
+}  // namespace
+
+void start_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map,
+                        const std::vector<double>& mass, Model& model) {
+  if (map.body.empty()) return;
+  constexpr double round_off = 1e-9;
+  const auto v = to_host(model.start_velocity);
+  const auto w = to_host(model.start_spin);
+  std::vector<int> used;
+  for (std::size_t b = 0; b < model.rigid.bodies.size(); ++b) {
+    RigidBody& body = model.rigid.bodies[b];
+    const RigidVelocity start = find_start(chunked, map, static_cast<int>(b), mass, model, v, used);
+    const auto [deviation, size] = compare(chunked, model, used, start, v);
+    if (deviation > round_off * size) {
+      const RigidNames names = name_rigid_bodies(deck);
+      const auto part = std::find(names.body_of_part.begin(), names.body_of_part.end(), static_cast<int>(b));
+      const auto place = deck.parts[static_cast<std::size_t>(part - names.body_of_part.begin())].rigid->place;
+      throw InputError(fmt::format("{}: error: rigid body '{}' does not begin to move as one (its nodes differ by {:.3g} "
+                                   "of {:.3g} from what it could do) give all its nodes the same entry of initial",
+                                   deck.where(place), body.name, deviation, size));
+    }
+    if (move_alike(model, used, v, body.velocity)) continue;
+    body.spin = start.spin;
+    body.velocity = start.velocity + cross(start.spin, body.center - start.center);
+  }
+  for (std::size_t n = 0; n < map.body.size(); ++n) {
+    if (map.body[n] < 0) continue;
+    const RigidBody& body = model.rigid.bodies[at(map.body[n])];
+    const Vec3& x = chunked.mesh.nodes[n];
+    const Vector3<double> moved = body.velocity + cross(body.spin, Vector3<double>{x[0], x[1], x[2]} - body.center);
+    for (std::size_t k = 0; k < 3; ++k) {
+      v(n, k) = get(moved, static_cast<int>(k));
+      if (model.has_shells) w(n, k) = get(body.spin, static_cast<int>(k));
+    }
+  }
+  Kokkos::deep_copy(model.start_velocity, v);
+  if (model.has_shells) Kokkos::deep_copy(model.start_spin, w);
+}
+
+}  // namespace percuss

@@ -1,0 +1,64 @@
+#pragma once
+// The rigid bodies of a step: predicted without contact, corrected by its impulses, placed at n+1.
+//
+// Every rank moves all bodies, from sums that are the same on each, and its own nodes of them. kernels/rigid has the
+// scheme.
+
+#include <vector>
+
+#include "kernels/contact/rows/row_bodies.hpp"
+#include "src/step/rigid/rigid_forces.hpp"
+
+namespace percuss {
+
+class RigidStage {
+ public:
+  explicit RigidStage(const Model& model);
+
+  bool any() const { return model_.rigid.any(); }
+
+  /// Held motions at time 0 begin at their prescribed velocity; a displacement begins at rest.
+  void start(State& state);
+
+  /// Velocities of bodies and their nodes at n+1/2 without contact. Collective.
+  void predict(State& state, double dt, double dt_mean);
+
+  /// The bodies as contact sees them in this step.
+  BodyInputs inputs() const { return inputs_; }
+
+  /// The same velocities with contact: what each body got from it; empty: nothing.
+  void correct(State& state, const std::vector<Wrench>& contact, double dt);
+
+  /// Rotations of the nodes of shells.
+  void set_spins(const State& state) const;
+
+  /// Impulses and the first half of the work of what holds bodies (src/step/audit/books.hpp). Before place().
+  void book(State& state, double dt, double dt_mean) const;
+
+  /// Bodies and nodes at n+1.
+  void place(State& state);
+
+  /// The second half of that work. Call with the slots' forces at n+1. Collective.
+  void book_rest(State& state, double dt);
+
+  /// A step for a scene in which nothing deforms: no node goes far beyond its element's edge, no body turns much.
+  double find_step(const State& state, double end) const;
+
+ private:
+  struct Goal;
+
+  Goal find_goal(const State& state, std::size_t body, double dt) const;
+  void move(const State& state, std::size_t body, double dt);
+  void upload(const State& state, double dt);
+
+  const Model& model_;
+  RigidForces find_forces_;
+  std::vector<Wrench> forces_;     // at n, without gravity
+  std::vector<Wrench> contact_;    // impulses of this step; empty: none
+  std::vector<RigidState> next_;   // places at n+1, velocities at n+1/2
+  Array<BodyStep> steps_;
+  Array<BodyResponse> responses_;
+  BodyInputs inputs_;
+};
+
+}  // namespace percuss

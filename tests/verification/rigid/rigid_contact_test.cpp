@@ -1,0 +1,142 @@
+// Rigid bodies in contact, with one another, with walls and with bodies that deform, under every enforcement.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/verification/support/run_deck.hpp"
+
+namespace percuss::test {
+namespace {
+
+const std::string materials = R"(
+materials:
+  steel: {model: elastic, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0.3}
+  soft: {model: elastic, density: 1000, youngs_modulus: 1e9, poissons_ratio: 0.3}
+)";
+
+class RigidContact : public testing::TestWithParam<const char*> {};
+
+/// A cube whose corner goes ahead along x and meets the face of a block at rest, off the centres of both.
+std::string describe_corner_impact(const std::string& enforcement) {
+  return fmt::format(R"(
+time: {{end: 4.0e-4, max_step: 1.0e-6}}
+parts:
+  cube: {{box: {{size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}}, material: steel, rotate: [{{axis: z, angle: -45}}, {{axis: y, angle: 35.264389682754654}}], at: [-0.1742, 0, 0], rigid: true}}
+  block: {{box: {{size: [0.2, 0.3, 0.3], cells: [2, 3, 3]}}, at: [0, -0.12, -0.13], material: steel, rigid: true}}
+initial: [{{part: cube, velocity: [10, 0, 0]}}]
+contact: {{surfaces: all, enforcement: {}, edges: false}}
+output: {{history: {{every: 0}}}}
+)",
+                     enforcement) +
+         materials;
+}
+
+}  // namespace
+
+// The impulse at one point between two bodies, P = v / (n . (W_1 + W_2) n), W = 1/M + [r]^T I^-1 [r]: enforcement leaves
+// no closing velocity, the springs of penalty give all of it back, and no friction acts. The tip hits the face at
+// y = z = 0.
+TEST_P(RigidContact, OfACornerWithAFaceGivesTheImpulseOfRigidBodies) {
+  const Outcome run = run_deck(describe_corner_impact(GetParam()));
+  const double cube = 8000 * 1e-3, block = 8000 * 0.2 * 0.3 * 0.3;
+  // Inertia is that of lumped masses: along a side of 2 cells with the shares 1/4, 1/2, 1/4, of 3 with 1/6, 1/3, 1/3, 1/6.
+  const double of_two = 1.0 / 8, of_three = 2 * (0.25 / 6 + (1.0 / 36) / 3);
+  const double iy = block * (of_two * 0.04 + of_three * 0.09), iz = iy;
+  const double y = -0.03, z = -0.02;  // of the point from the centre of the block (0.1, 0.03, 0.02)
+  const double inverse = 1 / cube + 1 / block + z * z / iy + y * y / iz;  // the tip's line goes through the cube's centre
+  const bool springs_back = std::string(GetParam()) == "penalty";
+  const double impulse = (springs_back ? 20 : 10) / inverse;
+  EXPECT_NEAR(run.history.last("body_vx:block"), impulse / block, 2e-3 * impulse / block) << run.summary.steps;
+  EXPECT_NEAR(run.history.last("body_vx:cube"), 10 - impulse / cube, 2e-3 * 10);
+  EXPECT_NEAR(run.history.last("body_wz:block"), -y * impulse / iz, 2e-3 * impulse / iz * 0.03);
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-13);
+  EXPECT_LT(run.summary.momentum.angular_error, 1e-13);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);
+}
+
+TEST_P(RigidContact, WithAWallStopsAFallingBlock) {
+  const Outcome run = run_deck(fmt::format(R"(
+time: {{end: 0.02, max_step: 1.0e-5}}
+parts: {{block: {{box: {{size: [0.3, 0.2, 0.1], cells: [3, 2, 2]}}, at: [0, 0, 0.005], material: steel, rigid: true}}}}
+initial: [{{part: block, velocity: [0, 0, -1]}}]
+loads: {{gravity: [0, 0, -9.81]}}
+walls: [{{normal: z}}]
+contact: {{surfaces: none, enforcement: {}}}
+output: {{history: {{every: 0}}}}
+)",
+                                           GetParam()) +
+                               materials);
+  if (std::string(GetParam()) != "penalty") {
+    EXPECT_NEAR(run.history.last("body_z:block"), 0.05, 1e-6);
+    EXPECT_NEAR(run.history.last("body_vz:block"), 0, 1e-3);
+  }
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-9);
+}
+
+TEST_P(RigidContact, WithAnElasticBlockClosesTheEnergy) {
+  const Outcome run = run_deck(fmt::format(R"(
+time: {{end: 1.0e-3}}
+parts:
+  ball: {{sphere: {{radius: 0.05, cells: 8}}, at: [0.02, 0.01, 0.0502], material: steel, rigid: true}}
+  block: {{box: {{size: [0.3, 0.3, 0.1], cells: [12, 12, 4]}}, at: [-0.15, -0.15, -0.1], material: soft}}
+initial: [{{part: ball, velocity: [2, 0, -10], angular_velocity: [20, 30, 100]}}]
+contact: {{surfaces: all, friction: 0.3, enforcement: {}}}
+output: {{history: {{every: 1.0e-5}}}}
+)",
+                                           GetParam()) +
+                               materials);
+  EXPECT_GT(run.history.largest("contacts"), 0);
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
+  EXPECT_LT(run.summary.momentum.angular_error, 1e-12);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-4);  // as deformable bodies in contact
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, RigidContact, testing::Values("kinematic", "lagrange", "penalty"),
+                         [](const auto& info) { return std::string(info.param); });
+
+// A chain of masses and springs with the end mass that a rigid block adds: the bar is one element wide, without lateral
+// contraction, so that it is that chain exactly, up to the square of the strain (1e-7).
+TEST(RigidEndMass, MovesWithItsBarAsALumpedChain) {
+  const Outcome run = run_deck(R"(
+time: {end: 1.0e-3}
+parts:
+  bar: {box: {size: [1, 0.1, 0.1], cells: [10, 1, 1]}, material: steel}
+  mass: {box: {size: [0.2, 0.1, 0.1], cells: [2, 1, 1]}, at: [1, 0, 0], material: steel, rigid: true}
+join: true
+materials: {steel: {model: elastic, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0}}
+elements: {linear_viscosity: 0, quadratic_viscosity: 0}
+initial: [{part: mass, velocity: [1.0e-3, 0, 0]}]
+output: {history: {every: 1.0e-6}}
+)");
+  constexpr int cells = 10;
+  const double area = 0.01, h = 0.1, stiffness = 200e9 * area / h, m = 8000 * area * h;
+  double x[cells + 1] = {}, v[cells + 1] = {}, mass[cells + 1];
+  for (int i = 0; i <= cells; ++i) mass[i] = i == 0 ? 0.5 * m : (i < cells ? m : 0.5 * m + 8000 * area * 0.2);
+  v[cells] = 1e-3;
+  const int steps = 100000;
+  const double dt = 1e-3 / steps;
+  double farthest = 0;
+  for (int n = 0; n < steps; ++n) {
+    double f[cells + 1] = {};
+    for (int i = 0; i < cells; ++i) {
+      const double pull = stiffness * (x[i + 1] - x[i]);
+      f[i] += pull;
+      f[i + 1] -= pull;
+    }
+    for (int i = 0; i <= cells; ++i) {
+      v[i] += (n == 0 ? 0.5 : 1) * dt * f[i] / mass[i];
+      x[i] += dt * v[i];
+    }
+    if ((n + 1) % 1000 != 0) continue;
+    const double time = (n + 1) * dt, moved = run.history.at(time, "body_x:mass") - run.history["body_x:mass"].front();
+    farthest = std::max(farthest, std::abs(moved - x[cells]));
+  }
+  EXPECT_LT(farthest, 1e-3 * std::abs(x[cells])) << x[cells];  // the square of the step, at 0.9 of the stable one
+  EXPECT_LT(run.summary.momentum.linear_error, 1e-13);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);
+}
+
+}  // namespace percuss::test
