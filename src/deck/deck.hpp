@@ -146,8 +146,11 @@ struct RigidDeck {
 };
 
 struct PartDeck {
+  /// What the cells of a generated solid are: hexahedra, or twelve tetrahedra each.
+  enum class Elements { hexahedra, tetrahedra };
   std::string name;
   Shape shape;
+  Elements elements = Elements::hexahedra;
   std::optional<ArrayCopies> array;
   std::vector<Rotation> rotate;  // in order; `axis: x` in the deck turns local z onto x and comes first
   Vec3 at{};
@@ -295,8 +298,11 @@ struct ElementDeck {
   Integration integration = Integration::one_point;
   Hourglass hourglass = Hourglass::assumed_strain;  // only with Integration::one_point
   double hourglass_coefficient = 0.05;              // not with Hourglass::assumed_strain
-  bool resist_folding = true;                       // forces at corners of hexahedra that turn inside out
-  bool skip_resting = true;                         // leave chunks of elements alone that rest; no result depends on it
+  /// The volume rate of tetrahedra is averaged over their nodes, or each has its own, with which they lock.
+  enum class Tetrahedra { mixed, plain };
+  Tetrahedra tetrahedra = Tetrahedra::mixed;
+  bool resist_folding = true;   // forces at corners of hexahedra that turn inside out
+  bool skip_resting = true;     // leave chunks of elements alone that rest; no result depends on it
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;
 };

@@ -67,6 +67,13 @@ struct Mesh {
   int part_of(std::size_t element) const { return block_of(element).part; }
 };
 
+/// Whether some block of the mesh is of tetrahedra; the same on all ranks.
+inline bool has_tetrahedra(const Mesh& mesh) {
+  return std::any_of(mesh.elements.blocks.begin(), mesh.elements.blocks.end(), [](const ElementBlock& block) {
+    return find_topology(block.topology).family == ElementFamily::tetrahedra;
+  });
+}
+
 /// Whether some block of the mesh is of surface elements; the same on all ranks.
 inline bool has_shells(const Mesh& mesh) {
   const std::vector<ElementBlock>& blocks = mesh.elements.blocks;

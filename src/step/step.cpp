@@ -75,6 +75,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
   if (deck.time.step_estimate == TimeDeck::StepEstimate::global) {
     global_ = std::make_unique<GlobalStep>(chunked, model, deck.time.end, deck.time.step_scale);
   }
+  if (model.has_tets) tets_ = std::make_unique<TetStage>(model);
   if (model.scales_in_run) scaler_ = std::make_unique<MassScaler>(deck, chunked, model);
 }
 
@@ -273,28 +274,49 @@ void Stepper::scale_masses(State& state) {
 void Stepper::compute_forces(State& state, double dt) {
   {
     const Phase phase("percuss::internal_force", clocks_.internal_force);
-    advance_blocks(state, model_.sending_blocks, model_.sending_shell_blocks, dt);
+    const ElementMotion motion = find_motion(state, dt);
+    if (tets_) tets_->prepare(state, motion);
+    advance_sending(state, motion);
     apply_loads(state, state.time + dt);
     halo_.begin(space_, state.slot_force);
     if (moment_halo_) moment_halo_->begin(space_, state.slot_moment);
-    advance_blocks(state, model_.blocks, model_.shell_blocks, dt);
+    advance_others(state, motion);
   }
   const Phase phase("percuss::halo", clocks_.halo);
   halo_.end();
   if (moment_halo_) moment_halo_->end();
 }
 
-void Stepper::advance_blocks(State& state, const HexBlocks& blocks, const ShellBlocks& shells, double dt) {
+ElementMotion Stepper::find_motion(const State& state, double dt) const {
   const StepWatch watch = global_ ? global_->watch() : scaler_ ? scaler_->watch() : StepWatch{};
-  const Array<double> shell_bounds = scaler_ ? scaler_->shell_bounds() : Array<double>();
-  const ElementMotion motion{state.x, state.v,        dt,         deck_.elements.skip_resting, state.time + dt,
-                             watch,   model_.failing, state.lives};
-  const ChunkFields fields = state.chunk_fields();
-  advance_elements(space_, model_.chunks, blocks, motion, fields);
+  return {state.x, state.v, dt, deck_.elements.skip_resting, state.time + dt, watch, model_.failing, state.lives};
+}
+
+void Stepper::advance_sending(State& state, const ElementMotion& motion) {
+  advance_elements(space_, model_.chunks, model_.sending_blocks, motion, state.chunk_fields());
+  if (tets_) tets_->advance(state, model_.sending_tet_blocks, motion);
+  advance_shells_of(state, model_.sending_shell_blocks, motion);
+}
+
+void Stepper::advance_others(State& state, const ElementMotion& motion) {
+  advance_elements(space_, model_.chunks, model_.blocks, motion, state.chunk_fields());
+  if (tets_) tets_->advance(state, model_.tet_blocks, motion);
+  advance_shells_of(state, model_.shell_blocks, motion);
+}
+
+void Stepper::advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion) {
   if (!model_.has_shells) return;
-  advance_shells(
-      space_, model_.chunks, shells,
-      {state.x, state.v, state.w, dt, deck_.elements.skip_resting, model_.failing, state.lives, shell_bounds}, fields);
+  const Array<double> shell_bounds = scaler_ ? scaler_->shell_bounds() : Array<double>();
+  advance_shells(space_, model_.chunks, shells,
+                 {state.x, state.v, state.w, motion.dt, motion.skips_rest, model_.failing, state.lives, shell_bounds},
+                 state.chunk_fields());
+}
+
+Traffic Stepper::traffic() const {
+  Traffic sum = halo_.traffic();
+  if (!tets_) return sum;
+  const Traffic of_tets = tets_->traffic();
+  return {sum.messages + of_tets.messages, sum.bytes + of_tets.bytes};
 }
 
 /// Which elements fail, which die.

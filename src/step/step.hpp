@@ -17,6 +17,7 @@
 #include "src/step/phases.hpp"
 #include "src/step/rigid/rigid_stage.hpp"
 #include "src/step/stable_step/global_step.hpp"
+#include "src/step/tets/tet_stage.hpp"
 
 namespace percuss {
 
@@ -88,7 +89,7 @@ class Stepper {
   /// Force of walls on the scene in the last step, its contact impulses summed over dt; zero without walls. Collective.
   Vec3 find_wall_force() const { return bookkeeper_.find_wall_force(); }
   /// What this rank has sent of the forces of shared nodes.
-  const Traffic& traffic() const { return halo_.traffic(); }
+  Traffic traffic() const;
   /// Whether the step comes from the largest eigenvalue of the mesh; how often that was estimated and what it brought.
   bool estimates_steps() const { return global_ != nullptr; }
   StepEstimateReport step_estimates() const { return global_ ? global_->report() : StepEstimateReport{}; }
@@ -110,7 +111,10 @@ class Stepper {
   void resolve_contact(State& state, double dt);
   void compute_forces(State& state, double dt);
   void judge_elements(State& state, double dt);
-  void advance_blocks(State& state, const HexBlocks& blocks, const ShellBlocks& shells, double dt);
+  ElementMotion find_motion(const State& state, double dt) const;
+  void advance_sending(State& state, const ElementMotion& motion);
+  void advance_others(State& state, const ElementMotion& motion);
+  void advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion);
   void apply_loads(State& state, double time);
   void apply_forces(State& state, double time);
   StepNotice find_notice(const State& state) const;
@@ -131,6 +135,7 @@ class Stepper {
   std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
   std::unique_ptr<MassScaler> scaler_;  // likewise
   RigidStage rigid_;
+  std::unique_ptr<TetStage> tets_;      // only with tetrahedra
   Bookkeeper bookkeeper_;
   ForceBooks forces_;
   PrescribedMotions motions_;

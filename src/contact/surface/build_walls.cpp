@@ -37,12 +37,14 @@ struct HeldNode {
   }
 };
 
-/// Of the nodes of living hexahedra of this rank, [nodes]; part -1: none has it.
+/// Of the nodes of living solids of this rank, [nodes]; part -1: none has it.
 std::vector<HeldNode> measure_held_nodes(const Mesh& mesh, const Deck& deck) {
   std::vector<ElementFace> faces;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    if (mesh.topology_of(e).family != ElementFamily::hexahedra) continue;
-    for (const int face : {0, 1, 4}) faces.push_back({static_cast<int>(e), face});  // one of each direction
+    const Topology& topology = mesh.topology_of(e);
+    if (topology.is_surface()) continue;
+    const std::array<int, 3> three = topology.face_count == 6 ? std::array{0, 1, 4} : std::array{0, 1, 2};
+    for (const int face : three) faces.push_back({static_cast<int>(e), face});  // of a hexahedron in each direction
   }
   const std::vector<double> springs = find_face_springs(mesh, deck, faces);
   std::vector<HeldNode> held(mesh.nodes.size());

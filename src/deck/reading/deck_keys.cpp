@@ -91,6 +91,9 @@ const Keys<ElementDeck>& element_keys() {
       group<ElementDeck>("bulk_viscosity", MapValue<ElementDeck>{viscosity_keys}),
       may("resist_folding", &ElementDeck::resist_folding, BooleanValue{}),
       may("skip_resting", &ElementDeck::skip_resting, BooleanValue{}),
+      may("tetrahedra", &ElementDeck::tetrahedra,
+          ChoiceValue<ElementDeck::Tetrahedra>{
+              {{"mixed", ElementDeck::Tetrahedra::mixed}, {"plain", ElementDeck::Tetrahedra::plain}}}),
   };
   return keys;
 }

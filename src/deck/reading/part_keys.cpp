@@ -118,6 +118,9 @@ const Keys<PartDeck>& part_keys() {
   static const Keys<PartDeck> keys = [] {
     Keys<PartDeck> all = shape_keys();
     all.push_back(need("material", &PartDeck::material, MaterialNameValue{}));
+    all.push_back(may("elements", &PartDeck::elements,
+                      ChoiceValue<PartDeck::Elements>{{{"hexahedra", PartDeck::Elements::hexahedra},
+                                                       {"tetrahedra", PartDeck::Elements::tetrahedra}}}));
     all.push_back(may("thickness", &PartDeck::thickness, NumberValue{positive}));
     all.push_back(may("points", &PartDeck::points, ThicknessPointsValue{}));
     all.push_back(may("reference", &PartDeck::offset, ReferenceValue{}));
@@ -164,6 +167,16 @@ bool check_thickness(const Reader& reader, const Node& node, const PartDeck& par
   return true;
 }
 
+/// What cells are cut into is a question of generated solids.
+bool check_elements(const Reader& reader, const Node& node, const PartDeck& part) {
+  const bool is_file = std::holds_alternative<FileMesh>(part.shape);
+  const Node* elements = node.find("elements");
+  if (elements == nullptr || (!is_file && !is_shell_shape(part.shape))) return true;
+  reader.error(elements->key, fmt::format("{} is of no use{} ({})", reader.name_of("elements"), reader.in(),
+                                          is_file ? "the file says what its elements are" : "its elements are shells"));
+  return false;
+}
+
 }  // namespace
 
 bool PartValue::read_inside(const Reader& reader, const Node& node, PartDeck& out) const {
@@ -172,7 +185,7 @@ bool PartValue::read_inside(const Reader& reader, const Node& node, PartDeck& ou
     reader.reading().shapeless.insert(out.name);
     return false;
   }
-  if (!check_thickness(reader, node, out) || !good) return false;
+  if (!check_thickness(reader, node, out) || !check_elements(reader, node, out) || !good) return false;
   set_offset(node, out);
   const MeshSize size = count_cells(out);
   if (size.elements <= largest_mesh && size.nodes <= largest_mesh) return true;

@@ -31,10 +31,15 @@ struct ElementId {
   IdSpace ids = IdSpace::elements;
 };
 
-/// A side of an element as a face of its topology, of solids and of shells, from 0.
+/// A side of an element as a face of its topology, of hexahedra, of shells and of tetrahedra, from 0.
 struct TextSide {
   static constexpr int missing = -1, left_out = -2;  // an error; all faces of a set are named one by one
-  int of_solid = missing, of_shell = missing;
+  int of_solid = missing, of_shell = missing, of_tetrahedron = missing;
+
+  int find(const Topology& topology) const {
+    if (topology.is_surface()) return of_shell;
+    return topology.family == ElementFamily::tetrahedra ? of_tetrahedron : of_solid;
+  }
 };
 
 class TextBuilder {

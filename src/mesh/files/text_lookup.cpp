@@ -266,7 +266,7 @@ void TextLookup::add_sides(const TextBuilder::Side& side, std::vector<FileSide>&
   const auto add = [&](std::int64_t element) {
     const Topology* topology = topology_of(element);
     if (topology == nullptr) return;  // of a kind that cannot be run
-    const int face = topology->is_surface() ? side.face.of_shell : side.face.of_solid;
+    const int face = side.face.find(*topology);
     if (face >= 0 && face < topology->face_count) sides.emplace_back(element, face + 1);
     if (face == TextSide::missing)
       add_problem(side.place, fmt::format("element {} has no such side (it is a {})", to_.element_ids[at(element - 1)],

@@ -18,13 +18,18 @@ namespace {
 
 /// Faces of the hexahedron by their numbers: 1-2-3-4, 5-8-7-6, 1-5-6-2, 2-6-7-3, 3-7-8-4, 4-8-5-1.
 constexpr std::array<int, 6> faces_of_solids = {4, 5, 0, 1, 2, 3};
+constexpr std::array<int, 6> faces_of_tetrahedra = {3, 0, 1, 2, TextSide::missing, TextSide::missing};
 
 std::optional<TextSide> find_side(const std::string& name) {
   if (name == "SPOS") return TextSide{TextSide::missing, top_face};
   if (name == "SNEG") return TextSide{TextSide::missing, bottom_face};
   if (name.size() != 2 || name[0] != 'S' || name[1] < '1' || name[1] > '6') return {};
   const auto number = static_cast<std::size_t>(name[1] - '1');
-  return TextSide{faces_of_solids[number], number == 0 ? bottom_face : number == 1 ? top_face : TextSide::missing};
+  return TextSide{faces_of_solids[number],
+                  number == 0   ? bottom_face
+                  : number == 1 ? top_face
+                                : TextSide::missing,
+                  faces_of_tetrahedra[number]};
 }
 
 std::optional<TopologyKind> find_kind(const std::string& type) {
@@ -206,7 +211,8 @@ class AbaqusReader {
       return {*side};
     }
     sides.reserve(6);
-    for (int face = 0; face < 6; ++face) sides.push_back({face, face < 2 ? face : TextSide::left_out});
+    for (int face = 0; face < 6; ++face)
+      sides.push_back({face, face < 2 ? face : TextSide::left_out, face < 4 ? face : TextSide::left_out});
     return sides;
   }
 

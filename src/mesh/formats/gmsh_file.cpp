@@ -26,7 +26,7 @@ const GmshType* find_type(std::int64_t number) {
       {1, {"2-node line", 1, 2, {}}},
       {2, {"3-node triangle", 2, 3, TopologyKind::tri3}},
       {3, {"4-node quadrangle", 2, 4, TopologyKind::quad4}},
-      {4, {"4-node tetrahedron", 3, 4, {}}},
+      {4, {"4-node tetrahedron", 3, 4, TopologyKind::tet4}},
       {5, {"8-node hexahedron", 3, 8, TopologyKind::hex8}},
       {6, {"6-node prism", 3, 6, {}}},
       {7, {"5-node pyramid", 3, 5, {}}},

@@ -31,6 +31,17 @@ std::size_t count_different(std::vector<std::int64_t> nodes) {
   return static_cast<std::size_t>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
 }
 
+/// The corners of a tetrahedron: those of n1 n2 n3 n4 n4 n4 n4 n4, which may end with the first n4, or of
+/// n1 n2 n3 n3 n4 n4 n4 n4. Empty: it is none.
+std::vector<std::int64_t> find_tetrahedron(const std::vector<std::int64_t>& nodes) {
+  if (count_different(nodes) != 4 || (nodes.size() != 4 && nodes.size() != 8)) return {};
+  const std::size_t apex = nodes[2] == nodes[3] ? 4 : 3;
+  if (std::any_of(nodes.begin() + static_cast<std::ptrdiff_t>(apex), nodes.end(),
+                  [&](std::int64_t node) { return node != nodes[apex]; }))
+    return {};
+  return {nodes[0], nodes[1], nodes[2], nodes[apex]};
+}
+
 class KeywordReader {
  public:
   explicit KeywordReader(const std::string& path) : cards_(path, builder_.names) {}
@@ -113,10 +124,12 @@ class KeywordReader {
       const TextKind kind{"ELEMENT_SOLID", TopologyKind::hex8, 8, IdSpace::elements};
       return builder_.add_element(builder_.find_block(name_part(part), part, kind), id, nodes, place);
     }
-    const char* const shape = different == 4   ? "tetrahedron"
-                              : different == 5 ? "pyramid"
-                              : different == 6 ? "wedge"
-                                               : "degenerate solid";
+    const std::vector<std::int64_t> corners = find_tetrahedron(nodes);
+    if (!corners.empty()) {
+      const TextKind kind{"ELEMENT_SOLID, tetrahedron", TopologyKind::tet4, 4, IdSpace::elements};
+      return builder_.add_element(builder_.find_block(name_part(part), part, kind), id, corners, place);
+    }
+    const char* const shape = different == 5 ? "pyramid" : different == 6 ? "wedge" : "degenerate solid";
     add_other("ELEMENT_SOLID", fmt::format("{} of {} nodes", shape, different), id, part, place);
   }
 

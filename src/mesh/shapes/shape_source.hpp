@@ -11,13 +11,14 @@
 
 namespace percuss {
 
-/// Cells of a shape that lie on a grid of their own: cell (i, j, k) is element first + i strides[0] + j strides[1] + k
-/// strides[2].
+/// Cells of a shape that lie on a grid of their own: cell (i, j, k) has the number first + i strides[0] + j strides[1]
+/// + k strides[2], and its elements follow each other: those of cell c begin with elements_of_cell c.
 struct CellBlock {
   int first = 0;
   std::array<int, 3> cells{};
   std::array<int, 3> strides{};
   Vec3 edges{};  // mean length of a cell's edge in each direction [length]
+  int elements_of_cell = 1;
 };
 
 /// In the local coordinates that deck.hpp gives for the shape. Indexes count from 0 within one copy of it.
@@ -46,7 +47,7 @@ class ShapeSource {
   /// Bit s: the node lies on side s.
   virtual unsigned node_sides(int node) const = 0;
 
-  /// Grids that hold every element once.
+  /// Grids that hold every cell once.
   virtual std::vector<CellBlock> blocks() const = 0;
 };
 
@@ -58,6 +59,10 @@ inline ShapeSource::FaceSides name_shell_sides(int bottom, int top) {
   sides[top_face] = top;
   return sides;
 }
+
+/// The same solid of tetrahedra, twelve for each of its cells, whose faces match. The mean of the corners of a cell is
+/// a node, too.
+std::unique_ptr<ShapeSource> cut_into_tetrahedra(std::unique_ptr<ShapeSource> cells);
 
 /// The source of a generated shape; null for a mesh from a file.
 std::unique_ptr<ShapeSource> make_source(const Shape& shape);

@@ -116,7 +116,7 @@ PartTiling::PartTiling(const ShapeSource& source, int copies) : copies_(copies),
     return;
   }
   for (const CellBlock& block : source.blocks()) {
-    tiles_.push_back(choose_tiles(block, limit));
+    tiles_.push_back(choose_tiles(block, std::max(1, limit / block.elements_of_cell)));
     tiles_a_copy_ += tiles_.back().count();
   }
 }
@@ -148,7 +148,7 @@ int PartTiling::count_elements(int chunk) const {
   }
   const CellBlock* block = nullptr;
   const auto [x, y, z] = find_tile(chunk % tiles_a_copy_, block);
-  return (x.last - x.first) * (y.last - y.first) * (z.last - z.first);
+  return (x.last - x.first) * (y.last - y.first) * (z.last - z.first) * block->elements_of_cell;
 }
 
 std::vector<SourceElement> PartTiling::list_elements(int chunk) const {
@@ -167,8 +167,9 @@ std::vector<SourceElement> PartTiling::list_elements(int chunk) const {
   for (int k = z.first; k < z.last; ++k) {
     for (int j = y.first; j < y.last; ++j) {
       for (int i = x.first; i < x.last; ++i) {
-        elements.push_back(
-            {copy, block->first + i * block->strides[0] + j * block->strides[1] + k * block->strides[2]});
+        const int cell = block->first + i * block->strides[0] + j * block->strides[1] + k * block->strides[2];
+        for (int e = 0; e < block->elements_of_cell; ++e)
+          elements.push_back({copy, block->elements_of_cell * cell + e});
       }
     }
   }

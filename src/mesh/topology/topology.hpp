@@ -17,7 +17,7 @@ inline constexpr std::size_t most_corners = 8, most_faces = 6, most_edges = 12;
 inline constexpr std::size_t kernel_corner_count = 8;
 
 /// Elements that one launcher computes, side by side in the packs of a chunk.
-enum class ElementFamily : std::uint8_t { hexahedra, shells };
+enum class ElementFamily : std::uint8_t { hexahedra, shells, tetrahedra };
 
 /// A face of a topology. Corners are places among those of the element, outward by the right-hand rule.
 struct FaceCorners {

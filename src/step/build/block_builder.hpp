@@ -13,8 +13,8 @@
 #include "kernels/material/call_material.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/mesh/hex_geometry.hpp"
-#include "src/step/build/build_shells.hpp"
 #include "src/step/model/model.hpp"
+#include "src/step/tets/build_tets.hpp"
 
 namespace percuss {
 
@@ -75,12 +75,27 @@ struct BlockBuilder {
 
   template <class Material, HexKind Kind>
   void build(HexBlock<Material, Kind>& block) {
+    if (find_kind(deck.elements) != Kind) return;
+    add_chunks<Material>(ElementFamily::hexahedra, block, [&](std::size_t c, const auto& material, const auto& named) {
+      describe_records(c, material, named, HexRecord::history<Kind>, hex_points<Kind>);
+    });
+  }
+
+  template <class Material>
+  void build(TetBlock<Material>& block) {
+    add_chunks<Material>(ElementFamily::tetrahedra, block, [&](std::size_t c, const auto& material, const auto& named) {
+      describe_records(c, material, named, TetRecord::history, 1);
+    });
+  }
+
+  /// describe(c, material, named history): of each chunk of the family whose material is computed by Material.
+  template <class Material, class Block, class Describe>
+  void add_chunks(ElementFamily family, Block& block, const Describe& describe) {
     std::vector<int> chunks;
     std::vector<HexParameters<Material>> rows;
     std::map<int, int> row_of_material;
-    const bool wanted = find_kind(deck.elements) == Kind;
-    for (std::size_t c = 0; wanted && c < chunked.chunks.size(); ++c) {
-      if (is_shell_chunk(chunked, chunked.chunks[c])) continue;
+    for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+      if (find_topology(find_block(chunked, chunked.chunks[c]).topology).family != family) continue;
       const int index = find_block(chunked, chunked.chunks[c]).material;
       const MaterialDeck& deck_material = deck.materials[static_cast<std::size_t>(index)];
       visit_kernel_material(deck_material, [&](const auto& law, const auto& material) {
@@ -89,7 +104,7 @@ struct BlockBuilder {
           if (is_new) rows.push_back(make_parameters(material));
           if (!is_rigid_chunk(deck, chunked.chunks[c])) chunks.push_back(static_cast<int>(c));
           parameters[c] = row->second;
-          describe_records<Kind>(c, material, find_named_history(law, material));
+          describe(c, material, find_named_history(law, material));
           if constexpr (is_called<Material>) add_start_history(c, material);
         }
       });
@@ -98,16 +113,17 @@ struct BlockBuilder {
     block.parameters = to_view("percuss::parameters", rows);
   }
 
-  template <HexKind Kind, class Material>
-  void describe_records(std::size_t c, const Material& material, const std::array<int, history_scalars>& named) {
+  /// first: place of the history in a record; point_count: points of an element.
+  template <class Material>
+  void describe_records(std::size_t c, const Material& material, const std::array<int, history_scalars>& named,
+                        int first, int point_count) {
     int count = Material::history_count;
     if constexpr (is_called<Material>) count = material.count_history();
-    record_size[c] = HexRecord::find_size<Kind>(count);
-    points[c] = hex_points<Kind>;
-    history[c] = count > 0 ? HexRecord::history<Kind> : -1;
-    for (std::size_t k = 0; k < named.size(); ++k) {
-      scalars[c * history_scalars + k] = named[k] < 0 ? -1 : HexRecord::history<Kind> + hex_points<Kind> * named[k];
-    }
+    record_size[c] = first + point_count * (1 + HexRecord::rest) * count;
+    points[c] = point_count;
+    history[c] = count > 0 ? first : -1;
+    for (std::size_t k = 0; k < named.size(); ++k)
+      scalars[c * history_scalars + k] = named[k] < 0 ? -1 : first + point_count * named[k];
   }
 
   /// The history of the elements of a chunk at the start.

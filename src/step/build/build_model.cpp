@@ -22,6 +22,7 @@
 #include "src/step/build/mass_scaling.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/whole_mesh.hpp"
+#include "src/step/tets/build_tets.hpp"
 
 namespace percuss {
 
@@ -76,7 +77,7 @@ ChunkTables make_chunk_tables(const ChunkedMesh& chunked) {
 
 // --- folding
 
-/// Share of the volume of the sharpest corner of a solid element at the start.
+/// Share of the volume of the sharpest corner of a hexahedron at the start.
 double find_sharpest_corner(const Mesh& mesh, std::size_t element) {
   const auto corners = gather_corners(mesh.elements, element, mesh.nodes);
   double u[3][8];
@@ -95,7 +96,7 @@ std::vector<Real> find_fold_thresholds(const ChunkedMesh& chunked) {
   std::vector<Real> thresholds(chunked.chunks.size());
   for (std::size_t c = 0; c < thresholds.size(); ++c) {
     const Chunk& chunk = chunked.chunks[c];
-    if (is_shell_chunk(chunked, chunk)) continue;
+    if (find_topology(find_block(chunked, chunk).topology).family != ElementFamily::hexahedra) continue;
     double least = 1;
     for (int e = chunk.first_element; e < chunk.first_element + chunk.element_count; ++e) {
       least = std::min(least, find_sharpest_corner(chunked.mesh, static_cast<std::size_t>(e)));
@@ -142,6 +143,7 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
                        empty,
                        {}};
   std::apply([&](auto&... block) { (builder.build(block), ...); }, model.blocks);
+  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.tet_blocks);
   build_shell_blocks(deck, chunked,
                      {builder.record_size, builder.history, builder.points, builder.parameters, builder.scalars,
                       builder.first_start, builder.start_count, builder.start_values},
@@ -214,10 +216,13 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
   split_blocks(sends, model.blocks, model.sending_blocks, std::make_index_sequence<std::tuple_size_v<HexBlocks>>());
   split_blocks(sends, model.shell_blocks, model.sending_shell_blocks,
                std::make_index_sequence<std::tuple_size_v<ShellBlocks>>());
+  split_blocks(sends, model.tet_blocks, model.sending_tet_blocks,
+               std::make_index_sequence<std::tuple_size_v<TetBlocks>>());
   model.nodes_to_slots = {to_view("percuss::first_slot_of_node", halo.nodes_to_slots.first),
                           to_view("percuss::slots_of_node", halo.nodes_to_slots.slots)};
   model.slot_count = halo.plan.slot_count();
   model.halo = std::move(halo.plan);
+  if (model.mixes_tets) build_tet_nodes(chunked, halo.nodes_to_slots, model);
 }
 
 // --- masses
@@ -344,6 +349,9 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   model.ranks = find_ranks(mesh);
   model.node_count = static_cast<int>(mesh.nodes.size());
   model.element_count = static_cast<int>(mesh.elements.size());
+  check_tets(deck, mesh);
+  model.has_tets = has_tetrahedra(mesh);
+  model.mixes_tets = model.has_tets && deck.elements.tetrahedra == ElementDeck::Tetrahedra::mixed;
   build_chunks(deck, chunked, model);
   mark_rigid_chunks(deck, chunked, model);
   build_failing_chunks(deck, chunked, model);

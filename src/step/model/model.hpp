@@ -18,6 +18,7 @@
 #include "kernels/node/nodal_load.hpp"
 #include "kernels/node/pressure.hpp"
 #include "kernels/shell/shell_force.hpp"
+#include "kernels/tet/tet_force.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/ordering.hpp"
@@ -78,6 +79,12 @@ struct Model {
   Rows3<double> start_spin;                                  // [nodes] angular velocity at time 0
   HeldDirections held_spins;                                 // directions 0, 1, 2: about x, y, z
   Array<int> owned_held_spins;                               // as owned_held
+
+  bool has_tets = false;         // whether any rank has tetrahedra
+  bool mixes_tets = false;       // whether their rates and stresses are averaged over nodes
+  TetBlocks sending_tet_blocks;  // as sending_blocks
+  TetBlocks tet_blocks;
+  TetNodes tet_nodes;  // of the mixed form
 
   NodeSlots nodes_to_slots;
   HaloPlan halo;

@@ -80,11 +80,11 @@ std::vector<BadMesh> list_bad_meshes() {
       {"huge_node", [](auto& m) { m.blocks[1].corners[0] = 2147483647; }, {"element 102", "node number 2147483647"}},
       {"nan", [nan](auto& m) { m.nodes[4][1] = nan; }, {"node 1005 lies at (1, nan, 0)", "finite"}},
       {"infinity", [infinity](auto& m) { m.nodes[4][2] = -infinity; }, {"node 1005", "-inf"}},
-      {"tetrahedra",
+      {"wedges",
        [](auto& m) {
-         m.blocks[1] = {20, "tets", "TETRA4", 4, {5, 6, 7, 9}};
+         m.blocks[1] = {20, "wedges", "WEDGE", 6, {5, 6, 7, 9, 10, 11}};
        },
-       {"block 'tets' has 1 elements of kind TETRA4 with 4 nodes", "blocks: [left]"}},
+       {"block 'wedges' has 1 elements of kind WEDGE with 6 nodes", "blocks: [left]"}},
       {"quadratic",
        [](auto& m) {
          m.blocks.pop_back();
@@ -92,7 +92,7 @@ std::vector<BadMesh> list_bad_meshes() {
          m.side_sets.clear();
          m.blocks[0] = {10, "q", "HEX20", 20, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1, 2, 3, 4, 5, 6, 7, 8}};
        },
-       {"HEX20", "only HEX8, SHELL4, QUAD4, SHELL3, TRI3 can be run"}},
+       {"HEX20", "only HEX8, SHELL4, QUAD4, SHELL3, TRI3, TET4 can be run"}},
       {"quadratic_triangles",
        [](auto& m) {
          m.blocks[0] = {10, "t", "TRI6", 6, {1, 2, 3, 4, 5, 6}};

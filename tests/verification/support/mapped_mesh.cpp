@@ -1,6 +1,9 @@
 #include "tests/verification/support/mapped_mesh.hpp"
 
+#include <algorithm>
 #include <array>
+
+#include "src/mesh/topology/topologies.hpp"
 
 namespace percuss::test {
 
@@ -55,6 +58,31 @@ void add_node_set(WrittenMesh& mesh, int id, const char* name, const std::functi
     if (holds(mesh.nodes[n])) set.entries.push_back(static_cast<std::int64_t>(n + 1));
   }
   mesh.node_sets.push_back(set);
+}
+
+void cut_into_tetrahedra(WrittenMesh& mesh) {
+  for (WrittenBlock& block : mesh.blocks) {
+    std::vector<std::int64_t> cut;
+    for (std::size_t first = 0; first < block.corners.size(); first += 8) {
+      const auto corner = [&](int i) { return block.corners[first + static_cast<std::size_t>(i)]; };
+      Vec3 middle{};
+      for (int i = 0; i < 8; ++i) {
+        const Vec3& x = mesh.nodes[static_cast<std::size_t>(corner(i) - 1)];
+        for (std::size_t k = 0; k < 3; ++k) middle[k] += x[k] / 8;
+      }
+      mesh.nodes.push_back(middle);
+      const auto apex = static_cast<std::int64_t>(mesh.nodes.size());
+      for (const FaceCorners& face : hex8_topology.faces()) {
+        std::array<std::int64_t, 4> nodes{};
+        for (std::size_t i = 0; i < 4; ++i) nodes[i] = corner(face.four[i]);
+        std::rotate(nodes.begin(), std::min_element(nodes.begin(), nodes.end()), nodes.end());
+        cut.insert(cut.end(), {nodes[0], nodes[2], nodes[1], apex, nodes[0], nodes[3], nodes[2], apex});
+      }
+    }
+    block.corners = cut;
+    block.nodes_per_element = 4;
+    block.topology = "TETRA";
+  }
 }
 
 WrittenMesh make_quarter_cylinder(double radius, double length, int n, int along) {

@@ -14,18 +14,22 @@
 namespace percuss {
 namespace {
 
-/// The element of reference: of a solid the unit cube's corners, of a surface those of its lower face.
-Vec3 place_corner(int corner) {
+/// The element of reference: of a hexahedron the unit cube's corners, of a surface those of its lower face, of a
+/// tetrahedron the origin and the ends of the axes.
+Vec3 place_corner(const Topology& topology, int corner) {
+  if (topology.family == ElementFamily::tetrahedra)
+    return {corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0, corner == 3 ? 1.0 : 0.0};
   const double x[4] = {0, 1, 1, 0}, y[4] = {0, 0, 1, 1};
   return {x[corner % 4], y[corner % 4], corner < 4 ? 0.0 : 1.0};
 }
 
-Vec3 find_area(const FaceCorners& face) {
+Vec3 find_area(const Topology& topology, const FaceCorners& face) {
   Vec3 area{};
   const auto corners = face.corners();
   for (std::size_t i = 2; i < corners.size(); ++i) {
-    const Vec3 o = place_corner(corners[0]);
-    const Vec3 half = cross(subtract(place_corner(corners[i - 1]), o), subtract(place_corner(corners[i]), o));
+    const Vec3 o = place_corner(topology, corners[0]);
+    const Vec3 half =
+        cross(subtract(place_corner(topology, corners[i - 1]), o), subtract(place_corner(topology, corners[i]), o));
     for (std::size_t k = 0; k < 3; ++k) area[k] += 0.5 * half[k];
   }
   return area;
@@ -49,11 +53,11 @@ TEST_P(EveryTopology, FitsTheLargestCounts) {
 TEST_P(EveryTopology, HasFacesThatLookOutwardAndCloseIt) {
   Vec3 sum{};
   for (const FaceCorners& face : topology().faces()) {
-    const Vec3 area = find_area(face);
+    const Vec3 area = find_area(topology(), face);
     EXPECT_GT(dot(area, area), 0);
     sum = add(sum, area);
     for (int corner = 0; corner < topology().corner_count; ++corner) {
-      const Vec3 from_face = subtract(place_corner(corner), place_corner(face.once[0]));
+      const Vec3 from_face = subtract(place_corner(topology(), corner), place_corner(topology(), face.once[0]));
       EXPECT_LE(dot(area, from_face), 1e-15);
     }
   }
@@ -131,7 +135,7 @@ TEST_P(EveryTopology, IsToldFromAllOthersByItsNames) {
 TEST_P(EveryTopology, OfASolidHasAVolumeWhichIsPositiveAtEachCorner) {
   if (topology().is_surface()) return;
   HexCorners x;
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = place_corner(topology().kernel_corners[i]);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = place_corner(topology(), topology().kernel_corners[i]);
   EXPECT_GT(find_solid_volume(topology(), x), 0);
   for (int corner = 0; corner < topology().corner_count; ++corner) {
     EXPECT_GT(find_corner_jacobian(topology(), x, corner).value, 0);

@@ -1,0 +1,206 @@
+#pragma once
+// The passes over tetrahedra that see the material, compiled for each (advance_tets_*.cpp name them).
+
+#include "kernels/tet/tet_force.hpp"
+#include "kernels/tet/tet_packs.hpp"
+
+namespace percuss {
+
+/// Second pass of the mixed form.
+template <class Material>
+struct AdvanceTetStresses {
+  using Living = LivingTets<Material>;
+  HexChunks chunks;
+  TetBlock<Material> block;
+  ElementMotion motion;
+  TetLaunch launch;
+  Array<Real> state;
+  ChunkResults results;
+
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
+    const TetChunk chunk(chunks, block.chunks(member.league_rank()));
+    const TetScratch scratch(member, chunk.slot_count);
+    chunk.fill_nodes(motion, scratch.nodes);
+    double* const rows = &launch.passes.slot_stresses(chunk.first_slot, 0);
+    for (int k = 0; k < chunk.slot_count * TetSums::stress_row; ++k) rows[k] = 0;
+    HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
+    parameters.time = motion.time;
+    TetChunkSums sums;
+    Living living(motion.failing, motion.lives, chunk.c);
+    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
+      const std::uint16_t* corners = own_corners;
+      if (living.can_fail() && !living.take_pack(corners)) return;
+      add_pack(parameters, {chunk, pack, lanes, corners, scratch.nodes, rows}, living, sums);
+    });
+    sums.leave_work(chunk.c, results);
+  }
+
+  struct Work {
+    const TetChunk& chunk;
+    int pack, lanes;
+    const std::uint16_t* corners;
+    const double* nodes;
+    double* rows;
+  };
+
+  KOKKOS_FUNCTION void add_pack(const HexParameters<Material>& parameters, const Work& on, const Living& living,
+                                TetChunkSums& sums) const {
+    TetCorners<Lanes> x, v;
+    gather_tets(on.nodes, node_record, on.corners, x);
+    gather_tets(on.nodes + 4, node_record, on.corners, v);
+    const Lanes dt(motion.dt), zero(0.0);
+    const TetMotion<Lanes> own = follow_tet(x, v, dt);
+    const TetGather gather{launch.passes.rates.data(), TetSums::rate_row,
+                           &launch.nodes.slots_to_records(on.chunk.first_slot)};
+    auto& record = find_state(on);
+    TetPoint<Lanes> point =
+        advance_tet4<true>(parameters, x, own, blend(own.d, gather.find_mean(on.corners)), dt, record);
+    Lanes share(1.0);
+    if (living.can_fail()) {
+      share = living.take_force_share(Lanes(1e300), point.geometry.volume);
+      living.take_work(share, 0, point.work.internal);
+      living.take_work(share, 2, point.work.viscous);
+      living.take_work(share, 3, point.work.guard);
+    }
+    sums.take_work(point.work, on.lanes);
+    const Lanes guard_modulus = find_guard_modulus(record.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
+    double* const scalars = &launch.passes.elements(
+        static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack) * TetPasses::scalars * tet_width);
+    store_pack(scalars, point.own.shear);
+    store_pack(scalars + tet_width, point.own.tangent);
+    store_pack(scalars + 2 * tet_width, guard_modulus);
+    const Symmetric3<Lanes> given = add_to_diagonal(point.stress, zero - record.guard);
+    give(on, point, share * given, record.mass, point.own.bulk + guard_modulus, !(share < zero));
+  }
+
+  KOKKOS_FUNCTION TetState<Lanes, Material>& find_state(const Work& on) const {
+    const std::size_t place =
+        static_cast<std::size_t>(on.pack) * static_cast<std::size_t>(chunks.record_size(on.chunk.c)) * tet_width;
+    return *reinterpret_cast<TetState<Lanes, Material>*>(&state(chunks.first_state(on.chunk.c)) + place);
+  }
+
+  /// What the elements of a pack give to their nodes.
+  template <class Mask>
+  KOKKOS_FUNCTION void give(const Work& on, const TetPoint<Lanes>& point, const Symmetric3<Lanes>& stress,
+                            const Lanes& mass, const Lanes& bulk, const Mask& lives) const {
+    const Lanes zero(0.0), quarter(0.25);
+    const auto counts = lives && point.geometry.volume > zero;
+    const Lanes weight = select(counts, quarter * point.geometry.volume, zero);
+    const auto weigh = [&](const Lanes& value) { return select(counts, weight * value, zero); };
+    TetGroups<TetSums::stress_groups> groups;
+    groups.set(0, weigh(stress.xx), weigh(stress.yy), weigh(stress.zz));
+    groups.set(1, weigh(stress.xy), weigh(stress.yz), weigh(stress.zx));
+    groups.set(2, weight, weigh(bulk), weigh(point.own.shear));
+    groups.set(3, select(counts, quarter * mass, zero), zero, zero);
+    alignas(64) double square[4][tet_width];
+    for (int i = 0; i < 4; ++i) {
+      const Vector3<Lanes>& b = point.geometry.b[i];
+      store_pack(square[i], select(counts, dot(b, b) / point.geometry.volume, zero));
+    }
+    for (int lane = 0; lane < on.lanes; ++lane) {
+      for (int i = 0; i < 4; ++i) {
+        double* const row = on.rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * tet_width + lane]);
+        groups.add(lane, row);
+        row[13] += square[i][lane];
+      }
+    }
+  }
+};
+
+/// The plain form.
+template <class Material>
+struct AdvancePlainTets {
+  using Living = LivingTets<Material>;
+  HexChunks chunks;
+  TetBlock<Material> block;
+  ElementMotion motion;
+  Array<Real> state;
+  Rows3<double> slot_force;
+  ChunkResults results;
+
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
+    const TetChunk chunk(chunks, block.chunks(member.league_rank()));
+    const TetScratch scratch(member, chunk.slot_count);
+    chunk.fill_nodes(motion, scratch.nodes);
+    for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
+    HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
+    parameters.time = motion.time;
+    TetChunkSums sums;
+    Living living(motion.failing, motion.lives, chunk.c);
+    const auto size = static_cast<std::size_t>(chunks.record_size(chunk.c)) * tet_width;
+    Real* record = &state(chunks.first_state(chunk.c));
+    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
+      const std::uint16_t* corners = own_corners;
+      auto& state_of_pack =
+          *reinterpret_cast<TetState<Lanes, Material>*>(record + size * static_cast<std::size_t>(pack));
+      if (living.can_fail() && !living.take_pack(corners)) return;
+      const int first = chunk.first_element + pack * tet_width;
+      advance_pack(parameters, {corners, lanes, first, scratch.nodes, scratch.forces}, living, state_of_pack, sums);
+    });
+    sums.leave_work(chunk.c, results);
+    sums.leave_step(chunk.c, chunk.first_element, results);
+    copy_force_rows(scratch.forces, chunk.slot_count, &slot_force(chunk.first_slot, 0));
+  }
+
+  struct Work {
+    const std::uint16_t* corners;
+    int lanes, first_element;
+    const double* nodes;
+    double* forces;
+  };
+
+  KOKKOS_FUNCTION void advance_pack(const HexParameters<Material>& parameters, const Work& on, const Living& living,
+                                    TetState<Lanes, Material>& of, TetChunkSums& sums) const {
+    TetCorners<Lanes> x, v;
+    gather_tets(on.nodes, node_record, on.corners, x);
+    gather_tets(on.nodes + 4, node_record, on.corners, v);
+    const Lanes dt(motion.dt), zero(0.0);
+    const TetMotion<Lanes> own = follow_tet(x, v, dt);
+    TetPoint<Lanes> point = advance_tet4<false>(parameters, x, own, own.d, dt, of);
+    Lanes step = find_plain_step(point.geometry, of.mass, point.own), volume = point.geometry.volume;
+    TetCorners<Lanes> f = find_tet_forces(point.geometry, add_to_diagonal(point.stress, zero - of.viscous_pressure));
+    if (living.can_fail()) {
+      const Lanes share = living.take_force_share(step, volume);
+      const auto lives = !(share < zero);
+      for (int i = 0; i < 4; ++i)
+        f[i] = {select(lives, share * f[i].x, zero), select(lives, share * f[i].y, zero),
+                select(lives, share * f[i].z, zero)};
+      living.take_work(share, 0, point.work.internal);
+      living.take_work(share, 2, point.work.viscous);
+      step = select(lives, step, Lanes(1e300));
+      volume = select(lives, volume, Lanes(1.0));
+    }
+    scatter_tets(f, on.corners, on.lanes, on.forces);
+    sums.take_work(point.work, on.lanes);
+    sums.take_step(step, volume, on.first_element, on.lanes);
+  }
+};
+
+template <class Material>
+void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const TetBlock<Material>& block,
+                      const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
+  if constexpr (!is_single_precision) {
+    static_assert(sizeof(TetState<double, Elastic>) == TetRecord::find_size(0) * sizeof(double));
+    launch_tets("percuss::advance_tet_stresses", space, chunks, block.chunks,
+                AdvanceTetStresses<Material>{chunks, block, step.motion, step.launch, state, results});
+  }
+}
+
+template <class Material>
+void advance_plain(const ExecSpace& space, const HexChunks& chunks, const TetBlock<Material>& block,
+                   const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
+                   const ChunkResults& results) {
+  if constexpr (!is_single_precision) {
+    launch_tets("percuss::advance_plain_tets", space, chunks, block.chunks,
+                AdvancePlainTets<Material>{chunks, block, motion, state, slot_force, results});
+  }
+}
+
+/// Compiles both for a material.
+#define PERCUSS_COMPILE_TETS(MATERIAL)                                                                               \
+  template void advance_stresses(const ExecSpace&, const HexChunks&, const TetBlock<MATERIAL>&, const TetStep&,      \
+                                 const Array<Real>&, const ChunkResults&);                                           \
+  template void advance_plain(const ExecSpace&, const HexChunks&, const TetBlock<MATERIAL>&, const ElementMotion&,   \
+                              const Array<Real>&, const Rows3<double>&, const ChunkResults&);
+
+}  // namespace percuss

@@ -1,0 +1,69 @@
+#pragma once
+// Chunks of tetrahedra as their launchers see them.
+//
+// They lie in the tables of all chunks (kernels/element/hex_chunks.hpp) and write to the same slots. A tetrahedron takes
+// the first four of the eight corners there. What the mixed form averages has rows of its own by slot, which nodes sum in
+// the order of their forces: for each material of a node one record.
+
+#include <tuple>
+
+#include "kernels/element/internal_force.hpp"
+#include "kernels/element/tet4/tet4.hpp"
+
+namespace percuss {
+
+/// Where things lie in a record, in scalars of one lane: those of TetState.
+struct TetRecord {
+  static constexpr int mass = 0, viscous_pressure = 1, rotation = 2, stress = 17, log_volume = 23, gap = 24, guard = 25,
+                       history = 26;
+  /// Scalars that a record holds with so many of history.
+  static constexpr int find_size(int count) { return history + count; }
+};
+
+/// Chunks of one material of tetrahedra.
+template <class Material>
+struct TetBlock {
+  Array<int> chunks;                                            // ascending chunk ids
+  Kokkos::View<HexParameters<Material>*, MemSpace> parameters;  // by HexChunks::parameters
+};
+
+template <class List>
+struct AllTetBlocks;
+template <class... Material>
+struct AllTetBlocks<TypeList<Material...>> {
+  using type = std::tuple<TetBlock<Material>...>;
+};
+/// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
+using TetBlocks = AllTetBlocks<CompiledMaterials>::type;
+
+using TetRateRows = Kokkos::View<double* [TetSums::rate_row], Kokkos::LayoutRight, MemSpace>;
+using TetStressRows = Kokkos::View<double* [TetSums::stress_row], Kokkos::LayoutRight, MemSpace>;
+
+/// The records of nodes with tetrahedra, one for each material of theirs; const after set-up.
+struct TetNodes {
+  int count = 0;
+  Array<int> first;             // [count + 1] into slots
+  Array<int> slots;             // of each record in the order of its sum, those of other ranks among them
+  Array<int> slots_to_records;  // [slots of this rank's chunks] -1: of no tetrahedron
+};
+
+/// What the passes of a step hand to each other; nothing of it lasts.
+struct TetPasses {
+  static constexpr int scalars = 3;  // of an element: shear modulus, tangent of the viscosity, modulus of the guard
+  TetRateRows slot_rates;            // [slots] sums of the chunks, and what other ranks have sent
+  TetStressRows slot_stresses;       // likewise
+  TetRateRows rates;                 // [records] D: two groups
+  TetStressRows stresses;            // [records] stress: two groups; bulk and shear modulus, mass over sum of |B|^2 / V
+  Array<double> elements;            // [packs][scalars][W]
+};
+
+/// Nodes and what they have.
+struct TetLaunch {
+  TetNodes nodes;
+  TetPasses passes;
+};
+
+/// Makes the rows of passes for so many slots and packs.
+TetPasses make_tet_passes(const TetNodes& nodes, int slot_count, int pack_count);
+
+}  // namespace percuss

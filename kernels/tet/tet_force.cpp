@@ -1,0 +1,250 @@
+#include "kernels/tet/tet_force.hpp"
+
+#include "kernels/tet/tet_packs.hpp"
+
+namespace percuss {
+
+namespace {
+
+/// First pass: V D / 4 and V / 4 of each element to its nodes. L: Lanes.
+template <class L>
+struct SumRates {
+  using Living = LivingTets<L>;
+  HexChunks chunks;
+  Array<int> list;
+  ElementMotion motion;
+  TetRateRows rows;
+
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
+    const TetChunk chunk(chunks, list(member.league_rank()));
+    const TetScratch scratch(member, chunk.slot_count);
+    chunk.fill_nodes(motion, scratch.nodes);
+    double* const sums = &rows(chunk.first_slot, 0);
+    for (int k = 0; k < chunk.slot_count * TetSums::rate_row; ++k) sums[k] = 0;
+    Living living(motion.failing, motion.lives, chunk.c);
+    chunk.for_each_pack([&](int, int lanes, const std::uint16_t* own_corners) {
+      const std::uint16_t* corners = own_corners;
+      if (living.can_fail() && !living.take_pack(corners)) return;
+      add_pack(scratch.nodes, corners, lanes, living, sums);
+    });
+  }
+
+  KOKKOS_FUNCTION void add_pack(const double* nodes, const std::uint16_t* corners, int lanes, const Living& living,
+                                double* sums) const {
+    const Lanes zero(0.0), quarter(0.25);
+    TetCorners<Lanes> x, v;
+    gather_tets(nodes, node_record, corners, x);
+    gather_tets(nodes + 4, node_record, corners, v);
+    const TetGeometry<Lanes> middle = find_tet_geometry(find_middle(x, v, Lanes(motion.dt)));
+    Lanes volume = middle.volume;
+    if (living.can_fail()) volume = select(living.load_force_share() < zero, zero, volume);
+    const auto counts = volume > zero;
+    const Symmetric3<Lanes> d = quarter * symmetric_part(find_volume_times_gradient(v, middle));
+    const auto keep = [&](const Lanes& value) { return select(counts, value, zero); };
+    TetGroups<TetSums::rate_groups> groups;
+    groups.set(0, keep(d.xx), keep(d.yy), keep(d.zz));
+    groups.set(1, keep(d.xy), keep(d.yz), keep(d.zx));
+    groups.set(2, keep(quarter * volume), zero, zero);
+    for (int lane = 0; lane < lanes; ++lane) {
+      for (int i = 0; i < 4; ++i)
+        groups.add(lane, sums + TetSums::rate_row * static_cast<std::size_t>(corners[i * tet_width + lane]));
+    }
+  }
+};
+
+/// Third pass. L: Lanes.
+template <class L>
+struct FindForces {
+  using Living = LivingTets<L>;
+  HexChunks chunks;
+  Array<int> list;
+  ElementMotion motion;
+  TetLaunch launch;
+  Array<Real> state;
+  Rows3<double> slot_force;
+  ChunkResults results;
+
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
+    const TetChunk chunk(chunks, list(member.league_rank()));
+    const TetScratch scratch(member, chunk.slot_count);
+    chunk.fill_nodes(motion, scratch.nodes);
+    for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
+    TetChunkSums sums;
+    Living living(motion.failing, motion.lives, chunk.c);
+    chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
+      const std::uint16_t* corners = own_corners;
+      if (living.can_fail() && !living.take_pack(corners)) return;
+      add_pack(chunk, pack, lanes, corners, scratch, living, sums);
+    });
+    sums.leave_step(chunk.c, chunk.first_element, results);
+    copy_force_rows(scratch.forces, chunk.slot_count, &slot_force(chunk.first_slot, 0));
+  }
+
+  KOKKOS_FUNCTION void add_pack(const TetChunk& chunk, int pack, int lanes, const std::uint16_t* corners,
+                                const TetScratch& scratch, const Living& living, TetChunkSums& sums) const {
+    TetCorners<Lanes> x;
+    gather_tets(scratch.nodes, node_record, corners, x);
+    const TetGeometry<Lanes> g = find_tet_geometry(x);
+    const TetGather gather{launch.passes.stresses.data(), TetSums::stress_row,
+                           &launch.nodes.slots_to_records(chunk.first_slot)};
+    const TetMeans<Lanes> means = find_means(gather, corners);
+    const double* const scalars =
+        &launch.passes.elements(static_cast<std::size_t>(chunks.first_pack(chunk.c) + pack) * TetPasses::scalars *
+                                tet_width);
+    const TetStiffness<Lanes> own{Lanes(0.0), load_pack(scalars), load_pack(scalars + tet_width)};
+    const Lanes step = find_mixed_step(g, means, mix_moduli(own, means, load_pack(scalars + 2 * tet_width)));
+    settle(find_stress(chunk, pack), means, g, step, {corners, lanes, scratch.forces}, living,
+           chunk.first_element + pack * tet_width, sums);
+  }
+
+  static PERCUSS_FORCE_INLINE TetMeans<Lanes> find_means(const TetGather& gather, const std::uint16_t* corners) {
+    TetMeans<Lanes> means;
+    means.stress = gather.find_mean(corners);
+    means.bulk = means.shear = Lanes(0.0);
+    for (int i = 0; i < 4; ++i) {
+      const Vector3<Lanes> at_corner = gather(i, 2, corners);
+      means.bulk = means.bulk + Lanes(0.25) * at_corner.x;
+      means.shear = means.shear + Lanes(0.25) * at_corner.y;
+      means.share[i] = at_corner.z;
+    }
+    return means;
+  }
+
+  /// Of an element at n+1, from its record.
+  struct OwnStress {
+    Symmetric3<Lanes> stress;
+    Lanes guard, viscous_pressure;
+  };
+
+  KOKKOS_FUNCTION OwnStress find_stress(const TetChunk& chunk, int pack) const {
+    const auto* const record =
+        reinterpret_cast<const double*>(&state(chunks.first_state(chunk.c))) +
+        static_cast<std::size_t>(pack) * static_cast<std::size_t>(chunks.record_size(chunk.c)) * tet_width;
+    const auto load = [&](int scalar) { return load_pack(record + scalar * tet_width); };
+    constexpr int r = TetRecord::rotation, s = TetRecord::stress;
+    const Matrix3<Lanes> rotation{{{load(r), load(r + 1), load(r + 2)},
+                                   {load(r + 3), load(r + 4), load(r + 5)},
+                                   {load(r + 6), load(r + 7), load(r + 8)}}};
+    const Symmetric3<Lanes> stress{load(s), load(s + 1), load(s + 2), load(s + 3), load(s + 4), load(s + 5)};
+    return {push_forward(rotation, stress), load(TetRecord::guard), load(TetRecord::viscous_pressure)};
+  }
+
+  struct Scatter {
+    const std::uint16_t* corners;
+    int lanes;
+    double* forces;
+  };
+
+  /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
+  KOKKOS_FUNCTION void settle(OwnStress own, const TetMeans<Lanes>& means, const TetGeometry<Lanes>& g, Lanes step,
+                              const Scatter& to, const Living& living, int first_element,
+                              TetChunkSums& sums) const {
+    const Lanes zero(0.0);
+    Lanes volume = g.volume, share(1.0);
+    if (living.can_fail()) {
+      share = living.take_force_share(step, volume);
+      own = {share * own.stress, share * own.guard, share * own.viscous_pressure};
+    }
+    const auto lives = !(share < zero);
+    TetCorners<Lanes> f =
+        find_tet_forces(g, find_mixed_stress(own.stress, means.stress, own.guard, own.viscous_pressure));
+    if (living.can_fail()) {
+      for (int i = 0; i < 4; ++i)
+        f[i] = {select(lives, f[i].x, zero), select(lives, f[i].y, zero), select(lives, f[i].z, zero)};
+      step = select(lives, step, Lanes(1e300));
+      volume = select(lives, volume, Lanes(1.0));
+    }
+    scatter_tets(f, to.corners, to.lanes, to.forces);
+    sums.take_step(step, volume, first_element, to.lanes);
+  }
+};
+
+/// Sum over the slots of a record in their order.
+template <int Size>
+struct SlotSum {
+  double value[Size];
+
+  template <class Rows>
+  KOKKOS_FUNCTION SlotSum(const TetNodes& nodes, const Rows& rows, int record) {
+    for (int k = 0; k < Size; ++k) value[k] = 0;
+    for (int i = nodes.first(record); i < nodes.first(record + 1); ++i) {
+      const double* const row = &rows(nodes.slots(i), 0);
+      for (int k = 0; k < Size; ++k) value[k] += row[k];
+    }
+  }
+};
+
+template <class Run>
+void for_each_block(const TetBlocks& blocks, const Run& run) {
+  std::apply([&](const auto&... block) { (run(block), ...); }, blocks);
+}
+
+}  // namespace
+
+TetPasses make_tet_passes(const TetNodes& nodes, int slot_count, int pack_count) {
+  const auto slots = static_cast<std::size_t>(slot_count), records = static_cast<std::size_t>(nodes.count);
+  return {TetRateRows("percuss::tet_slot_rates", slots),
+          TetStressRows("percuss::tet_slot_stresses", slots),
+          TetRateRows("percuss::tet_rates", records),
+          TetStressRows("percuss::tet_stresses", records),
+          Array<double>("percuss::tet_elements",
+                        static_cast<std::size_t>(pack_count) * TetPasses::scalars * static_cast<std::size_t>(tet_width))};
+}
+
+void sum_tet_rates(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step) {
+  for_each_block(blocks, [&](const auto& block) {
+    if constexpr (!is_single_precision) {
+      launch_tets("percuss::sum_tet_rates", space, chunks, block.chunks,
+                  SumRates<Lanes>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates});
+    }
+  });
+}
+
+void average_tet_rates(const ExecSpace& space, const TetLaunch& launch) {
+  const TetNodes nodes = launch.nodes;
+  const TetRateRows slots = launch.passes.slot_rates, means = launch.passes.rates;
+  Kokkos::parallel_for(
+      "percuss::average_tet_rates", Range(space, 0, nodes.count), KOKKOS_LAMBDA(const int r) {
+        const SlotSum<TetSums::rate_row> sum(nodes, slots, r);
+        const double scale = sum.value[8] > 0 ? 1 / sum.value[8] : 0;
+        for (int k = 0; k < 8; ++k) means(r, k) = scale * sum.value[k];
+      });
+}
+
+void advance_tet_stresses(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step,
+                          const Array<Real>& state, const ChunkResults& results) {
+  for_each_block(blocks, [&](const auto& block) { advance_stresses(space, chunks, block, step, state, results); });
+}
+
+void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch) {
+  const TetNodes nodes = launch.nodes;
+  const TetStressRows slots = launch.passes.slot_stresses, means = launch.passes.stresses;
+  Kokkos::parallel_for(
+      "percuss::average_tet_stresses", Range(space, 0, nodes.count), KOKKOS_LAMBDA(const int r) {
+        const SlotSum<TetSums::stress_row> sum(nodes, slots, r);
+        const double volume = sum.value[8], scale = volume > 0 ? 1 / volume : 0;
+        for (int k = 0; k < 8; ++k) means(r, k) = scale * sum.value[k];
+        means(r, 8) = scale * sum.value[9];
+        means(r, 9) = scale * sum.value[10];
+        means(r, 10) = sum.value[13] > 0 ? sum.value[12] / sum.value[13] : 0;
+      });
+}
+
+void sum_tet_forces(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step,
+                     const Array<Real>& state, const Rows3<double>& slot_force, const ChunkResults& results) {
+  for_each_block(blocks, [&](const auto& block) {
+    if constexpr (!is_single_precision) {
+      launch_tets("percuss::sum_tet_forces", space, chunks, block.chunks,
+                  FindForces<Lanes>{chunks, block.chunks, step.motion, step.launch, state, slot_force, results});
+    }
+  });
+}
+
+void advance_plain_tets(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks,
+                        const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
+                        const ChunkResults& results) {
+  for_each_block(blocks,
+                 [&](const auto& block) { advance_plain(space, chunks, block, motion, state, slot_force, results); });
+}
+
+}  // namespace percuss

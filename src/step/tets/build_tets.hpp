@@ -1,0 +1,21 @@
+#pragma once
+// The parts of the model that tetrahedra need. Internal to build_model.
+
+#include "comm/halo/halo_plan.hpp"
+#include "src/deck/deck.hpp"
+#include "src/mesh/ordering.hpp"
+#include "src/step/model/model.hpp"
+
+namespace percuss {
+
+/// Whether the elements of a chunk are tetrahedra.
+bool is_tet_chunk(const ChunkedMesh& chunked, const Chunk& chunk);
+
+/// Throws InputError with the deck's place, the same on all ranks, where the deck asks for what tetrahedra do not have.
+void check_tets(const Deck& deck, const Mesh& mesh);
+
+/// The records of nodes, over which the mixed form averages: one for each material of the tetrahedra around a node.
+/// Collective; model.halo and the slots of its chunks are there already.
+void build_tet_nodes(const ChunkedMesh& chunked, const SlotLists& nodes_to_slots, Model& model);
+
+}  // namespace percuss

@@ -1,0 +1,34 @@
+#pragma once
+// Tetrahedra within a step: the passes of the mixed form with their swaps, or the one of the plain form.
+
+#include "comm/halo/group_swap.hpp"
+#include "kernels/tet/tet_force.hpp"
+#include "src/step/model/model.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+class TetStage {
+ public:
+  /// Collective. The model outlives this.
+  explicit TetStage(const Model& model);
+
+  /// What comes before the forces: of the mixed form the stresses at n+1 of all chunks, and their averages at the nodes.
+  /// Collective.
+  void prepare(const State& state, const ElementMotion& motion);
+
+  /// The forces of some chunks into their slots.
+  void advance(const State& state, const TetBlocks& blocks, const ElementMotion& motion) const;
+
+  /// What this rank has sent of the rates and stresses of shared nodes.
+  Traffic traffic() const;
+
+ private:
+  const Model& model_;
+  ExecSpace space_;
+  TetLaunch launch_;
+  GroupSwap<TetSums::rate_groups> rates_;
+  GroupSwap<TetSums::stress_groups> stresses_;
+};
+
+}  // namespace percuss
