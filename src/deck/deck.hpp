@@ -301,8 +301,8 @@ struct ElementDeck {
   /// The volume rate of tetrahedra is averaged over their nodes, or each has its own, with which they lock.
   enum class Tetrahedra { mixed, plain };
   Tetrahedra tetrahedra = Tetrahedra::mixed;
-  bool resist_folding = true;   // forces at corners of hexahedra that turn inside out
-  bool skip_resting = true;     // leave chunks of elements alone that rest; no result depends on it
+  bool resist_folding = true;  // forces at corners of hexahedra that turn inside out
+  bool skip_resting = true;    // leave chunks of elements alone that rest; no result depends on it
   double linear_viscosity = 0.06;
   double quadratic_viscosity = 1.2;
 };

@@ -135,7 +135,7 @@ class Stepper {
   std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
   std::unique_ptr<MassScaler> scaler_;  // likewise
   RigidStage rigid_;
-  std::unique_ptr<TetStage> tets_;      // only with tetrahedra
+  std::unique_ptr<TetStage> tets_;  // only with tetrahedra
   Bookkeeper bookkeeper_;
   ForceBooks forces_;
   PrescribedMotions motions_;

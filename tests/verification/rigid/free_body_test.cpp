@@ -54,12 +54,13 @@ output: {history: {every: 0.1}}
 
 // A force on the nodes of one end of a block that can only turn about z: angular acceleration T / I.
 TEST(RigidBlock, TurnsAboutAFixedAxisUnderALoad) {
-  const Outcome run = run_deck(describe_block(R"(
+  const Outcome run =
+      run_deck(describe_block(R"(
 time: {end: 1.0e-2, max_step: 1.0e-5}
 loads: {pressure: [{faces: block/x_max, value: 1.0e4, direction: y}]}
 output: {history: {every: 1.0e-3}}
 )",
-                                              "{fixed: [x, y, z, rx, ry], mass: 48, inertia: [0.2, 0.4, 0.5, 0, 0, 0]}"));
+                              "{fixed: [x, y, z, rx, ry], mass: 48, inertia: [0.2, 0.4, 0.5, 0, 0, 0]}"));
   const double moment = 1e4 * 0.2 * 0.1 * 0.15, rate = moment / 0.5;
   EXPECT_NEAR(run.history.last("body_wz:block"), rate * (1e-2 - 0.5e-5), 1e-6 * rate * 1e-2);  // half a step before
   EXPECT_EQ(run.history.last("body_x:block"), run.history["body_x:block"].front());
@@ -73,15 +74,27 @@ TEST(RigidBlock, FollowsAPrescribedMotion) {
   const Outcome run = run_deck(describe_block(R"(
 time: {end: 1.0e-2, max_step: 1.0e-5}
 conditions:
-  - {nodes: block, displacement: {x: {expression: "0.01 * (1 - cos(314.1592653589793 * t))"}}}
-  - {nodes: block, velocity: {rx: {expression: "100"}, y: 2}}
+  - {nodes: block, displacement: {x: {expression: "0.01 * (1 - cos(314.1592653589793 * t))"
+}
+}
+}
+- {
+nodes:
+  block, velocity : {
+  rx : {
+  expression:
+    "100"
+  }
+    , y : 2
+  }
+}
 output: {history: {every: 1.0e-3}}
 )"));
   EXPECT_NEAR(run.history.last("body_x:block"), 0.02, 1e-12);
-  EXPECT_NEAR(run.history.last("body_y:block"), 0.02, 1e-12);
-  EXPECT_NEAR(run.history.last("body_q0:block"), std::cos(0.5), 1e-6);  // the turn of a step is that of tan(angle / 2)
-  EXPECT_LT(std::abs(run.summary.energy.error), 1e-9);
-  EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
+EXPECT_NEAR(run.history.last("body_y:block"), 0.02, 1e-12);
+EXPECT_NEAR(run.history.last("body_q0:block"), std::cos(0.5), 1e-6);  // the turn of a step is that of tan(angle / 2)
+EXPECT_LT(std::abs(run.summary.energy.error), 1e-9);
+EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
 }
 
 // Two parts of one name are one body; with a mass that is given.
