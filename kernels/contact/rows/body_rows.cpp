@@ -72,7 +72,7 @@ void start_bodies(const Space& space, const BodyInputs& inputs, RowSystem& syste
         const BodyResponse& response = in.responses(body);
         store_row(at.inverse_mass, a, find_compliance(response, load_row(at.x, a) - response.center));
       });
-  group_by_key<Space>(space, owned, key, index, count, bodies.size, bodies.offset, bodies.places);
+  group_by_key<Space>(space, {owned, key, index, count}, {bodies.size, bodies.offset, bodies.places});
   space.fence();
   const auto offset = to_host(bodies.offset);
   bodies.first.assign(offset.data(), offset.data() + count + 1);
