@@ -150,10 +150,10 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
   const T half = T(0.5);
   const ShellGeometry<T> middle = find_shell_geometry(step_back(x, v, half * dt), shapes);
   const Vector3<T> turned[4] = {middle.frame * w[0], middle.frame * w[1], middle.frame * w[2], middle.frame * w[3]};
-  ShellRates<T> rate = find_shell_rates(middle, turn(middle.frame, v), turned, shapes);
+  ShellRates<T> rate = find_shell_rates(middle, turn(middle.frame, v), turned, shapes);  // (1.3) strain rate
   if (par.offset != 0) move_to_middle(T(par.offset), rate);
 
-  const LayerSums<T> layers = advance_layers(par, rate, dt, half * state.thickness, layer, lives);
+  const LayerSums<T> layers = advance_layers(par, rate, dt, half * state.thickness, layer, lives);  // (1.4) stress
   T work = layers.work, modulus = T(shell_shear_correction * elastic.shear_modulus);
   if constexpr (Shapes::has_triangles) modulus = find_shear_share(middle, state.thickness, shapes) * modulus;
   for (int k = 0; k < 2; ++k) {
@@ -173,7 +173,7 @@ PERCUSS_FORCE_INLINE ShellResult<T> advance_shell4(const ShellParameters<Materia
   ShellRates<T> on = join_stresses<Lives::can_fail>(state, layers, end.area, shapes);
   if (par.offset != 0) move_to_corners(T(par.offset), on);
   const ShellSection<T> section{state.thickness, state.mass, state.gyration_square, par.offset};
-  find_shell_forces(end, on, force, moment, shapes);
+  find_shell_forces(end, on, force, moment, shapes);  // (1.5) internal forces
   return {{half * (old_thickness + state.thickness) * middle.area * work, hourglass_work},
           find_shell_step(end, section, elastic, shapes),
           end.area,

@@ -94,6 +94,7 @@ struct ContactStage::Impl {
   PhaseClock decomposed_at_start;  // in searches before the first step, which are in no phase
 };
 
+/// (1.7) Search for potential contacts, if the candidate pairs may have become too few. Returns whether it searched.
 bool ContactStage::Impl::search(const SurfaceMotion& motion) {
   if (!has_pairs()) return false;
   const Phase phase("percuss::contact_search", clocks.search);
@@ -121,6 +122,7 @@ void ContactStage::Impl::search_again() {
   decomposed_at_start = finder->decomposition_clock();
 }
 
+/// (1.8) Detailed contact check of the candidate pairs; ties are added. Returns the number of touches.
 int ContactStage::Impl::check(const SurfaceMotion& motion) {
   if (candidates == 0) return tie_rows.append(0, touches);
   const Phase phase("percuss::contact_check", clocks.check);
@@ -266,6 +268,7 @@ void ContactStage::archive(CheckpointArchive& archive) {
   stage.search_again();
 }
 
+// (1.7), (1.8), (1.9), the last in Enforcer::enforce().
 ContactReport ContactStage::apply(const ContactMotion& motion) {
   Impl& stage = *impl_;
   const SurfaceMotion predicted{motion.x, motion.v, motion.dt};

@@ -132,9 +132,9 @@ void Stepper::archive(CheckpointArchive& archive) {
   contact_.archive(archive);
 }
 
-// The explicit midpoint rule begins a step with the motion that the forces at n cause, and ends it with the forces at
-// n+1, so that (1.6) to (1.9) come before (1.3) to (1.5). (1.1) comes after the step, where elements have died in it:
-// Run::erode().
+// Figure 1 of the paper. The explicit midpoint rule begins a step with the motion that the forces at n cause, and ends
+// it with the forces at n+1, so that (1.6) to (1.9) come before (1.3) to (1.5). (1.1) comes after the step, where
+// elements have died in it: Run::erode().
 void Stepper::advance(State& state, StepWishes wishes) {
   const double dt = state.next_dt;
   const double dt_mean = 0.5 * (state.dt + dt);

@@ -1,5 +1,5 @@
 #pragma once
-// One step of the run: Figure 1 of the paper, each line a function (Stepper::advance()).
+// One step of the run, each line of the paper's outline a function (Stepper::advance()).
 
 #include <cstdint>
 #include <limits>

@@ -1,5 +1,5 @@
 #pragma once
-// Capture boxes and the bound that lets candidate pairs be used again (the paper's location phase).
+// Capture boxes (the paper's section 4.1.1) and the bound that lets candidate pairs be used again.
 //
 // A box bounds a face at its known and its predicted place, widened by what a node can move in the step, by the reach
 // of the detailed check, and by a margin. As long as no node has left its place of the search by more than half of

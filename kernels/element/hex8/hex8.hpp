@@ -126,9 +126,9 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
                                                const VectorModes<T>& v, const T& dt, HexState<T, Material, Kind>& state,
                                                T (&fx)[8], T (&fy)[8], T (&fz)[8]) {
   const T half = number<T>(0.5);
-  const StepMotion<T> step = follow_motion(a, v, dt, state.polar);
+  const StepMotion<T> step = follow_motion(a, v, dt, state.polar);  // (1.3) strain rate
 
-  // stress
+  // (1.4) stress
   const Symmetric3<T> old_stress = state.stress;
   const ToldMotion<T> told = tell_motion(par, a, state, step, dt);
   const auto response = update_stress(par.material, state.stress, state.stress_rest[0], state.history, 0, told.point);
@@ -157,7 +157,7 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   t.xx = t.xx - viscous.pressure;
   t.yy = t.yy - viscous.pressure;
   t.zz = t.zz - viscous.pressure;
-  find_corner_forces(t, force, a, b, fx, fy, fz);
+  find_corner_forces(t, force, a, b, fx, fy, fz);  // (1.5) internal forces
 
   const T oblique = find_obliqueness(a, size, b.volume);
   const T frequency_square =

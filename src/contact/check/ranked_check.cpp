@@ -133,7 +133,8 @@ void RankedCheck::select_near() {
   asked_ = {};
 }
 
-/// The motion of the nodes that the check reads, and the contact history of the checked ones from the FE owners.
+/// The motion of the nodes that the check reads, and the contact history of the checked ones, from the FE owners.
+/// (Section 4.2 of the paper: the check knows which nodes are in contact already, and with which faces.)
 SurfaceMotion RankedCheck::receive(const SurfaceMotion& motion, const ContactHistory& history) {
   const CheckPart& part = *read_;
   motion_.begin(data_, part.motion, motion);

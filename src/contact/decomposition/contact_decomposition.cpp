@@ -125,7 +125,7 @@ void ContactDecomposition::update(const SurfaceMotion& motion, double margin) {
   const bool are_told = are_faces_told_ && are_reached_parts_told(motion, margin);  // (5.4)
   if (!are_told) send_overlapping_faces(motion, margin);                            // (5.5)
   has_changed_ = are_nodes_others || !are_told;
-  send_boxes();
+  send_boxes();  // (5.5) in every search
 }
 
 void ContactDecomposition::begin_search(const SurfaceMotion& motion) {
@@ -226,7 +226,8 @@ std::vector<int> ContactDecomposition::node_owners() const {
   return {owners_.begin(), owners_.begin() + static_cast<std::ptrdiff_t>(searched_nodes_.size())};
 }
 
-/// Sends the owners of nodes their numbers.
+/// Sends the owners of nodes their numbers. Straight from the FE owners: the bisection moved no more than positions and
+/// ids, to find the cuts.
 void ContactDecomposition::send_nodes_to_owners() {
   const SendOrder order = order_by_destination(node_owners());
   node_plan_ = exchange_.plan(order.to);

@@ -3,11 +3,11 @@
 // of the elements. Steps (5.1) to (5.5) of the paper, each a function (ContactDecomposition::update()).
 //
 // Four things differ from the paper. A face goes straight from its FE owner to every rank that its capture box reaches,
-// one message instead of two. A part goes to the rank that has most of its points in the FE decomposition; these need
-// no messages. The cuts are kept until copies of faces on several ranks have grown by a share: the owners of points
-// stay, so the balance stays and nothing moves. The topology of nodes and faces is sent once and cached: each search
-// sends only positions and boxes, until a face reaches a rank that does not know it. No physical result depends on the
-// cuts, nor on extra faces that ranks know.
+// one message instead of two; a node likewise to its contact owner. A part goes to the rank that has most of its points
+// in the FE decomposition; these need no messages. The cuts are kept until copies of faces on several ranks have grown
+// by a share: the owners of points stay, so the balance stays and nothing moves. The topology of nodes and faces is
+// sent once and cached: each search sends only positions and boxes, until a face reaches a rank that does not know it.
+// No physical result depends on the cuts, nor on extra faces that ranks know.
 
 #include <cstdint>
 #include <memory>

@@ -1,5 +1,5 @@
 #pragma once
-// Search and check in the contact decomposition: Figure 5 of the paper, by search() and check().
+// Search and check in the contact decomposition: steps (5.1) to (5.7) of the paper, by search() and check().
 //
 // A rank knows its part of the surface: the nodes that it owns there, the faces that reach it, and the faces around the
 // nodes of both, for normals. This topology is sent once and cached for many searches, until faces reach other ranks or

@@ -75,7 +75,7 @@ struct SurfaceShare {
   BoundedFaces bounded_faces() const { return {corner_list, reach_list}; }
 };
 
-/// Finds the contact surface of the mesh. Throws InputError for unknown surfaces. Collective.
+/// (1.1) Define contact surface: finds that of the mesh. Throws InputError for unknown surfaces. Collective.
 SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, const TiedSurfaces& ties,
                                  UnstructuredExchange& exchange);
 

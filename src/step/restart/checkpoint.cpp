@@ -232,8 +232,8 @@ void check_checkpoint_header(const std::string& path, const CheckpointHeader& ch
   if (!differences.empty()) {
     throw InputError(
         fmt::format("{}: error: the deck is not the one of {} (a run goes on with the scene that it had): "
-                    "{}; only title, units, output, audit, time.end, time.max_steps, time.collapse_ratio "
-                    "and contact.rebalance may change",
+                    "{}; only title, units, output, audit, silence, paths of mesh files, time.end, time.max_steps, "
+                    "time.collapse_ratio and contact.rebalance may change",
                     deck.file, path, join_first(differences)));
   }
   if (checkpoint.mesh != now.mesh) {
