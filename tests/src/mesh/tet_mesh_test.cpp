@@ -57,7 +57,8 @@ TEST_P(TetShape, HasFacesThatMatchAndSidesOutside) {
   const Mesh whole = build_mesh(make_deck({make_part_deck("p", GetParam().shape)}));
   for (const auto& [name, faces] : whole.side_sets) EXPECT_EQ(mesh.side_sets.at(name).size(), 2 * faces.size()) << name;
   for (const auto& [name, nodes] : whole.node_sets) {
-    if (name != "p") EXPECT_EQ(mesh.node_sets.at(name).size(), nodes.size()) << name;
+    if (name == "p") continue;  // the middles of cells are among them
+    EXPECT_EQ(mesh.node_sets.at(name).size(), nodes.size()) << name;
   }
 }
 
@@ -67,7 +68,7 @@ TEST_P(TetShape, HasPositiveElementsThatFillIt) {
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const HexCorners x = gather_corners(mesh.elements, e, mesh.nodes);
     const CornerJacobian jacobian = find_corner_jacobian(tet4_topology, x, 0);
-    EXPECT_GT(jacobian.value, 0.05 * jacobian.edge_product);
+    EXPECT_GT(jacobian.value, 0.03 * jacobian.edge_product);
     for (int f = 0; f < 4; ++f) {
       if ((mesh.exterior[e] >> f & 1) == 0) continue;
       const std::array<int, 4> n = mesh.elements.face_nodes({static_cast<int>(e), f});
