@@ -18,7 +18,9 @@ struct Wrench {
 };
 
 /// What the impulse j at r from the centre is to the body.
-KOKKOS_INLINE_FUNCTION Wrench find_wrench(const Vector3<double>& r, const Vector3<double>& j) { return {j, cross(r, j)}; }
+KOKKOS_INLINE_FUNCTION Wrench find_wrench(const Vector3<double>& r, const Vector3<double>& j) {
+  return {j, cross(r, j)};
+}
 
 /// Changes of velocity and spin that a wrench causes.
 struct BodyChange {

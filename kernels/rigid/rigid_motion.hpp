@@ -51,7 +51,9 @@ struct HeldSpin {
 };
 
 KOKKOS_INLINE_FUNCTION double get(const Vector3<double>& a, int k) { return k == 0 ? a.x : (k == 1 ? a.y : a.z); }
-KOKKOS_INLINE_FUNCTION void set(Vector3<double>& a, int k, double value) { (k == 0 ? a.x : (k == 1 ? a.y : a.z)) = value; }
+KOKKOS_INLINE_FUNCTION void set(Vector3<double>& a, int k, double value) {
+  (k == 0 ? a.x : (k == 1 ? a.y : a.z)) = value;
+}
 
 /// Angular momentum of the nodes about the centre in the step that turns the body by q. inertia: at n.
 KOKKOS_INLINE_FUNCTION Vector3<double> find_spin_momentum(const Symmetric3<double>& inertia, const Vector3<double>& q,

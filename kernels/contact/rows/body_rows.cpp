@@ -18,8 +18,8 @@ std::vector<ExactSum> sum_places(const Space& space, RowSystem& system, const Ad
   for (int b = 0; b < bodies.count(); ++b) {
     const auto place = static_cast<std::size_t>(b);
     const int first = bodies.first[place];
-    const auto totals = bodies.memory(
-        space, bodies.first[place + 1] - first, [=] KOKKOS_FUNCTION(const int i, const ExactAdder& add) {
+    const auto totals =
+        bodies.memory(space, bodies.first[place + 1] - first, [=] KOKKOS_FUNCTION(const int i, const ExactAdder& add) {
           double values[6];
           add_place(places(first + i), responses(b), values);
           for (int k = 0; k < 6; ++k) add(k, values[k]);
@@ -191,14 +191,14 @@ void move_body_places(const Space& space, const RowSystem& system) {
       });
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                              \
-  template void start_bodies(const Space&, const BodyInputs&, RowSystem&);                      \
-  template void mark_foreign_places(const Space&, RowSystem&);                                  \
-  template std::vector<ExactSum> sum_body_coefficients(const Space&, RowSystem&);               \
+#define PERCUSS_INSTANTIATE(Space)                                                                \
+  template void start_bodies(const Space&, const BodyInputs&, RowSystem&);                        \
+  template void mark_foreign_places(const Space&, RowSystem&);                                    \
+  template std::vector<ExactSum> sum_body_coefficients(const Space&, RowSystem&);                 \
   template void spread_body_coefficients(const Space&, const std::vector<ExactSum>&, RowSystem&); \
-  template void hold_rows_within_bodies(const Space&, RowSystem&);                              \
-  template std::vector<ExactSum> sum_body_impulses(const Space&, RowSystem&);                   \
-  template void move_packed_body_places(const Space&, double, const RowSystem&);                \
+  template void hold_rows_within_bodies(const Space&, RowSystem&);                                \
+  template std::vector<ExactSum> sum_body_impulses(const Space&, RowSystem&);                     \
+  template void move_packed_body_places(const Space&, double, const RowSystem&);                  \
   template void move_body_places(const Space&, const RowSystem&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

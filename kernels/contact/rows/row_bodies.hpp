@@ -19,12 +19,12 @@ struct BodyInputs {
 /// The same by place, and what the iteration needs.
 struct RowBodies {
   BodyInputs inputs;
-  Array<int> of_place = Array<int>("contact::body_of_place", 0);         // [places] -1: none
-  Rows3<double> marks = Rows3<double>("contact::body_marks", 0);         // [places] body, in messages
-  Array<int> places = Array<int>("contact::body_places", 0);             // owned ones, body after body
-  std::vector<int> first;                                                // [count + 1] into places, on the host
+  Array<int> of_place = Array<int>("contact::body_of_place", 0);            // [places] -1: none
+  Rows3<double> marks = Rows3<double>("contact::body_marks", 0);            // [places] body, in messages
+  Array<int> places = Array<int>("contact::body_places", 0);                // owned ones, body after body
+  std::vector<int> first;                                                   // [count + 1] into places, on the host
   Array<BodyChange> change = Array<BodyChange>("contact::body_change", 0);  // of the iterate
-  std::vector<Wrench> wrench;                                            // of all rows, of the iterate
+  std::vector<Wrench> wrench;                                               // of all rows, of the iterate
   ExactSums<6> memory{"contact::body_sums"};
   // Scratch of the set-up.
   Array<int> key = Array<int>("contact::body_key", 0), index = Array<int>("contact::body_index", 0);

@@ -22,7 +22,7 @@ struct RigidBody {
   Vector3<double> velocity{}, spin{};  // of the centre; about it [rad / time]
   // Row of Model::motions that holds each translation, then each rotation about an axis through the centre; free: none.
   std::array<int, 6> motion{free, free, free, free, free, free};
-  double radius = 0;                       // largest distance of a node from the centre
+  double radius = 0;                                    // largest distance of a node from the centre
   std::int64_t parts = 0, nodes = 0, shared_nodes = 0;  // of all ranks; shared with elements that deform
 };
 
@@ -31,9 +31,9 @@ struct RigidModel {
   RigidNodes nodes;
   Array<int> body_of_node;  // [nodes] -1: of none; empty without bodies
   RigidLoads loads;
-  bool is_loaded = false;   // whether anything can act on a body besides gravity and contact, on any rank
-  bool is_all = false;      // whether nothing of the scene deforms
-  double least_edge = 0;    // shortest edge of a rigid element, of all ranks
+  bool is_loaded = false;  // whether anything can act on a body besides gravity and contact, on any rank
+  bool is_all = false;     // whether nothing of the scene deforms
+  double least_edge = 0;   // shortest edge of a rigid element, of all ranks
 
   bool any() const { return !bodies.empty(); }
   KOKKOS_INLINE_FUNCTION static bool holds(const Array<const int>& body_of_node, int n) {
@@ -44,7 +44,7 @@ struct RigidModel {
 /// A body in the loop.
 struct RigidState {
   Vector3<double> center{};         // at n
-  Orientation orientation{};         // from time 0 to n
+  Orientation orientation{};        // from time 0 to n
   Vector3<double> velocity{};       // of the centre, at n-1/2 (at n = 0: at 0)
   Vector3<double> spin_momentum{};  // angular momentum of the nodes about the centre, likewise
   Vector3<double> spin{};           // w of rigid_motion.hpp, likewise

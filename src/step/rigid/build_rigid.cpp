@@ -60,8 +60,7 @@ void refuse_two_bodies(const Deck& deck, const ChunkedMesh& chunked, const Model
   all_reduce(model.ranks, Reduce::least, node);
   if (node == std::numeric_limits<std::int64_t>::max()) return;
   const int owner = chunked.numbering.find_node_owner(node), local = find_local_node(chunked, node);
-  const std::string id =
-      owner == model.ranks.rank() ? std::to_string(chunked.mesh.node_ids[at(local)]) : std::string();
+  const std::string id = owner == model.ranks.rank() ? std::to_string(chunked.mesh.node_ids[at(local)]) : std::string();
   throw InputError(fmt::format(
       "{}: error: node {} belongs to two rigid bodies (they could not move without each other) give their parts the "
       "same rigid.body",
@@ -123,8 +122,8 @@ MassSum combine(const MassSum& a, const MassSum& b) {
   sum.center = (1 / sum.mass) * (a.mass * a.center + b.mass * b.center);
   for (const MassSum* of : {&a, &b}) {
     const Vector3<double> r = of->center - sum.center;
-    sum.second = sum.second + of->mass * Symmetric3<double>{r.x * r.x, r.y * r.y, r.z * r.z,
-                                                            r.x * r.y, r.y * r.z, r.z * r.x};
+    sum.second =
+        sum.second + of->mass * Symmetric3<double>{r.x * r.x, r.y * r.y, r.z * r.z, r.x * r.y, r.y * r.z, r.z * r.x};
   }
   return sum;
 }
@@ -169,7 +168,8 @@ bool has_inertia(const Symmetric3<double>& i) {
 std::vector<std::vector<int>> list_owned_nodes(const ChunkedMesh& chunked, const RigidMap& map, std::size_t bodies) {
   std::vector<std::vector<int>> nodes(bodies);
   for (std::size_t n = 0; n < map.body.size(); ++n)
-    if (map.body[n] >= 0 && owns_node(chunked, static_cast<int>(n))) nodes[at(map.body[n])].push_back(static_cast<int>(n));
+    if (map.body[n] >= 0 && owns_node(chunked, static_cast<int>(n)))
+      nodes[at(map.body[n])].push_back(static_cast<int>(n));
   return nodes;
 }
 
@@ -206,7 +206,8 @@ double find_least_edge(const Deck& deck, const ChunkedMesh& chunked, const Model
     if (!deck.parts[at(mesh.part_of(e))].rigid) continue;
     const auto corners = mesh.corners(e);
     for (const auto& [a, b] : mesh.topology_of(e).edges())
-      least = std::min(least, norm(to_vector(mesh.nodes[at(corners[at(a)])]) - to_vector(mesh.nodes[at(corners[at(b)])])));
+      least =
+          std::min(least, norm(to_vector(mesh.nodes[at(corners[at(a)])]) - to_vector(mesh.nodes[at(corners[at(b)])])));
   }
   all_reduce(model.ranks, Reduce::least, least);
   return least;
@@ -313,16 +314,18 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
     body.inertia = to_inertia(sum.second);
     body.parts = std::count(names.body_of_part.begin(), names.body_of_part.end(), index);
     if (!has_inertia(body.inertia)) {
-      throw InputError(fmt::format("{}: error: rigid body '{}' has no inertia about some axis (its masses lie on a "
-                                   "line) give rigid.inertia",
-                                   find_place(deck, names, index), body.name));
+      throw InputError(
+          fmt::format("{}: error: rigid body '{}' has no inertia about some axis (its masses lie on a "
+                      "line) give rigid.inertia",
+                      find_place(deck, names, index), body.name));
     }
     measure(chunked, map, owned[b], model, body);
     if (body.shared_nodes > 0 && model.scales_in_run) {
-      throw InputError(fmt::format("{}: error: rigid body '{}' shares {} nodes with elements that deform "
-                                   "(mass_scaling.every adds mass during the run, which a body does not take) leave "
-                                   "`every` out",
-                                   find_place(deck, names, index), body.name, body.shared_nodes));
+      throw InputError(
+          fmt::format("{}: error: rigid body '{}' shares {} nodes with elements that deform "
+                      "(mass_scaling.every adds mass during the run, which a body does not take) leave "
+                      "`every` out",
+                      find_place(deck, names, index), body.name, body.shared_nodes));
     }
     model.mass_notes.push_back(describe(body));
     rigid.bodies.push_back(body);
@@ -335,6 +338,10 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
   rigid.is_loaded = some != 0;
   rigid.is_all =
       std::all_of(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) { return part.rigid.has_value(); });
+  if (rigid.is_all)
+    model.mass_notes.emplace_back(
+        "nothing deforms: the step follows from the speeds of the rigid bodies, time.end and "
+        "time.max_step");
   rigid.least_edge = find_least_edge(deck, chunked, model);
   if (gives_rigid_masses(deck)) find_total(chunked, map, masses.all, model);
 }

@@ -11,8 +11,8 @@ namespace percuss {
 
 /// Which body has each node of this rank. A node that a rigid and a deformable part share belongs to the body.
 struct RigidMap {
-  std::vector<int> body;          // [nodes] -1: none; empty without rigid parts
-  std::vector<char> is_shared;    // [nodes] 1: an element that deforms has it too
+  std::vector<int> body;        // [nodes] -1: none; empty without rigid parts
+  std::vector<char> is_shared;  // [nodes] 1: an element that deforms has it too
   bool holds(int node) const { return !body.empty() && body[static_cast<std::size_t>(node)] >= 0; }
 };
 

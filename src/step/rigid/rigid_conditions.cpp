@@ -32,9 +32,10 @@ void hold(RigidBody& body, int direction, int motion, const std::string& place) 
     held = motion;
     return;
   }
-  throw InputError(fmt::format("{}: error: rigid body '{}' is held in direction {} already, and is to be moved in it "
-                               "leave it out of one of both",
-                               place, body.name, name_direction(direction)));
+  throw InputError(
+      fmt::format("{}: error: rigid body '{}' is held in direction {} already, and is to be moved in it "
+                  "leave it out of one of both",
+                  place, body.name, name_direction(direction)));
 }
 
 /// [bodies] nodes of each that a condition selects, on all ranks.
@@ -49,10 +50,11 @@ std::vector<std::int64_t> count_selected(const Deck& deck, const ChunkedMesh& ch
 
 void refuse_some_nodes(const Deck& deck, const ConditionDeck& condition, const RigidBody& body, std::int64_t count) {
   if (count == body.nodes || condition.kind == ConditionDeck::Kind::symmetry) return;
-  throw InputError(fmt::format(
-      "{}: error: the condition names {} of the {} nodes of rigid body '{}' (a body is held as a whole) name its parts, "
-      "or use rigid.fixed",
-      deck.where(condition.where.place), count, body.nodes, body.name));
+  throw InputError(
+      fmt::format("{}: error: the condition names {} of the {} nodes of rigid body '{}' (a body is held as a whole) "
+                  "name its parts, "
+                  "or use rigid.fixed",
+                  deck.where(condition.where.place), count, body.nodes, body.name));
 }
 
 /// All nodes move alike in a direction only if the body does not turn about the two others.
@@ -116,8 +118,8 @@ RigidVelocity find_velocity(const ChunkedMesh& chunked, const Model& model, cons
   };
   std::array<ExactSum, 7> linear{};
   for (const int n : nodes) {
-    const double m = mass[at(n)], values[7] = {m,         m * place(n).x, m * place(n).y, m * place(n).z,
-                                               m * v(n, 0), m * v(n, 1),    m * v(n, 2)};
+    const double m = mass[at(n)],
+                 values[7] = {m, m * place(n).x, m * place(n).y, m * place(n).z, m * v(n, 0), m * v(n, 1), m * v(n, 2)};
     for (std::size_t k = 0; k < 7; ++k) linear[k].add(values[k]);
   }
   sum_over_ranks(model.ranks, linear);
@@ -131,8 +133,15 @@ RigidVelocity find_velocity(const ChunkedMesh& chunked, const Model& model, cons
     const double m = mass[at(n)];
     const Vector3<double> r = place(n) - found.center;
     const Vector3<double> l = cross(r, m * (Vector3<double>{v(n, 0), v(n, 1), v(n, 2)} - found.velocity));
-    const double values[9] = {m * (r.y * r.y + r.z * r.z), m * (r.z * r.z + r.x * r.x), m * (r.x * r.x + r.y * r.y),
-                              -m * r.x * r.y, -m * r.y * r.z, -m * r.z * r.x, l.x, l.y, l.z};
+    const double values[9] = {m * (r.y * r.y + r.z * r.z),
+                              m * (r.z * r.z + r.x * r.x),
+                              m * (r.x * r.x + r.y * r.y),
+                              -m * r.x * r.y,
+                              -m * r.y * r.z,
+                              -m * r.z * r.x,
+                              l.x,
+                              l.y,
+                              l.z};
     for (std::size_t k = 0; k < 9; ++k) angular[k].add(values[k]);
   }
   sum_over_ranks(model.ranks, angular);
@@ -213,9 +222,10 @@ void start_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
       const RigidNames names = name_rigid_bodies(deck);
       const auto part = std::find(names.body_of_part.begin(), names.body_of_part.end(), static_cast<int>(b));
       const auto place = deck.parts[static_cast<std::size_t>(part - names.body_of_part.begin())].rigid->place;
-      throw InputError(fmt::format("{}: error: rigid body '{}' does not begin to move as one (its nodes differ by {:.3g} "
-                                   "of {:.3g} from what it could do) give all its nodes the same entry of initial",
-                                   deck.where(place), body.name, deviation, size));
+      throw InputError(
+          fmt::format("{}: error: rigid body '{}' does not begin to move as one (its nodes differ by {:.3g} "
+                      "of {:.3g} from what it could do) give all its nodes the same entry of initial",
+                      deck.where(place), body.name, deviation, size));
     }
     if (move_alike(model, used, v, body.velocity)) continue;
     body.spin = start.spin;

@@ -112,7 +112,7 @@ void RigidStage::upload(const State& state, double dt) {
   for (std::size_t b = 0; b < next_.size(); ++b) {
     const RigidState &now = state.bodies[b], &next = next_[b];
     const Matrix3<double> rotation = find_rotation(now.orientation);
-    steps(b) = {now.center, next.center,   rotation, dt > 0 ? find_rotation(next.orientation) : rotation,
+    steps(b) = {now.center,    next.center, rotation, dt > 0 ? find_rotation(next.orientation) : rotation,
                 next.velocity, next.spin};
   }
   Kokkos::deep_copy(steps_, steps);
@@ -126,7 +126,8 @@ void RigidStage::predict(State& state, double dt, double dt_mean) {
   for (std::size_t b = 0; b < next_.size(); ++b) {
     const RigidBody& body = model_.rigid.bodies[b];
     const double* g = model_.gravity.g;
-    next_[b].velocity = next_[b].velocity + dt_mean * ((1 / body.mass) * forces_[b].impulse + Vector3<double>{g[0], g[1], g[2]});
+    next_[b].velocity =
+        next_[b].velocity + dt_mean * ((1 / body.mass) * forces_[b].impulse + Vector3<double>{g[0], g[1], g[2]});
     next_[b].spin_momentum = next_[b].spin_momentum + dt_mean * forces_[b].moment;
     move(state, b, dt);
     responses(b) = find_response(body, state.bodies[b]);

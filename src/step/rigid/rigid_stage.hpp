@@ -53,9 +53,9 @@ class RigidStage {
 
   const Model& model_;
   RigidForces find_forces_;
-  std::vector<Wrench> forces_;     // at n, without gravity
-  std::vector<Wrench> contact_;    // impulses of this step; empty: none
-  std::vector<RigidState> next_;   // places at n+1, velocities at n+1/2
+  std::vector<Wrench> forces_;    // at n, without gravity
+  std::vector<Wrench> contact_;   // impulses of this step; empty: none
+  std::vector<RigidState> next_;  // places at n+1, velocities at n+1/2
   Array<BodyStep> steps_;
   Array<BodyResponse> responses_;
   BodyInputs inputs_;

@@ -64,8 +64,10 @@ TEST(RigidTurn, MovesNodesWithTheMeanVelocityAndTheMomentumOfTheBody) {
   const std::vector<Vector> nodes{{1, 2, 3}, {-1, 0.5, 1}, {2, -1, -2}, {-2, -1.5, -2}};  // about their centre
   Symmetric3<double> inertia{};
   for (const Vector& r : nodes)
-    inertia = inertia + Symmetric3<double>{r.y * r.y + r.z * r.z, r.z * r.z + r.x * r.x, r.x * r.x + r.y * r.y,
-                                           -r.x * r.y, -r.y * r.z, -r.z * r.x};
+    inertia =
+        inertia +
+        Symmetric3<double>{
+            r.y * r.y + r.z * r.z, r.z * r.z + r.x * r.x, r.x * r.x + r.y * r.y, -r.x * r.y, -r.y * r.z, -r.z * r.x};
   const Vector momentum{10, -20, 5};
   const double dt = 0.1;
   const Vector q = find_turn(inertia, momentum, {}, dt);

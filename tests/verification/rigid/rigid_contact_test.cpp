@@ -35,17 +35,19 @@ output: {{history: {{every: 0}}}}
 
 }  // namespace
 
-// The impulse at one point between two bodies, P = v / (n . (W_1 + W_2) n), W = 1/M + [r]^T I^-1 [r]: enforcement leaves
-// no closing velocity, the springs of penalty give all of it back, and no friction acts. The tip hits the face at
-// y = z = 0.
+// The impulse at one point between two bodies, P = v / (n . (W_1 + W_2) n), W = 1/M + [r]^T I^-1 [r]: enforcement
+// leaves no closing velocity, the springs of penalty give all of it back, and no friction acts. The tip hits the face
+// at y = z = 0.
 TEST_P(RigidContact, OfACornerWithAFaceGivesTheImpulseOfRigidBodies) {
   const Outcome run = run_deck(describe_corner_impact(GetParam()));
   const double cube = 8000 * 1e-3, block = 8000 * 0.2 * 0.3 * 0.3;
-  // Inertia is that of lumped masses: along a side of 2 cells with the shares 1/4, 1/2, 1/4, of 3 with 1/6, 1/3, 1/3, 1/6.
+  // Inertia is that of lumped masses: along a side of 2 cells with the shares 1/4, 1/2, 1/4, of 3 with 1/6, 1/3, 1/3,
+  // 1/6.
   const double of_two = 1.0 / 8, of_three = 2 * (0.25 / 6 + (1.0 / 36) / 3);
   const double iy = block * (of_two * 0.04 + of_three * 0.09), iz = iy;
   const double y = -0.03, z = -0.02;  // of the point from the centre of the block (0.1, 0.03, 0.02)
-  const double inverse = 1 / cube + 1 / block + z * z / iy + y * y / iz;  // the tip's line goes through the cube's centre
+  const double inverse =
+      1 / cube + 1 / block + z * z / iy + y * y / iz;  // the tip's line goes through the cube's centre
   const bool springs_back = std::string(GetParam()) == "penalty";
   const double impulse = (springs_back ? 20 : 10) / inverse;
   EXPECT_NEAR(run.history.last("body_vx:block"), impulse / block, 2e-3 * impulse / block) << run.summary.steps;
@@ -107,7 +109,7 @@ parts:
   mass: {box: {size: [0.2, 0.1, 0.1], cells: [2, 1, 1]}, at: [1, 0, 0], material: steel, rigid: true}
 join: true
 materials: {steel: {model: elastic, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0}}
-elements: {linear_viscosity: 0, quadratic_viscosity: 0}
+elements: {bulk_viscosity: {linear: 0, quadratic: 0}}
 initial: [{part: mass, velocity: [1.0e-3, 0, 0]}]
 output: {history: {every: 1.0e-6}}
 )");
