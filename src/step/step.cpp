@@ -182,9 +182,9 @@ void Stepper::accept_motion(State& state, double dt) {
 
 void Stepper::book_motion(State& state, double dt, double dt_mean) {
   const Phase phase("percuss::book", clocks_.reduce);
+  rigid_.book(state, dt, dt_mean);  // before gravity, which follows the momentum of all
   bookkeeper_.book_impulses(state, dt, dt_mean, report_.walls);
   forces_.book(model_, state, dt_mean);
-  rigid_.book(state, dt, dt_mean);
 }
 
 void Stepper::book_forces(State& state, double dt) {

@@ -111,7 +111,8 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   if (!overlap.empty()) scene.contact_notes.insert(scene.contact_notes.begin(), overlap);
   stage.show("looking for suspicious input");
   const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
-  scene.warnings = list_warnings({deck, &measures, &contact.start_overlap(), state.bound.step}, chunked);
+  const double bound = model.rigid.is_all ? state.next_dt : state.bound.step;
+  scene.warnings = list_warnings({deck, &measures, &contact.start_overlap(), bound}, chunked);
   stage.clear();
   if (command.json) {
     print_text(stdout, format_scene_json(scene, chunked, contact.start_overlap(), state.results));

@@ -338,6 +338,10 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
   rigid.is_loaded = some != 0;
   rigid.is_all =
       std::all_of(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) { return part.rigid.has_value(); });
+  if (rigid.is_all)
+    model.mass_notes.emplace_back(
+        "nothing deforms: the step follows from the speeds of the rigid bodies, time.end and "
+        "time.max_step");
   rigid.least_edge = find_least_edge(deck, chunked, model);
   if (gives_rigid_masses(deck)) find_total(chunked, map, masses.all, model);
 }

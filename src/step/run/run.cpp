@@ -88,7 +88,8 @@ void Run::begin() {
   say(contact_.start_notes());
   compute_start_ = compute_seconds();
   stepper_.start(state_);
-  warnings_.add(check_start({deck_, &measures_, &contact_.start_overlap(), state_.bound.step}));
+  warnings_.add(check_start(
+      {deck_, &measures_, &contact_.start_overlap(), model_.rigid.is_all ? state_.next_dt : state_.bound.step}));
   erode();
   first_dt_ = state_.next_dt;
   limiting_element_id_ = state_.bound.element_id;

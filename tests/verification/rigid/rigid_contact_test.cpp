@@ -109,7 +109,7 @@ parts:
   mass: {box: {size: [0.2, 0.1, 0.1], cells: [2, 1, 1]}, at: [1, 0, 0], material: steel, rigid: true}
 join: true
 materials: {steel: {model: elastic, density: 8000, youngs_modulus: 200e9, poissons_ratio: 0}}
-elements: {linear_viscosity: 0, quadratic_viscosity: 0}
+elements: {bulk_viscosity: {linear: 0, quadratic: 0}}
 initial: [{part: mass, velocity: [1.0e-3, 0, 0]}]
 output: {history: {every: 1.0e-6}}
 )");
