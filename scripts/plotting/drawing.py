@@ -19,6 +19,7 @@ COLORS = ("#1f6fb2", "#d1495b", "#3a8f4d", "#b3701f", "#7b5ea7", "#2a9d9d", "#8a
 STYLES = ("-", (0, (5, 2)), (0, (1.5, 1.5)), (0, (5, 1.5, 1, 1.5)))
 SMALL_NUMBER = 1e-2  # numbers without a unit below it are shown in thousandths, millionths ...
 SUPERSCRIPTS = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079")
+ROUND_OFF, FLAT_MARGIN = 1e-9, 0.1  # of the largest value: below it a curve is constant; what its panel shows around it
 CLOSE_MARKS = 0.02  # of the width of a panel
 INK, GRID, MARK = "#2b2f36", "#e3e6ea", "#b45309"
 SETTINGS = {"font.family": ["DejaVu Sans", "sans-serif"], "font.size": 9, "axes.edgecolor": "#9aa1a8", "axes.labelcolor": INK,
@@ -127,10 +128,23 @@ class Plot:
         axes.set_title(title[:1].upper() + title[1:], loc="left", fontsize=10, fontweight="bold")
         axes.set_xlabel(f"time [{self.time_unit}]" if self.time_unit else "time")
         axes.set_ylabel(f"[{unit}]" if unit else "")
+        self._widen_constants(axes)
         formatter = ScalarFormatter(useMathText=True)
         formatter.set_powerlimits((-3, 5))
         axes.yaxis.set_major_formatter(formatter)
         self._mark_warnings(axes)
+
+    @staticmethod
+    def _widen_constants(axes):
+        """Curves that are constant but for round-off are drawn flat, not as noise with an offset at the axis."""
+        ends = [(values.min(), values.max()) for line in axes.get_lines()
+                if len(values := np.asarray(line.get_ydata(), dtype=float)) and np.isfinite(values).all()]
+        if not ends:
+            return
+        low, high = min(low for low, _ in ends), max(high for _, high in ends)
+        size = max(abs(low), abs(high))
+        if size > 0 and high - low < ROUND_OFF * size:
+            axes.set_ylim(low - FLAT_MARGIN * size, high + FLAT_MARGIN * size)
 
     def _mark_warnings(self, axes):
         """A line at the time at which each rule was first found, numbered as in list_marks."""

@@ -65,16 +65,18 @@ def choose_frames(fields, wanted):
     return sorted({frame % count for frame in wanted or range(count)})
 
 
-def make_scene(fields, arguments, surface, coloring):
+def make_scene(fields, arguments, surface, coloring, marks=np.empty((0, 3))):
+    """marks: points [n][3] that are to be in view, besides the bodies."""
     edges = arguments.edges == "on" or (
         arguments.edges == "auto" and surface.mesh.GetNumberOfPolys() <= MOST_FACES_WITH_EDGES)
     scene = Scene(surface, coloring.lut, arguments.size, 1 if arguments.fast else 2, edges)
     nodes = surface.skin.nodes()
     points = sample_positions(fields, nodes, range(len(fields.times)) if arguments.focus == "run" else [0])
+    shown = np.concatenate([points, *[marks] * max(1, len(points) // 400)]) if len(marks) else points
     aspect = arguments.size[0] / arguments.size[1]
-    position, target, up = place_camera(points, *arguments.view, aspect, MARGINS, arguments.look_at)
+    position, target, up = place_camera(shown, *arguments.view, aspect, MARGINS, arguments.look_at)
     plates = [] if arguments.no_walls else add_walls(scene, fields.walls, points, position)
-    scene.look(position, target, up, arguments.zoom, np.concatenate([points, *plates]))
+    scene.look(position, target, up, arguments.zoom, np.concatenate([shown, *plates]))
     if not arguments.fast:
         start = fields.positions(0)
         diagonal = np.linalg.norm(np.ptp(start[nodes], axis=0))

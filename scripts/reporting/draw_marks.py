@@ -50,7 +50,8 @@ def draw(fields, layers, view):
     kept, cut = choose_elements(fields, arguments)
     surface = Surface(Skin(fields.hexahedra, kept, cut))
     coloring = Coloring(fields, arguments, kept, [0])
-    scene = pictures.make_scene(fields, arguments, surface, coloring)
+    ends = [np.reshape(layer["places"], (-1, 3)) for layer in layers if layer["kind"] == "arrows"]
+    scene = pictures.make_scene(fields, arguments, surface, coloring, *ends)
     surface.move(fields.positions(0))
     surface.color(*coloring.choose_values(0, surface.skin))
     top = add_top(scene)

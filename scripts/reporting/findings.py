@@ -66,7 +66,10 @@ def _judge_energies(summary):
     if largest > 0 and energy["internal"] > 1e-6 * largest:
         share = energy["hourglass"] / energy["internal"]
         is_small = share < HOURGLASS_SHARE or energy["hourglass"] < SMALL_ENERGY * largest
-        advice = "." if is_small else ": use a finer mesh or elements: {integration: full}."
+        advice = ": use a finer mesh or elements: {integration: full}."
+        if is_small:
+            is_below = share < HOURGLASS_SHARE
+            advice = "." if is_below else f", but below {100 * SMALL_ENERGY:g} % of the largest energy: it does not count."
         level = GOOD if is_small else LOOK
         found.append(Finding(level, f"Hourglass energy is {100 * share:.3g} % of the internal energy "
                                     f"(limit {100 * HOURGLASS_SHARE:g} %){advice}"))

@@ -14,8 +14,10 @@ COLORS = {"initial velocity": "#111827", "fixed": "#1f4e9c", "symmetry": "#0e938
 ARROW_LENGTH = 0.14   # of the fastest node, as a share of the scene's diagonal
 MOST_ARROWS = 24
 CELLS_ACROSS = 3      # in which arrows are thinned, across the box of a part
+LAYER = 0.01          # within which nodes are equally far behind, as a share of the diagonal
 MOST_PAIRS = 4_000_000
 MOST_GAPS = 12
+MOSTLY = 0.5
 
 
 @dataclass
@@ -42,14 +44,22 @@ def make_layers(scene, fields, plates):
         if selection["what"] == "initial velocity":
             continue
         name = f"{selection['key']}: {selection['what']}"
-        layers.append(Layer(name, color_of(selection["what"]), "points", places[selection["nodes"]],
-                            shown=not selection["what"].startswith("contact")))
+        shown = not selection["what"].startswith("contact") and not _covers_parts(selection, fields)
+        layers.append(Layer(name, color_of(selection["what"]), "points", places[selection["nodes"]], shown=shown))
     if scene["overlap"]["nodes"]:
         layers.append(Layer("overlap at the start", RED, "points", places[scene["overlap"]["nodes"]], on_top=True))
     gaps = find_gap_lines(scene, fields, places)
     if len(gaps):
         layers.append(Layer("smallest gaps", RED, "lines", gaps, on_top=True))
     return layers
+
+
+def _covers_parts(selection, fields):
+    """Whether it has most nodes of the parts in which it has any: marks would hide the bodies."""
+    chosen = np.zeros(fields.nodes, dtype=bool)
+    chosen[selection["nodes"]] = True
+    parts = np.unique(fields.part[chosen[fields.hexahedra].any(axis=1)])
+    return selection["count"] > MOSTLY * len(np.unique(fields.hexahedra[np.isin(fields.part, parts)]))
 
 
 def color_of(what):
@@ -72,7 +82,7 @@ def find_arrows(fields, places):
         nodes = np.unique(np.asarray(faces)[fields.part[owners] == part])
         nodes = nodes[speed[nodes] > 1e-3 * top]
         if len(nodes):
-            chosen.append(_thin(places[nodes], velocity[nodes], nodes, max(1, MOST_ARROWS // len(moving))))
+            chosen.append(_thin(places[nodes], velocity[nodes], nodes, max(1, MOST_ARROWS // len(moving)), diagonal))
     if not chosen:
         return None
     nodes = np.concatenate(chosen)
@@ -80,19 +90,23 @@ def find_arrows(fields, places):
     return np.stack([places[nodes] - length * velocity[nodes], places[nodes]], axis=1)
 
 
-def _thin(places, velocities, nodes, count):
-    """About `count` nodes: the rearmost of each cell across the mean motion, of a spin that of each cell of space."""
+def _thin(places, velocities, nodes, count, diagonal):
+    """About `count` nodes: at the rear of each cell across the mean motion, in its middle; of a spin one of each cell of space."""
     mean = velocities.mean(axis=0)
     size = np.linalg.norm(mean)
     spins = size < 0.5 * np.linalg.norm(velocities, axis=1).mean()
     direction = np.zeros(3) if spins else mean / size
-    behind = places @ direction
-    across = places - behind[:, None] * direction
-    extent = max(float(np.ptp(across, axis=0).max()), 1e-300)
-    cells = CELLS_ACROSS
+    along = places @ direction
+    behind = np.floor((along - along.min()) / (LAYER * diagonal))
+    across = places - along[:, None] * direction
+    across -= across.min(axis=0)
+    extent = max(float(across.max()), 1e-300)
+    cells = CELLS_ACROSS if extent > ARROW_LENGTH * diagonal else 1  # a thin rod has one arrow
     while True:
-        grid = np.floor((across - across.min(axis=0)) / extent * (cells - 1e-6)).astype(int)
-        order = np.lexsort((nodes, behind, grid[:, 2], grid[:, 1], grid[:, 0]))
+        grid = np.floor(across / extent * (cells - 1e-6))
+        middle = (grid + 0.5) * extent / cells if cells > 1 else across.max(axis=0) / 2
+        from_middle = np.round(np.linalg.norm(across - middle, axis=1) / extent, 6)
+        order = np.lexsort((nodes, from_middle, behind, grid[:, 2], grid[:, 1], grid[:, 0]))
         first = np.ones(len(order), dtype=bool)
         first[1:] = (np.diff(grid[order], axis=0) != 0).any(axis=1)
         found = nodes[order[first]]

@@ -23,7 +23,7 @@ from .surface import pack_surface
 from .trial import format_bytes, format_seconds, split_messages
 
 HERE = os.path.dirname(os.path.realpath(__file__))
-VIEWS = ("-50:22", "130:22")
+VIEWS = ("-50:22", "130:-12")
 QUALITY = 88
 MUCH_MEMORY, MUCH_DISK = 0.8, 0.8  # of what there is
 
@@ -194,6 +194,9 @@ class Preview:
         legend = "".join(f"<span><i class=swatch style='background:{layer.color}'></i>{escape(layer.name)}</span>"
                          for layer in self.layers if layer.shown)
         legend = f"<p class=legend>{legend}</p>" if legend else ""
+        left_out = [layer.name for layer in self.layers if not layer.shown]
+        if left_out:
+            legend += f"<p class=soft>Left out, since their marks would hide the bodies: {escape('; '.join(left_out))}.</p>"
         if not self.options.pictures:
             return legend
         try:
@@ -201,9 +204,11 @@ class Preview:
         except (RuntimeError, OSError, subprocess.SubprocessError) as error:
             note(f"no pictures: {error}")
             return f"<p class=soft>There are no pictures: {escape(error)}</p>{legend}"
-        shown = "".join(f"<figure><img alt='The scene from {view}' src='data:image/jpeg;base64,{picture}'>"
-                        f"<figcaption>Seen from azimuth {view.split(':')[0]}, elevation {view.split(':')[1]} degrees.</figcaption></figure>"
-                        for view, picture in zip(VIEWS, pictures))
+        shown = ""
+        for view, picture in zip(VIEWS, pictures):
+            azimuth, elevation = view.split(":")
+            shown += f"<figure><img alt='The scene from {view}' src='data:image/jpeg;base64,{picture}'><figcaption>Seen from azimuth "
+            shown += f"{azimuth}, elevation {elevation} degrees.</figcaption></figure>"
         return f"{legend}<div class=pictures>{shown}</div>"
 
     def _make_view(self):

@@ -74,7 +74,9 @@ class Trial:
         if longer is not None and longer.status == "completed" and longer.summary["steps"] > first.summary["steps"]:
             self.run = longer
             self._steps_measured = longer.summary["steps"] - first.summary["steps"]
-            self._step_time = max(0.0, _loop_time(longer) - seconds) / self._steps_measured
+            self._step_time = (_loop_time(longer) - seconds) / self._steps_measured
+            if not self._step_time > 0:  # other programs have slowed the first run down
+                self._step_time = _loop_time(longer) / longer.summary["steps"]
 
     def _run(self, steps, name):
         """A run of some steps, or None if not even a frame of it was written."""
@@ -134,11 +136,16 @@ class Trial:
             cores = summary["ranks"] * summary["threads"]
             rows.append(("run time", format_seconds(steps * self.step_time),
                          f"{1e3 * self.step_time:.3g} ms a step, measured over {self.steps_measured} steps on {cores} "
-                         f"core{'s' * (cores != 1)}; more contact makes steps longer"))
+                         f"core{'s' * (cores != 1)}{self.describe_load()}; more contact makes steps longer"))
             rows.append(("memory", format_bytes(summary["peak_bytes"]), "largest so far, of one rank"))
         for name, size, how in self.find_sizes():
             rows.append((name, format_bytes(size), how))
         return rows
+
+    def describe_load(self):
+        """That other programs disturb the measurement, where they do."""
+        load, cores = os.getloadavg()[0], os.cpu_count() or 1
+        return f" while other programs used this machine (load {load:.1f}, {cores} cores)" if load > 1.5 * cores else ""
 
     def find_sizes(self):
         """[(file, bytes, how many of what)] that a whole run writes."""

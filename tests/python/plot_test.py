@@ -56,6 +56,16 @@ class Plot(unittest.TestCase):
         for words in (">short<", ">out<", "CFC 1000", "time [ms]"):
             self.assertTrue(words in text, words)
 
+    def test_round_off_is_drawn_as_a_flat_curve(self):
+        from percuss.history import History
+        from plotting.drawing import Plot as Drawing
+
+        for last, flat in ((2 + 1e-13, True), (2.1, False)):
+            history = History(["time", "momentum_x"], [[0, 2], [1, 2 - 1e-13], [2, last]])
+            panel = list_panels([history])["momentum"]
+            low, high = Drawing([("a", self.run_, history)], Options()).draw_one(panel).axes[0].get_ylim()
+            self.assertEqual(high - low > 0.3, flat, (low, high))
+
     def test_lists_columns_with_units(self):
         done = self.plot(self.out, "--list")
         self.assertRegex(done.stdout, r"kinetic +J +kinetic energy")

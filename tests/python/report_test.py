@@ -231,6 +231,14 @@ class Findings(OfARun):
         levels = {finding.level for finding in self.find(calm) if "still changes" not in finding.text}
         self.assertEqual(levels, {GOOD})
 
+    def test_say_why_a_large_share_of_little_energy_is_good(self):
+        def rest(summary):
+            summary["energy"].update(internal=2e-4 * summary["energy"]["initial"], hourglass=1e-4 * summary["energy"]["initial"])
+
+        findings = self.find(rest)
+        self.assertEqual(self.level_of(findings, "Hourglass energy is 50 %"), GOOD)
+        self.assertEqual(self.level_of(findings, "but below 0.1 % of the largest energy"), GOOD)
+
     def test_judge_what_is_beyond_a_limit(self):
         def spoil(summary):
             summary["energy"].update(error=0.02, contact=0.1 * summary["energy"]["initial"])
