@@ -331,6 +331,12 @@ class Scene(InFolder):
         self.assertEqual(model.side_sets["pressed_shell_set"], [(21, 22, 23, 24), (22, 25, 23)])
         self.assertEqual(model.deck["elements"]["bulk_viscosity"]["quadratic"], 1.2)
 
+    def test_a_smooth_curve_covers_its_distance(self):
+        curve = "*DEFINE_CURVE_SMOOTH\n5,0,1.0,0.0,0,1e-5,2e4\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n11,3,0,5,1.0\n*END"
+        value = self.read(decks.SMALL.replace("*END", curve))[0].deck["conditions"][-1]["velocity"]["z"]["expression"]
+        for words in ("(t <= 0.0 || t >= 6e-05) ? 0", "20000.0 * (1 - cos(pi * (t - 0.0) / 1e-05)) / 2"):  # 1.0 = 2e4 (6e-5 - 1e-5)
+            self.assertIn(words, value)
+
     def test_pressure_on_a_solid_follows_the_order_of_the_nodes(self):
         inward = decks.FULL.replace(
             "        11        12        13        14\n*LOAD_NODE", "        14        13        12        11\n*LOAD_NODE"

@@ -18,11 +18,13 @@ IGNORED = {
     "NODE FILE": "output",
     "EL FILE": "output", "SECTION CONTROLS": "numerics", "CONTACT CONTROLS": "numerics", "CONTACT CONTROLS ASSIGNMENT": "numerics",
     "CONTACT": "what follows it says all", "END STEP": "the end of the step", "SURFACE BEHAVIOR": "contact is hard, and may part",
-    "CONTACT FORMULATION": "contact works both ways", "DIAGNOSTICS": "output", "INTEGRATED OUTPUT": "output", "INCREMENTATION OUTPUT": "output",
-    "ORIENTATION": "of laws that percuss refuses", "DISTRIBUTION TABLE": "of distributions", "CONTACT INITIALIZATION DATA": "numerics",
+    "CONTACT FORMULATION": "contact works both ways", "DIAGNOSTICS": "output", "INTEGRATED OUTPUT": "output",
+    "INCREMENTATION OUTPUT": "output",
+    "ORIENTATION": "the laws that are read are isotropic", "DISTRIBUTION TABLE": "of distributions", "CONTACT INITIALIZATION DATA": "numerics",
 }  # fmt: skip
 MATERIAL_END = {"MATERIAL", "STEP", "BOUNDARY", "AMPLITUDE", "SURFACE INTERACTION", "INITIAL CONDITIONS", "PART", "ASSEMBLY", "NSET", "ELSET",
-                "NODE", "ELEMENT", "SOLID SECTION", "SHELL SECTION", "SURFACE", "TIE", "CONTACT", "CONTACT PAIR", "INSTANCE", "END ASSEMBLY"}  # fmt: skip
+                "NODE", "ELEMENT", "SOLID SECTION", "SHELL SECTION", "SURFACE", "TIE", "CONTACT", "CONTACT PAIR", "INSTANCE",
+                "END ASSEMBLY"}  # fmt: skip
 
 
 class Reader:
