@@ -181,7 +181,9 @@ def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool) -> None:
 
 def tie(deck: KeywordDeck, contact: Contact) -> None:
     if contact.law.number("BT") > 0:
-        deck.ledger.refuse("CONTACT_TIED.BT", contact.place, "a tie that begins during the run", "the surfaces are in contact, not tied")
+        deck.ledger.refuse(
+            "CONTACT_TIED.BT", contact.place, "a tie that begins during the run", "the surfaces are in contact, not tied"
+        )
         add_pairs(deck, contact, is_single=False)
         return
     a, b = side_name(deck, contact, "S", for_tie=True), side_name(deck, contact, "M")
