@@ -42,6 +42,8 @@ def summarise(model: Model, notes: list[str]) -> list[str]:
     triangles = sum(1 for corners in shells if len(corners) == 3)
     lines = [f"nodes: {len(nodes)}, ids {min(nodes)} to {max(nodes)}, kept" if nodes else "nodes: none",
              f"elements: {solids} solids, {len(shells) - triangles} quadrilaterals, {triangles} triangles, ids kept"]  # fmt: skip
+    if len(model.nodes) > len(nodes):
+        lines.append(f"nodes without elements: {len(model.nodes) - len(nodes)}, left out of the mesh and of sets")
     if nodes:
         lines += measure(model, nodes)
     return lines + notes

@@ -17,6 +17,7 @@ from importing.dyna.parameters import Parameters, evaluate  # noqa: E402
 from importing.dyna.read import read_keyword_deck  # noqa: E402
 from importing.fields import parse_integer, parse_real  # noqa: E402
 from importing.ledger import BadInput, Ledger, Place, Status  # noqa: E402
+from importing.mesh_text import list_blocks  # noqa: E402
 from importing.shapes import hex_volume  # noqa: E402
 
 HERE = Place("deck.k", 1)
@@ -144,6 +145,15 @@ class Mesh(InFolder):
         beam = decks.SMALL.replace("*END", "*ELEMENT_BEAM\n7,3,1,2,3\n*END")
         self.assertIn("ELEMENT_BEAM", self.refusals(beam))
         self.assertEqual(self.refusals(beam, "element_*"), {})
+
+    def test_tetrahedra_are_known_by_their_collapsed_edges(self):
+        plain = "       1       2       3       4      11      12      13      14\n"
+        for corners in ("1,2,3,11,11,11,11,11\n", "1,2,3,3,11,11,11,11\n"):
+            path = self.write(decks.SMALL.replace(plain, corners))
+            self.assertIn("ELEMENT_SOLID.tetrahedron", self.refusals(decks.SMALL.replace(plain, corners)))
+            model = read_keyword_deck(path, Ledger(), takes_tetrahedra=True)
+            self.assertEqual(model.blocks[0].solids, [(500, (1, 2, 3, 11))])
+            self.assertIn("500,3,1,2,3,11,11,11,11,11", list(list_blocks(model)))
 
     def test_thickness_of_elements_makes_parts(self):
         shells = "*ELEMENT_SHELL_THICKNESS\n500,8,21,22,23,24\n0.1,0.1,0.1,0.1\n501,8,22,25,23,23\n0.2,0.2,0.2\n"
@@ -330,6 +340,12 @@ class Scene(InFolder):
         self.assertEqual(push["displacement"]["z"]["table"][-1], [1e-4, -5e-5])  # along a vector that points down
         self.assertEqual(model.side_sets["pressed_shell_set"], [(21, 22, 23, 24), (22, 25, 23)])
         self.assertEqual(model.deck["elements"]["bulk_viscosity"]["quadratic"], 1.2)
+
+    def test_a_smooth_curve_covers_its_distance(self):
+        curve = "*DEFINE_CURVE_SMOOTH\n5,0,1.0,0.0,0,1e-5,2e4\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n11,3,0,5,1.0\n*END"
+        value = self.read(decks.SMALL.replace("*END", curve))[0].deck["conditions"][-1]["velocity"]["z"]["expression"]
+        for words in ("(t <= 0.0 || t >= 6e-05) ? 0", "20000.0 * (1 - cos(pi * (t - 0.0) / 1e-05)) / 2"):  # 1.0 = 2e4 (6e-5 - 1e-5)
+            self.assertIn(words, value)
 
     def test_pressure_on_a_solid_follows_the_order_of_the_nodes(self):
         inward = decks.FULL.replace(

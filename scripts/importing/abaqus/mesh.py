@@ -2,7 +2,7 @@
 
 import math
 from bisect import bisect_left, bisect_right
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from ..fields import parse_integer
 from ..ledger import BadInput, Ledger, Place
@@ -45,6 +45,14 @@ class Scope:
     sections: list[Section] = field(default_factory=list)
     masses: list[tuple[str, float, Place]] = field(default_factory=list)
     place: Place | None = None
+    sorted_ids: dict[str, list[int]] = field(default_factory=dict)
+
+    def sort(self, keyword: str) -> list[int]:
+        """Ascending ids of what a set of *NSET or *ELSET may hold."""
+        known = list(self.nodes) if keyword == "NSET" else list(self.elements)
+        if len(self.sorted_ids.setdefault(keyword, [])) != len(known):
+            self.sorted_ids[keyword] = sorted(known)
+        return self.sorted_ids[keyword]
 
 
 @dataclass
@@ -87,7 +95,7 @@ def read_nodes(scope: Scope, block: Block) -> None:
 def read_elements(scope: Scope, block: Block) -> None:
     """An element may go over several lines."""
     kind = block.option("TYPE")
-    count = SOLIDS.get(kind) or SHELLS.get(kind) or NODES_OF_OTHERS.get(kind, 0)
+    count: int = {**NODES_OF_OTHERS, **SOLIDS, **SHELLS}.get(kind, 0)
     lines = iter(block.lines)
     for line in lines:
         values = [block.id(line, i) for i in range(len(line[1])) if line[1][i]]
@@ -103,21 +111,21 @@ def read_elements(scope: Scope, block: Block) -> None:
             scope.element_sets.setdefault(block.option("ELSET"), []).append(values[0])
 
 
-def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], known: dict[int, object]) -> None:
-    """*NSET and *ELSET: ids, names of sets, or GENERATE first, last, step."""
+def read_set(scope: Scope, block: Block, sets: dict[str, list[int]], shift: int = 0) -> None:
+    """*NSET and *ELSET: ids, names of sets, or GENERATE first, last, step. The ids of the scope are above by a shift."""
     name = block.option("NSET" if block.keyword == "NSET" else "ELSET")
     if not name:
         raise BadInput(block.place, f"*{block.keyword} has no name")
     members = sets.setdefault(name, [])
-    ids = sorted(known) if "GENERATE" in block.options else []
+    ids = scope.sort(block.keyword) if "GENERATE" in block.options else []
     if block.keyword == "NSET" and "ELSET" in block.options:
         members += list_corners(scope, block)
         return
     for line in block.lines:
         if "GENERATE" in block.options:
             first, last, step = block.integer(line, 0), block.integer(line, 1), abs(block.integer(line, 2, 1)) or 1
-            found = ids[bisect_left(ids, first) : bisect_right(ids, last)]
-            members += [id for id in found if (id - first) % step == 0]
+            found = ids[bisect_left(ids, first + shift) : bisect_right(ids, last + shift)]
+            members += [id - shift for id in found if (id - shift - first) % step == 0]
             if len(members) > MOST_MEMBERS:
                 raise BadInput(block.at(line[0]), f"set '{name[:60]}' has more than {MOST_MEMBERS} members")
             continue
@@ -178,7 +186,7 @@ def join(into: Scope, part: Scope, instance: Instance) -> None:
     for name, names in part.node_surfaces.items():
         add_names(into.node_surfaces, instance.name, name, [qualify(where, instance) for where in names])
     for section in part.sections:
-        into.sections.append(Section(**{**vars(section), "elements": f"{instance.name}.{section.elements}"}))
+        into.sections.append(replace(section, elements=f"{instance.name}.{section.elements}"))
     into.masses += [(f"{instance.name}.{name}", mass, place) for name, mass, place in part.masses]
 
 

@@ -18,11 +18,13 @@ IGNORED = {
     "NODE FILE": "output",
     "EL FILE": "output", "SECTION CONTROLS": "numerics", "CONTACT CONTROLS": "numerics", "CONTACT CONTROLS ASSIGNMENT": "numerics",
     "CONTACT": "what follows it says all", "END STEP": "the end of the step", "SURFACE BEHAVIOR": "contact is hard, and may part",
-    "CONTACT FORMULATION": "contact works both ways", "DIAGNOSTICS": "output", "INTEGRATED OUTPUT": "output", "INCREMENTATION OUTPUT": "output",
-    "ORIENTATION": "of laws that percuss refuses", "DISTRIBUTION TABLE": "of distributions", "CONTACT INITIALIZATION DATA": "numerics",
+    "CONTACT FORMULATION": "contact works both ways", "DIAGNOSTICS": "output", "INTEGRATED OUTPUT": "output",
+    "INCREMENTATION OUTPUT": "output",
+    "ORIENTATION": "the laws that are read are isotropic", "DISTRIBUTION TABLE": "of distributions", "CONTACT INITIALIZATION DATA": "numerics",
 }  # fmt: skip
 MATERIAL_END = {"MATERIAL", "STEP", "BOUNDARY", "AMPLITUDE", "SURFACE INTERACTION", "INITIAL CONDITIONS", "PART", "ASSEMBLY", "NSET", "ELSET",
-                "NODE", "ELEMENT", "SOLID SECTION", "SHELL SECTION", "SURFACE", "TIE", "CONTACT", "CONTACT PAIR", "INSTANCE", "END ASSEMBLY"}  # fmt: skip
+                "NODE", "ELEMENT", "SOLID SECTION", "SHELL SECTION", "SURFACE", "TIE", "CONTACT", "CONTACT PAIR", "INSTANCE",
+                "END ASSEMBLY"}  # fmt: skip
 
 
 class Reader:
@@ -88,9 +90,7 @@ class Reader:
         if self.scope is self.assembly:
             self.waiting.insert(0, block)  # instances are not in their places yet
             return
-        is_nodes = block.keyword == "NSET"
-        known: dict = self.scope.nodes if is_nodes else self.scope.elements
-        read_set(self.scope, block, self.scope.node_sets if is_nodes else self.scope.element_sets, known)
+        read_set(self.scope, block, self.scope.node_sets if block.keyword == "NSET" else self.scope.element_sets)
         self.deck.ledger.translated(block.keyword, block.place, "a set of the mesh, where something uses it")
 
     def surface(self, block: Block) -> None:
@@ -199,28 +199,18 @@ def read_abaqus_deck(path: str, ledger: Ledger, takes_tetrahedra: bool = False) 
 
 
 def read_assembly_sets(reader: Reader) -> None:
-    """Sets of the assembly name members of instances."""
+    """Sets of the assembly name members of instances, by their ids there."""
     deck = reader.deck
     for block in [b for b in reader.waiting if b.keyword in ("NSET", "ELSET")][::-1]:
-        is_nodes = block.keyword == "NSET"
-        sets = deck.mesh.node_sets if is_nodes else deck.mesh.element_sets
+        sets = deck.mesh.node_sets if block.keyword == "NSET" else deck.mesh.element_sets
         part = next((i for i in deck.instances if i.name == block.option("INSTANCE")), None)
-        known = deck.mesh.nodes if is_nodes else deck.mesh.elements
-        own = Scope()
-        local = {id - part.shift: None for id in known if id > part.shift} if part else known
-        found: dict[str, list[int]] = {}
-        if part:
-            found = {
-                name.partition(".")[2]: [id - part.shift for id in ids]
-                for name, ids in sets.items()
-                if name.startswith(part.name + ".")
-            }
-        else:
-            found = dict(sets)
-        name = block.option("NSET" if is_nodes else "ELSET")
+        prefix, shift = (part.name + ".", part.shift) if part else ("", 0)
+        words = {text.upper() for line in block.lines for text in line[1]}
+        found = {word: [id - shift for id in sets[prefix + word]] for word in words if prefix + word in sets}
+        name = block.option(block.keyword)
         found.pop(name, None)
-        read_set(own, block, found, local)
-        sets.setdefault(name, []).extend(id + (part.shift if part else 0) for id in found[name])
+        read_set(deck.mesh, block, found, shift)
+        sets.setdefault(name, []).extend(id + shift for id in found.get(name, []))
         deck.ledger.translated(block.keyword, block.place, "a set of the mesh, where something uses it")
 
 

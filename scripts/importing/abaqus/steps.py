@@ -113,10 +113,10 @@ def add_velocities(deck: AbaqusDeck) -> None:
     for node, velocity in deck.velocities.items():
         if node in deck.used_nodes():
             groups.setdefault(tuple(velocity), []).append(node)
-    for index, (velocity, nodes) in enumerate(groups.items(), 1):
+    for index, (of_group, nodes) in enumerate(groups.items(), 1):
         is_all = len(nodes) == len(deck.used_nodes())
         entry: Deck = {} if is_all else {"nodes": name_nodes(deck, nodes, f"moving_{index}")}
-        deck.model.add("initial", {**entry, "velocity": list(velocity)})
+        deck.model.add("initial", {**entry, "velocity": list(of_group)})
 
 
 def name_nodes(deck: AbaqusDeck, nodes: list[int], wish: str) -> str:

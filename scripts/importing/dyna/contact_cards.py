@@ -180,10 +180,16 @@ def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool) -> None:
 
 
 def tie(deck: KeywordDeck, contact: Contact) -> None:
+    if contact.law.number("BT") > 0:
+        deck.ledger.refuse(
+            "CONTACT_TIED.BT", contact.place, "a tie that begins during the run", "the surfaces are in contact, not tied"
+        )
+        add_pairs(deck, contact, is_single=False)
+        return
     a, b = side_name(deck, contact, "S", for_tie=True), side_name(deck, contact, "M")
     thicknesses = contact.scale.numbers("SST", "MST")
     contact.law.skip("FS", "FD")
-    if contact.law.number("BT") > 0 or 0 < contact.law.number("DT") < deck.end_time:
+    if 0 < contact.law.number("DT") < deck.end_time:
         deck.ledger.refuse("CONTACT.BT", contact.place, "a tie for a part of the time", "it acts all the time")
     for row in (contact.sides, contact.law, contact.scale):
         row.finish(deck.ledger)

@@ -47,8 +47,10 @@ def read_smooth_curve(deck: KeywordDeck, card: Card) -> None:
     if end - start - rise <= 0 or rise <= 0:
         row.fail("TEND", "TEND must be above TSTART + TRISE")
     value = largest or distance / (end - start - rise)
-    up, down = f"(1 - cos(pi * (t - {start!r}) / {rise!r})) / 2", f"(1 - cos(pi * ({end!r} - t) / {rise!r})) / 2"
-    text = f"(t <= {start!r} || t >= {end!r}) ? 0 : (t < {start + rise!r} ? {value!r} * {up} : (t > {end - rise!r} ? {value!r} * {down} : {value!r}))"
+    up = f"(1 - cos(pi * (t - {start!r}) / {rise!r})) / 2"
+    down = f"(1 - cos(pi * ({end!r} - t) / {rise!r})) / 2"
+    inside = f"(t < {start + rise!r} ? {value!r} * {up} : (t > {end - rise!r} ? {value!r} * {down} : {value!r}))"
+    text = f"(t <= {start!r} || t >= {end!r}) ? 0 : {inside}"
     deck.curves[row.integer("LCID")] = Curve(row.place, expression=text)
     deck.ledger.approximated(card.keyword, row.place, "rise and fall by half a cosine")
 

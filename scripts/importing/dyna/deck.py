@@ -164,7 +164,7 @@ class KeywordDeck:
     def _sort_known(self, kind: str) -> list[int]:
         """All ids of a kind."""
         if kind not in self._sorted:
-            known = {"NODE": self.nodes, "PART": self.parts}.get(kind) or self.list_elements(kind)
+            known = list(self.nodes) if kind == "NODE" else list(self.parts) if kind == "PART" else self.list_elements(kind)
             self._sorted[kind] = sorted(known)
         return self._sorted[kind]
 

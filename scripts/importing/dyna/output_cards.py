@@ -33,7 +33,8 @@ def read_frames(deck: KeywordDeck, card: Card) -> None:
     count, step = row.integer("NPLTC"), row.number("DT")
     if count > 0 and deck.end_time > 0:
         step = deck.end_time / count
-    deck.output.frames = max(step, deck.end_time / 1e5)
+    if step > 0:
+        deck.output.frames = max(step, deck.end_time / 1e5)
     more.finish(deck.ledger)
     deck.ledger.translated(card.keyword, card.place, "output.fields.every")
 

@@ -2,6 +2,7 @@
 
 import math
 import re
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from ..fields import clip, parse_real
@@ -14,7 +15,7 @@ NAME = re.compile(r"&([A-Za-z_][A-Za-z0-9_]*)")
 TOKEN = re.compile(r"\s*(?:(\d+\.?\d*(?:[eEdD][+-]?\d{1,4})?|\.\d+(?:[eEdD][+-]?\d{1,4})?)|&?([A-Za-z_]\w*)|(\*\*|[-+*/^(),]))")
 OPERATION = re.compile(r"\w[-+*/(]")  # &end*0.99 in a field
 MOST_DEPTH = 60
-FUNCTIONS = {
+FUNCTIONS: dict[str, Callable[..., float | int]] = {
     "abs": abs, "sqrt": math.sqrt, "exp": math.exp, "log": math.log, "log10": math.log10, "sin": math.sin, "cos": math.cos,
     "tan": math.tan, "asin": math.asin, "acos": math.acos, "atan": math.atan, "sinh": math.sinh, "cosh": math.cosh,
     "tanh": math.tanh, "int": int, "aint": lambda x: float(int(x)), "nint": lambda x: math.floor(x + 0.5),
@@ -140,7 +141,7 @@ class Expression:
             found = TOKEN.match(text, first)
             if not found:
                 raise self._fail(f"has '{clip(text[first:], 5)}', which is not understood")
-            tokens.append(found.groups(default=""))
+            tokens.append((found[1] or "", found[2] or "", found[3] or ""))
             first = found.end()
         return tokens
 

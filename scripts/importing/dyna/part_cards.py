@@ -195,7 +195,8 @@ def divide_shells(
             raise BadInput(part.place, f"part {part.id} has shells without thickness")
         keys: Deck = {"points": section.points}
         if section.reference:
-            keys["reference"] = {1: "top", -1: "bottom"}.get(section.reference, 0.5 * section.reference * thickness)
+            named = {1.0: "top", -1.0: "bottom"}.get(section.reference)
+            keys["reference"] = named or 0.5 * section.reference * thickness
         own_name = name if index == 0 else deck.model.names.take(f"{name}_t{index + 1}", "part")
         id = part.id if index == 0 else next_id + index - 1
         blocks.append(Block(id, part.id, own_name, part.place, shells=members, thickness=thickness, keys=keys))
@@ -284,8 +285,9 @@ def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
     (kind, coefficient), _ = counts.most_common(1)[0]
     text = f"{kind}" + (f" with {coefficient}" if kind != "assumed_strain" else "")
     for key, place in places.items():
+        card = "HOURGLASS" if general or deck.hourglass else "HOURGLASS (none)"
         what = "hourglass control" if key == (kind, coefficient) else "hourglass control of a part (percuss has one for all)"
-        deck.ledger.approximated("HOURGLASS", place, f"{what} becomes {text}")
+        deck.ledger.approximated(card, place, f"{what} becomes {text}")
     if kind != "assumed_strain":
         deck.model.deck.setdefault("elements", {})["hourglass"] = {"kind": kind, "coefficient": coefficient}
 

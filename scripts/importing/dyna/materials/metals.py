@@ -290,7 +290,7 @@ def power_law(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     strains = [2.0 * (i / 30) ** 3 for i in range(31)]
     law["hardening"] = [[p, strength * (offset + p) ** exponent] for p in strains]
     deck.ledger.approximated(card.keyword, card.place, "the power law by 31 rows up to a plastic strain of 2")
-    add_rate(law, deck, card, *row.numbers("SRC", "SRP"), more)
+    add_rate(law, deck, card, row.number("SRC"), row.number("SRP"), more)
     more.skip("VP")
     set_failure(law, plastic_strain=more.number("EPSF"))
     row.finish(deck.ledger)
