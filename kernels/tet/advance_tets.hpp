@@ -188,11 +188,10 @@ void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const Tet
 
 template <class Material>
 void advance_plain(const ExecSpace& space, const HexChunks& chunks, const TetBlock<Material>& block,
-                   const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
-                   const ChunkResults& results) {
+                   const ElementMotion& motion, const ChunkFields& fields) {
   if constexpr (!is_single_precision) {
     launch_tets("percuss::advance_plain_tets", space, chunks, block.chunks,
-                AdvancePlainTets<Material>{chunks, block, motion, state, slot_force, results});
+                AdvancePlainTets<Material>{chunks, block, motion, fields.state, fields.slot_force, fields.results});
   }
 }
 
@@ -201,6 +200,6 @@ void advance_plain(const ExecSpace& space, const HexChunks& chunks, const TetBlo
   template void advance_stresses(const ExecSpace&, const HexChunks&, const TetBlock<MATERIAL>&, const TetStep&,    \
                                  const Array<Real>&, const ChunkResults&);                                         \
   template void advance_plain(const ExecSpace&, const HexChunks&, const TetBlock<MATERIAL>&, const ElementMotion&, \
-                              const Array<Real>&, const Rows3<double>&, const ChunkResults&);
+                              const ChunkFields&);
 
 }  // namespace percuss

@@ -227,20 +227,19 @@ void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch) {
 }
 
 void sum_tet_forces(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step,
-                    const Array<Real>& state, const Rows3<double>& slot_force, const ChunkResults& results) {
+                    const ChunkFields& fields) {
   for_each_block(blocks, [&](const auto& block) {
     if constexpr (!is_single_precision) {
       launch_tets("percuss::sum_tet_forces", space, chunks, block.chunks,
-                  FindForces<Lanes>{chunks, block.chunks, step.motion, step.launch, state, slot_force, results});
+                  FindForces<Lanes>{chunks, block.chunks, step.motion, step.launch, fields.state, fields.slot_force,
+                                    fields.results});
     }
   });
 }
 
 void advance_plain_tets(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks,
-                        const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
-                        const ChunkResults& results) {
-  for_each_block(blocks,
-                 [&](const auto& block) { advance_plain(space, chunks, block, motion, state, slot_force, results); });
+                        const ElementMotion& motion, const ChunkFields& fields) {
+  for_each_block(blocks, [&](const auto& block) { advance_plain(space, chunks, block, motion, fields); });
 }
 
 }  // namespace percuss

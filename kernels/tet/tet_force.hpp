@@ -31,12 +31,11 @@ void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch);
 /// Third pass. slot_force: out, the chunk's share of the force on its nodes (minus the internal force). results: out,
 /// except for work.
 void sum_tet_forces(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step,
-                    const Array<Real>& state, const Rows3<double>& slot_force, const ChunkResults& results);
+                    const ChunkFields& fields);
 
 /// The plain form, all of it.
 void advance_plain_tets(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks,
-                        const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
-                        const ChunkResults& results);
+                        const ElementMotion& motion, const ChunkFields& fields);
 
 /// The same for one material; compiled in files of their own.
 template <class Material>

@@ -12,7 +12,7 @@ from .ledger import BadInput, Ledger
 from .mesh_text import write_mesh
 from .model import Model
 
-TAKES_TETRAHEDRA = False  # whether mesh files of percuss may have them
+TAKES_TETRAHEDRA = True  # whether mesh files of percuss may have them
 KEYWORD_ENDINGS, ABAQUS_ENDINGS = (".k", ".key", ".dyn", ".k.txt"), (".inp",)
 
 

@@ -114,11 +114,10 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   const double bound = model.rigid.is_all ? state.next_dt : state.bound.step;
   scene.warnings = list_warnings({deck, &measures, &contact.start_overlap(), bound}, chunked);
   stage.clear();
-  if (command.json) {
+  if (command.json)
     print_text(stdout, format_scene_json(scene, chunked, contact.start_overlap(), state.results));
-  } else if (ranks.rank() == 0) {
+  else if (ranks.rank() == 0)
     print_text(stdout, format_scene(scene));
-  }
   return ExitCode::done;
 }
 

@@ -26,9 +26,9 @@ void TetStage::prepare(const State& state, const ElementMotion& motion) {
 
 void TetStage::advance(const State& state, const TetBlocks& blocks, const ElementMotion& motion) const {
   if (model_.mixes_tets)
-    sum_tet_forces(space_, model_.chunks, blocks, {motion, launch_}, state.elements, state.slot_force, state.results);
+    sum_tet_forces(space_, model_.chunks, blocks, {motion, launch_}, state.chunk_fields());
   else
-    advance_plain_tets(space_, model_.chunks, blocks, motion, state.elements, state.slot_force, state.results);
+    advance_plain_tets(space_, model_.chunks, blocks, motion, state.chunk_fields());
 }
 
 Traffic TetStage::traffic() const {
