@@ -43,7 +43,6 @@ void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const Tet
                       const TetStep& step, const Array<Real>& state, const ChunkResults& results);
 template <class Material>
 void advance_plain(const ExecSpace& space, const HexChunks& chunks, const TetBlock<Material>& block,
-                   const ElementMotion& motion, const Array<Real>& state, const Rows3<double>& slot_force,
-                   const ChunkResults& results);
+                   const ElementMotion& motion, const ChunkFields& fields);
 
 }  // namespace percuss
