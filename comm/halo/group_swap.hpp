@@ -17,7 +17,7 @@ namespace percuss {
 template <int Groups>
 class GroupSwap {
  public:
-  using Rows = Kokkos::View<double* [4 * Groups], Kokkos::LayoutRight, MemSpace>;
+  using Rows = Kokkos::View<double * [4 * Groups], Kokkos::LayoutRight, MemSpace>;
 
   /// Collective over `ranks`, which are those of the plan. Throws MpiError.
   GroupSwap(const Communicator& ranks, const HaloPlan& plan)
@@ -63,7 +63,7 @@ class GroupSwap {
 
  private:
   using Item = std::array<double, 3 * Groups>;
-  using Packed = Kokkos::View<double* [3 * Groups], Kokkos::LayoutRight, MemSpace>;
+  using Packed = Kokkos::View<double * [3 * Groups], Kokkos::LayoutRight, MemSpace>;
 
   static std::span<Item> as_items(const HostMirror<Packed>& rows) {
     return {reinterpret_cast<Item*>(rows.data()), rows.extent(0)};

@@ -64,8 +64,8 @@ struct AdvanceTetStresses {
     }
     sums.take_work(point.work, on.lanes);
     const Lanes guard_modulus = find_guard_modulus(record.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
-    double* const scalars = &launch.passes.elements(
-        static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack) * TetPasses::scalars * tet_width);
+    double* const scalars = &launch.passes.elements(static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack) *
+                                                    TetPasses::scalars * tet_width);
     store_pack(scalars, point.own.shear);
     store_pack(scalars + tet_width, point.own.tangent);
     store_pack(scalars + 2 * tet_width, guard_modulus);
@@ -197,10 +197,10 @@ void advance_plain(const ExecSpace& space, const HexChunks& chunks, const TetBlo
 }
 
 /// Compiles both for a material.
-#define PERCUSS_COMPILE_TETS(MATERIAL)                                                                               \
-  template void advance_stresses(const ExecSpace&, const HexChunks&, const TetBlock<MATERIAL>&, const TetStep&,      \
-                                 const Array<Real>&, const ChunkResults&);                                           \
-  template void advance_plain(const ExecSpace&, const HexChunks&, const TetBlock<MATERIAL>&, const ElementMotion&,   \
+#define PERCUSS_COMPILE_TETS(MATERIAL)                                                                             \
+  template void advance_stresses(const ExecSpace&, const HexChunks&, const TetBlock<MATERIAL>&, const TetStep&,    \
+                                 const Array<Real>&, const ChunkResults&);                                         \
+  template void advance_plain(const ExecSpace&, const HexChunks&, const TetBlock<MATERIAL>&, const ElementMotion&, \
                               const Array<Real>&, const Rows3<double>&, const ChunkResults&);
 
 }  // namespace percuss

@@ -1,9 +1,9 @@
 #pragma once
 // Chunks of tetrahedra as their launchers see them.
 //
-// They lie in the tables of all chunks (kernels/element/hex_chunks.hpp) and write to the same slots. A tetrahedron takes
-// the first four of the eight corners there. What the mixed form averages has rows of its own by slot, which nodes sum in
-// the order of their forces: for each material of a node one record.
+// They lie in the tables of all chunks (kernels/element/hex_chunks.hpp) and write to the same slots. A tetrahedron
+// takes the first four of the eight corners there. What the mixed form averages has rows of its own by slot, which
+// nodes sum in the order of their forces: for each material of a node one record.
 
 #include <tuple>
 
@@ -36,8 +36,8 @@ struct AllTetBlocks<TypeList<Material...>> {
 /// Every compiled variant; those that a scene does not use have no chunks and cost nothing.
 using TetBlocks = AllTetBlocks<CompiledMaterials>::type;
 
-using TetRateRows = Kokkos::View<double* [TetSums::rate_row], Kokkos::LayoutRight, MemSpace>;
-using TetStressRows = Kokkos::View<double* [TetSums::stress_row], Kokkos::LayoutRight, MemSpace>;
+using TetRateRows = Kokkos::View<double * [TetSums::rate_row], Kokkos::LayoutRight, MemSpace>;
+using TetStressRows = Kokkos::View<double * [TetSums::stress_row], Kokkos::LayoutRight, MemSpace>;
 
 /// The records of nodes with tetrahedra, one for each material of theirs; const after set-up.
 struct TetNodes {

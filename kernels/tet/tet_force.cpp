@@ -88,9 +88,8 @@ struct FindForces {
     const TetGather gather{launch.passes.stresses.data(), TetSums::stress_row,
                            &launch.nodes.slots_to_records(chunk.first_slot)};
     const TetMeans<Lanes> means = find_means(gather, corners);
-    const double* const scalars =
-        &launch.passes.elements(static_cast<std::size_t>(chunks.first_pack(chunk.c) + pack) * TetPasses::scalars *
-                                tet_width);
+    const double* const scalars = &launch.passes.elements(static_cast<std::size_t>(chunks.first_pack(chunk.c) + pack) *
+                                                          TetPasses::scalars * tet_width);
     const TetStiffness<Lanes> own{Lanes(0.0), load_pack(scalars), load_pack(scalars + tet_width)};
     const Lanes step = find_mixed_step(g, means, mix_moduli(own, means, load_pack(scalars + 2 * tet_width)));
     settle(find_stress(chunk, pack), means, g, step, {corners, lanes, scratch.forces}, living,
@@ -137,8 +136,7 @@ struct FindForces {
 
   /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
   KOKKOS_FUNCTION void settle(OwnStress own, const TetMeans<Lanes>& means, const TetGeometry<Lanes>& g, Lanes step,
-                              const Scatter& to, const Living& living, int first_element,
-                              TetChunkSums& sums) const {
+                              const Scatter& to, const Living& living, int first_element, TetChunkSums& sums) const {
     const Lanes zero(0.0);
     Lanes volume = g.volume, share(1.0);
     if (living.can_fail()) {
@@ -183,12 +181,10 @@ void for_each_block(const TetBlocks& blocks, const Run& run) {
 
 TetPasses make_tet_passes(const TetNodes& nodes, int slot_count, int pack_count) {
   const auto slots = static_cast<std::size_t>(slot_count), records = static_cast<std::size_t>(nodes.count);
-  return {TetRateRows("percuss::tet_slot_rates", slots),
-          TetStressRows("percuss::tet_slot_stresses", slots),
-          TetRateRows("percuss::tet_rates", records),
-          TetStressRows("percuss::tet_stresses", records),
-          Array<double>("percuss::tet_elements",
-                        static_cast<std::size_t>(pack_count) * TetPasses::scalars * static_cast<std::size_t>(tet_width))};
+  return {TetRateRows("percuss::tet_slot_rates", slots), TetStressRows("percuss::tet_slot_stresses", slots),
+          TetRateRows("percuss::tet_rates", records), TetStressRows("percuss::tet_stresses", records),
+          Array<double>("percuss::tet_elements", static_cast<std::size_t>(pack_count) * TetPasses::scalars *
+                                                     static_cast<std::size_t>(tet_width))};
 }
 
 void sum_tet_rates(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step) {
@@ -231,7 +227,7 @@ void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch) {
 }
 
 void sum_tet_forces(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step,
-                     const Array<Real>& state, const Rows3<double>& slot_force, const ChunkResults& results) {
+                    const Array<Real>& state, const Rows3<double>& slot_force, const ChunkResults& results) {
   for_each_block(blocks, [&](const auto& block) {
     if constexpr (!is_single_precision) {
       launch_tets("percuss::sum_tet_forces", space, chunks, block.chunks,

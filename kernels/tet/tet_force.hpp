@@ -31,7 +31,7 @@ void average_tet_stresses(const ExecSpace& space, const TetLaunch& launch);
 /// Third pass. slot_force: out, the chunk's share of the force on its nodes (minus the internal force). results: out,
 /// except for work.
 void sum_tet_forces(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step,
-                     const Array<Real>& state, const Rows3<double>& slot_force, const ChunkResults& results);
+                    const Array<Real>& state, const Rows3<double>& slot_force, const ChunkResults& results);
 
 /// The plain form, all of it.
 void advance_plain_tets(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks,

@@ -1,5 +1,6 @@
 #pragma once
-// What the launchers of tetrahedra share: a chunk's nodes in scratch, packs of elements from them, and what packs leave.
+// What the launchers of tetrahedra share: a chunk's nodes in scratch, packs of elements from them, and what packs
+// leave.
 //
 // Sources that include this are compiled with the same options (kernels/tet/CMakeLists.txt).
 
@@ -35,7 +36,8 @@ PERCUSS_FORCE_INLINE void scatter_tets(const TetCorners<Lanes>& f, const std::ui
   }
   for (int lane = 0; lane < lanes; ++lane) {
     for (int i = 0; i < 4; ++i)
-      subtract_record(records[i][lane], forces + force_record * static_cast<std::size_t>(corners[i * tet_width + lane]));
+      subtract_record(records[i][lane],
+                      forces + force_record * static_cast<std::size_t>(corners[i * tet_width + lane]));
   }
 }
 
@@ -136,7 +138,9 @@ template <class>
 class LivingTets : public LivingLanes {
  public:
   KOKKOS_FUNCTION LivingTets(const FailingChunks& failing, const ElementLives& lives, int chunk)
-      : LivingLanes(failing, lives, chunk), shares_(&lives.force_share), first_((failing.find_pack(chunk) - 1) * width) {}
+      : LivingLanes(failing, lives, chunk),
+        shares_(&lives.force_share),
+        first_((failing.find_pack(chunk) - 1) * width) {}
 
   KOKKOS_FUNCTION bool take_pack(const std::uint16_t*& corners) {
     first_ += width;

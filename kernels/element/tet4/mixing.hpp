@@ -1,5 +1,6 @@
 #pragma once
-// The twice-averaged volume rate of tetrahedra: what an element takes from the averages at its nodes, and gives to them.
+// The twice-averaged volume rate of tetrahedra: what an element takes from the averages at its nodes, and gives to
+// them.
 //
 // A tetrahedron that keeps its own volume rate locks: four corners share too few degrees of freedom with their
 // neighbours. Averaged from elements to nodes and back, the volume rate leaves them free (Bonet and Burton, Comm. Num.
@@ -58,9 +59,9 @@ struct TetMeans {
 /// Bound of the square of the largest frequency of the elements together, and of the damping rate.
 ///
 /// The averages are convex, so that sum_e V_e K (tr mean D)^2 <= sum_e V_e K_mean (tr D_e)^2 with K_mean averaged twice
-/// as rates are (Jensen's inequality): the averaged stiffness is at most that of plain elements with these moduli. And a
-/// node's mass may be shared among its elements in any way, here by |B_I|^2 / V: of an element with corner masses w_I,
-/// omega^2 <= (lambda tr G + 2 mu g_max(G)) / V with G = sum_I B_I B_I^T / w_I.
+/// as rates are (Jensen's inequality): the averaged stiffness is at most that of plain elements with these moduli. And
+/// a node's mass may be shared among its elements in any way, here by |B_I|^2 / V: of an element with corner masses
+/// w_I, omega^2 <= (lambda tr G + 2 mu g_max(G)) / V with G = sum_I B_I B_I^T / w_I.
 template <class T>
 struct TetStiffness {
   T bulk, shear;  // bounds of the moduli that the element feels

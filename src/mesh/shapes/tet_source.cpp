@@ -7,11 +7,12 @@
 namespace percuss {
 namespace {
 
-/// Each cell of a solid shape cut into twelve: a node in its middle, and each of its faces halved along the diagonal from
-/// its lowest node, which both cells of a face agree on. Nodes of the shape come first, then one a cell.
+/// Each cell of a solid shape cut into twelve: a node in its middle, and each of its faces halved along the diagonal
+/// from its lowest node, which both cells of a face agree on. Nodes of the shape come first, then one a cell.
 class TetSource final : public ShapeSource {
  public:
-  explicit TetSource(std::unique_ptr<ShapeSource> cells) : cells_(std::move(cells)), corner_nodes_(cells_->node_count()) {}
+  explicit TetSource(std::unique_ptr<ShapeSource> cells)
+      : cells_(std::move(cells)), corner_nodes_(cells_->node_count()) {}
 
   int node_count() const override { return corner_nodes_ + cells_->element_count(); }
   int element_count() const override { return tetrahedra_of_cell * cells_->element_count(); }

@@ -13,14 +13,11 @@ namespace percuss {
 
 namespace {
 
-bool is_of_tets(const ElementBlock& block) {
-  return find_topology(block.topology).family == ElementFamily::tetrahedra;
-}
+bool is_of_tets(const ElementBlock& block) { return find_topology(block.topology).family == ElementFamily::tetrahedra; }
 
 [[noreturn]] void refuse(const Deck& deck, const ElementBlock& block, const std::string& what) {
   const PartDeck& part = deck.parts[static_cast<std::size_t>(block.part)];
-  throw InputError(
-      fmt::format("{}: error: part '{}' has tetrahedra ({}", deck.where(part.place), part.name, what));
+  throw InputError(fmt::format("{}: error: part '{}' has tetrahedra ({}", deck.where(part.place), part.name, what));
 }
 
 /// Material of each slot of tetrahedra, counted from 1, those of other ranks included; of other slots 0.
@@ -79,8 +76,7 @@ void build_tet_nodes(const ChunkedMesh& chunked, const SlotLists& nodes_to_slots
       for (auto slot = begin; slot != end; ++slot) {
         if (material_of(*slot) != material) continue;
         slots.push_back(*slot);
-        if (*slot < own_slots)
-          slots_to_records[static_cast<std::size_t>(*slot)] = static_cast<int>(first.size()) - 1;
+        if (*slot < own_slots) slots_to_records[static_cast<std::size_t>(*slot)] = static_cast<int>(first.size()) - 1;
       }
       first.push_back(static_cast<int>(slots.size()));
     }

@@ -13,8 +13,8 @@ class TetStage {
   /// Collective. The model outlives this.
   explicit TetStage(const Model& model);
 
-  /// What comes before the forces: of the mixed form the stresses at n+1 of all chunks, and their averages at the nodes.
-  /// Collective.
+  /// What comes before the forces: of the mixed form the stresses at n+1 of all chunks, and their averages at the
+  /// nodes. Collective.
   void prepare(const State& state, const ElementMotion& motion);
 
   /// The forces of some chunks into their slots.

@@ -40,9 +40,11 @@ struct TetPatch {
   TetPatch(Random& random, int cells, double distortion) {
     const int n = cells + 1;
     for (int i = 0; i < n * n * n; ++i) {
-      x.push_back({i % n + distortion * random(), i / n % n + distortion * random(), i / (n * n) + distortion * random()});
+      x.push_back(
+          {i % n + distortion * random(), i / n % n + distortion * random(), i / (n * n) + distortion * random()});
     }
-    static constexpr int faces[6][4] = {{0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}, {2, 3, 1, 0}, {4, 5, 7, 6}};
+    static constexpr int faces[6][4] = {{0, 1, 5, 4}, {1, 3, 7, 5}, {3, 2, 6, 7},
+                                        {2, 0, 4, 6}, {2, 3, 1, 0}, {4, 5, 7, 6}};
     for (int c = 0; c < cells * cells * cells; ++c) {
       const int low = c % cells + n * (c / cells % cells) + n * n * (c / (cells * cells));
       int corner[8];
@@ -132,9 +134,8 @@ struct TetPatch {
         means.share[corner] = s.mass / s.square;
       }
       const TetPoint<double>& p = points[i];
-      const TetCorners<double> f =
-          find_tet_forces(p.geometry, find_mixed_stress(p.stress, means.stress, states[i].guard,
-                                                        states[i].viscous_pressure));
+      const TetCorners<double> f = find_tet_forces(
+          p.geometry, find_mixed_stress(p.stress, means.stress, states[i].guard, states[i].viscous_pressure));
       for (int corner = 0; corner < 4; ++corner) {
         Vector3<double>& sum = out.force[at(elements[i][at(corner)])];
         sum = sum + f[corner];

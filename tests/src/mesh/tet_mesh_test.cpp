@@ -39,7 +39,8 @@ class TetShape : public testing::TestWithParam<Example> {};
 
 TEST_P(TetShape, HasTheCountedNodesAndTwelveElementsACell) {
   const Mesh mesh = build_mesh(make_deck({make_tet_deck(GetParam().shape)}));
-  const MeshSize count = count_cells(make_tet_deck(GetParam().shape)), cells = count_cells(make_part_deck("p", GetParam().shape));
+  const MeshSize count = count_cells(make_tet_deck(GetParam().shape)),
+                 cells = count_cells(make_part_deck("p", GetParam().shape));
   EXPECT_EQ(double(mesh.nodes.size()), count.nodes);
   EXPECT_EQ(double(mesh.elements.size()), count.elements);
   EXPECT_EQ(count.elements, 12 * cells.elements);
@@ -101,9 +102,10 @@ Mesh read_text(const std::string& text, const std::string& name) {
 TEST(TetFile, OfLsDynaHasSolidsOfFourNodesInEitherForm) {
   for (const char* const nodes : {"10      50      60      80      80      80      80      80",
                                   "10      50      60      60      80      80      80      80"}) {
-    const Mesh mesh = read_text("*KEYWORD\n*NODE\n10,0.,0.,0.\n50,1.,0.,0.\n60,0.,1.,0.\n80,0.,0.,1.\n*ELEMENT_SOLID\n" +
-                                    std::string("       7       1      ") + nodes + "\n*END\n",
-                                "one.k");
+    const Mesh mesh =
+        read_text("*KEYWORD\n*NODE\n10,0.,0.,0.\n50,1.,0.,0.\n60,0.,1.,0.\n80,0.,0.,1.\n*ELEMENT_SOLID\n" +
+                      std::string("       7       1      ") + nodes + "\n*END\n",
+                  "one.k");
     ASSERT_EQ(mesh.elements.size(), 1U);
     EXPECT_EQ(mesh.topology_of(0).name, "tet4");
     EXPECT_EQ(mesh.element_ids[0], 7);

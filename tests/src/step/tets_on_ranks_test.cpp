@@ -1,5 +1,5 @@
-// Tetrahedra on many ranks: every rank also holds the whole scene alone, and compares its share of the one with the other,
-// bit by bit.
+// Tetrahedra on many ranks: every rank also holds the whole scene alone, and compares its share of the one with the
+// other, bit by bit.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -58,7 +58,8 @@ TEST(TetsOnRanks, AreAveragedForEachMaterialOfANode) {
   const auto first = to_host(scene.model.tet_nodes.first), slots = to_host(scene.model.tet_nodes.slots),
              slots_to_nodes = to_host(scene.model.chunks.slots_to_nodes);
   for (int r = 0; r < scene.model.tet_nodes.count; ++r)
-    ++nodes[static_cast<std::size_t>(slots_to_nodes(static_cast<std::size_t>(slots(static_cast<std::size_t>(first(r))))))];
+    ++nodes[static_cast<std::size_t>(
+        slots_to_nodes(static_cast<std::size_t>(slots(static_cast<std::size_t>(first(r))))))];
   EXPECT_EQ(std::count(nodes.begin(), nodes.end(), 2), 42);
 }
 

@@ -18,7 +18,8 @@ Field solve(TetPatch& patch, const HexParameters<Elastic>& par, const Field& fre
   const auto apply = [&](const Field& u) {
     patch.states = start;
     Field f = patch.advance(par, u, dt).force;
-    for (std::size_t n = 0; n < f.size(); ++n) f[n] = {f[n].x / dt * free[n].x, f[n].y / dt * free[n].y, f[n].z / dt * free[n].z};
+    for (std::size_t n = 0; n < f.size(); ++n)
+      f[n] = {f[n].x / dt * free[n].x, f[n].y / dt * free[n].y, f[n].z / dt * free[n].z};
     return f;
   };
   const auto product = [](const Field& a, const Field& b) {
