@@ -87,7 +87,7 @@ output: {history: {every: 1.0e-3}}
   EXPECT_NEAR(run.history.last("body_x:block"), 0.02, 1e-12);
   EXPECT_NEAR(run.history.last("body_y:block"), 0.02, 1e-12);
   EXPECT_NEAR(run.history.last("body_q0:block"), std::cos(0.5), 1e-6);  // the turn of a step is that of tan(angle / 2)
-  EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);  // square of the angle of a step
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);                  // square of the angle of a step
   EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
   EXPECT_LT(run.summary.momentum.angular_error, 1e-12);
 }
