@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Of, RigidContact, testing::Values("kinematic", "lagrang
 // contraction, so that it is that chain exactly, up to the square of the strain (1e-7).
 TEST(RigidEndMass, MovesWithItsBarAsALumpedChain) {
   const Outcome run = run_deck(R"(
-time: {end: 1.0e-3}
+time: {end: 1.0e-3, step_scale: 0.1}
 parts:
   bar: {box: {size: [1, 0.1, 0.1], cells: [10, 1, 1]}, material: steel}
   mass: {box: {size: [0.2, 0.1, 0.1], cells: [2, 1, 1]}, at: [1, 0, 0], material: steel, rigid: true}
@@ -120,7 +120,7 @@ output: {history: {every: 1.0e-6}}
   v[cells] = 1e-3;
   const int steps = 100000;
   const double dt = 1e-3 / steps;
-  double farthest = 0;
+  double farthest = 0, largest = 0;
   for (int n = 0; n < steps; ++n) {
     double f[cells + 1] = {};
     for (int i = 0; i < cells; ++i) {
@@ -135,10 +135,11 @@ output: {history: {every: 1.0e-6}}
     if ((n + 1) % 1000 != 0) continue;
     const double time = (n + 1) * dt, moved = run.history.at(time, "body_x:mass") - run.history["body_x:mass"].front();
     farthest = std::max(farthest, std::abs(moved - x[cells]));
+    largest = std::max(largest, std::abs(x[cells]));
   }
-  EXPECT_LT(farthest, 1e-3 * std::abs(x[cells])) << x[cells];  // the square of the step, at 0.9 of the stable one
+  EXPECT_LT(farthest, 1e-3 * largest);  // the square of the step, at a tenth of the stable one
   EXPECT_LT(run.summary.momentum.linear_error, 1e-13);
-  EXPECT_LT(std::abs(run.summary.energy.error), 1e-6);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-4);  // as of a bar without rigid parts at this step
 }
 
 }  // namespace percuss::test
