@@ -104,7 +104,8 @@ def make_balance_table(run):
         unit = run.history.unit(column)
         verdict = "in balance" if difference <= ROUND_OFF else "not the same: not every share has a column"
         rows.append((what, _show(total, unit), _show(whole, unit), f"{difference:.2g}", verdict))
-    rows += [(f"impulse of {name}", f"{size:.4g}", f"{change:.4g}", f"{difference:.2g}", verdict)
+    unit = run.history.unit("momentum_x") if "momentum_x" in run.history else ""
+    rows += [(f"impulse of {name}", _show(size, unit), _show(change, unit), f"{difference:.2g}", verdict)
              for name, size, change, difference, verdict in find_momentum_balances(run)]
     if not rows:
         return ""
