@@ -54,22 +54,21 @@ void set_rigid_spins(const ExecSpace& space, const RigidNodes& nodes, const Arra
       KOKKOS_LAMBDA(const int i) { set_row(w, of.node(i), bodies(of.body(i)).spin); });
 }
 
-void sum_rigid_forces(const ExecSpace& space, const RigidLoads& loads, const NodeSlots& nodes_to_slots,
-                      const Rows3<const double>& slot_force, const Rows3<const double>& slot_moment,
-                      const Rows3<const double>& x, const std::vector<Vector3<double>>& centers, ExactSums<6>& memory,
-                      std::vector<ExactSum>& sums) {
+void sum_rigid_forces(const ExecSpace& space, const RigidLoads& loads, const NodalForces& forces,
+                      const std::vector<Vector3<double>>& centers, ExactSums<6>& memory, std::vector<ExactSum>& sums) {
   sums.assign(6 * centers.size(), ExactSum{});
   const Array<const int> node = loads.node;
-  const bool has_moments = slot_moment.extent(0) > 0;
+  const NodalForces of = forces;
+  const bool has_moments = forces.moment.extent(0) > 0;
   for (std::size_t b = 0; b < centers.size(); ++b) {
     const int first = loads.first[b];
     const Vector3<double> center = centers[b];
     const auto totals = memory(
         space, loads.first[b + 1] - first, KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
           const int n = node(first + i);
-          const Vector3<double> f = sum_slots(nodes_to_slots, slot_force, n);
-          Vector3<double> m = cross(get_row(x, n) - center, f);
-          if (has_moments) m = m + sum_slots(nodes_to_slots, slot_moment, n);
+          const Vector3<double> f = sum_slots(of.nodes_to_slots, of.force, n);
+          Vector3<double> m = cross(get_row(of.x, n) - center, f);
+          if (has_moments) m = m + sum_slots(of.nodes_to_slots, of.moment, n);
           const double values[6] = {f.x, f.y, f.z, m.x, m.y, m.z};
           for (int k = 0; k < 6; ++k) add(k, values[k]);
         });

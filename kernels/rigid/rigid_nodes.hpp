@@ -42,11 +42,15 @@ struct RigidLoads {
   std::vector<int> first;  // [bodies + 1]
 };
 
-/// Force and moment about the centre of each body: this rank's share, six exact sums a body. slot_moment: empty without
-/// rotations of nodes. x: at n.
-void sum_rigid_forces(const ExecSpace& space, const RigidLoads& loads, const NodeSlots& nodes_to_slots,
-                      const Rows3<const double>& slot_force, const Rows3<const double>& slot_moment,
-                      const Rows3<const double>& x, const std::vector<Vector3<double>>& centers, ExactSums<6>& memory,
-                      std::vector<ExactSum>& sums);
+/// What acts on nodes, by slots, and their places at n.
+struct NodalForces {
+  NodeSlots nodes_to_slots;
+  Rows3<const double> force, moment;  // [slots]; moment: empty without rotations of nodes
+  Rows3<const double> x;              // [nodes]
+};
+
+/// Force and moment about the centre of each body: this rank's share, six exact sums a body.
+void sum_rigid_forces(const ExecSpace& space, const RigidLoads& loads, const NodalForces& forces,
+                      const std::vector<Vector3<double>>& centers, ExactSums<6>& memory, std::vector<ExactSum>& sums);
 
 }  // namespace percuss

@@ -252,6 +252,23 @@ void find_total(const ChunkedMesh& chunked, const RigidMap& map, const std::vect
   model.mass_center = {total.center.x, total.center.y, total.center.z};
 }
 
+/// Mass of a body with that of others on its nodes, which given values do not include.
+MassSum sum_of_body(const ChunkedMesh& chunked, const Model& model, const GivenMasses& given, const RigidMasses& masses,
+                    const std::vector<int>& owned) {
+  if (!given.any()) return sum_masses(chunked, model, owned, [&](int n) { return masses.all[at(n)]; });
+  MassSum sum = sum_masses(chunked, model, owned, [&](int n) { return masses.all[at(n)] - masses.of_others[at(n)]; });
+  apply(given, sum);
+  return combine(sum, sum_masses(chunked, model, owned, [&](int n) { return masses.of_others[at(n)]; }));
+}
+
+void refuse_scaled_nodes(const RigidBody& body, const std::string& place) {
+  if (body.shared_nodes == 0) return;
+  throw InputError(
+      fmt::format("{}: error: rigid body '{}' shares {} nodes with elements that deform (mass_scaling.every adds mass "
+                  "during the run, which a body does not take) leave `every` out",
+                  place, body.name, body.shared_nodes));
+}
+
 std::string describe(const RigidBody& body) {
   const std::string parts = body.parts > 1 ? fmt::format(" of {} parts", body.parts) : "";
   const std::string shared =
@@ -298,15 +315,7 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
   const auto owned = list_owned_nodes(chunked, map, names.bodies.size());
   for (std::size_t b = 0; b < names.bodies.size(); ++b) {
     const int index = static_cast<int>(b);
-    const GivenMasses given = find_given(deck, names, index);
-    MassSum sum;
-    if (given.any()) {
-      sum = sum_masses(chunked, model, owned[b], [&](int n) { return masses.all[at(n)] - masses.of_others[at(n)]; });
-      apply(given, sum);
-      sum = combine(sum, sum_masses(chunked, model, owned[b], [&](int n) { return masses.of_others[at(n)]; }));
-    } else {
-      sum = sum_masses(chunked, model, owned[b], [&](int n) { return masses.all[at(n)]; });
-    }
+    const MassSum sum = sum_of_body(chunked, model, find_given(deck, names, index), masses, owned[b]);
     RigidBody body;
     body.name = names.bodies[b];
     body.mass = sum.mass;
@@ -320,13 +329,7 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
                       find_place(deck, names, index), body.name));
     }
     measure(chunked, map, owned[b], model, body);
-    if (body.shared_nodes > 0 && model.scales_in_run) {
-      throw InputError(
-          fmt::format("{}: error: rigid body '{}' shares {} nodes with elements that deform "
-                      "(mass_scaling.every adds mass during the run, which a body does not take) leave "
-                      "`every` out",
-                      find_place(deck, names, index), body.name, body.shared_nodes));
-    }
+    if (model.scales_in_run) refuse_scaled_nodes(body, find_place(deck, names, index));
     model.mass_notes.push_back(describe(body));
     rigid.bodies.push_back(body);
   }

@@ -108,14 +108,16 @@ struct RigidVelocity {
   bool is_known = false;
 };
 
+Vector3<double> find_place(const ChunkedMesh& chunked, int node) {
+  const Vec3& x = chunked.mesh.nodes[at(node)];
+  return {x[0], x[1], x[2]};
+}
+
 /// From the velocities of nodes, by their momentum. Collective.
 template <class Velocities>
 RigidVelocity find_velocity(const ChunkedMesh& chunked, const Model& model, const std::vector<int>& nodes,
                             const std::vector<double>& mass, const Velocities& v) {
-  const auto place = [&](int n) {
-    const Vec3& x = chunked.mesh.nodes[at(n)];
-    return Vector3<double>{x[0], x[1], x[2]};
-  };
+  const auto place = [&](int n) { return find_place(chunked, n); };
   std::array<ExactSum, 7> linear{};
   for (const int n : nodes) {
     const double m = mass[at(n)],
@@ -172,21 +174,25 @@ bool move_alike(const Model& model, const std::vector<int>& nodes, const Velocit
   return std::equal(least, least + 3, largest);
 }
 
-/// Of a body: nodes that only rigid elements have, unless these alone do not say how it turns.
+/// How a body moves at the start, and the nodes that say it.
+struct RigidStart {
+  RigidVelocity moves;
+  std::vector<int> nodes;
+};
+
+/// Of a body: by nodes that only rigid elements have, unless these alone do not say how it turns.
 template <class Velocities>
-RigidVelocity find_start(const ChunkedMesh& chunked, const RigidMap& map, int body, const std::vector<double>& mass,
-                         const Model& model, const Velocities& v, std::vector<int>& used) {
-  std::vector<int> all;
-  used.clear();
+RigidStart find_start(const ChunkedMesh& chunked, const RigidMap& map, int body, const std::vector<double>& mass,
+                      const Model& model, const Velocities& v) {
+  std::vector<int> all, used;
   for (std::size_t n = 0; n < map.body.size(); ++n) {
     if (map.body[n] != body || !owns_node(chunked, static_cast<int>(n))) continue;
     all.push_back(static_cast<int>(n));
     if (map.is_shared[n] == 0) used.push_back(static_cast<int>(n));
   }
   const RigidVelocity found = find_velocity(chunked, model, used, mass, v);
-  if (found.is_known) return found;
-  used = all;
-  return find_velocity(chunked, model, used, mass, v);
+  if (found.is_known) return {found, used};
+  return {find_velocity(chunked, model, all, mass, v), all};
 }
 
 /// Largest deviation of nodes from a rigid motion, and their largest velocity; of all ranks.
@@ -213,10 +219,9 @@ void start_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
   constexpr double round_off = 1e-9;
   const auto v = to_host(model.start_velocity);
   const auto w = to_host(model.start_spin);
-  std::vector<int> used;
   for (std::size_t b = 0; b < model.rigid.bodies.size(); ++b) {
     RigidBody& body = model.rigid.bodies[b];
-    const RigidVelocity start = find_start(chunked, map, static_cast<int>(b), mass, model, v, used);
+    const auto [start, used] = find_start(chunked, map, static_cast<int>(b), mass, model, v);
     const auto [deviation, size] = compare(chunked, model, used, start, v);
     if (deviation > round_off * size) {
       const RigidNames names = name_rigid_bodies(deck);

@@ -9,7 +9,7 @@ std::vector<Wrench> RigidForces::operator()(const Model& model, const State& sta
   if (!model.rigid.is_loaded) return forces;
   std::vector<Vector3<double>> centers;
   for (const RigidState& body : state.bodies) centers.push_back(body.center);
-  sum_rigid_forces(ExecSpace(), model.rigid.loads, model.nodes_to_slots, state.slot_force, state.slot_moment, state.x,
+  sum_rigid_forces(ExecSpace(), model.rigid.loads, {model.nodes_to_slots, state.slot_force, state.slot_moment, state.x},
                    centers, memory_, sums_);
   sum_over_ranks(model.ranks, sums_);
   for (std::size_t b = 0; b < forces.size(); ++b) {
