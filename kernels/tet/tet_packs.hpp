@@ -19,7 +19,7 @@ PERCUSS_FORCE_INLINE void gather_tets(const double* rows, int row_size, const st
   for (int i = 0; i < 4; ++i) {
     const double* records[tet_width];
     for (int lane = 0; lane < tet_width; ++lane)
-      records[lane] = rows + row_size * static_cast<std::size_t>(corners[i * tet_width + lane]);
+      records[lane] = rows + static_cast<std::size_t>(row_size) * corners[i * tet_width + lane];
     Lanes packs[3];
     transpose_to_packs(records, packs);
     u[i] = {packs[0], packs[1], packs[2]};
