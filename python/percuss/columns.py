@@ -37,6 +37,11 @@ SCENE.update({f"angular_{axis}": ("angular momentum", f"angular momentum {axis}"
 SCENE.update({f"wall_force_{axis}": ("force", f"force of the walls {axis}") for axis in "xyz"})
 SCENE.update({f"f{axis}": ("force", f"force {axis}") for axis in "xyz"})
 SCENE.update({f"m{axis}": ("moment", f"moment {axis}") for axis in "xyz"})
+SCENE.update({f"body_{axis}": ("length", f"mass centre {axis}") for axis in "xyz"})
+SCENE.update({f"body_v{axis}": ("velocity", f"velocity {axis} of the mass centre") for axis in "xyz"})
+SCENE.update({f"body_q{k}": ("-", f"orientation, unit quaternion {k}") for k in range(4)})
+SCENE.update({f"body_w{axis}": ("frequency", f"angular velocity {axis}") for axis in "xyz"})
+SCENE.update({"body_kinetic": ("energy", "kinetic energy of the body")})
 SCENE.update({"normal": ("force", "normal force"), "tangential": ("force", "friction force")})
 
 # Of followed nodes and elements: what stands behind NAME.

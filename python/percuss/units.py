@@ -14,7 +14,7 @@ SHOWN = {"um": "\u00b5m", "us": "\u00b5s", "lbf s2/in": "lbf\u00b7s\u00b2/in", "
 # Powers of length, mass and time in each quantity that docs/output.md names.
 DIMENSIONS = {
     "-": (0, 0, 0), "length": (1, 0, 0), "mass": (0, 1, 0), "time": (0, 0, 1), "velocity": (1, 0, -1),
-    "acceleration": (1, 0, -2), "force": (1, 1, -2), "pressure": (-1, 1, -2), "energy": (2, 1, -2),
+    "acceleration": (1, 0, -2), "frequency": (0, 0, -1), "force": (1, 1, -2), "pressure": (-1, 1, -2), "energy": (2, 1, -2),
     "momentum": (1, 1, -1), "angular momentum": (2, 1, -1), "moment": (2, 1, -2), "area": (2, 0, 0),
     "density": (-3, 1, 0), "temperature": (0, 0, 0),
 }

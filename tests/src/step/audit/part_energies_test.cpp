@@ -118,7 +118,7 @@ output: {history: {parts: [b, a]}}
 )" + steel_text);
   scene.run(100);
   const std::map<std::string, double> values = sum_parts(scene);
-  EXPECT_EQ(values.size(), 16u);
+  EXPECT_EQ(values.size(), 18u);
   const double rho = 7850, time = 1e-4, u = 100;
   EXPECT_NEAR(scene.state.time, time, 1e-16);
   EXPECT_NEAR(values.at("mass:a"), 2 * rho, 1e-14 * 2 * rho);
