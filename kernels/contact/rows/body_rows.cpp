@@ -100,6 +100,7 @@ template <class Space>
 void spread_body_coefficients(const Space& space, const std::vector<ExactSum>& sums, RowSystem& system) {
   RowBodies& bodies = system.bodies;
   std::vector<Wrench> totals;
+  totals.reserve(static_cast<std::size_t>(bodies.count()));
   for (int b = 0; b < bodies.count(); ++b) totals.push_back(round_wrench(sums, static_cast<std::size_t>(b)));
   const Array<const Wrench> total = to_view("contact::body_coefficients", totals);
   const Array<const int> places = bodies.places, of_place = bodies.of_place;

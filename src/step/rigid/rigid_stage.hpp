@@ -47,8 +47,8 @@ class RigidStage {
  private:
   struct Goal;
 
-  Goal find_goal(const State& state, std::size_t body, double dt) const;
-  void move(const State& state, std::size_t body, double dt);
+  Goal find_goal(const State& state, std::size_t index, double dt) const;
+  void move(const State& state, std::size_t index, double dt);
   void upload(const State& state, double dt);
 
   const Model& model_;

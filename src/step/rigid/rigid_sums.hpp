@@ -14,7 +14,7 @@ struct RigidSums {
   double momentum_size = 0, angular_size = 0;
 };
 
-/// body: which of the model's; force: on it at n, without gravity.
-RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t body, const Wrench& force);
+/// index: which body of the model; force: on it at n, without gravity.
+RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t index, const Wrench& force);
 
 }  // namespace percuss
