@@ -309,7 +309,7 @@ bool gives_rigid_masses(const Deck& deck) {
 
 void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map, const RigidMasses& masses,
                         Model& model) {
-  if (map.body.empty()) return;
+  if (!has_rigid_parts(deck)) return;
   const RigidNames names = name_rigid_bodies(deck);
   RigidModel& rigid = model.rigid;
   const auto owned = list_owned_nodes(chunked, map, names.bodies.size());

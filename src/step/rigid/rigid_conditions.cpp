@@ -69,7 +69,7 @@ void hold_turns_about_others(RigidBody& body, int direction) {
 
 void hold_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map,
                        const std::vector<HeldMotion>& held, Model& model) {
-  if (map.body.empty()) return;
+  if (!has_rigid_parts(deck)) return;
   std::vector<RigidBody>& bodies = model.rigid.bodies;
   const RigidNames names = name_rigid_bodies(deck);
   for (std::size_t p = 0; p < deck.parts.size(); ++p) {
@@ -215,7 +215,7 @@ std::array<double, 2> compare(const ChunkedMesh& chunked, const Model& model, co
 
 void start_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map,
                         const std::vector<double>& mass, Model& model) {
-  if (map.body.empty()) return;
+  if (!has_rigid_parts(deck)) return;
   constexpr double round_off = 1e-9;
   const auto v = to_host(model.start_velocity);
   const auto w = to_host(model.start_spin);
