@@ -76,4 +76,10 @@ void sum_rigid_forces(const ExecSpace& space, const RigidLoads& loads, const Nod
   }
 }
 
+Wrench round_wrench(const std::vector<ExactSum>& sums, std::size_t body) {
+  double v[6];
+  for (std::size_t k = 0; k < 6; ++k) v[k] = sums[6 * body + k].round();
+  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+}
+
 }  // namespace percuss

@@ -53,4 +53,7 @@ struct NodalForces {
 void sum_rigid_forces(const ExecSpace& space, const RigidLoads& loads, const NodalForces& forces,
                       const std::vector<Vector3<double>>& centers, ExactSums<6>& memory, std::vector<ExactSum>& sums);
 
+/// Those of a body, rounded.
+Wrench round_wrench(const std::vector<ExactSum>& sums, std::size_t body);
+
 }  // namespace percuss

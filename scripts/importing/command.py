@@ -12,7 +12,6 @@ from .ledger import BadInput, Ledger
 from .mesh_text import write_mesh
 from .model import Model
 
-TAKES_TETRAHEDRA = True  # whether mesh files of percuss may have them
 KEYWORD_ENDINGS, ABAQUS_ENDINGS = (".k", ".key", ".dyn", ".k.txt"), (".inp",)
 
 
@@ -20,13 +19,13 @@ def choose_reader(path: str):
     """By the extension, then by the first keyword."""
     name = path.lower()
     if name.endswith(ABAQUS_ENDINGS):
-        return lambda ledger: read_abaqus_deck(path, ledger, TAKES_TETRAHEDRA)
+        return lambda ledger: read_abaqus_deck(path, ledger)
     if name.endswith(KEYWORD_ENDINGS):
-        return lambda ledger: read_keyword_deck(path, ledger, TAKES_TETRAHEDRA)
+        return lambda ledger: read_keyword_deck(path, ledger)
     with open(path, "rb") as file:
         head = file.read(4096)
     if b"*KEYWORD" in head.upper():
-        return lambda ledger: read_keyword_deck(path, ledger, TAKES_TETRAHEDRA)
+        return lambda ledger: read_keyword_deck(path, ledger)
     raise BadInput(clean(path), "neither a keyword deck (.k, .key, .dyn) nor an Abaqus deck (.inp)")
 
 

@@ -150,10 +150,16 @@ class Mesh(InFolder):
         plain = "       1       2       3       4      11      12      13      14\n"
         for corners in ("1,2,3,11,11,11,11,11\n", "1,2,3,3,11,11,11,11\n"):
             path = self.write(decks.SMALL.replace(plain, corners))
-            self.assertIn("ELEMENT_SOLID.tetrahedron", self.refusals(decks.SMALL.replace(plain, corners)))
-            model = read_keyword_deck(path, Ledger(), takes_tetrahedra=True)
+            model = read_keyword_deck(path, Ledger())
             self.assertEqual(model.blocks[0].solids, [(500, (1, 2, 3, 11))])
             self.assertIn("500,3,1,2,3,11,11,11,11,11", list(list_blocks(model)))
+
+    def test_tetrahedra_are_checked_by_the_program(self):
+        plain = "       1       2       3       4      11      12      13      14\n"
+        for corners in ("1,2,3,11,11,11,11,11\n", "1,2,3,3,11,11,11,11\n"):
+            result = self.percuss("import", self.write(decks.SMALL.replace(plain, corners)), "--out", "tets", "--units", "m, kg, s", "--allow", "all")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("The deck and its meshes can be run", result.stdout)
 
     def test_thickness_of_elements_makes_parts(self):
         shells = "*ELEMENT_SHELL_THICKNESS\n500,8,21,22,23,24\n0.1,0.1,0.1,0.1\n501,8,22,25,23,23\n0.2,0.2,0.2\n"
@@ -398,6 +404,18 @@ class Strictness(InFolder):
 
 
 class Abaqus(InFolder):
+    def test_tetrahedra_stand_beside_hexahedra_of_either_integration(self):
+        for kind in ("C3D8", "C3D8R"):
+            text = decks.ABAQUS.replace("TYPE=C3D8R", f"TYPE={kind}").replace(
+                "*NSET, NSET=foot", "*NODE\n9, 0., 0., 2.\n*ELEMENT, TYPE=C3D4, ELSET=all\n2, 5, 6, 8, 9\n*NSET, NSET=foot"
+            )
+            path = os.path.join(self.folder, "deck.inp")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+            model = read_abaqus_deck(path, Ledger(allowed=["ALL"]))
+            self.assertIn(4, [len(corners) for block in model.blocks for _, corners in block.solids])
+            self.assertEqual(model.deck.get("elements", {}).get("integration", "one_point"), "full" if kind == "C3D8" else "one_point")
+
     def test_a_deck_with_instances_is_accepted(self):
         done = self.percuss("import", self.write(decks.ABAQUS, "deck.inp"), "--out", "out")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -7,7 +7,6 @@ import base64
 import json
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -22,17 +21,13 @@ except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
 
-PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
+from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, ROOT, read_in_chromium  # noqa: E402 first: sets the path
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
 from reporting.marks import find_arrows, find_gap_lines, make_layers  # noqa: E402
 from reporting.surface import read_library  # noqa: E402
 from reporting.trial import Trial, find_frame_size, format_bytes, format_seconds, split_messages  # noqa: E402
 
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-headless-shell") or shutil.which("google-chrome")
-HAS_VTK = subprocess.run([sys.executable, "-c", "import vtkmodules.vtkRenderingOpenGL2, PIL"], capture_output=True).returncode == 0
-HAS_DISPLAY = bool(os.environ.get("DISPLAY") or shutil.which("xvfb-run"))
 ENVIRONMENT = dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false", PERCUSS_PROGRAM=PERCUSS)
 
 
@@ -161,13 +156,10 @@ class Page(OfADeck):
         if not CHROMIUM or not read_library():
             self.skipTest("no Chromium or no three.js")
         self.make("--set", "parts.block.at=[0, 0, 0.0009]")
-        done = subprocess.run([CHROMIUM, "--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                               "--enable-logging=stderr", "--v=0", f"--user-data-dir={self.folder}/chromium",
-                               "--virtual-time-budget=20000", "--dump-dom", f"file://{self.folder}/page.html"],
-                              capture_output=True, text=True, timeout=200)
-        self.assertEqual([line for line in done.stderr.splitlines() if "CONSOLE" in line], [])
-        self.assertIn('data-ready="yes"', done.stdout)
-        self.expect(done.stdout.split("layers")[1], "overlap at the start", "rigid walls")
+        text, console = read_in_chromium(os.path.join(self.folder, "page.html"), self.folder)
+        self.assertEqual(console, [])
+        self.assertIn('data-ready="yes"', text)
+        self.expect(text.split("layers")[1], "overlap at the start", "rigid walls")
 
 
 class Predictions(OfADeck):

@@ -23,8 +23,7 @@ except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --report installs what this test needs")
     sys.exit(77)
 
-PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
-sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
+from page_tools import CHROMIUM, HAS_DISPLAY, HAS_VTK, PERCUSS, ROOT, read_in_chromium  # noqa: E402 first: sets the path
 import percuss  # noqa: E402
 import sample_run  # noqa: E402
 from reporting.comparison import compare_numbers, find_history_differences  # noqa: E402
@@ -34,9 +33,6 @@ from reporting.markup import show_deck  # noqa: E402
 from reporting.pictures import Worst  # noqa: E402
 from reporting.surface import pack_surface, read_library  # noqa: E402
 
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-headless-shell") or shutil.which("google-chrome")
-HAS_VTK = subprocess.run([sys.executable, "-c", "import vtkmodules.vtkRenderingOpenGL2, PIL"], capture_output=True).returncode == 0
-HAS_DISPLAY = bool(os.environ.get("DISPLAY") or shutil.which("xvfb-run"))
 
 
 class Page(HTMLParser):
@@ -202,13 +198,10 @@ class Report(OfARun):
             self.skipTest("no Chromium or no three.js")
         self.make(self.out, "--deck", self.deck, "--no-pictures")
         page = os.path.join(self.folder.name, "page.html")
-        done = subprocess.run([CHROMIUM, "--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                               "--enable-logging=stderr", "--v=0", f"--user-data-dir={self.folder.name}/chromium",
-                               "--virtual-time-budget=20000", "--dump-dom", f"file://{page}"], capture_output=True, text=True,
-                              timeout=200)
-        self.assertEqual([line for line in done.stderr.splitlines() if "CONSOLE" in line], [])
-        self.assertIn('data-ready="yes"', done.stdout)
-        self.assertIn("Drag turns", done.stdout)
+        text, console = read_in_chromium(page, self.folder.name)
+        self.assertEqual(console, [])
+        self.assertIn('data-ready="yes"', text)
+        self.assertIn("Drag turns", text)
 
 
 class Findings(OfARun):

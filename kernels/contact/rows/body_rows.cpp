@@ -4,6 +4,7 @@
 #include "kernels/contact/rows/row_geometry.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/index_lists.hpp"
+#include "kernels/rigid/rigid_nodes.hpp"
 
 namespace percuss {
 namespace {
@@ -34,11 +35,23 @@ KOKKOS_INLINE_FUNCTION void store(const Wrench& w, double (&values)[6]) {
   for (int k = 0; k < 6; ++k) values[k] = all[k];
 }
 
-Wrench round_wrench(const std::vector<ExactSum>& sums, std::size_t body) {
-  double v[6];
-  for (std::size_t k = 0; k < 6; ++k) v[k] = sums[6 * body + k].round();
-  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-}
+/// Change of velocity of a place by that of its body.
+struct PlaceChange {
+  Array<const int> of_place;
+  Array<const BodyResponse> responses;
+  Array<const BodyChange> change;
+  Rows3<const double> x;
+
+  explicit PlaceChange(const RowSystem& system)
+      : of_place(system.bodies.of_place),
+        responses(system.bodies.inputs.responses),
+        change(system.bodies.change),
+        x(system.at.x) {}
+  KOKKOS_FUNCTION Point3 operator()(int place) const {
+    const int body = of_place(place);
+    return change(body).at(load_row(x, place) - responses(body).center);
+  }
+};
 
 KOKKOS_INLINE_FUNCTION double divide(double a, double b) { return b > 0 ? a / b : 0; }
 
@@ -164,15 +177,13 @@ void set_body_changes(const std::vector<ExactSum>& sums, RowSystem& system) {
 template <class Space>
 void move_packed_body_places(const Space& space, double beta, const RowSystem& system) {
   const RowPacks p = system.packs;
-  const Array<const int> places = system.bodies.places, of_place = system.bodies.of_place;
-  const Array<const BodyResponse> responses = system.bodies.inputs.responses;
-  const Array<const BodyChange> change = system.bodies.change;
-  const Rows3<const double> x = system.at.x;
+  const Array<const int> places = system.bodies.places;
+  const PlaceChange change(system);
   const Rows3<double> correction = system.correction;
   Kokkos::parallel_for(
       "contact::move_packed_body_places", RangeOf<Space>(space, 0, system.bodies.first.back()), KOKKOS_LAMBDA(int i) {
-        const int a = places(i), b = of_place(a);
-        const Point3 before = load_row(correction, a), dv = change(b).at(load_row(x, a) - responses(b).center);
+        const int a = places(i);
+        const Point3 before = load_row(correction, a), dv = change(a);
         store_row(correction, a, dv);
         set_dv(p, a, extrapolate(dv, before, beta));
       });
@@ -180,15 +191,13 @@ void move_packed_body_places(const Space& space, double beta, const RowSystem& s
 
 template <class Space>
 void move_body_places(const Space& space, const RowSystem& system) {
-  const Array<const int> places = system.bodies.places, of_place = system.bodies.of_place;
-  const Array<const BodyResponse> responses = system.bodies.inputs.responses;
-  const Array<const BodyChange> change = system.bodies.change;
-  const Rows3<const double> x = system.at.x;
+  const Array<const int> places = system.bodies.places;
+  const PlaceChange change(system);
   const Rows3<double> correction = system.correction;
   Kokkos::parallel_for(
       "contact::move_body_places", RangeOf<Space>(space, 0, system.bodies.first.back()), KOKKOS_LAMBDA(int i) {
-        const int a = places(i), b = of_place(a);
-        store_row(correction, a, change(b).at(load_row(x, a) - responses(b).center));
+        const int a = places(i);
+        store_row(correction, a, change(a));
       });
 }
 

@@ -34,7 +34,6 @@ class AbaqusDeck:
         self.whole: Deck | None = None  # contact of everything
         self.end_time = 0.0
         self.step_scale = 0.0  # 0: percuss' own
-        self.takes_tetrahedra = False
         self.integrations: dict[str, int] = {}  # of solids, with their number
         self.blocks_of_elements: dict[int, int] = {}  # element: index of its block
         self._names: dict[tuple[str, str], str] = {}

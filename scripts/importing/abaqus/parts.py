@@ -100,8 +100,10 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
     """A solid or a shell; anything else is refused."""
     if kind in SHELLS and len(corners) == SHELLS[kind]:
         part.shells.append((id, corners))
-    elif kind in SOLIDS and len(set(corners)) == SOLIDS[kind] and (kind != "C3D4" or deck.takes_tetrahedra):
+    elif kind in SOLIDS and len(set(corners)) == SOLIDS[kind]:
         part.solids.append((id, corners))
+        if kind == "C3D4":  # has one point, whatever hexahedra have
+            return
         integration = "full" if kind == "C3D8" else "one_point"
         deck.integrations[integration] = deck.integrations.get(integration, 0) + 1
     else:

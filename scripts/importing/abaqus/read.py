@@ -174,10 +174,9 @@ ACTIONS: dict[str, Handler] = {
 }  # fmt: skip
 
 
-def read_abaqus_deck(path: str, ledger: Ledger, takes_tetrahedra: bool = False) -> Model:
+def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     """Reads a deck and what it includes. The ledger tells what became of it."""
     reader = Reader(ledger)
-    reader.deck.takes_tetrahedra = takes_tetrahedra
     for block in BlockReader(path, ledger).read():
         reader.take(block)
     deck = reader.deck

@@ -98,7 +98,6 @@ class KeywordDeck:
         self.tables: dict[int, int] = {}  # first curve of a table
         self.detonations: list[Vector] = []
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
-        self.takes_tetrahedra = False
         self.shell_shift = 0  # what is added to the ids of shells
         self.end_time = 0.0
         self.general_hourglass: Row | None = None

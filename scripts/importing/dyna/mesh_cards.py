@@ -77,18 +77,14 @@ def read_solids(deck: KeywordDeck, card: Card) -> None:
 
 
 def add_solid(deck: KeywordDeck, card: Card, place: Place, part: int, id: int, corners: list[int]) -> None:
-    """A hexahedron, or a refusal by what it is."""
+    """A hexahedron or a tetrahedron, or a refusal by what it is."""
     different = len(set(corners))
     found = elements_of(deck, part, place)
     if len(corners) == 8 and different == 8:
         found.solids.append((id, tuple(corners)))
         return
     first = list(dict.fromkeys(corners))
-    if (
-        different == 4
-        and deck.takes_tetrahedra
-        and corners in (first, first + first[3:] * 4, [*first[:3], first[2], *first[3:] * 4])
-    ):
+    if different == 4 and corners in (first, first + first[3:] * 4, [*first[:3], first[2], *first[3:] * 4]):
         found.solids.append((id, tuple(first)))
         return
     shape = "quadratic" if different > 8 else SHAPES.get(different, "degenerate")

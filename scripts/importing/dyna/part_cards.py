@@ -254,7 +254,7 @@ def translate_integration(deck: KeywordDeck) -> None:
 
 def judge_solid_form(deck: KeywordDeck, form: int, row: Row) -> str:
     """Integration in percuss of an ELFORM."""
-    if form in ONE_POINT or (form in TETRAHEDRA_FORMS and deck.takes_tetrahedra):
+    if form in ONE_POINT or form in TETRAHEDRA_FORMS:
         return "one_point"
     if form in FULL:
         deck.ledger.approximated("SECTION_SOLID.ELFORM", row.place, "2x2x2 points with mean dilatation for fully integrated solids")

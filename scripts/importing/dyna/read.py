@@ -98,10 +98,9 @@ def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:
         raise BadInput(card.place, f"the numbers of *{card.keyword} are out of range ({error})") from None
 
 
-def read_keyword_deck(path: str, ledger: Ledger, takes_tetrahedra: bool = False) -> Model:
+def read_keyword_deck(path: str, ledger: Ledger) -> Model:
     """Reads a deck and what it includes. The ledger tells what became of it."""
     deck = KeywordDeck(ledger)
-    deck.takes_tetrahedra = takes_tetrahedra
     waiting: list[tuple[int, Card, Handler]] = []
     for card in CardReader(path, ledger).read():
         sort_card(deck, card, waiting)

@@ -3,6 +3,7 @@
 from ..fields import parse_integer
 from ..ledger import BadInput
 from ..model import Vector
+from ..shapes import cross, normalise, subtract
 from .cards import Card, Lines, read_ids
 from .deck import KeywordDeck, SetCard
 
@@ -87,23 +88,6 @@ def read_box(deck: KeywordDeck, card: Card) -> None:
     row = reader.row("BOXID XMN XMX YMN YMX ZMN ZMX")
     deck.boxes[row.integer("BOXID")] = row
     deck.ledger.translated(card.keyword, card.place, "limits what uses it")
-
-
-def subtract(a: Vector, b: Vector) -> Vector:
-    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def dot(a: Vector, b: Vector) -> float:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def normalise(a: Vector) -> Vector:
-    length = dot(a, a) ** 0.5
-    return (a[0] / length, a[1] / length, a[2] / length) if length > 0 else (0.0, 0.0, 0.0)
 
 
 def read_system(deck: KeywordDeck, card: Card) -> None:

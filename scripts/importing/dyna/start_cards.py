@@ -3,9 +3,9 @@
 from ..fields import Row
 from ..ledger import Place
 from ..model import Deck
+from ..shapes import normalise, subtract
 from .cards import Card
 from .deck import KeywordDeck
-from .set_cards import normalise, subtract
 
 
 def add_velocity(deck: KeywordDeck, name: str, motion: Deck) -> None:

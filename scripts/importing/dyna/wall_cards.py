@@ -2,9 +2,9 @@
 
 from ..fields import Row
 from ..model import Deck
+from ..shapes import dot, normalise, subtract
 from .cards import Card, Lines
 from .deck import KeywordDeck
-from .set_cards import dot, normalise, subtract
 
 OPTIONS = ("ORTHO", "FINITE", "MOVING", "FORCES", "DISPLAY")
 STICK = 100.0  # a coefficient of friction that no node slips under

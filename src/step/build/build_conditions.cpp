@@ -75,7 +75,7 @@ class HeldDirectionFinder {
   }
 
   /// What conditions hold, for the rigid bodies among their nodes; after the call.
-  const std::vector<HeldMotion>& motions() const { return motions_; }
+  const std::vector<HeldByCondition>& motions() const { return motions_; }
 
  private:
   void hold(std::size_t c, int k, const std::vector<int>& nodes) {
@@ -136,7 +136,7 @@ class HeldDirectionFinder {
   const RigidMap& rigid_;
   Model& model_;
   HeldMap held_;
-  std::vector<HeldMotion> motions_;
+  std::vector<HeldByCondition> motions_;
   Contradiction first_;
   std::string message_;
 };

@@ -305,6 +305,7 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
   if constexpr (is_single_precision) check_single_precision(deck, chunked, element_mass);
   scale_masses(deck, chunked, element_mass, model);
   model.scales_in_run = deck.scales_mass_in_run();
+  model.resists_folding = deck.elements.resist_folding;
   std::vector<double> mass = assemble_masses(model, mesh.elements, element_mass);
   add_deck_masses(deck, chunked, mass, model);
   std::vector<int> all(mass.size());

@@ -105,6 +105,7 @@ struct Model {
   Array<double> extra_mass;             // [nodes] what the deck adds without elements; empty: nothing
   std::vector<std::string> mass_notes;  // what is to be told of it
   bool scales_in_run = false;           // whether the deck asks for more during the run
+  bool resists_folding = false;         // whether it asks for that of hexahedra, on every rank
 
   Gravity gravity;
   PressureFaces pressure_faces;

@@ -8,6 +8,7 @@
 
 #include "kernels/rigid/rigid_motion.hpp"
 #include "kernels/rigid/rigid_nodes.hpp"
+#include "src/mesh/mesh.hpp"
 
 namespace percuss {
 
@@ -24,6 +25,9 @@ struct RigidBody {
   std::array<int, 6> motion{free, free, free, free, free, free};
   double radius = 0;                                    // largest distance of a node from the centre
   std::int64_t parts = 0, nodes = 0, shared_nodes = 0;  // of all ranks; shared with elements that deform
+
+  /// x, y, z, then rotations about them.
+  bool holds(std::size_t direction) const { return motion[direction] != free; }
 };
 
 struct RigidModel {
@@ -54,5 +58,13 @@ struct RigidState {
 inline Symmetric3<double> find_inertia(const RigidBody& body, const RigidState& state) {
   return push_forward(find_rotation(state.orientation), body.inertia);
 }
+
+/// Its inverse in the rotations that nothing holds.
+inline Symmetric3<double> find_free_inverse(const RigidBody& body, const RigidState& state) {
+  const bool held[3] = {body.holds(3), body.holds(4), body.holds(5)};
+  return invert_free(find_inertia(body, state), held);
+}
+
+inline Vector3<double> to_vector(const Vec3& a) { return {a[0], a[1], a[2]}; }
 
 }  // namespace percuss

@@ -192,13 +192,6 @@ std::string join_first(const std::vector<std::string>& items) {
   return text;
 }
 
-/// Whether chunks of any rank resist folding; a rank may have no chunk. Collective.
-bool is_folding_resisted(const Model& model) {
-  int some = model.chunks.fold_threshold.extent(0) > 0 ? 1 : 0;
-  all_reduce(model.ranks, Reduce::largest, some);
-  return some != 0;
-}
-
 }  // namespace
 
 void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const Model& model, State& state) {
@@ -217,7 +210,7 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   archive_bodies(archive, state.bodies);
   const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
   archive.rows("chunks/work", chunks, work_kinds, state.results.work);
-  if (is_folding_resisted(model)) archive.rows("chunks/resists", chunks, 1, state.results.resists);
+  if (model.resists_folding) archive.rows("chunks/resists", chunks, 1, state.results.resists);
   archive_books(archive, state.books);
   archive_scaled(archive, chunked, model, state);
   if (!model.can_erode) return;

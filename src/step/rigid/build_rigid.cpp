@@ -21,8 +21,6 @@ namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-Vector3<double> to_vector(const Vec3& a) { return {a[0], a[1], a[2]}; }
-
 /// Place of the first part of a body.
 std::string find_place(const Deck& deck, const RigidNames& names, int body) {
   const auto part = std::find(names.body_of_part.begin(), names.body_of_part.end(), body) - names.body_of_part.begin();

@@ -33,7 +33,7 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
                         Model& model);
 
 /// A direction that a condition of the deck holds.
-struct HeldMotion {
+struct HeldByCondition {
   std::size_t condition = 0;  // place in the deck
   int direction = 0;          // x, y, z, then rotations
   int motion = 0;             // row of Model::motions
@@ -42,7 +42,7 @@ struct HeldMotion {
 /// What conditions, and `rigid.fixed`, hold of the bodies. A condition must name all nodes of a body, or be a symmetry.
 /// Throws InputError, the same on all ranks, where it does not, or where two move a body in one direction.
 void hold_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map,
-                       const std::vector<HeldMotion>& held, Model& model);
+                       const std::vector<HeldByCondition>& held, Model& model);
 
 /// Velocities of bodies at time 0 from those of their nodes, which are then those of the bodies. mass: [nodes]. Throws
 /// InputError, the same on all ranks, where the nodes of a body do not move as one.

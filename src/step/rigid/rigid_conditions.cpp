@@ -68,7 +68,7 @@ void hold_turns_about_others(RigidBody& body, int direction) {
 }  // namespace
 
 void hold_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map,
-                       const std::vector<HeldMotion>& held, Model& model) {
+                       const std::vector<HeldByCondition>& held, Model& model) {
   if (!has_rigid_parts(deck)) return;
   std::vector<RigidBody>& bodies = model.rigid.bodies;
   const RigidNames names = name_rigid_bodies(deck);
@@ -80,7 +80,7 @@ void hold_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigid
   }
   std::vector<std::int64_t> counts;
   std::size_t counted = deck.conditions.size();
-  for (const HeldMotion& motion : held) {
+  for (const HeldByCondition& motion : held) {
     const ConditionDeck& condition = deck.conditions[motion.condition];
     if (counted != motion.condition) counts = count_selected(deck, chunked, map, condition, model);
     counted = motion.condition;
@@ -90,7 +90,7 @@ void hold_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigid
       hold(bodies[b], motion.direction, motion.motion, deck.where(condition.where.place));
     }
   }
-  for (const HeldMotion& motion : held) {
+  for (const HeldByCondition& motion : held) {
     if (motion.direction > 2) continue;
     counts = count_selected(deck, chunked, map, deck.conditions[motion.condition], model);
     for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -108,16 +108,11 @@ struct RigidVelocity {
   bool is_known = false;
 };
 
-Vector3<double> find_place(const ChunkedMesh& chunked, int node) {
-  const Vec3& x = chunked.mesh.nodes[at(node)];
-  return {x[0], x[1], x[2]};
-}
-
 /// From the velocities of nodes, by their momentum. Collective.
 template <class Velocities>
 RigidVelocity find_velocity(const ChunkedMesh& chunked, const Model& model, const std::vector<int>& nodes,
                             const std::vector<double>& mass, const Velocities& v) {
-  const auto place = [&](int n) { return find_place(chunked, n); };
+  const auto place = [&](int n) { return to_vector(chunked.mesh.nodes[at(n)]); };
   std::array<ExactSum, 7> linear{};
   for (const int n : nodes) {
     const double m = mass[at(n)],

@@ -9,9 +9,7 @@
 namespace percuss {
 namespace {
 
-bool is_free(const RigidBody& body, std::size_t dof) { return body.motion[dof] == RigidBody::free; }
-
-bool holds_spin(const RigidBody& body) { return !is_free(body, 3) || !is_free(body, 4) || !is_free(body, 5); }
+bool holds_spin(const RigidBody& body) { return body.holds(3) || body.holds(4) || body.holds(5); }
 
 /// Value of a held direction: the velocity in the step of dt from `time`, or the displacement at its end.
 double evaluate(const Motion& motion, double time, double dt) {
@@ -21,12 +19,9 @@ double evaluate(const Motion& motion, double time, double dt) {
 BodyResponse find_response(const RigidBody& body, const RigidState& state) {
   BodyResponse response;
   response.center = state.center;
-  bool held[3];
-  for (std::size_t k = 0; k < 3; ++k) {
-    set(response.inverse_mass, static_cast<int>(k), is_free(body, k) ? 1 / body.mass : 0);
-    held[k] = !is_free(body, 3 + k);
-  }
-  response.inverse_inertia = invert_free(find_inertia(body, state), held);
+  for (std::size_t k = 0; k < 3; ++k)
+    set(response.inverse_mass, static_cast<int>(k), body.holds(k) ? 0 : 1 / body.mass);
+  response.inverse_inertia = find_free_inverse(body, state);
   return response;
 }
 
@@ -40,6 +35,8 @@ struct RigidStage::Goal {
 
 RigidStage::RigidStage(const Model& model) : model_(model) {
   if (!any()) return;
+  for (const RigidBody& body : model.rigid.bodies)
+    for (const int motion : body.motion) is_moved_ = is_moved_ || motion > 0;  // row 0 is rest
   const std::size_t count = model.rigid.bodies.size();
   steps_ = Array<BodyStep>("percuss::body_steps", count);
   responses_ = Array<BodyResponse>("percuss::body_responses", count);
@@ -51,7 +48,7 @@ RigidStage::Goal RigidStage::find_goal(const State& state, std::size_t index, do
   const RigidBody& body = model_.rigid.bodies[index];
   Goal goal;
   for (std::size_t k = 0; k < 6; ++k) {
-    if (is_free(body, k)) continue;
+    if (!body.holds(k)) continue;
     const Motion& motion = model_.motions[static_cast<std::size_t>(body.motion[k])];
     double value = evaluate(motion, state.time, dt);
     if (motion.is_displacement) {
@@ -74,7 +71,7 @@ void RigidStage::start(State& state) {
     RigidState& now = state.bodies[b];
     const Goal goal = find_goal(state, b, 0);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!is_free(body, k)) set(now.velocity, static_cast<int>(k), goal.velocity[k]);
+      if (body.holds(k)) set(now.velocity, static_cast<int>(k), goal.velocity[k]);
       if (goal.spin.held[k]) set(now.spin, static_cast<int>(k), goal.spin.rate[k]);
     }
     now.spin_momentum = find_inertia(body, now) * now.spin;
@@ -93,7 +90,7 @@ void RigidStage::move(const State& state, std::size_t index, double dt) {
   RigidState& next = next_[index];
   const Goal goal = find_goal(state, index, dt);
   for (std::size_t k = 0; k < 3; ++k)
-    if (!is_free(body, k)) set(next.velocity, static_cast<int>(k), goal.velocity[k]);
+    if (body.holds(k)) set(next.velocity, static_cast<int>(k), goal.velocity[k]);
   const Symmetric3<double> inertia = find_inertia(body, now);
   const Vector3<double> q = find_turn(inertia, next.spin_momentum, goal.spin, dt);
   if (holds_spin(body)) {
@@ -165,11 +162,11 @@ void RigidStage::book(State& state, double dt, double dt_mean) const {
       const auto dof = static_cast<std::size_t>(k);
       const double g = model_.gravity.g[k], m = body.mass, p = get(contact.impulse, k), f = get(force.impulse, k);
       const double v0 = get(now.velocity, k), v1 = get(next.velocity, k), change = m * (v1 - v0) - p;
-      if (!is_free(body, dof)) {
+      if (body.holds(dof)) {
         j[k] = change - dt_mean * (f + m * g);
         work += 0.5 * change * (v0 + v1) - dt * v1 * (0.5 * f + m * g);
       }
-      if (is_free(body, dof + 3)) continue;
+      if (!body.holds(dof + 3)) continue;
       const double w0 = get(now.spin, k), w1 = get(next.spin, k), t = get(force.moment, k);
       const double turned = get(next.spin_momentum, k) - get(now.spin_momentum, k) - get(contact.moment, k);
       state.books.moment_impulse[k].add(turned - dt_mean * t);
@@ -194,11 +191,8 @@ void RigidStage::place(State& state) {
 }
 
 void RigidStage::book_rest(State& state, double dt) {
+  if (!is_moved_) return;
   const auto& bodies = model_.rigid.bodies;
-  const bool is_held = std::any_of(bodies.begin(), bodies.end(), [](const RigidBody& body) {
-    return std::any_of(body.motion.begin(), body.motion.end(), [](int motion) { return motion > 0; });
-  });
-  if (!is_held) return;
   const std::vector<Wrench> forces = find_forces_(model_, state);
   if (model_.ranks.rank() != 0) return;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -206,8 +200,8 @@ void RigidStage::book_rest(State& state, double dt) {
     double power = 0;
     for (int k = 0; k < 3; ++k) {
       const auto dof = static_cast<std::size_t>(k);
-      if (!is_free(bodies[b], dof)) power += get(now.velocity, k) * get(forces[b].impulse, k);
-      if (!is_free(bodies[b], dof + 3)) power += get(now.spin, k) * get(forces[b].moment, k);
+      if (bodies[b].holds(dof)) power += get(now.velocity, k) * get(forces[b].impulse, k);
+      if (bodies[b].holds(dof + 3)) power += get(now.spin, k) * get(forces[b].moment, k);
     }
     state.books.external_work.add(-0.5 * dt * power);
   }

@@ -53,6 +53,7 @@ class RigidStage {
 
   const Model& model_;
   RigidForces find_forces_;
+  bool is_moved_ = false;         // whether a prescribed motion does work on a body
   std::vector<Wrench> forces_;    // at n, without gravity
   std::vector<Wrench> contact_;   // impulses of this step; empty: none
   std::vector<RigidState> next_;  // places at n+1, velocities at n+1/2

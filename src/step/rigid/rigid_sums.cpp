@@ -3,23 +3,13 @@
 namespace percuss {
 namespace {
 
-Vector3<double> to_vector(const Vec3& a) { return {a[0], a[1], a[2]}; }
-
-/// Which rotations something holds.
-struct Held {
-  bool spin[3];
-  explicit Held(const RigidBody& body)
-      : spin{body.motion[3] != RigidBody::free, body.motion[4] != RigidBody::free, body.motion[5] != RigidBody::free} {}
-};
-
 /// Kinetic energy of the rotation: forces on held ones move nothing.
 double find_turning_energy(const RigidBody& body, const RigidState& state, const Vector3<double>& moment, double dt) {
   const Symmetric3<double> inertia = find_inertia(body, state);
-  const Held held(body);
-  const Symmetric3<double> inverse = invert_free(inertia, held.spin);
+  const Symmetric3<double> inverse = find_free_inverse(body, state);
   Vector3<double> held_rate{0, 0, 0};
   for (int k = 0; k < 3; ++k)
-    if (held.spin[k]) set(held_rate, k, get(state.spin, k));
+    if (body.holds(3 + static_cast<std::size_t>(k))) set(held_rate, k, get(state.spin, k));
   const Vector3<double> of_held = inertia * held_rate;
   const Vector3<double> before = inverse * (state.spin_momentum - of_held) + held_rate;
   const Vector3<double> after = inverse * (state.spin_momentum + dt * moment - of_held) + held_rate;
@@ -36,14 +26,14 @@ RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t ind
   RigidSums sums;
   for (int k = 0; k < 3; ++k) {
     const double v = get(now.velocity, k), g = model.gravity.g[k], f = get(force.impulse, k) + m * g;
-    const bool is_free = body.motion[static_cast<std::size_t>(k)] == RigidBody::free;
+    const bool is_free = !body.holds(static_cast<std::size_t>(k));
     sums.kinetic += 0.5 * v * (m * v + (is_free ? dt * f : 0));
     if (is_free) sums.half_steps += 0.125 / m * (first_dt * f) * (first_dt * f);
     sums.fallen += m * g * (get(now.center, k) - get(body.center, k));
   }
   sums.kinetic += find_turning_energy(body, now, force.moment, dt);
   const Vector3<double> turned = first_dt * force.moment;
-  sums.half_steps += 0.125 * dot(turned, invert_free(find_inertia(body, now), Held(body).spin) * turned);
+  sums.half_steps += 0.125 * dot(turned, find_free_inverse(body, now) * turned);
   const Vector3<double> r = now.center - to_vector(model.mass_center);
   sums.momentum = m * now.velocity;
   sums.angular = cross(r, sums.momentum) + now.spin_momentum;

@@ -97,7 +97,7 @@ output: {{history: {{every: 1.0e-5}}}}
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, RigidContact, testing::Values("kinematic", "lagrange", "penalty"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& parameter) { return std::string(parameter.param); });
 
 // A chain of masses and springs with the end mass that a rigid block adds: the bar is one element wide, without lateral
 // contraction, so that it is that chain exactly, up to the square of the strain (1e-7).
