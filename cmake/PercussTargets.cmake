@@ -50,13 +50,16 @@ function(percuss_reuse_headers target name)
   endif()
 endfunction()
 percuss_precompile(percuss_headers)
+percuss_precompile(percuss_text_headers LINK fmt::fmt HEADERS <fmt/format.h>)
 
 # percuss_add_library(name SOURCES a.cpp ... LINK lib ...): a static library with the project's options.
 function(percuss_add_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC percuss_options ${arg_LINK})
-  if(arg_LINK) # what links nothing knows nothing of Kokkos, and is compiled without its options
+  if("fmt::fmt" IN_LIST arg_LINK)
+    percuss_reuse_headers(${name} percuss_text_headers)
+  elseif(arg_LINK) # what links nothing knows nothing of Kokkos, and is compiled without its options
     percuss_reuse_headers(${name} percuss_headers)
   endif()
 endfunction()

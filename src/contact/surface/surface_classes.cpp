@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "comm/gather_items.hpp"
 #include "src/deck/rigid_bodies.hpp"
 
 namespace percuss {
@@ -49,17 +50,7 @@ std::vector<int> gather_sets(const Communicator& ranks, const std::vector<Surfac
     own.push_back(static_cast<int>(set.size()));
     own.insert(own.end(), set.begin(), set.end());
   }
-  const auto size = static_cast<std::size_t>(ranks.size());
-  std::vector<int> counts(size), first(size + 1, 0);
-  const int count = static_cast<int>(own.size());
-  wait_mpi([&] { return MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, ranks.handle()); },
-           "MPI_Allgather");
-  for (std::size_t r = 0; r < size; ++r) first[r + 1] = first[r] + counts[r];
-  std::vector<int> all(static_cast<std::size_t>(first[size]));
-  check_mpi(
-      MPI_Allgatherv(own.data(), count, MPI_INT, all.data(), counts.data(), first.data(), MPI_INT, ranks.handle()),
-      "MPI_Allgatherv");
-  return all;
+  return gather_items(ranks, own);
 }
 
 }  // namespace
