@@ -7,14 +7,13 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// A part before anything was found.
 PartMeasures make_empty() {

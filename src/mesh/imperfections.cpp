@@ -11,12 +11,11 @@
 #include "comm/halo/shared_nodes.hpp"
 #include "kernels/core/same_bits.hpp"
 #include "src/error.hpp"
+#include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// From -1 to 1, the same for the same key.
 double find_random(std::uint64_t key) {

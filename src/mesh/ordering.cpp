@@ -5,12 +5,11 @@
 #include <numeric>
 #include <span>
 
+#include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 std::vector<Vec3> find_element_centers(const PartMesh& mesh) {
   std::vector<Vec3> centers(mesh.elements.size());

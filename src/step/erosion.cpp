@@ -8,6 +8,7 @@
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/failure/failure.hpp"
+#include "src/index.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
@@ -15,8 +16,6 @@ namespace percuss {
 namespace {
 
 constexpr int width = pack_size<Real>;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Numbers of the nodes of a face, ascending, each once; beyond the last the largest number.
 using FaceKey = std::array<std::int64_t, 4>;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 
@@ -17,8 +18,6 @@ struct RankedCheck::TouchRecord {
 };
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr int max_touches = contact_limits::max_touches;
 

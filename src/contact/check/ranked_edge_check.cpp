@@ -5,6 +5,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/surface/number_map.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 
@@ -19,10 +20,8 @@ struct RankedEdgeCheck::TouchRecord {
 
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 /// A contact that is remembered, as the check reads it.
-struct HistoryItem {
+struct EdgeHistoryItem {
   std::int64_t a, b;
   double normal[3];
 };
@@ -105,7 +104,7 @@ EdgeHistory RankedEdgeCheck::receive_history(const EdgeHistory& history, DataExc
   const auto a = to_host(history.a), b = to_host(history.b);
   const auto holds = to_host(history.holds);
   const auto normal = to_host(history.normal);
-  std::vector<HistoryItem> items;
+  std::vector<EdgeHistoryItem> items;
   const auto add_items_of = [&](int e) {
     const std::int64_t number = share_.edges[at(e)].number;
     const std::int64_t* const all = a.data();
@@ -122,14 +121,14 @@ EdgeHistory RankedEdgeCheck::receive_history(const EdgeHistory& history, DataExc
       add_items_of(part.published[static_cast<std::size_t>(k)]);
     counts.push_back(static_cast<int>(items.size() - before));
   }
-  std::vector<HistoryItem> received = data.exchange_sized(answer, counts, items);
+  std::vector<EdgeHistoryItem> received = data.exchange_sized(answer, counts, items);
   items.clear();
   for (const int e : part.own_places) add_items_of(e);
   received.insert(received.end(), items.begin(), items.end());
-  std::sort(received.begin(), received.end(), comes_before<HistoryItem>);
+  std::sort(received.begin(), received.end(), comes_before<EdgeHistoryItem>);
   std::vector<std::int64_t> of_a, of_b;
   std::vector<std::array<double, 3>> normals;
-  for (const HistoryItem& item : received) {
+  for (const EdgeHistoryItem& item : received) {
     of_a.push_back(item.a);
     of_b.push_back(item.b);
     normals.push_back(std::to_array(item.normal));

@@ -7,11 +7,10 @@
 #include "comm/gather_items.hpp"
 #include "kernels/contact/search/capture_boxes.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Growth of the copies of faces at which cuts are worth renewing.
 constexpr double ghost_growth = 1.15;

@@ -5,14 +5,9 @@
 #include "comm/exchange/item_exchange.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/views.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 /// A foreign node in the message to its owner.
 struct RowExchange::ForeignNotice {
   std::int64_t node = 0;  // number

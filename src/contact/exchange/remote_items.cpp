@@ -2,10 +2,10 @@
 
 #include <utility>
 
+#include "src/index.hpp"
+
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// The requested items of a list, and the runs that are left of it.
 struct WantedRuns {

@@ -8,11 +8,10 @@
 #include "kernels/core/views.hpp"
 #include "src/contact/history/edge_records.hpp"
 #include "src/contact/surface/number_map.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr int touches = contact_limits::max_touches;
 

@@ -4,11 +4,10 @@
 
 #include "src/contact/history/contact_checkpoint.hpp"
 #include "src/contact/history/edge_records.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// [edges] place among the chunks of this rank of the element behind the first face.
 std::vector<std::size_t> find_chunks_of_edges(const ChunkedMesh& chunked, const std::vector<EdgeTopology>& edges) {

@@ -6,14 +6,9 @@
 #include "src/contact/search/pair_limit.hpp"
 #include "src/contact/search/reuse_bound.hpp"
 #include "src/contact/ties/ties.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 ContactPlanner::ContactPlanner(const ChunkedMesh& whole, const Deck& deck)
     : whole_(whole),
       exchange_(Communicator(MPI_COMM_SELF)),

@@ -5,11 +5,10 @@
 
 #include "src/contact/decomposition/contact_decomposition.hpp"
 #include "src/contact/plan/contact_flow.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Bytes of an item as a run sends it.
 constexpr std::int64_t number_bytes = 8;  // of a node

@@ -7,14 +7,9 @@
 #include "src/contact/search/contact_finder.hpp"
 #include "src/contact/search/pair_limit.hpp"
 #include "src/contact/surface/number_map.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
-namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
-
 /// An edge as it is sent to a rank that its box reaches.
 struct RankedEdges::EdgeRecord {
   EdgeTopology edge;

@@ -7,12 +7,11 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/contact/search/pair_limit.hpp"
 #include "src/contact/surface/face_corners.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool comes_before(const FaceTopology& a, const FaceTopology& b) { return a.number < b.number; }
 

@@ -11,6 +11,7 @@
 #include "src/contact/surface/face_springs.hpp"
 #include "src/contact/surface/surface_share.hpp"
 #include "src/error.hpp"
+#include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
@@ -18,8 +19,6 @@ namespace {
 
 constexpr double elements_around = 8;  // an inner node
 constexpr double endless = std::numeric_limits<double>::infinity();
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// What elements say of a node that they hold. Extremes only: they do not depend on which rank has which element.
 struct HeldNode {

@@ -12,11 +12,10 @@
 #include "src/contact/surface/face_corners.hpp"
 #include "src/contact/surface/surface_share.hpp"
 #include "src/fail_together.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 constexpr std::size_t most_edges = 1 << edge_place_bits;  // of one lower node
 

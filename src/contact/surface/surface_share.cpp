@@ -13,12 +13,11 @@
 #include "src/contact/surface/face_corners.hpp"
 #include "src/contact/surface/face_springs.hpp"
 #include "src/contact/surface/surface_classes.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Corners behind those of each face, by topology: surfaces are defined anew at each erosion.
 using CornersBehind = std::array<std::array<std::array<int, 4>, most_faces>, topology_count>;

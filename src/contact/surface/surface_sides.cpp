@@ -4,11 +4,10 @@
 #include <cstddef>
 
 #include "src/contact/surface/face_corners.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 using Corners = std::array<int, 4>;
 

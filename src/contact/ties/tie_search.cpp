@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "src/contact/ties/tie_thickness.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Point3 to_point(const Vec3& x) { return {x[0], x[1], x[2]}; }
 

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// What a rank knows of a node, for its owner, and the owner's answer.
 struct NodeValue {

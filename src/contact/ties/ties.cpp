@@ -13,14 +13,13 @@
 #include "src/contact/ties/tie_search.hpp"
 #include "src/contact/ties/tie_thickness.hpp"
 #include "src/error.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
 
 /// Share of a distance that is none.
 constexpr double rounding = 1e-9;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool is_tied(const ClosestFace& answer) { return answer.joined == 0 && answer.found.face >= 0; }
 

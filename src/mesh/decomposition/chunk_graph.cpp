@@ -8,13 +8,12 @@
 #include "comm/all_reduce.hpp"
 #include "comm/exchange/item_exchange.hpp"
 #include "src/fail_together.hpp"
+#include "src/index.hpp"
 #include "src/mesh/decomposition/near_chunks.hpp"
 #include "src/mesh/decomposition/node_homes.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// [nodes] the chunk of each.
 std::vector<int> list_using_chunks(const ChunkPieces& pieces) {

@@ -6,14 +6,13 @@
 #include <utility>
 
 #include "kernels/core/counting_sort.hpp"
+#include "src/index.hpp"
 #include "src/mesh/decomposition/chunk_graph.hpp"
 #include "src/mesh/pieces/check_pieces.hpp"
 #include "src/mesh/pieces/join_pieces.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Adds up what the slots of one node after the other mean for the ranks that hold it.
 class NodeCount {

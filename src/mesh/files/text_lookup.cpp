@@ -5,11 +5,10 @@
 #include <algorithm>
 
 #include "src/error.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 constexpr std::size_t most_problems = 10;
 

@@ -9,11 +9,10 @@
 
 #include "comm/agreement.hpp"
 #include "comm/exchange/item_exchange.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// A use of a joined node by a chunk of this rank.
 struct Use {

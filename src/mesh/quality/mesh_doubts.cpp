@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
 
@@ -22,8 +23,6 @@ constexpr std::size_t few_least = 4;
 
 /// Elements that a warning names.
 constexpr std::size_t most_named = 5;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Across the thinnest direction, to which the stable step is proportional: the edge of a cube or a square, the height
 /// of a triangle.

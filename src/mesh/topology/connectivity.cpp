@@ -6,11 +6,10 @@
 #include <utility>
 
 #include "kernels/core/counting_sort.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Faces of all solids by their lowest node: the same face of two elements meets in one bucket.
 using FacesByLowestNode = BucketsOf<ElementFace, std::int64_t>;

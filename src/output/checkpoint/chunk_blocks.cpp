@@ -4,11 +4,10 @@
 #include <numeric>
 
 #include "comm/all_reduce.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 int find_block_start(int chunks, int rank, int ranks) {
   return static_cast<int>(static_cast<std::int64_t>(chunks) * rank / ranks);

@@ -14,12 +14,11 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/error.hpp"
+#include "src/index.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 /// Place of the first part of a body.
 std::string find_place(const Deck& deck, const RigidNames& names, int body) {

@@ -12,13 +12,12 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/error.hpp"
+#include "src/index.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/rigid/build_rigid.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 const char* name_direction(int k) {
   constexpr const char* names[6] = {"x", "y", "z", "rx", "ry", "rz"};
