@@ -445,6 +445,32 @@ class Abaqus(InFolder):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("mass: 8255", done.stdout)
 
+    def test_springs_and_dampers(self):
+        lines = """*ELEMENT, TYPE=SPRINGA, ELSET=soft
+7, 1, 7
+8, 2, 8
+*ELEMENT, TYPE=DASHPOTA, ELSET=oil
+9, 1, 7
+*SPRING, ELSET=soft
+
+1000.
+*DASHPOT, ELSET=oil
+,
+3.5
+"""
+        text = decks.ABAQUS.replace("*NSET, NSET=foot", lines + "*NSET, NSET=foot")
+        model, ledger = self.read_abaqus(text)
+        self.assertEqual(ledger.list_refused(), [])
+        springs = {"spring_7": {"between": [{"id": 1}, {"id": 7}], "stiffness": 1000}}
+        springs["spring_8"] = {"between": [{"id": 2}, {"id": 8}], "stiffness": 1000}
+        springs["spring_9"] = {"between": [{"id": 1}, {"id": 7}], "damping": 3.5}
+        self.assertEqual(model.deck["springs"], springs)
+        done = self.percuss("import", self.write(text, "deck.inp"), "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        tabled = text.replace("*SPRING, ELSET=soft\n\n1000.", "*SPRING, ELSET=soft, NONLINEAR\n\n-2., -1.\n4., 1.")
+        table = [[-3, -2], [-1, -2], [1, 4], [3, 4]]  # flat beyond its ends
+        self.assertEqual(self.read_abaqus(tabled)[0].deck["springs"]["spring_7"]["table"], table)
+
     def test_instances_are_moved_then_turned(self):
         model, _ = self.read_abaqus(decks.ABAQUS)
         for found, expected in zip(model.nodes[15], (-0.5, 2.0, 1.2)):
