@@ -21,13 +21,13 @@ struct SpringDeck {
   enum class Acts { both, tension, compression };
   std::string name;
   std::array<SpringEndDeck, 2> between;
-  std::optional<double> stiffness;            // [force / length]
-  std::vector<std::array<double, 2>> table;   // instead: elongation, force; straight on beyond the ends
-  double damping = 0;                         // [force x time / length]
-  Acts acts = Acts::both;                     // while it is longer, or shorter, than at rest
-  std::optional<double> rest_length;          // none: the distance at time 0 [length]
-  std::optional<double> largest_force;        // amount beyond which it breaks
-  std::optional<double> largest_elongation;   // likewise, of elongation or shortening
+  std::optional<double> stiffness;           // [force / length]
+  std::vector<std::array<double, 2>> table;  // instead: elongation, force; straight on beyond the ends
+  double damping = 0;                        // [force x time / length]
+  Acts acts = Acts::both;                    // while it is longer, or shorter, than at rest
+  std::optional<double> rest_length;         // none: the distance at time 0 [length]
+  std::optional<double> largest_force;       // amount beyond which it breaks
+  std::optional<double> largest_elongation;  // likewise, of elongation or shortening
   Place place;
 };
 

@@ -44,11 +44,11 @@ struct SpringModel {
 
 /// A spring in the loop. A force pulls both ends together where it is positive.
 struct SpringState {
-  double elongation = 0;     // at n: length less that at rest
-  double elastic = 0;        // force of the elongation, at n
-  double damping = 0;        // force of the damper, at n, from the rate at n-1/2 (at n = 0: at 0)
-  Vector3<double> axis{};    // unit vector from the first end to the second, at n; zero where they are one place
-  double length = 0;         // at n
+  double elongation = 0;   // at n: length less that at rest
+  double elastic = 0;      // force of the elongation, at n
+  double damping = 0;      // force of the damper, at n, from the rate at n-1/2 (at n = 0: at 0)
+  Vector3<double> axis{};  // unit vector from the first end to the second, at n; zero where they are one place
+  double length = 0;       // at n
   std::int64_t is_broken = 0;
 
   double force() const { return elastic + damping; }

@@ -93,9 +93,10 @@ std::vector<Pair> find_pairs(const Deck& deck, EndFinder& ends, const SpringDeck
   for (const Item& item : first) {
     const Nearest found = nearest.find(item.place);
     if (found.number == item.number)
-      throw InputError(fmt::format("{}: error: both ends of spring '{}' are node {} of the mesh (a spring joins two "
-                                   "nodes) let its ends share no node",
-                                   deck.where(spring.place), spring.name, found.number));
+      throw InputError(
+          fmt::format("{}: error: both ends of spring '{}' are node {} of the mesh (a spring joins two "
+                      "nodes) let its ends share no node",
+                      deck.where(spring.place), spring.name, found.number));
     pairs.push_back({item, *std::lower_bound(second.begin(), second.end(), found.number,
                                              [](const Item& i, std::int64_t number) { return i.number < number; })});
   }
@@ -136,15 +137,16 @@ void number_ends(const std::vector<std::array<std::int64_t, 2>>& ends, SpringMod
   model.nodes.erase(std::unique(model.nodes.begin(), model.nodes.end()), model.nodes.end());
   for (std::size_t s = 0; s < ends.size(); ++s)
     for (std::size_t i = 0; i < 2; ++i)
-      model.springs[s].end[i] = static_cast<int>(
-          std::lower_bound(model.nodes.begin(), model.nodes.end(), ends[s][i]) - model.nodes.begin());
+      model.springs[s].end[i] =
+          static_cast<int>(std::lower_bound(model.nodes.begin(), model.nodes.end(), ends[s][i]) - model.nodes.begin());
 }
 
 void check_count(const Deck& deck, const SpringDeck& spring, const SpringModel& model) {
   if (model.springs.size() <= most_springs) return;
-  throw InputError(fmt::format("{}: error: with spring '{}' there are {} springs (at most {}, for every rank computes "
-                               "all) name smaller sets",
-                               deck.where(spring.place), spring.name, model.springs.size(), most_springs));
+  throw InputError(
+      fmt::format("{}: error: with spring '{}' there are {} springs (at most {}, for every rank computes "
+                  "all) name smaller sets",
+                  deck.where(spring.place), spring.name, model.springs.size(), most_springs));
 }
 
 }  // namespace

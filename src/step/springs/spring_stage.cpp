@@ -98,12 +98,21 @@ void SpringStage::advance(State& state, double dt) {
   }
 }
 
+// Half of the force at n has been booked for the step to n. That force is gone, for the nodes that are left too.
 void SpringStage::drop_vanished(State& state) {
+  std::vector<double> changes;  // of length in the last step, by the velocities that the nodes had
+  for (std::size_t s = 0; s < state.springs.size(); ++s) {
+    const SpringEnds ends = find_ends(model_.springs.springs[s]);
+    changes.push_back(state.dt * dot(state.springs[s].axis, ends.velocity[1] - ends.velocity[0]));
+  }
   gather(state);
   for (std::size_t s = 0; s < state.springs.size(); ++s) {
-    if (!has_lost_a_node(model_.springs.springs[s])) continue;
-    state.springs[s].is_broken = 1;
-    state.springs[s].elastic = state.springs[s].damping = 0;
+    SpringState& spring = state.springs[s];
+    if (spring.is_broken != 0 || !has_lost_a_node(model_.springs.springs[s])) continue;
+    state.books.spring_work -= 0.5 * spring.elastic * changes[s];
+    state.books.damper_work -= 0.5 * spring.damping * changes[s];
+    spring.is_broken = 1;
+    spring.elastic = spring.damping = 0;
   }
 }
 
@@ -128,9 +137,9 @@ std::vector<double> SpringStage::find_mobilities(const State& state) const {
   std::vector<double> mobilities;
   for (std::size_t n = 0; n < body_of_node_.size(); ++n) {
     const int body = body_of_node_[n];
-    mobilities.push_back(body < 0 ? std::max(value(n, NodeRow::mobility), 0.0)
-                                  : bound_mobility(model_.rigid.bodies[at(body)], state.bodies[at(body)],
-                                                   vector(n, NodeRow::place)));
+    mobilities.push_back(
+        body < 0 ? std::max(value(n, NodeRow::mobility), 0.0)
+                 : bound_mobility(model_.rigid.bodies[at(body)], state.bodies[at(body)], vector(n, NodeRow::place)));
   }
   return mobilities;
 }
