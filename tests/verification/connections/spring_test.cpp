@@ -73,9 +73,9 @@ TEST(Spring, DampedDecaysAsItsDifferenceEquation) {
 
 // Two free masses that swing and turn about each other: what a force along the line between them leaves as it is.
 TEST(Spring, KeepsMomentumOfTwoFreeMasses) {
-  const Outcome run =
-      run_deck(describe_blocks(fmt::format("stiffness: {}, damping: 1", stiffness),
-                               end_at(1) + "initial: [{part: b, velocity: [3, 5, -2]}, {part: a, velocity: [1, 0, 4]}]\n"));
+  const Outcome run = run_deck(
+      describe_blocks(fmt::format("stiffness: {}, damping: 1", stiffness),
+                      end_at(1) + "initial: [{part: b, velocity: [3, 5, -2]}, {part: a, velocity: [1, 0, 4]}]\n"));
   EXPECT_LT(run.summary.momentum.linear_error, 1e-14);
   EXPECT_LT(run.summary.momentum.angular_error, 1e-13);
   EXPECT_LT(std::abs(run.summary.energy.error), 1e-5);  // square of the angle of a step
