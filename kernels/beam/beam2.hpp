@@ -2,10 +2,10 @@
 // A beam of two nodes with one integration point: shear flexible, in axes that turn with it.
 //
 // The rates are those of Timoshenko's beam with linear velocities and spins, at the middle of the element (Hughes and
-// Liu, Comput. Methods Appl. Mech. Engrg. 28, 1981, with one point along the axis). The axes follow the line between the
-// nodes and the mean spin about it (Belytschko, Schwer and Klein, Int. J. Numer. Methods Engrg. 11, 1977): large turns
-// are free, deformation within an element is small. One point leaves no locking in shear: an end load bends n elements
-// by L^3/(3 E I) (1 - 1/(4 n^2)) + L/(G A_s), a moment exactly.
+// Liu, Comput. Methods Appl. Mech. Engrg. 28, 1981, with one point along the axis). The axes follow the line between
+// the nodes and the mean spin about it (Belytschko, Schwer and Klein, Int. J. Numer. Methods Engrg. 11, 1977): large
+// turns are free, deformation within an element is small. One point leaves no locking in shear: an end load bends n
+// elements by L^3/(3 E I) (1 - 1/(4 n^2)) + L/(G A_s), a moment exactly.
 
 #include "kernels/beam/beam_section.hpp"
 #include "kernels/core/tensor.hpp"
@@ -59,8 +59,8 @@ template <class T>
 PERCUSS_FORCE_INLINE BeamRates<T> find_beam_rates(const BeamFrame<T>& frame, const BeamEnds<T>& velocity,
                                                   const BeamEnds<T>& spin) {
   const T over_length = T(1) / frame.length;
-  const Vector3<T> dv = over_length * (velocity.second - velocity.first),
-                   dw = over_length * (spin.second - spin.first), mean = T(0.5) * (spin.first + spin.second);
+  const Vector3<T> dv = over_length * (velocity.second - velocity.first), dw = over_length * (spin.second - spin.first),
+                   mean = T(0.5) * (spin.first + spin.second);
   return {dot(dv, frame.e1),
           dot(dv, frame.e2) - dot(mean, frame.e3),
           dot(dv, frame.e3) + dot(mean, frame.e2),
@@ -86,22 +86,23 @@ PERCUSS_FORCE_INLINE BeamNodalForces<T> find_beam_nodal_forces(const BeamFrame<T
 
 /// Stiffness of an elastic section.
 struct BeamStiffness {
-  double axial = 0;                  // E A
-  double shear_y = 0, shear_z = 0;   // G A_s
-  double torsion = 0;                // G J
+  double axial = 0;                     // E A
+  double shear_y = 0, shear_z = 0;      // G A_s
+  double torsion = 0;                   // G J
   double bending_y = 0, bending_z = 0;  // E I
 };
 
 inline BeamStiffness find_beam_stiffness(const BeamSection& s, double youngs_modulus, double shear_modulus) {
-  return {youngs_modulus * s.area,      shear_modulus * s.shear_area_y, shear_modulus * s.shear_area_z,
+  return {youngs_modulus * s.area,   shear_modulus * s.shear_area_y, shear_modulus * s.shear_area_z,
           shear_modulus * s.torsion, youngs_modulus * s.inertia_y,   youngs_modulus * s.inertia_z};
 }
 
 /// Forces after a strain.
 template <class T>
-PERCUSS_FORCE_INLINE BeamForces<T> add_elastic(const BeamForces<T>& f, const BeamStiffness& k, const BeamRates<T>& strain) {
-  return {f.normal + T(k.axial) * strain.stretch,        f.shear_y + T(k.shear_y) * strain.shear_y,
-          f.shear_z + T(k.shear_z) * strain.shear_z,     f.torque + T(k.torsion) * strain.twist,
+PERCUSS_FORCE_INLINE BeamForces<T> add_elastic(const BeamForces<T>& f, const BeamStiffness& k,
+                                               const BeamRates<T>& strain) {
+  return {f.normal + T(k.axial) * strain.stretch,           f.shear_y + T(k.shear_y) * strain.shear_y,
+          f.shear_z + T(k.shear_z) * strain.shear_z,        f.torque + T(k.torsion) * strain.twist,
           f.moment_y + T(k.bending_y) * strain.curvature_y, f.moment_z + T(k.bending_z) * strain.curvature_z};
 }
 
@@ -136,8 +137,8 @@ inline void add_fibre(const BeamFibre& fibre, double stress, BeamForces<double>&
 }
 
 /// Rotary inertia of a node, about any axis: the least with which neither bending, twist nor shear shortens the step
-/// below that of the axial wave. Of a long element it is about mass * length^2 / 15, which bending over several elements
-/// hardly feels. least_ratio: of E A to G A_s, where a section has none above 1.
+/// below that of the axial wave. Of a long element it is about mass * length^2 / 15, which bending over several
+/// elements hardly feels. least_ratio: of E A to G A_s, where a section has none above 1.
 inline double find_beam_inertia(const BeamStiffness& k, double mass, double length) {
   constexpr double least_ratio = 1.25;
   const double turn = std::fmax(k.torsion, std::fmax(k.bending_y, k.bending_z)) / (2 * k.axial);
@@ -146,9 +147,10 @@ inline double find_beam_inertia(const BeamStiffness& k, double mass, double leng
 }
 
 /// The largest eigenvalue of a beam with half its mass and the rotary inertia at each node [1 / time^2]. Exact: the six
-/// rates have gradients that are orthogonal in the inverse masses, so that each gives one eigenvalue. A force that pulls
-/// adds to the stiffness across the axis; yielding only lowers the stiffness.
-inline double find_beam_eigenvalue(const BeamStiffness& k, double mass, double inertia, double length, double normal = 0) {
+/// rates have gradients that are orthogonal in the inverse masses, so that each gives one eigenvalue. A force that
+/// pulls adds to the stiffness across the axis; yielding only lowers the stiffness.
+inline double find_beam_eigenvalue(const BeamStiffness& k, double mass, double inertia, double length,
+                                   double normal = 0) {
   const double pull = std::fmax(normal, 0.0);
   const double across = 4 / (mass * length) + length / (2 * inertia);
   const double shear = std::fmax(k.shear_y, k.shear_z) * across + pull * 4 / (mass * length);

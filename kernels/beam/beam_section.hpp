@@ -12,9 +12,9 @@
 namespace percuss {
 
 struct BeamSection {
-  double area = 0;                          // A
-  double inertia_y = 0, inertia_z = 0;      // of bending about e2 and e3
-  double torsion = 0;                       // J of Saint-Venant
+  double area = 0;                            // A
+  double inertia_y = 0, inertia_z = 0;        // of bending about e2 and e3
+  double torsion = 0;                         // J of Saint-Venant
   double shear_area_y = 0, shear_area_z = 0;  // A times the shear factor, for shear along e2 and e3
 };
 

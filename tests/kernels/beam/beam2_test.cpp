@@ -21,16 +21,16 @@ constexpr double pi = std::numbers::pi;
 
 class Random {
  public:
-  double number(double low = -1, double high = 1) {
-    return std::uniform_real_distribution<double>(low, high)(engine_);
-  }
+  double number(double low = -1, double high = 1) { return std::uniform_real_distribution<double>(low, high)(engine_); }
   V vector() { return {number(), number(), number()}; }
 
  private:
   std::mt19937 engine_{7};
 };
 
-BeamFrame<double> make_frame(Random& random) { return find_beam_frame<double>({random.vector(), random.vector()}, random.vector()); }
+BeamFrame<double> make_frame(Random& random) {
+  return find_beam_frame<double>({random.vector(), random.vector()}, random.vector());
+}
 
 BeamForces<double> make_forces(Random& random) {
   return {random.number(), random.number(), random.number(), random.number(), random.number(), random.number()};
@@ -51,7 +51,8 @@ TEST(Beam2, DoesNotFeelRigidMotion) {
     const V velocity = random.vector(), spin = random.vector();
     const BeamRates<double> rates = find_beam_rates<double>(
         frame, {velocity + cross(spin, place.first), velocity + cross(spin, place.second)}, {spin, spin});
-    for (const double rate : {rates.stretch, rates.shear_y, rates.shear_z, rates.twist, rates.curvature_y, rates.curvature_z})
+    for (const double rate :
+         {rates.stretch, rates.shear_y, rates.shear_z, rates.twist, rates.curvature_y, rates.curvature_z})
       EXPECT_NEAR(rate, 0, 1e-12 / frame.length);
   }
 }
@@ -92,7 +93,8 @@ Unknowns apply(const BeamFrame<double>& frame, const BeamStiffness& k, double ma
 }
 
 /// The largest eigenvalue from below: Rayleigh's quotient in the masses after a power iteration.
-double find_largest(const BeamFrame<double>& frame, const BeamStiffness& k, double mass, double inertia, Random& random) {
+double find_largest(const BeamFrame<double>& frame, const BeamStiffness& k, double mass, double inertia,
+                    Random& random) {
   Unknowns u{};
   for (double& x : u) x = random.number();
   double largest = 0;
@@ -138,7 +140,8 @@ TEST(Beam2, RotaryInertiaLeavesTheStepOfTheAxialWave) {
 }
 
 TEST(BeamSection, HasTheConstantsOfBooks) {
-  const BeamSection round = make_round(2), tube = make_tube(2, 0), square = make_rectangle(3, 3), box = make_box(3, 3, 1.5);
+  const BeamSection round = make_round(2), tube = make_tube(2, 0), square = make_rectangle(3, 3),
+                    box = make_box(3, 3, 1.5);
   EXPECT_DOUBLE_EQ(round.area, 4 * pi);
   EXPECT_DOUBLE_EQ(round.inertia_y, 4 * pi);
   EXPECT_DOUBLE_EQ(round.torsion, 8 * pi);

@@ -48,7 +48,7 @@ std::vector<WrongDeck> wrong_numbers() {
       {"SpringOfBothKinds", append("springs: {s: {between: [rod, rod], stiffness: 1, table: [[0, 0], [1, 1]]}}"),
        "6:50", "spring 's' has both stiffness and table"},
       {"SpringWithOneEnd", append("springs: {s: {between: [rod], stiffness: 1}}"), "6:24",
-       "between is [rod] in spring 's' (must be a list of 2, each a node as"},
+       "between is ['rod'] in spring 's' (must be a list of 2, each a node as"},
       {"SpringEndTwice", append("springs: {s: {between: [rod, {near: [0, 0, 0], id: 3}], stiffness: 1}}"), "6:30",
        "has both near and id (must have one of near and id)"},
       {"SpringTableOfOneRow", append("springs: {s: {between: [rod, rod], table: [[0, 0]]}}"), "6:43",
