@@ -42,6 +42,8 @@ SCENE.update({f"body_v{axis}": ("velocity", f"velocity {axis} of the mass centre
 SCENE.update({f"body_q{k}": ("-", f"orientation, unit quaternion {k}") for k in range(4)})
 SCENE.update({f"body_w{axis}": ("frequency", f"angular velocity {axis}") for axis in "xyz"})
 SCENE.update({"body_kinetic": ("energy", "kinetic energy of the body")})
+SCENE.update({"spring_work": ("energy", "energy of springs"), "damper_work": ("energy", "energy that dampers took")})
+SCENE.update({"spring_force": ("force", "force of the spring"), "spring_elongation": ("length", "elongation")})
 SCENE.update({"normal": ("force", "normal force"), "tangential": ("force", "friction force")})
 
 # Of followed nodes and elements: what stands behind NAME.

@@ -13,6 +13,7 @@ ORDER = (
     "materials",
     "elements",
     "added_mass",
+    "springs",
     "initial",
     "conditions",
     "loads",

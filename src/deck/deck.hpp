@@ -16,6 +16,7 @@
 #include "src/deck/mesh_changes.hpp"
 #include "src/deck/output_deck.hpp"
 #include "src/deck/selector.hpp"
+#include "src/deck/spring_deck.hpp"
 #include "src/deck/yaml/key_places.hpp"
 #include "src/warning.hpp"
 
@@ -337,6 +338,7 @@ struct Deck {
   std::vector<MaterialDeck> materials;
   std::vector<ImperfectionDeck> imperfections;
   std::vector<AddedMassDeck> added_masses;
+  std::vector<SpringDeck> springs;
   ElementDeck elements;
   ErosionDeck erosion;
   std::vector<InitialDeck> initial;

@@ -98,7 +98,7 @@ void Stepper::agree_on_step(State& state, StepWishes wishes) {
   // Without springs the bound of the elements keeps its bits.
   const double step =
       notice.contact_rate > 0 ? 1 / std::sqrt(1 / (mesh_step * mesh_step) + 0.25 * notice.contact_rate) : mesh_step;
-  state.bound = {step,
+  state.bound = {springs_ ? springs_->limit_step(state, step) : step,
                  notice.element,
                  notice.element_id,
                  or_none(notice.failed_element),

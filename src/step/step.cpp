@@ -26,6 +26,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
   if (deck.time.step_estimate == TimeDeck::StepEstimate::global) {
     global_ = std::make_unique<GlobalStep>(chunked, model, deck.time.end, deck.time.step_scale);
   }
+  if (model.springs.any()) springs_ = std::make_unique<SpringStage>(model);
   if (model.has_tets) tets_ = std::make_unique<TetStage>(model);
   if (model.scales_in_run) scaler_ = std::make_unique<MassScaler>(deck, chunked, model);
 }
@@ -43,6 +44,7 @@ void Stepper::start(State& state, StepWishes wishes) {
 }
 
 void Stepper::renew_loads(State& state) {
+  if (springs_) springs_->drop_vanished(state);
   apply_loads(state, state.time);
   halo_.begin(space_, state.slot_force);
   halo_.end();
@@ -228,6 +230,7 @@ void Stepper::compute_forces(State& state, double dt) {
     const ElementMotion motion = find_motion(state, dt);
     if (tets_) tets_->prepare(state, motion);
     advance_sending(state, motion);
+    if (springs_) springs_->advance(state, dt);
     apply_loads(state, state.time + dt);
     halo_.begin(space_, state.slot_force);
     if (moment_halo_) moment_halo_->begin(space_, state.slot_moment);
@@ -283,6 +286,7 @@ void Stepper::judge_elements(State& state, double dt) {
 
 void Stepper::apply_loads(State& state, double time) {
   apply_forces(state, time);
+  if (springs_) springs_->apply(state);
   if (model_.pressure_faces.count == 0) return;
   const auto values = Kokkos::create_mirror_view(pressures_);
   for (std::size_t i = 0; i < model_.pressures.size(); ++i) values(i) = model_.pressures[i](time);

@@ -16,6 +16,7 @@
 #include "src/step/model/state.hpp"
 #include "src/step/phases.hpp"
 #include "src/step/rigid/rigid_stage.hpp"
+#include "src/step/springs/spring_stage.hpp"
 #include "src/step/stable_step/global_step.hpp"
 #include "src/step/tets/tet_stage.hpp"
 
@@ -135,7 +136,8 @@ class Stepper {
   std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
   std::unique_ptr<MassScaler> scaler_;  // likewise
   RigidStage rigid_;
-  std::unique_ptr<TetStage> tets_;  // only with tetrahedra
+  std::unique_ptr<TetStage> tets_;        // only with tetrahedra
+  std::unique_ptr<SpringStage> springs_;  // only with springs
   Bookkeeper bookkeeper_;
   ForceBooks forces_;
   PrescribedMotions motions_;

@@ -361,6 +361,44 @@ DNODE,25
 """
 )
 
+# Springs and dampers between the corners of the plate and the block.
+SPRINGS = (
+    _HEAD
+    + BLOCK
+    + PLATE
+    + """\
+*ELEMENT_DISCRETE
+    9001      20       1      21
+    9002      20       2      22       0             2.5
+    9003      21       3      23
+    9004      22       4      24
+*PART
+springs
+20,20,20
+*PART
+dampers
+21,20,21
+*PART
+straps
+22,20,22
+*SECTION_DISCRETE
+20,0
+0,0
+*MAT_SPRING_ELASTIC
+20,1000.0
+*MAT_S02
+21,3.5
+*MAT_SPRING_NONLINEAR_ELASTIC
+22,23
+*DEFINE_CURVE
+23
+0,0
+0.1,50
+0.2,80
+*END
+"""
+)
+
 ABAQUS = """\
 *HEADING
 a plate of shells falls on a block

@@ -347,6 +347,30 @@ class Scene(InFolder):
         self.assertEqual(model.side_sets["pressed_shell_set"], [(21, 22, 23, 24), (22, 25, 23)])
         self.assertEqual(model.deck["elements"]["bulk_viscosity"]["quadratic"], 1.2)
 
+    def test_springs_and_dampers(self):
+        model, ledger = self.read(decks.SPRINGS)
+        self.assertEqual(ledger.list_refused(), [])
+        self.assertEqual(
+            model.deck["springs"],
+            {
+                "spring_9001": {"between": [{"id": 1}, {"id": 21}], "stiffness": 1000},
+                "spring_9002": {"between": [{"id": 2}, {"id": 22}], "stiffness": 2500},
+                "spring_9003": {"between": [{"id": 3}, {"id": 23}], "damping": 3.5},
+                "spring_9004": {"between": [{"id": 4}, {"id": 24}], "table": [[0, 0], [0.1, 50], [0.2, 80]]},
+            },
+        )
+        done = self.percuss("import", self.write(decks.SPRINGS), "--out", "sprung", "--units", "m, kg, s")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+    def test_springs_that_are_refused(self):
+        to_ground = decks.SPRINGS.replace("    9001      20       1      21", "    9001      20       1       0")
+        self.assertEqual(list(self.refusals(to_ground)), ["ELEMENT_DISCRETE.ground"])
+        along_axis = decks.SPRINGS.replace("      22       0             2.5", "      22       7             2.5")
+        self.assertEqual(list(self.refusals(along_axis)), ["ELEMENT_DISCRETE.VID"])
+        turning = decks.SPRINGS.replace("*SECTION_DISCRETE\n20,0", "*SECTION_DISCRETE\n20,1")
+        self.assertEqual(list(self.refusals(turning)), ["SECTION_DISCRETE.DRO"])
+        self.fails(decks.SPRINGS.replace("       4      24", "       4    8888"), "deck.k:", "there is no node 8888")
+
     def test_a_smooth_curve_covers_its_distance(self):
         curve = "*DEFINE_CURVE_SMOOTH\n5,0,1.0,0.0,0,1e-5,2e4\n*BOUNDARY_PRESCRIBED_MOTION_NODE\n11,3,0,5,1.0\n*END"
         value = self.read(decks.SMALL.replace("*END", curve))[0].deck["conditions"][-1]["velocity"]["z"]["expression"]
@@ -420,6 +444,32 @@ class Abaqus(InFolder):
         done = self.percuss("import", self.write(decks.ABAQUS, "deck.inp"), "--out", "out")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("mass: 8255", done.stdout)
+
+    def test_springs_and_dampers(self):
+        lines = """*ELEMENT, TYPE=SPRINGA, ELSET=soft
+7, 1, 7
+8, 2, 8
+*ELEMENT, TYPE=DASHPOTA, ELSET=oil
+9, 1, 7
+*SPRING, ELSET=soft
+
+1000.
+*DASHPOT, ELSET=oil
+,
+3.5
+"""
+        text = decks.ABAQUS.replace("*NSET, NSET=foot", lines + "*NSET, NSET=foot")
+        model, ledger = self.read_abaqus(text)
+        self.assertEqual(ledger.list_refused(), [])
+        springs = {"spring_7": {"between": [{"id": 1}, {"id": 7}], "stiffness": 1000}}
+        springs["spring_8"] = {"between": [{"id": 2}, {"id": 8}], "stiffness": 1000}
+        springs["spring_9"] = {"between": [{"id": 1}, {"id": 7}], "damping": 3.5}
+        self.assertEqual(model.deck["springs"], springs)
+        done = self.percuss("import", self.write(text, "deck.inp"), "--out", "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        tabled = text.replace("*SPRING, ELSET=soft\n\n1000.", "*SPRING, ELSET=soft, NONLINEAR\n\n-2., -1.\n4., 1.")
+        table = [[-3, -2], [-1, -2], [1, 4], [3, 4]]  # flat beyond its ends
+        self.assertEqual(self.read_abaqus(tabled)[0].deck["springs"]["spring_7"]["table"], table)
 
     def test_instances_are_moved_then_turned(self):
         model, _ = self.read_abaqus(decks.ABAQUS)

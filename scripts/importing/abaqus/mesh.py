@@ -12,6 +12,7 @@ from .lines import Block
 # Type: corners, kind; what percuss does not have has no kind.
 SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D4": 4}
 SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3}
+SPRINGS = {"SPRINGA": 2, "DASHPOTA": 2}
 NODES_OF_OTHERS = {"C3D10": 10, "C3D10M": 10, "C3D20": 20, "C3D20R": 20, "C3D15": 15, "C3D27": 27}
 HEX_SIDES = ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
 TET_SIDES = ((0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0))
@@ -33,6 +34,16 @@ class Section:
 
 
 @dataclass
+class SpringSet:
+    """*SPRING or *DASHPOT with the keys that it becomes."""
+
+    keyword: str
+    elements: str
+    law: dict
+    place: Place
+
+
+@dataclass
 class Scope:
     """What a part, the assembly, or a deck without parts defines. Names are in capitals."""
 
@@ -44,6 +55,7 @@ class Scope:
     node_surfaces: dict[str, list[str]] = field(default_factory=dict)
     sections: list[Section] = field(default_factory=list)
     masses: list[tuple[str, float, Place]] = field(default_factory=list)
+    springs: list[SpringSet] = field(default_factory=list)
     place: Place | None = None
     sorted_ids: dict[str, list[int]] = field(default_factory=dict)
 
@@ -95,7 +107,7 @@ def read_nodes(scope: Scope, block: Block) -> None:
 def read_elements(scope: Scope, block: Block) -> None:
     """An element may go over several lines."""
     kind = block.option("TYPE")
-    count: int = {**NODES_OF_OTHERS, **SOLIDS, **SHELLS}.get(kind, 0)
+    count: int = {**NODES_OF_OTHERS, **SOLIDS, **SHELLS, **SPRINGS}.get(kind, 0)
     lines = iter(block.lines)
     for line in lines:
         values = [block.id(line, i) for i in range(len(line[1])) if line[1][i]]
@@ -187,6 +199,7 @@ def join(into: Scope, part: Scope, instance: Instance) -> None:
         add_names(into.node_surfaces, instance.name, name, [qualify(where, instance) for where in names])
     for section in part.sections:
         into.sections.append(replace(section, elements=f"{instance.name}.{section.elements}"))
+    into.springs += [replace(spring, elements=f"{instance.name}.{spring.elements}") for spring in part.springs]
     into.masses += [(f"{instance.name}.{name}", mass, place) for name, mass, place in part.masses]
 
 

@@ -7,7 +7,7 @@ from ..model import Deck
 from .deck import AbaqusDeck
 from .lines import Block
 from .materials import translate_material
-from .mesh import SHELLS, SOLIDS, Scope, Section, join
+from .mesh import SHELLS, SOLIDS, SPRINGS, Scope, Section, join
 
 MOST_NODES = 20_000_000
 
@@ -61,7 +61,7 @@ def build_parts(deck: AbaqusDeck) -> None:
                 deck.model.materials[made[name][0]] = law  # type: ignore[index]
         if made[name]:
             build_part(deck, section, number, *made[name])  # type: ignore[misc]
-    left = [id for id, (kind, _) in deck.mesh.elements.items() if id not in deck.blocks_of_elements and kind != "MASS"]
+    left = [id for id, (kind, _) in deck.mesh.elements.items() if id not in deck.blocks_of_elements and kind not in ("MASS", *SPRINGS)]
     if left and deck.mesh.place:
         kinds = sorted({deck.mesh.elements[id][0] for id in left})
         deck.ledger.refuse(

@@ -10,6 +10,7 @@ from .lines import Block, BlockReader
 from .mesh import Scope, read_elements, read_instance, read_nodes, read_set, read_surface
 from .options import check_options
 from .parts import add_masses, build_parts, choose_integration, place_instances, read_section
+from .springs import add_springs, read_spring
 
 Handler = Callable[[AbaqusDeck, Block], None]
 IGNORED = {
@@ -104,6 +105,9 @@ class Reader:
         for line in block.lines[:1]:
             self.scope.masses.append((block.option("ELSET"), block.number(line, 0), block.place))
 
+    def spring(self, block: Block) -> None:
+        read_spring(self.scope, block, self.deck.ledger)
+
     def begin_material(self, block: Block) -> None:
         self.material = MaterialBlocks(block.place)
         self.deck.materials[block.option("NAME")] = self.material
@@ -163,7 +167,8 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "HEADING": Reader.heading, "PART": Reader.begin_part, "ASSEMBLY": Reader.begin_assembly, "INSTANCE": Reader.begin_instance,
     "END PART": Reader.end, "END ASSEMBLY": Reader.end, "END INSTANCE": Reader.end, "NODE": Reader.nodes, "ELEMENT": Reader.elements,
     "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section,
-    "MASS": Reader.mass, "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,
+    "MASS": Reader.mass, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
+    "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,
     "AMPLITUDE": Reader.amplitude, "STEP": Reader.begin_step, "DYNAMIC": Reader.dynamic, "STATIC": Reader.static, "FREQUENCY": Reader.static,
     "BULK VISCOSITY": Reader.viscosity, "OUTPUT": Reader.output,
 }  # fmt: skip
@@ -226,6 +231,7 @@ def apply(reader: Reader) -> None:
 def finish(deck: AbaqusDeck) -> None:
     """The sections that need all keywords."""
     add_masses(deck)
+    add_springs(deck)
     steps.add_velocities(deck)
     steps.finish_contact(deck)
     intervals = deck.model.deck.pop("intervals", {})

@@ -54,6 +54,17 @@ class Element:
 
 
 @dataclass
+class SpringElement:
+    """A spring or damper between two nodes; 0 is the ground."""
+
+    id: int
+    part: int
+    nodes: tuple[int, int]
+    scale: float
+    place: Place
+
+
+@dataclass
 class Elements:
     """Elements of one part."""
 
@@ -98,6 +109,8 @@ class KeywordDeck:
         self.tables: dict[int, int] = {}  # first curve of a table
         self.detonations: list[Vector] = []
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
+        self.springs: list[SpringElement] = []
+        self.part_of_spring: set[int] = set()
         self.shell_shift = 0  # what is added to the ids of shells
         self.end_time = 0.0
         self.general_hourglass: Row | None = None

@@ -11,7 +11,7 @@ EIGHTS = (8,) * 10
 SIXTEENS = (16,) * 5
 SHAPES = {4: "tetrahedron", 5: "pyramid", 6: "wedge", 7: "degenerate"}
 # Beams and the like have no law in percuss: what is left of the model without them.
-OTHERS = ("BEAM", "DISCRETE", "SEATBELT", "SPH", "TSHELL", "PLOTEL", "INERTIA", "GENERALIZED")
+OTHERS = ("BEAM", "SEATBELT", "SPH", "TSHELL", "PLOTEL", "INERTIA", "GENERALIZED")
 
 
 def to_id(card: Card, number: int, text: str, what: str, may_be_blank: bool = False) -> int:

@@ -61,7 +61,7 @@ def read_part_options(deck: KeywordDeck, card: Card, reader, part: PartCard, opt
 def read_section(deck: KeywordDeck, card: Card) -> None:
     """Sections by id: cards of their own. A keyword may be followed by several."""
     kind = card.keyword.removeprefix("SECTION_").split("_")[0]
-    if kind not in ("SOLID", "SHELL"):
+    if kind not in ("SOLID", "SHELL", "DISCRETE"):
         deck.ledger.ignored(card.keyword, card.place, "a section of elements that percuss does not have")
         return
     reader = card.reader()
@@ -72,6 +72,8 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
         row = card.row(lines[0], "SECID ELFORM A B C D E F")
         if row.integer("ELFORM") > 100:  # a user's element has lines of its own
             lines += [reader.take() for _ in range(len(card.lines)) if reader]
+        elif kind == "DISCRETE" and reader:
+            lines.append(reader.take())
         elif kind == "SHELL":
             lines.append(reader.take())
             count = int(card.row(lines[0], "SECID ELFORM=2 SHRF=1 NIP=2 PROPT QR ICOMP SETYP").number("NIP"))

@@ -17,6 +17,7 @@ from .mesh_cards import read_masses, read_nodes, read_other_elements, read_shell
 from .output_cards import finish_output, read_database
 from .part_cards import build_blocks, read_hourglass, read_parts, read_section, translate_hourglass, translate_integration
 from .set_cards import read_box, read_set, read_system, read_vector
+from .spring_cards import add_springs, note_spring_materials, read_springs
 from .wall_cards import read_wall
 
 Handler = Callable[[KeywordDeck, Card], None]
@@ -39,7 +40,7 @@ def read_detonation(deck: KeywordDeck, card: Card) -> None:
 # Read at once, by the longest name that a keyword begins with.
 DEFINITIONS: dict[str, Handler] = {
     "TITLE": read_title, "NODE": read_nodes, "ELEMENT_SOLID": read_solids, "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses,
-    "ELEMENT_": read_other_elements, "PART": read_parts, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
+    "ELEMENT_DISCRETE": read_springs, "ELEMENT_": read_other_elements, "PART": read_parts, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
     "EOS_": read_state, "SET_": read_set, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
     "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve, "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box,
     "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination,
@@ -119,6 +120,7 @@ def build(deck: KeywordDeck) -> None:
     """Parts with their materials."""
     check_corners(deck)
     build_blocks(deck)
+    note_spring_materials(deck)
     build_materials(deck)
     translate_integration(deck)
     translate_hourglass(deck, deck.general_hourglass)
@@ -139,6 +141,7 @@ def finish(deck: KeywordDeck) -> None:
     conditions.apply_rigid_motions(deck)
     conditions.check_extra_nodes(deck)
     start.add_masses(deck)
+    add_springs(deck)
     finish_contacts(deck)
     finish_output(deck)
     keep_sets(deck)

@@ -18,6 +18,7 @@
 #include "src/step/model/state.hpp"
 #include "src/step/results/history.hpp"
 #include "src/step/run/run_notes.hpp"
+#include "src/step/springs/build_springs.hpp"
 #include "src/step/step.hpp"
 
 namespace percuss {
@@ -64,6 +65,7 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
     faces(tie.b);
   }
   findings.gather([&] { find_history_points(deck, chunked); });
+  findings.gather([&] { find_springs(deck, chunked); });
 }
 
 /// What a run of the scene would warn of at its start. Collective.
@@ -74,6 +76,13 @@ std::vector<Warning> list_warnings(const CheckedScene& scene, const ChunkedMesh&
   log.add(check_input(scene));
   log.add(check_start(scene));
   return log.list();
+}
+
+/// What the model tells of the scene.
+void add_notes(const ChunkedMesh& chunked, const Model& model, SceneReport& scene) {
+  scene.mesh_notes = chunked.mesh.notes;
+  for (const std::string& note : model.mass_notes) scene.mesh_notes.push_back(note);
+  scene.spring_notes = model.springs.notes;
 }
 
 }  // namespace
@@ -103,8 +112,7 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
   SceneReport scene = describe_scene(deck, chunked);
   scene.first_step = state.next_dt;
   scene.controlling_element = describe_element(chunked, state.bound.element);
-  scene.mesh_notes = chunked.mesh.notes;
-  for (const std::string& note : model.mass_notes) scene.mesh_notes.push_back(note);
+  add_notes(chunked, model, scene);
   scene.contact_nodes = contact.contact_nodes();
   scene.contact_faces = contact.contact_faces();
   scene.contact_notes = contact.start_notes();

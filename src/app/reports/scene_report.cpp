@@ -50,6 +50,12 @@ std::string format_changes(const SceneReport& scene) {
   return text;
 }
 
+std::string format_springs(const SceneReport& scene) {
+  std::string text;
+  for (const std::string& note : scene.spring_notes) text += line(text.empty() ? "springs" : "", note);
+  return text;
+}
+
 std::string format_joints(const SceneReport& scene) {
   std::string text;
   for (const std::string& joint : scene.joints) text += line(text.empty() ? "joints" : "", joint);
@@ -194,8 +200,8 @@ std::string format_scene(const SceneReport& scene) {
   const Deck& deck = scene.deck;
   std::string text = line("deck", deck.file + (deck.title.empty() ? "" : ": " + deck.title));
   if (const auto units = find_units(deck.units)) text += format_units(*units);
-  text += format_parts(scene) + format_joints(scene) + format_changes(scene) + format_size(scene) +
-          format_contact(scene) + format_loads(deck) + format_output(deck) + format_step(scene);
+  text += format_parts(scene) + format_joints(scene) + format_springs(scene) + format_changes(scene) +
+          format_size(scene) + format_contact(scene) + format_loads(deck) + format_output(deck) + format_step(scene);
   for (const Warning& warning : scene.warnings) text += format_warning(warning) + "\n";
   return text + (scene.warnings.empty()
                      ? "The deck and its meshes are right.\n"

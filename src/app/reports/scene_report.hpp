@@ -26,6 +26,7 @@ struct SceneReport {
   double first_step = 0;                 // time unit of the deck
   std::string controlling_element = {};  // that limits it, in words
   std::int64_t contact_nodes = 0, contact_faces = 0;
+  std::vector<std::string> spring_notes = {};
   std::vector<std::string> mesh_notes = {};     // imperfections and added masses
   std::vector<std::string> contact_notes = {};  // what contact says of the start
   std::vector<std::string> joints = {};         // parts that share nodes, in words

@@ -202,6 +202,7 @@ const Keys<Deck>& deck_keys() {
       may("join", &Deck::joins, JoinValue{}),
       may("imperfections", &Deck::imperfections, ListValue<MapValue<ImperfectionDeck>>{imperfection_value()}),
       may("added_mass", &Deck::added_masses, ListValue<MapValue<AddedMassDeck>>{added_mass_value()}),
+      may("springs", &Deck::springs, springs_value()),
       may("elements", &Deck::elements, element_value()),
       may("erosion", &Deck::erosion, erosion_value()),
       may("initial", &Deck::initial, ListValue<MapValue<InitialDeck>>{initial_value()}),

@@ -36,6 +36,7 @@ MapValue<NodalLoadDeck> nodal_load_value();
 MapValue<WallDeck> wall_value();
 MapValue<ImperfectionDeck> imperfection_value();
 MapValue<AddedMassDeck> added_mass_value();
+NamedMapValue<SpringDeck, MapValue<SpringDeck>> springs_value();
 
 /// `contact`: a deck that has the section means all surfaces unless it says otherwise.
 struct ContactValue {

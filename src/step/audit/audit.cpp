@@ -140,6 +140,10 @@ Audit::Totals Audit::sum_all(const State& state) {
   for (std::size_t c = 0; c < work.extent(0); ++c) {
     for (std::size_t k = 0; k < work_kinds; ++k) sums[S::internal + k].add(work(c, k));
   }
+  if (model_.ranks.rank() == 0) {  // what all ranks know
+    sums[S::internal].add(state.books.spring_work);
+    sums[S::viscous].add(state.books.damper_work);
+  }
   sums[S::external] = state.books.external_work;
   std::copy_n(state.books.impulse, 3, sums.begin() + S::impulse);
   std::copy_n(state.books.moment_impulse, 3, sums.begin() + S::moment_impulse);

@@ -22,6 +22,7 @@
 #include "src/step/build/mass_scaling.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/whole_mesh.hpp"
+#include "src/step/springs/build_springs.hpp"
 #include "src/step/tets/build_tets.hpp"
 
 namespace percuss {
@@ -359,6 +360,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_numbers(chunked, model);
   LocalSlots slots = build_pressure_faces(deck, chunked, model);
   build_nodal_loads(deck, chunked, slots, model);
+  build_springs(deck, chunked, slots, model);
   build_halo(chunked, slots, model);
   model.start = to_rows("percuss::start", mesh.nodes);
   const std::vector<double> mass = build_masses(deck, chunked, model);

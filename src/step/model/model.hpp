@@ -23,6 +23,7 @@
 #include "src/mesh/mesh.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/step/model/rigid_model.hpp"
+#include "src/step/model/spring_model.hpp"
 
 namespace percuss {
 
@@ -88,7 +89,8 @@ struct Model {
 
   NodeSlots nodes_to_slots;
   HaloPlan halo;
-  int slot_count = 0;  // chunk slots, four a pressure face, one a loaded node, then those received from other ranks
+  int slot_count = 0;  // chunk slots, four a pressure face, one a loaded node, one a node of springs, then those
+                       // received from other ranks
 
   NodeRuns owned_nodes;
   Array<std::int64_t> node_numbers;    // [nodes] place in the whole mesh
@@ -117,6 +119,7 @@ struct Model {
   std::vector<Motion> motions;  // by HeldDirections::motion; row 0 is "at rest"
   bool is_driven = false;       // whether a prescribed motion other than rest exists
   RigidModel rigid;
+  SpringModel springs;
 };
 
 /// Builds the model of a chunked mesh. Collective over the mesh's ranks. Throws InputError with the deck's place, the

@@ -230,6 +230,7 @@ State make_initial_state(const Model& model) {
   s.results = make_results(model.chunks);
   rest_rigid_chunks(model, s.results);
   s.bodies = make_rigid_states(model);
+  s.springs.resize(model.springs.springs.size());
   s.lives = make_lives(model.failing);
   start_layers(model, s.lives);
   s.element_mass = model.element_mass;

@@ -22,6 +22,8 @@ struct Books {
   ExactSum moment_impulse[3];  // about Model::mass_center
   double contact_work = 0;     // of all ranks: normal impulses; positive where contact adds energy
   double friction_work = 0;    // of all ranks: tangential impulses; negative where they dissipate
+  double spring_work = 0;      // of all ranks: what springs have stored, or lost as they broke
+  double damper_work = 0;      // of all ranks: what their dampers have taken
   double added_mass = 0;       // of all ranks: by mass scaling during the run
   double added_energy = 0;     // kinetic energy that came with it, within external_work
 };
@@ -73,6 +75,7 @@ struct State {
   Rows3<double> moment;            // assembled moment, at n
   Rows3<double> slot_moment;       // internal moment (negative) by slot, at n; also those of other ranks
   std::vector<RigidState> bodies;  // rigid ones
+  std::vector<SpringState> springs;
   Books books;
 
   /// What an evaluation of the elements reads and writes.

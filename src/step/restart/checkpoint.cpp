@@ -140,6 +140,20 @@ void archive_bodies(CheckpointArchive& archive, std::vector<RigidState>& bodies)
   }
 }
 
+void archive_springs(CheckpointArchive& archive, State& state) {
+  for (std::size_t s = 0; s < state.springs.size(); ++s) {
+    SpringState& spring = state.springs[s];
+    double values[] = {spring.elongation, spring.elastic, spring.damping, spring.axis.x,
+                       spring.axis.y,     spring.axis.z,  spring.length};
+    archive.numbers(fmt::format("springs/{}", s), values);
+    archive.number(fmt::format("springs/{}/is_broken", s), spring.is_broken);
+    spring = {values[0], values[1], values[2], {values[3], values[4], values[5]}, values[6], spring.is_broken};
+  }
+  if (state.springs.empty()) return;
+  archive.number("books/spring_work", state.books.spring_work);
+  archive.number("books/damper_work", state.books.damper_work);
+}
+
 void archive_books(CheckpointArchive& archive, Books& books) {
   archive.sum("books/external_work", books.external_work);
   archive.sums("books/impulse", books.impulse);
@@ -208,6 +222,7 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   archive_slots(archive, "elements/slot_force", model, state.slot_force);
   archive_spins(archive, nodes, model, state);
   archive_bodies(archive, state.bodies);
+  archive_springs(archive, state);
   const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
   archive.rows("chunks/work", chunks, work_kinds, state.results.work);
   if (model.resists_folding) archive.rows("chunks/resists", chunks, 1, state.results.resists);

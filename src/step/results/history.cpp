@@ -82,12 +82,14 @@ void add_point_columns(const FollowedPoint& point, const Deck& deck, std::vector
 }
 
 std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::vector<FollowedPoint>& points,
-                                        const Deck& deck) {
+                                        const SpringModel& springs, const Deck& deck) {
   std::vector<HistoryColumn> columns = table.columns();
   const std::vector<HistoryColumn> of_parts = list_part_columns(find_booked_parts(deck));
   columns.insert(columns.end(), of_parts.begin(), of_parts.end());
   const std::vector<HistoryColumn> of_bodies = list_body_columns(deck);
   columns.insert(columns.end(), of_bodies.begin(), of_bodies.end());
+  const std::vector<HistoryColumn> of_springs = list_spring_columns(springs);
+  columns.insert(columns.end(), of_springs.begin(), of_springs.end());
   const std::vector<HistoryColumn> of_forces = list_force_columns(deck);
   columns.insert(columns.end(), of_forces.begin(), of_forces.end());
   for (const FollowedPoint& point : points) add_point_columns(point, deck, columns);
@@ -96,7 +98,7 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
 
 }  // namespace
 
-History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked,
+History::History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const SpringModel& springs,
                  std::optional<std::int64_t> bytes)
     : ranks_(find_ranks(chunked.mesh)),
       table_(deck),
@@ -105,7 +107,7 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
       thermal_(name_thermal_columns(deck)) {
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0) return;
-    const std::vector<HistoryColumn> columns = list_columns(table_, points_, deck);
+    const std::vector<HistoryColumn> columns = list_columns(table_, points_, springs, deck);
     const std::string path = directory + "/history.csv";
     if (bytes)
       file_.emplace(path, name_columns(columns), *bytes);
@@ -115,13 +117,14 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
   });
 }
 
-void History::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes) {
+void History::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked,
+                    const SpringModel& springs, std::int64_t bytes) {
   const std::vector<FollowedPoint> points = find_history_points(deck, chunked);
   const Communicator ranks = find_ranks(chunked.mesh);
   fail_together(ranks, [&] {
     if (ranks.rank() == 0)
-      check_history_file(directory + "/history.csv", name_columns(list_columns(HistoryTable(deck), points, deck)),
-                         bytes);
+      check_history_file(directory + "/history.csv",
+                         name_columns(list_columns(HistoryTable(deck), points, springs, deck)), bytes);
   });
 }
 
@@ -170,6 +173,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   table_.append(sources, row);
   parts_.append(model, state, row);
   bodies_.append(model, state, row);
+  append_springs(state, row);
   row.insert(row.end(), sources.forces.begin(), sources.forces.end());
   gather_points(model, state, row);
   fail_together(ranks_, [&] {

@@ -8,32 +8,23 @@
 
 #include "src/output/history_file.hpp"
 #include "src/step/audit/part_energies.hpp"
+#include "src/step/model/followed_points.hpp"
 #include "src/step/results/body_columns.hpp"
 #include "src/step/results/history_table.hpp"
+#include "src/step/results/spring_columns.hpp"
 
 namespace percuss {
-
-/// A node or element that the deck follows.
-struct FollowedPoint {
-  std::string name;
-  bool is_element = false;
-  std::int64_t number = 0;  // of the node or element in the whole mesh
-  int index = -1;           // in this rank's share, if it owns the node or has the element; else -1
-};
-
-/// Finds the deck's history points: the nearest node or element centre of all ranks, lowest number among equals, or the
-/// one with the id. Collective. Throws InputError with the deck's place, the same on all ranks.
-std::vector<FollowedPoint> find_history_points(const Deck& deck, const ChunkedMesh& chunked);
 
 class History {
  public:
   /// Creates history.csv and columns.json in the directory, or goes on with the history.csv of an earlier run behind
   /// its first `bytes`: rank 0 writes. Collective. Throws SystemError, InputError, the same on all ranks.
-  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked,
+  History(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const SpringModel& springs,
           std::optional<std::int64_t> bytes = std::nullopt);
 
   /// Throws on all ranks what that would throw, and changes nothing. Collective.
-  static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, std::int64_t bytes);
+  static void check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked,
+                    const SpringModel& springs, std::int64_t bytes);
 
   /// Collective. Throws SystemError on all ranks if rank 0 cannot write.
   void write(const Model& model, const HistorySources& sources);

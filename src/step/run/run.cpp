@@ -211,7 +211,7 @@ void Run::erode() {
   {
     const Phase phase("percuss::erosion", clock);
     erosion_.redefine(state_, stepper_.bookkeeper());
-    if (!deck_.pressures.empty() || !deck_.nodal_loads.empty()) stepper_.renew_loads(state_);
+    if (!deck_.pressures.empty() || !deck_.nodal_loads.empty() || !deck_.springs.empty()) stepper_.renew_loads(state_);
   }
   clock += before;  // contact has phases of its own
   clock -= contact_.clocks().sum();

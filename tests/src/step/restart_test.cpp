@@ -130,6 +130,30 @@ output: {fields: {every: 1e-4, write: [velocity]}, history: {every: 0}}
 
 TEST(Restart, OfRigidBodiesEndsInTheSameBits) { expect_same_end(rigid_bodies, "end: 4e-4", 30); }
 
+// Springs of all kinds between a block that breaks up, a rigid one and one that is held; some of them break.
+const std::string sprung_blocks = R"yaml(
+time: {end: 4e-4}
+parts:
+  low: {box: {size: [0.1, 0.1, 0.05], cells: [4, 4, 2]}, material: steel}
+  high: {box: {size: [0.1, 0.1, 0.05], cells: [4, 4, 2]}, at: [0, 0, 0.08], material: weak}
+  mass: {box: {size: [0.1, 0.1, 0.05], cells: [2, 2, 2]}, at: [0.2, 0, 0.08], material: steel, rigid: true}
+materials:
+  steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}
+  weak: {model: j2_plasticity, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3, yield_stress: 3e8, hardening_modulus: 1e9, failure: {plastic_strain: 0.01}}
+springs:
+  pillars: {between: [low/z_max, high/z_min], stiffness: 2e8, damping: 2e3, acts: compression}
+  rope: {between: [{near: [0.1, 0.1, 0.13], part: high}, mass/x_min], table: [[0, 0], [0.001, 2e5], [0.01, 3e5]], failure: {force: 4e4}}
+erosion: {free_nodes: remove}
+initial: [{part: high, velocity: [3, -2, -150]}, {part: mass, velocity: [60, 0, 20], angular_velocity: [0, 30, 100]}]
+conditions: [{nodes: low/z_min, fixed: [x, y, z]}]
+contact: {surfaces: all}
+output: {fields: {every: 1e-4, write: [velocity]}, history: {every: 0}}
+)yaml";
+
+TEST(Restart, WithSpringsEndsInTheSameBits) {
+  for (const int steps : {20, 90}) expect_same_end(sprung_blocks, "end: 4e-4", steps);
+}
+
 // Shells and a solid that hit a wall, fail, and are given mass.
 const std::string scaled_crash = R"yaml(
 time: {end: 3e-4, mass_scaling: {step: 1.5e-6, max_added: 9, every: 3}}

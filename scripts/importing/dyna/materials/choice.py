@@ -20,7 +20,8 @@ NUMBERS = {
     26: "HONEYCOMB", 27: "MOONEY-RIVLIN_RUBBER", 57: "LOW_DENSITY_FOAM", 63: "CRUSHABLE_FOAM",
     98: "SIMPLIFIED_JOHNSON_COOK", 126: "MODIFIED_HONEYCOMB", 123: "MODIFIED_PIECEWISE_LINEAR_PLASTICITY",
 }  # fmt: skip
-LINES = {"ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1}
+SPRINGS = {"S01": "SPRING_ELASTIC", "S02": "DAMPER_VISCOUS", "S04": "SPRING_NONLINEAR_ELASTIC"}
+LINES = {"SPRING_ELASTIC": 1, "DAMPER_VISCOUS": 1, "SPRING_NONLINEAR_ELASTIC": 1, "ELASTIC": 1, "PLASTIC_KINEMATIC": 2, "RIGID": 3, "NULL": 1, "PIECEWISE_LINEAR_PLASTICITY": 4, "VISCOELASTIC": 1}
 LAWS: dict[str, Callable[[KeywordDeck, Card, Use], Deck | None]] = {**ELASTIC, **METALS, **CRUSHABLE}
 SOLIDS_ONLY = ("neo_hookean", "mooney_rivlin", "viscoelastic", "soil_and_foam", "honeycomb", "low_density_foam", "fluid")
 
@@ -31,6 +32,8 @@ def name_law(keyword: str) -> str:
     number = name.split("_")[0]
     if number.isdigit() and number.isascii() and int(number[:4]) in NUMBERS:
         return NUMBERS[int(number[:4])] + name[len(number) :]
+    if name in SPRINGS:
+        return SPRINGS[name]
     return name.replace("BLATZ_KO", "BLATZ-KO").replace("MOONEY_RIVLIN", "MOONEY-RIVLIN")
 
 

@@ -101,7 +101,7 @@ TEST(HistoryColumns, AreDescribedForPrograms) {
   const TemporaryFolder folder;
   const std::string text = "units: mm, kg, ms\n" + make_text("nodes: [{name: n, near: [0, 0, 0]}], parts: [b]");
   const Scene scene(text);
-  History(folder.path(), scene.deck, scene.chunked).close();
+  History(folder.path(), scene.deck, scene.chunked, scene.model.springs).close();
   std::ifstream history(folder.path() + "/history.csv"), file(folder.path() + "/columns.json");
   std::string heading;
   std::getline(history, heading);

@@ -1,4 +1,4 @@
-// Nodes and elements that the history follows, found in the mesh.
+#include "src/step/model/followed_points.hpp"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,8 @@
 #include "src/deck/history_parts.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/model/nearest_items.hpp"
 #include "src/step/model/whole_mesh.hpp"
-#include "src/step/results/history.hpp"
-#include "src/step/results/nearest_items.hpp"
 
 namespace percuss {
 namespace {
@@ -21,8 +20,8 @@ namespace {
 /// Nodes or elements of this rank among which points of the deck are searched: of one part, or of all.
 class SearchedItems {
  public:
-  SearchedItems(const ChunkedMesh& chunked, const Deck& deck, const HistoryPoint& point)
-      : chunked_(chunked), is_element_(point.is_element), searched_(find_searched(chunked.mesh, deck, point)) {}
+  SearchedItems(const ChunkedMesh& chunked, const Deck& deck, const HistoryPoint& point, const std::string& kind)
+      : chunked_(chunked), is_element_(point.is_element), searched_(find_searched(chunked.mesh, deck, point, kind)) {}
 
   Nearest find(const HistoryPoint& point) {
     if (point.near) {
@@ -36,14 +35,15 @@ class SearchedItems {
 
  private:
   /// [elements or nodes of this rank] whether the point may be it; every one if it names no part.
-  static std::vector<bool> find_searched(const Mesh& mesh, const Deck& deck, const HistoryPoint& point) {
+  static std::vector<bool> find_searched(const Mesh& mesh, const Deck& deck, const HistoryPoint& point,
+                                         const std::string& kind) {
     std::vector<bool> elements(mesh.elements.size(), point.part.empty());
     if (!point.part.empty()) {
       const auto part =
           std::find_if(mesh.parts.begin(), mesh.parts.end(), [&](const MeshPart& p) { return p.name == point.part; });
       if (part == mesh.parts.end()) {
-        throw InputError(fmt::format("{}: error: no part is called '{}' (history point '{}')", deck.where(point.place),
-                                     point.part, point.name));
+        throw InputError(fmt::format("{}: error: no part is called '{}' ({} '{}')", deck.where(point.place), point.part,
+                                     kind, point.name));
       }
       for (std::size_t e = 0; e < elements.size(); ++e) elements[e] = mesh.part_of(e) == part - mesh.parts.begin();
     }
@@ -89,10 +89,18 @@ class SearchedItems {
   std::unordered_map<std::int64_t, std::int64_t> numbers_of_ids_;
 };
 
-FollowedPoint follow(const ChunkedMesh& chunked, const Deck& deck, const HistoryPoint& point, const Nearest& nearest) {
+/// What a point is found for.
+struct Search {
+  const Deck& deck;
+  const ChunkedMesh& chunked;
+  const std::string& kind;
+};
+
+FollowedPoint follow(const Search& search, const HistoryPoint& point, const Nearest& nearest) {
+  const ChunkedMesh& chunked = search.chunked;
   if (nearest.score == std::numeric_limits<double>::infinity()) {
-    throw InputError(fmt::format("{}: error: no {} has the id {} (history point '{}')", deck.where(point.place),
-                                 point.is_element ? "element" : "node", point.id.value_or(0), point.name));
+    throw InputError(fmt::format("{}: error: no {} has the id {} ({} '{}')", search.deck.where(point.place),
+                                 point.is_element ? "element" : "node", point.id.value_or(0), search.kind, point.name));
   }
   FollowedPoint found{point.name, point.is_element, nearest.number, -1};
   if (point.is_element) {
@@ -105,23 +113,29 @@ FollowedPoint follow(const ChunkedMesh& chunked, const Deck& deck, const History
 
 }  // namespace
 
-std::vector<FollowedPoint> find_history_points(const Deck& deck, const ChunkedMesh& chunked) {
+std::vector<FollowedPoint> find_points(const Deck& deck, const ChunkedMesh& chunked,
+                                       const std::vector<HistoryPoint>& points, const std::string& kind) {
   std::map<std::pair<bool, std::string>, SearchedItems> searched;  // by kind and part
-  std::vector<const HistoryPoint*> points;
   std::vector<Nearest> nearest;
-  for (const HistoryPoint& point : deck.output.points) {
-    if (names_parts(point)) continue;
+  for (const HistoryPoint& point : points) {
     const std::pair key(point.is_element, point.part);
     auto items = searched.find(key);
-    if (items == searched.end()) items = searched.try_emplace(key, chunked, deck, point).first;
-    points.push_back(&point);
+    if (items == searched.end()) items = searched.try_emplace(key, chunked, deck, point, kind).first;
     nearest.push_back(items->second.find(point));
   }
   if (points.empty()) return {};
   MergeReduction<Nearest>()(find_ranks(chunked.mesh), std::span(nearest));
   std::vector<FollowedPoint> followed;
-  for (std::size_t i = 0; i < points.size(); ++i) followed.push_back(follow(chunked, deck, *points[i], nearest[i]));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    followed.push_back(follow({deck, chunked, kind}, points[i], nearest[i]));
   return followed;
+}
+
+std::vector<FollowedPoint> find_history_points(const Deck& deck, const ChunkedMesh& chunked) {
+  std::vector<HistoryPoint> points;
+  for (const HistoryPoint& point : deck.output.points)
+    if (!names_parts(point)) points.push_back(point);
+  return find_points(deck, chunked, points, "history point");
 }
 
 }  // namespace percuss

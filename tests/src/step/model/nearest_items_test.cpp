@@ -1,6 +1,6 @@
 // The nearest of many places, against a look at all of them.
 
-#include "src/step/results/nearest_items.hpp"
+#include "src/step/model/nearest_items.hpp"
 
 #include <gtest/gtest.h>
 

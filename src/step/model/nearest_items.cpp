@@ -1,4 +1,4 @@
-#include "src/step/results/nearest_items.hpp"
+#include "src/step/model/nearest_items.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,34 @@
+#pragma once
+// Springs and dampers between nodes, as a deck gives them.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/deck/output_deck.hpp"
+
+namespace percuss {
+
+/// Where springs end: at one node, or at each node of a set.
+struct SpringEndDeck {
+  std::optional<HistoryPoint> point;  // none: `where`
+  Selector where;
+};
+
+/// One spring for each node of the first end, to the nearest node of the second.
+struct SpringDeck {
+  enum class Acts { both, tension, compression };
+  std::string name;
+  std::array<SpringEndDeck, 2> between;
+  std::optional<double> stiffness;           // [force / length]
+  std::vector<std::array<double, 2>> table;  // instead: elongation, force; straight on beyond the ends
+  double damping = 0;                        // [force x time / length]
+  Acts acts = Acts::both;                    // while it is longer, or shorter, than at rest
+  std::optional<double> rest_length;         // none: the distance at time 0 [length]
+  std::optional<double> largest_force;       // amount beyond which it breaks
+  std::optional<double> largest_elongation;  // likewise, of elongation or shortening
+  Place place;
+};
+
+}  // namespace percuss

@@ -1,0 +1,57 @@
+#pragma once
+// Springs and dampers between two nodes, and their state. Every rank has all of them, and the same bits.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kernels/core/tensor.hpp"
+#include "kernels/core/views.hpp"
+#include "src/deck/spring_deck.hpp"
+
+namespace percuss {
+
+/// What the springs of an entry of the deck have in common.
+struct SpringLaw {
+  static constexpr double unbreakable = 0;
+
+  std::vector<std::array<double, 2>> rows;  // elongation, force; at least two, or none: no force of elongation
+  double damping = 0;
+  SpringDeck::Acts acts = SpringDeck::Acts::both;
+  double largest_force = unbreakable, largest_elongation = unbreakable;
+};
+
+/// Const after set-up.
+struct Spring {
+  std::string name;
+  int law = 0;
+  std::array<int, 2> end{};  // places in SpringModel::nodes
+  double rest_length = 0;
+  double start_length = 0;  // at time 0
+};
+
+struct SpringModel {
+  std::vector<SpringLaw> laws;
+  std::vector<Spring> springs;
+  std::vector<std::int64_t> nodes;     // at which springs end, by number in the whole mesh, ascending
+  std::vector<std::string> notes;      // what is to be told of them
+  Array<int> owned_node, owned_place;  // of those that this rank owns: the node, and its place in `nodes`
+  int first_slot = 0;                  // a slot for each that it owns
+
+  bool any() const { return !springs.empty(); }
+};
+
+/// A spring in the loop. A force pulls both ends together where it is positive.
+struct SpringState {
+  double elongation = 0;   // at n: length less that at rest
+  double elastic = 0;      // force of the elongation, at n
+  double damping = 0;      // force of the damper, at n, from the rate at n-1/2 (at n = 0: at 0)
+  Vector3<double> axis{};  // unit vector from the first end to the second, at n; zero where they are one place
+  double length = 0;       // at n
+  std::int64_t is_broken = 0;
+
+  double force() const { return elastic + damping; }
+};
+
+}  // namespace percuss

@@ -1,0 +1,18 @@
+#pragma once
+// The columns of history.csv of springs.
+
+#include <vector>
+
+#include "src/output/history_columns.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+/// Work of all springs and dampers, then "spring_force:NAME" and "spring_elongation:NAME", spring after spring; none
+/// without springs.
+std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs);
+
+/// Appends the values of those columns to a row.
+void append_springs(const State& state, std::vector<double>& row);
+
+}  // namespace percuss

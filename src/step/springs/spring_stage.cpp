@@ -1,0 +1,180 @@
+#include "src/step/springs/spring_stage.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "comm/all_reduce.hpp"
+#include "kernels/core/host_copy.hpp"
+
+namespace percuss {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Body of each node at which springs end, from its owner.
+std::vector<int> share_bodies(const Model& model) {
+  std::vector<int> bodies(model.springs.nodes.size(), -1);
+  if (!model.rigid.any()) return bodies;
+  const auto nodes = to_host(model.springs.owned_node), places = to_host(model.springs.owned_place),
+             body_of_node = to_host(model.rigid.body_of_node);
+  for (std::size_t i = 0; i < nodes.extent(0); ++i) bodies[at(places(i))] = body_of_node(nodes(i));
+  all_reduce(model.ranks, Reduce::largest, bodies);
+  return bodies;
+}
+
+/// Bound on the speed that a unit impulse on a node of a body gives to the node.
+double bound_mobility(const RigidBody& body, const RigidState& state, const Vector3<double>& place) {
+  const bool is_fixed = body.holds(0) && body.holds(1) && body.holds(2);
+  const Vector3<double> arm = place - state.center;
+  return (is_fixed ? 0 : 1 / body.mass) + dot(arm, arm) * trace(find_free_inverse(body, state));
+}
+
+}  // namespace
+
+SpringStage::SpringStage(const Model& model)
+    : model_(model),
+      body_of_node_(share_bodies(model)),
+      rows_(model.springs.nodes.size() * NodeRow::count),
+      own_rows_("percuss::spring_rows", model.springs.owned_node.extent(0), NodeRow::count),
+      own_forces_("percuss::spring_forces", model.springs.owned_node.extent(0)) {}
+
+/// Each value is known to one rank; the others give zeros, and bits are added up.
+void SpringStage::gather(const State& state) {
+  const auto x = state.x, v = state.v, inverse_mass = state.inverse_mass;
+  const auto mass = state.mass;
+  const auto node = model_.springs.owned_node;
+  const auto own = own_rows_;
+  Kokkos::parallel_for(
+      "percuss::gather_spring_nodes", Range(ExecSpace(), 0, static_cast<int>(node.extent(0))),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = node(i);
+        double mobility = 0;
+        for (int k = 0; k < 3; ++k) {
+          own(i, k) = x(n, k);
+          own(i, 3 + k) = v(n, k);
+          mobility = inverse_mass(n, k) > mobility ? inverse_mass(n, k) : mobility;
+        }
+        own(i, 6) = mass(n) > 0 ? mobility : -1;
+      });
+  const auto host = to_host(own_rows_);
+  const auto places = to_host(model_.springs.owned_place);
+  std::vector<std::uint64_t> bits(rows_.size(), 0);
+  for (std::size_t i = 0; i < places.extent(0); ++i)
+    for (std::size_t k = 0; k < NodeRow::count; ++k)
+      bits[at(places(i)) * NodeRow::count + k] = std::bit_cast<std::uint64_t>(host(i, k));
+  all_reduce(model_.ranks, Reduce::sum, bits);
+  for (std::size_t i = 0; i < bits.size(); ++i) rows_[i] = std::bit_cast<double>(bits[i]);
+}
+
+SpringEnds SpringStage::find_ends(const Spring& spring) const {
+  SpringEnds ends;
+  for (std::size_t i = 0; i < 2; ++i) {
+    ends.place[i] = vector(at(spring.end[i]), NodeRow::place);
+    ends.velocity[i] = vector(at(spring.end[i]), NodeRow::velocity);
+  }
+  return ends;
+}
+
+bool SpringStage::has_lost_a_node(const Spring& spring) const {
+  return value(at(spring.end[0]), NodeRow::mobility) < 0 || value(at(spring.end[1]), NodeRow::mobility) < 0;
+}
+
+// A force does the work of its mean over the step along the change of length, as elements do theirs.
+void SpringStage::advance(State& state, double dt) {
+  gather(state);
+  for (std::size_t s = 0; s < state.springs.size(); ++s) {
+    const Spring& spring = model_.springs.springs[s];
+    const SpringLaw& law = model_.springs.laws[at(spring.law)];
+    const SpringState before = state.springs[s];
+    const SpringState now = stretch_spring(law, spring.rest_length, before, find_ends(spring));
+    if (dt > 0) {
+      const double change = now.elongation - before.elongation;
+      state.books.spring_work += 0.5 * (before.elastic + now.elastic) * change;
+      state.books.damper_work += 0.5 * (before.damping + now.damping) * change;
+    } else {
+      state.books.spring_work += find_stored_energy(law, now.elongation);
+    }
+    state.springs[s] = now;
+  }
+}
+
+// Half of the force at n has been booked for the step to n. That force is gone, for the nodes that are left too.
+void SpringStage::drop_vanished(State& state) {
+  std::vector<double> changes;  // of length in the last step, by the velocities that the nodes had
+  for (std::size_t s = 0; s < state.springs.size(); ++s) {
+    const SpringEnds ends = find_ends(model_.springs.springs[s]);
+    changes.push_back(state.dt * dot(state.springs[s].axis, ends.velocity[1] - ends.velocity[0]));
+  }
+  gather(state);
+  for (std::size_t s = 0; s < state.springs.size(); ++s) {
+    SpringState& spring = state.springs[s];
+    if (spring.is_broken != 0 || !has_lost_a_node(model_.springs.springs[s])) continue;
+    state.books.spring_work -= 0.5 * spring.elastic * changes[s];
+    state.books.damper_work -= 0.5 * spring.damping * changes[s];
+    spring.is_broken = 1;
+    spring.elastic = spring.damping = 0;
+  }
+}
+
+void SpringStage::apply(const State& state) {
+  std::vector<Vector3<double>> forces(model_.springs.nodes.size(), {0, 0, 0});
+  for (std::size_t s = 0; s < state.springs.size(); ++s) {
+    const Spring& spring = model_.springs.springs[s];
+    const Vector3<double> force = state.springs[s].force() * state.springs[s].axis;
+    forces[at(spring.end[0])] = forces[at(spring.end[0])] + force;
+    forces[at(spring.end[1])] = forces[at(spring.end[1])] - force;
+  }
+  const auto own = Kokkos::create_mirror_view(own_forces_);
+  const auto places = to_host(model_.springs.owned_place);
+  for (std::size_t i = 0; i < places.extent(0); ++i)
+    for (int k = 0; k < 3; ++k) own(i, at(k)) = get(forces[at(places(i))], k);
+  const std::size_t first = at(model_.springs.first_slot);
+  Kokkos::deep_copy(Kokkos::subview(state.slot_force, std::pair(first, first + own.extent(0)), Kokkos::ALL), own);
+}
+
+/// By node: the largest inverse mass in a direction, or the mobility of its rigid body there.
+std::vector<double> SpringStage::find_mobilities(const State& state) const {
+  std::vector<double> mobilities;
+  for (std::size_t n = 0; n < body_of_node_.size(); ++n) {
+    const int body = body_of_node_[n];
+    mobilities.push_back(
+        body < 0 ? std::max(value(n, NodeRow::mobility), 0.0)
+                 : bound_mobility(model_.rigid.bodies[at(body)], state.bodies[at(body)], vector(n, NodeRow::place)));
+  }
+  return mobilities;
+}
+
+// The mass of a node, or of a body, is divided among its springs by stiffness times mobility. The largest eigenvalue of
+// each spring with its shares is then the sum of what its two nodes carry, and that of all is at most the largest of
+// these (the element eigenvalue theorem, Irons and Treharne 1971).
+SpringRates SpringStage::find_rates(const State& state) const {
+  const std::vector<double> mobility = find_mobilities(state);
+  const std::size_t nodes = mobility.size();
+  std::vector<SpringRates> carried(nodes + state.bodies.size());
+  const auto carrier = [&](int n) { return body_of_node_[at(n)] < 0 ? at(n) : nodes + at(body_of_node_[at(n)]); };
+  const auto visit = [&](const auto& take) {
+    for (std::size_t s = 0; s < state.springs.size(); ++s)
+      if (state.springs[s].is_broken == 0) take(model_.springs.springs[s], state.springs[s]);
+  };
+  visit([&](const Spring& spring, const SpringState& now) {
+    const SpringLaw& law = model_.springs.laws[at(spring.law)];
+    for (const int n : spring.end) {
+      carried[carrier(n)].stiffness += bound_stiffness(law, now) * mobility[at(n)];
+      carried[carrier(n)].damping += law.damping * mobility[at(n)];
+    }
+  });
+  SpringRates largest;
+  visit([&](const Spring& spring, const SpringState&) {
+    const SpringRates &a = carried[carrier(spring.end[0])], &b = carried[carrier(spring.end[1])];
+    largest.stiffness = std::max(largest.stiffness, a.stiffness + b.stiffness);
+    largest.damping = std::max(largest.damping, a.damping + b.damping);
+  });
+  return largest;
+}
+
+double SpringStage::limit_step(const State& state, double step) const {
+  const SpringRates rates = find_rates(state);
+  return rates.stiffness > 0 || rates.damping > 0 ? find_step_with_springs(rates, step) : step;
+}
+
+}  // namespace percuss

@@ -1,0 +1,167 @@
+// Forces and energies of springs, and the step that they leave, against exact values.
+
+#include "src/step/springs/spring_law.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "src/error.hpp"
+#include "src/step/springs/build_springs.hpp"
+#include "tests/src/step/scene.hpp"
+
+namespace percuss::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+SpringLaw make_table() {
+  SpringLaw law;
+  law.rows = {{{-1, -10}, {0, 2}, {1, 4}, {3, 5}}};
+  return law;
+}
+
+TEST(SpringLaw, IsLinearBetweenRowsAndBeyondThem) {
+  const SpringLaw law = make_table();
+  EXPECT_DOUBLE_EQ(find_elastic_force(law, -2), -22);
+  EXPECT_DOUBLE_EQ(find_elastic_force(law, -0.5), -4);
+  EXPECT_DOUBLE_EQ(find_elastic_force(law, 0.5), 3);
+  EXPECT_DOUBLE_EQ(find_elastic_force(law, 2), 4.5);
+  EXPECT_DOUBLE_EQ(find_elastic_force(law, 5), 6);
+  EXPECT_DOUBLE_EQ(find_largest_slope(law), 12);
+}
+
+TEST(SpringLaw, StoresTheAreaBelowTheTable) {
+  const SpringLaw law = make_table();
+  EXPECT_DOUBLE_EQ(find_stored_energy(law, 0), 0);
+  EXPECT_DOUBLE_EQ(find_stored_energy(law, 1), 3);
+  EXPECT_DOUBLE_EQ(find_stored_energy(law, 5), 3 + 9 + 11);
+  EXPECT_DOUBLE_EQ(find_stored_energy(law, -1), 4);  // integral of -10 .. 2 from 0 to -1
+  EXPECT_DOUBLE_EQ(find_stored_energy(law, -2), 4 + 16);
+}
+
+TEST(SpringLaw, OfOneWayHasNoForceTheOther) {
+  SpringLaw law;
+  law.rows = {{{0, 0}, {1, 100}}};
+  law.acts = SpringDeck::Acts::tension;
+  EXPECT_EQ(find_elastic_force(law, -1), 0);
+  EXPECT_EQ(find_elastic_force(law, 1), 100);
+  EXPECT_EQ(find_stored_energy(law, -1), 0);
+  law.acts = SpringDeck::Acts::compression;
+  EXPECT_EQ(find_elastic_force(law, 1), 0);
+  EXPECT_EQ(find_stored_energy(law, -1), 50);
+}
+
+TEST(SpringLaw, PullsAlongTheLineBetweenItsEnds) {
+  SpringLaw law;
+  law.rows = {{{0, 0}, {1, 100}}};
+  law.damping = 10;
+  const SpringState now = stretch_spring(law, 3, {}, {{{1, 1, 1}, {4, 5, 1}}, {{0, 0, 0}, {0.6, 0.8, 7}}});
+  EXPECT_DOUBLE_EQ(now.length, 5);
+  EXPECT_DOUBLE_EQ(now.elastic, 200);
+  EXPECT_DOUBLE_EQ(now.damping, 10);  // 0.6 * 0.6 + 0.8 * 0.8 along the axis
+  EXPECT_DOUBLE_EQ(now.axis.x, 0.6);
+  EXPECT_DOUBLE_EQ(now.axis.y, 0.8);
+  EXPECT_DOUBLE_EQ(bound_stiffness(law, now), 100);
+  const SpringState taut = stretch_spring(law, 0, {}, {{{0, 0, 0}, {0.1, 0, 0}}, {{0, 0, 0}, {9, 0, 0}}});
+  EXPECT_DOUBLE_EQ(bound_stiffness(law, taut), 1000);  // force over length, of 10 + 90
+}
+
+TEST(SpringLaw, StaysBroken) {
+  SpringLaw law;
+  law.rows = {{{0, 0}, {1, 100}}};
+  law.largest_elongation = 0.5;
+  const SpringState broken = stretch_spring(law, 1, {}, {{{0, 0, 0}, {0.4, 0, 0}}, {}});
+  EXPECT_EQ(broken.is_broken, 1);
+  EXPECT_EQ(broken.force(), 0);
+  EXPECT_EQ(stretch_spring(law, 1, broken, {{{0, 0, 0}, {1.2, 0, 0}}, {}}).force(), 0);
+}
+
+/// Largest x(n) of a spring and damper of mass 1 with central differences and the velocity half a step before.
+double swing(double stiffness, double damping, double dt) {
+  double x = 0, v = 1, largest = 0;
+  for (int n = 0; n < 20000; ++n) {
+    v -= dt * (stiffness * x + damping * v);
+    x += dt * v;
+    largest = std::max(largest, std::abs(x));
+  }
+  return largest;
+}
+
+// 2 (sqrt(1 + xi^2) - xi) / omega, which is the limit itself: a little more grows without bound.
+TEST(SpringStep, IsTheLimitOfStability) {
+  for (const double ratio : {0.0, 0.1, 1.0, 5.0}) {
+    const double omega = 30, damping = 2 * ratio * omega;
+    const double step = find_step_with_springs({omega * omega, damping}, infinite);
+    EXPECT_NEAR(step, 2 / omega * (std::sqrt(1 + ratio * ratio) - ratio), 1e-14);
+    EXPECT_LT(swing(omega * omega, damping, 0.999 * step), 2);
+    EXPECT_GT(swing(omega * omega, damping, 1.001 * step), 1e3);
+  }
+  EXPECT_DOUBLE_EQ(find_step_with_springs({0, 4}, infinite), 0.5);  // h c <= 2
+  EXPECT_LT(find_step_with_springs({1, 0}, 2.0), 2.0);
+}
+
+// --- in a scene
+
+const std::string blocks = R"yaml(
+time: {end: 1}
+parts:
+  a: {box: {size: [2, 2, 2], cells: [2, 2, 2]}, material: m, rigid: {mass: 4}}
+  b: {box: {size: [2, 2, 2], cells: [2, 2, 2]}, at: [5, 0, 0], material: m, rigid: {mass: 1}}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0.3}}
+)yaml";
+const std::string centres = "between: [{near: [1, 1, 1]}, {near: [6, 1, 1]}]";
+
+double find_bound(const std::string& springs) {
+  Scene scene(blocks + "springs: " + springs + "\n");
+  scene.stepper.start(scene.state);
+  return scene.state.bound.step;
+}
+
+TEST(SpringStep, IsExactForASpringBetweenCentres) {
+  EXPECT_DOUBLE_EQ(find_bound("{s: {" + centres + ", stiffness: 100}}"), 2 / std::sqrt(100 * (1 + 0.25)));
+  EXPECT_DOUBLE_EQ(find_bound("{s: {" + centres + ", stiffness: 60}, t: {" + centres + ", stiffness: 40}}"),
+                   2 / std::sqrt(100 * (1 + 0.25)));
+  EXPECT_DOUBLE_EQ(find_bound("{s: {" + centres + ", damping: 10}}"), 2 / (10 * (1 + 0.25)));
+}
+
+// The cube of 2 has I = 4 m_node sums about each axis: off its centre a spring also turns it.
+TEST(SpringStep, IsShorterOffTheCentre) {
+  const double off = find_bound("{s: {between: [{near: [1, 1, 2]}, {near: [6, 1, 2]}], stiffness: 100}}");
+  EXPECT_LT(off, 2 / std::sqrt(100 * (1 + 0.25)));
+  EXPECT_GT(off, 0.5 / std::sqrt(100 * (1 + 0.25)));
+}
+
+// Faces of nine nodes each, opposite each other: nine springs, in the order of the nodes.
+TEST(Springs, JoinEachNodeOfASetWithTheNearest) {
+  const Scene scene(blocks + "springs: {s: {between: [a/x_max, b/x_min], stiffness: 1}}\n");
+  const SpringModel& springs = scene.model.springs;
+  ASSERT_EQ(springs.springs.size(), 9U);
+  EXPECT_EQ(springs.springs.front().name, "s_1");
+  EXPECT_EQ(springs.nodes.size(), 18U);
+  for (const Spring& spring : springs.springs) EXPECT_DOUBLE_EQ(spring.start_length, 3);
+  EXPECT_THAT(springs.notes.front(), HasSubstr("9 of them, 3 to 3 long"));
+}
+
+std::string take_error(const std::string& springs) {
+  try {
+    const Scene scene(blocks + "springs: " + springs + "\n");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Springs, OfOneNodeAreRefused) {
+  EXPECT_THAT(take_error("{s: {between: [{near: [1, 1, 1]}, a], stiffness: 1}}"),
+              HasSubstr("deck.yaml:7:11: error: both ends of spring 's' are node"));
+  EXPECT_THAT(take_error("{s: {between: [{id: 999}, a], stiffness: 1}}"),
+              HasSubstr("no node has the id 999 (end of spring 's')"));
+}
+
+}  // namespace
+}  // namespace percuss::test
