@@ -52,18 +52,20 @@ endfunction()
 percuss_precompile(percuss_headers)
 percuss_precompile(percuss_text_headers LINK fmt::fmt HEADERS <fmt/format.h>)
 
-# percuss_add_library(name SOURCES a.cpp ... LINK lib ...): a static library with the project's options.
+# percuss_add_library(name [UNITY] SOURCES a.cpp ... LINK lib ...): a static library with the project's options. UNITY: names in
+# its sources differ, so that PERCUSS_UNITY may compile several at once.
 function(percuss_add_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "UNITY" "" "SOURCES;LINK" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC percuss_options ${arg_LINK})
   if("fmt::fmt" IN_LIST arg_LINK)
     percuss_reuse_headers(${name} percuss_text_headers)
-    if(PERCUSS_UNITY)
-      set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
-    endif()
   elseif(arg_LINK) # what links nothing knows nothing of Kokkos, and is compiled without its options
     percuss_reuse_headers(${name} percuss_headers)
+  endif()
+  if(PERCUSS_UNITY AND arg_UNITY)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
+    target_compile_options(${name} PRIVATE -Wno-shadow) # of names in other sources
   endif()
 endfunction()
 
