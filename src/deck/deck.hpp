@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "src/deck/element_deck.hpp"
 #include "src/deck/functions/curve.hpp"
 #include "src/deck/mesh_changes.hpp"
 #include "src/deck/output_deck.hpp"
@@ -160,6 +161,7 @@ struct PartDeck {
   std::optional<int> points;        // across the thickness of its shells; default: by the material
   double offset = 0;                // of the middle of its shells from the mesh, along their normal [length]
   std::optional<RigidDeck> rigid;   // none: it deforms
+  PartElementDeck own_elements;     // instead of Deck::elements
   Place place;
 };
 
@@ -262,6 +264,13 @@ struct SurfacePairDeck {
   std::optional<double> friction;
 };
 
+/// Friction of a pair of surfaces, or of one with everything.
+struct PairFrictionDeck {
+  Selector a;
+  std::optional<Selector> b;
+  double friction = 0;
+};
+
 struct TieDeck {
   Selector a, b;                   // nodes of a are tied to faces of b
   std::optional<double> distance;  // within which nodes are tied [length]; default: a share of the face
@@ -275,7 +284,8 @@ struct ContactDeck {
   std::vector<SurfacePairDeck> pairs;  // only with Surfaces::pairs
   std::vector<TieDeck> ties;
   double friction = 0;
-  Overlap overlap = Overlap::accept;  // what happens to overlap found at the start
+  std::vector<PairFrictionDeck> frictions;  // the first that fits is instead of `friction`
+  Overlap overlap = Overlap::accept;        // what happens to overlap found at the start
   /// How impulses are found: by the iterated penalty force to a share of the predicted penetration, all rows as one
   /// system with complementarity, or by springs on the penetration.
   enum class Enforcement { kinematic, lagrange, penalty };
@@ -290,21 +300,6 @@ struct ContactDeck {
   /// When contact nodes and faces are divided again over the ranks. No result depends on it.
   enum class Rebalance { automatic, always, never };
   Rebalance rebalance = Rebalance::automatic;
-};
-
-struct ElementDeck {
-  enum class Integration { one_point, full };
-  enum class Hourglass { assumed_strain, stiffness, viscous };
-  Integration integration = Integration::one_point;
-  Hourglass hourglass = Hourglass::assumed_strain;  // only with Integration::one_point
-  double hourglass_coefficient = 0.05;              // not with Hourglass::assumed_strain
-  /// The volume rate of tetrahedra is averaged over their nodes, or each has its own, with which they lock.
-  enum class Tetrahedra { mixed, plain };
-  Tetrahedra tetrahedra = Tetrahedra::mixed;
-  bool resist_folding = true;  // forces at corners of hexahedra that turn inside out
-  bool skip_resting = true;    // leave chunks of elements alone that rest; no result depends on it
-  double linear_viscosity = 0.06;
-  double quadratic_viscosity = 1.2;
 };
 
 struct TimeDeck {
@@ -358,6 +353,8 @@ struct Deck {
   /// "deck.yaml:LINE:COLUMN" or "--set KEY" for messages found after reading (meshing, selection).
   std::string where(Place place) const;
 
+  /// Of a part: its own, and of the whole scene what it does not say.
+  ElementDeck find_elements(std::size_t part) const { return find_settings(elements, parts[part].own_elements); }
   /// Of a part: its own, or that of the whole scene; null: its masses stay.
   const MassScalingDeck* find_mass_scaling(std::size_t part) const;
   /// Whether any part is given mass during the run.

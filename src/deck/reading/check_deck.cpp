@@ -150,8 +150,14 @@ void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
   if (elements != nullptr && (elements->find("hourglass") != nullptr || elements->find("integration") != nullptr)) {
     return;
   }
+  const auto takes_default = [&](const PartDeck& part) {
+    return !part.own_elements.hourglass && !part.own_elements.integration;
+  };
   for (const MaterialDeck& material : deck.materials) {
     if (material.law.model != "fluid") continue;
+    if (std::none_of(deck.parts.begin(), deck.parts.end(),
+                     [&](const PartDeck& part) { return part.material == material.name && takes_default(part); }))
+      continue;
     reading.errors.warn(root.find("materials")->find(material.name)->key, "fluid_hourglass",
                         fmt::format("material '{}' is a fluid (the default elements.hourglass holds it in its shape as "
                                     "if it had a hundredth of its bulk modulus in shear): for flows set "
@@ -238,6 +244,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_rigid(deck, root, reading);
   check_curves(deck, reading);
   check_estimate(deck, root, reading);
+  check_element_settings(deck, root, reading);
   check_fluids(deck, root, reading);
   check_idle_contact(deck, root, reading);
   check_frames(deck, root, reading);
