@@ -249,14 +249,26 @@ struct NodalLoadDeck {
   std::array<Curve, 6> value;
 };
 
+/// A wall that ends: from its point so far along a direction in its plane, and along normal x that direction.
+struct RectangleDeck {
+  Vec3 along{};  // made perpendicular to the normal, of length 1
+  std::array<double, 2> size{};
+};
+
 struct WallDeck {
   std::string name;  // for output.history.forces; may be empty
   Vec3 point{};
-  Vec3 normal{};  // unit vector towards the side where bodies live
+  Vec3 normal{};                           // unit vector towards the side where bodies live
+  std::optional<RectangleDeck> rectangle;  // none: the wall does not end
+  std::optional<Curve> speed;              // prescribed motion along the normal
+  std::optional<double> mass;              // of a wall that bodies push along its normal
+  double start_speed = 0;                  // of that at time 0
   double friction = 0;
   std::vector<Selector> nodes;  // empty: every contact node of the scene
   bool sees_thickness = false;  // nodes of shells keep half their thickness
   Place place;
+
+  bool moves() const { return speed || mass; }
 };
 
 struct SurfacePairDeck {

@@ -398,6 +398,16 @@ class Scene(InFolder):
         self.accept(text)
         self.assertIn("PART_INERTIA", self.refusals(text.replace("*MAT_RIGID\n", "*MAT_ELASTIC\n").replace("0.3\n1.0,0,0\n\n", "0.3\n")))
 
+    def test_walls_end_and_give_way(self):
+        card = "*RIGIDWALL_PLANAR_FINITE_MOVING_ID\n5,ram\n0\n-1,-1,3,-1,-1,0,0.2\n4,-1,0,6.0,5.0\n500.0,12.0\n*END"
+        wall = self.read(decks.SMALL.replace("*END", card))[0].deck["walls"][0]
+        self.assertEqual(wall["rectangle"], {"along": [1, 0, 0], "size": [6, 5]})
+        self.assertEqual((wall["mass"], wall["start_speed"], wall["normal"]), (500, 12, [0, 0, -1]))
+        self.accept(decks.SMALL.replace("*END", card))
+        self.assertIn("RIGIDWALL_PLANAR_MOVING", self.refusals(decks.TWO_RIGID.replace("*END", card)))
+        one_length = card.replace("6.0,5.0", "6.0,0.0")
+        self.assertIn("RIGIDWALL_PLANAR_FINITE", self.refusals(decks.SMALL.replace("*END", one_length)))
+
     def test_settings_of_a_part_stay_with_it(self):
         text = decks.TWO_PARTS.replace("4,4,3\n", "4,4,3,0,9\n").replace("*END", "*HOURGLASS\n9,4,0.03,0,1.0,0.1\n*END")
         model = self.read(text)[0]
@@ -424,7 +434,7 @@ class Strictness(InFolder):
     def test_nothing_is_dropped_silently(self):
         for card, key in (("*CONSTRAINED_SPOTWELD\n1,2\n", "CONSTRAINED_SPOTWELD"), ("*SOMETHING_NEW\n1\n", "SOMETHING_NEW"),
                           ("*CONTROL_IMPLICIT_GENERAL\n1\n", "CONTROL_IMPLICIT_GENERAL"), ("*DAMPING_GLOBAL\n0,1.0\n", "DAMPING_GLOBAL"),
-                          ("*RIGIDWALL_PLANAR_MOVING\n0\n0,0,-1,0,0,1\n5.0,1.0\n", "RIGIDWALL_PLANAR_MOVING"),
+                          ("*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,-1,0,0,1\n0\n0\n", "RIGIDWALL_PLANAR_ORTHO"),
                           ("*INCLUDE_STAMPED_PART\nx.k\n", "INCLUDE_STAMPED_PART"),
                           ("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n3,3,3,3\n0\n0\n1\n", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
                           ("*CONTACT_AUTOMATIC_SINGLE_SURFACE\n0\n0.1,0,0,0,0,0,1e-5\n0\n", "CONTACT.BT")):  # fmt: skip

@@ -221,33 +221,26 @@ def round_thicknesses(deck: KeywordDeck, part: PartCard, groups: dict) -> dict:
 # --- settings of elements: those of most of them for the scene, others by part
 
 
-def find_hexahedra(deck: KeywordDeck) -> list[tuple[Block, int]]:
-    """Blocks whose elements are computed and have hexahedra, with the number of these."""
-    found = []
-    for block in deck.model.blocks:
-        count = sum(1 for _, corners in block.solids if len(corners) == 8)
-        if count and block.part not in deck.rigid:
-            found.append((block, count))
-    return found
+def count_hexahedra(deck: KeywordDeck) -> list[tuple[Block, int]]:
+    """Blocks of solids that are computed, with the number of their hexahedra."""
+    blocks = [block for block in deck.model.blocks if block.solids and block.part not in deck.rigid]
+    return [(block, sum(1 for _, corners in block.solids if len(corners) == 8)) for block in blocks]
 
 
 def translate_integration(deck: KeywordDeck) -> None:
     """ELFORM of all solids."""
     counts: Counter[str] = Counter()
     kinds: dict[int, str] = {}
-    hexahedra = {block.id: count for block, count in find_hexahedra(deck)}
-    for block in deck.model.blocks:
-        if not block.solids or block.part in deck.rigid:
-            continue
+    for block, count in count_hexahedra(deck):
         section = deck.sections[deck.parts[block.part].section]
         row = section.reader().row("SECID ELFORM=1 AET A B C GASKETT~ D")
         form = row.integer("ELFORM") or 1
         row.skip("SECID")
         row.finish(deck.ledger)
         kind = judge_solid_form(deck, form, row)
-        if block.id in hexahedra:
+        if count:
             kinds[block.id] = kind
-            counts[kind] += hexahedra[block.id]
+            counts[kind] += count
         deck.ledger.translated(section.keyword, row.place, "integration, of the elements or of the part")
     if not counts:
         return
@@ -275,9 +268,9 @@ def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
     all_full = "integration" in deck.model.deck.get("elements", {})
     counts: Counter[tuple[str, float]] = Counter()
     chosen_by: list[tuple[Block, tuple[str, float]]] = []
-    for block, count in find_hexahedra(deck):
+    for block, count in count_hexahedra(deck):
         row = find_hourglass(deck, block, general)
-        if block.keys.get("integration", "full" if all_full else "one_point") == "full":
+        if not count or block.keys.get("integration", "full" if all_full else "one_point") == "full":
             continue
         key = judge_hourglass(row)
         counts[key] += count

@@ -217,6 +217,26 @@ void check_idle_contact(const Deck& deck, const Node& root, Reading& reading) {
     warn(key, read.surfaces == ContactDeck::Surfaces::none, "contact.surfaces is none");
 }
 
+/// A wall that gives way knows the masses of nodes, which those of a rigid body do not have.
+void check_walls(const Deck& deck, const Node& root, Reading& reading) {
+  const auto rigid = std::find_if(deck.parts.begin(), deck.parts.end(), [](const auto& part) { return part.rigid; });
+  const Node* walls = root.find("walls");
+  if (walls == nullptr || walls->items.size() != deck.walls.size()) return;  // some are wrong, which is told already
+  for (std::size_t w = 0; w < deck.walls.size(); ++w) {
+    if (!deck.walls[w].mass) continue;
+    const Spot spot = walls->items[w].find("mass")->key;
+    if (deck.contact.enforcement == ContactDeck::Enforcement::penalty)
+      reading.errors.add(spot,
+                         fmt::format("walls.{}.mass cannot be used with contact.enforcement: penalty (its springs "
+                                     "do not know the wall's mass) use kinematic or lagrange",
+                                     w));
+    if (rigid != deck.parts.end())
+      reading.errors.add(spot, fmt::format("walls.{}.mass cannot be used beside rigid parts such as '{}' (their nodes "
+                                           "have no masses of their own) make the wall a rigid part too",
+                                           w, rigid->name));
+  }
+}
+
 void check_frames(const Deck& deck, const Node& root, Reading& reading) {
   constexpr double most_frames = 1e6;
   if (!deck.output.fields_every || deck.time.end / *deck.output.fields_every <= most_frames) return;
@@ -247,6 +267,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_element_settings(deck, root, reading);
   check_fluids(deck, root, reading);
   check_idle_contact(deck, root, reading);
+  check_walls(deck, root, reading);
   check_frames(deck, root, reading);
   check_points(deck, root, reading);
   check_forces(deck, reading);

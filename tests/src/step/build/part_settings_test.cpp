@@ -16,8 +16,9 @@ constexpr double spacing = 0.125;
 
 /// A bar that is held at one end and moves on: it bends, twists and carries waves. Apart from bars of other numbers.
 std::string write_bar(int number, const std::string& more) {
-  return fmt::format("  bar{}: {{box: {{size: [0.06, 0.02, 0.02], cells: [6, 2, 2]}}, at: [0, {}, 0], material: steel{}}}\n",
-                     number, spacing * number, more);
+  return fmt::format(
+      "  bar{}: {{box: {{size: [0.06, 0.02, 0.02], cells: [6, 2, 2]}}, at: [0, {}, 0], material: steel{}}}\n", number,
+      spacing * number, more);
 }
 
 /// max_step: shorter than any bound of an element, so that all scenes take the same steps.
@@ -70,8 +71,9 @@ TEST(PartSettings, ActOnTheirPartAloneToTheLastBit) {
 
 TEST(PartSettings, WhatAPartLeavesOutIsThatOfTheScene) {
   const std::string scene = "elements: {hourglass: {kind: viscous, coefficient: 0.1}, bulk_viscosity: {linear: 0.2}}\n";
-  EXPECT_EQ(run_alone(0, ", hourglass: {coefficient: 0.02}", scene),
-            run_alone(0, "", "elements: {hourglass: {kind: viscous, coefficient: 0.02}, bulk_viscosity: {linear: 0.2}}\n"));
+  EXPECT_EQ(
+      run_alone(0, ", hourglass: {coefficient: 0.02}", scene),
+      run_alone(0, "", "elements: {hourglass: {kind: viscous, coefficient: 0.02}, bulk_viscosity: {linear: 0.2}}\n"));
   EXPECT_EQ(run_alone(0, ", integration: full, bulk_viscosity: {quadratic: 0}", scene),
             run_alone(0, "", "elements: {integration: full, bulk_viscosity: {linear: 0.2, quadratic: 0}}\n"));
 }
@@ -108,13 +110,14 @@ std::vector<double> find_ratios(const std::string& contact) {
   std::string parts, initial, forces;
   const std::array<const char*, 3> names{"a", "b", "c"};
   for (std::size_t i = 0; i < names.size(); ++i) {
-    parts += fmt::format("  {}: {{box: {{size: [0.02, 0.02, 0.02], cells: [2, 2, 2]}}, at: [{}, 0.02, 0.01], material: steel}}\n",
-                         names[i], 0.04 * static_cast<double>(i) + 0.01);
+    parts += fmt::format(
+        "  {}: {{box: {{size: [0.02, 0.02, 0.02], cells: [2, 2, 2]}}, at: [{}, 0.02, 0.01], material: steel}}\n",
+        names[i], 0.04 * static_cast<double>(i) + 0.01);
     initial += fmt::format("{{part: {}, velocity: [0, 20, -2]}}, ", names[i]);
     forces += fmt::format("{{name: on_{0}, contact: [{0}, floor]}}, ", names[i]);
   }
-  Scene scene("time: {end: 1}\nparts:\n  floor: {box: {size: [0.12, 0.1, 0.01], cells: [6, 5, 1]}, material: steel}\n" + parts +
-                  "initial: [" + initial + "]\nconditions: [{nodes: floor, fixed: [x, y, z]}]\n" + contact +
+  Scene scene("time: {end: 1}\nparts:\n  floor: {box: {size: [0.12, 0.1, 0.01], cells: [6, 5, 1]}, material: steel}\n" +
+                  parts + "initial: [" + initial + "]\nconditions: [{nodes: floor, fixed: [x, y, z]}]\n" + contact +
                   "output: {history: {every: 0, forces: [" + forces + "]}}" + steel_text,
               Communicator(MPI_COMM_SELF));
   scene.run(12);
@@ -135,20 +138,23 @@ void expect_ratios(const std::vector<double>& found, const std::array<double, 3>
 
 TEST(PairFriction, IsOfItsPairAlone) {
   expect_ratios(find_ratios("contact: {friction: 0.05}\n"), {0.05, 0.05, 0.05});
-  expect_ratios(find_ratios("contact: {friction: {default: 0.05, pairs: [{a: floor, b: a, friction: 0.1}, {a: b, friction: 0.3}, "
-                            "{a: a, b: b, friction: 7}]}}\n"),
-                {0.1, 0.3, 0.05});
+  expect_ratios(
+      find_ratios("contact: {friction: {default: 0.05, pairs: [{a: floor, b: a, friction: 0.1}, {a: b, friction: 0.3}, "
+                  "{a: a, b: b, friction: 7}]}}\n"),
+      {0.1, 0.3, 0.05});
 }
 
 TEST(PairFriction, OfTheFirstRowThatFitsCounts) {
-  expect_ratios(find_ratios("contact: {friction: {pairs: [{a: b, b: floor, friction: 0.1}, {a: floor, friction: 0.2}]}}\n"),
-                {0.2, 0.1, 0.2});
+  expect_ratios(
+      find_ratios("contact: {friction: {pairs: [{a: b, b: floor, friction: 0.1}, {a: floor, friction: 0.2}]}}\n"),
+      {0.2, 0.1, 0.2});
 }
 
 TEST(PairFriction, OfAPairOfSurfacesIsItsOwn) {
-  expect_ratios(find_ratios("contact: {surfaces: [[a, floor], {a: b, b: floor, friction: 0.4}, {a: c, b: floor}], "
-                            "friction: {default: 0.05, pairs: [{a: a, b: floor, friction: 0.1}, {a: b, friction: 0.3}]}}\n"),
-                {0.1, 0.4, 0.05});
+  expect_ratios(
+      find_ratios("contact: {surfaces: [[a, floor], {a: b, b: floor, friction: 0.4}, {a: c, b: floor}], "
+                  "friction: {default: 0.05, pairs: [{a: a, b: floor, friction: 0.1}, {a: b, friction: 0.3}]}}\n"),
+      {0.1, 0.4, 0.05});
 }
 
 }  // namespace percuss::test
