@@ -306,6 +306,15 @@ std::vector<double> ContactStage::sum_pair_work() const {
   return work;
 }
 
+std::vector<double> ContactStage::list_wall_motions() const {
+  std::vector<double> values;
+  for (const WallMotion& motion : impl_->enforcer.walls().motions()) {
+    values.push_back(motion.moved);
+    values.push_back(motion.speed);
+  }
+  return values;
+}
+
 std::vector<ContactImpulse> ContactStage::take_forces() { return impl_->forces.take(); }
 
 std::int64_t ContactStage::contact_nodes() const { return impl_->share.total_nodes; }

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "src/deck/element_deck.hpp"
 #include "src/deck/functions/curve.hpp"
 #include "src/deck/mesh_changes.hpp"
 #include "src/deck/output_deck.hpp"
@@ -161,6 +162,7 @@ struct PartDeck {
   std::optional<int> points;        // across the thickness of its shells; default: by the material
   double offset = 0;                // of the middle of its shells from the mesh, along their normal [length]
   std::optional<RigidDeck> rigid;   // none: it deforms
+  PartElementDeck own_elements;     // instead of Deck::elements
   Place place;
 };
 
@@ -248,19 +250,38 @@ struct NodalLoadDeck {
   std::array<Curve, 6> value;
 };
 
+/// A wall that ends: from its point so far along a direction in its plane, and along normal x that direction.
+struct RectangleDeck {
+  Vec3 along{};  // made perpendicular to the normal, of length 1
+  std::array<double, 2> size{};
+};
+
 struct WallDeck {
   std::string name;  // for output.history.forces; may be empty
   Vec3 point{};
-  Vec3 normal{};  // unit vector towards the side where bodies live
+  Vec3 normal{};                           // unit vector towards the side where bodies live
+  std::optional<RectangleDeck> rectangle;  // none: the wall does not end
+  std::optional<Curve> speed;              // prescribed motion along the normal
+  std::optional<double> mass;              // of a wall that bodies push along its normal
+  double start_speed = 0;                  // of that at time 0
   double friction = 0;
   std::vector<Selector> nodes;  // empty: every contact node of the scene
   bool sees_thickness = false;  // nodes of shells keep half their thickness
   Place place;
+
+  bool moves() const { return speed || mass; }
 };
 
 struct SurfacePairDeck {
   Selector a, b;  // parts or sides; a == b: self-contact of that surface
   std::optional<double> friction;
+};
+
+/// Friction of a pair of surfaces, or of one with everything.
+struct PairFrictionDeck {
+  Selector a;
+  std::optional<Selector> b;
+  double friction = 0;
 };
 
 struct TieDeck {
@@ -276,7 +297,8 @@ struct ContactDeck {
   std::vector<SurfacePairDeck> pairs;  // only with Surfaces::pairs
   std::vector<TieDeck> ties;
   double friction = 0;
-  Overlap overlap = Overlap::accept;  // what happens to overlap found at the start
+  std::vector<PairFrictionDeck> frictions;  // the first that fits is instead of `friction`
+  Overlap overlap = Overlap::accept;        // what happens to overlap found at the start
   /// How impulses are found: by the iterated penalty force to a share of the predicted penetration, all rows as one
   /// system with complementarity, or by springs on the penetration.
   enum class Enforcement { kinematic, lagrange, penalty };
@@ -291,21 +313,6 @@ struct ContactDeck {
   /// When contact nodes and faces are divided again over the ranks. No result depends on it.
   enum class Rebalance { automatic, always, never };
   Rebalance rebalance = Rebalance::automatic;
-};
-
-struct ElementDeck {
-  enum class Integration { one_point, full };
-  enum class Hourglass { assumed_strain, stiffness, viscous };
-  Integration integration = Integration::one_point;
-  Hourglass hourglass = Hourglass::assumed_strain;  // only with Integration::one_point
-  double hourglass_coefficient = 0.05;              // not with Hourglass::assumed_strain
-  /// The volume rate of tetrahedra is averaged over their nodes, or each has its own, with which they lock.
-  enum class Tetrahedra { mixed, plain };
-  Tetrahedra tetrahedra = Tetrahedra::mixed;
-  bool resist_folding = true;  // forces at corners of hexahedra that turn inside out
-  bool skip_resting = true;    // leave chunks of elements alone that rest; no result depends on it
-  double linear_viscosity = 0.06;
-  double quadratic_viscosity = 1.2;
 };
 
 struct TimeDeck {
@@ -360,6 +367,8 @@ struct Deck {
   /// "deck.yaml:LINE:COLUMN" or "--set KEY" for messages found after reading (meshing, selection).
   std::string where(Place place) const;
 
+  /// Of a part: its own, and of the whole scene what it does not say.
+  ElementDeck find_elements(std::size_t part) const { return find_settings(elements, parts[part].own_elements); }
   /// Of a part: its own, or that of the whole scene; null: its masses stay.
   const MassScalingDeck* find_mass_scaling(std::size_t part) const;
   /// Whether any part is given mass during the run.

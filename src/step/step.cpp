@@ -201,9 +201,15 @@ void Stepper::evaluate_motions(const State& state, double dt) {
 void Stepper::resolve_contact(State& state, double dt) {
   if (!contact_.is_active()) return;
   const Vec3& center = model_.mass_center;
-  const ContactMotion motion{
-      state.x,        state.v_before, state.v, state.inverse_mass, state.impulse, dt, {center[0], center[1], center[2]},
-      rigid_.inputs()};
+  const ContactMotion motion{state.x,
+                             state.v_before,
+                             state.v,
+                             state.inverse_mass,
+                             state.impulse,
+                             dt,
+                             {center[0], center[1], center[2]},
+                             rigid_.inputs(),
+                             state.time};
   report_ = contact_.apply(motion);
   if (rigid_.any()) rigid_.correct(state, report_.bodies, dt);
   state.books.contact_work += report_.normal_work;

@@ -292,6 +292,19 @@ RIGID = (
 """
 )
 
+# A second block apart from the first, of the same material.
+TWO_PARTS = (
+    _HEAD
+    + BLOCK
+    + "*NODE\n"
+    + "".join(
+        f"{31 + i},{3.0 + x},{1.0 * y},{1.0 * z}\n"
+        for i, (x, y, z) in enumerate(((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)))
+    )
+    + "*ELEMENT_SOLID\n600,4,31,32,33,34,35,36,37,38\n*PART\nsecond\n4,4,3\n*SECTION_SOLID\n4,1\n*END\n"
+)
+TWO_RIGID = TWO_PARTS.replace("*MAT_ELASTIC_TITLE\nsteel\n", "*MAT_RIGID\n").replace("       0.3\n", "       0.3\n1.0,0,0\n\n")
+
 FORMS = (
     _HEAD
     + BLOCK

@@ -32,14 +32,10 @@ struct RowNodeChunks {
 /// Slots of the pushed point.
 KOKKOS_INLINE_FUNCTION int count_pushed_slots(const ContactRow& row) { return row.kind == RowKind::edges ? 2 : 1; }
 
-KOKKOS_INLINE_FUNCTION int find_wall(const ContactRow& row) {
-  return static_cast<int>((row.key - first_wall_key) & ((std::int64_t{1} << wall_key_bits) - 1));
-}
-
 KOKKOS_INLINE_FUNCTION RowSides find_sides(const ContactRow& row, const ForceSides& sides,
                                            const RowNodeChunks& chunks) {
   const int pushed = chunks.find_chunk(row.place[0]);
-  if (row.kind == RowKind::wall) return {sides.one(pushed) & sides.walls(find_wall(row)), 0};
+  if (row.kind == RowKind::wall) return {sides.one(pushed) & sides.walls(find_key_wall(row.key)), 0};
   const int pushing = chunks.find_chunk(row.place[count_pushed_slots(row)]);
   return {sides.one(pushed) & sides.other(pushing), sides.one(pushing) & sides.other(pushed)};
 }

@@ -1,6 +1,7 @@
 // What the impulses of a step did: velocities, work, what is left over, history.
 
 #include "kernels/contact/enforcement/enforcement.hpp"
+#include "kernels/contact/rows/row_geometry.hpp"
 
 namespace percuss {
 namespace {
@@ -202,6 +203,37 @@ WallSums sum_wall_impulses(const Space& space, int first_row, const Rows3<const 
 }
 
 template <class Space>
+WallPush sum_wall_push(const Space& space, int first_row, int wall, const RowSystem& system, RowSumMemory& memory) {
+  const Array<const ContactRow> rows = system.rows;
+  return sum_rows<WallPush>(space, system.num_rows - first_row, memory.push,
+                            [rows, first_row, wall] KOKKOS_FUNCTION(int i, WallPush& s) {
+                              const ContactRow& row = rows(first_row + i);
+                              if (row.kind != RowKind::wall || find_key_wall(row.key) != wall) return;
+                              if (row.impulse.push != 0) s.push.add(row.impulse.push);
+                            });
+}
+
+template <class Space>
+WallMeeting sum_wall_meeting(const Space& space, int wall, const WallPairs& walls, const RowInputs& inputs,
+                             RowSumMemory& memory) {
+  const WallPairs w = walls;
+  const RowInputs in = inputs;
+  return sum_rows<WallMeeting>(space, static_cast<int>(walls.node.extent(0)), memory.meeting,
+                               [w, in, wall] KOKKOS_FUNCTION(int p, WallMeeting& s) {
+                                 if (w.wall(p) != wall || (!in.looks_inside && w.is_inner(p) != 0)) return;
+                                 const ContactWall& of = w.walls(wall);
+                                 const Point3 n = of.normal, inverse = load_row(in.inverse_mass, w.node(p));
+                                 const double mobility = dot(n, {inverse.x * n.x, inverse.y * n.y, inverse.z * n.z});
+                                 const double gap = find_wall_gap(w, in.motion, p, 0);
+                                 const double touching =
+                                     dot(n, load_row(in.motion.v, w.node(p))) + (gap > 0 ? gap / in.motion.dt : 0);
+                                 if (!(mobility > 0) || !(touching < of.speed) || !can_stop(w, in.motion, p)) return;
+                                 s.mass.add(1 / mobility);
+                                 s.momentum.add(touching / mobility);
+                               });
+}
+
+template <class Space>
 void write_history(const Space& space, double dt, RowSystem& system, ContactHistory& history) {
   reserve_edge_history(history.edges, system.num_edge_rows);
   const ContactHistory h = history;
@@ -237,6 +269,8 @@ void clear_impulses(const Space& space, const Array<const int>& nodes, int num_n
   template PairWork sum_pair_work(const Space&, int, const RowSystem&, RowSumMemory&);                                \
   template WallSums sum_wall_impulses(const Space&, int, const Rows3<const double>&, const Point3&, const RowSystem&, \
                                       RowSumMemory&);                                                                 \
+  template WallPush sum_wall_push(const Space&, int, int, const RowSystem&, RowSumMemory&);                           \
+  template WallMeeting sum_wall_meeting(const Space&, int, const WallPairs&, const RowInputs&, RowSumMemory&);        \
   template void write_history(const Space&, double, RowSystem&, ContactHistory&);                                     \
   template void clear_impulses(const Space&, const Array<const int>&, int, const Rows3<double>&);
 PERCUSS_INSTANTIATE(ExecSpace)

@@ -136,6 +136,8 @@ struct RowSumMemory {
   Array<EnforcementSums> outcome = Array<EnforcementSums>("contact::outcome_sums", 0);
   Array<PairWork> pair = Array<PairWork>("contact::pair_sums", 0);
   Array<WallSums> wall = Array<WallSums>("contact::wall_sums", 0);
+  Array<WallPush> push = Array<WallPush>("contact::push_sums", 0);
+  Array<WallMeeting> meeting = Array<WallMeeting>("contact::meeting_sums", 0);
 };
 
 }  // namespace percuss

@@ -195,8 +195,28 @@ KOKKOS_INLINE_FUNCTION double find_wall_gap(const WallPairs& walls, const Surfac
   const ContactWall& wall = walls.walls(walls.wall(p));
   const int node = walls.node(p);
   const Point3 from_wall = load_row(motion.x, node) - wall.point;
-  const double gap = dot(wall.normal, from_wall) + share * motion.dt * dot(wall.normal, load_row(motion.v, node));
+  const double closing = dot(wall.normal, load_row(motion.v, node)) - wall.speed;
+  const double gap = dot(wall.normal, from_wall) + share * motion.dt * closing;
   return walls.offset.extent(0) > 0 ? gap - walls.offset(p) : gap;
+}
+
+/// Whether a point lies beside a rectangle, or farther behind it than what has come through it could; false where the
+/// wall does not end. depth: of the point behind its plane; size: h of its row.
+KOKKOS_INLINE_FUNCTION bool is_beside(const ContactWall& wall, const Point3& x, double depth, double size) {
+  constexpr double round_off = 1e-9;  // of an edge
+  constexpr double most_depth = 0.5;  // of h: enforcement leaves far less, what comes in at the side is soon deeper
+  if (!(wall.size[0] > 0)) return false;
+  const double a = dot(wall.along, x - wall.point), b = dot(wall.across, x - wall.point);
+  const double more_a = round_off * wall.size[0], more_b = round_off * wall.size[1];
+  return a < -more_a || a > wall.size[0] + more_a || b < -more_b || b > wall.size[1] + more_b ||
+         depth > most_depth * size;
+}
+
+/// Whether the wall of pair p can stop its node at n.
+KOKKOS_INLINE_FUNCTION bool can_stop(const WallPairs& walls, const SurfaceMotion& motion, int p) {
+  const ContactWall& wall = walls.walls(walls.wall(p));
+  if (!(wall.size[0] > 0)) return true;
+  return !is_beside(wall, load_row(motion.x, walls.node(p)), -find_wall_gap(walls, motion, p, 0), walls.size(p));
 }
 
 /// The row of pair p of a wall and a node, whose place is set.

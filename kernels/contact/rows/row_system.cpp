@@ -55,7 +55,7 @@ int list_near_walls(const Space& space, const WallPairs& walls, const RowInputs&
       space, pairs,
       [w, m, leaves_out_inner] KOKKOS_FUNCTION(int p) {
         if (leaves_out_inner && w.is_inner(p) != 0) return false;
-        return find_wall_gap(w, m, p, 1) <= contact_limits::row_gap * w.size(p);
+        return find_wall_gap(w, m, p, 1) <= contact_limits::row_gap * w.size(p) && can_stop(w, m, p);
       },
       system.near_walls);
 }

@@ -19,19 +19,22 @@ namespace percuss {
 
 /// A rigid plane; bodies live where (x - point) . normal > 0.
 struct ContactWall {
-  Point3 point{}, normal{};
+  Point3 point{}, normal{};  // the point at n
   double friction = 0;
+  double speed = 0;          // along the normal, from n to n+1
+  Point3 along{}, across{};  // of a rectangle with a corner at `point`: unit vectors of its edges
+  double size[2] = {0, 0};   // their lengths; 0: the wall does not end
 };
 
-/// Walls and the nodes of this rank that each stops, const after set-up.
+/// Walls and the nodes of this rank that each stops, const after set-up but for where moving walls are.
 struct WallPairs {
-  Array<const ContactWall> walls;  // [walls]
-  Array<const int> wall;           // [pairs] ascending
-  Array<const int> node;           // [pairs] mesh node, ascending within a wall
-  Array<const double> size;        // [pairs] shortest edge at the node at the start, the h of its row
-  Array<const double> offset{};    // [pairs] distance that the node keeps, by its thickness; empty: none does [length]
-  Array<const int> is_inner{};     // [pairs] whether the node is inside its body; empty: none is
-  Array<const double> spring{};    // [pairs] stiffness of the node, of springs.hpp; 0 without penalty
+  Array<ContactWall> walls;      // [walls]
+  Array<const int> wall;         // [pairs] ascending
+  Array<const int> node;         // [pairs] mesh node, ascending within a wall
+  Array<const double> size;      // [pairs] shortest edge at the node at the start, the h of its row
+  Array<const double> offset{};  // [pairs] distance that the node keeps, by its thickness; empty: none does [length]
+  Array<const int> is_inner{};   // [pairs] whether the node is inside its body; empty: none is
+  Array<const double> spring{};  // [pairs] stiffness of the node, of springs.hpp; 0 without penalty
   // For reports.
   Array<const int> part{};             // [pairs] of the mesh that the node belongs to
   Array<const std::int64_t> number{};  // [pairs] of the node in the whole mesh
@@ -109,6 +112,9 @@ inline constexpr int edge_place_bits = 7;       // 128 feature edges that have t
 inline constexpr int edge_touch_key_bits = 16;  // 65536 touches of an edge, on 1e11 nodes
 inline constexpr std::int64_t first_wall_key = std::int64_t{1} << 62, first_edge_key = std::int64_t{1} << 61,
                               first_tie_key = std::int64_t{3} << 60;
+KOKKOS_INLINE_FUNCTION int find_key_wall(std::int64_t key) {
+  return static_cast<int>((key - first_wall_key) & ((std::int64_t{1} << wall_key_bits) - 1));
+}
 KOKKOS_INLINE_FUNCTION std::int64_t make_wall_row_key(std::int64_t node, int wall) {
   return first_wall_key + (node << wall_key_bits) + wall;
 }

@@ -9,12 +9,31 @@ namespace percuss {
 /// they give one another cancels.
 struct WallSums {
   ExactSum impulse[3], moment[3];
+  ExactSum work;  // of walls that move, on the bodies
 
   KOKKOS_INLINE_FUNCTION void merge(const WallSums& other) {
     for (int k = 0; k < 3; ++k) {
       impulse[k].merge(other.impulse[k]);
       moment[k].merge(other.moment[k]);
     }
+    work.merge(other.work);
+  }
+};
+
+/// Pushes of the rows of one wall: its impulse along its normal.
+struct WallPush {
+  ExactSum push;
+
+  KOKKOS_INLINE_FUNCTION void merge(const WallPush& other) { push.merge(other.push); }
+};
+
+/// What the nodes before a wall that gives way say of its speed, in a pass (moving_walls.hpp).
+struct WallMeeting {
+  ExactSum mass, momentum;
+
+  KOKKOS_INLINE_FUNCTION void merge(const WallMeeting& other) {
+    mass.merge(other.mass);
+    momentum.merge(other.momentum);
   }
 };
 

@@ -1,5 +1,6 @@
 """An Abaqus deck in memory: its mesh, and what its keywords define by name."""
 
+from collections import Counter
 from dataclasses import dataclass, field
 
 from ..curves import Curve
@@ -34,7 +35,8 @@ class AbaqusDeck:
         self.whole: Deck | None = None  # contact of everything
         self.end_time = 0.0
         self.step_scale = 0.0  # 0: percuss' own
-        self.integrations: dict[str, int] = {}  # of solids, with their number
+        self.integrations: dict[int, Counter[str]] = {}  # of the hexahedra of a block, by its index
+        self.pair_frictions: list[Deck] = []  # rows of contact.friction.pairs
         self.blocks_of_elements: dict[int, int] = {}  # element: index of its block
         self._names: dict[tuple[str, str], str] = {}
         self._used: set[int] | None = None

@@ -1,5 +1,7 @@
 """Sections become parts; instances stand in one mesh."""
 
+from collections import Counter
+
 from ..fields import MOST_ID
 from ..ledger import BadInput
 from ..model import Block as Part
@@ -105,7 +107,8 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         if kind == "C3D4":  # has one point, whatever hexahedra have
             return
         integration = "full" if kind == "C3D8" else "one_point"
-        deck.integrations[integration] = deck.integrations.get(integration, 0) + 1
+        counts = deck.integrations.setdefault(len(deck.model.blocks), Counter())
+        counts[integration] += 1
     else:
         deck.ledger.refuse(
             f"ELEMENT.{kind}", section.place, f"elements {kind or 'without TYPE'}, which percuss does not have", "they are left out"
@@ -125,19 +128,21 @@ def add_shell_keys(deck: AbaqusDeck, section: Section, part: Part) -> None:
 
 
 def choose_integration(deck: AbaqusDeck) -> None:
-    """One integration of all solids."""
+    """The integration of most hexahedra for the scene, others by part."""
     if not deck.integrations:
         return
-    chosen = max(deck.integrations, key=lambda kind: deck.integrations[kind])
-    if len(deck.integrations) > 1 and deck.mesh.place:
-        deck.ledger.refuse(
-            "ELEMENT.mixed",
-            deck.mesh.place,
-            "C3D8 and C3D8R in one model, percuss has one integration for all",
-            f"all are {chosen}",
-        )
+    total = sum(deck.integrations.values(), Counter())
+    chosen = total.most_common(1)[0][0]
     if chosen == "full":
         deck.model.deck.setdefault("elements", {})["integration"] = "full"
+    for block, counts in deck.integrations.items():
+        kind = counts.most_common(1)[0][0]
+        if len(counts) > 1:
+            deck.ledger.refuse(
+                "ELEMENT.mixed", deck.model.blocks[block].place, "C3D8 and C3D8R in one section", f"all of the part are {kind}"
+            )
+        if kind != chosen:
+            deck.model.blocks[block].keys["integration"] = kind
 
 
 def add_masses(deck: AbaqusDeck) -> None:

@@ -2,6 +2,7 @@
 
 from ..curves import Curve, make_time_value, order_points
 from ..fields import clip
+from ..ledger import Place
 from ..model import Deck
 from .deck import AbaqusDeck
 from .lines import Block
@@ -222,9 +223,22 @@ def read_property(deck: AbaqusDeck, block: Block) -> None:
             deck.whole = {"a": "all", "b": "all", "friction": friction}
             deck.ledger.translated(block.keyword, block.at(line[0]), "contact.friction")
         else:
-            deck.ledger.refuse(
-                block.keyword, block.at(line[0]), "a friction of two surfaces in general contact", "that of all is used"
-            )
+            assign_friction(deck, block, (block.text(line, 0), block.text(line, 1)), block.at(line[0]), friction)
+
+
+def assign_friction(deck: AbaqusDeck, block: Block, names: tuple[str, str], place: Place, friction: float) -> None:
+    """That of two surfaces, or of everything with one. The last that names both counts in Abaqus, the first here."""
+    if not names[1]:
+        deck.ledger.refuse(block.keyword, place, "a friction of one surface, in general contact", "that of all is used")
+        return
+    sides = [deck.surface_name(name, place, of_contact=True) for name in reversed(names) if name]
+    if not all(sides):
+        deck.ledger.ignored(block.keyword, place, "one of its surfaces has no element")
+        return
+    row = dict(zip("ab", sides))
+    others = [r for r in deck.pair_frictions if {r["a"], r.get("b")} != {row["a"], row.get("b")}]
+    deck.pair_frictions = [{**row, "friction": friction}, *others]
+    deck.ledger.translated(block.keyword, place, "contact.friction.pairs")
 
 
 def finish_contact(deck: AbaqusDeck) -> None:
@@ -239,3 +253,5 @@ def finish_contact(deck: AbaqusDeck) -> None:
         section["surfaces"] = "none"
     else:
         del deck.model.deck["contact"]
+    if deck.pair_frictions and deck.model.deck.get("contact") and section["surfaces"] != "none":
+        section["friction"] = {"default": section.get("friction", 0.0), "pairs": deck.pair_frictions}

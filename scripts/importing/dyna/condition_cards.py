@@ -23,7 +23,7 @@ def add_fixed(deck: KeywordDeck, name: str, directions: list[str], nodes: list[i
 
 def apply_fixed_nodes(deck: KeywordDeck) -> None:
     """TC and RC of *NODE."""
-    rigid = deck.model.nodes_of_blocks(deck.blocks_of(deck.driven))
+    rigid = deck.rigid_nodes()
     for (tc, rc), nodes in sorted(deck.fixed_nodes.items()):
         nodes = [node for node in nodes if node not in rigid]  # as in LS-DYNA
         directions = [*CODES[tc], *("r" + axis for axis in CODES[rc])]
@@ -79,8 +79,20 @@ def apply_spc(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
     if name is None:
         deck.ledger.ignored(card.keyword, row.place, "its nodes have no element")
         return
-    add_fixed(deck, name, turned, deck.model.node_sets[name])
-    deck.ledger.translated(card.keyword, row.place, "conditions: fixed")
+    name = without_rigid(deck, name, card, row.place)
+    if name:
+        add_fixed(deck, name, turned, deck.model.node_sets[name])
+        deck.ledger.translated(card.keyword, row.place, "conditions: fixed")
+
+
+def without_rigid(deck: KeywordDeck, name: str, card: Card, place: Place) -> str:
+    """The set, or what of it lies on no rigid part: conditions on nodes do not act on rigid bodies."""
+    rigid, members = deck.rigid_nodes(), deck.model.node_sets[name]
+    rest = [node for node in members if node not in rigid]
+    if len(rest) == len(members):
+        return name
+    deck.ledger.ignored(f"{card.keyword}.rigid", place, "no effect on nodes of rigid parts")
+    return deck.make_node_set(f"{name}_free", rest, place)
 
 
 def nodes_of(deck: KeywordDeck, id: int, is_set: bool, place: Place) -> str | None:
@@ -91,24 +103,6 @@ def nodes_of(deck: KeywordDeck, id: int, is_set: bool, place: Place) -> str | No
     if name:
         deck.single_nodes[id] = name
     return name or None
-
-
-def read_rigid_motion(deck: KeywordDeck, card: Card) -> None:
-    """Gathers motions of rigid parts: they decide whether the part can be expressed."""
-    reader = card.reader()
-    while reader.skip_blank():
-        if card.has_id:
-            reader.take()
-        row = reader.row("ID DOF VAD LCID SF=1 VID DEATH=1e28 BIRTH")
-        if abs(row.integer("DOF")) in (4, 8, 9, 10, 11) or row.integer("VAD") == 4:
-            reader.take()
-        direction = DIRECTIONS.get(row.integer("DOF"))
-        if direction in AXES:
-            deck.rigid_motions.setdefault(row.integer("ID"), {})[direction] = row
-        else:
-            deck.ledger.refuse(
-                f"{card.keyword}.DOF", row.place, "a rotation, or a direction of a vector, of a rigid part", "it is left out"
-            )
 
 
 def read_motion(deck: KeywordDeck, card: Card) -> None:
@@ -139,8 +133,9 @@ def apply_motion(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
     if name is None:
         deck.ledger.ignored(card.keyword, row.place, "its nodes have no element")
         return
+    name = without_rigid(deck, name, card, row.place)
     motion = make_motion(deck, row, direction, sign)
-    if motion:
+    if motion and name:
         deck.model.add("conditions", {"nodes": name, **motion})
         deck.ledger.translated(card.keyword, row.place, "conditions: velocity or displacement")
 
@@ -174,63 +169,3 @@ def make_motion(deck: KeywordDeck, row: Row, direction: str, sign: float) -> Dec
         return None
     value = make_time_value(curve, scale, deck.end_time)
     return {"displacement" if kind == 2 else "velocity": {direction: value}}
-
-
-def apply_rigid_motions(deck: KeywordDeck) -> None:
-    """Rigid parts whose motion is given: conditions on all their nodes."""
-    for id, fixed in deck.driven.items():
-        names = deck.part_names([id])
-        nodes = deck.model.nodes_of_blocks(deck.blocks_of([id]))
-        targets = list(names)
-        extra = [
-            n
-            for kind, i, place in deck.extra_nodes.get(id, [])
-            for n in ([i] if kind == "NODE" else deck.list_members("NODE", i, place))
-        ]
-        name = deck.make_node_set(f"extra_{id}", extra, deck.parts[id].place) if extra else ""
-        if name:
-            targets.append(name)
-        for target in targets:
-            members = deck.model.node_sets.get(target, list(nodes))
-            add_fixed(deck, target, sorted(fixed) + ["rx", "ry", "rz"], members)
-            for direction, row in deck.rigid_motions.get(id, {}).items():
-                motion = make_motion(deck, row, direction, 1.0) if direction not in fixed else None
-                if motion:
-                    deck.model.add("conditions", {"nodes": target, **motion})
-    for id, motions in deck.rigid_motions.items():
-        if id not in deck.driven:
-            move_elastic_part(deck, id, motions)
-
-
-def move_elastic_part(deck: KeywordDeck, id: int, motions: dict[str, Row]) -> None:
-    """A rigid part that the user allowed as an elastic body: the motion acts on all its nodes."""
-    names = deck.part_names([id])
-    for direction, row in motions.items():
-        if not names:
-            deck.ledger.ignored("BOUNDARY_PRESCRIBED_MOTION_RIGID", row.place, "its part has no element")
-            continue
-        deck.ledger.approximated("BOUNDARY_PRESCRIBED_MOTION_RIGID", row.place, "the motion of all nodes of the part")
-        motion = make_motion(deck, row, direction, 1.0)
-        for name in names if motion else []:
-            deck.model.add("conditions", {"nodes": name, **(motion or {})})
-
-
-def read_extra_nodes(deck: KeywordDeck, card: Card) -> None:
-    """*CONSTRAINED_EXTRA_NODES_NODE and _SET: nodes that move with a rigid part."""
-    kind = card.keyword.rsplit("_", 1)[1]
-    for line in card.lines:
-        if not line[1].strip():
-            continue
-        row = card.row(line, "PID ID IFLAG~")
-        deck.extra_nodes.setdefault(row.integer("PID"), []).append((kind, row.integer("ID"), row.place))
-
-
-def check_extra_nodes(deck: KeywordDeck) -> None:
-    for id, entries in deck.extra_nodes.items():
-        for kind, _, place in entries:
-            deck.find_part(id, place)
-            card = f"CONSTRAINED_EXTRA_NODES_{kind}"
-            if id in deck.driven:
-                deck.ledger.translated(card, place, "they have the motion of the part")
-            else:
-                deck.ledger.refuse(card, place, "nodes on a rigid body that moves freely", "they are free")

@@ -128,10 +128,13 @@ def find_friction(deck: KeywordDeck, contact: Contact) -> float:
     """Coulomb's coefficient: the static one, where both differ."""
     static, dynamic, decay = contact.law.numbers("FS", "FD", "DC")
     factor = contact.scale.number("FSF") or 1.0
-    if static in (-1, 2, -2):
-        used = [part.friction for part in deck.parts.values() if part.friction is not None] if static == -1 else []
-        static = max(used, default=0.0)
-        deck.ledger.refuse("CONTACT.FS", contact.place, "friction by part, or by a table", f"{static:g} is used for all")
+    if static == -1:
+        deck.friction_by_part = True
+        deck.ledger.approximated("CONTACT.FS", contact.place, "contact.friction.pairs: of two parts that differ, the larger FS")
+        static = 0.0
+    elif static in (2, -2):
+        static = 0.0
+        deck.ledger.refuse("CONTACT.FS", contact.place, "friction by a table", "there is none")
     elif static != dynamic and decay > 0:
         deck.ledger.approximated("CONTACT.FD", contact.place, "the static coefficient at all speeds")
     return static * factor
@@ -166,12 +169,13 @@ def add_pairs(deck: KeywordDeck, contact: Contact, is_single: bool) -> None:
     contact.sides.skip("MSID", "MSTYP")
     a = name_whole(deck, side_name(deck, contact, "S"))
     b = a if is_single else name_whole(deck, side_name(deck, contact, "M"))
+    by_part = contact.law.number("FS") == -1
     friction = find_friction(deck, contact)
     check_fields(deck, contact)
     if a is None or b is None:
         deck.ledger.ignored(contact.keyword, contact.place, "one of its sides has no element")
         return
-    deck.contacts.append({"a": a or "all", "b": b or "all", "friction": friction, "title": contact.title})
+    deck.contacts.append({"a": a or "all", "b": b or "all", "friction": friction, "title": contact.title, "by_part": by_part})
     text = "contact.surfaces: a surface with itself" if is_single else "contact.surfaces: a pair, both ways"
     if "AUTOMATIC" in contact.keyword or "ERODING" in contact.keyword:
         deck.ledger.translated(contact.keyword, contact.place, text)
@@ -218,6 +222,12 @@ def transduce(deck: KeywordDeck, contact: Contact) -> None:
         deck.ledger.ignored(contact.keyword, contact.place, "output of a force, of surfaces that percuss cannot name")
 
 
+def make_pair(contact: dict) -> Deck:
+    """A pair of contact.surfaces; without a coefficient where those of its parts count."""
+    pair = {"a": contact["a"], "b": contact["b"]}
+    return pair if contact["by_part"] else {**pair, "friction": contact["friction"]}
+
+
 def finish_contacts(deck: KeywordDeck) -> None:
     """The section of contact. Pairs come before all surfaces, since the first that names a node has its friction."""
     section = deck.model.deck.setdefault("contact", {})
@@ -228,11 +238,25 @@ def finish_contacts(deck: KeywordDeck) -> None:
         if general[0]["friction"]:
             section["friction"] = general[0]["friction"]
     elif deck.contacts:
-        section["surfaces"] = [{"a": c["a"], "b": c["b"], "friction": c["friction"]} for c in pairs + general[:1]]
+        section["surfaces"] = [make_pair(c) for c in pairs + general[:1]]
     elif "ties" in section:
         section["surfaces"] = "none"
     else:
         del deck.model.deck["contact"]
+    if deck.friction_by_part and "surfaces" in section:
+        add_frictions(deck, section)
     if len({c["friction"] for c in general}) > 1:
         place = next(iter(deck.parts.values())).place
         deck.ledger.approximated("CONTACT", place, "several contacts of everything: the friction of the first")
+
+
+def add_frictions(deck: KeywordDeck, section: Deck) -> None:
+    """FS of *PART_CONTACT. Rows count in their order, so that the larger of two parts comes first."""
+    given = [part for part in deck.parts.values() if part.friction]
+    rows = [
+        {"a": name, "friction": part.friction}
+        for part in sorted(given, key=lambda part: -(part.friction or 0.0))
+        for name in deck.part_names([part.id])
+    ]
+    if rows:
+        section["friction"] = {"default": section.get("friction", 0.0), "pairs": rows}

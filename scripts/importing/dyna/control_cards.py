@@ -55,6 +55,8 @@ def scale_masses(deck: KeywordDeck, card: Card, step: float, once: bool, row: Ro
     """Mass scaling of the parts that percuss can scale."""
     left: set[str] = set()
     for block in deck.model.blocks:
+        if block.part in deck.rigid:
+            continue
         law = deck.model.materials[block.keys["material"]]
         if block.solids and (law["model"] not in ("elastic", "j2_plasticity") or "equation_of_state" in law):
             left.add(law["model"])

@@ -42,6 +42,8 @@ class PartCard:
     state: int
     hourglass: int
     friction: float | None = None
+    inertia: dict | None = None  # of *PART_INERTIA: mass, center, inertia
+    motion: dict = field(default_factory=dict)  # likewise: velocity, angular_velocity
 
 
 @dataclass
@@ -85,6 +87,13 @@ def pick(ids: list[int], ranges: list[tuple[int, int]]) -> list[int]:
     return picked
 
 
+@dataclass
+class RigidPart:
+    """What holds a rigid part: x, y, z, rx, ry, rz."""
+
+    held: list[str] = field(default_factory=list)
+
+
 class KeywordDeck:
     """All definitions, and the model that they become."""
 
@@ -116,13 +125,15 @@ class KeywordDeck:
         self.general_hourglass: Row | None = None
         self.waiting_table: list[int] = []  # table and how many of its curves are still to come
         self.output = Output()
+        self.friction_by_part = False  # whether a contact takes FS of its parts
         self.contacts: list[dict] = []  # a, b, friction, title
         self.forces: list[dict] = []  # entries of output.history.forces
         self.single_nodes: dict[int, str] = {}  # sets of one node
         self._used_nodes: set[int] | None = None
         self._shell_nodes: set[int] | None = None
         self.names_of_parts: dict[int, list[str]] = {}  # in the deck: one name a thickness
-        self.driven: dict[int, set[str]] = {}  # rigid parts whose motion is given: their fixed directions
+        self.rigid: dict[int, RigidPart] = {}  # parts that are rigid
+        self.merged: dict[int, tuple[int, Place]] = {}  # rigid parts that belong to the body of another
         self.rigid_motions: dict[int, dict[str, Row]] = {}  # *BOUNDARY_PRESCRIBED_MOTION_RIGID by part and direction
         self.extra_nodes: dict[int, list[tuple[str, int, Place]]] = {}  # of rigid parts: "NODE" or "SET", id
         self.used: set[tuple[str, int]] = set()
@@ -223,6 +234,10 @@ class KeywordDeck:
     def blocks_of(self, parts: Iterable[int]) -> list[int]:
         wanted = set(parts)
         return [block.id for block in self.model.blocks if block.part in wanted]
+
+    def rigid_nodes(self) -> set[int]:
+        """Nodes of rigid parts."""
+        return self.model.nodes_of_blocks(self.blocks_of(self.rigid)) if self.rigid else set()
 
     def node_set_name(self, id: int, place: Place) -> str | None:
         """Name of a set of nodes in the deck. None if no node of it has an element."""

@@ -4,10 +4,11 @@ from collections import Counter
 from dataclasses import dataclass
 
 from ..fields import Row
-from ..ledger import BadInput, Place
+from ..ledger import BadInput
 from ..model import Block, Deck
 from .cards import Card
 from .deck import Element, Elements, KeywordDeck, PartCard
+from .rigid_cards import read_inertia
 
 MOST_THICKNESSES = 64  # parts that one *PART may become by the thickness of its elements
 SHELL_FORMS = {1, 2, 3, 4, 6, 7, 8, 10, 11, 16, -16, 17, 18, 20, 21, 25, 26}
@@ -48,13 +49,12 @@ def read_part_options(deck: KeywordDeck, card: Card, reader, part: PartCard, opt
             row.skip("FD")
             row.finish(deck.ledger)
             continue
+        if option == "INERTIA":
+            read_inertia(deck, reader, part)
+            continue
         for _ in range(PART_LINES[option]):
             line = reader.row("A B C D E F G H")
-        if option == "INERTIA":
-            deck.ledger.refuse(
-                "PART_INERTIA", part.place, "mass and inertia that replace those of the mesh", "those of the mesh are used"
-            )
-        elif option == "REPOSITION" and line.has("B"):
+        if option == "REPOSITION" and line.has("B"):
             deck.ledger.refuse("PART_REPOSITION", part.place, "a part that is moved", "it stays")
 
 
@@ -220,36 +220,36 @@ def round_thicknesses(deck: KeywordDeck, part: PartCard, groups: dict) -> dict:
     return rounded
 
 
-# --- what is global in percuss
+# --- settings of elements: those of most of them for the scene, others by part
+
+
+def count_hexahedra(deck: KeywordDeck) -> list[tuple[Block, int]]:
+    """Blocks of solids that are computed, with the number of their hexahedra."""
+    blocks = [block for block in deck.model.blocks if block.solids and block.part not in deck.rigid]
+    return [(block, sum(1 for _, corners in block.solids if len(corners) == 8)) for block in blocks]
 
 
 def translate_integration(deck: KeywordDeck) -> None:
-    """ELFORM of all solids: one integration for all of them."""
+    """ELFORM of all solids."""
     counts: Counter[str] = Counter()
-    places: dict[str, Place] = {}
-    for block in deck.model.blocks:
-        if not block.solids:
-            continue
+    kinds: dict[int, str] = {}
+    for block, count in count_hexahedra(deck):
         section = deck.sections[deck.parts[block.part].section]
         row = section.reader().row("SECID ELFORM=1 AET A B C GASKETT~ D")
         form = row.integer("ELFORM") or 1
         row.skip("SECID")
         row.finish(deck.ledger)
         kind = judge_solid_form(deck, form, row)
-        counts[kind] += len(block.solids)
-        places.setdefault(kind, row.place)
-        deck.ledger.translated(section.keyword, row.place, "elements.integration")
+        if count:
+            kinds[block.id] = kind
+            counts[kind] += count
+        deck.ledger.translated(section.keyword, row.place, "integration, of the elements or of the part")
     if not counts:
         return
     chosen = counts.most_common(1)[0][0]
-    if len(counts) > 1:
-        other = next(kind for kind in counts if kind != chosen)
-        deck.ledger.refuse(
-            "SECTION_SOLID.mixed",
-            places[other],
-            "one-point and fully integrated solids in one model, percuss has one for all",
-            f"all are {chosen}",
-        )
+    for block in deck.model.blocks:
+        if kinds.get(block.id, chosen) != chosen:
+            block.keys["integration"] = kinds[block.id]
     if chosen != "one_point":
         deck.model.deck.setdefault("elements", {})["integration"] = chosen
 
@@ -266,32 +266,41 @@ def judge_solid_form(deck: KeywordDeck, form: int, row: Row) -> str:
 
 
 def translate_hourglass(deck: KeywordDeck, general: Row | None) -> None:
-    """One hourglass control for all solids: that of most elements."""
+    """Hourglass control of the parts whose hexahedra have one point."""
+    all_full = "integration" in deck.model.deck.get("elements", {})
     counts: Counter[tuple[str, float]] = Counter()
-    places: dict[tuple[str, float], Place] = {}
-    for block in deck.model.blocks:
-        if not block.solids or "integration" in deck.model.deck.get("elements", {}):
+    chosen_by: list[tuple[Block, tuple[str, float]]] = []
+    for block, count in count_hexahedra(deck):
+        row = find_hourglass(deck, block, general)
+        if not count or block.keys.get("integration", "full" if all_full else "one_point") == "full":
             continue
-        id = deck.parts[block.part].hourglass
-        if id and id not in deck.hourglass:
-            raise BadInput(deck.parts[block.part].place, f"there is no *HOURGLASS {id}")
-        row = deck.hourglass[id] if id else general
         key = judge_hourglass(row)
-        counts[key] += len(block.solids)
-        places.setdefault(key, row.place if row else block.place)
-    for row in deck.hourglass.values():
-        if row.number("Q1") not in (0, 1.5) or row.number("Q2") not in (0, 0.06):
-            deck.ledger.refuse("HOURGLASS.Q1", row.place, "bulk viscosity of one part", "that of all parts is used")
-    if not counts:
-        return
-    (kind, coefficient), _ = counts.most_common(1)[0]
-    text = f"{kind}" + (f" with {coefficient}" if kind != "assumed_strain" else "")
-    for key, place in places.items():
+        counts[key] += count
+        chosen_by.append((block, key))
+        text = key[0] + (f" with {key[1]}" if key[0] != "assumed_strain" else "")
         card = "HOURGLASS" if general or deck.hourglass else "HOURGLASS (none)"
-        what = "hourglass control" if key == (kind, coefficient) else "hourglass control of a part (percuss has one for all)"
-        deck.ledger.approximated(card, place, f"{what} becomes {text}")
-    if kind != "assumed_strain":
-        deck.model.deck.setdefault("elements", {})["hourglass"] = {"kind": kind, "coefficient": coefficient}
+        deck.ledger.approximated(card, row.place if row else block.place, f"the hourglass control becomes {text}")
+    chosen = counts.most_common(1)[0][0] if counts and not all_full else ("assumed_strain", 0.0)
+    if chosen[0] != "assumed_strain":
+        deck.model.deck.setdefault("elements", {})["hourglass"] = {"kind": chosen[0], "coefficient": chosen[1]}
+    for block, key in chosen_by:
+        if key != chosen:
+            block.keys["hourglass"] = key[0] if key[0] == "assumed_strain" else {"kind": key[0], "coefficient": key[1]}
+
+
+def find_hourglass(deck: KeywordDeck, block: Block, general: Row | None) -> Row | None:
+    """*HOURGLASS of a part, or *CONTROL_HOURGLASS. The former also gives the part its bulk viscosity."""
+    id = deck.parts[block.part].hourglass
+    if not id:
+        return general
+    if id not in deck.hourglass:
+        raise BadInput(deck.parts[block.part].place, f"there is no *HOURGLASS {id}")
+    row = deck.hourglass[id]
+    quadratic, linear = row.number("Q1") or 1.5, row.number("Q2") or 0.06
+    if (quadratic, linear) != (1.5, 0.06):
+        block.keys["bulk_viscosity"] = {"linear": linear, "quadratic": max(quadratic, 0.0) ** 0.5}
+        deck.ledger.approximated("HOURGLASS.Q1", row.place, "bulk_viscosity of the part: linear = Q2, quadratic = sqrt(Q1)")
+    return row
 
 
 def judge_hourglass(row: Row | None) -> tuple[str, float]:

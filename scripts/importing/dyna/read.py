@@ -5,6 +5,7 @@ from collections.abc import Callable
 from ..ledger import BadInput, Ledger
 from ..model import Model
 from . import condition_cards as conditions
+from . import rigid_cards as rigid
 from . import start_cards as start
 from .cards import Card, CardReader
 from .contact_cards import finish_contacts, read_contact
@@ -44,8 +45,9 @@ DEFINITIONS: dict[str, Handler] = {
     "EOS_": read_state, "SET_": read_set, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
     "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve, "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box,
     "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination,
-    "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": conditions.read_rigid_motion,
-    "CONSTRAINED_EXTRA_NODES_": conditions.read_extra_nodes, "INITIAL_DETONATION": read_detonation,
+    "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": rigid.read_rigid_motion,
+    "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
+    "INITIAL_DETONATION": read_detonation,
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
@@ -122,6 +124,7 @@ def build(deck: KeywordDeck) -> None:
     build_blocks(deck)
     note_spring_materials(deck)
     build_materials(deck)
+    rigid.mark_rigid_parts(deck)
     translate_integration(deck)
     translate_hourglass(deck, deck.general_hourglass)
     conditions.apply_fixed_nodes(deck)
@@ -138,8 +141,8 @@ def check_corners(deck: KeywordDeck) -> None:
 
 def finish(deck: KeywordDeck) -> None:
     """What needs all cards."""
-    conditions.apply_rigid_motions(deck)
-    conditions.check_extra_nodes(deck)
+    rigid.apply_rigid_motions(deck)
+    rigid.apply_extra_nodes(deck)
     start.add_masses(deck)
     add_springs(deck)
     finish_contacts(deck)

@@ -121,7 +121,7 @@ def direction_of_nodes(deck: KeywordDeck, axis: Row) -> tuple[float, ...]:
 
 
 def read_rigid_velocity(deck: KeywordDeck, card: Card) -> None:
-    """*INITIAL_VELOCITY_RIGID_BODY of a rigid part that is an elastic body here."""
+    """*INITIAL_VELOCITY_RIGID_BODY: velocity of the centre, and spin."""
     for line in card.lines:
         if not line[1].strip():
             continue
@@ -135,7 +135,7 @@ def read_rigid_velocity(deck: KeywordDeck, card: Card) -> None:
         row.finish(deck.ledger, "the axes of space are used")
         for name in deck.part_names([id]):
             add_velocity(deck, name, motion)
-        deck.ledger.translated(card.keyword, row.place, "initial: velocity of all nodes of the part")
+        deck.ledger.translated(card.keyword, row.place, "initial: velocity and angular_velocity")
 
 
 def add_masses(deck: KeywordDeck) -> None:

@@ -11,7 +11,7 @@ STICK = 100.0  # a coefficient of friction that no node slips under
 
 
 def read_wall(deck: KeywordDeck, card: Card) -> None:
-    """*RIGIDWALL_PLANAR with _ID, _FORCES, and others that are refused."""
+    """*RIGIDWALL_PLANAR with _ID, _FINITE, _MOVING, _FORCES, and others that are refused."""
     words = card.keyword.removeprefix("RIGIDWALL_PLANAR").split("_")[1:]
     if not card.keyword.startswith("RIGIDWALL_PLANAR") or set(words) - set(OPTIONS):
         deck.ledger.refuse(card.keyword, card.place, "a rigid wall that is no plane", "it is left out")
@@ -25,13 +25,13 @@ def read_wall(deck: KeywordDeck, card: Card) -> None:
         row = reader.row("NSID NSIDEX BOXID OFFSET BIRTH DEATH=1e20 RWKSF~")
         plane = reader.row("XT YT ZT XH YH ZH FRIC WVEL")
         wall = make_wall(deck, plane, name or f"wall_{len(deck.model.deck.get('walls', [])) + 1}")
-        read_wall_options(deck, reader, words)
-        if wall and choose_nodes(deck, row, plane, wall):
+        read_wall_options(deck, reader, words, wall)
+        if choose_nodes(deck, row, plane, wall):
             deck.model.add("walls", wall)
             deck.ledger.translated(card.keyword, row.place, "walls")
 
 
-def make_wall(deck: KeywordDeck, plane: Row, name: str) -> Deck | None:
+def make_wall(deck: KeywordDeck, plane: Row, name: str) -> Deck:
     point = tuple(plane.numbers("XT", "YT", "ZT"))
     normal = normalise(subtract(tuple(plane.numbers("XH", "YH", "ZH")), point))  # type: ignore[arg-type]
     if normal == (0.0, 0.0, 0.0):
@@ -51,10 +51,16 @@ def make_wall(deck: KeywordDeck, plane: Row, name: str) -> Deck | None:
     return wall
 
 
-def read_wall_options(deck: KeywordDeck, reader: Lines, words: list[str]) -> None:
+def read_wall_options(deck: KeywordDeck, reader: Lines, words: list[str], wall: Deck) -> None:
     """Further lines, in the order of the manual."""
     for option in (word for word in OPTIONS if word in words):
         if option == "DISPLAY":
+            continue
+        if option == "FINITE":
+            end_wall(deck, reader.row("XHEV YHEV ZHEV LENL LENM"), wall)
+            continue
+        if option == "MOVING":
+            move_wall(deck, reader.row("MASS V0"), wall)
             continue
         first = reader.row("A B C D E F G H")
         if option == "ORTHO":
@@ -62,12 +68,38 @@ def read_wall_options(deck: KeywordDeck, reader: Lines, words: list[str]) -> Non
             deck.ledger.refuse(
                 "RIGIDWALL_PLANAR_ORTHO", first.place, "friction that depends on the direction", "FRIC acts in all directions"
             )
-        elif option == "FINITE":
-            deck.ledger.refuse("RIGIDWALL_PLANAR_FINITE", first.place, "a wall with edges", "the plane goes on without end")
-        elif option == "MOVING":
-            deck.ledger.refuse("RIGIDWALL_PLANAR_MOVING", first.place, "a wall with a mass", "the wall is fixed")
         else:
             deck.ledger.ignored("RIGIDWALL_PLANAR_FORCES", first.place, "output; percuss writes the force of each wall")
+
+
+def end_wall(deck: KeywordDeck, row: Row, wall: Deck) -> None:
+    """A rectangle from the tail on: LENL towards the head of the edge, LENM across."""
+    edge = subtract(tuple(row.numbers("XHEV", "YHEV", "ZHEV")), tuple(wall["point"]))  # type: ignore[arg-type]
+    sizes, normal = row.numbers("LENL", "LENM"), tuple(wall["normal"])
+    out = dot(edge, normal)  # type: ignore[arg-type]
+    along = normalise(tuple(e - out * n for e, n in zip(edge, normal)))  # type: ignore[arg-type]
+    row.finish(deck.ledger)
+    if not any(sizes):
+        deck.ledger.approximated("RIGIDWALL_PLANAR_FINITE", row.place, "without lengths the plane goes on without end")
+    elif min(sizes) <= 0 or along == (0.0, 0.0, 0.0):
+        deck.ledger.refuse("RIGIDWALL_PLANAR_FINITE", row.place, "a wall of one length", "the plane goes on without end")
+    else:
+        wall["rectangle"] = {"along": list(along), "size": sizes}
+
+
+def move_wall(deck: KeywordDeck, row: Row, wall: Deck) -> None:
+    """A mass that bodies push along the normal."""
+    mass, speed = row.numbers("MASS", "V0")
+    row.finish(deck.ledger)
+    if deck.rigid or mass <= 0:
+        why = "a wall with a mass beside rigid parts" if mass > 0 else "a moving wall without mass"
+        deck.ledger.refuse("RIGIDWALL_PLANAR_MOVING", row.place, why, "it keeps its speed")
+        if speed:
+            wall["speed"] = speed
+        return
+    wall["mass"] = mass
+    if speed:
+        wall["start_speed"] = speed
 
 
 def choose_nodes(deck: KeywordDeck, row: Row, plane: Row, wall: Deck) -> bool:

@@ -60,6 +60,10 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
     faces(pair.a);
     faces(pair.b);
   }
+  for (const PairFrictionDeck& pair : deck.contact.frictions) {
+    faces(pair.a);
+    if (pair.b) faces(*pair.b);
+  }
   for (const TieDeck& tie : deck.contact.ties) {
     findings.gather([&] { select_surface_nodes(mesh, deck, tie.a); });
     faces(tie.b);

@@ -130,6 +130,8 @@ std::vector<Warning> check_friction(const CheckedScene& scene) {
   };
   const ContactDeck& contact = scene.deck.contact;
   check(contact.friction, "contact");
+  for (std::size_t i = 0; i < contact.frictions.size(); ++i)
+    check(contact.frictions[i].friction, join_path("contact.friction.pairs", i));
   for (std::size_t i = 0; i < contact.pairs.size(); ++i)
     check(contact.pairs[i].friction.value_or(0), join_path("contact.surfaces", i));
   for (std::size_t i = 0; i < scene.deck.walls.size(); ++i) check(scene.deck.walls[i].friction, join_path("walls", i));

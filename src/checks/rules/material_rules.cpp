@@ -90,22 +90,27 @@ std::vector<Warning> check_failure_strain(const CheckedScene& scene) {
 std::vector<Warning> check_viscosity(const CheckedScene& scene) {
   // Usual: 0.06 and 1.2 to 1.5; hourglass control 0.03 to 0.1. Much more damps what is to be seen.
   constexpr double most_linear = 0.5, most_quadratic = 10, least_hourglass = 0.005, most_hourglass = 0.2;
-  const ElementDeck& elements = scene.deck.elements;
   std::vector<Warning> warnings;
   const auto warn = [&](const std::string& key, double value, const char* usual) {
-    warnings.push_back(
-        warn_at(scene.deck, "viscosity", "elements." + key,
-                fmt::format("elements.{} is {:g} (usual: {}; outside, waves or bending change): leave it "
-                            "out or check it",
-                            key, value, usual)));
+    warnings.push_back(warn_at(scene.deck, "viscosity", key,
+                               fmt::format("{} is {:g} (usual: {}; outside, waves or bending change): leave it "
+                                           "out or check it",
+                                           key, value, usual)));
   };
-  if (elements.linear_viscosity > most_linear) warn("bulk_viscosity.linear", elements.linear_viscosity, "0 to 0.1");
-  if (elements.quadratic_viscosity > most_quadratic)
-    warn("bulk_viscosity.quadratic", elements.quadratic_viscosity, "0 to 2");
-  const double coefficient = elements.hourglass_coefficient;
-  if (elements.hourglass != ElementDeck::Hourglass::assumed_strain &&
-      (coefficient < least_hourglass || coefficient > most_hourglass))
-    warn("hourglass.coefficient", coefficient, "0.03 to 0.1");
+  const auto check = [&](const ElementDeck& all, const PartElementDeck& given, const std::string& path) {
+    if (given.linear_viscosity.value_or(0) > most_linear)
+      warn(path + "bulk_viscosity.linear", *given.linear_viscosity, "0 to 0.1");
+    if (given.quadratic_viscosity.value_or(0) > most_quadratic)
+      warn(path + "bulk_viscosity.quadratic", *given.quadratic_viscosity, "0 to 2");
+    const double coefficient = given.hourglass_coefficient.value_or(most_hourglass);
+    if (all.hourglass != ElementDeck::Hourglass::assumed_strain &&
+        (coefficient < least_hourglass || coefficient > most_hourglass))
+      warn(path + "hourglass.coefficient", coefficient, "0.03 to 0.1");
+  };
+  const ElementDeck& all = scene.deck.elements;
+  check(all, {{}, {}, all.hourglass_coefficient, all.linear_viscosity, all.quadratic_viscosity}, "elements.");
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p)
+    check(scene.deck.find_elements(p), scene.deck.parts[p].own_elements, "parts." + scene.deck.parts[p].name + ".");
   return warnings;
 }
 

@@ -124,8 +124,8 @@ std::vector<Warning> check_single_layer(const CheckedScene& scene) {
   constexpr double least_slender = 10;  // width over thickness: a thicker block hardly bends
   constexpr std::int64_t least_elements = 9;
   std::vector<Warning> warnings;
-  if (scene.deck.elements.integration == ElementDeck::Integration::full) return warnings;
   for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    if (scene.deck.find_elements(p).integration == ElementDeck::Integration::full) continue;
     const PartDeck& part = scene.deck.parts[p];
     const PartMeasures& measures = scene.measures->parts[p];
     const double share = static_cast<double>(measures.single_layer) / static_cast<double>(measures.elements());

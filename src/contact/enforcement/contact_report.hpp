@@ -23,6 +23,7 @@ struct ContactMotion {
   double dt = 0;                     // from n to n+1
   Point3 center{};                   // about which moments of walls' impulses are taken
   BodyInputs bodies{};               // rigid ones as they stand at n, which alone says how their nodes move
+  double time = 0;                   // at n
 };
 
 /// Result of one step's contact on all ranks, the same on each. Work is positive where contact adds energy to the
@@ -49,6 +50,9 @@ struct ContactReport {
   WallSums walls;                  // what walls gave the nodes of this rank, and of no other
   std::vector<Wrench> bodies;      // what each rigid body got, of all ranks; empty: nothing
 };
+
+/// Names of the walls that move: their own, or their numbers.
+std::vector<std::string> name_moving_walls(const Deck& deck);
 
 /// Names of what work is booked by: "surfaces" where all may touch all or "a:b" for each pair of the deck, "tie:a:b"
 /// for each tie, "walls". Empty where one name would mean all work.

@@ -59,9 +59,11 @@ std::vector<std::string> name_contact_pairs(const Deck& deck) {
 Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const WallPairs& walls,
                    const Array<const TieGeometry>& ties, const Deck& deck, ContactForces& forces)
     : walls_(walls),
+      moving_walls_(deck, ranks.ranks),
       ties_(ties),
       node_numbers_(to_view("contact::mesh_node_numbers", ranks.mesh.node_numbers)),
       has_many_ranks_(ranks.ranks.size() > 1),
+      is_first_rank_(ranks.ranks.rank() == 0),
       deck_(deck.contact),
       exchange_(ranks),
       copied_(find_copies(ranks)),
@@ -75,6 +77,7 @@ Enforcer::Enforcer(const ContactRanks& ranks, const SurfaceShare& share, const W
 void Enforcer::redefine(const Mesh& mesh, const SurfaceShare& share, const WallPairs& walls,
                         const Array<const TieGeometry>& ties) {
   walls_ = walls;
+  moving_walls_.place(walls_);
   ties_ = ties;
   spring_ = find_springs(mesh, share, walls, deck_);
   remembers_ = true;
@@ -156,6 +159,8 @@ void Enforcer::update_copies(const ContactMotion& motion) {
 
 void Enforcer::archive(CheckpointArchive& archive) {
   if (archive.is_loading()) system_.num_written = -1;
+  moving_walls_.archive(archive);
+  if (archive.is_loading()) moving_walls_.place(walls_);
   archive.number("contact/last_dt", last_dt_);
   archive.number("contact/last_pushes", last_pushes_);
   for (std::size_t p = 0; p < pair_work_.size(); ++p) {
@@ -201,6 +206,17 @@ void Enforcer::book_pairs(const Space& space) {
   }
 }
 
+/// The work of contact is what walls and bodies do to each other as the walls see it; the rest comes from outside.
+template <class Space>
+void Enforcer::finish_walls(const Space& space, int first_row, const ContactMotion& motion, ContactReport& report) {
+  const double work = moving_walls_.finish_step(space, first_row, motion.dt, system_, sums_);
+  moving_walls_.place(walls_);
+  report.normal_work -= work;
+  if (!is_first_rank_) return;
+  report.walls.work.add(work);
+  if (!pair_work_.empty()) pair_work_.back().normal.add(-work);
+}
+
 void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>& touches, int num_touches,
                        ContactHistory& history, ContactReport& report) {
   const bool has_springs = deck_.enforcement == ContactDeck::Enforcement::penalty;
@@ -225,6 +241,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
   const int wall_pairs = static_cast<int>(walls_.node.extent(0));
   // A row's solution costs some dozen passes; a wall's pair that is out of reach costs one look.
   run_where_it_pays(num_touches + wall_pairs / 8, [&](const auto& space) {
+    moving_walls_.start_step(space, walls_, inputs, motion.time, sums_);
     build_rows(space, inputs, {touches, num_touches, walls_}, history, system_, exchange_);
     clear_last_impulse(motion);
     const SolveReport solved = solve(space, motion.dt, dt_mean);
@@ -256,6 +273,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
       update_copies(motion);
       was_pushed_ = true;
     }
+    if (moving_walls_.any()) finish_walls(space, solved.rows > 0 ? num_touches : system_.num_rows, motion, report);
     write_history(space, motion.dt, system_, history);
     space.fence();
   });

@@ -9,6 +9,7 @@
 #include "kernels/contact/enforcement/row_solution.hpp"
 #include "src/contact/enforcement/contact_forces.hpp"
 #include "src/contact/enforcement/contact_report.hpp"
+#include "src/contact/enforcement/moving_walls.hpp"
 #include "src/contact/enforcement/row_exchange.hpp"
 #include "src/contact/surface/surface_share.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
@@ -47,6 +48,8 @@ class Enforcer {
   /// Work of this rank's rows since the start by name_contact_pairs().
   const std::vector<PairWork>& pair_work() const { return pair_work_; }
 
+  const MovingWalls& walls() const { return moving_walls_; }
+
   const Traffic& traffic() const { return exchange_.traffic(); }
 
  private:
@@ -54,14 +57,17 @@ class Enforcer {
   SolveReport solve(const Space& space, double dt, double dt_mean);
   template <class Space>
   void book_pairs(const Space& space);
+  template <class Space>
+  void finish_walls(const Space& space, int first_row, const ContactMotion& motion, ContactReport& report);
   void list_pushed(const ContactMotion& motion);
   void clear_last_impulse(const ContactMotion& motion);
   void update_copies(const ContactMotion& motion);
 
   WallPairs walls_;
+  MovingWalls moving_walls_;
   Array<const TieGeometry> ties_;
   const Array<const std::int64_t> node_numbers_;  // [mesh nodes]
-  const bool has_many_ranks_;
+  const bool has_many_ranks_, is_first_rank_;
   const ContactDeck deck_;
   RowExchange exchange_;
   const SharedNodes copied_;

@@ -62,7 +62,9 @@ struct HostWalls {
   double depth(int p) const {
     const ContactWall& w = walls(wall(p));
     const double kept = offset.extent(0) > 0 ? offset(p) : 0;
-    return kept - dot(w.normal, load_row(x, node(p)) - w.point);
+    const Point3 at = load_row(x, node(p));
+    const double depth = kept - dot(w.normal, at - w.point);
+    return is_beside(w, at, depth, size(p)) ? std::min(depth, 0.0) : depth;
   }
 
   decltype(to_host(WallPairs().walls)) walls;

@@ -132,6 +132,17 @@ std::vector<int> list_wall_nodes(const Mesh& mesh, const Deck& deck, const WallD
   return nodes;
 }
 
+/// The wall at time 0.
+ContactWall make_wall(const WallDeck& deck) {
+  const auto to_point = [](const Vec3& v) { return Point3{v[0], v[1], v[2]}; };
+  ContactWall wall{to_point(deck.point), to_point(deck.normal), deck.friction};
+  if (!deck.rectangle) return wall;
+  wall.along = to_point(deck.rectangle->along);
+  wall.across = cross(wall.normal, wall.along);
+  for (std::size_t k = 0; k < 2; ++k) wall.size[k] = deck.rectangle->size[k];
+  return wall;
+}
+
 }  // namespace
 
 WallPairs build_walls(const ChunkedMesh& chunked, const Deck& deck, const SurfaceShare& share) {
@@ -155,9 +166,7 @@ WallPairs build_walls(const ChunkedMesh& chunked, const Deck& deck, const Surfac
       pair_number.push_back(stopped[at(node)].number);
       if (sees_thickness) pair_offset.push_back(wall.sees_thickness ? stopped[at(node)].offset : 0);
     }
-    walls.push_back({{wall.point[0], wall.point[1], wall.point[2]},
-                     {wall.normal[0], wall.normal[1], wall.normal[2]},
-                     wall.friction});
+    walls.push_back(make_wall(wall));
   }
   pairs.walls = to_view("contact::walls", walls);
   pairs.wall = to_view("contact::wall_of_pair", pair_wall);

@@ -18,6 +18,9 @@ bool share_body(const SurfaceSet& node, const SurfaceSet& face) {
   });
 }
 
+/// Where rows of contact.friction stand among the pairs of surfaces.
+std::size_t first_friction(const ContactDeck& contact) { return contact.pairs.size() + contact.ties.size(); }
+
 bool has_surface(const SurfaceSet& set, int surface) { return std::binary_search(set.begin(), set.end(), surface); }
 
 /// Whether one is on one side of a pair or tie and the other on the other.
@@ -26,14 +29,29 @@ bool are_opposite(const SurfaceSet& node, const SurfaceSet& face, std::size_t pa
   return (has_surface(node, a) && has_surface(face, b)) || (has_surface(node, b) && has_surface(face, a));
 }
 
+/// Coulomb's coefficient where a pair of the deck gives none: of the first row of its table that fits.
+double find_friction(const ContactDeck& contact, const SurfaceSet& node, const SurfaceSet& face) {
+  for (std::size_t f = 0; f < contact.frictions.size(); ++f) {
+    const std::size_t pair = first_friction(contact) + f;
+    const int a = 2 * static_cast<int>(pair);
+    const bool fits =
+        contact.frictions[f].b ? are_opposite(node, face, pair) : has_surface(node, a) || has_surface(face, a);
+    if (fits) return contact.frictions[f].friction;
+  }
+  return contact.friction;
+}
+
 /// Rule for a node on surfaces `node` and a face on surfaces `face`.
 PairRule find_rule(const ContactDeck& contact, const SurfaceSet& node, const SurfaceSet& face) {
   if (share_body(node, face)) return {};
   for (std::size_t t = 0; t < contact.ties.size(); ++t)
     if (are_opposite(node, face, contact.pairs.size() + t)) return {};
-  if (contact.surfaces == ContactDeck::Surfaces::all) return {0, contact.friction};
+  if (contact.surfaces == ContactDeck::Surfaces::all) return {0, find_friction(contact, node, face)};
   for (std::size_t p = 0; p < contact.pairs.size(); ++p)
-    if (are_opposite(node, face, p)) return {static_cast<int>(p), contact.pairs[p].friction.value_or(contact.friction)};
+    if (are_opposite(node, face, p)) {
+      const std::optional<double> own = contact.pairs[p].friction;
+      return {static_cast<int>(p), own ? *own : find_friction(contact, node, face)};
+    }
   return {};
 }
 
@@ -84,6 +102,11 @@ std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, c
   for (std::size_t t = 0; t < ties.faces.size(); ++t)
     for (std::size_t side = 0; side < 2; ++side)
       add(ties.faces[t][side], deck.contact.pairs.size() + t, static_cast<int>(side));
+  for (std::size_t f = 0; f < deck.contact.frictions.size(); ++f) {
+    const PairFrictionDeck& row = deck.contact.frictions[f];
+    add(select_faces(mesh, deck, row.a), first_friction(deck.contact) + f, 0);
+    if (row.b) add(select_faces(mesh, deck, *row.b), first_friction(deck.contact) + f, 1);
+  }
   if (!has_rigid_parts(deck)) return sets;
   const std::vector<int> bodies = name_rigid_bodies(deck).body_of_part;
   for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -103,6 +126,12 @@ std::vector<SurfaceSet> find_part_surfaces(const Mesh& mesh, const Deck& deck) {
   for (std::size_t p = 0; p < deck.contact.pairs.size(); ++p) {
     add(deck.contact.pairs[p].a, 2 * static_cast<int>(p));
     add(deck.contact.pairs[p].b, 2 * static_cast<int>(p) + 1);
+  }
+  for (std::size_t f = 0; f < deck.contact.frictions.size(); ++f) {
+    const PairFrictionDeck& row = deck.contact.frictions[f];
+    const int a = 2 * static_cast<int>(first_friction(deck.contact) + f);
+    add(row.a, a);
+    if (row.b) add(*row.b, a + 1);
   }
   return sets;
 }

@@ -10,7 +10,7 @@
 namespace percuss {
 
 /// Numbers of named surfaces, ascending: 2 p and 2 p + 1 are the sides a and b of the deck's pair p;
-/// then those of its ties, side a as far as it is tied; then the rigid bodies.
+/// then those of its ties, side a as far as it is tied; then those of its table of friction; then the rigid bodies.
 using SurfaceSet = std::vector<int>;
 
 /// How a node may touch a face.

@@ -150,8 +150,14 @@ void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
   if (elements != nullptr && (elements->find("hourglass") != nullptr || elements->find("integration") != nullptr)) {
     return;
   }
+  const auto takes_default = [&](const PartDeck& part) {
+    return !part.own_elements.hourglass && !part.own_elements.integration;
+  };
   for (const MaterialDeck& material : deck.materials) {
     if (material.law.model != "fluid") continue;
+    if (std::none_of(deck.parts.begin(), deck.parts.end(),
+                     [&](const PartDeck& part) { return part.material == material.name && takes_default(part); }))
+      continue;
     reading.errors.warn(root.find("materials")->find(material.name)->key, "fluid_hourglass",
                         fmt::format("material '{}' is a fluid (the default elements.hourglass holds it in its shape as "
                                     "if it had a hundredth of its bulk modulus in shear): for flows set "
@@ -211,6 +217,26 @@ void check_idle_contact(const Deck& deck, const Node& root, Reading& reading) {
     warn(key, read.surfaces == ContactDeck::Surfaces::none, "contact.surfaces is none");
 }
 
+/// A wall that gives way knows the masses of nodes, which those of a rigid body do not have.
+void check_walls(const Deck& deck, const Node& root, Reading& reading) {
+  const auto rigid = std::find_if(deck.parts.begin(), deck.parts.end(), [](const auto& part) { return part.rigid; });
+  const Node* walls = root.find("walls");
+  if (walls == nullptr || walls->items.size() != deck.walls.size()) return;  // some are wrong, which is told already
+  for (std::size_t w = 0; w < deck.walls.size(); ++w) {
+    if (!deck.walls[w].mass) continue;
+    const Spot spot = walls->items[w].find("mass")->key;
+    if (deck.contact.enforcement == ContactDeck::Enforcement::penalty)
+      reading.errors.add(spot,
+                         fmt::format("walls.{}.mass cannot be used with contact.enforcement: penalty (its springs "
+                                     "do not know the wall's mass) use kinematic or lagrange",
+                                     w));
+    if (rigid != deck.parts.end())
+      reading.errors.add(spot, fmt::format("walls.{}.mass cannot be used beside rigid parts such as '{}' (their nodes "
+                                           "have no masses of their own) make the wall a rigid part too",
+                                           w, rigid->name));
+  }
+}
+
 void check_frames(const Deck& deck, const Node& root, Reading& reading) {
   constexpr double most_frames = 1e6;
   if (!deck.output.fields_every || deck.time.end / *deck.output.fields_every <= most_frames) return;
@@ -238,8 +264,10 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_rigid(deck, root, reading);
   check_curves(deck, reading);
   check_estimate(deck, root, reading);
+  check_element_settings(deck, root, reading);
   check_fluids(deck, root, reading);
   check_idle_contact(deck, root, reading);
+  check_walls(deck, root, reading);
   check_frames(deck, root, reading);
   check_points(deck, root, reading);
   check_forces(deck, reading);

@@ -233,11 +233,23 @@ struct SelectorsValue {
   Form form() const { return any_form({SelectorValue{}.form(), list_form(SelectorValue{}.form())}); }
 };
 
+const Keys<RectangleDeck>& rectangle_keys() {
+  static const Keys<RectangleDeck> keys = {
+      need("along", &RectangleDeck::along, DirectionValue{}),
+      need("size", &RectangleDeck::size, TupleValue<NumberValue, 2>{NumberValue{positive}}),
+  };
+  return keys;
+}
+
 const Keys<WallDeck>& wall_keys() {
   static const Keys<WallDeck> keys = {
       may("name", &WallDeck::name, NameValue{}),
       may("point", &WallDeck::point, vector3()),
       need("normal", &WallDeck::normal, DirectionValue{}),
+      may("rectangle", &WallDeck::rectangle, MapValue<RectangleDeck>{rectangle_keys}),
+      may("speed", &WallDeck::speed, CurveValue{}),
+      may("mass", &WallDeck::mass, NumberValue{positive}),
+      may("start_speed", &WallDeck::start_speed, NumberValue{}),
       may("friction", &WallDeck::friction, NumberValue{not_negative}),
       may("nodes", &WallDeck::nodes, SelectorsValue{}),
       may("thickness", &WallDeck::sees_thickness, ChoiceValue<bool>{{{"ignored", false}, {"seen", true}}}),
@@ -245,8 +257,40 @@ const Keys<WallDeck>& wall_keys() {
   return keys;
 }
 
-bool check_wall(const Reader&, const Node& node, WallDeck& wall) {
+/// Makes the direction of a rectangle perpendicular to the normal.
+bool turn_rectangle(const Reader& reader, const Node& node, WallDeck& wall) {
+  if (!wall.rectangle) return true;
+  Vec3& along = wall.rectangle->along;
+  const Vec3& n = wall.normal;
+  const double out = along[0] * n[0] + along[1] * n[1] + along[2] * n[2];
+  for (std::size_t k = 0; k < 3; ++k) along[k] -= out * n[k];
+  const double length = std::hypot(along[0], along[1], along[2]);
+  constexpr double least = 1e-3;  // of the direction: less points out of the wall, but for round-off
+  if (length < least) {
+    reader.error(node.find("rectangle")->spot, fmt::format("{} points along the normal (it must lie in the wall)",
+                                                           reader.name_of("rectangle.along")));
+    return false;
+  }
+  for (double& component : along) component /= length;
+  return true;
+}
+
+bool check_wall_motion(const Reader& reader, const Node& node, const WallDeck& wall) {
+  if (wall.speed && wall.mass) {
+    reader.error(node.find("mass")->key,
+                 fmt::format("{} is of no use (speed says how the wall moves) leave out one", reader.name_of("mass")));
+    return false;
+  }
+  if (wall.mass || node.find("start_speed") == nullptr) return true;
+  reader.error(node.find("start_speed")->key,
+               fmt::format("{} is of no use (only a wall with a mass keeps it) give a mass, or a speed",
+                           reader.name_of("start_speed")));
+  return false;
+}
+
+bool check_wall(const Reader& reader, const Node& node, WallDeck& wall) {
   wall.place = node.spot.place;
+  if (!turn_rectangle(reader, node, wall) || !check_wall_motion(reader, node, wall)) return false;
   // A list that names the whole mesh says nothing more than no list.
   const auto all =
       std::find_if(wall.nodes.begin(), wall.nodes.end(), [](const Selector& s) { return s.name.empty() && !s.inside; });

@@ -52,24 +52,68 @@ bool note_place(const Reader&, const Node& node, TieDeck& tie) {
 
 bool is_same(const Selector& a, const Selector& b) { return a.name == b.name && a.inside == b.inside; }
 
+bool is_same(const std::optional<Selector>& a, const std::optional<Selector>& b) {
+  return a && b ? is_same(*a, *b) : !a && !b;
+}
+
 /// Refuses a pair that an earlier one names, either way round: its friction would never act.
-bool are_different(const Reader& reader, const std::string& name, const Node& node,
-                   const std::vector<SurfacePairDeck>& pairs) {
+template <class Pair>
+bool are_different(const Reader& reader, const std::string& name, const Node& node, const std::vector<Pair>& pairs) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const SurfacePairDeck& one = pairs[i];
+    const std::optional<Selector> a = pairs[i].a, b = pairs[i].b;
     const bool is_repeated =
-        std::any_of(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(i), [&](const SurfacePairDeck& other) {
-          return (is_same(one.a, other.a) && is_same(one.b, other.b)) ||
-                 (is_same(one.a, other.b) && is_same(one.b, other.a));
+        std::any_of(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(i), [&](const Pair& other) {
+          const std::optional<Selector> c = other.a, d = other.b;
+          return (is_same(a, c) && is_same(b, d)) || (is_same(a, d) && is_same(b, c));
         });
     if (!is_repeated) continue;
-    reader.error(node.items[i].spot,
-                 fmt::format("{}.{} names '{}' and '{}' again (the first such pair gives the friction) leave out one",
-                             name, i, one.a.name, one.b.name));
+    const std::string names = b ? fmt::format("'{}' and '{}'", a->name, b->name) : fmt::format("'{}'", a->name);
+    reader.error(
+        node.items[i].spot,
+        fmt::format("{}.{} names {} again (the first such pair gives the friction) leave out one", name, i, names));
     return false;
   }
   return true;
 }
+
+const Keys<PairFrictionDeck>& pair_friction_keys() {
+  static const Keys<PairFrictionDeck> keys = {
+      need("a", &PairFrictionDeck::a, SelectorValue{}),
+      may("b", &PairFrictionDeck::b, SelectorValue{}),
+      need("friction", &PairFrictionDeck::friction, NumberValue{not_negative}),
+  };
+  return keys;
+}
+
+struct PairFrictionsValue {
+  ListValue<MapValue<PairFrictionDeck>> list{{pair_friction_keys}};
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<PairFrictionDeck>& out) const {
+    return list.read(reader, name, node, out) && are_different(reader, name, node, out);
+  }
+  std::string takes() const { return list.takes(); }
+  Form form() const { return list.form(); }
+};
+
+const Keys<ContactDeck>& friction_keys() {
+  static const Keys<ContactDeck> keys = {
+      may("default", &ContactDeck::friction, NumberValue{not_negative}),
+      may("pairs", &ContactDeck::frictions, PairFrictionsValue{}),
+  };
+  return keys;
+}
+
+/// One coefficient, or a map: that of all, and those of pairs.
+struct FrictionValue {
+  MapValue<ContactDeck> map{friction_keys};
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, ContactDeck& out) const {
+    if (node.kind == Node::Kind::map) return map.read(reader, name, node, out);
+    return NumberValue{not_negative}.read(reader, name, node, out.friction);
+  }
+  std::string takes() const { return NumberValue{not_negative}.takes() + ", or a map"; }
+  Form form() const { return any_form({NumberValue{not_negative}.form(), map.form()}); }
+};
 
 /// all, none or a list of pairs.
 struct SurfacesValue {
@@ -99,7 +143,7 @@ const Keys<ContactDeck>& contact_keys() {
   using Search = ContactDeck::Search;
   static const Keys<ContactDeck> keys = {
       group<ContactDeck>("surfaces", SurfacesValue{}),
-      may("friction", &ContactDeck::friction, NumberValue{not_negative}),
+      group<ContactDeck>("friction", FrictionValue{}),
       may("ties", &ContactDeck::ties, ListValue<MapValue<TieDeck>>{{tie_keys, note_place}}),
       may("overlap", &ContactDeck::overlap,
           ChoiceValue<Overlap>{

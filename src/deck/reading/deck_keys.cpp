@@ -1,4 +1,4 @@
-// Keys of `time`, `elements` and `audit`, and the top of the deck.
+// Keys of `time`, `elements`, with what parts may have of them, and `audit`, and the top of the deck.
 
 #include "src/deck/reading/deck_keys.hpp"
 #include "src/deck/reading/read_deck.hpp"
@@ -38,6 +38,7 @@ const Keys<TimeDeck>& time_keys() {
 }
 
 using Hourglass = ElementDeck::Hourglass;
+using Integration = ElementDeck::Integration;
 
 ChoiceValue<Hourglass> hourglass_kind() {
   return {{{"assumed_strain", Hourglass::assumed_strain},
@@ -45,65 +46,98 @@ ChoiceValue<Hourglass> hourglass_kind() {
            {"viscous", Hourglass::viscous}}};
 }
 
-const Keys<ElementDeck>& hourglass_keys() {
-  static const Keys<ElementDeck> keys = {
-      may("kind", &ElementDeck::hourglass, hourglass_kind()),
-      may("coefficient", &ElementDeck::hourglass_coefficient, NumberValue{{"from 0 to 1", 0, 1}}),
+ChoiceValue<Integration> integration_kind() {
+  return {{{"one_point", Integration::one_point}, {"full", Integration::full}}};
+}
+
+/// T: ElementDeck or PartElementDeck, whose members have the same names.
+template <class T>
+const Keys<T>& hourglass_keys() {
+  static const Keys<T> keys = {
+      may("kind", &T::hourglass, hourglass_kind()),
+      may("coefficient", &T::hourglass_coefficient, NumberValue{{"from 0 to 1", 0, 1}}),
   };
   return keys;
 }
 
-bool check_hourglass(const Reader& reader, const Node& node, ElementDeck& deck) {
-  const Node* coefficient = node.find("coefficient");
-  if (coefficient == nullptr || deck.hourglass != Hourglass::assumed_strain) return true;
-  reader.error(coefficient->key, fmt::format("{} is of no use (assumed_strain follows from the material) "
-                                             "give kind: stiffness or kind: viscous",
-                                             reader.name_of("coefficient")));
-  return false;
-}
-
 /// The kind alone, or a map.
+template <class T>
 struct HourglassValue {
-  MapValue<ElementDeck> map{hourglass_keys, check_hourglass};
+  MapValue<T> map{hourglass_keys<T>};
 
-  bool read(const Reader& reader, const std::string& name, const Node& node, ElementDeck& out) const {
-    if (node.kind == Node::Kind::scalar) return hourglass_kind().read(reader, name, node, out.hourglass);
-    return map.read(reader, name, node, out);
+  bool read(const Reader& reader, const std::string& name, const Node& node, T& out) const {
+    if (node.kind != Node::Kind::scalar) return map.read(reader, name, node, out);
+    Hourglass kind{};
+    if (!hourglass_kind().read(reader, name, node, kind)) return false;
+    out.hourglass = kind;
+    return true;
   }
   std::string takes() const { return hourglass_kind().takes() + ", or a map"; }
   Form form() const { return any_form({hourglass_kind().form(), map.form()}); }
 };
 
-const Keys<ElementDeck>& viscosity_keys() {
-  static const Keys<ElementDeck> keys = {
-      may("linear", &ElementDeck::linear_viscosity, NumberValue{not_negative}),
-      may("quadratic", &ElementDeck::quadratic_viscosity, NumberValue{not_negative}),
+template <class T>
+const Keys<T>& viscosity_keys() {
+  static const Keys<T> keys = {
+      may("linear", &T::linear_viscosity, NumberValue{not_negative}),
+      may("quadratic", &T::quadratic_viscosity, NumberValue{not_negative}),
   };
   return keys;
+}
+
+/// Those that a part may have too.
+template <class T>
+Keys<T> settings_keys() {
+  return {
+      may("integration", &T::integration, integration_kind()),
+      group<T>("hourglass", HourglassValue<T>{}),
+      group<T>("bulk_viscosity", MapValue<T>{viscosity_keys<T>}),
+  };
 }
 
 const Keys<ElementDeck>& element_keys() {
-  using Integration = ElementDeck::Integration;
-  static const Keys<ElementDeck> keys = {
-      may("integration", &ElementDeck::integration,
-          ChoiceValue<Integration>{{{"one_point", Integration::one_point}, {"full", Integration::full}}}),
-      group<ElementDeck>("hourglass", HourglassValue{}),
-      group<ElementDeck>("bulk_viscosity", MapValue<ElementDeck>{viscosity_keys}),
-      may("resist_folding", &ElementDeck::resist_folding, BooleanValue{}),
-      may("skip_resting", &ElementDeck::skip_resting, BooleanValue{}),
-      may("tetrahedra", &ElementDeck::tetrahedra,
-          ChoiceValue<ElementDeck::Tetrahedra>{
-              {{"mixed", ElementDeck::Tetrahedra::mixed}, {"plain", ElementDeck::Tetrahedra::plain}}}),
-  };
+  static const Keys<ElementDeck> keys = [] {
+    Keys<ElementDeck> all = settings_keys<ElementDeck>();
+    all.push_back(may("resist_folding", &ElementDeck::resist_folding, BooleanValue{}));
+    all.push_back(may("skip_resting", &ElementDeck::skip_resting, BooleanValue{}));
+    all.push_back(may("tetrahedra", &ElementDeck::tetrahedra,
+                      ChoiceValue<ElementDeck::Tetrahedra>{
+                          {{"mixed", ElementDeck::Tetrahedra::mixed}, {"plain", ElementDeck::Tetrahedra::plain}}}));
+    return all;
+  }();
   return keys;
 }
 
-bool check_elements(const Reader& reader, const Node& node, ElementDeck& deck) {
+/// Settings that do nothing beside the others that hold there.
+void check_settings(const Reader& reader, const Node& node, const ElementDeck& deck) {
   const Node* hourglass = node.find("hourglass");
-  if (hourglass == nullptr || deck.integration == ElementDeck::Integration::one_point) return true;
-  reader.error(hourglass->key, fmt::format("{} is of no use (integration is full, which leaves no hourglass modes)",
-                                           reader.name_of("hourglass")));
-  return false;
+  if (hourglass == nullptr || hourglass->broken) return;
+  if (deck.integration == Integration::full) {
+    reader.error(hourglass->key, fmt::format("{} is of no use{} (integration is full, which leaves no hourglass modes)",
+                                             reader.name_of("hourglass"), reader.in()));
+    return;
+  }
+  if (hourglass->kind != Node::Kind::map || deck.hourglass != Hourglass::assumed_strain) return;
+  const Node *coefficient = hourglass->find("coefficient"), *kind = hourglass->find("kind");
+  if (coefficient == nullptr || (kind != nullptr && kind->text != "assumed_strain")) return;
+  reader.error(coefficient->key, fmt::format("{} is of no use{} (assumed_strain follows from the material) give kind: "
+                                             "stiffness or kind: viscous",
+                                             reader.name_of("hourglass.coefficient"), reader.in()));
+}
+
+/// What has no hexahedra has no hourglass modes; shells have no bulk viscosity either.
+void check_kind(const Reader& reader, const Node& node, const PartDeck& part) {
+  if (std::holds_alternative<FileMesh>(part.shape)) return;
+  const bool is_shell = is_shell_shape(part.shape);
+  if (!is_shell && part.elements == PartDeck::Elements::hexahedra) return;
+  for (const std::string key : {"integration", "hourglass", "bulk_viscosity"}) {
+    const Node* given = node.find(key);
+    const bool is_viscosity = key == "bulk_viscosity";
+    if (given == nullptr || (!is_shell && is_viscosity)) continue;
+    reader.error(given->key,
+                 fmt::format("{} is of no use{} (its elements are {}; this is of hexahedra{})", reader.name_of(key),
+                             reader.in(), is_shell ? "shells" : "tetrahedra", is_viscosity ? " and tetrahedra" : ""));
+  }
 }
 
 const Keys<AuditDeck>& audit_keys() {
@@ -188,8 +222,24 @@ struct UnitsValue {
 
 MapValue<TimeDeck> time_value() { return {time_keys}; }
 MapValue<MassScalingDeck> mass_scaling_value() { return {mass_scaling_keys, note_place}; }
-MapValue<ElementDeck> element_value() { return {element_keys, check_elements}; }
 MapValue<AuditDeck> audit_value() { return {audit_keys}; }
+MapValue<ElementDeck> element_value() { return {element_keys}; }
+
+Keys<PartElementDeck> part_element_keys() { return settings_keys<PartElementDeck>(); }
+
+void check_element_settings(const Deck& deck, const Node& root, Reading& reading) {
+  const Node *elements = root.find("elements"), *parts = root.find("parts");
+  if (elements != nullptr && elements->kind == Node::Kind::map)
+    check_settings(Reader(reading).inside("elements"), *elements, deck.elements);
+  for (std::size_t p = 0; p < deck.parts.size(); ++p) {
+    const PartDeck& part = deck.parts[p];
+    const Node* node = parts->find(part.name);
+    if (node == nullptr || node->kind != Node::Kind::map || reading.shapeless.contains(part.name)) continue;
+    const Reader reader = Reader(reading).inside_named("part", part.name);
+    check_settings(reader, *node, deck.find_elements(p));
+    check_kind(reader, *node, part);
+  }
+}
 
 const Keys<Deck>& deck_keys() {
   static const Keys<Deck> keys = {

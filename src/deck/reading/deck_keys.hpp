@@ -65,6 +65,10 @@ void check_rigid(const Deck& deck, const Node& root, Reading& reading);
 MapValue<TimeDeck> time_value();
 MapValue<MassScalingDeck> mass_scaling_value();
 MapValue<ElementDeck> element_value();
+/// Those of a part among the keys of `elements`.
+Keys<PartElementDeck> part_element_keys();
+/// What is of no use beside the other settings that hold there.
+void check_element_settings(const Deck& deck, const Node& root, Reading& reading);
 MapValue<OutputDeck> output_value();
 
 /// An entry of `output.history.forces`: a name and one kind of force.

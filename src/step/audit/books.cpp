@@ -299,6 +299,7 @@ void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, const Wa
     add_to_books(walls.impulse, walls.moment, state.books);
     wall_impulse_ = std::to_array(walls.impulse);
     wall_dt_ = dt;
+    add_work(walls.work, state.books);
   }
   book_pressure(model_, pressure_sums_, state, dt, dt_mean);
   book_nodal_loads(model_, nodal_sums_, state, dt, dt_mean);

@@ -76,33 +76,49 @@ struct BlockBuilder {
 
   template <class Material, HexKind Kind>
   void build(HexBlock<Material, Kind>& block) {
-    if (find_kind(deck.elements) != Kind) return;
-    add_chunks<Material>(ElementFamily::hexahedra, block, [&](std::size_t c, const auto& material, const auto& named) {
+    const auto is_ours = [&](const Chunk& chunk) {
+      return find_family(chunk) == ElementFamily::hexahedra && find_kind(find_elements(chunk)) == Kind;
+    };
+    add_chunks<Material>(is_ours, block, [&](std::size_t c, const auto& material, const auto& named) {
       describe_records(c, material, named, HexRecord::history<Kind>, hex_points<Kind>);
     });
   }
 
   template <class Material>
   void build(TetBlock<Material>& block) {
-    add_chunks<Material>(ElementFamily::tetrahedra, block, [&](std::size_t c, const auto& material, const auto& named) {
+    const auto is_ours = [&](const Chunk& chunk) { return find_family(chunk) == ElementFamily::tetrahedra; };
+    add_chunks<Material>(is_ours, block, [&](std::size_t c, const auto& material, const auto& named) {
       describe_records(c, material, named, TetRecord::history, 1);
     });
   }
 
-  /// describe(c, material, named history): of each chunk of the family whose material is computed by Material.
-  template <class Material, class Block, class Describe>
-  void add_chunks(ElementFamily family, Block& block, const Describe& describe) {
+  ElementFamily find_family(const Chunk& chunk) const {
+    return find_topology(find_block(chunked, chunk).topology).family;
+  }
+
+  /// The settings of the part of a chunk, which has no other.
+  ElementDeck find_elements(const Chunk& chunk) const {
+    return deck.find_elements(static_cast<std::size_t>(chunk.part));
+  }
+
+  /// is_ours(chunk): whether the block computes it if its material is Material; describe(c, material, named history) is
+  /// called for each that it computes. A row of parameters for each material with its settings.
+  template <class Material, class IsOurs, class Block, class Describe>
+  void add_chunks(const IsOurs& is_ours, Block& block, const Describe& describe) {
     std::vector<int> chunks;
     std::vector<HexParameters<Material>> rows;
-    std::map<int, int> row_of_material;
+    std::map<std::pair<int, std::array<double, 3>>, int> row_of_settings;
     for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
-      if (find_topology(find_block(chunked, chunked.chunks[c]).topology).family != family) continue;
+      if (!is_ours(chunked.chunks[c])) continue;
       const int index = find_block(chunked, chunked.chunks[c]).material;
+      const ElementDeck settings = find_elements(chunked.chunks[c]);
       const MaterialDeck& deck_material = deck.materials[static_cast<std::size_t>(index)];
       visit_kernel_material(deck_material, [&](const auto& law, const auto& material) {
         if constexpr (std::is_same_v<std::decay_t<decltype(material)>, Material>) {
-          const auto [row, is_new] = row_of_material.emplace(index, static_cast<int>(rows.size()));
-          if (is_new) rows.push_back(make_parameters(material));
+          const std::pair key{index, std::array{settings.hourglass_coefficient, settings.linear_viscosity,
+                                                settings.quadratic_viscosity}};
+          const auto [row, is_new] = row_of_settings.emplace(key, static_cast<int>(rows.size()));
+          if (is_new) rows.push_back(make_parameters(material, settings));
           if (!is_rigid_chunk(deck, chunked.chunks[c])) chunks.push_back(static_cast<int>(c));
           parameters[c] = row->second;
           describe(c, material, find_named_history(law, material));
@@ -142,14 +158,14 @@ struct BlockBuilder {
   }
 
   template <class Material>
-  HexParameters<Material> make_parameters(const Material& material) const {
+  static HexParameters<Material> make_parameters(const Material& material, const ElementDeck& settings) {
     HexParameters<Material> p;
     p.material = material;
     const LameConstants c = material.moduli();
     p.lambda = std::max(c.lambda, 0.0);
     p.mu = c.mu;
-    p.hourglass = deck.elements.hourglass_coefficient;
-    p.viscosity = {deck.elements.linear_viscosity, deck.elements.quadratic_viscosity};
+    p.hourglass = settings.hourglass_coefficient;
+    p.viscosity = {settings.linear_viscosity, settings.quadratic_viscosity};
     return p;
   }
 };

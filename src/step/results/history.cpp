@@ -90,6 +90,11 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
   columns.insert(columns.end(), of_bodies.begin(), of_bodies.end());
   const std::vector<HistoryColumn> of_springs = list_spring_columns(springs);
   columns.insert(columns.end(), of_springs.begin(), of_springs.end());
+  for (const std::string& name : name_moving_walls(deck)) {
+    columns.push_back({"wall_way:" + name, dimensions::length, fmt::format("way of wall '{}' along its normal", name)});
+    columns.push_back(
+        {"wall_speed:" + name, dimensions::velocity, fmt::format("speed of wall '{}' along its normal", name)});
+  }
   const std::vector<HistoryColumn> of_forces = list_force_columns(deck);
   columns.insert(columns.end(), of_forces.begin(), of_forces.end());
   for (const FollowedPoint& point : points) add_point_columns(point, deck, columns);
@@ -174,6 +179,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   parts_.append(model, state, row);
   bodies_.append(model, state, row);
   append_springs(state, row);
+  row.insert(row.end(), sources.walls.begin(), sources.walls.end());
   row.insert(row.end(), sources.forces.begin(), sources.forces.end());
   gather_points(model, state, row);
   fail_together(ranks_, [&] {

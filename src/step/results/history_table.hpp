@@ -17,6 +17,7 @@ struct HistorySources {
   const ContactReport& contact;
   const Vec3& wall_force;                // used only with walls
   const std::vector<double>& pair_work;  // ContactStage::sum_pair_work()
+  const std::vector<double>& walls;      // ContactStage::list_wall_motions()
   const std::vector<double>& forces;     // ForceBooks::take()
 };
 

@@ -1,0 +1,123 @@
+#include "src/contact/enforcement/moving_walls.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "comm/exact_reduction.hpp"
+
+namespace percuss {
+namespace {
+
+std::vector<int> list_moving_walls(const Deck& deck) {
+  std::vector<int> moving;
+  for (std::size_t w = 0; w < deck.walls.size(); ++w)
+    if (deck.walls[w].moves()) moving.push_back(static_cast<int>(w));
+  return moving;
+}
+
+}  // namespace
+
+std::vector<std::string> name_moving_walls(const Deck& deck) {
+  std::vector<std::string> names;
+  for (const int w : list_moving_walls(deck)) {
+    const std::string& name = deck.walls[static_cast<std::size_t>(w)].name;
+    names.push_back(name.empty() ? fmt::format("{}", w) : name);
+  }
+  return names;
+}
+
+MovingWalls::MovingWalls(const Deck& deck, const Communicator& ranks)
+    : deck_(deck),
+      ranks_(ranks),
+      moving_(list_moving_walls(deck)),
+      motions_(moving_.size()),
+      speeds_(moving_.size(), 0) {
+  for (std::size_t i = 0; i < moving_.size(); ++i) motions_[i].speed = find_speed(i, 0, 0);
+}
+
+/// As prescribed; of a wall with a mass that of n-1/2, and at the start that of the deck.
+double MovingWalls::find_speed(std::size_t i, double time, double dt) const {
+  if (wall(i).speed) return (*wall(i).speed)(time + 0.5 * dt);
+  return has_begun_ ? motions_[i].speed : wall(i).start_speed;
+}
+
+void MovingWalls::write(const WallPairs& walls, const std::vector<double>& speeds) const {
+  const auto host = Kokkos::create_mirror_view(walls.walls);
+  Kokkos::deep_copy(host, walls.walls);
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    ContactWall& of = host(static_cast<std::size_t>(moving_[i]));
+    const Vec3& point = wall(i).point;
+    of.point = Point3{point[0], point[1], point[2]} + motions_[i].moved * of.normal;
+    of.speed = speeds[i];
+  }
+  Kokkos::deep_copy(walls.walls, host);
+}
+
+void MovingWalls::place(const WallPairs& walls) const {
+  if (any()) write(walls, std::vector<double>(moving_.size(), 0));
+}
+
+template <class Space>
+void MovingWalls::start_step(const Space& space, const WallPairs& walls, const RowInputs& inputs, double time,
+                             RowSumMemory& memory) {
+  if (!any()) return;
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    speeds_[i] = find_speed(i, time, inputs.motion.dt);
+    if (!has_begun_ && wall(i).speed) motions_[i].speed = speeds_[i];
+  }
+  has_begun_ = true;
+  write(walls, speeds_);
+  // M (w - w0) + sum of m max(0, w - touching) = 0 has a convex left side: Newton's method comes down to the root, in as
+  // many passes as sets of nodes come off, most often one or two.
+  constexpr int most_passes = 50;
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    if (!wall(i).mass) continue;
+    const double mass = *wall(i).mass, before = motions_[i].speed;
+    for (int pass = 0; pass < most_passes; ++pass) {
+      const WallMeeting own = sum_wall_meeting(space, moving_[i], walls, inputs, memory);
+      std::array<ExactSum, 2> sums{own.mass, own.momentum};
+      sum_over_ranks(ranks_, sums);
+      const double met = sums[0].round(), next = (mass * before + sums[1].round()) / (mass + met);
+      if (met == 0 || !(next < speeds_[i])) break;
+      speeds_[i] = next;
+      write(walls, speeds_);
+    }
+  }
+}
+
+template <class Space>
+double MovingWalls::finish_step(const Space& space, int first_row, double dt, const RowSystem& system,
+                                RowSumMemory& memory) {
+  double work = 0;
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    std::array<ExactSum, 1> push{};
+    push[0] = sum_wall_push(space, first_row, moving_[i], system, memory).push;
+    sum_over_ranks(ranks_, push);
+    const double impulse = push[0].round(), before = motions_[i].speed;
+    const double after = wall(i).mass ? before - impulse / *wall(i).mass : speeds_[i];
+    work += impulse * (0.5 * (before + after));
+    motions_[i] = {motions_[i].moved + dt * after, after};
+  }
+  return work;
+}
+
+void MovingWalls::archive(CheckpointArchive& archive) {
+  for (std::size_t i = 0; i < motions_.size(); ++i) {
+    const std::string name = fmt::format("contact/walls/{}/", moving_[i]);
+    archive.number(name + "moved", motions_[i].moved);
+    archive.number(name + "speed", motions_[i].speed);
+  }
+  if (any()) archive.integer("contact/walls/has_begun", has_begun_);
+}
+
+#define PERCUSS_INSTANTIATE(Space)                                                                               \
+  template void MovingWalls::start_step(const Space&, const WallPairs&, const RowInputs&, double, RowSumMemory&); \
+  template double MovingWalls::finish_step(const Space&, int, double, const RowSystem&, RowSumMemory&);
+PERCUSS_INSTANTIATE(ExecSpace)
+#if defined(PERCUSS_SMALL_SPACE)
+PERCUSS_INSTANTIATE(SmallSpace)
+#endif
+#undef PERCUSS_INSTANTIATE
+
+}  // namespace percuss

@@ -1,0 +1,61 @@
+#pragma once
+// Rigid walls that move along their normal: as the deck prescribes, or with a mass that bodies push.
+//
+// The rows see a wall at one speed from n to n+1. That of a wall with a mass is the one at which it and the nodes that
+// it meets stop each other, if nothing else pushed them: so a light wall takes no more than it can. Afterwards its
+// momentum changes by the impulse of its rows, whatever that is, and nothing is lost.
+
+#include <vector>
+
+#include "comm/communicator.hpp"
+#include "kernels/contact/enforcement/enforcement.hpp"
+#include "src/contact/enforcement/contact_report.hpp"
+#include "src/output/checkpoint/checkpoint_archive.hpp"
+
+namespace percuss {
+
+/// Along the normal of a wall, towards the bodies.
+struct WallMotion {
+  double moved = 0;  // from its place at time 0 to that at n [length]
+  double speed = 0;  // at n-1/2
+};
+
+class MovingWalls {
+ public:
+  /// deck, ranks: outlive this.
+  MovingWalls(const Deck& deck, const Communicator& ranks);
+
+  /// Whether any wall of the deck moves; if not, nothing else need be called.
+  bool any() const { return !moving_.empty(); }
+
+  /// Brings the walls to where they are at n.
+  void place(const WallPairs& walls) const;
+
+  /// Sets the speeds of the step, on which the rows depend. Collective.
+  template <class Space>
+  void start_step(const Space& space, const WallPairs& walls, const RowInputs& inputs, double time, RowSumMemory& memory);
+
+  /// Takes the pushes of the rows from first_row on, and moves on to n+1. Returns the work of the walls on the bodies.
+  /// Collective.
+  template <class Space>
+  double finish_step(const Space& space, int first_row, double dt, const RowSystem& system, RowSumMemory& memory);
+
+  /// Of the walls that move, in the order of the deck.
+  const std::vector<WallMotion>& motions() const { return motions_; }
+
+  void archive(CheckpointArchive& archive);
+
+ private:
+  const WallDeck& wall(std::size_t i) const { return deck_.walls[static_cast<std::size_t>(moving_[i])]; }
+  double find_speed(std::size_t i, double time, double dt) const;
+  void write(const WallPairs& walls, const std::vector<double>& speeds) const;
+
+  const Deck& deck_;
+  const Communicator& ranks_;
+  std::vector<int> moving_;          // walls of the deck
+  std::vector<WallMotion> motions_;  // of these
+  std::vector<double> speeds_;       // of these, from n to n+1 as rows see them
+  bool has_begun_ = false;
+};
+
+}  // namespace percuss

@@ -1,0 +1,41 @@
+#pragma once
+// How elements are integrated and stabilised: of the whole scene, and what a part has instead.
+
+#include <optional>
+
+namespace percuss {
+
+struct ElementDeck {
+  enum class Integration { one_point, full };
+  enum class Hourglass { assumed_strain, stiffness, viscous };
+  Integration integration = Integration::one_point;
+  Hourglass hourglass = Hourglass::assumed_strain;  // only with Integration::one_point
+  double hourglass_coefficient = 0.05;              // not with Hourglass::assumed_strain
+  /// The volume rate of tetrahedra is averaged over their nodes, or each has its own, with which they lock.
+  enum class Tetrahedra { mixed, plain };
+  Tetrahedra tetrahedra = Tetrahedra::mixed;
+  bool resist_folding = true;  // forces at corners of hexahedra that turn inside out
+  bool skip_resting = true;    // leave chunks of elements alone that rest; no result depends on it
+  double linear_viscosity = 0.06;
+  double quadratic_viscosity = 1.2;
+};
+
+/// What a part has instead of the members of ElementDeck with the same names.
+struct PartElementDeck {
+  std::optional<ElementDeck::Integration> integration;
+  std::optional<ElementDeck::Hourglass> hourglass;
+  std::optional<double> hourglass_coefficient, linear_viscosity, quadratic_viscosity;
+};
+
+/// The settings of a part.
+inline ElementDeck find_settings(const ElementDeck& scene, const PartElementDeck& part) {
+  ElementDeck settings = scene;
+  settings.integration = part.integration.value_or(scene.integration);
+  settings.hourglass = part.hourglass.value_or(scene.hourglass);
+  settings.hourglass_coefficient = part.hourglass_coefficient.value_or(scene.hourglass_coefficient);
+  settings.linear_viscosity = part.linear_viscosity.value_or(scene.linear_viscosity);
+  settings.quadratic_viscosity = part.quadratic_viscosity.value_or(scene.quadratic_viscosity);
+  return settings;
+}
+
+}  // namespace percuss
