@@ -76,9 +76,13 @@ class ContactStage {
   /// only for decks that write a history. Collective.
   std::vector<double> sum_pair_work() const;
 
-  /// What the forces of contact and of walls in output.history.forces gave since this was last called, in their order.
-  /// Collective.
-  std::vector<ContactImpulse> take_forces();
+  /// What the forces of contact and of walls in output.history.forces gave since this was last called, in their order;
+  /// areas are those at positions x. Collective.
+  std::vector<ContactImpulse> take_forces(Rows3<const double> x);
+
+  /// Normal force of contact on each node in the last step, of length dt, over its area of the contact surface at
+  /// positions x [stress]: [mesh nodes], of copies of others' nodes 0. Collective.
+  std::vector<double> find_pressures(Rows3<const double> x, double dt) const;
 
   std::int64_t contact_nodes() const;  // of the whole scene
   std::int64_t contact_faces() const;

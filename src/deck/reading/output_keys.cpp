@@ -321,8 +321,8 @@ std::optional<int> find_thickness_point(std::string_view field, std::string_view
 
 const std::vector<std::string>& field_names() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"displacement",  "velocity",        "contact_force", "mass",
-                                    "contact_rank",  // of nodes
+    std::vector<std::string> all = {"displacement",  "velocity",        "contact_force", "contact_pressure",
+                                    "mass", "contact_rank",  // of nodes
                                     "stress",        "pressure",        "von_mises",     "equivalent_plastic_strain",
                                     "temperature",   "internal_energy", "alive",         "damage",  // of elements
                                     "stress_bottom", "stress_top",      "thickness",                // of shells

@@ -113,6 +113,8 @@ struct FrameField {
 constexpr FrameField frame_fields[] = {
     {"velocity", FieldPlace::node, 3, [](const FrameSource& of) { return copy_rows(of.state.v); }},
     {"contact_force", FieldPlace::node, 3, [](const FrameSource& of) { return find_contact_forces(of.state); }},
+    {"contact_pressure", FieldPlace::node, 1,
+     [](const FrameSource& of) { return of.contact.find_pressures(of.state.x, of.state.dt); }},
     {"mass", FieldPlace::node, 1, [](const FrameSource& of) { return find_masses(of.state); }},
     {"stress", FieldPlace::element, 6, [](const FrameSource& of) { return of.stresses; }},
     {"pressure", FieldPlace::element, 1, [](const FrameSource& of) { return find_pressures(of.stresses); }},

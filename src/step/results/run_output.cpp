@@ -85,7 +85,7 @@ void RunOutput::write_row(const State& state, const AuditResult& audit, Stepper&
   if (!history_ || last_row_ == state.step) return;
   const Vec3 wall_force = stepper.find_wall_force();
   const std::vector<double> pair_work = contact_.sum_pair_work();
-  const std::vector<double> forces = stepper.forces().take(state.time);
+  const std::vector<double> forces = stepper.forces().take(state);
   history_->write(model_, {state, audit, stepper.contact_report(), wall_force, pair_work, forces});
   last_row_ = state.step;
 }
