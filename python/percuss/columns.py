@@ -42,7 +42,8 @@ SCENE.update({f"body_v{axis}": ("velocity", f"velocity {axis} of the mass centre
 SCENE.update({f"body_q{k}": ("-", f"orientation, unit quaternion {k}") for k in range(4)})
 SCENE.update({f"body_w{axis}": ("frequency", f"angular velocity {axis}") for axis in "xyz"})
 SCENE.update({"body_kinetic": ("energy", "kinetic energy of the body")})
-SCENE.update({"normal": ("force", "normal force"), "tangential": ("force", "friction force")})
+SCENE.update({"normal": ("force", "normal force"), "tangential": ("force", "friction force"),
+              "area": ("area", "area of contact"), "pressure": ("pressure", "largest contact pressure of a node")})
 
 # Of followed nodes and elements: what stands behind NAME.
 FOLLOWED = [

@@ -138,8 +138,9 @@ void mark_pushes(const Space& space, const RowSystem& system, Array<RowSides>& m
   reserve(marks, system.num_rows);
   const Array<RowSides> out = marks;
   Kokkos::parallel_for(
-      "contact::mark_pushes", RangeOf<Space>(space, 0, system.num_rows),
-      KOKKOS_LAMBDA(int r) { out(r) = {1, 1}; });
+      "contact::mark_pushes", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        out(r) = {1, 1};
+      });
 }
 
 template <class Space>
@@ -242,18 +243,17 @@ ForceSums sum_contact_force(const Space& space, int f, const Point3& about, cons
                              });
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                             \
-  template void mark_rows(const Space&, const ForceSides&, const Array<const std::int64_t>&, const RowSystem&, \
-                          Array<RowSides>&);                                                                   \
-  template ForceSums sum_contact_force(const Space&, int, const Point3&, const RowSystem&,                     \
-                                       const Array<const RowSides>&, Array<ForceSums>&);                         \
-  template void mark_pushes(const Space&, const RowSystem&, Array<RowSides>&);                                 \
-  template void list_foreign_pushes(const Space&, const RowSystem&, const Array<const RowSides>&,              \
-                                    Array<NormalPush>&);                                                       \
-  template void book_pushes(const Space&, const MarkedRows&, const ForceSides&, const Array<const std::int64_t>&, double, \
-                            const PushBooks&);                                                                 \
-  template AreaSums sum_areas(const Space&, int, const AreaNodes&, const ForceSides&, const PushBooks&,        \
-                              Array<AreaSums>&);                                                               \
+#define PERCUSS_INSTANTIATE(Space)                                                                                     \
+  template void mark_rows(const Space&, const ForceSides&, const Array<const std::int64_t>&, const RowSystem&,         \
+                          Array<RowSides>&);                                                                           \
+  template ForceSums sum_contact_force(const Space&, int, const Point3&, const RowSystem&,                             \
+                                       const Array<const RowSides>&, Array<ForceSums>&);                               \
+  template void mark_pushes(const Space&, const RowSystem&, Array<RowSides>&);                                         \
+  template void list_foreign_pushes(const Space&, const RowSystem&, const Array<const RowSides>&, Array<NormalPush>&); \
+  template void book_pushes(const Space&, const MarkedRows&, const ForceSides&, const Array<const std::int64_t>&,      \
+                            double, const PushBooks&);                                                                 \
+  template AreaSums sum_areas(const Space&, int, const AreaNodes&, const ForceSides&, const PushBooks&,                \
+                              Array<AreaSums>&);                                                                       \
   template void sum_pushes(const Space&, const MarkedRows&, const Rows3<double>&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

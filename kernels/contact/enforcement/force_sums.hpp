@@ -56,8 +56,9 @@ struct NormalPush {
 /// force, chunk after chunk, in the order of their numbers.
 struct PushBooks {
   int forces = 0;
-  Array<const int> first;  // [chunks * forces] place of the chunk's first node; -1: not of that side, or not of this rank
-  Rows4<double> sums;      // [places] impulse along the normals of the rows [force x time], and the time with a push
+  Array<const int>
+      first;           // [chunks * forces] place of the chunk's first node; -1: not of that side, or not of this rank
+  Rows4<double> sums;  // [places] impulse along the normals of the rows [force x time], and the time with a push
 
   /// Of a node by its number; -1: it has none.
   KOKKOS_INLINE_FUNCTION int find_place(const ForceSides& sides, int chunk, std::int64_t number, int force) const {
@@ -69,8 +70,8 @@ struct PushBooks {
 /// Rows of a step, who their pushes count for, and what rows of other ranks push on nodes of this one.
 struct MarkedRows {
   const RowSystem& system;
-  Array<const RowSides> marks;        // [rows]
-  Array<const NormalPush> remote;     // [RowSystem::num_remote]
+  Array<const RowSides> marks;     // [rows]
+  Array<const NormalPush> remote;  // [RowSystem::num_remote]
 };
 
 /// Marks the rows that push for force 0, on both sides.

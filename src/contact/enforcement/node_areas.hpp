@@ -31,7 +31,8 @@ class NodeAreas {
   std::vector<int> places_;  // [requested faces] in areas_
   int num_own_ = 0;
   Rows4<int> corners_ = Rows4<int>("contact::area_corners", 0);
-  Rows3<double> areas_ = Rows3<double>("contact::corner_areas", 0);  // own faces, then those that other ranks have told of
+  Rows3<double> areas_ =
+      Rows3<double>("contact::corner_areas", 0);  // own faces, then those that other ranks have told of
   AreaNodes nodes_;
 };
 
