@@ -44,7 +44,8 @@ SCENE.update({f"body_w{axis}": ("frequency", f"angular velocity {axis}") for axi
 SCENE.update({"body_kinetic": ("energy", "kinetic energy of the body")})
 SCENE.update({"spring_work": ("energy", "energy of springs"), "damper_work": ("energy", "energy that dampers took")})
 SCENE.update({"spring_force": ("force", "force of the spring"), "spring_elongation": ("length", "elongation")})
-SCENE.update({"normal": ("force", "normal force"), "tangential": ("force", "friction force")})
+SCENE.update({"normal": ("force", "normal force"), "tangential": ("force", "friction force"),
+              "area": ("area", "area of contact"), "pressure": ("pressure", "largest contact pressure of a node")})
 
 # Of followed nodes and elements: what stands behind NAME.
 FOLLOWED = [

@@ -18,6 +18,9 @@ class Fields:
     def __init__(self, folder):
         self.path = os.path.join(folder, "fields.vtkhdf") if os.path.isdir(folder) else os.fspath(folder)
         if not os.path.exists(self.path):
+            if os.path.exists(os.path.join(os.path.dirname(self.path), "fields.exo")):
+                raise NotResults(f"{self.path}: there is no such file (the run wrote fields.exo, which ParaView opens; with "
+                                 "output.fields.format: [vtkhdf, exodus] it writes both)")
             raise NotResults(f"{self.path}: there is no such file (a run writes it where its deck has output.fields)")
         try:
             # A run that goes on may be looked at: percuss takes no lock, and none is needed here.

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
 #include "src/contact/enforcement/enforcer.hpp"
+#include "src/contact/enforcement/node_areas.hpp"
 #include "src/contact/history/carried_history.hpp"
 #include "src/contact/history/contact_checkpoint.hpp"
 #include "src/contact/search/contact_finder.hpp"
@@ -55,6 +58,7 @@ struct ContactStage::Impl {
   OverlapSearch look_for_overlap(ContactFinder& with) const { return {ranks, share, walls, bound, with}; }
   std::int64_t find_user_id(std::int64_t node) const;
   void refuse_torn_ties(const ContactReport& report) const;
+  const AreaNodes& find_areas(const Rows3<const double>& x);
   void forget_last_step();
   void redefine_surface();
   HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, ties); }
@@ -77,6 +81,7 @@ struct ContactStage::Impl {
   std::unique_ptr<ContactFinder> finder;
   ContactForces forces;
   Enforcer enforcer;
+  std::optional<NodeAreas> areas;  // of the surface as it is; none: not asked for since it was redefined
   ContactHistory history;
   std::vector<std::string> start_notes;
   StartOverlap start_overlap;
@@ -171,6 +176,13 @@ void ContactStage::Impl::refuse_torn_ties(const ContactReport& report) const {
       find_user_id(report.torn_node), report.torn));
 }
 
+/// Areas of the owned contact nodes at positions x.
+const AreaNodes& ContactStage::Impl::find_areas(const Rows3<const double>& x) {
+  if (!areas) areas.emplace(seen(), share);
+  areas->update(x);
+  return areas->nodes();
+}
+
 /// What the last step did says nothing about this one.
 void ContactStage::Impl::forget_last_step() {
   last = {};
@@ -181,6 +193,7 @@ void ContactStage::Impl::forget_last_step() {
 void ContactStage::Impl::redefine_surface() {
   forget_last_step();
   ties = keep_living_ties(chunks, ties_of_start, ranks);
+  areas.reset();
   share = build_surface_share(chunks, deck, ties, exchange);
   tie_rows = TieRows(seen(), ties, contact);
   walls = build_walls(chunks, deck, share);
@@ -315,7 +328,25 @@ std::vector<double> ContactStage::list_wall_motions() const {
   return values;
 }
 
-std::vector<ContactImpulse> ContactStage::take_forces() { return impl_->forces.take(); }
+std::vector<ContactImpulse> ContactStage::take_forces(Rows3<const double> x) {
+  if (impl_->forces.is_empty()) return {};
+  return impl_->forces.take(impl_->find_areas(x));
+}
+
+std::vector<double> ContactStage::find_pressures(Rows3<const double> x, double dt) const {
+  Impl& stage = *impl_;
+  std::vector<double> pressures(stage.mesh.nodes.size(), 0);
+  if (!(dt > 0)) return pressures;
+  const auto pushes = to_host(stage.enforcer.find_pushes());
+  const AreaNodes& nodes = stage.find_areas(x);
+  const NodeFaces around{to_host(nodes.around.first), to_host(nodes.around.faces), to_host(nodes.around.areas)};
+  for (int i = 0; i < stage.share.nodes.count(); ++i) {
+    const auto n = static_cast<std::size_t>(stage.share.nodes.mesh_nodes[static_cast<std::size_t>(i)]);
+    double area = 0;
+    pressures[n] = find_press(around, i, {pushes(n, 0), pushes(n, 1), pushes(n, 2)}, area) / dt;
+  }
+  return pressures;
+}
 
 std::int64_t ContactStage::contact_nodes() const { return impl_->share.total_nodes; }
 std::int64_t ContactStage::contact_faces() const { return impl_->share.total_faces; }

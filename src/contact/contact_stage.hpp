@@ -79,9 +79,13 @@ class ContactStage {
   /// Way and speed of each wall that moves, by name_moving_walls().
   std::vector<double> list_wall_motions() const;
 
-  /// What the forces of contact and of walls in output.history.forces gave since this was last called, in their order.
-  /// Collective.
-  std::vector<ContactImpulse> take_forces();
+  /// What the forces of contact and of walls in output.history.forces gave since this was last called, in their order;
+  /// areas are those at positions x. Collective.
+  std::vector<ContactImpulse> take_forces(Rows3<const double> x);
+
+  /// Normal force of contact on each node in the last step, of length dt, over its area of the contact surface at
+  /// positions x [stress]: [mesh nodes], of copies of others' nodes 0. Collective.
+  std::vector<double> find_pressures(Rows3<const double> x, double dt) const;
 
   std::int64_t contact_nodes() const;  // of the whole scene
   std::int64_t contact_faces() const;

@@ -1,6 +1,7 @@
 #pragma once
 // What a deck wants written besides the summary: frames, history, checkpoints.
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,14 +55,22 @@ struct ForceDeck {
 /// A text that says what the force is of, its name included: the same of forces that are the same.
 std::string identify(const ForceDeck& force);
 
+/// Formats of fields: fields.vtkhdf with its indexes, fields.exo.
+enum class FieldsFormat { vtkhdf, exodus };
+
 struct OutputDeck {
-  std::optional<double> fields_every;   // s; the first and last state are always written when set
+  std::optional<double> fields_every;  // s; the first and last state are always written when set
+  std::vector<FieldsFormat> fields_formats = {FieldsFormat::vtkhdf};  // each once, at least one
   std::vector<std::string> fields;      // names as listed in docs/output.md; displacement is always written
   std::optional<double> history_every;  // s; 0: every step
   std::vector<HistoryPoint> points;
   std::vector<ForceDeck> forces;
   std::optional<double> checkpoint_every;  // simulated time [time]; one is left at the end, too
   std::optional<double> checkpoint_wall;   // of the clock [s]
+
+  bool has_format(FieldsFormat format) const {
+    return std::find(fields_formats.begin(), fields_formats.end(), format) != fields_formats.end();
+  }
 };
 
 }  // namespace percuss

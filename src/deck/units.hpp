@@ -12,11 +12,12 @@ namespace percuss {
 /// Powers of length, mass and time in a quantity.
 struct Dimension {
   int length = 0, mass = 0, time = 0;
+  friend bool operator==(const Dimension&, const Dimension&) = default;
 };
 
 namespace dimensions {
-inline constexpr Dimension length{1, 0, 0}, mass{0, 1, 0}, time{0, 0, 1}, velocity{1, 0, -1}, acceleration{1, 0, -2},
-    density{-3, 1, 0}, force{1, 1, -2}, stress{-1, 1, -2}, energy{2, 1, -2}, momentum{1, 1, -1};
+inline constexpr Dimension length{1, 0, 0}, area{2, 0, 0}, mass{0, 1, 0}, time{0, 0, 1}, velocity{1, 0, -1},
+    acceleration{1, 0, -2}, density{-3, 1, 0}, force{1, 1, -2}, stress{-1, 1, -2}, energy{2, 1, -2}, momentum{1, 1, -1};
 }  // namespace dimensions
 
 /// A unit of length, mass or time.

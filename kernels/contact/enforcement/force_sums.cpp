@@ -5,6 +5,19 @@
 namespace percuss {
 namespace {
 
+/// The chunk that a node belongs to. first_node: [chunks + 1].
+KOKKOS_INLINE_FUNCTION int find_chunk_of_node(const Array<const std::int64_t>& first_node, std::int64_t number) {
+  int low = 0, high = static_cast<int>(first_node.extent(0)) - 1;  // the first beyond it is in (low, high]
+  while (high - low > 1) {
+    const int middle = (low + high) / 2;
+    if (first_node(middle) <= number)
+      low = middle;
+    else
+      high = middle;
+  }
+  return low;
+}
+
 /// Where the nodes of rows lie: their number in the whole mesh and the chunk that they belong to.
 struct RowNodeChunks {
   Array<const int> nodes;
@@ -15,18 +28,7 @@ struct RowNodeChunks {
     return place < num_nodes ? node_numbers(nodes(place)) : foreign_number(place - num_nodes);
   }
 
-  KOKKOS_INLINE_FUNCTION int find_chunk(int place) const {
-    const std::int64_t number = find_number(place);
-    int low = 0, high = static_cast<int>(first_node.extent(0)) - 1;  // the first beyond it is in (low, high]
-    while (high - low > 1) {
-      const int middle = (low + high) / 2;
-      if (first_node(middle) <= number)
-        low = middle;
-      else
-        high = middle;
-    }
-    return low;
-  }
+  KOKKOS_INLINE_FUNCTION int find_chunk(int place) const { return find_chunk_of_node(first_node, find_number(place)); }
 };
 
 /// Slots of the pushed point.
@@ -71,7 +73,141 @@ KOKKOS_INLINE_FUNCTION void add_row(const ContactRow& row, const RowSides& mark,
   sums.tangential.add(std::sqrt(rub[0] * rub[0] + rub[1] * rub[1]));
 }
 
+/// Of a row on the node of a slot; ties have none.
+KOKKOS_INLINE_FUNCTION NormalPush find_push(const ContactRow& row, const RowSides& mark, int slot) {
+  const std::uint32_t forces = slot < count_pushed_slots(row) ? mark.forward : mark.backward;
+  if (forces == 0 || is_tie(row) || row.impulse.push == 0) return {};
+  const Point3 push = row.impulse.push * row.normal;
+  return {spread_impulse(row, slot, push, find_couple(row, push)), forces};
+}
+
+/// The entries of places (RowSystem::entry) as pushes.
+struct PlacePushes {
+  Array<const ContactRow> rows;
+  Array<const RowSides> marks;
+  Array<const NormalPush> remote;
+  Array<const int> offset, entry;
+  int first_remote;
+
+  explicit PlacePushes(const MarkedRows& of)
+      : rows(of.system.rows),
+        marks(of.marks),
+        remote(of.remote),
+        offset(of.system.offset),
+        entry(of.system.entry),
+        first_remote(of.system.num_rows * row_nodes) {}
+
+  KOKKOS_INLINE_FUNCTION NormalPush find(int i) const {
+    const int e = entry(i);
+    if (e >= first_remote) return remote(e - first_remote);
+    return find_push(rows(e / row_nodes), marks(e / row_nodes), e % row_nodes);
+  }
+  KOKKOS_INLINE_FUNCTION std::uint32_t find_forces(int a) const {
+    std::uint32_t forces = 0;
+    for (int i = offset(a); i < offset(a + 1); ++i) {
+      const int e = entry(i);
+      if (e >= first_remote) {
+        forces |= remote(e - first_remote).forces;
+      } else {
+        const RowSides mark = marks(e / row_nodes);
+        forces |= mark.forward | mark.backward;
+      }
+    }
+    return forces;
+  }
+  KOKKOS_INLINE_FUNCTION Point3 sum(int a, std::uint32_t bit) const {
+    Point3 sum{};
+    for (int i = offset(a); i < offset(a + 1); ++i) {
+      const NormalPush push = find(i);
+      if ((push.forces & bit) != 0) sum = sum + push.impulse;
+    }
+    return sum;
+  }
+};
+
+KOKKOS_INLINE_FUNCTION bool is_zero(const Point3& p) { return p.x == 0 && p.y == 0 && p.z == 0; }
+
 }  // namespace
+
+template <class Space>
+void mark_pushes(const Space& space, const RowSystem& system, Array<RowSides>& marks) {
+  reserve(marks, system.num_rows);
+  const Array<RowSides> out = marks;
+  Kokkos::parallel_for(
+      "contact::mark_pushes", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
+        out(r) = {1, 1};
+      });
+}
+
+template <class Space>
+void list_foreign_pushes(const Space& space, const RowSystem& system, const Array<const RowSides>& marks,
+                         Array<NormalPush>& foreign) {
+  reserve(foreign, system.num_foreign);
+  const Array<const ContactRow> rows = system.rows;
+  const Array<const int> entry = system.foreign;
+  const Array<NormalPush> out = foreign;
+  Kokkos::parallel_for(
+      "contact::foreign_pushes", RangeOf<Space>(space, 0, system.num_foreign), KOKKOS_LAMBDA(int k) {
+        out(k) = find_push(rows(entry(k) / row_nodes), marks(entry(k) / row_nodes), entry(k) % row_nodes);
+      });
+}
+
+template <class Space>
+void book_pushes(const Space& space, const MarkedRows& rows, const ForceSides& sides,
+                 const Array<const std::int64_t>& node_numbers, double time, const PushBooks& books) {
+  const RowSystem& system = rows.system;
+  const PlacePushes pushes(rows);
+  const RowNodeChunks chunks{system.nodes, system.foreign_number, node_numbers, sides.first_node, system.num_nodes};
+  const ForceSides given = sides;
+  const PushBooks into = books;
+  Kokkos::parallel_for(
+      "contact::book_pushes", RangeOf<Space>(space, 0, system.num_nodes), KOKKOS_LAMBDA(int a) {
+        const std::uint32_t forces = pushes.find_forces(a);
+        if (forces == 0) return;
+        const int chunk = chunks.find_chunk(a);
+        for (int f = 0; f < into.forces; ++f) {
+          const std::uint32_t bit = std::uint32_t{1} << f;
+          const int place = (forces & bit) == 0 ? -1 : into.find_place(given, chunk, chunks.find_number(a), f);
+          if (place < 0) continue;
+          const Point3 sum = pushes.sum(a, bit);
+          if (is_zero(sum)) continue;
+          into.sums(place, 0) += sum.x;
+          into.sums(place, 1) += sum.y;
+          into.sums(place, 2) += sum.z;
+          into.sums(place, 3) += time;
+        }
+      });
+}
+
+template <class Space>
+AreaSums sum_areas(const Space& space, int f, const AreaNodes& nodes, const ForceSides& sides, const PushBooks& books,
+                   Array<AreaSums>& partial) {
+  const AreaNodes given = nodes;
+  const ForceSides of = sides;
+  const PushBooks from = books;
+  return sum_rows<AreaSums>(space, static_cast<int>(nodes.numbers.extent(0)), partial,
+                            [given, of, from, f] KOKKOS_FUNCTION(int i, AreaSums& sums) {
+                              const std::int64_t number = given.numbers(i);
+                              const int chunk = find_chunk_of_node(of.first_node, number);
+                              const int place = from.find_place(of, chunk, number, f);
+                              if (place < 0 || from.sums(place, 3) == 0) return;
+                              const Point3 impulse{from.sums(place, 0), from.sums(place, 1), from.sums(place, 2)};
+                              double area = 0;
+                              const double press = find_press(given.around, i, impulse, area);
+                              sums.area.add(area * from.sums(place, 3));
+                              sums.press = press > sums.press ? press : sums.press;
+                            });
+}
+
+template <class Space>
+void sum_pushes(const Space& space, const MarkedRows& rows, const Rows3<double>& sums) {
+  const PlacePushes pushes(rows);
+  const Array<const int> nodes = rows.system.nodes;
+  const Rows3<double> out = sums;
+  Kokkos::parallel_for(
+      "contact::sum_pushes", RangeOf<Space>(space, 0, rows.system.num_nodes),
+      KOKKOS_LAMBDA(int a) { store_row(out, nodes(a), pushes.sum(a, 1)); });
+}
 
 template <class Space>
 void mark_rows(const Space& space, const ForceSides& sides, const Array<const std::int64_t>& node_numbers,
@@ -103,11 +239,18 @@ ForceSums sum_contact_force(const Space& space, int f, const Point3& about, cons
                              });
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                             \
-  template void mark_rows(const Space&, const ForceSides&, const Array<const std::int64_t>&, const RowSystem&, \
-                          Array<RowSides>&);                                                                   \
-  template ForceSums sum_contact_force(const Space&, int, const Point3&, const RowSystem&,                     \
-                                       const Array<const RowSides>&, Array<ForceSums>&);
+#define PERCUSS_INSTANTIATE(Space)                                                                                     \
+  template void mark_rows(const Space&, const ForceSides&, const Array<const std::int64_t>&, const RowSystem&,         \
+                          Array<RowSides>&);                                                                           \
+  template ForceSums sum_contact_force(const Space&, int, const Point3&, const RowSystem&,                             \
+                                       const Array<const RowSides>&, Array<ForceSums>&);                               \
+  template void mark_pushes(const Space&, const RowSystem&, Array<RowSides>&);                                         \
+  template void list_foreign_pushes(const Space&, const RowSystem&, const Array<const RowSides>&, Array<NormalPush>&); \
+  template void book_pushes(const Space&, const MarkedRows&, const ForceSides&, const Array<const std::int64_t>&,      \
+                            double, const PushBooks&);                                                                 \
+  template AreaSums sum_areas(const Space&, int, const AreaNodes&, const ForceSides&, const PushBooks&,                \
+                              Array<AreaSums>&);                                                                       \
+  template void sum_pushes(const Space&, const MarkedRows&, const Rows3<double>&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "kernels/contact/rows/row_system.hpp"
+#include "kernels/contact/surface/node_areas.hpp"
 
 namespace percuss {
 
@@ -44,5 +45,72 @@ void mark_rows(const Space& space, const ForceSides& sides, const Array<const st
 template <class Space>
 ForceSums sum_contact_force(const Space& space, int f, const Point3& about, const RowSystem& system,
                             const Array<const RowSides>& marks, Array<ForceSums>& partial);
+
+/// Push of a row along its normal on one of its nodes, and the forces that it counts for: bit f.
+struct NormalPush {
+  Point3 impulse{};  // [force x time]
+  std::uint32_t forces = 0;
+};
+
+/// Pushes on the nodes of each force's first side since they were cleared. The nodes that a rank owns stand force after
+/// force, chunk after chunk, in the order of their numbers.
+struct PushBooks {
+  int forces = 0;
+  Array<const int>
+      first;           // [chunks * forces] place of the chunk's first node; -1: not of that side, or not of this rank
+  Rows4<double> sums;  // [places] impulse along the normals of the rows [force x time], and the time with a push
+
+  /// Of a node by its number; -1: it has none.
+  KOKKOS_INLINE_FUNCTION int find_place(const ForceSides& sides, int chunk, std::int64_t number, int force) const {
+    const int start = first(chunk * forces + force);
+    return start < 0 ? -1 : start + static_cast<int>(number - sides.first_node(chunk));
+  }
+};
+
+/// Rows of a step, who their pushes count for, and what rows of other ranks push on nodes of this one.
+struct MarkedRows {
+  const RowSystem& system;
+  Array<const RowSides> marks;     // [rows]
+  Array<const NormalPush> remote;  // [RowSystem::num_remote]
+};
+
+/// Marks the rows that push for force 0, on both sides.
+template <class Space>
+void mark_pushes(const Space& space, const RowSystem& system, Array<RowSides>& marks);
+
+/// What this rank's rows push on foreign nodes: [RowSystem::num_foreign].
+template <class Space>
+void list_foreign_pushes(const Space& space, const RowSystem& system, const Array<const RowSides>& marks,
+                         Array<NormalPush>& foreign);
+
+/// Adds a step to the books. time: its length. node_numbers: [mesh nodes].
+template <class Space>
+void book_pushes(const Space& space, const MarkedRows& rows, const ForceSides& sides,
+                 const Array<const std::int64_t>& node_numbers, double time, const PushBooks& books);
+
+/// Contact nodes that this rank owns, with their areas at some positions.
+struct AreaNodes {
+  Array<const std::int64_t> numbers;  // [nodes] in the whole mesh, ascending
+  NodeFaces around;
+};
+
+/// Of a force's first side since its books were cleared.
+struct AreaSums {
+  ExactSum area;     // of each node for the time in which it was pushed [area x time]
+  double press = 0;  // largest impulse of a node over its area [stress x time]
+
+  KOKKOS_INLINE_FUNCTION void merge(const AreaSums& other) {
+    area.merge(other.area);
+    press = other.press > press ? other.press : press;
+  }
+};
+
+template <class Space>
+AreaSums sum_areas(const Space& space, int f, const AreaNodes& nodes, const ForceSides& sides, const PushBooks& books,
+                   Array<AreaSums>& partial);
+
+/// The pushes that count for force 0 on each owned node that rows touch; others stay. sums: in and out, [mesh nodes].
+template <class Space>
+void sum_pushes(const Space& space, const MarkedRows& rows, const Rows3<double>& sums);
 
 }  // namespace percuss

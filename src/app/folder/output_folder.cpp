@@ -19,9 +19,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Every file that a run writes; those that are written beside their place first have a name with ".tmp" then.
-constexpr std::array<const char*, 10> result_files{
-    "summary.json",  "columns.json", "ranks.csv",    "run_deck.yaml", "history.csv",
-    "fields.vtkhdf", "fields.xdmf",  "fields.xdmf2", "checkpoint.h5", "checkpoint_previous.h5"};
+constexpr std::array<const char*, 11> result_files{
+    "summary.json", "columns.json", "ranks.csv",  "run_deck.yaml", "history.csv",           "fields.vtkhdf",
+    "fields.xdmf",  "fields.xdmf2", "fields.exo", "checkpoint.h5", "checkpoint_previous.h5"};
 
 bool holds_results(const fs::path& folder) {
   std::error_code ignored;

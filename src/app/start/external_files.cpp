@@ -40,14 +40,14 @@ void refuse_external_meshes(const Deck& deck) {
 void refuse_external_checkpoint(const std::string& path) { refuse_external(path, path + ": error"); }
 
 void check_results_to_go_on_with(const std::string& folder, const std::string& checkpoint, bool allow_external) {
-  for (const char* name : {"history.csv", "fields.vtkhdf", "checkpoint.h5", "summary.json"}) {
+  for (const char* name : {"history.csv", "fields.vtkhdf", "fields.exo", "checkpoint.h5", "summary.json"}) {
     const std::string path = folder + "/" + name;
     if (const std::string kind = describe_irregular_file(path); !kind.empty())
       throw InputError(fmt::format("{}: error: this is {}", path, kind));
   }
   if (allow_external) return;
-  const std::string fields = folder + "/fields.vtkhdf", newest = folder + "/checkpoint.h5";
-  refuse_external(fields, fields + ": error");
+  for (const char* name : {"/fields.vtkhdf", "/fields.exo"}) refuse_external(folder + name, folder + name + ": error");
+  const std::string newest = folder + "/checkpoint.h5";
   // One that is damaged, which is why the run continues from an older one, is not opened.
   std::error_code ignored;
   if (!std::filesystem::equivalent(newest, checkpoint, ignored) && is_sealed(newest))

@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <span>
 
+#include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "kernels/core/small_space.hpp"
 
 namespace percuss {
 namespace {
@@ -83,12 +87,39 @@ ContactForces::ContactForces(const Deck& deck, const ChunkedMesh& chunked, const
   }
   sides_ = {to_view("contact::first_nodes", chunked.numbering.first_node), to_view("contact::force_on", one),
             to_view("contact::force_from", other), to_view("contact::force_walls", walls)};
+  lay_out(chunked, one);
+}
+
+/// The books of the pushes.
+void ContactForces::lay_out(const ChunkedMesh& chunked, const std::vector<std::uint32_t>& one) {
+  const std::size_t forces = sums_.size();
+  std::vector<int> first(one.size() * forces, -1);
+  int next = 0;
+  for (std::size_t f = 0; f < forces; ++f) {
+    ChunkRows rows;
+    for (const Chunk& chunk : chunked.chunks) {
+      const auto c = static_cast<std::size_t>(chunk.number);
+      const bool is_of_side = (one[c] >> f & 1) != 0;
+      const std::int64_t nodes = chunked.numbering.first_node[c + 1] - chunked.numbering.first_node[c];
+      rows.counts.push_back(is_of_side ? nodes : 0);
+      if (is_of_side) first[c * forces + f] = next;
+      next += static_cast<int>(rows.counts.back());
+    }
+    book_rows_.push_back(std::move(rows));
+  }
+  books_ = {static_cast<int>(forces), to_view("contact::book_first", first),
+            Rows4<double>("contact::books", static_cast<std::size_t>(next))};
 }
 
 template <class Space>
-void ContactForces::book(const Space& space, const RowSystem& system, const Array<const std::int64_t>& node_numbers) {
+void ContactForces::book(const Space& space, const SolvedRows& solved) {
   if (is_empty()) return;
-  mark_rows(space, sides_, node_numbers, system, marks_);
+  const RowSystem& system = solved.system;
+  mark_rows(space, sides_, solved.node_numbers, system, marks_);
+  list_foreign_pushes(space, system, marks_, foreign_);
+  space.fence();
+  solved.exchange.send_pushes(foreign_, system, remote_);
+  book_pushes(space, {system, marks_, remote_}, sides_, solved.node_numbers, solved.dt, books_);
   for (std::size_t f = 0; f < sums_.size(); ++f) {
     sums_[f].merge(sum_contact_force(space, static_cast<int>(f), about_[f], system, marks_, partial_));
     normalize(sums_[f]);
@@ -104,10 +135,40 @@ void ContactForces::archive(CheckpointArchive& archive) {
     archive.sums(names_[f] + "moment", sums_[f].moment);
     archive.sum(names_[f] + "normal", sums_[f].normal);
     archive.sum(names_[f] + "tangential", sums_[f].tangential);
+    archive_books(archive, f);
   }
 }
 
-std::vector<ContactImpulse> ContactForces::take() {
+void ContactForces::archive_books(CheckpointArchive& archive, std::size_t f) {
+  const auto count = [](const ChunkRows& rows) {
+    return std::accumulate(rows.counts.begin(), rows.counts.end(), std::size_t{0});
+  };
+  std::size_t first = 0;
+  for (std::size_t before = 0; before < f; ++before) first += count(book_rows_[before]);
+  const std::size_t end = first + count(book_rows_[f]);
+  const auto part = Kokkos::subview(books_.sums, std::pair(first, end), Kokkos::ALL);
+  const auto host = to_host(part);
+  archive.rows(names_[f] + "pushes", book_rows_[f], 4, std::span<double>(host.data(), host.size()));
+  if (archive.is_loading()) Kokkos::deep_copy(part, host);
+}
+
+void ContactForces::sum_areas(const AreaNodes& nodes, std::vector<ContactImpulse>& taken) {
+  for (std::size_t f = 0; f < taken.size(); ++f) {
+    AreaSums share;
+    run_where_it_pays(static_cast<int>(nodes.numbers.extent(0)) / 4, [&](const auto& space) {
+      share = percuss::sum_areas(space, static_cast<int>(f), nodes, sides_, books_, area_partial_);
+    });
+    share.area.normalize();
+    std::array<ExactSum, 1> area{share.area};
+    sum_over_ranks(ranks_, area);
+    all_reduce(ranks_, Reduce::largest, share.press);
+    taken[f].area = area[0].round();
+    taken[f].press = share.press;
+  }
+  Kokkos::deep_copy(books_.sums, 0.0);
+}
+
+std::vector<ContactImpulse> ContactForces::take(const AreaNodes& nodes) {
   std::vector<ContactImpulse> taken;
   for (ForceSums& share : sums_) {
     std::array<ExactSum, 8> sums{share.impulse[0], share.impulse[1], share.impulse[2], share.moment[0],
@@ -116,12 +177,13 @@ std::vector<ContactImpulse> ContactForces::take() {
     taken.push_back({round(&sums[0]), round(&sums[3]), sums[6].round(), sums[7].round()});
     share = {};
   }
+  sum_areas(nodes, taken);
   return taken;
 }
 
-template void ContactForces::book(const ExecSpace&, const RowSystem&, const Array<const std::int64_t>&);
+template void ContactForces::book(const ExecSpace&, const SolvedRows&);
 #if defined(PERCUSS_SMALL_SPACE)
-template void ContactForces::book(const SmallSpace&, const RowSystem&, const Array<const std::int64_t>&);
+template void ContactForces::book(const SmallSpace&, const SolvedRows&);
 #endif
 
 }  // namespace percuss

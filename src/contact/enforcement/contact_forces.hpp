@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "kernels/contact/enforcement/force_sums.hpp"
+#include "src/contact/enforcement/node_areas.hpp"
+#include "src/contact/enforcement/row_exchange.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
 #include "src/output/checkpoint/checkpoint_archive.hpp"
@@ -14,6 +16,16 @@ namespace percuss {
 struct ContactImpulse {
   Vec3 impulse{}, moment{};           // [force x time], [force x length x time]
   double normal = 0, tangential = 0;  // magnitudes of pushes and of friction, added up [force x time]
+  double area = 0;   // of the nodes of the side, each for the time in which it was pushed [area x time]
+  double press = 0;  // largest impulse of pushes on a node over its area [stress x time]
+};
+
+/// Rows of a step that are solved.
+struct SolvedRows {
+  const RowSystem& system;
+  const Array<const std::int64_t>& node_numbers;  // [mesh nodes]
+  RowExchange& exchange;
+  double dt;
 };
 
 class ContactForces {
@@ -24,23 +36,32 @@ class ContactForces {
 
   bool is_empty() const { return sums_.empty(); }
 
-  /// Adds the impulses of this rank's rows, which are solved. node_numbers: [mesh nodes].
+  /// Adds the impulses of this rank's rows. Collective.
   template <class Space>
-  void book(const Space& space, const RowSystem& system, const Array<const std::int64_t>& node_numbers);
+  void book(const Space& space, const SolvedRows& solved);
 
   /// A force that the checkpoint does not have begins with nothing.
   void archive(CheckpointArchive& archive);
 
   /// The forces of contact and walls in the order of the deck; they begin anew. Collective.
-  std::vector<ContactImpulse> take();
+  std::vector<ContactImpulse> take(const AreaNodes& nodes);
 
  private:
+  void lay_out(const ChunkedMesh& chunked, const std::vector<std::uint32_t>& one);
+  void archive_books(CheckpointArchive& archive, std::size_t force);
+  void sum_areas(const AreaNodes& nodes, std::vector<ContactImpulse>& taken);
+
   Communicator ranks_;
   ForceSides sides_;
   std::vector<std::string> names_;  // identify() of each force
   std::vector<Point3> about_;       // likewise
   std::vector<ForceSums> sums_;     // likewise; this rank's share
   Array<RowSides> marks_ = Array<RowSides>("contact::row_sides", 0);
+  PushBooks books_;
+  std::vector<ChunkRows> book_rows_;  // [forces] of the books
+  Array<NormalPush> foreign_ = Array<NormalPush>("contact::foreign_pushes", 0);
+  Array<NormalPush> remote_ = Array<NormalPush>("contact::remote_pushes", 0);
+  Array<AreaSums> area_partial_ = Array<AreaSums>("contact::area_sums", 0);
   Array<ForceSums> partial_ = Array<ForceSums>("contact::force_sums", 0);
 };
 

@@ -171,6 +171,7 @@ void Enforcer::archive(CheckpointArchive& archive) {
 
 void Enforcer::rest(const ContactMotion& motion, ContactHistory& history) {
   clear_last_impulse(motion);
+  has_solved_ = false;
   last_dt_ = motion.dt;
   last_pushes_ = 0;
   if (remembers_) Kokkos::deep_copy(history.face, std::int64_t{-1});
@@ -180,7 +181,23 @@ void Enforcer::rest(const ContactMotion& motion, ContactHistory& history) {
 
 void Enforcer::repeat(const ContactMotion& motion) {
   clear_last_impulse(motion);
+  has_solved_ = false;
   last_dt_ = motion.dt;
+}
+
+Rows3<double> Enforcer::find_pushes() {
+  const Rows3<double> pushes("contact::node_pushes", node_numbers_.extent(0));
+  if (!has_solved_) return pushes;
+  Array<RowSides> marks("contact::push_marks", 0);
+  Array<NormalPush> foreign("contact::foreign_pushes", 0), remote("contact::remote_pushes", 0);
+  const ExecSpace space;
+  mark_pushes(space, system_, marks);
+  list_foreign_pushes(space, system_, marks, foreign);
+  space.fence();
+  exchange_.send_pushes(foreign, system_, remote);
+  sum_pushes(space, {system_, marks, remote}, pushes);
+  space.fence();
+  return pushes;
 }
 
 template <class Space>
@@ -245,6 +262,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
     build_rows(space, inputs, {touches, num_touches, walls_}, history, system_, exchange_);
     clear_last_impulse(motion);
     const SolveReport solved = solve(space, motion.dt, dt_mean);
+    has_solved_ = solved.rows > 0;
     if (solved.rows > 0) {
       apply_impulses(space, system_, motion.v, motion.impulse);
       EnforcementSums done = sum_outcome(space, motion.dt, system_, sums_);
@@ -260,7 +278,7 @@ void Enforcer::enforce(const ContactMotion& motion, const Array<const RowTouch>&
       report.stored = done.stored.round();
       report.rate = done.rate;
       book_pairs(space);
-      forces_.book(space, system_, node_numbers_);
+      forces_.book(space, {system_, node_numbers_, exchange_, motion.dt});
       if (system_.num_rows > num_touches)
         report.walls = sum_wall_impulses(space, num_touches, motion.x, motion.center, system_, sums_);
       report.bodies = system_.bodies.wrench;

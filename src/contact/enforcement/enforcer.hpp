@@ -43,6 +43,10 @@ class Enforcer {
   /// A step like the last one, in which rows pushed nothing: what was remembered still is.
   void repeat(const ContactMotion& motion);
 
+  /// What the pushes along the normals gave to the nodes in the last step [force x time]: [mesh nodes], of copies of
+  /// others' nodes zero; zero after a restart until the next step. Collective.
+  Rows3<double> find_pushes();
+
   void archive(CheckpointArchive& archive);
 
   /// Work of this rank's rows since the start by name_contact_pairs().
@@ -87,6 +91,7 @@ class Enforcer {
   const double* last_impulse_ = nullptr;  // where they were written
   double last_dt_ = 0;
   std::int64_t last_pushes_ = -1;  // of all ranks in the last step; -1: not known
+  bool has_solved_ = false;        // system_ is that of the last step
   bool remembers_ = true;          // the history may hold something
 };
 

@@ -133,6 +133,20 @@ void RowExchange::send_to_rows(const RowSystem& system, const Rows3<double>& by_
   Kokkos::deep_copy(by_place, host);
 }
 
+void RowExchange::send_pushes(const Array<const NormalPush>& foreign, const RowSystem& system,
+                              Array<NormalPush>& remote) {
+  if (!has_many_ranks_) return;
+  const auto host = to_host(foreign);
+  std::vector<NormalPush> ordered;
+  ordered.reserve(order_.size());
+  for (const int k : order_) ordered.push_back(host(at(k)));
+  const std::vector<NormalPush> received = data_.exchange(plan_, ordered);
+  reserve(remote, system.num_remote);
+  const auto mirror = Kokkos::create_mirror_view(remote);
+  for (std::size_t k = 0; k < received.size(); ++k) mirror(k) = received[k];
+  Kokkos::deep_copy(remote, mirror);
+}
+
 CoupledReport RowExchange::solve_together(const std::vector<CoupledRow>& rows, double dt,
                                           std::vector<RowImpulse>& impulses) {
   if (!has_many_ranks_) return solve_in_key_order(rows, dt, impulses);

@@ -10,6 +10,7 @@
 #include "comm/merge_reduction.hpp"
 #include "kernels/contact/enforcement/coupled_rows.hpp"
 #include "kernels/contact/enforcement/enforcement.hpp"
+#include "kernels/contact/enforcement/force_sums.hpp"
 #include "src/contact/surface/contact_ranks.hpp"
 
 namespace percuss {
@@ -43,6 +44,8 @@ class RowExchange {
     end_sending(system);
   }
   void receive_corrections(RowSystem& system) { send_to_rows(system, system.correction); }
+  /// Pushes on foreign nodes to the owners. remote: out, [num_remote].
+  void send_pushes(const Array<const NormalPush>& foreign, const RowSystem& system, Array<NormalPush>& remote);
   void receive_bodies(RowSystem& system) { send_to_rows(system, system.bodies.marks); }
   void sum_bodies(std::vector<ExactSum>& sums) {
     if (has_many_ranks_) sum_over_ranks(ranks_.ranks, sums);

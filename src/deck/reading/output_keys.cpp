@@ -1,5 +1,6 @@
 // Keys of `output`.
 
+#include <algorithm>
 #include <charconv>
 #include <set>
 #include <string_view>
@@ -38,10 +39,38 @@ struct FieldsValue {
   Form form() const { return list_form(word_form(field_names())); }
 };
 
+/// A format, or a list of formats.
+struct FormatsValue {
+  bool read(const Reader& reader, const std::string& name, const Node& node, std::vector<FieldsFormat>& out) const {
+    std::vector<FieldsFormat> formats;
+    if (node.kind != Node::Kind::list) {
+      formats.resize(1);
+      if (!choice().read(reader, name, node, formats[0])) return false;
+    } else if (!ListValue<ChoiceValue<FieldsFormat>>{choice()}.read(reader, name, node, formats)) {
+      return false;
+    }
+    std::sort(formats.begin(), formats.end());
+    if (formats.empty() || std::adjacent_find(formats.begin(), formats.end()) != formats.end()) {
+      reader.refuse(node, name, "formats, each once");
+      return false;
+    }
+    out = std::move(formats);
+    return true;
+  }
+  std::string takes() const { return choice().takes() + ", or a list of these"; }
+  Form form() const { return any_form({choice().form(), list_form(choice().form(), 1)}); }
+
+ private:
+  static ChoiceValue<FieldsFormat> choice() {
+    return {{{"vtkhdf", FieldsFormat::vtkhdf}, {"exodus", FieldsFormat::exodus}}};
+  }
+};
+
 const Keys<OutputDeck>& field_keys() {
   static const Keys<OutputDeck> keys = {
       need("every", &OutputDeck::fields_every, NumberValue{positive}),
       may("write", &OutputDeck::fields, FieldsValue{}),
+      may("format", &OutputDeck::fields_formats, FormatsValue{}),
   };
   return keys;
 }
@@ -321,8 +350,8 @@ std::optional<int> find_thickness_point(std::string_view field, std::string_view
 
 const std::vector<std::string>& field_names() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"displacement",  "velocity",        "contact_force", "mass",
-                                    "contact_rank",  // of nodes
+    std::vector<std::string> all = {"displacement",  "velocity",        "contact_force", "contact_pressure",
+                                    "mass",          "contact_rank",  // of nodes
                                     "stress",        "pressure",        "von_mises",     "equivalent_plastic_strain",
                                     "temperature",   "internal_energy", "alive",         "damage",  // of elements
                                     "stress_bottom", "stress_top",      "thickness",                // of shells

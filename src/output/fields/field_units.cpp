@@ -22,6 +22,7 @@ constexpr std::array field_dimensions{
     FieldDimension{"velocity", dimensions::velocity},
     FieldDimension{"mass", dimensions::mass},
     FieldDimension{"contact_force", dimensions::force},
+    FieldDimension{"contact_pressure", dimensions::stress},
     FieldDimension{"stress", dimensions::stress},
     FieldDimension{"pressure", dimensions::stress},
     FieldDimension{"von_mises", dimensions::stress},

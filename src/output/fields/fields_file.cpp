@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "comm/agreement.hpp"
@@ -17,8 +16,6 @@
 
 namespace percuss {
 namespace {
-
-const std::string displacement_name = "displacement";
 
 XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options, const Communicator& ranks) {
   XdmfIndex index;
@@ -49,8 +46,7 @@ struct FieldsFile::Impl {
       : ranks(all_ranks),
         xdmf_path(directory + "/fields.xdmf"),
         parts_path(directory + "/fields.xdmf2"),
-        initial(chunked.mesh.nodes),
-        elements(chunked.mesh.elements.size()),
+        fields(chunked.mesh),
         precision(options.precision),
         index(make_index(chunked, options, all_ranks)),
         file(directory + "/fields.vtkhdf", chunked, options, all_ranks) {
@@ -63,8 +59,7 @@ struct FieldsFile::Impl {
       : ranks(all_ranks),
         xdmf_path(directory + "/fields.xdmf"),
         parts_path(directory + "/fields.xdmf2"),
-        initial(chunked.mesh.nodes),
-        elements(chunked.mesh.elements.size()),
+        fields(chunked.mesh),
         precision(options.precision),
         index(make_index(chunked, options, all_ranks)),
         file(directory + "/fields.vtkhdf", chunked, options, all_ranks, static_cast<std::int64_t>(times.size())) {
@@ -74,15 +69,11 @@ struct FieldsFile::Impl {
   void write_index() const;
   void write_parts_index();
   void write_parts_index_if_due();
-  std::vector<FieldData> complete_fields(std::span<const double> positions, std::span<const FieldData> given);
-  void check_fields(std::span<const FieldData> fields) const;
-  void remember_fields(std::span<const FieldData> fields);
+  void remember_fields(std::span<const FieldData> written);
 
   Communicator ranks;
   std::string xdmf_path, parts_path;
-  std::vector<Vec3> initial;         // [local nodes] positions of the mesh
-  std::size_t elements;              // local ones
-  std::vector<double> displacement;  // of the frame being written, [local nodes][3]
+  FrameFields fields;
   FieldPrecision precision;
   XdmfIndex index;
   std::size_t frames_in_parts_index = 0;
@@ -105,37 +96,10 @@ void FieldsFile::Impl::write_parts_index_if_due() {
   if (frames - frames_in_parts_index > frames_in_parts_index / frames_per_new_one) write_parts_index();
 }
 
-// The fields of a frame with the displacement, which is put first unless it was given.
-std::vector<FieldData> FieldsFile::Impl::complete_fields(std::span<const double> positions,
-                                                         std::span<const FieldData> given) {
-  std::vector<FieldData> fields(given.begin(), given.end());
-  const auto is_displacement = [](const FieldData& field) { return field.name == displacement_name; };
-  if (std::any_of(fields.begin(), fields.end(), is_displacement)) return fields;
-  displacement.resize(positions.size());
-  for (std::size_t i = 0; i < positions.size(); ++i) displacement[i] = positions[i] - initial[i / 3][i % 3];
-  fields.insert(fields.begin(), {displacement_name, FieldPlace::node, 3, displacement});
-  return fields;
-}
-
-void FieldsFile::Impl::check_fields(std::span<const FieldData> fields) const {
-  for (const auto& field : fields) {
-    const std::size_t items = field.place == FieldPlace::node ? initial.size() : elements;
-    if (field.values.size() != items * static_cast<std::size_t>(field.components))
-      throw std::logic_error(fmt::format("field {} has {} values (it has {} components on {} items)", field.name,
-                                         field.values.size(), field.components, items));
-  }
-  if (index.fields.empty()) return;
-  const bool same = std::equal(fields.begin(), fields.end(), index.fields.begin(), index.fields.end(),
-                               [](const FieldData& a, const XdmfField& b) {
-                                 return a.name == b.name && a.place == b.place && a.components == b.components;
-                               });
-  if (!same) throw std::logic_error("a frame has other fields than the first one (every frame must have the same)");
-}
-
-void FieldsFile::Impl::remember_fields(std::span<const FieldData> fields) {
+void FieldsFile::Impl::remember_fields(std::span<const FieldData> written) {
   const int bytes = precision == FieldPrecision::float32 ? 4 : 8;
   index.fields.clear();
-  for (const auto& field : fields)
+  for (const auto& field : written)
     index.fields.push_back({field.name, field.place, field.components, field.number == FieldNumber::byte ? 1 : bytes,
                             name_field_unit(field.name, index.units)});
 }
@@ -189,8 +153,7 @@ void FieldsFile::write_frame(double time, long step, std::span<const double> pos
                              std::span<const FieldData> fields) {
   if (!impl_) throw std::logic_error("a frame is written to a closed fields file");
   const hdf5::QuietErrors quiet;
-  const auto all = impl_->complete_fields(positions, fields);
-  impl_->check_fields(all);
+  const auto all = impl_->fields.complete(positions, fields);
   impl_->file.append_frame(time, step, positions, all);
   impl_->remember_fields(all);
   impl_->index.times.push_back(time);

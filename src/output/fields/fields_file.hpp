@@ -12,39 +12,9 @@
 
 #include "comm/communicator.hpp"
 #include "src/mesh/ordering.hpp"
+#include "src/output/frame/frame_fields.hpp"
 
 namespace percuss {
-
-enum class FieldPlace { node, element };
-
-/// How the numbers of a field are stored: as FieldsOptions says, or, of whole numbers from 0 to 255, in a byte each.
-enum class FieldNumber { real, byte };
-
-/// One field of one frame; values has components * (local nodes or elements) numbers, item by item. Of a node that
-/// several ranks hold, the values of its owner are written.
-struct FieldData {
-  std::string name;
-  FieldPlace place = FieldPlace::node;
-  int components = 1;  // 1, 3 (vector) or 6 (xx, yy, zz, xy, yz, zx)
-  std::span<const double> values;
-  FieldNumber number = FieldNumber::real;
-};
-
-/// How real fields are stored; positions and times are always float64.
-enum class FieldPrecision { float64, float32 };
-
-/// A rigid plane; bodies live on the side to which the unit normal points.
-struct WallPlane {
-  Vec3 point{};  // [length]
-  Vec3 normal{};
-};
-
-struct FieldsOptions {
-  std::string title;  // of the deck
-  std::string units;  // of the deck: "m, kg, s"; units of fields follow from it (src/output/fields/field_units.hpp)
-  FieldPrecision precision = FieldPrecision::float64;
-  std::vector<WallPlane> walls{};  // for pictures
-};
 
 class FieldsFile {
  public:

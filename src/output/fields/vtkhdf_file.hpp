@@ -4,10 +4,6 @@
 // One partition, whose cells are stored once: Steps/*Offsets refer every step to them. Points and fields are stored
 // frame after frame in one dataset each. Data without a place in VTK (title, units, part names, step numbers) are in
 // /percuss.
-//
-// Several ranks write the file together, each a block of every dataset (src/output/hdf5/row_blocks.hpp). Predictable
-// failures (the folder, the space on the disk) occur on rank 0 first and then on all. Other failures end the program at
-// once, because within HDF5 the other ranks wait for the one that failed.
 
 #include <cstdint>
 #include <span>
@@ -16,8 +12,7 @@
 
 #include "src/output/fields/fields_file.hpp"
 #include "src/output/fields/vtkhdf_tables.hpp"
-#include "src/output/files/disk_reservation.hpp"
-#include "src/output/hdf5/row_blocks.hpp"
+#include "src/output/hdf5/durable_file.hpp"
 
 namespace percuss {
 
@@ -29,8 +24,6 @@ class VtkhdfFile {
   /// Continues with a file that has so many frames and nothing else (cut_fields_file()).
   VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks, std::int64_t frames);
-  /// Closes the file; errors are lost.
-  ~VtkhdfFile();
   VtkhdfFile(const VtkhdfFile&) = delete;
   VtkhdfFile& operator=(const VtkhdfFile&) = delete;
 
@@ -41,31 +34,23 @@ class VtkhdfFile {
                     std::span<const FieldData> fields);
 
   /// Waits until the disk has the frames written so far, and looks whether all are there. Throws SystemError.
-  void sync();
+  void sync() { file_.sync(); }
 
   /// Waits for the disk, closes and looks whether all frames are there. Throws SystemError.
-  void close();
+  void close() { file_.close(); }
 
   /// Whether the path still leads to this file, as rank 0 sees it.
-  bool is_in_place() const;
+  bool is_in_place() const { return file_.is_in_place(); }
 
  private:
   struct Unopened {};
   VtkhdfFile(Unopened, const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks);
 
-  template <class Work>
-  void run_or_abandon(const char* action, Work&& work);
-  [[noreturn]] void fail(const char* action, const hdf5::Error& error);
-  std::string make_message(const char* action, const hdf5::Error& error) const;
-  void create(const Mesh& mesh);
   void write_cells(const Mesh& mesh);
   void write_mesh(const Mesh& mesh);
   void write_scene(const Mesh& mesh);
-  void open(std::int64_t frames);
   hdf5::RowBlock make_block(FieldPlace place, int rows = 1);
-  hdf5::RowBlock make_block_of_first_rank(hsize_t rows);
-  hdf5::RowBlock make_block_of_all(std::size_t count);
   void write_numbers(const hdf5::Handle& group, const std::string& name, const hdf5::RowBlock& block,
                      std::span<const std::int64_t> values);
   void write_items(const std::string& name, FieldPlace place, std::span<const std::int64_t> values);
@@ -76,23 +61,12 @@ class VtkhdfFile {
   void append_rows(double time, std::int64_t step, std::span<const double> positions,
                    std::span<const FieldData> fields);
   hsize_t frame_bytes(std::span<const FieldData> fields) const;
-  hsize_t file_bytes() const;
-  void reserve(hsize_t bytes);
-  void trim();
-  void flush();
-  void compare();
-  void abandon();
 
-  std::string path_;
   Communicator ranks_;
   FieldsOptions options_;
   hsize_t nodes_, elements_;  // of the whole mesh
   RowBlocks node_rows_, element_rows_;
-  hdf5::Handle transfer_;  // collective; none: one rank
-  std::int64_t frames_ = 0;
-  hdf5::WriteRecord record_;  // of what was written since compare()
-  DiskReservation disk_;      // rank 0's
-  hdf5::Handle file_;
+  hdf5::DurableFile file_;
   VtkhdfTables tables_;
 };
 

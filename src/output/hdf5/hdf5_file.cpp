@@ -96,12 +96,14 @@ void turn_to_null(int descriptor) {
 
 }  // namespace
 
-Handle create_durable_file(const std::string& path, const Communicator& ranks) {
+Handle create_durable_file(const std::string& path, const Communicator& ranks, LinkOrder links) {
   const std::string action = "create the file";
   const bool together = ranks.size() > 1;
   const Handle access = create_access(ranks, action);
   const Handle creation(check(H5Pcreate(H5P_FILE_CREATE), action), H5Pclose);
   check(H5Pset_istore_k(creation.get(), chunk_index_k), action);
+  if (links == LinkOrder::by_creation)
+    check(H5Pset_link_creation_order(creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), action);
   if (together) {
     run_on_first_rank(ranks, [&] { make_empty_file(path); });
   } else {

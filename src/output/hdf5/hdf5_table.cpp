@@ -115,6 +115,15 @@ void write_rows_once(hid_t parent, const std::string& name, const RowBlock& bloc
   write_rows(dataset.get(), name, 0, block, {components, H5T_NATIVE_DOUBLE, values.data()});
 }
 
+void write_rows_once(hid_t parent, const std::string& name, const RowBlock& block, int components,
+                     std::span<const std::int64_t> values) {
+  // Two dimensions, whatever their lengths.
+  const Extent extent{{block.all, static_cast<hsize_t>(components)}, 2};
+  const Handle space = create_space(extent);
+  const Handle dataset = create_dataset(parent, name, H5T_STD_I64LE, space.get(), create_properties(name).get());
+  write_rows(dataset.get(), name, 0, block, {components, H5T_NATIVE_INT64, values.data()});
+}
+
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values) {
   const hsize_t count = values.size();
   const Handle space(check(count == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr), "write " + name),

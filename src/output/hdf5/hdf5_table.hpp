@@ -47,6 +47,8 @@ void write_dataset(hid_t parent, const std::string& name, hid_t file_type, const
                    const void* values);
 void write_rows_once(hid_t parent, const std::string& name, const RowBlock& block, int components,
                      std::span<const double> values);
+void write_rows_once(hid_t parent, const std::string& name, const RowBlock& block, int components,
+                     std::span<const std::int64_t> values);
 
 /// Attributes: whole numbers (one or several) and text of fixed length.
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);

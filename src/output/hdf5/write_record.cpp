@@ -62,6 +62,37 @@ Layout find_layout(hid_t dataset, const std::string& action) {
   return layout;
 }
 
+/// Some numbers of a dataset, in memory as they are in the file.
+struct Piece {
+  std::array<hsize_t, 2> start, extent;
+};
+
+void read_piece(hid_t dataset, const Layout& layout, const Piece& piece, std::vector<char>& values,
+                const std::string& action) {
+  const hsize_t numbers = piece.extent[0] * piece.extent[1];
+  values.resize(static_cast<std::size_t>(numbers) * layout.number_bytes);
+  const Handle in_file(check(H5Dget_space(dataset), action), H5Sclose);
+  check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, piece.start.data(), nullptr, piece.extent.data(), nullptr),
+        action);
+  const Handle in_memory(check(H5Screate_simple(1, &numbers, nullptr), action), H5Sclose);
+  check(H5Dread(dataset, layout.memory_type.get(), in_memory.get(), in_file.get(), H5P_DEFAULT, values.data()), action);
+}
+
+/// The hash of a part of a row, read a piece at a time.
+std::uint64_t read_part_hash(hid_t dataset, const Layout& layout, const WriteRecord::PartOfRow& part,
+                             const std::string& action) {
+  const hsize_t at_once = std::max<hsize_t>(1, largest_read / layout.number_bytes),
+                before = part.row * layout.numbers_per_row;
+  std::vector<char> values;
+  std::uint64_t hash = 0;
+  for (hsize_t first = part.first, end = part.first + part.count; first < end; first += at_once) {
+    const hsize_t count = std::min(at_once, end - first);
+    read_piece(dataset, layout, {{part.row, first}, {1, count}}, values, action);
+    hash += hash_rows(values.data(), layout.number_bytes, 1, before + first, count);
+  }
+  return hash;
+}
+
 /// The hash of rows [first, first + rows), read a piece at a time.
 std::uint64_t read_hash(hid_t dataset, const Layout& layout, hsize_t first, hsize_t rows, const std::string& action) {
   const hsize_t row_bytes = std::max<hsize_t>(1, layout.numbers_per_row * layout.number_bytes);
@@ -69,14 +100,8 @@ std::uint64_t read_hash(hid_t dataset, const Layout& layout, hsize_t first, hsiz
   std::vector<char> values;
   std::uint64_t hash = 0;
   for (const hsize_t end = first + rows; first < end; first += at_once) {
-    const hsize_t count = std::min(at_once, end - first), numbers = count * layout.numbers_per_row;
-    values.resize(static_cast<std::size_t>(count * row_bytes));
-    const Handle in_file(check(H5Dget_space(dataset), action), H5Sclose);
-    const std::array<hsize_t, 2> start{first, 0}, extent{count, layout.numbers_per_row};
-    check(H5Sselect_hyperslab(in_file.get(), H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr), action);
-    const Handle in_memory(check(H5Screate_simple(1, &numbers, nullptr), action), H5Sclose);
-    check(H5Dread(dataset, layout.memory_type.get(), in_memory.get(), in_file.get(), H5P_DEFAULT, values.data()),
-          action);
+    const hsize_t count = std::min(at_once, end - first);
+    read_piece(dataset, layout, {{first, 0}, {count, layout.numbers_per_row}}, values, action);
     hash += hash_rows(values.data(), layout.number_bytes, layout.numbers_per_row, first, count);
   }
   return hash;
@@ -113,14 +138,25 @@ void WriteRecord::add(hid_t dataset, hsize_t first, hsize_t rows, hid_t memory_t
   blocks_.push_back({path, first, rows, layout.rows, hash});
 }
 
+void WriteRecord::add_part(hid_t dataset, const PartOfRow& part, hid_t memory_type, const void* values) {
+  const std::string path = find_path(dataset);
+  const Layout layout = find_layout(dataset, "record dataset " + path);
+  if (H5Tget_size(memory_type) != layout.number_bytes) throw Error("record dataset " + path, "its numbers are others");
+  const hsize_t before = part.row * layout.numbers_per_row;
+  const std::uint64_t hash = hash_rows(values, layout.number_bytes, 1, before + part.first, part.count);
+  blocks_.push_back({path, part.row, 1, part.row + 1, hash, true, part.first, part.count});
+}
+
 void WriteRecord::compare(hid_t file) const {
   for (const Block& block : blocks_) {
     const std::string action = "read back dataset " + block.path;
     const Handle dataset(check(H5Dopen2(file, block.path.c_str(), H5P_DEFAULT), action), H5Dclose);
     const Layout layout = find_layout(dataset.get(), action);
     if (layout.rows < block.all) throw Error(action, "it is shorter than what was written");
-    if (read_hash(dataset.get(), layout, block.first, block.rows, action) != block.hash)
-      throw Error(action, "it does not hold what was written");
+    const std::uint64_t hash =
+        block.is_part ? read_part_hash(dataset.get(), layout, {block.first, block.first_number, block.numbers}, action)
+                      : read_hash(dataset.get(), layout, block.first, block.rows, action);
+    if (hash != block.hash) throw Error(action, "it does not hold what was written");
   }
 }
 

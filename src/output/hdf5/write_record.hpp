@@ -18,6 +18,12 @@ class WriteRecord {
   /// as many components as the dataset has. Throws Error.
   void add(hid_t dataset, hsize_t first, hsize_t rows, hid_t memory_type, const void* values);
 
+  /// Notes numbers [first, first + count) of one row of a dataset of one or two dimensions.
+  struct PartOfRow {
+    hsize_t row, first, count;
+  };
+  void add_part(hid_t dataset, const PartOfRow& part, hid_t memory_type, const void* values);
+
   /// Reads the blocks of this rank in a file that was opened for nothing else (open_to_compare()). Throws Error for the
   /// first dataset whose numbers are not those that were written.
   void compare(hid_t file) const;
@@ -33,6 +39,8 @@ class WriteRecord {
     std::string path;  // of the dataset
     hsize_t first, rows, all;
     std::uint64_t hash;
+    bool is_part = false;  // of one row:
+    hsize_t first_number = 0, numbers = 0;
   };
   std::vector<Block> blocks_;
 };

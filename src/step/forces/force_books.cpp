@@ -35,6 +35,8 @@ void append_mean(const ContactImpulse& since, double per_time, bool is_contact, 
   if (!is_contact) return;
   row.push_back(since.normal * per_time);
   row.push_back(since.tangential * per_time);
+  row.push_back(since.area * per_time);
+  row.push_back(since.press * per_time);
 }
 
 }  // namespace
@@ -43,19 +45,20 @@ std::vector<HistoryColumn> list_force_columns(const Deck& deck) {
   std::vector<HistoryColumn> columns;
   for (const ForceDeck& force : deck.output.forces) {
     const std::string which = describe(force);
-    const auto add = [&](const std::string& name, const std::string& meaning, HistoryColumn::Kind kind) {
-      const bool is_moment = kind == HistoryColumn::Kind::moment;
-      columns.push_back({name + ":" + force.name, is_moment ? dimensions::energy : dimensions::force,
-                         fmt::format("{} {}", meaning, which), kind});
+    const auto add = [&](const std::string& name, const Dimension& dimension, const std::string& meaning) {
+      const bool is_moment = dimension == dimensions::energy;
+      columns.push_back({name + ":" + force.name, dimension, fmt::format("{} {}", meaning, which),
+                         is_moment ? HistoryColumn::Kind::moment : HistoryColumn::Kind::by_dimension});
     };
-    const auto force_kind = HistoryColumn::Kind::by_dimension, moment_kind = HistoryColumn::Kind::moment;
     for (const char* axis : {"x", "y", "z"})
-      add(fmt::format("f{}", axis), fmt::format("force in {}", axis), force_kind);
+      add(fmt::format("f{}", axis), dimensions::force, fmt::format("force in {}", axis));
     for (const char* axis : {"x", "y", "z"})
-      add(fmt::format("m{}", axis), fmt::format("moment about {} of the force", axis), moment_kind);
+      add(fmt::format("m{}", axis), dimensions::energy, fmt::format("moment about {} of the force", axis));
     if (!force.is_of_contact()) continue;
-    add("normal", "sum of the magnitudes of the normal forces", force_kind);
-    add("tangential", "sum of the magnitudes of the friction forces", force_kind);
+    add("normal", dimensions::force, "sum of the magnitudes of the normal forces");
+    add("tangential", dimensions::force, "sum of the magnitudes of the friction forces");
+    add("area", dimensions::area, "area of contact of the nodes");
+    add("pressure", dimensions::stress, "largest normal force over area of a node");
   }
   return columns;
 }
@@ -106,10 +109,11 @@ void ForceBooks::archive(CheckpointArchive& archive) {
 
 void ForceBooks::resume(double time) { std::replace(since_.begin(), since_.end(), not_begun, time); }
 
-std::vector<double> ForceBooks::take(double time) {
+std::vector<double> ForceBooks::take(const State& state) {
+  const double time = state.time;
   std::vector<double> row;
   if (since_.empty()) return row;
-  const std::vector<ContactImpulse> of_contact = contact_.take_forces();
+  const std::vector<ContactImpulse> of_contact = contact_.take_forces(state.x);
   auto contact = of_contact.begin();
   for (std::size_t f = 0; f < since_.size(); ++f) {
     const double per_time = time > since_[f] ? 1 / (time - since_[f]) : 0;

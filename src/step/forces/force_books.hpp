@@ -35,8 +35,8 @@ class ForceBooks {
   /// After a restart at this time.
   void resume(double time);
 
-  /// The values of a row: means since the last one. Collective; empty where the deck names no force.
-  std::vector<double> take(double time);
+  /// The values of a row of this state: means since the last one. Collective; empty where the deck names no force.
+  std::vector<double> take(const State& state);
 
  private:
   std::array<ExactSum, 6>& find_sums(std::size_t force);

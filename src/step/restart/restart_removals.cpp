@@ -18,7 +18,7 @@ bool is_beyond(const SavedState& state, const SavedState& end) {
   return state.time > end.time * (1 + same_time) || state.step > end.step;
 }
 
-std::string count_states(const LaterStates& states, const char* what, const char* file) {
+std::string count_states(const LaterStates& states, const char* what, const std::string& file) {
   if (states.empty()) return "";
   return fmt::format("{} {}{} of {} up to t = {:.6g}", states.size(), what, states.size() == 1 ? "" : "s", file,
                      states.back().time);
@@ -55,7 +55,7 @@ std::string find_checkpoint(const RestartInPlace& restart) {
 std::string describe_removals(const RestartInPlace& restart, const CutStates& cut) {
   std::string text;
   for (const std::string& part :
-       {count_states(cut.rows, "row", "history.csv"), count_states(cut.frames, "frame", "fields.vtkhdf"),
+       {count_states(cut.rows, "row", "history.csv"), count_states(cut.frames, "frame", cut.frames_file),
         find_summary(restart), find_checkpoint(restart)}) {
     if (!part.empty()) text += (text.empty() ? "" : ", ") + part;
   }

@@ -40,26 +40,45 @@ FieldsOptions make_options(const Deck& deck) {
 
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                const ContactStage& contact)
-    : model_(model),
-      contact_(contact),
-      names_(list_fields(deck, model)),
-      file_(directory, chunked, make_options(deck), model.ranks) {
+    : model_(model), contact_(contact), names_(list_fields(deck, model)) {
+  const FieldsOptions options = make_options(deck);
+  if (deck.output.has_format(FieldsFormat::vtkhdf)) vtkhdf_.emplace(directory, chunked, options, model.ranks);
+  if (deck.output.has_format(FieldsFormat::exodus)) exodus_.emplace(directory, chunked, options, model.ranks);
   note_constant_fields(chunked);
 }
 
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                const ContactStage& contact, std::int64_t frames)
-    : model_(model),
-      contact_(contact),
-      names_(list_fields(deck, model)),
-      file_(directory, chunked, make_options(deck), model.ranks, frames, names_),
-      count_(frames) {
+    : model_(model), contact_(contact), names_(list_fields(deck, model)), count_(frames) {
+  const FieldsOptions options = make_options(deck);
+  if (deck.output.has_format(FieldsFormat::vtkhdf))
+    vtkhdf_.emplace(directory, chunked, options, model.ranks, frames, names_);
+  if (deck.output.has_format(FieldsFormat::exodus))
+    exodus_.emplace(directory, chunked, options, model.ranks, frames, names_);
   note_constant_fields(chunked);
 }
 
 void Frames::check(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                    std::int64_t frames) {
-  FieldsFile::check(directory, chunked, model.ranks, frames, list_fields(deck, model));
+  const std::vector<std::string> fields = list_fields(deck, model);
+  if (deck.output.has_format(FieldsFormat::vtkhdf)) FieldsFile::check(directory, chunked, model.ranks, frames, fields);
+  if (deck.output.has_format(FieldsFormat::exodus))
+    ExodusResults::check(directory, chunked, model.ranks, frames, fields);
+}
+
+void Frames::sync() {
+  if (vtkhdf_) vtkhdf_->sync();
+  if (exodus_) exodus_->sync();
+}
+
+void Frames::close() {
+  if (vtkhdf_) vtkhdf_->close();
+  if (exodus_) exodus_->close();
+}
+
+bool Frames::is_in_place() const {
+  const bool vtkhdf = !vtkhdf_ || vtkhdf_->is_in_place(), exodus = !exodus_ || exodus_->is_in_place();
+  return vtkhdf && exodus;
 }
 
 void Frames::note_constant_fields(const ChunkedMesh& chunked) {
@@ -113,6 +132,8 @@ struct FrameField {
 constexpr FrameField frame_fields[] = {
     {"velocity", FieldPlace::node, 3, [](const FrameSource& of) { return copy_rows(of.state.v); }},
     {"contact_force", FieldPlace::node, 3, [](const FrameSource& of) { return find_contact_forces(of.state); }},
+    {"contact_pressure", FieldPlace::node, 1,
+     [](const FrameSource& of) { return of.contact.find_pressures(of.state.x, of.state.dt); }},
     {"mass", FieldPlace::node, 1, [](const FrameSource& of) { return find_masses(of.state); }},
     {"stress", FieldPlace::element, 6, [](const FrameSource& of) { return of.stresses; }},
     {"pressure", FieldPlace::element, 1, [](const FrameSource& of) { return find_pressures(of.stresses); }},
@@ -169,7 +190,9 @@ void Frames::write(const State& state) {
     frame.push_back(field);
   }
   const auto x = to_host(state.x);
-  file_.write_frame(state.time, state.step, {x.data(), x.extent(0) * 3}, frame);
+  const std::span<const double> positions{x.data(), x.extent(0) * 3};
+  if (vtkhdf_) vtkhdf_->write_frame(state.time, state.step, positions, frame);
+  if (exodus_) exodus_->write_frame(state.time, state.step, positions, frame);
   ++count_;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
-// Writes frames of the fields that the deck asks for.
+// Writes frames of the fields that the deck asks for, in one file or in two of different formats.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "src/contact/contact_stage.hpp"
+#include "src/output/exodus/exodus_results.hpp"
 #include "src/output/fields/fields_file.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/state.hpp"
@@ -28,10 +30,10 @@ class Frames {
 
   void write(const State& state);
   /// Waits until the disk has the frames written so far.
-  void sync() { file_.sync(); }
-  void close() { file_.close(); }
-  /// Whether the file still has its name: not if somebody removed or replaced it.
-  bool is_in_place() const { return file_.is_in_place(); }
+  void sync();
+  void close();
+  /// Whether the files still have their names: not if somebody removed or replaced one.
+  bool is_in_place() const;
   /// In the file.
   std::int64_t count() const { return count_; }
 
@@ -42,7 +44,8 @@ class Frames {
   const ContactStage& contact_;
   std::vector<std::string> names_;    // of the fields
   std::vector<double> body_, chunk_;  // constant fields, only if asked for
-  FieldsFile file_;
+  std::optional<FieldsFile> vtkhdf_;
+  std::optional<ExodusResults> exodus_;
   std::int64_t count_ = 0;
 };
 

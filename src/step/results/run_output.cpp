@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/output/exodus/exodus_restart.hpp"
 #include "src/output/fields/fields_restart.hpp"
 
 namespace percuss {
@@ -63,8 +64,12 @@ CutStates RunOutput::find_cut_states(const SavedState& from, const SavedState& e
     cut.rows = keep_lost(find_later_rows(directory_ + "/history.csv", history_bytes_), from, end, rows_.is_thinned());
   }
   if (wants_frames()) {
-    cut.frames =
-        keep_lost(find_later_frames(directory_ + "/fields.vtkhdf", frame_count_), from, end, frames_due_.is_thinned());
+    const bool is_vtkhdf = deck_.output.has_format(FieldsFormat::vtkhdf);
+    cut.frames_file = is_vtkhdf ? "fields.vtkhdf" : exodus_results_name;
+    const std::string path = directory_ + "/" + cut.frames_file;
+    const LaterStates later =
+        is_vtkhdf ? find_later_frames(path, frame_count_) : find_later_exodus_frames(path, frame_count_);
+    cut.frames = keep_lost(later, from, end, frames_due_.is_thinned());
   }
   return cut;
 }
@@ -87,7 +92,7 @@ void RunOutput::write_row(const State& state, const AuditResult& audit, Stepper&
   const Vec3 wall_force = stepper.find_wall_force();
   const std::vector<double> pair_work = contact_.sum_pair_work();
   const std::vector<double> walls = contact_.list_wall_motions();
-  const std::vector<double> forces = stepper.forces().take(state.time);
+  const std::vector<double> forces = stepper.forces().take(state);
   history_->write(model_, {state, audit, stepper.contact_report(), wall_force, pair_work, walls, forces});
   last_row_ = state.step;
 }

@@ -36,6 +36,7 @@ class Schedule {
 /// What a run that goes on in a folder cuts off its files, and does not write again.
 struct CutStates {
   LaterStates rows, frames;
+  std::string frames_file = "fields.vtkhdf";  // the file of the frames
 };
 
 /// All calls are collective.

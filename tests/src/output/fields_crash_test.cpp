@@ -1,9 +1,10 @@
-// What is left of fields.vtkhdf when the process dies, or the disk fails, at any write of a frame.
+// What is left of fields.vtkhdf and of fields.exo when the process dies, or the disk fails, at any write of a frame.
 //
 // This executable replaces the pwrite of the C library, so that HDF5's n-th write can end the process as kill -9 does,
 // or fail. Every n is tried.
 
 #include <dlfcn.h>
+#include <exodusII.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -13,8 +14,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "src/error.hpp"
+#include "src/output/exodus/exodus_results.hpp"
 #include "src/output/fields/fields_file.hpp"
 #include "tests/src/output/file_size_limit.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
@@ -31,7 +35,9 @@ int writes_seen = 0;
 bool is_fields_file(int file) {
   char path[4096];
   const ssize_t length = ::readlink(("/proc/self/fd/" + std::to_string(file)).c_str(), path, sizeof path);
-  return length > 0 && std::string(path, static_cast<std::size_t>(length)).ends_with("/fields.vtkhdf");
+  if (length <= 0) return false;
+  const std::string_view name(path, static_cast<std::size_t>(length));
+  return name.ends_with("/fields.vtkhdf") || name.ends_with("/fields.exo");
 }
 
 using Pwrite = ssize_t (*)(int, const void*, std::size_t, off_t);
@@ -87,107 +93,163 @@ int run_in_child(Body&& body) {
   return status;
 }
 
-// Checks that the frames before the fault are in the file, bit for bit; a frame more may be if it was complete.
-void expect_good_frames(const std::string& path, const Mesh& mesh, int least) {
-  const Hdf5FileView file(path);
-  ASSERT_TRUE(file.is_open());
-  const long found = file.attribute("VTKHDF/Steps", "NSteps").front();
-  ASSERT_GE(found, least);
-  ASSERT_LE(found, least + 1);
-  const auto times = file.numbers("VTKHDF/Steps/Values");
-  const auto points = file.numbers("VTKHDF/Points");
-  const auto stress = file.numbers("VTKHDF/CellData/stress");
-  for (int frame = 0; frame < found; ++frame) {
-    const sample::Frame expected(mesh, frame);
-    EXPECT_EQ(times.at(static_cast<std::size_t>(frame)), sample::time_of(frame));
-    const auto nodes = static_cast<long>(expected.positions.size()), cells = static_cast<long>(expected.stress.size());
-    EXPECT_TRUE(std::equal(expected.positions.begin(), expected.positions.end(), points.begin() + frame * nodes));
-    EXPECT_TRUE(std::equal(expected.stress.begin(), expected.stress.end(), stress.begin() + frame * cells));
+/// fields.vtkhdf in these tests.
+struct Vtkhdf {
+  using File = FieldsFile;
+  static constexpr const char* name = "fields.vtkhdf";
+  static File create(const std::string& folder, const Mesh& mesh) { return sample::create_file(folder, mesh); }
+
+  // Checks that the frames before the fault are in the file, bit for bit; a frame more may be if it was complete.
+  static void expect_good_frames(const std::string& path, const Mesh& mesh, int least) {
+    const Hdf5FileView file(path);
+    ASSERT_TRUE(file.is_open());
+    const long found = file.attribute("VTKHDF/Steps", "NSteps").front();
+    ASSERT_GE(found, least);
+    ASSERT_LE(found, least + 1);
+    const auto times = file.numbers("VTKHDF/Steps/Values");
+    const auto points = file.numbers("VTKHDF/Points");
+    const auto stress = file.numbers("VTKHDF/CellData/stress");
+    for (int frame = 0; frame < found; ++frame) {
+      const sample::Frame expected(mesh, frame);
+      EXPECT_EQ(times.at(static_cast<std::size_t>(frame)), sample::time_of(frame));
+      const auto nodes = static_cast<long>(expected.positions.size()),
+                 cells = static_cast<long>(expected.stress.size());
+      EXPECT_TRUE(std::equal(expected.positions.begin(), expected.positions.end(), points.begin() + frame * nodes));
+      EXPECT_TRUE(std::equal(expected.stress.begin(), expected.stress.end(), stress.begin() + frame * cells));
+    }
   }
-}
+};
 
-int count_writes_of_a_frame(const Mesh& mesh) {
-  const TemporaryFolder folder;
-  FieldsFile file = sample::create_file(folder.path(), mesh);
-  for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
-  writes_seen = 0;
-  sample::write_frame(file, mesh, good_frames);
-  return writes_seen;
-}
+/// fields.exo, read by the Exodus library.
+struct Exodus {
+  using File = ExodusResults;
+  static constexpr const char* name = "fields.exo";
+  static File create(const std::string& folder, const Mesh& mesh) {
+    return {folder, sample::cut_layers(mesh), sample::options(), Communicator(MPI_COMM_SELF)};
+  }
 
-TEST(FieldsFileInACrash, KeepsTheFramesBeforeWheneverTheProcessIsKilled) {
+  static void expect_good_frames(const std::string& path, const Mesh& mesh, int least) {
+    int number_bytes = 8, stored_bytes = 0;
+    float version = 0;
+    // A copy, because HDF5 opens no file that this process has open for writing.
+    const std::string copy = path + ".copy";
+    std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing);
+    const int file = ex_open(copy.c_str(), EX_READ, &number_bytes, &stored_bytes, &version);
+    ASSERT_GE(file, 0);
+    const auto found = static_cast<int>(ex_inquire_int(file, EX_INQ_TIME));
+    EXPECT_GE(found, least);
+    EXPECT_LE(found, least + 1);
+    for (int frame = 0; frame < found; ++frame) expect_frame(file, mesh, frame);
+    ex_close(file);
+  }
+
+  // stress_yz of the second cube and velocity_x.
+  static void expect_frame(int file, const Mesh& mesh, int frame) {
+    const sample::Frame expected(mesh, frame);
+    double time = -1;
+    EXPECT_EQ(ex_get_time(file, frame + 1, &time), 0);
+    EXPECT_EQ(time, sample::time_of(frame));
+    std::vector<double> stress(mesh.elements.size() / 2), velocity(mesh.nodes.size());
+    EXPECT_EQ(ex_get_var(file, frame + 1, EX_ELEM_BLOCK, 5, 2, static_cast<int64_t>(stress.size()), stress.data()), 0);
+    EXPECT_EQ(ex_get_var(file, frame + 1, EX_NODAL, 4, 1, static_cast<int64_t>(velocity.size()), velocity.data()), 0);
+    for (std::size_t e = 0; e < stress.size(); ++e) EXPECT_EQ(stress[e], expected.stress[6 * (stress.size() + e) + 4]);
+    for (std::size_t n = 0; n < velocity.size(); ++n) EXPECT_EQ(velocity[n], expected.velocity[3 * n]);
+  }
+};
+
+template <class Format>
+class ResultsFile : public testing::Test {
+ protected:
+  using File = typename Format::File;
+
+  static File create(const std::string& folder, const Mesh& mesh) {
+    File file = Format::create(folder, mesh);
+    for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
+    return file;
+  }
+
+  static int count_writes_of_a_frame(const Mesh& mesh) {
+    const TemporaryFolder folder;
+    File file = create(folder.path(), mesh);
+    writes_seen = 0;
+    sample::write_frame(file, mesh, good_frames);
+    return writes_seen;
+  }
+
+  // Writes frames until the n-th write of the last one fails; ends the process as percuss does. Exit codes: 4 for the
+  // error that is expected, others for what went wrong.
+  static void run_into_failing_write(const std::string& folder, const Mesh& mesh, int n) {
+    File file = create(folder, mesh);
+    fault = Fault::fail;
+    writes_left = n;
+    try {
+      sample::write_frame(file, mesh, good_frames);
+      std::exit(10);  // nobody noticed
+    } catch (const SystemError& error) {
+      const std::string message = error.what();
+      if (message.find(folder + "/" + Format::name) == std::string::npos) std::exit(11);
+      if (message.find("Input/output error") == std::string::npos) std::exit(12);
+    }
+    fault = Fault::none;
+    try {
+      sample::write_frame(file, mesh, good_frames);
+      std::exit(13);  // a file that was given up takes a frame
+    } catch (const SystemError&) {
+      file.close();
+      std::exit(4);
+    }
+  }
+};
+
+using Formats = testing::Types<Vtkhdf, Exodus>;
+TYPED_TEST_SUITE(ResultsFile, Formats);
+
+TYPED_TEST(ResultsFile, KeepsTheFramesBeforeWheneverTheProcessIsKilled) {
   const Mesh mesh = sample::make_mesh();
-  const int writes = count_writes_of_a_frame(mesh);
+  const int writes = this->count_writes_of_a_frame(mesh);
   ASSERT_GT(writes, 10);
   for (int n = 0; n < writes; ++n) {
     SCOPED_TRACE("killed at write " + std::to_string(n));
     const TemporaryFolder folder;
     const int status = run_in_child([&] {
-      FieldsFile file = sample::create_file(folder.path(), mesh);
-      for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
+      auto file = this->create(folder.path(), mesh);
       fault = Fault::kill;
       writes_left = n;
       sample::write_frame(file, mesh, good_frames);
     });
     ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
-    expect_good_frames(folder.file("fields.vtkhdf"), mesh, good_frames);
+    TypeParam::expect_good_frames(folder.file(TypeParam::name), mesh, good_frames);
   }
 }
 
-// Writes frames until the n-th write of the last one fails; ends the process as percuss does. Exit codes: 4 for the
-// error that is expected, others for what went wrong.
-void run_into_failing_write(const std::string& folder, const Mesh& mesh, int n) {
-  FieldsFile file = sample::create_file(folder, mesh);
-  for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
-  fault = Fault::fail;
-  writes_left = n;
-  try {
-    sample::write_frame(file, mesh, good_frames);
-    std::exit(10);  // nobody noticed
-  } catch (const SystemError& error) {
-    const std::string message = error.what();
-    if (message.find(folder + "/fields.vtkhdf") == std::string::npos) std::exit(11);
-    if (message.find("Input/output error") == std::string::npos) std::exit(12);
-  }
-  fault = Fault::none;
-  try {
-    sample::write_frame(file, mesh, good_frames);
-    std::exit(13);  // a file that was given up takes a frame
-  } catch (const SystemError&) {
-    file.close();
-    std::exit(4);
-  }
-}
-
-TEST(FieldsFileInACrash, KeepsTheFramesBeforeAndTheExitCodeWhicheverWriteFails) {
+TYPED_TEST(ResultsFile, KeepsTheFramesBeforeAndTheExitCodeWhicheverWriteFails) {
   const Mesh mesh = sample::make_mesh();
-  const int writes = count_writes_of_a_frame(mesh);
+  const int writes = this->count_writes_of_a_frame(mesh);
   for (int n = 0; n < writes; ++n) {
     SCOPED_TRACE("failed at write " + std::to_string(n));
     const TemporaryFolder folder;
-    const int status = run_in_child([&] { run_into_failing_write(folder.path(), mesh, n); });
+    const int status = run_in_child([&] { this->run_into_failing_write(folder.path(), mesh, n); });
     ASSERT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
     ASSERT_EQ(WEXITSTATUS(status), 4);
-    expect_good_frames(folder.file("fields.vtkhdf"), mesh, good_frames);
+    TypeParam::expect_good_frames(folder.file(TypeParam::name), mesh, good_frames);
   }
 }
 
-TEST(FieldsFileOnADiskThatLosesWrites, TellsOfEachThatIsMissing) {
+TYPED_TEST(ResultsFile, TellsOfEachWriteThatADiskLoses) {
   const Mesh mesh = sample::make_mesh();
-  const int writes = count_writes_of_a_frame(mesh);
+  const int writes = this->count_writes_of_a_frame(mesh);
   int told = 0;
   for (int n = 0; n < writes; ++n) {
     SCOPED_TRACE("lost write " + std::to_string(n));
     const TemporaryFolder folder;
-    FieldsFile file = sample::create_file(folder.path(), mesh);
-    for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
+    auto file = this->create(folder.path(), mesh);
     fault = Fault::lose;
     writes_left = n;
     try {
       sample::write_frame(file, mesh, good_frames);
       fault = Fault::none;
       file.close();
-      expect_good_frames(folder.file("fields.vtkhdf"), mesh, good_frames + 1);
+      TypeParam::expect_good_frames(folder.file(TypeParam::name), mesh, good_frames + 1);
     } catch (const SystemError& error) {
       EXPECT_THAT(error.what(), HasSubstr("read"));
       ++told;
@@ -197,31 +259,30 @@ TEST(FieldsFileOnADiskThatLosesWrites, TellsOfEachThatIsMissing) {
   EXPECT_GT(told, writes / 2);
 }
 
-TEST(FieldsFileOnAFullDisk, FailsBeforeAFrameIsHalfWrittenAndKeepsTheOthers) {
+TYPED_TEST(ResultsFile, OnAFullDiskFailsBeforeAFrameIsHalfWrittenAndKeepsTheOthers) {
   const TemporaryFolder folder;
   const Mesh mesh = sample::make_mesh();
-  FieldsFile file = sample::create_file(folder.path(), mesh);
-  for (int frame = 0; frame < good_frames; ++frame) sample::write_frame(file, mesh, frame);
-  const auto size = std::filesystem::file_size(folder.file("fields.vtkhdf"));
-  writes_seen = 0;
+  auto file = this->create(folder.path(), mesh);
+  const std::string path = folder.file(TypeParam::name);
+  const auto size = std::filesystem::file_size(path);
   {
     const FileSizeLimit limit(size);
     try {
       sample::write_frame(file, mesh, good_frames);
       ADD_FAILURE() << "a frame went beyond the limit";
     } catch (const SystemError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("cannot write '" + folder.file("fields.vtkhdf") + "' (File too large)"));
+      EXPECT_THAT(error.what(), HasSubstr("cannot write '" + path + "' (File too large)"));
     }
   }
-  EXPECT_EQ(std::filesystem::file_size(folder.file("fields.vtkhdf")), size);
-  expect_good_frames(folder.file("fields.vtkhdf"), mesh, good_frames);
+  EXPECT_EQ(std::filesystem::file_size(path), size);
+  TypeParam::expect_good_frames(path, mesh, good_frames);
 }
 
-TEST(FieldsFileOnAFullDisk, LeavesNoFileWhenTheMeshDoesNotFit) {
+TYPED_TEST(ResultsFile, IsNotLeftWhenTheMeshDoesNotFit) {
   const TemporaryFolder folder;
   const FileSizeLimit limit(1000);
-  EXPECT_THROW(sample::create_file(folder.path(), sample::make_mesh()), SystemError);
-  EXPECT_FALSE(std::filesystem::exists(folder.file("fields.vtkhdf")));
+  EXPECT_THROW(TypeParam::create(folder.path(), sample::make_mesh()), SystemError);
+  EXPECT_FALSE(std::filesystem::exists(folder.file(TypeParam::name)));
 }
 
 }  // namespace

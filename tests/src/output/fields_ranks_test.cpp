@@ -1,4 +1,5 @@
-// fields.vtkhdf as several ranks write it: the file of one rank, number by number, and errors that all ranks see.
+// fields.vtkhdf and fields.exo as several ranks write them: the files of one rank, number by number, and errors
+// that all ranks see.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 
 #include "comm/agreement.hpp"
 #include "src/error.hpp"
+#include "src/output/exodus/exodus_results.hpp"
 #include "src/output/fields/fields_file.hpp"
 #include "tests/src/output/file_size_limit.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
@@ -72,6 +74,11 @@ void expect_equal_files(const std::string& path, const std::string& reference) {
     EXPECT_EQ(file.shape(name), expected.shape(name)) << name;
     EXPECT_EQ(file.bytes(name), expected.bytes(name)) << name;
   }
+}
+
+void expect_equal_results(const std::string& path, const std::string& reference) {
+  expect_equal_files(path, reference);
+  const Hdf5FileView file(path), expected(reference);
   EXPECT_EQ(file.attribute("VTKHDF/Steps", "NSteps"), expected.attribute("VTKHDF/Steps", "NSteps"));
   EXPECT_EQ(file.text_attribute("percuss", "title"), expected.text_attribute("percuss", "title"));
 }
@@ -83,7 +90,7 @@ TEST(FieldsFileOfManyRanks, IsThatOfOneRankNumberByNumber) {
   if (ranks.rank() != 0) return;
   const TemporaryFolder alone;
   write_run(alone.path(), Communicator(MPI_COMM_SELF));
-  expect_equal_files(together.file("fields.vtkhdf"), alone.file("fields.vtkhdf"));
+  expect_equal_results(together.file("fields.vtkhdf"), alone.file("fields.vtkhdf"));
   for (const char* index : {"fields.xdmf", "fields.xdmf2"})
     EXPECT_EQ(read_text(together.file(index)), read_text(alone.file(index))) << index;
 }
@@ -96,7 +103,40 @@ TEST(FieldsFileOfManyRanks, StoresFloatsAsOneRankDoes) {
   if (ranks.rank() != 0) return;
   const TemporaryFolder alone;
   write_run(alone.path(), Communicator(MPI_COMM_SELF), floats);
-  expect_equal_files(together.file("fields.vtkhdf"), alone.file("fields.vtkhdf"));
+  expect_equal_results(together.file("fields.vtkhdf"), alone.file("fields.vtkhdf"));
+}
+
+void write_exodus(const std::string& folder, const Communicator& ranks, int first_frame = 0, int end = frames) {
+  const ChunkedMesh share = take_share(ranks);
+  const std::vector<std::string> fields{"displacement", "velocity", "stress", "von_mises", "flag"};
+  std::optional<ExodusResults> file;
+  if (first_frame == 0)
+    file.emplace(folder, share, sample::options(), ranks);
+  else
+    file.emplace(folder, share, sample::options(), ranks, first_frame, fields);
+  for (int frame = first_frame; frame < end; ++frame) sample::write_frame(*file, share.mesh, frame);
+  file->close();
+}
+
+TEST(ExodusResultsOfManyRanks, AreThoseOfOneRankNumberByNumber) {
+  const auto ranks = Communicator::world();
+  const SharedFolder together(ranks);
+  write_exodus(together.path(), ranks);
+  if (ranks.rank() != 0) return;
+  const TemporaryFolder alone;
+  write_exodus(alone.path(), Communicator(MPI_COMM_SELF));
+  expect_equal_files(together.file("fields.exo"), alone.file("fields.exo"));
+}
+
+TEST(ExodusResultsOfManyRanks, GoOnBehindAFrameAsIfNothingHadBeenBehindIt) {
+  const auto ranks = Communicator::world();
+  const SharedFolder together(ranks);
+  write_exodus(together.path(), ranks);
+  write_exodus(together.path(), ranks, 1);
+  if (ranks.rank() != 0) return;
+  const TemporaryFolder alone;
+  write_exodus(alone.path(), Communicator(MPI_COMM_SELF));
+  expect_equal_files(together.file("fields.exo"), alone.file("fields.exo"));
 }
 
 TEST(FieldsFileOfManyRanks, IsReadableAfterEveryFrameWithoutBeingClosed) {

@@ -118,7 +118,8 @@ struct Frame {
   }
 };
 
-inline void write_frame(FieldsFile& file, const Mesh& mesh, int frame) {
+template <class File>
+void write_frame(File& file, const Mesh& mesh, int frame) {
   const Frame data(mesh, frame);
   const auto fields = data.fields();
   file.write_frame(time_of(frame), step_of(frame), data.positions, fields);

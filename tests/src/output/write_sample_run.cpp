@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "src/output/exodus/exodus_results.hpp"
 #include "tests/src/output/sample_run.hpp"
 
 int main(int count, char** arguments) {
@@ -16,6 +17,9 @@ int main(int count, char** arguments) {
     FieldsFile file(arguments[1], share, sample::options(), ranks);
     for (int frame = 0; frame < 3; ++frame) sample::write_frame(file, share.mesh, frame);
     file.close();
+    ExodusResults exodus(arguments[1], share, sample::options(), ranks);
+    for (int frame = 0; frame < 3; ++frame) sample::write_frame(exodus, share.mesh, frame);
+    exodus.close();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 4;

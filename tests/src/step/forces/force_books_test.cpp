@@ -3,6 +3,7 @@
 
 #include "src/step/forces/force_books.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,7 +39,7 @@ Vec3 sum_momentum(const Scene& scene, const Counted& is_counted) {
 /// The values of a row by the headings of their columns, as impulses: mean times the time of the row.
 std::map<std::string, double> take_impulses(Scene& scene, double since) {
   const std::vector<HistoryColumn> columns = list_force_columns(scene.deck);
-  const std::vector<double> row = scene.stepper.forces().take(scene.state.time);
+  const std::vector<double> row = scene.stepper.forces().take(scene.state);
   EXPECT_EQ(row.size(), columns.size());
   std::map<std::string, double> values;
   for (std::size_t i = 0; i < row.size(); ++i) values[columns[i].name] = row[i] * (scene.state.time - since);
@@ -184,20 +185,83 @@ output: {history: {forces: [{name: cut, section: {point: [1, 0, 0], normal: x}},
   };
   run_to(1.2 / c);  // the wave has passed the section
   double since = scene.state.time;
-  scene.stepper.forces().take(since);
+  scene.stepper.forces().take(scene.state);
   run_to(3.5 / c);
   const auto j = take_impulses(scene, since);
   EXPECT_NEAR(j.at("fx:cut"), -exact * (scene.state.time - since), 0.01 * exact * (scene.state.time - since));
   EXPECT_NEAR(j.at("fx:stop"), exact * (scene.state.time - since), 0.01 * exact * (scene.state.time - since));
+  // The foot is flat on the wall all the time; the viscous pressure of the front has widened it by 2e-5.
+  EXPECT_NEAR(j.at("area:stop"), 0.01 * (scene.state.time - since), 1e-4 * j.at("area:stop"));
+  EXPECT_NEAR(j.at("pressure:stop") * 0.01, j.at("normal:stop"), 1e-4 * j.at("normal:stop"));
   EXPECT_NEAR(j.at("my:cut"), -exact * 0.05 * (scene.state.time - since), 1e-3 * exact * (scene.state.time - since));
 }
 
+/// A block that presses flat on another by its speed, in uniaxial strain: areas stay.
+struct Base {
+  const char* shape;
+  double place;
+};
+std::string make_flat(const char* friction, const Base& base) {
+  return fmt::format(R"(
+time: {{end: 1}}
+parts:
+  top: {{box: {{size: [0.6, 0.4, 1], cells: [3, 2, 10]}}, at: [0.2, 0.2, 1.001], material: m}}
+  base: {{box: {{{}}}, at: [{}, {}, 0], material: m}}
+materials: {{m: {{model: elastic, density: 4, youngs_modulus: 100, poissons_ratio: 0}}}}
+initial: [{{part: top, velocity: [0, 0, -0.1]}}]
+conditions: [{{nodes: top, fixed: [x, y]}}, {{nodes: base, fixed: [x, y]}}]
+contact: {{friction: {}}}
+output: {{history: {{forces: [{{name: top, contact: [top, base]}}, {{name: base, contact: [base, top]}}]}}}}
+)",
+                     base.shape, base.place, base.place, friction);
+}
+const Base equal_base{"size: [0.6, 0.4, 1], cells: [3, 2, 10]", 0.2};
+const Base wide_base{"size: [1, 0.8, 1], cells: [5, 4, 10]", 0};
+
+/// Means of a row over some time in which the block presses, and the force on it from its momentum.
+std::map<std::string, double> press_flat(const std::string& deck, double& force) {
+  Scene scene(deck);
+  scene.stepper.start(scene.state);
+  const auto is_top = [](const Vec3& x) { return x[2] > 1.0005; };
+  while (scene.state.time < 0.05) scene.stepper.advance(scene.state);  // it has met the base
+  const double since = scene.state.time;
+  scene.stepper.forces().take(scene.state);
+  const Vec3 before = sum_momentum(scene, is_top);
+  while (scene.state.time < 0.2) scene.stepper.advance(scene.state);
+  const double duration = scene.state.time - since;
+  auto means = take_impulses(scene, since);
+  for (auto& [name, mean] : means) mean /= duration;
+  force = minus(sum_momentum(scene, is_top), before)[2] / duration;
+  return means;
+}
+
+TEST(ForceBooks, AreaAndPressureOfABlockPressedFlat) {
+  for (const char* friction : {"0", "0.3"}) {
+    double force = 0;
+    const auto mean = press_flat(make_flat(friction, equal_base), force);
+    const double area = 0.6 * 0.4;
+    EXPECT_NEAR(mean.at("fz:top"), force, 1e-11 * force) << friction;
+    for (const std::string side : {"top", "base"}) {
+      EXPECT_NEAR(mean.at("area:" + side), area, 1e-9 * area) << friction << side;
+      EXPECT_NEAR(mean.at("pressure:" + side), force / area, 1e-7 * force / area) << friction << side;
+    }
+  }
+}
+
+TEST(ForceBooks, AreaOnAWiderFaceIsThatOfItsNodesThatArePushed) {
+  double force = 0;
+  const auto mean = press_flat(make_flat("0", wide_base), force);
+  EXPECT_NEAR(mean.at("area:top"), 0.6 * 0.4, 1e-4 * 0.6 * 0.4);
+  EXPECT_NEAR(mean.at("area:base"), 0.8 * 0.6, 1e-3 * 0.8 * 0.6);  // half a face farther on each side
+  EXPECT_GT(mean.at("pressure:top"), force / (0.6 * 0.4));         // it is larger at the edge of the block
+}
+
 TEST(ForceBooks, AreTheSameBitsOnAnyRanks) {
-  for (const std::string& deck : {make_collision("kinematic"), std::string(clamped)}) {
+  for (const std::string& deck : {make_collision("kinematic"), make_flat("0.3", wide_base), std::string(clamped)}) {
     Scene together(deck), alone(deck, Communicator(MPI_COMM_SELF));
     together.run(60);
     alone.run(60);
-    EXPECT_EQ(together.stepper.forces().take(together.state.time), alone.stepper.forces().take(alone.state.time));
+    EXPECT_EQ(together.stepper.forces().take(together.state), alone.stepper.forces().take(alone.state));
   }
 }
 

@@ -113,6 +113,41 @@ TEST(FramesOnRanks, ShowTheDivisionFromTheFirstFrameOn) {
   EXPECT_EQ(count(frames.front().contact_ranks, -1), inner_nodes);
 }
 
+// Two blocks with equal faces that press flat on each other, in uniaxial strain.
+TEST(FramesOnRanks, ContactPressureIsTheForceOverTheAreaOfEachNode) {
+  const Communicator ranks = Communicator::world();
+  std::optional<TemporaryFolder> folder;
+  if (ranks.rank() == 0) folder.emplace();
+  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  run_scene(parse_deck(R"yaml(
+time: {end: 1, max_steps: 8}
+parts:
+  top: {box: {size: [0.6, 0.4, 1], cells: [3, 2, 10]}, at: [0, 0, 1.0005], material: m}
+  base: {box: {size: [0.6, 0.4, 1], cells: [3, 2, 10]}, material: m}
+materials: {m: {model: elastic, density: 4, youngs_modulus: 100, poissons_ratio: 0}}
+initial: [{part: top, velocity: [0, 0, -0.1]}]
+conditions: [{nodes: top, fixed: [x, y]}, {nodes: base, fixed: [x, y]}]
+contact: {friction: 0.2}
+output: {fields: {every: 10, write: [contact_force, contact_pressure]}}
+)yaml",
+                       "deck.yaml"),
+            {path, Progress::Style::quiet});
+  if (ranks.rank() > 0) return;
+  const Hdf5FileView file(path + "/fields.vtkhdf");
+  const std::vector<double> force = file.numbers("VTKHDF/PointData/contact_force"),
+                            pressure = file.numbers("VTKHDF/PointData/contact_pressure");
+  double sum = 0;
+  for (std::size_t i = force.size() / 2 + 2; i < force.size(); i += 3) sum += std::max(force[i], 0.0);
+  EXPECT_GT(sum, 0.1);
+  std::size_t pressed = 0;
+  for (std::size_t n = pressure.size() / 2; n < pressure.size(); ++n) {
+    if (pressure[n] == 0) continue;
+    ++pressed;
+    EXPECT_NEAR(pressure[n], sum / 0.24, 1e-7 * sum / 0.24);
+  }
+  EXPECT_EQ(pressed, 2 * 4 * 3);
+}
+
 // A bar that is pulled apart at its end; its deck does not name the field.
 TEST(FramesOnRanks, TellWhoLivesWhereverElementsCanDie) {
   const Communicator ranks = Communicator::world();

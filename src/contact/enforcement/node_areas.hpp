@@ -1,0 +1,39 @@
+#pragma once
+// Areas of the contact surface by node, at any positions: of faces around the owned contact nodes, on whatever ranks.
+
+#include <vector>
+
+#include "comm/exchange/data_exchange.hpp"
+#include "kernels/contact/enforcement/force_sums.hpp"
+#include "src/contact/exchange/remote_items.hpp"
+#include "src/contact/surface/contact_ranks.hpp"
+#include "src/contact/surface/surface_share.hpp"
+
+namespace percuss {
+
+class NodeAreas {
+ public:
+  /// Of a surface until it is redefined. share outlives this. Collective, as is update(). Throws MpiError.
+  NodeAreas(const ContactRanks& ranks, const SurfaceShare& share);
+
+  /// At positions x: [mesh nodes].
+  void update(const Rows3<const double>& x);
+
+  /// [owned contact nodes] as updated last.
+  const AreaNodes& nodes() const { return nodes_; }
+
+ private:
+  void receive_areas();
+
+  bool has_many_ranks_;
+  DataExchange data_;
+  RemoteItems told_;
+  std::vector<int> places_;  // [requested faces] in areas_
+  int num_own_ = 0;
+  Rows4<int> corners_ = Rows4<int>("contact::area_corners", 0);
+  Rows3<double> areas_ =
+      Rows3<double>("contact::corner_areas", 0);  // own faces, then those that other ranks have told of
+  AreaNodes nodes_;
+};
+
+}  // namespace percuss
