@@ -68,8 +68,8 @@ void MovingWalls::start_step(const Space& space, const WallPairs& walls, const R
   }
   has_begun_ = true;
   write(walls, speeds_);
-  // M (w - w0) + sum of m max(0, w - touching) = 0 has a convex left side: Newton's method comes down to the root, in as
-  // many passes as sets of nodes come off, most often one or two.
+  // M (w - w0) + sum of m max(0, w - touching) = 0 has a convex left side: Newton's method comes down to the root, in
+  // as many passes as sets of nodes come off, most often one or two.
   constexpr int most_passes = 50;
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     if (!wall(i).mass) continue;
@@ -111,7 +111,7 @@ void MovingWalls::archive(CheckpointArchive& archive) {
   if (any()) archive.integer("contact/walls/has_begun", has_begun_);
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                               \
+#define PERCUSS_INSTANTIATE(Space)                                                                                \
   template void MovingWalls::start_step(const Space&, const WallPairs&, const RowInputs&, double, RowSumMemory&); \
   template double MovingWalls::finish_step(const Space&, int, double, const RowSystem&, RowSumMemory&);
 PERCUSS_INSTANTIATE(ExecSpace)

@@ -33,7 +33,8 @@ class MovingWalls {
 
   /// Sets the speeds of the step, on which the rows depend. Collective.
   template <class Space>
-  void start_step(const Space& space, const WallPairs& walls, const RowInputs& inputs, double time, RowSumMemory& memory);
+  void start_step(const Space& space, const WallPairs& walls, const RowInputs& inputs, double time,
+                  RowSumMemory& memory);
 
   /// Takes the pushes of the rows from first_row on, and moves on to n+1. Returns the work of the walls on the bodies.
   /// Collective.
