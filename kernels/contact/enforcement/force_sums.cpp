@@ -125,6 +125,16 @@ struct PlacePushes {
   }
 };
 
+/// Adds a node of the books. place: in them, -1: it has none.
+KOKKOS_INLINE_FUNCTION void add_area(const AreaNodes& nodes, int i, const PushBooks& books, int place, AreaSums& sums) {
+  if (place < 0 || books.sums(place, 3) == 0) return;
+  double area = 0;
+  const Point3 impulse{books.sums(place, 0), books.sums(place, 1), books.sums(place, 2)};
+  const double press = find_press(nodes.around, i, impulse, area);
+  sums.area.add(area * books.sums(place, 3));
+  sums.press = press > sums.press ? press : sums.press;
+}
+
 KOKKOS_INLINE_FUNCTION bool is_zero(const Point3& p) { return p.x == 0 && p.y == 0 && p.z == 0; }
 
 }  // namespace
@@ -182,20 +192,22 @@ void book_pushes(const Space& space, const MarkedRows& rows, const ForceSides& s
 template <class Space>
 AreaSums sum_areas(const Space& space, int f, const AreaNodes& nodes, const ForceSides& sides, const PushBooks& books,
                    Array<AreaSums>& partial) {
+  constexpr int at_once = 64;  // nodes: of one or two chunks, which are looked up once
   const AreaNodes given = nodes;
   const ForceSides of = sides;
   const PushBooks from = books;
-  return sum_rows<AreaSums>(space, static_cast<int>(nodes.numbers.extent(0)), partial,
-                            [given, of, from, f] KOKKOS_FUNCTION(int i, AreaSums& sums) {
-                              const std::int64_t number = given.numbers(i);
-                              const int chunk = find_chunk_of_node(of.first_node, number);
-                              const int place = from.find_place(of, chunk, number, f);
-                              if (place < 0 || from.sums(place, 3) == 0) return;
-                              const Point3 impulse{from.sums(place, 0), from.sums(place, 1), from.sums(place, 2)};
-                              double area = 0;
-                              const double press = find_press(given.around, i, impulse, area);
-                              sums.area.add(area * from.sums(place, 3));
-                              sums.press = press > sums.press ? press : sums.press;
+  const int count = static_cast<int>(nodes.numbers.extent(0));
+  return sum_rows<AreaSums>(space, (count + at_once - 1) / at_once, partial,
+                            [given, of, from, f, count] KOKKOS_FUNCTION(int group, AreaSums& sums) {
+                              const int first = group * at_once,
+                                        end = first + at_once < count ? first + at_once : count;
+                              int chunk = find_chunk_of_node(of.first_node, given.numbers(first));
+                              for (int i = first; i < end; ++i) {
+                                const std::int64_t number = given.numbers(i);
+                                if (number >= of.first_node(chunk + 1))
+                                  chunk = find_chunk_of_node(of.first_node, number);
+                                add_area(given, i, from, from.find_place(of, chunk, number, f), sums);
+                              }
                             });
 }
 

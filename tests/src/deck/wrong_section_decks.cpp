@@ -50,7 +50,7 @@ std::vector<WrongDeck> missing_keys() {
       {"UnknownFormatOfFields", append("output: {fields: {every: 1, format: exodos}}"), "6:37",
        "output.fields.format is 'exodos' (must be vtkhdf | exodus"},
       {"FormatOfFieldsTwice", append("output: {fields: {every: 1, format: [exodus, exodus]}}"), "6:37",
-       "output.fields.format is a list (must be formats, each once)"},
+       "output.fields.format is ['exodus', 'exodus'] (must be formats, each once)"},
       {"PointFieldWithoutShells", append("output: {fields: {every: 1, write: [stress_point_1]}}"), "6:37",
        "output.fields.write has stress_point_1 (no part has shells)"},
       {"PointFieldOfAPointTooMany",
