@@ -5,11 +5,10 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/small_space.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool has_number(const FaceTopology& face) { return face.number >= 0; }  // particles have none
 

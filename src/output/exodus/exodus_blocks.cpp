@@ -6,12 +6,11 @@
 #include <array>
 
 #include "comm/all_reduce.hpp"
+#include "src/index.hpp"
 #include "src/output/frame/frame_fields.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(std::int64_t index) { return static_cast<std::size_t>(index); }
 
 /// The elements of each chunk of the whole mesh by topology, and the part of each chunk: the same on every rank.
 struct ChunkKinds {

@@ -5,11 +5,10 @@
 
 #include "comm/all_reduce.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Body of each node at which springs end, from its owner.
 std::vector<int> share_bodies(const Model& model) {
