@@ -64,9 +64,13 @@ std::string write_history(Scene& scene) {
     Audit audit(scene.model);
     scene.stepper.start(scene.state);
     for (int i = 0; i < 10; ++i) {
-      history.write(
-          scene.model,
-          {scene.state, audit(scene.state), scene.stepper.contact_report(), Vec3{}, scene.contact.sum_pair_work(), {}});
+      history.write(scene.model, {scene.state,
+                                  audit(scene.state),
+                                  scene.stepper.contact_report(),
+                                  Vec3{},
+                                  scene.contact.sum_pair_work(),
+                                  {},
+                                  {}});
       scene.stepper.advance(scene.state);
     }
     history.flush();

@@ -190,6 +190,7 @@ TEST(PartEnergies, AreTheSameTextOnAnyNumberOfRanksAndCloseTheMass) {
                                     scene.stepper.contact_report(),
                                     Vec3{},
                                     scene.contact.sum_pair_work(),
+                                    {},
                                     {}});
       });
       history.flush();

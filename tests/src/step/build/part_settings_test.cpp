@@ -122,7 +122,7 @@ std::vector<double> find_ratios(const std::string& contact) {
               Communicator(MPI_COMM_SELF));
   scene.run(12);
   std::vector<double> ratios;
-  for (const ContactImpulse& force : scene.contact.take_forces()) {
+  for (const ContactImpulse& force : scene.contact.take_forces(scene.state.x)) {
     EXPECT_GT(force.normal, 0);
     ratios.push_back(force.tangential / force.normal);
   }
