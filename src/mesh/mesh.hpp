@@ -93,6 +93,9 @@ std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector
 /// Exterior faces that the selector means, ascending: those of a side set (its interior faces left out), of a part or
 /// of the whole mesh; with `inside` only those with all four corners inside. Throws InputError likewise.
 std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector);
+/// The same among `exterior`, the faces of find_exterior_faces(), for who selects several times.
+std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector,
+                                      const std::vector<ElementFace>& exterior);
 
 /// The faces that Mesh::exterior marks, ascending.
 std::vector<ElementFace> find_exterior_faces(const Mesh& mesh);

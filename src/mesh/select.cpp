@@ -202,9 +202,14 @@ std::vector<int> select_nodes(const Mesh& mesh, const Deck& deck, const Selector
 }
 
 std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector) {
+  return select_faces(mesh, deck, selector, find_exterior_faces(mesh));
+}
+
+std::vector<ElementFace> select_faces(const Mesh& mesh, const Deck& deck, const Selector& selector,
+                                      const std::vector<ElementFace>& exterior) {
   const InsideBox box(mesh, selector);
   std::vector<ElementFace> faces;
-  for (const ElementFace& face : list_candidate_faces(mesh, deck, selector, find_exterior_faces(mesh))) {
+  for (const ElementFace& face : list_candidate_faces(mesh, deck, selector, exterior)) {
     if (box.holds(face)) faces.push_back(face);
   }
   require_some(mesh, faces, deck, selector, "exterior faces");

@@ -131,6 +131,8 @@ def find_friction(deck: KeywordDeck, contact: Contact) -> float:
     if static == -1:
         deck.friction_by_part = True
         deck.ledger.approximated("CONTACT.FS", contact.place, "contact.friction.pairs: of two parts that differ, the larger FS")
+        if factor != 1:
+            deck.ledger.refuse("CONTACT.FSF", contact.place, f"friction of parts scaled by {factor:g}", "parts keep their FS")
         static = 0.0
     elif static in (2, -2):
         static = 0.0

@@ -80,7 +80,7 @@ std::string describe_holder_of(const std::string& folder, const std::string& sta
 std::string describe_folder(const std::string& folder, hdf5::ExternalFiles external) {
   std::string text, status;
   const fs::path path(folder);
-  for (const char* file : {"summary.json", "fields.vtkhdf", "checkpoint.h5"}) {
+  for (const char* file : {"summary.json", "fields.vtkhdf", "fields.exo", "checkpoint.h5"}) {
     if (fs::exists(path / file)) check_source((path / file).string(), external);
   }
   if (fs::exists(path / "summary.json")) {
@@ -93,12 +93,16 @@ std::string describe_folder(const std::string& folder, hdf5::ExternalFiles exter
     if (!text.empty()) text += '\n';
     text += describe_fields_file((path / "fields.vtkhdf").string());
   }
+  if (fs::exists(path / "fields.exo")) {
+    if (!text.empty()) text += '\n';
+    text += describe_mesh_file((path / "fields.exo").string());
+  }
   if (fs::exists(path / "checkpoint.h5")) {
     if (!text.empty()) text += '\n';
     text += describe_checkpoint((path / "checkpoint.h5").string());
   }
   if (text.empty())
-    throw InputError(folder + ": error: no results of percuss (neither summary.json nor fields.vtkhdf)");
+    throw InputError(folder + ": error: no results of percuss (no summary.json, fields.vtkhdf or fields.exo)");
   return text;
 }
 

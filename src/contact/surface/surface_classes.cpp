@@ -29,9 +29,21 @@ bool are_opposite(const SurfaceSet& node, const SurfaceSet& face, std::size_t pa
   return (has_surface(node, a) && has_surface(face, b)) || (has_surface(node, b) && has_surface(face, a));
 }
 
+/// Rows of contact.friction that have a surface of a set on a side.
+void list_friction_rows(const ContactDeck& contact, const SurfaceSet& set, std::vector<std::size_t>& rows) {
+  const auto first = static_cast<int>(first_friction(contact)),
+             last = first + static_cast<int>(contact.frictions.size());
+  for (auto s = std::lower_bound(set.begin(), set.end(), 2 * first); s != set.end() && *s < 2 * last; ++s)
+    rows.push_back(static_cast<std::size_t>(*s / 2 - first));
+}
+
 /// Coulomb's coefficient where a pair of the deck gives none: of the first row of its table that fits.
 double find_friction(const ContactDeck& contact, const SurfaceSet& node, const SurfaceSet& face) {
-  for (std::size_t f = 0; f < contact.frictions.size(); ++f) {
+  std::vector<std::size_t> rows;
+  list_friction_rows(contact, node, rows);
+  list_friction_rows(contact, face, rows);
+  std::sort(rows.begin(), rows.end());
+  for (const std::size_t f : rows) {
     const std::size_t pair = first_friction(contact) + f;
     const int a = 2 * static_cast<int>(pair);
     const bool fits =
@@ -95,17 +107,20 @@ std::vector<SurfaceSet> find_face_surfaces(const Mesh& mesh, const Deck& deck, c
       sets[static_cast<std::size_t>(place - faces.begin())].push_back(2 * static_cast<int>(pair) + side);
     }
   };
+  const bool selects = !deck.contact.pairs.empty() || !deck.contact.frictions.empty();
+  const std::vector<ElementFace> exterior = selects ? find_exterior_faces(mesh) : std::vector<ElementFace>{};
+  const auto select = [&](const Selector& side) { return select_faces(mesh, deck, side, exterior); };
   for (std::size_t p = 0; p < deck.contact.pairs.size(); ++p) {
-    add(select_faces(mesh, deck, deck.contact.pairs[p].a), p, 0);
-    add(select_faces(mesh, deck, deck.contact.pairs[p].b), p, 1);
+    add(select(deck.contact.pairs[p].a), p, 0);
+    add(select(deck.contact.pairs[p].b), p, 1);
   }
   for (std::size_t t = 0; t < ties.faces.size(); ++t)
     for (std::size_t side = 0; side < 2; ++side)
       add(ties.faces[t][side], deck.contact.pairs.size() + t, static_cast<int>(side));
   for (std::size_t f = 0; f < deck.contact.frictions.size(); ++f) {
     const PairFrictionDeck& row = deck.contact.frictions[f];
-    add(select_faces(mesh, deck, row.a), first_friction(deck.contact) + f, 0);
-    if (row.b) add(select_faces(mesh, deck, *row.b), first_friction(deck.contact) + f, 1);
+    add(select(row.a), first_friction(deck.contact) + f, 0);
+    if (row.b) add(select(*row.b), first_friction(deck.contact) + f, 1);
   }
   if (!has_rigid_parts(deck)) return sets;
   const std::vector<int> bodies = name_rigid_bodies(deck).body_of_part;

@@ -51,9 +51,10 @@ std::string find_problem(hid_t file, const EarlierFrames& kept, std::span<const 
       hdf5::read_shape(file, "elem_num_map").rows != kept.elements)
     return "it has another mesh";
   const std::int64_t frames = count_exodus_frames(file);
+  if (kept.frames == 0) return "the checkpoint counts on no frame in it";
   if (frames < static_cast<std::int64_t>(kept.frames))
     return fmt::format("it has {} frames, and the checkpoint counts on {}", frames, kept.frames);
-  if (kept.frames > 0 && list_fields(file, fields) != std::set<std::string>(fields.begin(), fields.end()))
+  if (list_fields(file, fields) != std::set<std::string>(fields.begin(), fields.end()))
     return "its fields are not those of this deck";
   return "";
 }
@@ -79,7 +80,10 @@ LaterStates read_later_frames(const std::string& path, hsize_t frames) {
   const auto times = hdf5::read_rows<double>(file.get(), "time_whole", frames, all - frames, bytes);
   const auto steps = hdf5::read_rows<double>(file.get(), "vals_glo_var", frames, all - frames, bytes);
   LaterStates later;
-  for (std::size_t i = 0; i < times.size(); ++i) later.push_back({times[i], static_cast<std::int64_t>(steps[i])});
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!(steps[i] >= 0 && steps[i] < 9e15)) throw hdf5::Error("read vals_glo_var", "a step number is not a count");
+    later.push_back({times[i], static_cast<std::int64_t>(steps[i])});
+  }
   return later;
 }
 

@@ -76,7 +76,7 @@ struct ExodusResults::Impl {
   void write_records();
   void create_steps();
 
-  void open_dimensions();
+  void open_steps();
   void create_variables(std::span<const FieldData> frame);
   void create_element_variables();
   void open_variables();
@@ -229,7 +229,7 @@ void ExodusResults::Impl::write_records() {
                                          cut_text("units: " + options.units, line_length)});
 }
 
-void ExodusResults::Impl::open_dimensions() {
+void ExodusResults::Impl::open_steps() {
   times.emplace(file.id(), "time_whole");
   globals.emplace(file.id(), "vals_glo_var");
 }
@@ -334,7 +334,7 @@ ExodusResults::ExodusResults(const std::string& directory, const ChunkedMesh& ch
     cut_exodus_results(path, kept);
   });
   impl_ = std::make_unique<Impl>(path, chunked, options, ranks);
-  impl_->file.open(frames, [&] { impl_->open_dimensions(); });
+  impl_->file.open(frames, [&] { impl_->open_steps(); });
 }
 
 void ExodusResults::check(const std::string& directory, const ChunkedMesh& chunked, const Communicator& ranks,

@@ -295,7 +295,6 @@ TEST(RunOnRanks, TellsWhatEachRankHeldWorkedAndSent) {
   }
   EXPECT_GT(phases, 0);
   EXPECT_LE(phases, total("compute_loop"));
-  EXPECT_GT(phases, 0.5 * total("compute_loop"));  // little of the work lies between the phases
   EXPECT_EQ(summary.decomposition.rebalances > 0, ranks.size() > 1);
   EXPECT_LE(summary.balance.contact, 1.02);
 }
