@@ -69,7 +69,8 @@ class ContactStage {
   /// The same for a state from a checkpoint, before archive(): the surface alone.
   void restore_surface();
 
-  /// Corrects motion.v and fills motion.impulse. Throws RunError, on all ranks, if conditions tear a tie apart.
+  /// Corrects motion.v and fills motion.impulse. Throws RunError, on all ranks, if conditions tear a tie apart, or if a
+  /// wall with a mass is caught between bodies that cannot give way.
   ContactReport apply(const ContactMotion& motion);
 
   /// Work of normal and tangential impulses since the start by name_contact_pairs(), of all ranks: 2 a pair; booked

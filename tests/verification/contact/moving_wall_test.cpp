@@ -1,14 +1,20 @@
 // Rigid walls that end, that move by a curve, and that bodies push: against exact answers.
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "src/error.hpp"
 #include "tests/src/step/two_scenes.hpp"
 
 namespace percuss::test {
 namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 constexpr double density = 7850, modulus = 200e9, length = 0.1, width = 0.005, area = width * width;
 constexpr double bar_mass = density * area * length;
@@ -124,6 +130,35 @@ TEST(WallWithAMass, MayBeMuchLighterThanNodes) {
     ASSERT_GT(now.wall_speed, -10.5);
   }
   EXPECT_LT(find_motion(scene).wall_speed, -9.5);
+}
+
+namespace {
+
+/// A sheet of shells on a fixed wall, and one with a mass [kg] that comes down on it at 5 m/s.
+std::string write_press(const char* mass) {
+  return fmt::format(R"yaml(
+time: {{end: 1, max_step: 5e-7}}
+parts: {{sheet: {{shell_plate: {{size: [0.02, 0.02], cells: [4, 4]}}, thickness: 0.001, material: steel}}}}
+walls: [{{normal: z}}, {{name: ram, normal: -z, point: [0, 0, 1e-6], mass: {}, start_speed: 5}}]
+)yaml",
+                     mass) +
+         steel_text;
+}
+
+}  // namespace
+
+// Nodes that meet two walls cannot go along with either: no push fulfils both rows.
+TEST(WallWithAMass, IsNeverThrownBackByNodesThatCannotGiveWay) {
+  for (const char* mass : {"1e-6", "1e-2", "1"}) {
+    Scene scene(write_press(mass), alone());
+    EXPECT_THAT([&] { scene.run(20); },
+                ThrowsMessage<RunError>(AllOf(HasSubstr("wall 'ram' would be thrown back"), HasSubstr("rigid part"))))
+        << mass;
+  }
+  Scene heavy(write_press("100"), alone());
+  heavy.run(20);
+  EXPECT_LE(std::abs(find_motion(heavy).wall_speed), 5);
+  EXPECT_LT(find_motion(heavy).wall_speed, 0);  // stopped and let go
 }
 
 namespace {
