@@ -77,7 +77,7 @@ class ContactStage {
   /// only for decks that write a history. Collective.
   std::vector<double> sum_pair_work() const;
 
-  /// Way and speed of each wall that moves, by name_moving_walls().
+  /// Displacement and speed of each wall that moves, by name_moving_walls().
   std::vector<double> list_wall_motions() const;
 
   /// What the forces of contact and of walls in output.history.forces gave since this was last called, in their order;

@@ -37,7 +37,7 @@ std::vector<std::string> name_moving_walls(const Deck& deck) {
   std::vector<std::string> names;
   for (const int w : list_moving_walls(deck)) {
     const std::string& name = deck.walls[static_cast<std::size_t>(w)].name;
-    names.push_back(name.empty() ? fmt::format("{}", w) : name);
+    names.push_back(name.empty() ? fmt::format("walls.{}", w) : name);
   }
   return names;
 }
@@ -63,7 +63,7 @@ void MovingWalls::write(const WallPairs& walls, const std::vector<double>& speed
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     ContactWall& of = host(static_cast<std::size_t>(moving_[i]));
     const Vec3& point = wall(i).point;
-    of.point = Point3{point[0], point[1], point[2]} + motions_[i].moved * of.normal;
+    of.point = Point3{point[0], point[1], point[2]} + motions_[i].displacement * of.normal;
     of.speed = speeds[i];
   }
   Kokkos::deep_copy(walls.walls, host);
@@ -127,7 +127,7 @@ double MovingWalls::finish_step(const Space& space, int first_row, const Contact
     const double after = wall(i).mass ? before - impulse / *wall(i).mass : speeds_[i];
     if (wall(i).mass && !converged) refuse_throw(i, after, motion.v_before);
     work += impulse * (0.5 * (before + after));
-    motions_[i] = {motions_[i].moved + motion.dt * after, after};
+    motions_[i] = {motions_[i].displacement + motion.dt * after, after};
   }
   return work;
 }
@@ -135,7 +135,7 @@ double MovingWalls::finish_step(const Space& space, int first_row, const Contact
 void MovingWalls::archive(CheckpointArchive& archive) {
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const std::string name = fmt::format("contact/walls/{}/", moving_[i]);
-    archive.number(name + "moved", motions_[i].moved);
+    archive.number(name + "displacement", motions_[i].displacement);
     archive.number(name + "speed", motions_[i].speed);
   }
   if (any()) archive.integer("contact/walls/has_begun", has_begun_);
@@ -143,7 +143,8 @@ void MovingWalls::archive(CheckpointArchive& archive) {
 
 #define PERCUSS_INSTANTIATE(Space)                                                                                \
   template void MovingWalls::start_step(const Space&, const WallPairs&, const RowInputs&, double, RowSumMemory&); \
-  template double MovingWalls::finish_step(const Space&, int, const ContactMotion&, bool, const RowSystem&, RowSumMemory&);
+  template double MovingWalls::finish_step(const Space&, int, const ContactMotion&, bool, const RowSystem&,       \
+                                           RowSumMemory&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

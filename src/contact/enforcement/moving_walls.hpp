@@ -16,8 +16,8 @@ namespace percuss {
 
 /// Along the normal of a wall, towards the bodies.
 struct WallMotion {
-  double moved = 0;  // from its place at time 0 to that at n [length]
-  double speed = 0;  // at n-1/2
+  double displacement = 0;  // from its place at time 0 to that at n [length]
+  double speed = 0;         // at n-1/2
 };
 
 class MovingWalls {

@@ -34,7 +34,7 @@ walls: [{{normal: x, {6}}}]
 }
 
 struct Motion {
-  double momentum = 0, kinetic = 0, wall_way = 0, wall_speed = 0, external = 0, contact = 0;
+  double momentum = 0, kinetic = 0, wall_displacement = 0, wall_speed = 0, external = 0, contact = 0;
 };
 
 /// Momentum and velocities at n+1/2 along x, and what the walls did.
@@ -48,7 +48,7 @@ Motion find_motion(const Scene& scene) {
   }
   const std::vector<double> wall = scene.contact.list_wall_motions();
   if (!wall.empty()) {
-    motion.wall_way = wall[0];
+    motion.wall_displacement = wall[0];
     motion.wall_speed = wall[1];
   }
   motion.external = ExactSum(scene.state.books.external_work).round();
@@ -71,7 +71,7 @@ TEST(MovingWall, AtConstantSpeedActsAsAWallAtRestOnABarThatIsSlowerByThat) {
     largest = std::max(largest, std::abs(moving.state.x(n, 0) - 3 * moving.state.time - resting.state.x(n, 0)));
   EXPECT_LT(largest, 1e-9 * length);
   EXPECT_GT(find_motion(resting).momentum, 9 * bar_mass);  // it has bounced
-  EXPECT_NEAR(find_motion(moving).wall_way, 3 * moving.state.time, 1e-15);
+  EXPECT_NEAR(find_motion(moving).wall_displacement, 3 * moving.state.time, 1e-15);
 }
 
 // An elastic bar bounces off a wall at speed w as v -> 2 w - v, and the wall's work is w times the momentum it gave.
@@ -93,7 +93,7 @@ TEST(MovingWall, FollowsItsCurveExactly) {
   // x = 1e5 t^2: the middle of a step gives the exact way of a speed that is linear in time.
   Scene scene(write_bar(0, "speed: {table: [[0, 0], [1, 2e5]]}", 1), alone());
   scene.run(100);
-  EXPECT_NEAR(find_motion(scene).wall_way, 1e5 * std::pow(scene.state.time, 2), 1e-13);
+  EXPECT_NEAR(find_motion(scene).wall_displacement, 1e5 * std::pow(scene.state.time, 2), 1e-13);
 }
 
 // A bar that hits a mass: until the wave is back from its far end, M dw/dt = -rho c A (v + w) away from the bar.
