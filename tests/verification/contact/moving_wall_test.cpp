@@ -155,6 +155,8 @@ TEST(WallWithAMass, IsNeverThrownBackByNodesThatCannotGiveWay) {
                 ThrowsMessage<RunError>(AllOf(HasSubstr("wall 'ram' would be thrown back"), HasSubstr("rigid part"))))
         << mass;
   }
+  Scene on_all_ranks(write_press("1"));
+  EXPECT_THROW(on_all_ranks.run(20), RunError);
   Scene heavy(write_press("100"), alone());
   heavy.run(20);
   EXPECT_LE(std::abs(find_motion(heavy).wall_speed), 5);
