@@ -11,9 +11,10 @@ from .errors import NotResults
 class Fields:
     """One fields.vtkhdf, of a run that has ended or goes on. Frames are numbered from 0; -1 is the last.
 
-    Attributes: times [frames], steps [frames], time_unit, title, units (the deck's text), part_names, walls [walls][6] (a
-    point and the unit normal of each), part [elements], element_ids, node_ids, nodes and elements (counts), hexahedra
-    [elements][8]. The four corners of a shell stand twice there, so that its faces 4 and 5 are its two surfaces."""
+    Attributes: times [frames], steps [frames], time_unit, title, units (the deck's text), part_names, walls [walls][6]
+    (a point and the unit normal of each that does not move), part [elements], element_ids, node_ids, nodes and elements
+    (counts), hexahedra [elements][8]. The four corners of a shell stand twice there, so that its faces 4 and 5 are its
+    two surfaces."""
 
     def __init__(self, folder):
         self.path = os.path.join(folder, "fields.vtkhdf") if os.path.isdir(folder) else os.fspath(folder)

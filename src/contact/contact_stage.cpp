@@ -322,7 +322,7 @@ std::vector<double> ContactStage::sum_pair_work() const {
 std::vector<double> ContactStage::list_wall_motions() const {
   std::vector<double> values;
   for (const WallMotion& motion : impl_->enforcer.walls().motions()) {
-    values.push_back(motion.moved);
+    values.push_back(motion.displacement);
     values.push_back(motion.speed);
   }
   return values;

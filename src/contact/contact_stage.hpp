@@ -69,14 +69,15 @@ class ContactStage {
   /// The same for a state from a checkpoint, before archive(): the surface alone.
   void restore_surface();
 
-  /// Corrects motion.v and fills motion.impulse. Throws RunError, on all ranks, if conditions tear a tie apart.
+  /// Corrects motion.v and fills motion.impulse. Throws RunError, on all ranks, if conditions tear a tie apart, or if a
+  /// wall with a mass is caught between bodies that cannot give way.
   ContactReport apply(const ContactMotion& motion);
 
   /// Work of normal and tangential impulses since the start by name_contact_pairs(), of all ranks: 2 a pair; booked
   /// only for decks that write a history. Collective.
   std::vector<double> sum_pair_work() const;
 
-  /// Way and speed of each wall that moves, by name_moving_walls().
+  /// Displacement and speed of each wall that moves, by name_moving_walls().
   std::vector<double> list_wall_motions() const;
 
   /// What the forces of contact and of walls in output.history.forces gave since this was last called, in their order;

@@ -60,6 +60,14 @@ bool is_driving(const ConditionDeck& condition) {
          std::any_of(condition.value.begin(), condition.value.end(), is_moving);
 }
 
+/// Whether a wall moves though nothing pushes it.
+bool is_driven(const WallDeck& wall) { return wall.speed ? is_moving(*wall.speed) : wall.start_speed != 0; }
+
+/// Whether any wall can move, which no flight knows of.
+bool has_moving_wall(const Deck& deck) {
+  return std::any_of(deck.walls.begin(), deck.walls.end(), [](const WallDeck& wall) { return wall.moves(); });
+}
+
 bool has_motion(const CheckedScene& scene) {
   const Deck& deck = scene.deck;
   const bool spins = std::any_of(scene.measures->parts.begin(), scene.measures->parts.end(),
@@ -67,6 +75,7 @@ bool has_motion(const CheckedScene& scene) {
   return spins || deck.gravity != Vec3{} || !deck.pressures.empty() || !deck.nodal_loads.empty() ||
          !deck.springs.empty() || deck.contact.overlap == ContactDeck::Overlap::push_out ||
          std::any_of(deck.conditions.begin(), deck.conditions.end(), is_driving) ||
+         std::any_of(deck.walls.begin(), deck.walls.end(), is_driven) ||
          std::any_of(deck.parts.begin(), deck.parts.end(),
                      [&](const PartDeck& part) { return is_energetic(find_material(deck, part)); });
 }
@@ -117,11 +126,13 @@ class FirstMeetings {
     return first;
   }
 
-  /// Whether any part can leave its free flight before the end: it meets something, is under a load, or may expand.
+  /// Whether any part can leave its free flight before the end: it meets something, also a wall that comes to it, is
+  /// under a load, or may expand.
   /// Where it goes then, and whom it sends where, is not known.
   bool may_change(const CheckedScene& scene) const {
     const Deck& deck = scene.deck;
     if (!deck.pressures.empty() || !deck.nodal_loads.empty() || !deck.springs.empty()) return true;
+    if (has_moving_wall(deck)) return true;
     for (std::size_t p = 0; p < flights_.size(); ++p) {
       if (is_energetic(find_material(deck, deck.parts[p]))) return true;
       if (flights_[p].moves() && find(p, deck.time.end) >= 0) return true;
@@ -159,7 +170,7 @@ std::vector<Warning> check_still_scene(const CheckedScene& scene) {
 std::vector<Warning> check_idle_parts(const CheckedScene& scene) {
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
-  if (!has_motion(scene) || deck.gravity != Vec3{} || !deck.springs.empty()) return warnings;
+  if (!has_motion(scene) || deck.gravity != Vec3{} || !deck.springs.empty() || has_moving_wall(deck)) return warnings;
   const Marks held = mark_named(deck, deck.conditions), pressed = mark_named(deck, deck.pressures),
               loaded = mark_named(deck, deck.nodal_loads), touching = mark_touching(deck);
   for (std::size_t p = 0; p < deck.parts.size(); ++p) {

@@ -51,7 +51,7 @@ struct ContactReport {
   std::vector<Wrench> bodies;      // what each rigid body got, of all ranks; empty: nothing
 };
 
-/// Names of the walls that move: their own, or their numbers.
+/// Names of the walls that move: their own, or `walls.N`, which no own name can be.
 std::vector<std::string> name_moving_walls(const Deck& deck);
 
 /// Names of what work is booked by: "surfaces" where all may touch all or "a:b" for each pair of the deck, "tie:a:b"

@@ -226,7 +226,7 @@ void Enforcer::book_pairs(const Space& space) {
 /// The work of contact is what walls and bodies do to each other as the walls see it; the rest comes from outside.
 template <class Space>
 void Enforcer::finish_walls(const Space& space, int first_row, const ContactMotion& motion, ContactReport& report) {
-  const double work = moving_walls_.finish_step(space, first_row, motion.dt, system_, sums_);
+  const double work = moving_walls_.finish_step(space, first_row, motion, report.converged, system_, sums_);
   moving_walls_.place(walls_);
   report.normal_work -= work;
   if (!is_first_rank_) return;

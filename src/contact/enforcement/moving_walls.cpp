@@ -2,9 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
+#include "kernels/core/host_copy.hpp"
+#include "src/error.hpp"
 
 namespace percuss {
 namespace {
@@ -16,13 +21,23 @@ std::vector<int> list_moving_walls(const Deck& deck) {
   return moving;
 }
 
+/// The largest speed of all nodes [mesh nodes, of all ranks]. Collective.
+double find_fastest(const Rows3<const double>& v, const Communicator& ranks) {
+  const auto host = to_host(v);
+  double square = 0;
+  for (std::size_t n = 0; n < host.extent(0); ++n)
+    square = std::max(square, host(n, 0) * host(n, 0) + host(n, 1) * host(n, 1) + host(n, 2) * host(n, 2));
+  all_reduce(ranks, Reduce::largest, square);
+  return std::sqrt(square);
+}
+
 }  // namespace
 
 std::vector<std::string> name_moving_walls(const Deck& deck) {
   std::vector<std::string> names;
   for (const int w : list_moving_walls(deck)) {
     const std::string& name = deck.walls[static_cast<std::size_t>(w)].name;
-    names.push_back(name.empty() ? fmt::format("{}", w) : name);
+    names.push_back(name.empty() ? fmt::format("walls.{}", w) : name);
   }
   return names;
 }
@@ -48,7 +63,7 @@ void MovingWalls::write(const WallPairs& walls, const std::vector<double>& speed
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     ContactWall& of = host(static_cast<std::size_t>(moving_[i]));
     const Vec3& point = wall(i).point;
-    of.point = Point3{point[0], point[1], point[2]} + motions_[i].moved * of.normal;
+    of.point = Point3{point[0], point[1], point[2]} + motions_[i].displacement * of.normal;
     of.speed = speeds[i];
   }
   Kokkos::deep_copy(walls.walls, host);
@@ -86,9 +101,23 @@ void MovingWalls::start_step(const Space& space, const WallPairs& walls, const R
   }
 }
 
+/// Rows that contradict each other push without bound. A wall with a mass then leaves faster than an elastic impact
+/// allows: on nodes that go on whatever it does, it turns from w to 2 a - w.
+void MovingWalls::refuse_throw(std::size_t i, double after, const Rows3<const double>& v_before) const {
+  constexpr double margin = 1.1;
+  const double before = motions_[i].speed, alone = std::max(std::abs(before), std::abs(2 * speeds_[i] - before));
+  if (std::abs(after) <= margin * alone) return;
+  if (std::abs(after) <= margin * std::max(alone, std::abs(before) + 2 * find_fastest(v_before, ranks_))) return;
+  throw RunError(fmt::format(
+      "wall '{}' would be thrown back (from speed {:.3g} to {:.3g} in a step, for contact does not converge: nodes "
+      "between it and another wall, or held ones, cannot give way) make it a rigid part with this mass, or let it stop "
+      "only nodes that can move (walls.N.nodes)",
+      name_moving_walls(deck_)[i], before, after));
+}
+
 template <class Space>
-double MovingWalls::finish_step(const Space& space, int first_row, double dt, const RowSystem& system,
-                                RowSumMemory& memory) {
+double MovingWalls::finish_step(const Space& space, int first_row, const ContactMotion& motion, bool converged,
+                                const RowSystem& system, RowSumMemory& memory) {
   double work = 0;
   for (std::size_t i = 0; i < moving_.size(); ++i) {
     std::array<ExactSum, 1> push{};
@@ -96,8 +125,9 @@ double MovingWalls::finish_step(const Space& space, int first_row, double dt, co
     sum_over_ranks(ranks_, push);
     const double impulse = push[0].round(), before = motions_[i].speed;
     const double after = wall(i).mass ? before - impulse / *wall(i).mass : speeds_[i];
+    if (wall(i).mass && !converged) refuse_throw(i, after, motion.v_before);
     work += impulse * (0.5 * (before + after));
-    motions_[i] = {motions_[i].moved + dt * after, after};
+    motions_[i] = {motions_[i].displacement + motion.dt * after, after};
   }
   return work;
 }
@@ -105,7 +135,7 @@ double MovingWalls::finish_step(const Space& space, int first_row, double dt, co
 void MovingWalls::archive(CheckpointArchive& archive) {
   for (std::size_t i = 0; i < motions_.size(); ++i) {
     const std::string name = fmt::format("contact/walls/{}/", moving_[i]);
-    archive.number(name + "moved", motions_[i].moved);
+    archive.number(name + "displacement", motions_[i].displacement);
     archive.number(name + "speed", motions_[i].speed);
   }
   if (any()) archive.integer("contact/walls/has_begun", has_begun_);
@@ -113,7 +143,8 @@ void MovingWalls::archive(CheckpointArchive& archive) {
 
 #define PERCUSS_INSTANTIATE(Space)                                                                                \
   template void MovingWalls::start_step(const Space&, const WallPairs&, const RowInputs&, double, RowSumMemory&); \
-  template double MovingWalls::finish_step(const Space&, int, double, const RowSystem&, RowSumMemory&);
+  template double MovingWalls::finish_step(const Space&, int, const ContactMotion&, bool, const RowSystem&,       \
+                                           RowSumMemory&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -16,8 +16,8 @@ namespace percuss {
 
 /// Along the normal of a wall, towards the bodies.
 struct WallMotion {
-  double moved = 0;  // from its place at time 0 to that at n [length]
-  double speed = 0;  // at n-1/2
+  double displacement = 0;  // from its place at time 0 to that at n [length]
+  double speed = 0;         // at n-1/2
 };
 
 class MovingWalls {
@@ -37,9 +37,11 @@ class MovingWalls {
                   RowSumMemory& memory);
 
   /// Takes the pushes of the rows from first_row on, and moves on to n+1. Returns the work of the walls on the bodies.
-  /// Collective.
+  /// converged: the pushes fulfil the rows; if not, throws RunError, on all ranks, where they give a wall with a mass
+  /// more speed than any impact can. Collective.
   template <class Space>
-  double finish_step(const Space& space, int first_row, double dt, const RowSystem& system, RowSumMemory& memory);
+  double finish_step(const Space& space, int first_row, const ContactMotion& motion, bool converged,
+                     const RowSystem& system, RowSumMemory& memory);
 
   /// Of the walls that move, in the order of the deck.
   const std::vector<WallMotion>& motions() const { return motions_; }
@@ -50,6 +52,7 @@ class MovingWalls {
   const WallDeck& wall(std::size_t i) const { return deck_.walls[static_cast<std::size_t>(moving_[i])]; }
   double find_speed(std::size_t i, double time, double dt) const;
   void write(const WallPairs& walls, const std::vector<double>& speeds) const;
+  void refuse_throw(std::size_t i, double after, const Rows3<const double>& v_before) const;
 
   const Deck& deck_;
   const Communicator& ranks_;

@@ -32,7 +32,9 @@ std::vector<std::string> list_fields(const Deck& deck, const Model& model) {
 
 FieldsOptions make_options(const Deck& deck) {
   FieldsOptions options{.title = deck.title, .units = deck.units};
-  for (const WallDeck& wall : deck.walls) options.walls.push_back({wall.point, wall.normal});
+  for (const WallDeck& wall : deck.walls) {
+    if (!wall.moves()) options.walls.push_back({wall.point, wall.normal});  // the file has one place for all frames
+  }
   return options;
 }
 

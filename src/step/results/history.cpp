@@ -91,7 +91,8 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
   const std::vector<HistoryColumn> of_springs = list_spring_columns(springs);
   columns.insert(columns.end(), of_springs.begin(), of_springs.end());
   for (const std::string& name : name_moving_walls(deck)) {
-    columns.push_back({"wall_way:" + name, dimensions::length, fmt::format("way of wall '{}' along its normal", name)});
+    columns.push_back({"wall_displacement:" + name, dimensions::length,
+                       fmt::format("displacement of wall '{}' along its normal", name)});
     columns.push_back(
         {"wall_speed:" + name, dimensions::velocity, fmt::format("speed of wall '{}' along its normal", name)});
   }

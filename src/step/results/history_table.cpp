@@ -50,7 +50,7 @@ constexpr Entry before_pairs[] = {
     {"contact", dim::energy, "work of normal contact forces, rigid walls included", always,
      [](const S& s) { return s.audit.energy.contact; }},
     {"friction", dim::energy, "work of friction", always, [](const S& s) { return s.audit.energy.friction; }},
-    {"external", dim::energy, "work of loads, gravity and prescribed motion", always,
+    {"external", dim::energy, "work of loads, gravity, prescribed motion and walls that move", always,
      [](const S& s) { return s.audit.energy.external; }},
     {"energy_error", no_dimension, "energy that the balance lacks, over the largest energy held so far", always,
      [](const S& s) { return s.audit.energy.error; }},

@@ -149,6 +149,8 @@ std::vector<WrongDeck> unknown_names() {
       {"ForceOfUnknownWall",
        append("walls: [{name: left, normal: x}]\noutput: {history: {forces: [{name: f, wall: lift}]}}"), "7:29",
        "force 'f' is of the wall 'lift' (no wall has this name) (did you mean 'left'?)"},
+      {"WallTwice", append("walls: [{name: left, normal: x}, {name: left, normal: y, speed: 1}]"), "6:34",
+       "two walls have the name 'left'"},
       {"ForceTwice", append("output: {history: {forces: [{name: f, support: rod}, {name: f, contact: [rod, all]}]}}"),
        "6:54", "name 'f' is given twice in output.history.forces"},
       {"SectionWithoutPoint", append("output: {history: {forces: [{name: f, section: {normal: x}}]}}"), "6:39",

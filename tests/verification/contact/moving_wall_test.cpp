@@ -1,14 +1,20 @@
 // Rigid walls that end, that move by a curve, and that bodies push: against exact answers.
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "src/error.hpp"
 #include "tests/src/step/two_scenes.hpp"
 
 namespace percuss::test {
 namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 constexpr double density = 7850, modulus = 200e9, length = 0.1, width = 0.005, area = width * width;
 constexpr double bar_mass = density * area * length;
@@ -28,7 +34,7 @@ walls: [{{normal: x, {6}}}]
 }
 
 struct Motion {
-  double momentum = 0, kinetic = 0, wall_way = 0, wall_speed = 0, external = 0, contact = 0;
+  double momentum = 0, kinetic = 0, wall_displacement = 0, wall_speed = 0, external = 0, contact = 0;
 };
 
 /// Momentum and velocities at n+1/2 along x, and what the walls did.
@@ -42,7 +48,7 @@ Motion find_motion(const Scene& scene) {
   }
   const std::vector<double> wall = scene.contact.list_wall_motions();
   if (!wall.empty()) {
-    motion.wall_way = wall[0];
+    motion.wall_displacement = wall[0];
     motion.wall_speed = wall[1];
   }
   motion.external = ExactSum(scene.state.books.external_work).round();
@@ -65,7 +71,7 @@ TEST(MovingWall, AtConstantSpeedActsAsAWallAtRestOnABarThatIsSlowerByThat) {
     largest = std::max(largest, std::abs(moving.state.x(n, 0) - 3 * moving.state.time - resting.state.x(n, 0)));
   EXPECT_LT(largest, 1e-9 * length);
   EXPECT_GT(find_motion(resting).momentum, 9 * bar_mass);  // it has bounced
-  EXPECT_NEAR(find_motion(moving).wall_way, 3 * moving.state.time, 1e-15);
+  EXPECT_NEAR(find_motion(moving).wall_displacement, 3 * moving.state.time, 1e-15);
 }
 
 // An elastic bar bounces off a wall at speed w as v -> 2 w - v, and the wall's work is w times the momentum it gave.
@@ -87,7 +93,7 @@ TEST(MovingWall, FollowsItsCurveExactly) {
   // x = 1e5 t^2: the middle of a step gives the exact way of a speed that is linear in time.
   Scene scene(write_bar(0, "speed: {table: [[0, 0], [1, 2e5]]}", 1), alone());
   scene.run(100);
-  EXPECT_NEAR(find_motion(scene).wall_way, 1e5 * std::pow(scene.state.time, 2), 1e-13);
+  EXPECT_NEAR(find_motion(scene).wall_displacement, 1e5 * std::pow(scene.state.time, 2), 1e-13);
 }
 
 // A bar that hits a mass: until the wave is back from its far end, M dw/dt = -rho c A (v + w) away from the bar.
@@ -124,6 +130,37 @@ TEST(WallWithAMass, MayBeMuchLighterThanNodes) {
     ASSERT_GT(now.wall_speed, -10.5);
   }
   EXPECT_LT(find_motion(scene).wall_speed, -9.5);
+}
+
+namespace {
+
+/// A sheet of shells on a fixed wall, and one with a mass [kg] that comes down on it at 5 m/s.
+std::string write_press(const char* mass) {
+  return fmt::format(R"yaml(
+time: {{end: 1, max_step: 5e-7}}
+parts: {{sheet: {{shell_plate: {{size: [0.02, 0.02], cells: [4, 4]}}, thickness: 0.001, material: steel}}}}
+walls: [{{normal: z}}, {{name: ram, normal: -z, point: [0, 0, 1e-6], mass: {}, start_speed: 5}}]
+)yaml",
+                     mass) +
+         steel_text;
+}
+
+}  // namespace
+
+// Nodes that meet two walls cannot go along with either: no push fulfils both rows.
+TEST(WallWithAMass, IsNeverThrownBackByNodesThatCannotGiveWay) {
+  for (const char* mass : {"1e-6", "1e-2", "1"}) {
+    Scene scene(write_press(mass), alone());
+    EXPECT_THAT([&] { scene.run(20); },
+                ThrowsMessage<RunError>(AllOf(HasSubstr("wall 'ram' would be thrown back"), HasSubstr("rigid part"))))
+        << mass;
+  }
+  Scene on_all_ranks(write_press("1"));
+  EXPECT_THROW(on_all_ranks.run(20), RunError);
+  Scene heavy(write_press("100"), alone());
+  heavy.run(20);
+  EXPECT_LE(std::abs(find_motion(heavy).wall_speed), 5);
+  EXPECT_LT(find_motion(heavy).wall_speed, 0);  // stopped and let go
 }
 
 namespace {

@@ -99,7 +99,9 @@ TEST(History, HasARowAtTheStartAtEveryDueTimeAndAtTheEnd) {
 /// columns.json names the heading of history.csv, column by column, with its unit.
 TEST(HistoryColumns, AreDescribedForPrograms) {
   const TemporaryFolder folder;
-  const std::string text = "units: mm, kg, ms\n" + make_text("nodes: [{name: n, near: [0, 0, 0]}], parts: [b]");
+  const std::string text =
+      "units: mm, kg, ms\n" + make_text("nodes: [{name: n, near: [0, 0, 0]}], parts: [b]") +
+      "walls: [{name: ram, normal: z, point: [0, 0, -9], speed: 1}, {normal: x, point: [-9, 0, 0], mass: 1}]\n";
   const Scene scene(text);
   History(folder.path(), scene.deck, scene.chunked, scene.model.springs).close();
   std::ifstream history(folder.path() + "/history.csv"), file(folder.path() + "/columns.json");
@@ -123,6 +125,8 @@ TEST(HistoryColumns, AreDescribedForPrograms) {
   EXPECT_EQ(of("step"), (std::pair<std::string, std::string>{"", "1"}));
   EXPECT_EQ(of("n_vx"), (std::pair<std::string, std::string>{"mm/ms", "length time^-1"}));
   EXPECT_EQ(of("mass:b"), (std::pair<std::string, std::string>{"kg", "mass"}));
+  EXPECT_EQ(of("wall_displacement:ram"), (std::pair<std::string, std::string>{"mm", "length"}));
+  EXPECT_EQ(of("wall_speed:walls.1"), (std::pair<std::string, std::string>{"mm/ms", "length time^-1"}));
   EXPECT_EQ(of("momentum_x:b").second, "mass length time^-1");
 }
 
