@@ -17,6 +17,7 @@ struct SpringLaw {
   static constexpr double unbreakable = 0;
 
   std::vector<std::array<double, 2>> rows;  // elongation, force; at least two, or none: no force of elongation
+  double largest_slope = 0;                 // of the rows: find_largest_slope()
   double damping = 0;
   SpringDeck::Acts acts = SpringDeck::Acts::both;
   double largest_force = unbreakable, largest_elongation = unbreakable;

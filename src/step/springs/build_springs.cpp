@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
+#include "src/mesh/hex_geometry.hpp"
 #include "src/step/model/followed_points.hpp"
 #include "src/step/model/nearest_items.hpp"
 #include "src/step/model/whole_mesh.hpp"
@@ -25,6 +25,7 @@ SpringLaw make_law(const SpringDeck& deck) {
   SpringLaw law;
   law.rows = deck.table;
   if (deck.stiffness) law.rows = {{{0, 0}, {1, *deck.stiffness}}};
+  law.largest_slope = find_largest_slope(law);
   law.damping = deck.damping;
   law.acts = deck.acts;
   law.largest_force = deck.largest_force.value_or(SpringLaw::unbreakable);
@@ -78,8 +79,6 @@ class EndFinder {
   std::vector<FollowedPoint> found_;
   std::size_t next_ = 0;
 };
-
-double find_distance(const Vec3& a, const Vec3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 /// A spring by the nodes of its ends.
 struct Pair {

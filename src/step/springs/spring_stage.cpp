@@ -49,11 +49,11 @@ void SpringStage::gather(const State& state) {
         const int n = node(i);
         double mobility = 0;
         for (int k = 0; k < 3; ++k) {
-          own(i, k) = x(n, k);
-          own(i, 3 + k) = v(n, k);
+          own(i, NodeRow::place + k) = x(n, k);
+          own(i, NodeRow::velocity + k) = v(n, k);
           mobility = inverse_mass(n, k) > mobility ? inverse_mass(n, k) : mobility;
         }
-        own(i, 6) = mass(n) > 0 ? mobility : -1;
+        own(i, NodeRow::mobility) = mass(n) > 0 ? mobility : NodeRow::gone;
       });
   const auto host = to_host(own_rows_);
   const auto places = to_host(model_.springs.owned_place);
@@ -75,7 +75,8 @@ SpringEnds SpringStage::find_ends(const Spring& spring) const {
 }
 
 bool SpringStage::has_lost_a_node(const Spring& spring) const {
-  return value(at(spring.end[0]), NodeRow::mobility) < 0 || value(at(spring.end[1]), NodeRow::mobility) < 0;
+  return std::any_of(spring.end.begin(), spring.end.end(),
+                     [&](int n) { return value(at(n), NodeRow::mobility) == NodeRow::gone; });
 }
 
 // A force does the work of its mean over the step along the change of length, as elements do theirs.
@@ -157,8 +158,9 @@ SpringRates SpringStage::find_rates(const State& state) const {
   };
   visit([&](const Spring& spring, const SpringState& now) {
     const SpringLaw& law = model_.springs.laws[at(spring.law)];
+    const double stiffness = bound_stiffness(law, now);
     for (const int n : spring.end) {
-      carried[carrier(n)].stiffness += bound_stiffness(law, now) * mobility[at(n)];
+      carried[carrier(n)].stiffness += stiffness * mobility[at(n)];
       carried[carrier(n)].damping += law.damping * mobility[at(n)];
     }
   });

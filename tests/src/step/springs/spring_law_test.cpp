@@ -59,6 +59,7 @@ TEST(SpringLaw, OfOneWayHasNoForceTheOther) {
 TEST(SpringLaw, PullsAlongTheLineBetweenItsEnds) {
   SpringLaw law;
   law.rows = {{{0, 0}, {1, 100}}};
+  law.largest_slope = find_largest_slope(law);
   law.damping = 10;
   const SpringState now = stretch_spring(law, 3, {}, {{{1, 1, 1}, {4, 5, 1}}, {{0, 0, 0}, {0.6, 0.8, 7}}});
   EXPECT_DOUBLE_EQ(now.length, 5);
