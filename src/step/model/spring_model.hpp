@@ -41,7 +41,13 @@ struct SpringModel {
   int first_slot = 0;                  // a slot for each that it owns
 
   bool any() const { return !springs.empty(); }
+  bool has(std::int64_t spring) const { return spring >= 0 && spring < static_cast<std::int64_t>(springs.size()); }
 };
+
+/// "spring 'strap_3'"
+inline std::string name_spring(const SpringModel& model, std::int64_t spring) {
+  return "spring '" + model.springs[static_cast<std::size_t>(spring)].name + "'";
+}
 
 /// A spring in the loop. A force pulls both ends together where it is positive.
 struct SpringState {

@@ -36,6 +36,15 @@ TEST(PercussCheck, SaysWhatTheSceneIs) {
   EXPECT_THAT(result.out, HasSubstr("The deck and its meshes are right."));
 }
 
+TEST(PercussCheck, NamesTheSpringThatLimitsTheStep) {
+  const TemporaryFolder folder;
+  const std::string ends = "springs: {s: {between: [{near: [-9, -9, -9]}, {near: [9, 9, 9]}], stiffness: ";
+  const ProcessResult stiff = run_percuss({"check", folder.write("stiff.yaml", cube + ends + "1e20}}\n")});
+  EXPECT_THAT(stiff.out, HasSubstr("(spring 's' controls it)")) << stiff.err;
+  const ProcessResult soft = run_percuss({"check", folder.write("soft.yaml", cube + ends + "1e-20}}\n")});
+  EXPECT_THAT(soft.out, HasSubstr("of part 'cube' controls it)")) << soft.err;
+}
+
 TEST(PercussCheck, WritesNoFile) {
   const TemporaryFolder folder;
   run_percuss({"check", folder.write("deck.yaml", cube)});

@@ -2,6 +2,7 @@
 
 #include "src/step/springs/spring_law.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <limits>
 
 #include "src/error.hpp"
+#include "src/step/run/run_checks.hpp"
 #include "src/step/springs/build_springs.hpp"
 #include "tests/src/step/scene.hpp"
 
@@ -135,6 +137,42 @@ TEST(SpringStep, IsShorterOffTheCentre) {
   const double off = find_bound("{s: {between: [{near: [1, 1, 2]}, {near: [6, 1, 2]}], stiffness: 100}}");
   EXPECT_LT(off, 2 / std::sqrt(100 * (1 + 0.25)));
   EXPECT_GT(off, 0.5 / std::sqrt(100 * (1 + 0.25)));
+}
+
+std::int64_t find_controller(const std::string& text) {
+  Scene scene(text);
+  scene.stepper.start(scene.state);
+  return scene.state.bound.spring;
+}
+
+// A cube of two cells an edge, E = 1 and density 1 allows 0.3 to 1; springs of 1e-3 and of 1e6 between nodes of mass 1 / 8
+// and more allow far more and far less.
+TEST(SpringStep, IsPutDownToASpringThatAllowsLessThanTheElements) {
+  std::string three = blocks;
+  three.replace(three.find("materials:"), 0,
+                "  c: {box: {size: [2, 2, 2], cells: [2, 2, 2]}, at: [8, 0, 0], material: m}\n");
+  const auto find = [&](double first, double second) {
+    return find_controller(
+        three + fmt::format("springs: {{s: {{between: [{{near: [8, 0, 0]}}, {{near: [10, 0, 0]}}], stiffness: {}}}, "
+                            "t: {{between: [{{near: [8, 2, 2]}}, {{near: [10, 2, 2]}}], stiffness: {}}}}}\n",
+                            first, second));
+  };
+  EXPECT_EQ(find(1e-3, 1e-3), -1);
+  EXPECT_EQ(find(1e6, 1e-3), 0);
+  EXPECT_EQ(find(1e-3, 1e6), 1);
+  EXPECT_EQ(find(1e6, 1e6), 0);  // the lowest of equals
+  EXPECT_EQ(find_controller(blocks + "springs: {s: {" + centres + ", stiffness: 60}}\n"), 0);  // rigid bodies have no bound of elements
+}
+
+TEST(SpringStep, ThatCollapsesNamesTheSpring) {
+  Scene scene(blocks + "springs: {strap: {" + centres + ", stiffness: 100}}\n");
+  scene.stepper.start(scene.state);
+  try {
+    check_step({scene.deck, scene.chunked, scene.model, scene.state, scene.stepper}, 1e9);
+    FAIL() << "no collapse";
+  } catch (const RunError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("spring 'strap' controls it; try a softer spring or damper"));
+  }
 }
 
 // Faces of nine nodes each, opposite each other: nine springs, in the order of the nodes.
