@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
@@ -140,6 +141,18 @@ void number_ends(const std::vector<std::array<std::int64_t, 2>>& ends, SpringMod
           static_cast<int>(std::lower_bound(model.nodes.begin(), model.nodes.end(), ends[s][i]) - model.nodes.begin());
 }
 
+/// Names of springs head columns of the history. names: of the springs before those of this entry.
+void check_names(const Deck& deck, const SpringDeck& spring, const SpringModel& model, std::set<std::string>& names) {
+  for (std::size_t s = names.size(); s < model.springs.size(); ++s) {
+    const std::string& name = model.springs[s].name;
+    if (names.insert(name).second) continue;
+    throw InputError(
+        fmt::format("{}: error: entry '{}' makes a second spring '{}' (the springs of an entry are called NAME_1, "
+                    "NAME_2 ...) rename one of the entries",
+                    deck.where(spring.place), spring.name, name));
+  }
+}
+
 void check_count(const Deck& deck, const SpringDeck& spring, const SpringModel& model) {
   if (model.springs.size() <= most_springs) return;
   throw InputError(
@@ -155,9 +168,11 @@ SpringModel find_springs(const Deck& deck, const ChunkedMesh& chunked) {
   if (deck.springs.empty()) return model;
   EndFinder finder(deck, chunked);
   std::vector<std::array<std::int64_t, 2>> ends;
+  std::set<std::string> names;
   for (const SpringDeck& spring : deck.springs) {
     add_springs(spring, find_pairs(deck, finder, spring), model, ends);
     check_count(deck, spring, model);
+    check_names(deck, spring, model, names);
   }
   number_ends(ends, model);
   return model;

@@ -202,5 +202,12 @@ TEST(Springs, OfOneNodeAreRefused) {
               HasSubstr("no node has the id 999 (end of spring 's')"));
 }
 
+TEST(Springs, OfOneNameAreRefused) {
+  const std::string nine = "s: {between: [a/x_max, b/x_min], stiffness: 1}", one = "s_2: {" + centres + ", stiffness: 1}";
+  EXPECT_THAT(take_error("{" + nine + ", " + one + "}"),
+              HasSubstr("deck.yaml:7:59: error: entry 's_2' makes a second spring 's_2'"));
+  EXPECT_THAT(take_error("{" + one + ", " + nine + "}"), HasSubstr("error: entry 's' makes a second spring 's_2'"));
+}
+
 }  // namespace
 }  // namespace percuss::test
