@@ -30,6 +30,7 @@ struct Spring {
   std::array<int, 2> end{};  // places in SpringModel::nodes
   double rest_length = 0;
   double start_length = 0;  // at time 0
+  bool has_columns = true;  // of its own in the history
 };
 
 struct SpringModel {

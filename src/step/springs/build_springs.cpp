@@ -22,6 +22,9 @@ namespace {
 /// Every rank moves all springs: more belong into a mesh.
 constexpr std::size_t most_springs = 100000;
 
+/// Springs of an entry that have columns of their own in the history: more would make rows that nobody reads.
+constexpr std::size_t most_with_columns = 100;
+
 SpringLaw make_law(const SpringDeck& deck) {
   SpringLaw law;
   law.rows = deck.table;
@@ -124,6 +127,7 @@ void add_springs(const SpringDeck& deck, const std::vector<Pair>& pairs, SpringM
     Spring spring;
     spring.name = pairs.size() == 1 ? deck.name : fmt::format("{}_{}", deck.name, i + 1);
     spring.law = law;
+    spring.has_columns = pairs.size() <= most_with_columns;
     spring.start_length = find_distance(pairs[i].first.place, pairs[i].second.place);
     spring.rest_length = deck.rest_length.value_or(spring.start_length);
     model.springs.push_back(std::move(spring));

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "src/error.hpp"
+#include "src/step/results/spring_columns.hpp"
 #include "src/step/run/run_checks.hpp"
 #include "src/step/springs/build_springs.hpp"
 #include "tests/src/step/scene.hpp"
@@ -184,6 +185,27 @@ TEST(Springs, JoinEachNodeOfASetWithTheNearest) {
   EXPECT_EQ(springs.nodes.size(), 18U);
   for (const Spring& spring : springs.springs) EXPECT_DOUBLE_EQ(spring.start_length, 3);
   EXPECT_THAT(springs.notes.front(), HasSubstr("9 of them, 3 to 3 long"));
+}
+
+// Faces of 100 and of 121 nodes.
+TEST(Springs, OfLargeSetsHaveNoColumns) {
+  for (const int cells : {9, 10}) {
+    const std::string size = fmt::format("{{size: [2, 2, 2], cells: [1, {0}, {0}]}}", cells);
+    Scene scene(fmt::format(R"yaml(
+time: {{end: 1}}
+parts: {{a: {{box: {0}, material: m}}, b: {{box: {0}, at: [5, 0, 0], material: m}}}}
+materials: {{m: {{model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0.3}}}}
+springs: {{s: {{between: [a/x_max, b/x_min], stiffness: 1}}, one: {{{1}, stiffness: 1}}}}
+)yaml",
+                            size, centres));
+    scene.stepper.start(scene.state);
+    const std::size_t expected = 2 + 2 + (cells == 9 ? 200 : 0);
+    EXPECT_EQ(list_spring_columns(scene.model.springs).size(), expected);
+    std::vector<double> row;
+    append_springs(scene.model.springs, scene.state, row);
+    EXPECT_EQ(row.size(), expected);
+    EXPECT_EQ(list_spring_columns(scene.model.springs).back().name, "spring_elongation:one");
+  }
 }
 
 std::string take_error(const std::string& springs) {
