@@ -89,17 +89,26 @@ struct Pair {
   Item first, second;
 };
 
+void check_nearest(const Deck& deck, const SpringDeck& spring, const Item& item, const Nearest& found) {
+  if (found.score == std::numeric_limits<double>::infinity())
+    throw InputError(
+        fmt::format("{}: error: spring '{}' has no node at its second end whose distance from node {} of the mesh is a "
+                    "number (squares of coordinates this large overflow) move the parts together",
+                    deck.where(spring.place), spring.name, item.number));
+  if (found.number == item.number)
+    throw InputError(
+        fmt::format("{}: error: both ends of spring '{}' are node {} of the mesh (a spring joins two "
+                    "nodes) let its ends share no node",
+                    deck.where(spring.place), spring.name, found.number));
+}
+
 std::vector<Pair> find_pairs(const Deck& deck, EndFinder& ends, const SpringDeck& spring) {
   const std::vector<Item> first = ends.find(spring.between[0]), second = ends.find(spring.between[1]);
   const NearestItems nearest(second);
   std::vector<Pair> pairs;
   for (const Item& item : first) {
     const Nearest found = nearest.find(item.place);
-    if (found.number == item.number)
-      throw InputError(
-          fmt::format("{}: error: both ends of spring '{}' are node {} of the mesh (a spring joins two "
-                      "nodes) let its ends share no node",
-                      deck.where(spring.place), spring.name, found.number));
+    check_nearest(deck, spring, item, found);
     pairs.push_back({item, *std::lower_bound(second.begin(), second.end(), found.number,
                                              [](const Item& i, std::int64_t number) { return i.number < number; })});
   }

@@ -224,6 +224,28 @@ TEST(Springs, OfOneNodeAreRefused) {
               HasSubstr("no node has the id 999 (end of spring 's')"));
 }
 
+// The square of 1e155 is beyond the largest double.
+TEST(Springs, AcrossDistancesThatOverflowAreRefused) {
+  EXPECT_THAT(take_error("{s: {between: [{near: [1e155, 0, 0]}, a], stiffness: 1}}"),
+              HasSubstr("no node is near [1e+155, 0, 0] (end of spring 's'; squares of distances overflow)"));
+  const Deck deck = parse_deck(R"yaml(
+time: {end: 1}
+parts:
+  a: {box: {size: [1e140, 1, 1], cells: [1, 1, 1]}, material: m}
+  b: {box: {size: [1e142, 1, 1], cells: [1, 1, 1]}, at: [1e155, 0, 0], material: m}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0.3}}
+springs: {s: {between: [a/x_max, b/x_min], stiffness: 1}}
+)yaml",
+                               "deck.yaml");
+  const ChunkedMesh chunked = load_mesh(deck, Communicator::world());
+  try {
+    find_springs(deck, chunked);
+    FAIL() << "found";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("deck.yaml:7:14: error: spring 's' has no node at its second end"));
+  }
+}
+
 TEST(Springs, OfOneNameAreRefused) {
   const std::string nine = "s: {between: [a/x_max, b/x_min], stiffness: 1}", one = "s_2: {" + centres + ", stiffness: 1}";
   EXPECT_THAT(take_error("{" + nine + ", " + one + "}"),
