@@ -106,8 +106,8 @@ void check_energy(const CheckedRun& run, const EnergySummary& e) {
       "the energy balance is off by {:.3g} of the largest energy, more than audit.max_energy_error = {:g}, {} (kinetic "
       "{:.6g}, internal {:.6g}, hourglass {:.6g}, contact {:.6g}; {} has the smallest step{}); look at history.csv for "
       "what grows, try a smaller time.step_scale (now {})",
-      e.error, bound, describe_step(run.state), e.kinetic, e.internal, e.hourglass, e.contact,
-      describe_controller(run), describe_deepest_node(run), run.deck.time.step_scale));
+      e.error, bound, describe_step(run.state), e.kinetic, e.internal, e.hourglass, e.contact, describe_controller(run),
+      describe_deepest_node(run), run.deck.time.step_scale));
 }
 
 void check_momentum(const CheckedRun& run, const char* which, double error) {

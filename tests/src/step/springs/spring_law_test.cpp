@@ -146,8 +146,8 @@ std::int64_t find_controller(const std::string& text) {
   return scene.state.bound.spring;
 }
 
-// A cube of two cells an edge, E = 1 and density 1 allows 0.3 to 1; springs of 1e-3 and of 1e6 between nodes of mass 1 / 8
-// and more allow far more and far less.
+// A cube of two cells an edge, E = 1 and density 1 allows 0.3 to 1; springs of 1e-3 and of 1e6 between nodes of mass
+// 1 / 8 and more allow far more and far less.
 TEST(SpringStep, IsPutDownToASpringThatAllowsLessThanTheElements) {
   std::string three = blocks;
   three.replace(three.find("materials:"), 0,
@@ -162,7 +162,8 @@ TEST(SpringStep, IsPutDownToASpringThatAllowsLessThanTheElements) {
   EXPECT_EQ(find(1e6, 1e-3), 0);
   EXPECT_EQ(find(1e-3, 1e6), 1);
   EXPECT_EQ(find(1e6, 1e6), 0);  // the lowest of equals
-  EXPECT_EQ(find_controller(blocks + "springs: {s: {" + centres + ", stiffness: 60}}\n"), 0);  // rigid bodies have no bound of elements
+  // Rigid bodies have no bound of elements.
+  EXPECT_EQ(find_controller(blocks + "springs: {s: {" + centres + ", stiffness: 60}}\n"), 0);
 }
 
 TEST(SpringStep, ThatCollapsesNamesTheSpring) {
@@ -242,12 +243,13 @@ springs: {s: {between: [a/x_max, b/x_min], stiffness: 1}}
     find_springs(deck, chunked);
     FAIL() << "found";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("deck.yaml:7:14: error: spring 's' has no node at its second end"));
+    EXPECT_THAT(error.what(), HasSubstr("deck.yaml:7:11: error: spring 's' has no node at its second end"));
   }
 }
 
 TEST(Springs, OfOneNameAreRefused) {
-  const std::string nine = "s: {between: [a/x_max, b/x_min], stiffness: 1}", one = "s_2: {" + centres + ", stiffness: 1}";
+  const std::string nine = "s: {between: [a/x_max, b/x_min], stiffness: 1}",
+                    one = "s_2: {" + centres + ", stiffness: 1}";
   EXPECT_THAT(take_error("{" + nine + ", " + one + "}"),
               HasSubstr("deck.yaml:7:59: error: entry 's_2' makes a second spring 's_2'"));
   EXPECT_THAT(take_error("{" + one + ", " + nine + "}"), HasSubstr("error: entry 's' makes a second spring 's_2'"));
