@@ -96,6 +96,8 @@ def _judge_steps(run, summary):
     where = f"element {dt['element']}"
     part = find_part_of_element(run, dt["element"])
     where += f" of part '{part}'" if part else ""
+    if dt.get("spring"):
+        where = f"spring '{dt['spring']}'"
     text = f"The step went from {dt['max']:.4g} down to {dt['min']:.4g}{_unit(run, 'time')}; {where} limits the last one."
     found = [Finding(GOOD if dt["min"] > STEP_FALL * dt["max"] else LOOK, text)]
     if summary["mass"]["share"] > ADDED_MASS:

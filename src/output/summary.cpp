@@ -75,6 +75,7 @@ void visit_summary(S& s, Visitor&& v) {
     v.value("max", s.dt.max);
     v.value("last", s.dt.last);
     v.value("element", s.dt.element);
+    v.value("spring", s.dt.spring);
     v.value("estimate", s.dt.estimate);
     v.value("estimates", s.dt.estimates);
     v.value("gain", s.dt.gain);

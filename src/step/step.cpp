@@ -109,8 +109,8 @@ void Stepper::advance(State& state, StepWishes wishes) {
   choose_step(state);
 }
 
-/// Whether only elements and gravity act on the nodes: then nothing comes between their velocities and their motion,
-/// and nothing asks for their forces, or for their places before they move.
+/// Whether only elements, springs and gravity act on the nodes: then nothing comes between their velocities and their
+/// motion, and nothing asks for their forces, or for their places before they move.
 bool Stepper::is_free() const {
   return !contact_.is_active() && !rigid_.any() && model_.held.count == 0 && model_.pressure_faces.count == 0 &&
          model_.nodal_loads.count == 0 && !forces_.has_sections();

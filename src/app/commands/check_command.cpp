@@ -115,7 +115,8 @@ ExitCode check_command(const Command& command, const Communicator& ranks) {
 
   SceneReport scene = describe_scene(deck, chunked);
   scene.first_step = state.next_dt;
-  scene.controlling_element = describe_element(chunked, state.bound.element);
+  scene.controlling_element = model.springs.has(state.bound.spring) ? name_spring(model.springs, state.bound.spring)
+                                                                    : describe_element(chunked, state.bound.element);
   add_notes(chunked, model, scene);
   scene.contact_nodes = contact.contact_nodes();
   scene.contact_faces = contact.contact_faces();

@@ -10,6 +10,7 @@
 #include "src/app/reports/plan_estimate.hpp"
 #include "src/mesh/surface_nodes.hpp"
 #include "src/output/warning_json.hpp"
+#include "src/step/model/followed_points.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
@@ -31,6 +32,13 @@ class SelectionList {
   }
   void add_faces(const std::string& key, const std::string& what, const Selector& where) {
     add(key, what, where, select_surface_nodes(mesh_, deck_, where).nodes);
+  }
+  /// The node of a point, which may be anywhere in the mesh.
+  void add_point(const std::string& key, const std::string& what, const HistoryPoint& point, int node) {
+    Selector where;
+    where.name = point.id ? fmt::format("node {}", *point.id) : "the nearest node";
+    where.place = point.place;
+    add(key, what, where, {node});
   }
   Json take() { return std::move(list_); }
 
@@ -81,8 +89,37 @@ void add_each(const char* list, const Items& items, const Add& add) {
   for (std::size_t i = 0; i < items.size(); ++i) add(fmt::format("{}.{}", list, i), items[i]);
 }
 
-Json list_selections(const Deck& deck, const Mesh& mesh) {
-  SelectionList list(deck, mesh);
+void list_springs(const Deck& deck, const ChunkedMesh& chunked, SelectionList& list) {
+  for (const SpringDeck& spring : deck.springs) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const SpringEndDeck& end = spring.between[i];
+      const std::string key = fmt::format("springs.{}.between.{}", spring.name, i);
+      if (end.point)
+        list.add_point(key, "spring", *end.point, find_points(deck, chunked, {*end.point}, "end of spring")[0].index);
+      else
+        list.add_nodes(key, "spring", end.where);
+    }
+  }
+}
+
+void list_contact(const ContactDeck& contact, SelectionList& list) {
+  add_each("contact.pairs", contact.pairs, [&](const std::string& key, const SurfacePairDeck& pair) {
+    list.add_faces(key + ".a", "contact pair", pair.a);
+    list.add_faces(key + ".b", "contact pair", pair.b);
+  });
+  add_each("contact.friction.pairs", contact.frictions, [&](const std::string& key, const PairFrictionDeck& pair) {
+    const std::string what = fmt::format("contact friction {:g}", pair.friction);
+    list.add_faces(key + ".a", what, pair.a);
+    if (pair.b) list.add_faces(key + ".b", what, *pair.b);
+  });
+  add_each("ties", contact.ties, [&](const std::string& key, const TieDeck& tie) {
+    list.add_faces(key + ".a", "tied nodes", tie.a);
+    list.add_faces(key + ".b", "tied faces", tie.b);
+  });
+}
+
+Json list_selections(const Deck& deck, const ChunkedMesh& chunked) {
+  SelectionList list(deck, chunked.mesh);
   add_each("initial", deck.initial, [&](const std::string& key, const InitialDeck& initial) {
     list.add_nodes(key, "initial velocity", initial.where);
   });
@@ -97,14 +134,8 @@ Json list_selections(const Deck& deck, const Mesh& mesh) {
   });
   add_each("added_mass", deck.added_masses,
            [&](const std::string& key, const AddedMassDeck& added) { list.add_nodes(key, "added mass", added.where); });
-  add_each("contact.pairs", deck.contact.pairs, [&](const std::string& key, const SurfacePairDeck& pair) {
-    list.add_faces(key + ".a", "contact pair", pair.a);
-    list.add_faces(key + ".b", "contact pair", pair.b);
-  });
-  add_each("ties", deck.contact.ties, [&](const std::string& key, const TieDeck& tie) {
-    list.add_faces(key + ".a", "tied nodes", tie.a);
-    list.add_faces(key + ".b", "tied faces", tie.b);
-  });
+  list_springs(deck, chunked, list);
+  list_contact(deck.contact, list);
   return list.take();
 }
 
@@ -198,7 +229,7 @@ std::string format_scene_json(const SceneReport& scene, const ChunkedMesh& chunk
                      {"parts", list_parts(scene, chunked, results)},
                      {"joints", scene.joints},
                      {"notes", notes},
-                     {"selections", list_selections(deck, chunked.mesh)},
+                     {"selections", list_selections(deck, chunked)},
                      {"walls", list_walls(deck)},
                      {"overlap", describe(overlap, chunked.mesh, deck)},
                      {"warnings", to_json(scene.warnings)}};

@@ -92,6 +92,13 @@ std::string format_units(const Units& units) {
                                    units.name_of(dimensions::stress), units.name_of(dimensions::energy)));
 }
 
+/// "friction 0.1, 1 pair with its own"
+std::string format_friction(const ContactDeck& contact) {
+  const std::string text = fmt::format("friction {:g}", contact.friction);
+  if (contact.frictions.empty()) return text;
+  return text + ", " + count(contact.frictions.size(), "pair with its own", "pairs with their own");
+}
+
 std::string format_contact(const SceneReport& scene) {
   const ContactDeck& contact = scene.deck.contact;
   using Surfaces = ContactDeck::Surfaces;
@@ -99,7 +106,7 @@ std::string format_contact(const SceneReport& scene) {
   if (contact.surfaces != Surfaces::none) {
     text = contact.surfaces == Surfaces::all ? "all surfaces"
                                              : count(contact.pairs.size(), "pair of surfaces", "pairs of surfaces");
-    text += fmt::format(", friction {:g}; {} contact nodes, {} contact faces", contact.friction, scene.contact_nodes,
+    text += fmt::format(", {}; {} contact nodes, {} contact faces", format_friction(contact), scene.contact_nodes,
                         scene.contact_faces);
   }
   if (!scene.deck.walls.empty()) text += "; " + count(scene.deck.walls.size(), "wall", "walls");

@@ -24,7 +24,7 @@ struct SceneReport {
   Vec3 low{}, high{};                    // box of all nodes [length]
   std::vector<Warning> warnings = {};    // of everything; on rank 0
   double first_step = 0;                 // time unit of the deck
-  std::string controlling_element = {};  // that limits it, in words
+  std::string controlling_element = {};  // that limits it, in words; a spring where that does
   std::int64_t contact_nodes = 0, contact_faces = 0;
   std::vector<std::string> spring_notes = {};
   std::vector<std::string> mesh_notes = {};     // imperfections and added masses

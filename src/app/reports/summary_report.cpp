@@ -64,8 +64,10 @@ std::string format_summary(const Summary& s) {
   text += line("scene", fmt::format("{} elements, {} nodes; {} contact nodes, {} contact faces", s.elements, s.nodes,
                                     s.contact_nodes, s.contact_faces));
   if (s.status == "running") return text + format_warnings(s);  // the rest comes at its end
-  text += line("time", fmt::format("{:.6g} in {} steps; step {:.4g} to {:.4g}, last {:.4g} (element {})", s.time,
-                                   s.steps, s.dt.min, s.dt.max, s.dt.last, s.dt.element));
+  const std::string controller =
+      s.dt.spring.empty() ? fmt::format("element {}", s.dt.element) : fmt::format("spring '{}'", s.dt.spring);
+  text += line("time", fmt::format("{:.6g} in {} steps; step {:.4g} to {:.4g}, last {:.4g} ({})", s.time, s.steps,
+                                   s.dt.min, s.dt.max, s.dt.last, controller));
   if (s.dt.estimates > 0) {
     text += line("", fmt::format("{:.4g} times what the elements alone allow, by {} estimates of the whole mesh",
                                  s.dt.gain, s.dt.estimates));

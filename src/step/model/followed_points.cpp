@@ -96,12 +96,19 @@ struct Search {
   const std::string& kind;
 };
 
+/// Why nothing was found for a point.
+[[noreturn]] void refuse(const Search& search, const HistoryPoint& point) {
+  const char* const item = point.is_element ? "element" : "node";
+  const std::string what = point.near ? fmt::format("no {} is near [{:g}, {:g}, {:g}]", item, (*point.near)[0],
+                                                    (*point.near)[1], (*point.near)[2])
+                                      : fmt::format("no {} has the id {}", item, point.id.value_or(0));
+  throw InputError(fmt::format("{}: error: {} ({} '{}'{})", search.deck.where(point.place), what, search.kind,
+                               point.name, point.near ? "; squares of distances overflow" : ""));
+}
+
 FollowedPoint follow(const Search& search, const HistoryPoint& point, const Nearest& nearest) {
   const ChunkedMesh& chunked = search.chunked;
-  if (nearest.score == std::numeric_limits<double>::infinity()) {
-    throw InputError(fmt::format("{}: error: no {} has the id {} ({} '{}')", search.deck.where(point.place),
-                                 point.is_element ? "element" : "node", point.id.value_or(0), search.kind, point.name));
-  }
+  if (nearest.score == std::numeric_limits<double>::infinity()) refuse(search, point);
   FollowedPoint found{point.name, point.is_element, nearest.number, -1};
   if (point.is_element) {
     found.index = find_local_element(chunked, nearest.number);

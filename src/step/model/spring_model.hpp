@@ -17,6 +17,7 @@ struct SpringLaw {
   static constexpr double unbreakable = 0;
 
   std::vector<std::array<double, 2>> rows;  // elongation, force; at least two, or none: no force of elongation
+  double largest_slope = 0;                 // of the rows: find_largest_slope()
   double damping = 0;
   SpringDeck::Acts acts = SpringDeck::Acts::both;
   double largest_force = unbreakable, largest_elongation = unbreakable;
@@ -29,6 +30,7 @@ struct Spring {
   std::array<int, 2> end{};  // places in SpringModel::nodes
   double rest_length = 0;
   double start_length = 0;  // at time 0
+  bool has_columns = true;  // of its own in the history
 };
 
 struct SpringModel {
@@ -40,7 +42,13 @@ struct SpringModel {
   int first_slot = 0;                  // a slot for each that it owns
 
   bool any() const { return !springs.empty(); }
+  bool has(std::int64_t spring) const { return spring >= 0 && spring < static_cast<std::int64_t>(springs.size()); }
 };
+
+/// "spring 'strap_3'"
+inline std::string name_spring(const SpringModel& model, std::int64_t spring) {
+  return "spring '" + model.springs[static_cast<std::size_t>(spring)].name + "'";
+}
 
 /// A spring in the loop. A force pulls both ends together where it is positive.
 struct SpringState {

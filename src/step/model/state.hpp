@@ -31,12 +31,13 @@ struct Books {
 /// The controlling step bound and what failed, after the elements of a step; of all ranks. Elements by their number in
 /// the whole mesh.
 struct StepBound {
-  double step = 0;                   // smallest bound of all elements, without the deck's scale
-  std::int64_t element = 0;          // that has it, the lowest of several
+  double step = 0;                   // bound of elements, contact and springs together, without the deck's scale
+  std::int64_t element = 0;          // that has the smallest bound of all elements, the lowest of several
   std::int64_t element_id = 0;       // the user's id of that
   std::int64_t failed_element = -1;  // lowest element without positive volume or step, -1: none
   std::int64_t broken_chunk = -1;    // lowest chunk whose work is not finite, -1: none
   bool died = false;                 // whether an element lost the last of its force in the step
+  std::int64_t spring = -1;          // that asks for a shorter step than all else, by its place in the model, -1: none
 };
 
 struct State {

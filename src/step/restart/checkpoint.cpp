@@ -105,10 +105,12 @@ void archive_spins(CheckpointArchive& archive, const ChunkRows& nodes, const Mod
   archive_slots(archive, "elements/slot_moment", model, state.slot_moment);
 }
 
-void archive_bound(CheckpointArchive& archive, StepBound& bound) {
+void archive_bound(CheckpointArchive& archive, State& state) {
+  StepBound& bound = state.bound;
   archive.number_or_infinity("bound/step", bound.step);  // no element left: no bound
   archive.number("bound/element", bound.element);
   archive.number("bound/element_id", bound.element_id);
+  if (!state.springs.empty()) archive.number("bound/spring", bound.spring);
 }
 
 void archive_bodies(CheckpointArchive& archive, std::vector<RigidState>& bodies) {
@@ -213,7 +215,7 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   archive.integer("step", state.step);
   archive.number("dt", state.dt);
   archive.number("next_dt", state.next_dt);
-  archive_bound(archive, state.bound);
+  archive_bound(archive, state);
   const ChunkRows nodes = find_owned_node_rows(chunked);
   archive.rows("nodes/x", nodes, 3, state.x);
   archive.rows("nodes/v", nodes, 3, state.v);

@@ -179,7 +179,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   table_.append(sources, row);
   parts_.append(model, state, row);
   bodies_.append(model, state, row);
-  append_springs(state, row);
+  append_springs(model.springs, state, row);
   row.insert(row.end(), sources.walls.begin(), sources.walls.end());
   row.insert(row.end(), sources.forces.begin(), sources.forces.end());
   gather_points(model, state, row);

@@ -10,6 +10,7 @@ std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs) {
       {"spring_work", dimensions::energy, "energy of springs, within the internal energy"},
       {"damper_work", dimensions::energy, "energy that dampers have taken, within the viscous energy"}};
   for (const Spring& spring : springs.springs) {
+    if (!spring.has_columns) continue;
     columns.push_back({"spring_force:" + spring.name, dimensions::force,
                        fmt::format("force of spring '{}', its damper included, positive in tension", spring.name)});
     columns.push_back({"spring_elongation:" + spring.name, dimensions::length,
@@ -18,13 +19,14 @@ std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs) {
   return columns;
 }
 
-void append_springs(const State& state, std::vector<double>& row) {
+void append_springs(const SpringModel& springs, const State& state, std::vector<double>& row) {
   if (state.springs.empty()) return;
   row.push_back(state.books.spring_work);
   row.push_back(state.books.damper_work);
-  for (const SpringState& spring : state.springs) {
-    row.push_back(spring.force());
-    row.push_back(spring.elongation);
+  for (std::size_t s = 0; s < state.springs.size(); ++s) {
+    if (!springs.springs[s].has_columns) continue;
+    row.push_back(state.springs[s].force());
+    row.push_back(state.springs[s].elongation);
   }
 }
 

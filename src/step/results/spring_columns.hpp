@@ -8,11 +8,11 @@
 
 namespace percuss {
 
-/// Work of all springs and dampers, then "spring_force:NAME" and "spring_elongation:NAME", spring after spring; none
-/// without springs.
+/// Work of all springs and dampers, then "spring_force:NAME" and "spring_elongation:NAME", spring after spring, of
+/// those with Spring::has_columns; none without springs.
 std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs);
 
 /// Appends the values of those columns to a row.
-void append_springs(const State& state, std::vector<double>& row);
+void append_springs(const SpringModel& springs, const State& state, std::vector<double>& row);
 
 }  // namespace percuss

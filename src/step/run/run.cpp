@@ -93,6 +93,7 @@ void Run::begin() {
   erode();
   first_dt_ = state_.next_dt;
   limiting_element_id_ = state_.bound.element_id;
+  limiting_spring_ = state_.bound.spring;
   checkpoints_.begin(state_.time);  // none at time 0
 }
 
@@ -189,6 +190,7 @@ void Run::loop() {
 /// A step, and all that is due after it.
 void Run::advance() {
   limiting_element_id_ = state_.bound.element_id;
+  limiting_spring_ = state_.bound.spring;
   is_state_whole_ = false;
   stepper_.advance(state_, find_wishes());
   is_state_whole_ = true;
@@ -315,6 +317,7 @@ void Run::archive(CheckpointArchive& archive) {
   archive.number("run/dt_min", summary_.dt.min);
   archive.number("run/dt_max", summary_.dt.max);
   archive.number("run/limiting_element_id", limiting_element_id_);
+  if (model_.springs.any()) archive.number("run/limiting_spring", limiting_spring_);
   archive.integer("run/audited_step", audited_step_);
   audited_.archive(archive);
   warnings_.archive(archive);

@@ -44,6 +44,13 @@ std::string describe_element(const CheckedRun& run, std::int64_t number) {
   return describe_there(run, number, [&](int element) { return name_with_place(run, element); });
 }
 
+/// "spring 'strap_3'" or the element, with its place: what limits the step.
+std::string describe_controller(const CheckedRun& run) {
+  const StepBound& bound = run.state.bound;
+  if (run.model.springs.has(bound.spring)) return name_spring(run.model.springs, bound.spring);
+  return describe_element(run, bound.element);
+}
+
 std::string describe_failed_element(const CheckedRun& run) {
   return describe_there(run, run.state.bound.failed_element, [&](int element) {
     const HexCorners corners = find_corners(run, element);
@@ -99,8 +106,8 @@ void check_energy(const CheckedRun& run, const EnergySummary& e) {
       "the energy balance is off by {:.3g} of the largest energy, more than audit.max_energy_error = {:g}, {} (kinetic "
       "{:.6g}, internal {:.6g}, hourglass {:.6g}, contact {:.6g}; {} has the smallest step{}); look at history.csv for "
       "what grows, try a smaller time.step_scale (now {})",
-      e.error, bound, describe_step(run.state), e.kinetic, e.internal, e.hourglass, e.contact,
-      describe_element(run, run.state.bound.element), describe_deepest_node(run), run.deck.time.step_scale));
+      e.error, bound, describe_step(run.state), e.kinetic, e.internal, e.hourglass, e.contact, describe_controller(run),
+      describe_deepest_node(run), run.deck.time.step_scale));
 }
 
 void check_momentum(const CheckedRun& run, const char* which, double error) {
@@ -110,8 +117,7 @@ void check_momentum(const CheckedRun& run, const char* which, double error) {
       "{} momentum has changed by {:.3g} of the largest that there was, more than audit.max_momentum_error = {:g}, "
       "without an impulse that explains it, {} ({} has the smallest step{}); look at history.csv for when it began; if "
       "the scene hardly moves, raise the bound",
-      which, error, bound, describe_step(run.state), describe_element(run, run.state.bound.element),
-      describe_deepest_node(run)));
+      which, error, bound, describe_step(run.state), describe_controller(run), describe_deepest_node(run)));
 }
 
 }  // namespace
@@ -129,11 +135,12 @@ void check_elements(const CheckedRun& run) {
 void check_step(const CheckedRun& run, double first_dt) {
   const double least = run.deck.time.collapse_ratio * first_dt;
   if (run.state.next_dt >= least || run.deck.time.step_scale * run.state.bound.step >= least) return;
+  const bool is_spring = run.model.springs.has(run.state.bound.spring);
   throw RunError(
-      fmt::format("the time step has collapsed to {:.3g} (it began at {:.3g}) {}; {} controls it; try a coarser mesh "
-                  "there, or lower "
+      fmt::format("the time step has collapsed to {:.3g} (it began at {:.3g}) {}; {} controls it; try {}, or lower "
                   "time.collapse_ratio (now {:g}) to go on",
-                  run.state.next_dt, first_dt, describe_step(run.state), describe_element(run, run.state.bound.element),
+                  run.state.next_dt, first_dt, describe_step(run.state), describe_controller(run),
+                  is_spring ? "a softer spring or damper, or more mass at its ends" : "a coarser mesh there",
                   run.deck.time.collapse_ratio));
 }
 

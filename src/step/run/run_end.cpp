@@ -4,6 +4,7 @@
 
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
+#include "src/index.hpp"
 #include "src/output/files/first_rank.hpp"
 #include "src/step/run/run_scene.hpp"
 #include "src/step/run/run_totals.hpp"
@@ -28,6 +29,7 @@ Summary Run::make_summary(const std::string& status, const std::string& error) c
   summary.error = error;
   summary.dt.last = state_.dt;
   summary.dt.element = limiting_element_id_;
+  if (model_.springs.has(limiting_spring_)) summary.dt.spring = model_.springs.springs[at(limiting_spring_)].name;
   summary.loop_s = find_seconds(loop_start_);
   summary.warnings = warnings_.list();
   fill_summary(summed(), summary);

@@ -99,6 +99,7 @@ class Run {
   long start_step_ = 0;           // where this run began
   double first_dt_ = 0;
   std::int64_t limiting_element_id_ = 0;  // bounded the last step
+  std::int64_t limiting_spring_ = -1;     // likewise, -1: none
   Clock::time_point loop_start_;
   double compute_start_ = 0;  // compute_seconds() when the clocks of the phases began
   Summary summary_;           // what is noted on the way

@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
+#include <set>
 
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
+#include "src/mesh/hex_geometry.hpp"
 #include "src/step/model/followed_points.hpp"
 #include "src/step/model/nearest_items.hpp"
 #include "src/step/model/whole_mesh.hpp"
@@ -21,10 +22,14 @@ namespace {
 /// Every rank moves all springs: more belong into a mesh.
 constexpr std::size_t most_springs = 100000;
 
+/// Springs of an entry that have columns of their own in the history: more would make rows that nobody reads.
+constexpr std::size_t most_with_columns = 100;
+
 SpringLaw make_law(const SpringDeck& deck) {
   SpringLaw law;
   law.rows = deck.table;
   if (deck.stiffness) law.rows = {{{0, 0}, {1, *deck.stiffness}}};
+  law.largest_slope = find_largest_slope(law);
   law.damping = deck.damping;
   law.acts = deck.acts;
   law.largest_force = deck.largest_force.value_or(SpringLaw::unbreakable);
@@ -79,12 +84,23 @@ class EndFinder {
   std::size_t next_ = 0;
 };
 
-double find_distance(const Vec3& a, const Vec3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
-
 /// A spring by the nodes of its ends.
 struct Pair {
   Item first, second;
 };
+
+void check_nearest(const Deck& deck, const SpringDeck& spring, const Item& item, const Nearest& found) {
+  if (found.score == std::numeric_limits<double>::infinity())
+    throw InputError(
+        fmt::format("{}: error: spring '{}' has no node at its second end whose distance from node {} of the mesh is a "
+                    "number (squares of coordinates this large overflow) move the parts together",
+                    deck.where(spring.place), spring.name, item.number));
+  if (found.number == item.number)
+    throw InputError(
+        fmt::format("{}: error: both ends of spring '{}' are node {} of the mesh (a spring joins two "
+                    "nodes) let its ends share no node",
+                    deck.where(spring.place), spring.name, found.number));
+}
 
 std::vector<Pair> find_pairs(const Deck& deck, EndFinder& ends, const SpringDeck& spring) {
   const std::vector<Item> first = ends.find(spring.between[0]), second = ends.find(spring.between[1]);
@@ -92,11 +108,7 @@ std::vector<Pair> find_pairs(const Deck& deck, EndFinder& ends, const SpringDeck
   std::vector<Pair> pairs;
   for (const Item& item : first) {
     const Nearest found = nearest.find(item.place);
-    if (found.number == item.number)
-      throw InputError(
-          fmt::format("{}: error: both ends of spring '{}' are node {} of the mesh (a spring joins two "
-                      "nodes) let its ends share no node",
-                      deck.where(spring.place), spring.name, found.number));
+    check_nearest(deck, spring, item, found);
     pairs.push_back({item, *std::lower_bound(second.begin(), second.end(), found.number,
                                              [](const Item& i, std::int64_t number) { return i.number < number; })});
   }
@@ -124,6 +136,7 @@ void add_springs(const SpringDeck& deck, const std::vector<Pair>& pairs, SpringM
     Spring spring;
     spring.name = pairs.size() == 1 ? deck.name : fmt::format("{}_{}", deck.name, i + 1);
     spring.law = law;
+    spring.has_columns = pairs.size() <= most_with_columns;
     spring.start_length = find_distance(pairs[i].first.place, pairs[i].second.place);
     spring.rest_length = deck.rest_length.value_or(spring.start_length);
     model.springs.push_back(std::move(spring));
@@ -141,6 +154,18 @@ void number_ends(const std::vector<std::array<std::int64_t, 2>>& ends, SpringMod
           static_cast<int>(std::lower_bound(model.nodes.begin(), model.nodes.end(), ends[s][i]) - model.nodes.begin());
 }
 
+/// Names of springs head columns of the history. names: of the springs before those of this entry.
+void check_names(const Deck& deck, const SpringDeck& spring, const SpringModel& model, std::set<std::string>& names) {
+  for (std::size_t s = names.size(); s < model.springs.size(); ++s) {
+    const std::string& name = model.springs[s].name;
+    if (names.insert(name).second) continue;
+    throw InputError(
+        fmt::format("{}: error: entry '{}' makes a second spring '{}' (the springs of an entry are called NAME_1, "
+                    "NAME_2 ...) rename one of the entries",
+                    deck.where(spring.place), spring.name, name));
+  }
+}
+
 void check_count(const Deck& deck, const SpringDeck& spring, const SpringModel& model) {
   if (model.springs.size() <= most_springs) return;
   throw InputError(
@@ -156,9 +181,11 @@ SpringModel find_springs(const Deck& deck, const ChunkedMesh& chunked) {
   if (deck.springs.empty()) return model;
   EndFinder finder(deck, chunked);
   std::vector<std::array<std::int64_t, 2>> ends;
+  std::set<std::string> names;
   for (const SpringDeck& spring : deck.springs) {
     add_springs(spring, find_pairs(deck, finder, spring), model, ends);
     check_count(deck, spring, model);
+    check_names(deck, spring, model, names);
   }
   number_ends(ends, model);
   return model;

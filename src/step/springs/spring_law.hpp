@@ -85,7 +85,7 @@ inline SpringState stretch_spring(const SpringLaw& law, double rest_length, cons
 /// which turns with the axis.
 inline double bound_stiffness(const SpringLaw& law, const SpringState& state) {
   const double across = state.length > 0 ? std::max(state.force(), 0.0) / state.length : 0;
-  return std::max(find_largest_slope(law), across);
+  return std::max(law.largest_slope, across);
 }
 
 /// The largest eigenvalues of M^-1 K and M^-1 C of all springs.

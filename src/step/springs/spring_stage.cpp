@@ -49,11 +49,11 @@ void SpringStage::gather(const State& state) {
         const int n = node(i);
         double mobility = 0;
         for (int k = 0; k < 3; ++k) {
-          own(i, k) = x(n, k);
-          own(i, 3 + k) = v(n, k);
+          own(i, NodeRow::place + k) = x(n, k);
+          own(i, NodeRow::velocity + k) = v(n, k);
           mobility = inverse_mass(n, k) > mobility ? inverse_mass(n, k) : mobility;
         }
-        own(i, 6) = mass(n) > 0 ? mobility : -1;
+        own(i, NodeRow::mobility) = mass(n) > 0 ? mobility : NodeRow::gone;
       });
   const auto host = to_host(own_rows_);
   const auto places = to_host(model_.springs.owned_place);
@@ -75,7 +75,8 @@ SpringEnds SpringStage::find_ends(const Spring& spring) const {
 }
 
 bool SpringStage::has_lost_a_node(const Spring& spring) const {
-  return value(at(spring.end[0]), NodeRow::mobility) < 0 || value(at(spring.end[1]), NodeRow::mobility) < 0;
+  return std::any_of(spring.end.begin(), spring.end.end(),
+                     [&](int n) { return value(at(n), NodeRow::mobility) == NodeRow::gone; });
 }
 
 // A force does the work of its mean over the step along the change of length, as elements do theirs.
@@ -146,34 +147,42 @@ std::vector<double> SpringStage::find_mobilities(const State& state) const {
 // The mass of a node, or of a body, is divided among its springs by stiffness times mobility. The largest eigenvalue of
 // each spring with its shares is then the sum of what its two nodes carry, and that of all is at most the largest of
 // these (the element eigenvalue theorem, Irons and Treharne 1971).
-SpringRates SpringStage::find_rates(const State& state) const {
+SpringStage::StiffestSpring SpringStage::find_rates(const State& state) const {
   const std::vector<double> mobility = find_mobilities(state);
   const std::size_t nodes = mobility.size();
   std::vector<SpringRates> carried(nodes + state.bodies.size());
   const auto carrier = [&](int n) { return body_of_node_[at(n)] < 0 ? at(n) : nodes + at(body_of_node_[at(n)]); };
   const auto visit = [&](const auto& take) {
     for (std::size_t s = 0; s < state.springs.size(); ++s)
-      if (state.springs[s].is_broken == 0) take(model_.springs.springs[s], state.springs[s]);
+      if (state.springs[s].is_broken == 0) take(s, model_.springs.springs[s]);
   };
-  visit([&](const Spring& spring, const SpringState& now) {
+  visit([&](std::size_t s, const Spring& spring) {
     const SpringLaw& law = model_.springs.laws[at(spring.law)];
+    const double stiffness = bound_stiffness(law, state.springs[s]);
     for (const int n : spring.end) {
-      carried[carrier(n)].stiffness += bound_stiffness(law, now) * mobility[at(n)];
+      carried[carrier(n)].stiffness += stiffness * mobility[at(n)];
       carried[carrier(n)].damping += law.damping * mobility[at(n)];
     }
   });
-  SpringRates largest;
-  visit([&](const Spring& spring, const SpringState&) {
+  StiffestSpring stiffest;
+  visit([&](std::size_t s, const Spring& spring) {
     const SpringRates &a = carried[carrier(spring.end[0])], &b = carried[carrier(spring.end[1])];
-    largest.stiffness = std::max(largest.stiffness, a.stiffness + b.stiffness);
-    largest.damping = std::max(largest.damping, a.damping + b.damping);
+    const SpringRates both{a.stiffness + b.stiffness, a.damping + b.damping};
+    stiffest.rates.stiffness = std::max(stiffest.rates.stiffness, both.stiffness);
+    stiffest.rates.damping = std::max(stiffest.rates.damping, both.damping);
+    const double step = find_step_with_springs(both, std::numeric_limits<double>::infinity());
+    if (!(step < stiffest.step)) return;
+    stiffest.step = step;
+    stiffest.spring = static_cast<std::int64_t>(s);
   });
-  return largest;
+  return stiffest;
 }
 
-double SpringStage::limit_step(const State& state, double step) const {
-  const SpringRates rates = find_rates(state);
-  return rates.stiffness > 0 || rates.damping > 0 ? find_step_with_springs(rates, step) : step;
+SpringLimit SpringStage::limit_step(const State& state, double step) const {
+  const StiffestSpring stiffest = find_rates(state);
+  const SpringRates& rates = stiffest.rates;
+  if (!(rates.stiffness > 0) && !(rates.damping > 0)) return {step, -1};
+  return {find_step_with_springs(rates, step), stiffest.step < step ? stiffest.spring : -1};
 }
 
 }  // namespace percuss

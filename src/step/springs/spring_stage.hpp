@@ -4,12 +4,19 @@
 // Every rank computes all springs, from places and velocities that the owners of their nodes send to all.
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "src/step/model/state.hpp"
 #include "src/step/springs/spring_law.hpp"
 
 namespace percuss {
+
+/// What springs leave of a step.
+struct SpringLimit {
+  double step = 0;
+  std::int64_t spring = -1;  // that alone allows less than what else there is, the one that allows least; -1: none
+};
 
 class SpringStage {
  public:
@@ -27,13 +34,19 @@ class SpringStage {
   void apply(const State& state);
 
   /// The largest stable step, if what else there is allows `step` alone. Call after advance() or drop_vanished().
-  double limit_step(const State& state, double step) const;
+  SpringLimit limit_step(const State& state, double step) const;
 
  private:
   /// What the owner of a node tells.
   struct NodeRow {
     enum : std::size_t { place, velocity = place + 3, mobility = velocity + 3, count };
     static constexpr double gone = -1;
+  };
+  /// What all springs are bounded by, and the one that alone allows the shortest step.
+  struct StiffestSpring {
+    SpringRates rates;  // the largest of all
+    std::int64_t spring = -1;
+    double step = std::numeric_limits<double>::infinity();  // that this one allows
   };
 
   double value(std::size_t node, std::size_t k) const { return rows_[node * NodeRow::count + k]; }
@@ -44,7 +57,7 @@ class SpringStage {
   SpringEnds find_ends(const Spring& spring) const;
   bool has_lost_a_node(const Spring& spring) const;
   std::vector<double> find_mobilities(const State& state) const;
-  SpringRates find_rates(const State& state) const;
+  StiffestSpring find_rates(const State& state) const;
 
   const Model& model_;
   std::vector<int> body_of_node_;  // [SpringModel::nodes] rigid; -1: none

@@ -5,6 +5,8 @@
 
 #include <csignal>
 #include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
 
 #include "src/output/summary.hpp"
 #include "tests/src/app/percuss_process.hpp"
@@ -34,6 +36,29 @@ TEST(PercussCheck, SaysWhatTheSceneIs) {
   EXPECT_THAT(result.out, HasSubstr("8 elements, 27 nodes, 1 body, mass 2\n"));
   EXPECT_THAT(result.out, HasSubstr("1 wall"));
   EXPECT_THAT(result.out, HasSubstr("The deck and its meshes are right."));
+}
+
+TEST(PercussCheck, NamesTheSpringThatLimitsTheStep) {
+  const TemporaryFolder folder;
+  const std::string ends = "springs: {s: {between: [{near: [-9, -9, -9]}, {near: [9, 9, 9]}], stiffness: ";
+  const ProcessResult stiff = run_percuss({"check", folder.write("stiff.yaml", cube + ends + "1e20}}\n")});
+  EXPECT_THAT(stiff.out, HasSubstr("(spring 's' controls it)")) << stiff.err;
+  const ProcessResult soft = run_percuss({"check", folder.write("soft.yaml", cube + ends + "1e-20}}\n")});
+  EXPECT_THAT(soft.out, HasSubstr("of part 'cube' controls it)")) << soft.err;
+}
+
+TEST(PercussCheck, TellsOfSpringsAndOfPairsWithFrictionOfTheirOwn) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "deck.yaml", std::string(cube) + "springs: {s: {between: [{near: [1, 1, 1]}, cube/z_min], stiffness: 1}}\n" +
+                       "contact: {friction: {default: 0.1, pairs: [{a: cube/x_min, friction: 0.3}]}}\n");
+  EXPECT_THAT(run_percuss({"check", file}).out, HasSubstr("all surfaces, friction 0.1, 1 pair with its own; "));
+  const auto json = nlohmann::json::parse(run_percuss({"check", file, "--json"}).out);
+  std::map<std::string, int> counts;
+  for (const auto& selection : json["selections"]) counts[selection["key"]] = selection["count"];
+  EXPECT_EQ(counts["springs.s.between.0"], 1);
+  EXPECT_EQ(counts["springs.s.between.1"], 9);
+  EXPECT_EQ(counts["contact.friction.pairs.0.a"], 9);
 }
 
 TEST(PercussCheck, WritesNoFile) {

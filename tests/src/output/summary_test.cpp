@@ -79,6 +79,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "dt.max",
                                           "dt.last",
                                           "dt.element",
+                                          "dt.spring",
                                           "dt.estimate",
                                           "dt.estimates",
                                           "dt.gain",

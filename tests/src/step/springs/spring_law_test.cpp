@@ -2,6 +2,7 @@
 
 #include "src/step/springs/spring_law.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +10,8 @@
 #include <limits>
 
 #include "src/error.hpp"
+#include "src/step/results/spring_columns.hpp"
+#include "src/step/run/run_checks.hpp"
 #include "src/step/springs/build_springs.hpp"
 #include "tests/src/step/scene.hpp"
 
@@ -59,6 +62,7 @@ TEST(SpringLaw, OfOneWayHasNoForceTheOther) {
 TEST(SpringLaw, PullsAlongTheLineBetweenItsEnds) {
   SpringLaw law;
   law.rows = {{{0, 0}, {1, 100}}};
+  law.largest_slope = find_largest_slope(law);
   law.damping = 10;
   const SpringState now = stretch_spring(law, 3, {}, {{{1, 1, 1}, {4, 5, 1}}, {{0, 0, 0}, {0.6, 0.8, 7}}});
   EXPECT_DOUBLE_EQ(now.length, 5);
@@ -136,6 +140,43 @@ TEST(SpringStep, IsShorterOffTheCentre) {
   EXPECT_GT(off, 0.5 / std::sqrt(100 * (1 + 0.25)));
 }
 
+std::int64_t find_controller(const std::string& text) {
+  Scene scene(text);
+  scene.stepper.start(scene.state);
+  return scene.state.bound.spring;
+}
+
+// A cube of two cells an edge, E = 1 and density 1 allows 0.3 to 1; springs of 1e-3 and of 1e6 between nodes of mass
+// 1 / 8 and more allow far more and far less.
+TEST(SpringStep, IsPutDownToASpringThatAllowsLessThanTheElements) {
+  std::string three = blocks;
+  three.replace(three.find("materials:"), 0,
+                "  c: {box: {size: [2, 2, 2], cells: [2, 2, 2]}, at: [8, 0, 0], material: m}\n");
+  const auto find = [&](double first, double second) {
+    return find_controller(
+        three + fmt::format("springs: {{s: {{between: [{{near: [8, 0, 0]}}, {{near: [10, 0, 0]}}], stiffness: {}}}, "
+                            "t: {{between: [{{near: [8, 2, 2]}}, {{near: [10, 2, 2]}}], stiffness: {}}}}}\n",
+                            first, second));
+  };
+  EXPECT_EQ(find(1e-3, 1e-3), -1);
+  EXPECT_EQ(find(1e6, 1e-3), 0);
+  EXPECT_EQ(find(1e-3, 1e6), 1);
+  EXPECT_EQ(find(1e6, 1e6), 0);  // the lowest of equals
+  // Rigid bodies have no bound of elements.
+  EXPECT_EQ(find_controller(blocks + "springs: {s: {" + centres + ", stiffness: 60}}\n"), 0);
+}
+
+TEST(SpringStep, ThatCollapsesNamesTheSpring) {
+  Scene scene(blocks + "springs: {strap: {" + centres + ", stiffness: 100}}\n");
+  scene.stepper.start(scene.state);
+  try {
+    check_step({scene.deck, scene.chunked, scene.model, scene.state, scene.stepper}, 1e9);
+    FAIL() << "no collapse";
+  } catch (const RunError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("spring 'strap' controls it; try a softer spring or damper"));
+  }
+}
+
 // Faces of nine nodes each, opposite each other: nine springs, in the order of the nodes.
 TEST(Springs, JoinEachNodeOfASetWithTheNearest) {
   const Scene scene(blocks + "springs: {s: {between: [a/x_max, b/x_min], stiffness: 1}}\n");
@@ -145,6 +186,27 @@ TEST(Springs, JoinEachNodeOfASetWithTheNearest) {
   EXPECT_EQ(springs.nodes.size(), 18U);
   for (const Spring& spring : springs.springs) EXPECT_DOUBLE_EQ(spring.start_length, 3);
   EXPECT_THAT(springs.notes.front(), HasSubstr("9 of them, 3 to 3 long"));
+}
+
+// Faces of 100 and of 121 nodes.
+TEST(Springs, OfLargeSetsHaveNoColumns) {
+  for (const int cells : {9, 10}) {
+    const std::string size = fmt::format("{{size: [2, 2, 2], cells: [1, {0}, {0}]}}", cells);
+    Scene scene(fmt::format(R"yaml(
+time: {{end: 1}}
+parts: {{a: {{box: {0}, material: m}}, b: {{box: {0}, at: [5, 0, 0], material: m}}}}
+materials: {{m: {{model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0.3}}}}
+springs: {{s: {{between: [a/x_max, b/x_min], stiffness: 1}}, one: {{{1}, stiffness: 1}}}}
+)yaml",
+                            size, centres));
+    scene.stepper.start(scene.state);
+    const std::size_t expected = 2 + 2 + (cells == 9 ? 200 : 0);
+    EXPECT_EQ(list_spring_columns(scene.model.springs).size(), expected);
+    std::vector<double> row;
+    append_springs(scene.model.springs, scene.state, row);
+    EXPECT_EQ(row.size(), expected);
+    EXPECT_EQ(list_spring_columns(scene.model.springs).back().name, "spring_elongation:one");
+  }
 }
 
 std::string take_error(const std::string& springs) {
@@ -161,6 +223,36 @@ TEST(Springs, OfOneNodeAreRefused) {
               HasSubstr("deck.yaml:7:11: error: both ends of spring 's' are node"));
   EXPECT_THAT(take_error("{s: {between: [{id: 999}, a], stiffness: 1}}"),
               HasSubstr("no node has the id 999 (end of spring 's')"));
+}
+
+// The square of 1e155 is beyond the largest double.
+TEST(Springs, AcrossDistancesThatOverflowAreRefused) {
+  EXPECT_THAT(take_error("{s: {between: [{near: [1e155, 0, 0]}, a], stiffness: 1}}"),
+              HasSubstr("no node is near [1e+155, 0, 0] (end of spring 's'; squares of distances overflow)"));
+  const Deck deck = parse_deck(R"yaml(
+time: {end: 1}
+parts:
+  a: {box: {size: [1e140, 1, 1], cells: [1, 1, 1]}, material: m}
+  b: {box: {size: [1e142, 1, 1], cells: [1, 1, 1]}, at: [1e155, 0, 0], material: m}
+materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0.3}}
+springs: {s: {between: [a/x_max, b/x_min], stiffness: 1}}
+)yaml",
+                               "deck.yaml");
+  const ChunkedMesh chunked = load_mesh(deck, Communicator::world());
+  try {
+    find_springs(deck, chunked);
+    FAIL() << "found";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("deck.yaml:7:11: error: spring 's' has no node at its second end"));
+  }
+}
+
+TEST(Springs, OfOneNameAreRefused) {
+  const std::string nine = "s: {between: [a/x_max, b/x_min], stiffness: 1}",
+                    one = "s_2: {" + centres + ", stiffness: 1}";
+  EXPECT_THAT(take_error("{" + nine + ", " + one + "}"),
+              HasSubstr("deck.yaml:7:59: error: entry 's_2' makes a second spring 's_2'"));
+  EXPECT_THAT(take_error("{" + one + ", " + nine + "}"), HasSubstr("error: entry 's' makes a second spring 's_2'"));
 }
 
 }  // namespace
