@@ -52,6 +52,9 @@ endfunction()
 percuss_precompile(percuss_headers)
 percuss_precompile(percuss_text_headers LINK fmt::fmt HEADERS <fmt/format.h>)
 
+add_library(percuss_unity_options INTERFACE)
+target_compile_options(percuss_unity_options INTERFACE -Wno-shadow) # a name of one source may be that of another
+
 # percuss_add_library(name [UNITY] SOURCES a.cpp ... LINK lib ...): a static library with the project's options. UNITY: names in
 # its sources differ, so that PERCUSS_UNITY may compile several at once.
 function(percuss_add_library name)
@@ -65,7 +68,7 @@ function(percuss_add_library name)
   endif()
   if(PERCUSS_UNITY AND arg_UNITY)
     set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
-    target_compile_options(${name} PRIVATE -Wno-shadow) # of names in other sources
+    target_link_libraries(${name} PRIVATE percuss_unity_options) # after percuss_options, whose warning this takes back
   endif()
 endfunction()
 
