@@ -105,6 +105,7 @@ std::optional<typename Sets::mapped_type> find_set(const Sets& sets, const Deck&
 template <class Sets>
 std::vector<std::string> list_names(const Sets& sets) {
   std::vector<std::string> names;
+  names.reserve(sets.size());
   for (const auto& [name, set] : sets) names.push_back(name);
   return names;
 }
