@@ -13,6 +13,7 @@ SCENE = {
     "internal": ("energy", "internal energy"),
     "hourglass": ("energy", "hourglass energy"),
     "viscous": ("energy", "bulk viscosity"),
+    "damping": ("energy", "damping in proportion to mass"),
     "folding": ("energy", "resistance to folding"),
     "contact": ("energy", "work of normal contact"),
     "friction": ("energy", "work of friction"),

@@ -3,7 +3,7 @@
 import fnmatch
 from dataclasses import dataclass, field
 
-ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "external", "contact_stored", "eroded_energy")
+ENERGIES = ("kinetic", "internal", "hourglass", "viscous", "folding", "contact", "friction", "damping", "external", "contact_stored", "eroded_energy")
 FORCES = ("wall_force_x", "wall_force_y", "wall_force_z")
 MOST_CURVES = 12  # of a panel that was chosen by a pattern or by default
 

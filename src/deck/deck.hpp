@@ -250,6 +250,12 @@ struct NodalLoadDeck {
   std::array<Curve, 6> value;
 };
 
+/// A force -c m v on nodes, of shells also -c I w.
+struct DampingDeck {
+  Selector where;
+  Curve coefficient;  // c [1 / time]
+};
+
 /// A wall that ends: from its point so far along a direction in its plane, and along normal x that direction.
 struct RectangleDeck {
   Vec3 along{};  // made perpendicular to the normal, of length 1
@@ -353,6 +359,7 @@ struct Deck {
   std::vector<PressureDeck> pressures;
   std::vector<NodalLoadDeck> nodal_loads;
   std::vector<ConditionDeck> conditions;
+  std::vector<DampingDeck> dampings;  // of several that name a node the last one holds
   std::vector<WallDeck> walls;
   ContactDeck contact;
   OutputDeck output;

@@ -45,6 +45,7 @@ void visit_energy(S& s, Visitor&& v) {
   v.value("folding", s.folding);
   v.value("contact", s.contact);
   v.value("friction", s.friction);
+  v.value("damping", s.damping);
   v.value("external", s.external);
   v.value("error", s.error);
 }

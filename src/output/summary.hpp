@@ -20,7 +20,7 @@ struct PhaseSeconds {
 /// (docs/output.md).
 struct EnergySummary {
   double initial = 0, kinetic = 0, internal = 0, hourglass = 0, viscous = 0, folding = 0, contact = 0, friction = 0,
-         external = 0, error = 0;
+         damping = 0, external = 0, error = 0;
 };
 
 /// Eroded elements: their mass, the share of it that has left the scene with removed nodes, their internal, hourglass

@@ -27,6 +27,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
     global_ = std::make_unique<GlobalStep>(chunked, model, deck.time.end, deck.time.step_scale);
   }
   if (model.springs.any()) springs_ = std::make_unique<SpringStage>(model);
+  if (!model.dampings.empty()) damping_ = std::make_unique<DampingStage>(model);
   if (model.has_tets) tets_ = std::make_unique<TetStage>(model);
   if (model.scales_in_run) scaler_ = std::make_unique<MassScaler>(deck, chunked, model);
 }
@@ -113,7 +114,7 @@ void Stepper::advance(State& state, StepWishes wishes) {
 /// motion, and nothing asks for their forces, or for their places before they move.
 bool Stepper::is_free() const {
   return !contact_.is_active() && !rigid_.any() && model_.held.count == 0 && model_.pressure_faces.count == 0 &&
-         model_.nodal_loads.count == 0 && !forces_.has_sections();
+         model_.nodal_loads.count == 0 && !damping_ && !forces_.has_sections();
 }
 
 /// Velocities at n+1/2 as they are without contact, conditions included. Of free nodes positions as well.
@@ -136,6 +137,7 @@ void Stepper::accept_motion(State& state, double dt) {
 void Stepper::book_motion(State& state, double dt, double dt_mean) {
   const Phase phase("percuss::book", clocks_.reduce);
   rigid_.book(state, dt, dt_mean);  // before gravity, which follows the momentum of all
+  if (damping_) damping_->book(state);
   bookkeeper_.book_impulses(state, dt, dt_mean, report_.walls);
   forces_.book(model_, state, dt_mean);
 }
@@ -154,10 +156,12 @@ void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {
 
 void Stepper::integrate_motion(State& state, double dt, double dt_mean) {
   const Phase phase("percuss::integrate", clocks_.integrate);
+  if (damping_) damping_->begin_step(state.time);
   predict_velocities(space_, {model_.nodes_to_slots, state.slot_force, state.inverse_mass, model_.gravity}, dt_mean,
                      state.force, state.v_before, state.v);
-  if (rigid_.any()) rigid_.predict(state, dt, dt_mean);
+  if (rigid_.any()) rigid_.predict(state, dt, dt_mean, damping_ ? damping_->coefficients() : std::vector<double>());
   if (state.step == 0) mirror_velocities(space_, state.v, state.v_before);
+  if (damping_) damping_->damp(state, dt_mean);
 }
 
 /// Rotations of the nodes of shells: nothing but the elements' moments and conditions acts on them.
@@ -168,6 +172,7 @@ void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
     predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}}, dt_mean,
                        state.moment, state.w_before, state.w);
     if (state.step == 0) mirror_velocities(space_, state.w, state.w_before);
+    if (damping_) damping_->damp_spins(state, dt_mean);
   }
   hold_spins(state, dt);
   rigid_.set_spins(state);

@@ -10,6 +10,7 @@
 #include "comm/merge_reduction.hpp"
 #include "src/contact/contact_stage.hpp"
 #include "src/step/audit/books.hpp"
+#include "src/step/damping/damping_stage.hpp"
 #include "src/step/forces/force_books.hpp"
 #include "src/step/mass_scaler.hpp"
 #include "src/step/model/model.hpp"
@@ -138,6 +139,7 @@ class Stepper {
   RigidStage rigid_;
   std::unique_ptr<TetStage> tets_;        // only with tetrahedra
   std::unique_ptr<SpringStage> springs_;  // only with springs
+  std::unique_ptr<DampingStage> damping_;  // only with damping
   Bookkeeper bookkeeper_;
   ForceBooks forces_;
   PrescribedMotions motions_;

@@ -11,6 +11,7 @@ from .cards import Card, CardReader
 from .contact_cards import finish_contacts, read_contact
 from .control_cards import apply_timestep, apply_viscosity, read_general_hourglass, read_other_control, read_termination
 from .curve_cards import read_curve, read_other_curve, read_smooth_curve, read_table
+from .damping_cards import read_damping
 from .deck import KeywordDeck
 from .load_cards import read_body_load, read_node_load, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
@@ -56,7 +57,7 @@ ACTIONS: dict[str, Handler] = {
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
     "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
-    "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
+    "DAMPING_": read_damping, "RIGIDWALL_": read_wall, "CONTACT_": read_contact, "DATABASE_": read_database,
 }  # fmt: skip
 # Harmless whatever they say.
 IGNORED = {"COMMENT": "a comment", "CONTROL_STRUCTURED": "output", "PARAMETER_TYPE": "a type"}

@@ -53,6 +53,7 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
   for (const ConditionDeck& condition : deck.conditions) nodes(condition.where);
   for (const PressureDeck& pressure : deck.pressures) faces(pressure.where);
   for (const NodalLoadDeck& load : deck.nodal_loads) nodes(load.where);
+  for (const DampingDeck& damping : deck.dampings) nodes(damping.where);
   for (const WallDeck& wall : deck.walls) {
     for (const Selector& where : wall.nodes) nodes(where);
   }

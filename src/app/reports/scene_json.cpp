@@ -132,6 +132,8 @@ Json list_selections(const Deck& deck, const ChunkedMesh& chunked) {
   add_each("nodal_loads", deck.nodal_loads, [&](const std::string& key, const NodalLoadDeck& load) {
     list.add_nodes(key, name_directions("load", load.active), load.where);
   });
+  add_each("damping", deck.dampings,
+           [&](const std::string& key, const DampingDeck& damping) { list.add_nodes(key, "damping", damping.where); });
   add_each("added_mass", deck.added_masses,
            [&](const std::string& key, const AddedMassDeck& added) { list.add_nodes(key, "added mass", added.where); });
   list_springs(deck, chunked, list);

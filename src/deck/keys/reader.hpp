@@ -22,6 +22,7 @@ struct CurveUse {
   Spot spot;
   std::string name;  // "loads.pressure.0.value"
   Curve curve;
+  bool is_not_negative = false;
 };
 
 /// State of one reading, shared by all readers of it.

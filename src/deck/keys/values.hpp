@@ -150,8 +150,9 @@ struct DirectionValue {
 
 /// A number, {table: [[t, value], ...]} or {expression: "..."}.
 struct CurveValue {
+  bool is_not_negative = false;  // whether its values must be zero or positive
   bool read(const Reader& reader, const std::string& name, const Node& node, Curve& out) const;
-  std::string takes() const { return "a curve"; }
+  std::string takes() const { return is_not_negative ? "a curve, zero or positive" : "a curve"; }
   Form form() const;
 };
 

@@ -123,9 +123,12 @@ void check_curves(const Deck& deck, Reading& reading) {
     for (int i = 0; i <= samples; ++i) {
       const double t = deck.time.end * i / samples;
       const double value = use.curve(t);
-      if (std::isfinite(value)) continue;
-      reading.errors.add(use.spot, fmt::format("{} is {} at t = {} (must be finite from 0 to time.end)", use.name,
-                                               std::isnan(value) ? "not a number" : "infinite", t));
+      if (std::isfinite(value) && !(use.is_not_negative && value < 0)) continue;
+      const std::string what = std::isfinite(value) ? fmt::format("{:g}", value)
+                               : std::isnan(value)  ? "not a number"
+                                                    : "infinite";
+      reading.errors.add(use.spot, fmt::format("{} is {} at t = {} (must be {} from 0 to time.end)", use.name, what, t,
+                                               use.is_not_negative ? "zero or positive" : "finite"));
       break;
     }
   }

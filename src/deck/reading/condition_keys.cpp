@@ -1,4 +1,4 @@
-// Keys of `initial`, `loads`, `conditions` and `walls`.
+// Keys of `initial`, `loads`, `conditions`, `damping` and `walls`.
 
 #include "src/deck/reading/deck_keys.hpp"
 
@@ -201,6 +201,19 @@ bool check_nodal_load(const Reader& reader, const Node& node, NodalLoadDeck&) {
   return false;
 }
 
+const Keys<DampingDeck>& damping_keys() {
+  static const Keys<DampingDeck> keys = {
+      may("nodes", &DampingDeck::where, SelectorValue{}),
+      need("coefficient", &DampingDeck::coefficient, CurveValue{true}),
+  };
+  return keys;
+}
+
+bool note_damping_place(const Reader&, const Node& node, DampingDeck& damping) {
+  damping.where.place = node.spot.place;
+  return true;
+}
+
 const Keys<ConditionDeck>& condition_kind_keys() {
   static const Keys<ConditionDeck> keys = {
       group<ConditionDeck>("fixed", FixedValue{}),
@@ -303,6 +316,7 @@ bool check_wall(const Reader& reader, const Node& node, WallDeck& wall) {
 MapValue<InitialDeck> initial_value() { return {initial_keys, check_initial}; }
 MapValue<PressureDeck> pressure_value() { return {pressure_keys}; }
 MapValue<NodalLoadDeck> nodal_load_value() { return {nodal_load_keys, check_nodal_load}; }
+MapValue<DampingDeck> damping_value() { return {damping_keys, note_damping_place}; }
 MapValue<WallDeck> wall_value() { return {wall_keys, check_wall}; }
 
 bool ConditionValue::read(const Reader& reader, const std::string& name, const Node& node, ConditionDeck& out) const {

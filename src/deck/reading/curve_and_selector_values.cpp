@@ -97,7 +97,7 @@ Form CurveValue::form() const {
 bool CurveValue::read(const Reader& reader, const std::string& name, const Node& node, Curve& out) const {
   if (node.kind == Node::Kind::map) {
     if (!read_curve_map(reader, name, node, out)) return false;
-    reader.reading().curves.push_back({node.spot, name, out});
+    reader.reading().curves.push_back({node.spot, name, out, is_not_negative});
     return true;
   }
   if (node.kind != Node::Kind::scalar) {
@@ -105,7 +105,7 @@ bool CurveValue::read(const Reader& reader, const std::string& name, const Node&
     return false;
   }
   double value = 0;
-  if (!NumberValue{}.read(reader, name, node, value)) return false;
+  if (!NumberValue{is_not_negative ? not_negative : any_number}.read(reader, name, node, value)) return false;
   out = Curve::constant(value);
   return true;
 }

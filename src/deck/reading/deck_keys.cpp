@@ -258,6 +258,7 @@ const Keys<Deck>& deck_keys() {
       may("initial", &Deck::initial, ListValue<MapValue<InitialDeck>>{initial_value()}),
       group<Deck>("loads", MapValue<Deck>{load_keys}),
       may("conditions", &Deck::conditions, ListValue<ConditionValue>{}),
+      may("damping", &Deck::dampings, ListValue<MapValue<DampingDeck>>{damping_value()}),
       may("walls", &Deck::walls, ListValue<MapValue<WallDeck>>{wall_value()}),
       may("contact", &Deck::contact, ContactValue{}),
       may("output", &Deck::output, output_value()),

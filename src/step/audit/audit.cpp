@@ -113,11 +113,11 @@ ExactSum sum_vanished_mass(const Model& model, const State& state) {
 
 void AuditResult::archive(CheckpointArchive& archive) {
   EnergySummary& e = energy;
-  double energies[] = {e.initial, e.kinetic, e.internal, e.hourglass, e.viscous,
-                       e.folding, e.contact, e.friction, e.external,  e.error};
+  double energies[] = {e.initial, e.kinetic,  e.internal, e.hourglass, e.viscous, e.folding,
+                       e.contact, e.friction, e.damping,  e.external,  e.error};
   archive.numbers("audited/energy", energies);
   e = {energies[0], energies[1], energies[2], energies[3], energies[4],
-       energies[5], energies[6], energies[7], energies[8], energies[9]};
+       energies[5], energies[6], energies[7], energies[8], energies[9], energies[10]};
   archive.numbers("audited/linear", momentum.linear);
   archive.numbers("audited/angular", momentum.angular);
   archive.number("audited/linear_error", momentum.linear_error);
@@ -144,6 +144,7 @@ Audit::Totals Audit::sum_all(const State& state) {
     sums[S::internal].add(state.books.spring_work);
     sums[S::viscous].add(state.books.damper_work);
   }
+  sums[S::damping] = state.books.damping_work;
   sums[S::external] = state.books.external_work;
   std::copy_n(state.books.impulse, 3, sums.begin() + S::impulse);
   std::copy_n(state.books.moment_impulse, 3, sums.begin() + S::moment_impulse);
@@ -170,7 +171,7 @@ void Audit::note_start(const State& state, const Totals& totals, double held) {
   started_ = true;
   start_half_steps_ = totals[S::half_steps];
   initial_energy_ =
-      held - totals[S::external] - totals[S::potential] - state.books.contact_work - state.books.friction_work;
+      held - totals[S::external] - totals[S::potential] - totals[S::damping] - state.books.contact_work - state.books.friction_work;
   for (std::size_t k = 0; k < 3; ++k) {
     initial_momentum_[k] = totals[S::momentum + k] - totals[S::impulse + k];
     initial_moment_[k] = totals[S::angular + k] - totals[S::moment_impulse + k];
@@ -186,6 +187,7 @@ EnergySummary Audit::balance_energy(const State& state, const Totals& totals) {
   e.folding = totals[S::folding];
   e.contact = state.books.contact_work;
   e.friction = state.books.friction_work;
+  e.damping = totals[S::damping];
   e.external = totals[S::external] + totals[S::potential];
   const double gone = sum_gone(totals);
   const double held = e.kinetic + e.internal + e.hourglass + e.viscous + e.folding + gone;
@@ -195,7 +197,7 @@ EnergySummary Audit::balance_energy(const State& state, const Totals& totals) {
   // A gas that expands gives its energy away: then what moves is more than what is held besides.
   largest_energy_ = std::max({largest_energy_, std::abs(initial_energy_), held, e.kinetic});
   if (largest_energy_ > 0) {
-    e.error = (balanced - e.external - e.contact - e.friction - initial_energy_) / largest_energy_;
+    e.error = (balanced - e.external - e.contact - e.friction - e.damping - initial_energy_) / largest_energy_;
   }
   return e;
 }

@@ -39,6 +39,7 @@ struct AuditSum {
     hourglass,
     viscous,
     folding,
+    damping,
     external,
     impulse,
     moment_impulse = impulse + 3,

@@ -9,22 +9,6 @@ namespace percuss {
 
 namespace {
 
-/// Merges three sums of impulse and three of its moment into the books.
-void add_to_books(const ExactSum* impulse, const ExactSum* moment, Books& books) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    books.impulse[k].merge(impulse[k]);
-    books.impulse[k].normalize();
-    books.moment_impulse[k].merge(moment[k]);
-    books.moment_impulse[k].normalize();
-  }
-}
-
-/// The same of sums that stand one after the other from `first` on, impulse first.
-template <std::size_t K>
-void add_to_books(const std::array<ExactSum, K>& sums, std::size_t first, Books& books) {
-  add_to_books(&sums[first], &sums[first + 3], books);
-}
-
 void add_work(const ExactSum& work, Books& books) {
   books.external_work.merge(work);
   books.external_work.normalize();

@@ -20,6 +20,7 @@
 #include "src/step/build/build_shells.hpp"
 #include "src/step/build/check_precision.hpp"
 #include "src/step/build/mass_scaling.hpp"
+#include "src/step/damping/build_damping.hpp"
 #include "src/step/model/model.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/springs/build_springs.hpp"
@@ -369,6 +370,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_held_directions(deck, chunked, rigid, mass, model);
   build_initial_velocities(deck, chunked, mass, model);
   start_rigid_bodies(deck, chunked, rigid, mass, model);
+  build_damping(deck, chunked, rigid, model);
   for (std::size_t k = 0; k < 3; ++k) model.gravity.g[k] = deck.gravity[k];
   return model;
 }

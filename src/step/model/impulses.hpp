@@ -1,6 +1,8 @@
 #pragma once
 // Impulses on nodes: their sums with moments, and those that a condition gives to a node that it holds.
 
+#include <array>
+
 #include "src/step/model/state.hpp"
 
 namespace percuss {
@@ -13,6 +15,22 @@ KOKKOS_INLINE_FUNCTION void add_impulse(const double (&r)[3], const double (&j)[
   add(first + 3, r[1] * j[2] - r[2] * j[1]);
   add(first + 4, r[2] * j[0] - r[0] * j[2]);
   add(first + 5, r[0] * j[1] - r[1] * j[0]);
+}
+
+/// Merges three sums of impulse and three of its moment into the books.
+inline void add_to_books(const ExactSum* impulse, const ExactSum* moment, Books& books) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    books.impulse[k].merge(impulse[k]);
+    books.impulse[k].normalize();
+    books.moment_impulse[k].merge(moment[k]);
+    books.moment_impulse[k].normalize();
+  }
+}
+
+/// The same of sums that stand one after the other from `first` on, impulse first.
+template <std::size_t K>
+void add_to_books(const std::array<ExactSum, K>& sums, std::size_t first, Books& books) {
+  add_to_books(&sums[first], &sums[first + 3], books);
 }
 
 /// Whatever holds a direction gives J = m (v+ - v-) - dt_mean (f + m g) - P, with the forces f at n, the velocities

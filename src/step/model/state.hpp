@@ -22,6 +22,7 @@ struct Books {
   ExactSum moment_impulse[3];  // about Model::mass_center
   double contact_work = 0;     // of all ranks: normal impulses; positive where contact adds energy
   double friction_work = 0;    // of all ranks: tangential impulses; negative where they dissipate
+  ExactSum damping_work;       // of damping in proportion to mass; negative: dissipated
   double spring_work = 0;      // of all ranks: what springs have stored, or lost as they broke
   double damper_work = 0;      // of all ranks: what their dampers have taken
   double added_mass = 0;       // of all ranks: by mass scaling during the run

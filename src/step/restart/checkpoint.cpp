@@ -162,6 +162,7 @@ void archive_books(CheckpointArchive& archive, Books& books) {
   archive.sums("books/moment_impulse", books.moment_impulse);
   archive.number("books/contact_work", books.contact_work);
   archive.number("books/friction_work", books.friction_work);
+  archive.sum("books/damping_work", books.damping_work);
 }
 
 /// 16 hexadecimal digits of ids, places and corners of the whole mesh.

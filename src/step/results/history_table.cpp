@@ -19,6 +19,7 @@ bool removes_nodes(const Deck& deck) {
   return can_fail(deck) && deck.erosion.free_nodes == ErosionDeck::FreeNodes::remove;
 }
 bool resists_folding(const Deck& deck) { return deck.elements.resist_folding; }
+bool is_damped(const Deck& deck) { return !deck.dampings.empty(); }
 bool is_lagrange(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::lagrange; }
 bool is_penalty(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::penalty; }
 
@@ -50,6 +51,8 @@ constexpr Entry before_pairs[] = {
     {"contact", dim::energy, "work of normal contact forces, rigid walls included", always,
      [](const S& s) { return s.audit.energy.contact; }},
     {"friction", dim::energy, "work of friction", always, [](const S& s) { return s.audit.energy.friction; }},
+    {"damping", dim::energy, "work of damping in proportion to mass", is_damped,
+     [](const S& s) { return s.audit.energy.damping; }},
     {"external", dim::energy, "work of loads, gravity, prescribed motion and walls that move", always,
      [](const S& s) { return s.audit.energy.external; }},
     {"energy_error", no_dimension, "energy that the balance lacks, over the largest energy held so far", always,

@@ -115,9 +115,28 @@ void RigidStage::upload(const State& state, double dt) {
   Kokkos::deep_copy(steps_, steps);
 }
 
-void RigidStage::predict(State& state, double dt, double dt_mean) {
+/// Damps what next_ moves freely of a body. damping: coefficients by entry of the deck.
+void RigidStage::damp(const State& state, std::size_t index, const std::vector<double>& damping, double dt_mean) {
+  const RigidBody& body = model_.rigid.bodies[index];
+  const int entry = model_.damped_bodies[index];
+  const double share = entry < 0 ? 0 : find_damped_share(damping[static_cast<std::size_t>(entry)], dt_mean);
+  const RigidState& now = state.bodies[index];
+  RigidState& next = next_[index];
+  Wrench lost{(-0.5 * share * body.mass) * (now.velocity + next.velocity),
+              (-0.5 * share) * (now.spin_momentum + next.spin_momentum)};
+  for (int k = 0; k < 3; ++k) {
+    if (body.holds(static_cast<std::size_t>(k))) set(lost.impulse, k, 0);
+    if (body.holds(static_cast<std::size_t>(3 + k))) set(lost.moment, k, 0);
+  }
+  next.velocity = next.velocity + (1 / body.mass) * lost.impulse;
+  next.spin_momentum = next.spin_momentum + lost.moment;
+  damping_.push_back(lost);
+}
+
+void RigidStage::predict(State& state, double dt, double dt_mean, const std::vector<double>& damping) {
   forces_ = find_forces_(model_, state);
   contact_.clear();
+  damping_.clear();
   next_ = state.bodies;
   const auto responses = Kokkos::create_mirror_view(responses_);
   for (std::size_t b = 0; b < next_.size(); ++b) {
@@ -126,6 +145,7 @@ void RigidStage::predict(State& state, double dt, double dt_mean) {
     next_[b].velocity =
         next_[b].velocity + dt_mean * ((1 / body.mass) * forces_[b].impulse + Vector3<double>{g[0], g[1], g[2]});
     next_[b].spin_momentum = next_[b].spin_momentum + dt_mean * forces_[b].moment;
+    if (!damping.empty()) damp(state, b, damping, dt_mean);
     move(state, b, dt);
     responses(b) = find_response(body, state.bodies[b]);
   }
@@ -172,6 +192,15 @@ void RigidStage::book(State& state, double dt, double dt_mean) const {
       state.books.moment_impulse[k].add(turned - dt_mean * t);
       work += 0.5 * turned * (w0 + w1) - 0.5 * dt * w1 * t;
     }
+    if (!damping_.empty()) {
+      const Wrench& lost = damping_[b];
+      state.books.damping_work.add(0.5 * (dot(lost.impulse, now.velocity + next.velocity) +
+                                          dot(lost.moment, now.spin + next.spin)));
+      for (int k = 0; k < 3; ++k) {
+        j[k] += get(lost.impulse, k);
+        state.books.moment_impulse[k].add(get(lost.moment, k));
+      }
+    }
     const double r[3] = {now.center.x - model_.mass_center[0], now.center.y - model_.mass_center[1],
                          now.center.z - model_.mass_center[2]};
     add_impulse(r, j, 0, [&](int k, double value) {
@@ -182,6 +211,7 @@ void RigidStage::book(State& state, double dt, double dt_mean) const {
   for (ExactSum* sum : {state.books.impulse, state.books.moment_impulse})
     for (int k = 0; k < 3; ++k) sum[k].normalize();
   state.books.external_work.normalize();
+  state.books.damping_work.normalize();
 }
 
 void RigidStage::place(State& state) {

@@ -20,8 +20,9 @@ class RigidStage {
   /// Held motions at time 0 begin at their prescribed velocity; a displacement begins at rest.
   void start(State& state);
 
-  /// Velocities of bodies and their nodes at n+1/2 without contact. Collective.
-  void predict(State& state, double dt, double dt_mean);
+  /// Velocities of bodies and their nodes at n+1/2 without contact. damping: coefficients by entry of the deck; empty:
+  /// there are none. Collective.
+  void predict(State& state, double dt, double dt_mean, const std::vector<double>& damping);
 
   /// The bodies as contact sees them in this step.
   BodyInputs inputs() const { return inputs_; }
@@ -48,6 +49,7 @@ class RigidStage {
   struct Goal;
 
   Goal find_goal(const State& state, std::size_t index, double dt) const;
+  void damp(const State& state, std::size_t index, const std::vector<double>& damping, double dt_mean);
   void move(const State& state, std::size_t index, double dt);
   void upload(const State& state, double dt);
 
@@ -56,6 +58,7 @@ class RigidStage {
   bool is_moved_ = false;         // whether a prescribed motion does work on a body
   std::vector<Wrench> forces_;    // at n, without gravity
   std::vector<Wrench> contact_;   // impulses of this step; empty: none
+  std::vector<Wrench> damping_;   // likewise
   std::vector<RigidState> next_;  // places at n+1, velocities at n+1/2
   Array<BodyStep> steps_;
   Array<BodyResponse> responses_;

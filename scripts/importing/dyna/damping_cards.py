@@ -1,0 +1,66 @@
+"""*DAMPING_GLOBAL and _PART_MASS: damping in proportion to mass."""
+
+from ..curves import make_time_value
+from ..fields import Row
+from ..ledger import BadInput, Place
+from .cards import Card
+from .deck import KeywordDeck
+
+MASS_CARDS = ("DAMPING_GLOBAL", "DAMPING_PART_MASS", "DAMPING_PART_MASS_SET")
+FACTORS = ("STX", "STY", "STZ", "SRX", "SRY", "SRZ")
+
+
+def read_damping(deck: KeywordDeck, card: Card) -> None:
+    """Entries of `damping`. Those of all come first, since the last one that names a node holds."""
+    if card.keyword not in MASS_CARDS:
+        deck.ledger.refuse(card.keyword, card.place, "percuss has damping in proportion to mass alone", "it is left out")
+    elif card.keyword == "DAMPING_GLOBAL":
+        row = card.reader().row("LCID VALDMP STX STY STZ SRX SRY SRZ")
+        if read_factors(deck, row):
+            add_damping(deck, "", row, row.integer("LCID"), row.number("VALDMP"))
+            deck.ledger.translated(card.keyword, row.place, "damping of all nodes")
+    else:
+        read_part_damping(deck, card)
+
+
+def read_factors(deck: KeywordDeck, row: Row) -> bool:
+    """By direction; none at all means 1 for each."""
+    values = row.numbers(*FACTORS)
+    if len(set(values)) == 1 and values[0] in (0.0, 1.0):
+        return True
+    return deck.ledger.refuse("DAMPING_GLOBAL.STX", row.place, "damping that differs by direction", "all directions are damped alike")
+
+
+def read_part_damping(deck: KeywordDeck, card: Card) -> None:
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("ID LCID SF=1 FLAG")
+        if row.integer("FLAG") and not read_factors(deck, reader.row("STX STY STZ SRX SRY SRZ")):
+            continue
+        id = row.integer("ID")
+        parts = deck.list_members("PART", id, row.place) if card.keyword.endswith("SET") else [id]
+        for part in parts:
+            deck.find_part(part, row.place)
+        names = deck.part_names(parts)
+        for name in names:
+            add_damping(deck, name, row, row.integer("LCID"), row.number("SF") or 1.0)
+        if names:
+            deck.ledger.translated(card.keyword, row.place, "damping of the nodes of the part")
+        else:
+            deck.ledger.ignored(card.keyword, row.place, "its parts have no elements")
+
+
+def add_damping(deck: KeywordDeck, name: str, row: Row, curve: int, scale: float) -> None:
+    """An entry; an empty name means all, and stands before those of parts."""
+    value = make_time_value(deck.curve(curve, row.place), scale, deck.end_time) if curve else scale
+    check_sign(value, row.place)
+    entry = {"nodes": name, "coefficient": value} if name else {"coefficient": value}
+    entries = deck.model.deck.setdefault("damping", [])
+    entries.insert(0 if not name else len(entries), entry)
+
+
+def check_sign(value: object, place: Place) -> None:
+    """Negative damping would add energy. An expression is judged by percuss itself."""
+    rows = value.get("table", []) if isinstance(value, dict) else [[0.0, value]]
+    if any(row[1] < 0 for row in rows):
+        raise BadInput(place, "the damping is negative, which would add energy")

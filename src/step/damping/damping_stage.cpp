@@ -1,0 +1,64 @@
+#include "src/step/damping/damping_stage.hpp"
+
+#include <algorithm>
+
+#include "src/step/model/impulses.hpp"
+
+namespace percuss {
+
+DampingStage::DampingStage(const Model& model)
+    : model_(model),
+      values_(model.dampings.size(), 0),
+      coefficients_("percuss::damping_coefficients", model.dampings.size()),
+      impulse_("percuss::damping_impulse", static_cast<std::size_t>(model.node_count)) {
+  if (model.has_shells)
+    spin_impulse_ = Rows3<double>("percuss::damping_spin_impulse", static_cast<std::size_t>(model.node_count));
+}
+
+void DampingStage::begin_step(double time) {
+  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = std::max(model_.dampings[i](time), 0.0);
+  is_active_ = std::any_of(values_.begin(), values_.end(), [](double value) { return value > 0; });
+  if (!is_active_) return;
+  const auto host = Kokkos::create_mirror_view(coefficients_);
+  for (std::size_t i = 0; i < values_.size(); ++i) host(i) = values_[i];
+  Kokkos::deep_copy(coefficients_, host);
+}
+
+void DampingStage::damp(State& state, double dt_mean) {
+  if (!is_active_) return;
+  damp_velocities(ExecSpace(), model_.damped_nodes, coefficients_, dt_mean,
+                  {state.v_before, state.inverse_mass, state.mass, state.v, impulse_});
+}
+
+void DampingStage::damp_spins(State& state, double dt_mean) {
+  if (!is_active_) return;
+  damp_velocities(ExecSpace(), model_.damped_nodes, coefficients_, dt_mean,
+                  {state.w_before, state.inverse_inertia, state.inertia, state.w, spin_impulse_});
+}
+
+void DampingStage::book(State& state) {
+  if (!is_active_) return;
+  const auto x = state.x, v = state.v, v_before = state.v_before, w = state.w, w_before = state.w_before;
+  const auto impulse = impulse_, spin_impulse = spin_impulse_;
+  const bool has_spins = model_.has_shells;
+  const Kokkos::Array<double, 3> center{{model_.mass_center[0], model_.mass_center[1], model_.mass_center[2]}};
+  const auto sums = sums_(
+      ExecSpace(), model_.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 7>& sum) {
+        double j[3], r[3];
+        for (int k = 0; k < 3; ++k) {
+          j[k] = impulse(n, k);
+          r[k] = x(n, k) - center[k];
+          sum[0] += 0.5 * j[k] * (v(n, k) + v_before(n, k));
+        }
+        add_impulse(r, j, 1, [&](int i, double value) { sum[i] += value; });
+        for (int k = 0; has_spins && k < 3; ++k) {
+          sum[0] += 0.5 * spin_impulse(n, k) * (w(n, k) + w_before(n, k));
+          sum[4 + k] += spin_impulse(n, k);
+        }
+      });
+  state.books.damping_work.merge(sums[0]);
+  state.books.damping_work.normalize();
+  add_to_books(sums, 1, state.books);
+}
+
+}  // namespace percuss
