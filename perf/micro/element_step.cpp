@@ -103,7 +103,7 @@ void advance_elements(benchmark::State& run, const std::string& material, const 
 void advance_nodes(benchmark::State& run) {
   Block block("elastic", "stiffness");
   const NodeForces forces{block.model.nodes_to_slots, block.state.slot_force, block.model.inverse_mass,
-                          block.model.gravity};
+                          find_gravity(block.model, 0)};
   for (auto _ : run) advance_free_nodes(ExecSpace(), forces, 1e-12, 1e-12, block.state.v, block.state.x);
   const double slots = static_cast<double>(block.model.chunks.slots_to_nodes.extent(0));
   const double nodes = block.model.node_count, elements = block.model.element_count;

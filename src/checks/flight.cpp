@@ -52,7 +52,7 @@ Flight::Flight(const CheckedScene& scene, std::size_t part) {
   }
   velocity_low_ = measures.velocity_low;
   velocity_high_ = measures.velocity_high;
-  gravity_ = deck.gravity;
+  if (deck.gravity.is_constant()) gravity_ = deck.gravity.at(0);
   const Vec3 range = subtract(velocity_high_, velocity_low_);
   is_uniform_ = dot(range, range) <= 1e-12 * measures.speed * measures.speed;
 }

@@ -235,6 +235,18 @@ struct ConditionDeck {
   std::array<Curve, 6> value;    // velocity, displacement or angular velocity [rad / time] in each active direction
 };
 
+/// Acceleration of everything [length / time^2].
+struct GravityDeck {
+  std::array<Curve, 3> along;  // x, y, z
+
+  Vec3 at(double time) const { return {along[0](time), along[1](time), along[2](time)}; }
+  /// Whether it is the same at all times.
+  bool is_constant() const {
+    return along[0].is_constant() && along[1].is_constant() && along[2].is_constant();
+  }
+  bool any() const { return !is_constant() || at(0) != Vec3{}; }
+};
+
 /// Pressure on faces, positive acts against the outward normal, on the current area. With a direction (a unit vector):
 /// a dead load along it, on the area at the start.
 struct PressureDeck {
@@ -355,7 +367,7 @@ struct Deck {
   ElementDeck elements;
   ErosionDeck erosion;
   std::vector<InitialDeck> initial;
-  Vec3 gravity{};
+  GravityDeck gravity;
   std::vector<PressureDeck> pressures;
   std::vector<NodalLoadDeck> nodal_loads;
   std::vector<ConditionDeck> conditions;

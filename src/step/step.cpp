@@ -150,14 +150,14 @@ void Stepper::book_forces(State& state, double dt) {
 
 void Stepper::integrate_free_motion(State& state, double dt, double dt_mean) {
   const Phase phase("percuss::integrate", clocks_.integrate);
-  advance_free_nodes(space_, {model_.nodes_to_slots, state.slot_force, state.inverse_mass, model_.gravity}, dt_mean, dt,
+  advance_free_nodes(space_, {model_.nodes_to_slots, state.slot_force, state.inverse_mass, state.gravity}, dt_mean, dt,
                      state.v, state.x);
 }
 
 void Stepper::integrate_motion(State& state, double dt, double dt_mean) {
   const Phase phase("percuss::integrate", clocks_.integrate);
   if (damping_) damping_->begin_step(state.time);
-  predict_velocities(space_, {model_.nodes_to_slots, state.slot_force, state.inverse_mass, model_.gravity}, dt_mean,
+  predict_velocities(space_, {model_.nodes_to_slots, state.slot_force, state.inverse_mass, state.gravity}, dt_mean,
                      state.force, state.v_before, state.v);
   if (rigid_.any()) rigid_.predict(state, dt, dt_mean, damping_ ? damping_->coefficients() : std::vector<double>());
   if (state.step == 0) mirror_velocities(space_, state.v, state.v_before);
@@ -296,6 +296,7 @@ void Stepper::judge_elements(State& state, double dt) {
 }
 
 void Stepper::apply_loads(State& state, double time) {
+  state.gravity = find_gravity(model_, time);
   apply_forces(state, time);
   if (springs_) springs_->apply(state);
   if (model_.pressure_faces.count == 0) return;

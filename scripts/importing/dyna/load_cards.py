@@ -1,6 +1,6 @@
 """*LOAD_...: gravity, forces on nodes, pressures."""
 
-from ..curves import interpolate, is_constant, make_time_value
+from ..curves import make_time_value
 from ..fields import Row
 from ..model import Deck
 from ..shapes import FaceOwners
@@ -22,12 +22,15 @@ def read_body_load(deck: KeywordDeck, card: Card) -> None:
     scale = row.number("SF") or 1.0
     curve = deck.curve(row.integer("LCID"), row.place)
     row.finish(deck.ledger, "the axes of space are used")
-    if curve.expression or not is_constant(curve.points, deck.end_time):
-        if not deck.ledger.refuse("LOAD_BODY.LCID", row.place, "gravity that changes in time", "its value at the end is used"):
-            return
-    value = -scale * (interpolate(curve.points, deck.end_time) if curve.points else 0.0)
+    value = make_time_value(curve, -scale, deck.end_time)
     gravity = deck.model.deck.setdefault("loads", {}).setdefault("gravity", [0.0, 0.0, 0.0])
-    gravity["XYZ".index(form)] += value
+    axis = "XYZ".index(form)
+    if isinstance(value, float) and isinstance(gravity[axis], float):
+        gravity[axis] += value
+    elif gravity[axis] == 0.0:
+        gravity[axis] = value
+    elif not deck.ledger.refuse(card.keyword, row.place, "a second acceleration along the same axis", "the first one holds"):
+        return
     deck.ledger.translated(card.keyword, row.place, "loads.gravity, with the opposite sign")
 
 

@@ -68,7 +68,7 @@ Spread find_spread(int ranks, const std::function<double(std::size_t)>& find) {
 StepPattern find_step_pattern(const Deck& deck, const ContactPlanner& contact) {
   const bool has_shells = std::any_of(deck.parts.begin(), deck.parts.end(),
                                       [](const PartDeck& part) { return part.thickness.has_value(); });
-  return {deck.gravity != Vec3{}, contact.points() > 0, !deck.walls.empty(), deck.contact.reuse_search, has_shells};
+  return {deck.gravity.any(), contact.points() > 0, !deck.walls.empty(), deck.contact.reuse_search, has_shells};
 }
 
 double count_steps(const TimeDeck& time, double first_step) {

@@ -216,7 +216,8 @@ std::vector<Warning> check_pressure_size(const CheckedScene& scene) {
 
 std::vector<Warning> check_gravity_direction(const CheckedScene& scene) {
   constexpr double least = 0.5;  // of gravity along the normal: less is a wall at the side
-  const Vec3& g = scene.deck.gravity;
+  if (!scene.deck.gravity.is_constant()) return {};
+  const Vec3 g = scene.deck.gravity.at(0);
   const double size = std::sqrt(dot(g, g));
   if (size == 0 || scene.deck.walls.empty()) return {};
   double up = 0;

@@ -72,7 +72,7 @@ bool has_motion(const CheckedScene& scene) {
   const Deck& deck = scene.deck;
   const bool spins = std::any_of(scene.measures->parts.begin(), scene.measures->parts.end(),
                                  [](const PartMeasures& part) { return part.speed > 0; });
-  return spins || deck.gravity != Vec3{} || !deck.pressures.empty() || !deck.nodal_loads.empty() ||
+  return spins || deck.gravity.any() || !deck.pressures.empty() || !deck.nodal_loads.empty() ||
          !deck.springs.empty() || deck.contact.overlap == ContactDeck::Overlap::push_out ||
          std::any_of(deck.conditions.begin(), deck.conditions.end(), is_driving) ||
          std::any_of(deck.walls.begin(), deck.walls.end(), is_driven) ||
@@ -132,7 +132,7 @@ class FirstMeetings {
   bool may_change(const CheckedScene& scene) const {
     const Deck& deck = scene.deck;
     if (!deck.pressures.empty() || !deck.nodal_loads.empty() || !deck.springs.empty()) return true;
-    if (has_moving_wall(deck)) return true;
+    if (has_moving_wall(deck) || !deck.gravity.is_constant() || !deck.dampings.empty()) return true;
     for (std::size_t p = 0; p < flights_.size(); ++p) {
       if (is_energetic(find_material(deck, deck.parts[p]))) return true;
       if (flights_[p].moves() && find(p, deck.time.end) >= 0) return true;
@@ -170,7 +170,7 @@ std::vector<Warning> check_still_scene(const CheckedScene& scene) {
 std::vector<Warning> check_idle_parts(const CheckedScene& scene) {
   const Deck& deck = scene.deck;
   std::vector<Warning> warnings;
-  if (!has_motion(scene) || deck.gravity != Vec3{} || !deck.springs.empty() || has_moving_wall(deck)) return warnings;
+  if (!has_motion(scene) || deck.gravity.any() || !deck.springs.empty() || has_moving_wall(deck)) return warnings;
   const Marks held = mark_named(deck, deck.conditions), pressed = mark_named(deck, deck.pressures),
               loaded = mark_named(deck, deck.nodal_loads), touching = mark_touching(deck);
   for (std::size_t p = 0; p < deck.parts.size(); ++p) {

@@ -99,8 +99,12 @@ std::vector<Warning> check_scene_size(const CheckedScene& scene) {
 std::vector<Warning> check_gravity_size(const CheckedScene& scene) {
   constexpr double least = 0.1, most = 5000;  // [m/s2] a small moon, a centrifuge at 500 times the earth's gravity
   const std::vector<Units> systems = find_meant_units(scene.deck);
-  const Vec3& g = scene.deck.gravity;
-  const double size = std::hypot(g[0], g[1], g[2]);
+  constexpr int samples = 64;
+  double size = 0;  // the largest of the run
+  for (int i = 0; i <= samples; ++i) {
+    const Vec3 g = scene.deck.gravity.at(scene.deck.time.end * i / samples);
+    size = std::max(size, std::hypot(g[0], g[1], g[2]));
+  }
   if (size == 0) return {};
   if (!is_outside(size, dimensions::acceleration, systems, least, most)) return {};
   return {warn_at(scene.deck, "gravity_size", "loads.gravity",

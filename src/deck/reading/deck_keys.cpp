@@ -149,9 +149,20 @@ const Keys<AuditDeck>& audit_keys() {
   return keys;
 }
 
+/// [x, y, z], each a number or a curve.
+struct GravityValue {
+  TupleValue<CurveValue, 3> values;
+
+  bool read(const Reader& reader, const std::string& name, const Node& node, Deck& out) const {
+    return values.read(reader, name, node, out.gravity.along);
+  }
+  std::string takes() const { return values.takes(); }
+  Form form() const { return values.form(); }
+};
+
 const Keys<Deck>& load_keys() {
   static const Keys<Deck> keys = {
-      may("gravity", &Deck::gravity, vector3()),
+      group<Deck>("gravity", GravityValue{}),
       may("pressure", &Deck::pressures, ListValue<MapValue<PressureDeck>>{pressure_value()}),
       may("nodal", &Deck::nodal_loads, ListValue<MapValue<NodalLoadDeck>>{nodal_load_value()}),
   };

@@ -28,7 +28,7 @@ NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const 
   const auto x = state.x, v = state.v, start = model.start;
   const auto mass = state.mass;
   const auto inverse_mass = state.inverse_mass;
-  const auto gravity = model.gravity;
+  const Gravity gravity = find_constant_gravity(model);
   const Array<const int> body_of_node = model.rigid.body_of_node;
   const double first_dt = state.step == 0 ? state.next_dt : 0.0;
   const Kokkos::Array<double, 3> center{{model.mass_center[0], model.mass_center[1], model.mass_center[2]}};

@@ -31,7 +31,8 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
   const auto held = model.held;
   const auto owned = model.owned_held;
   const auto mass = state.mass;
-  const auto gravity = model.gravity;
+  const Gravity gravity = state.gravity;
+  const double share = model.gravity_varies ? 0.5 : 1;  // of the step: the other half is of that at n+1
   const auto x = state.x, v = state.v, v_before = state.v_before, force = state.force, impulse = state.impulse;
   const Center center(model.mass_center);
   const HeldReactions reactions = find_reactions(model, state, dt_mean);
@@ -43,7 +44,7 @@ void book_conditions(const Model& model, ExactSums<7>& held_sums, State& state, 
         double j[3] = {0, 0, 0};
         j[k] = reactions(owned(i));
         add(0, (m * (v(n, k) - v_before(n, k)) - impulse(n, k)) * v_mean -
-                   dt * v(n, k) * (0.5 * force(n, k) + m * gravity.g[k]));
+                   dt * v(n, k) * (0.5 * force(n, k) + share * m * gravity.g[k]));
         const double r[3] = {x(n, 0) - center.at[0], x(n, 1) - center.at[1], x(n, 2) - center.at[2]};
         add_impulse(r, j, 1, add);
       });
@@ -71,11 +72,13 @@ void book_spin_conditions(const Model& model, ExactSums<7>& held_sums, State& st
 }
 
 /// Held directions of velocities or of spins: those of this rank's own nodes, their motion at n+1/2, and the forces or
-/// moments at n+1, in the slots.
+/// moments at n+1, in the slots and of gravity, if it varies.
 struct HeldMotion {
   HeldDirections held;
   Array<int> owned;
   Rows3<double> velocity, slots;
+  Array<double> inertia;
+  Gravity gravity;
 };
 
 /// The rest of the work of held directions: half a step of what the forces, or moments, at n+1 take.
@@ -85,12 +88,14 @@ void book_rest_of_work(const Model& model, ExactSums<1>& held_force_sum, const H
   const Array<int> owned = motion.owned;
   if (!model.is_driven || owned.extent(0) == 0) return;
   const Rows3<double> velocity = motion.velocity, slots = motion.slots;
+  const Array<double> inertia = motion.inertia;
+  const Gravity gravity = motion.gravity;
   const auto nodes_to_slots = model.nodes_to_slots;
   const auto work = held_force_sum(
       ExecSpace(), static_cast<int>(owned.extent(0)), KOKKOS_LAMBDA(const int i, const ExactAdder& add) {
         const int n = held.node(owned(i));
         const int k = held.direction(owned(i));
-        double sum = 0;
+        double sum = inertia(n) * gravity.g[k];
         for (int s = nodes_to_slots.first(n); s < nodes_to_slots.first(n + 1); ++s) {
           sum += slots(nodes_to_slots.slots(s), k);
         }
@@ -186,7 +191,7 @@ void book_nodal_power(ExactSums<1>& power_sum, State& state, double dt) {
 struct AddedToNodes {
   Rows3<double> lumped, x, v, start, inverse_mass, w;
   Array<double> mass, inertia;
-  Gravity gravity;
+  Gravity gravity, constant_gravity;
   Center center;
   double dt;
   bool has_spins;
@@ -200,7 +205,8 @@ struct AddedToNodes {
         w(state.w),
         mass(state.mass),
         inertia(state.inertia),
-        gravity(model.gravity),
+        gravity(state.gravity),
+        constant_gravity(find_constant_gravity(model)),
         center(model.mass_center),
         dt(state.dt),
         has_spins(model.has_shells) {}
@@ -216,7 +222,7 @@ struct AddedToNodes {
     for (int k = 0; k < 3; ++k) {
       const double g = gravity.g[k], gained = inverse_mass(n, k) > 0 ? dt * g : 0;
       kinetic += 0.5 * added * v(n, k) * (v(n, k) + gained);
-      fallen += added * g * (x(n, k) - start(n, k));
+      fallen += added * constant_gravity.g[k] * (x(n, k) - start(n, k));
       j[k] = added * v(n, k);
       r[k] = x(n, k) - center.at[k];
       sum[A::first_moment + k] += added * r[k];
@@ -232,22 +238,6 @@ struct AddedToNodes {
     sum[A::work] += kinetic - fallen;
   }
 };
-
-/// Gravity acts on the mass centre, which moves with the momentum of all ranks: no sum over nodes. Rank 0 books it.
-void book_gravity(const Model& model, const Vec3& start_momentum, double dt, double dt_mean, Vec3& center,
-                  State& state) {
-  const double* g = model.gravity.g;
-  if (g[0] == 0 && g[1] == 0 && g[2] == 0) return;
-  const double weight = dt_mean * state.total_mass;
-  const double r[3] = {center[0], center[1], center[2]};
-  const double j[3] = {weight * g[0], weight * g[1], weight * g[2]};
-  std::array<ExactSum, 6> sums{};
-  if (model.ranks.rank() == 0) add_impulse(r, j, 0, [&](int k, double v) { sums[static_cast<std::size_t>(k)].add(v); });
-  add_to_books(sums, 0, state.books);
-  const Vec3 impulse = round_total(model.ranks, std::to_array(state.books.impulse));
-  if (!(state.total_mass > 0)) return;
-  for (std::size_t k = 0; k < 3; ++k) center[k] += dt * (start_momentum[k] + impulse[k]) / state.total_mass;
-}
 
 }  // namespace
 
@@ -265,11 +255,11 @@ void Bookkeeper::start(const State& state) {
   for (std::size_t b = 0; model_.ranks.rank() == 0 && b < state.bodies.size(); ++b)
     for (int k = 0; k < 3; ++k)
       sums[static_cast<std::size_t>(k)].add(model_.rigid.bodies[b].mass * get(state.bodies[b].velocity, k));
-  momentum_ = round_total(model_.ranks, sums);
+  start_momentum_ = round_total(model_.ranks, sums);
 }
 
 void Bookkeeper::archive(CheckpointArchive& archive) {
-  archive.numbers("books/start_momentum", momentum_);
+  archive.numbers("books/start_momentum", start_momentum_);
   archive.numbers("books/center_shift", center_shift_);
   archive.number("books/wall_dt", wall_dt_);
   archive.sums("books/wall_impulse", wall_impulse_);
@@ -287,14 +277,42 @@ void Bookkeeper::book_impulses(State& state, double dt, double dt_mean, const Wa
   }
   book_pressure(model_, pressure_sums_, state, dt, dt_mean);
   book_nodal_loads(model_, nodal_sums_, state, dt, dt_mean);
-  book_gravity(model_, momentum_, dt, dt_mean, center_shift_, state);
+  book_gravity(state, dt, dt_mean);
+}
+
+/// Gravity acts on the mass centre, which moves with the momentum of all ranks: no sum over nodes. Rank 0 books it.
+void Bookkeeper::book_gravity(State& state, double dt, double dt_mean) {
+  const double* g = state.gravity.g;
+  if (!model_.gravity_varies && g[0] == 0 && g[1] == 0 && g[2] == 0) return;
+  const double weight = dt_mean * state.total_mass;
+  const double r[3] = {center_shift_[0], center_shift_[1], center_shift_[2]};
+  const double j[3] = {weight * g[0], weight * g[1], weight * g[2]};
+  std::array<ExactSum, 6> sums{};
+  if (model_.ranks.rank() == 0)
+    add_impulse(r, j, 0, [&](int k, double v) { sums[static_cast<std::size_t>(k)].add(v); });
+  add_to_books(sums, 0, state.books);
+  const Vec3 impulse = round_total(model_.ranks, std::to_array(state.books.impulse));
+  for (std::size_t k = 0; k < 3; ++k) momentum_now_[k] = start_momentum_[k] + impulse[k];
+  book_gravity_work(state, dt);
+  if (!(state.total_mass > 0)) return;
+  for (std::size_t k = 0; k < 3; ++k) center_shift_[k] += dt * momentum_now_[k] / state.total_mass;
+}
+
+/// Half a step's work of gravity that varies, at n or at n+1, with the momentum at n+1/2.
+void Bookkeeper::book_gravity_work(State& state, double dt) const {
+  if (!model_.gravity_varies || model_.ranks.rank() != 0) return;
+  for (std::size_t k = 0; k < 3; ++k) state.books.external_work.add(0.5 * dt * state.gravity.g[k] * momentum_now_[k]);
+  state.books.external_work.normalize();
 }
 
 void Bookkeeper::book_new_forces(State& state, double dt) {
-  book_rest_of_work(model_, held_force_sum_, {model_.held, model_.owned_held, state.v, state.slot_force}, dt,
+  const Gravity gravity = model_.gravity_varies ? state.gravity : Gravity{};
+  book_rest_of_work(model_, held_force_sum_,
+                    {model_.held, model_.owned_held, state.v, state.slot_force, state.mass, gravity}, dt, state.books);
+  book_rest_of_work(model_, held_force_sum_,
+                    {model_.held_spins, model_.owned_held_spins, state.w, state.slot_moment, state.inertia, {}}, dt,
                     state.books);
-  book_rest_of_work(model_, held_force_sum_, {model_.held_spins, model_.owned_held_spins, state.w, state.slot_moment},
-                    dt, state.books);
+  book_gravity_work(state, dt);
   book_pressure_power(power_sum_, state, dt);
   book_nodal_power(power_sum_, state, dt);
 }
@@ -322,14 +340,15 @@ void Bookkeeper::book_vanished(const ChunkedMesh& chunked, const std::vector<int
   const auto start = to_host(model_.start);
   std::array<ExactSum, 6> impulse{};
   std::array<ExactSum, 4> moved{};  // mass and its first moment
+  const Gravity constant_gravity = find_constant_gravity(model_);
   for (const int node : nodes) {
     if (!owns_node(chunked, node)) continue;
     const auto n = static_cast<std::size_t>(node);
     double j[3], r[3], kinetic = 0, fallen = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double g = model_.gravity.g[k], gained = inverse_mass(n, k) > 0 ? state.dt * g : 0;
+      const double g = state.gravity.g[k], gained = inverse_mass(n, k) > 0 ? state.dt * g : 0;
       kinetic += 0.5 * mass(n) * v(n, k) * (v(n, k) + gained);
-      fallen += mass(n) * g * (x(n, k) - start(n, k));
+      fallen += mass(n) * constant_gravity.g[k] * (x(n, k) - start(n, k));
       j[k] = -mass(n) * v(n, k);
       r[k] = x(n, k) - model_.mass_center[k];
       moved[1 + k].add(mass(n) * r[k]);

@@ -59,6 +59,8 @@ class Bookkeeper {
   Vec3 find_wall_force() const;
 
  private:
+  void book_gravity(State& state, double dt, double dt_mean);
+  void book_gravity_work(State& state, double dt) const;
   void book_vanished_spins(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) const;
 
   const Deck& deck_;
@@ -71,7 +73,8 @@ class Bookkeeper {
   std::optional<OwnedNodeSums<AddedMassSum::count>> added_sums_;  // only with mass scaling during the run
   std::array<ExactSum, 3> wall_impulse_{};                        // of the last step; this rank's share
   double wall_dt_ = 0;                                            // of that step; 0: the walls did nothing
-  Vec3 momentum_{};                                               // at time 0
+  Vec3 start_momentum_{};                                         // at time 0
+  Vec3 momentum_now_{};                                           // at n+1/2, from the booked impulses; with gravity
   Vec3 center_shift_{};  // of the mass centre since time 0, from the booked impulses
 };
 

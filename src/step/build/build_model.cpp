@@ -371,7 +371,8 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   build_initial_velocities(deck, chunked, mass, model);
   start_rigid_bodies(deck, chunked, rigid, mass, model);
   build_damping(deck, chunked, rigid, model);
-  for (std::size_t k = 0; k < 3; ++k) model.gravity.g[k] = deck.gravity[k];
+  model.gravity = deck.gravity.along;
+  model.gravity_varies = !deck.gravity.is_constant();
   return model;
 }
 

@@ -51,7 +51,7 @@ struct HeldReactions {
 };
 
 inline HeldReactions find_reactions(const Model& model, const State& state, double dt_mean) {
-  return {model.held, model.gravity, state.v, state.v_before, state.force, state.impulse, state.mass, dt_mean};
+  return {model.held, state.gravity, state.v, state.v_before, state.force, state.impulse, state.mass, dt_mean};
 }
 
 }  // namespace percuss

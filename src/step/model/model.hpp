@@ -110,7 +110,8 @@ struct Model {
   bool scales_in_run = false;           // whether the deck asks for more during the run
   bool resists_folding = false;         // whether it asks for that of hexahedra, on every rank
 
-  Gravity gravity;
+  std::array<Curve, 3> gravity;  // acceleration along x, y, z
+  bool gravity_varies = false;
   PressureFaces pressure_faces;
   std::vector<Curve> pressures;  // by load
   NodalLoads nodal_loads;

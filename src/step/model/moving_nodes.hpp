@@ -31,7 +31,7 @@ struct MovingNodes {
 
 inline MovingNodes find_translations(const Model& model, const State& state) {
   const double dt = state.step == 0 ? 0.0 : state.dt;
-  return {state.v, state.slot_force, state.mass, state.inverse_mass, model.nodes_to_slots, model.gravity, dt};
+  return {state.v, state.slot_force, state.mass, state.inverse_mass, model.nodes_to_slots, state.gravity, dt};
 }
 
 /// Only of scenes with shells.

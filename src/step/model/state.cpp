@@ -211,6 +211,14 @@ void own_masses(const Model& model, State& state) {
   state.inverse_inertia = copy_rows("percuss::own_inverse_inertia", model.inverse_inertia);
 }
 
+Gravity find_gravity(const Model& model, double time) {
+  Gravity gravity;
+  for (std::size_t k = 0; k < 3; ++k) gravity.g[k] = model.gravity[k](time);
+  return gravity;
+}
+
+Gravity find_constant_gravity(const Model& model) { return model.gravity_varies ? Gravity{} : find_gravity(model, 0); }
+
 State make_initial_state(const Model& model) {
   State s;
   const auto nodes = static_cast<std::size_t>(model.node_count);
@@ -231,6 +239,7 @@ State make_initial_state(const Model& model) {
   rest_rigid_chunks(model, s.results);
   s.bodies = make_rigid_states(model);
   s.springs.resize(model.springs.springs.size());
+  s.gravity = find_gravity(model, s.time);
   s.lives = make_lives(model.failing);
   start_layers(model, s.lives);
   s.element_mass = model.element_mass;

@@ -17,7 +17,7 @@ struct Books {
   ExactSum eroded_kinetic;                                                     // energy of nodes that vanished
   ExactSum eroded_mass;                                                        // of dead elements
   std::int64_t eroded_elements = 0;                                            // of all ranks
-  ExactSum external_work;      // pressure and driven conditions; gravity's follows from the positions
+  ExactSum external_work;      // pressure, driven conditions, gravity that varies; else gravity's is of the positions
   ExactSum impulse[3];         // external: pressure, conditions, walls and gravity [force x time]
   ExactSum moment_impulse[3];  // about Model::mass_center
   double contact_work = 0;     // of all ranks: normal impulses; positive where contact adds energy
@@ -47,6 +47,7 @@ struct State {
   double dt = 0;       // between n-1 and n; 0 before the first step
   double next_dt = 0;  // between n and n+1
   StepBound bound;     // at n
+  Gravity gravity;     // at n
 
   Rows3<double> x;           // position, at n
   Rows3<double> v;           // velocity, at n-1/2 (at n = 0: at 0)
@@ -88,6 +89,12 @@ struct State {
 
 /// The state at time 0: elements at rest in their first shape, held directions at their prescribed velocity.
 State make_initial_state(const Model& model);
+
+/// Gravity of the model at a time.
+Gravity find_gravity(const Model& model, double time);
+
+/// Gravity whose work is its product with the displacements: none if it varies, whose work is booked step by step.
+Gravity find_constant_gravity(const Model& model);
 
 /// From now on the masses of the nodes are the state's own, if they were the model's.
 void own_masses(const Model& model, State& state);

@@ -141,7 +141,7 @@ void RigidStage::predict(State& state, double dt, double dt_mean, const std::vec
   const auto responses = Kokkos::create_mirror_view(responses_);
   for (std::size_t b = 0; b < next_.size(); ++b) {
     const RigidBody& body = model_.rigid.bodies[b];
-    const double* g = model_.gravity.g;
+    const double* g = state.gravity.g;
     next_[b].velocity =
         next_[b].velocity + dt_mean * ((1 / body.mass) * forces_[b].impulse + Vector3<double>{g[0], g[1], g[2]});
     next_[b].spin_momentum = next_[b].spin_momentum + dt_mean * forces_[b].moment;
@@ -173,6 +173,7 @@ void RigidStage::set_spins(const State& state) const {
 
 void RigidStage::book(State& state, double dt, double dt_mean) const {
   if (model_.ranks.rank() != 0) return;
+  const double share = model_.gravity_varies ? 0.5 : 1;  // of the step: the other half is of that at n+1
   for (std::size_t b = 0; b < next_.size(); ++b) {
     const RigidBody& body = model_.rigid.bodies[b];
     const RigidState &now = state.bodies[b], &next = next_[b];
@@ -180,11 +181,11 @@ void RigidStage::book(State& state, double dt, double dt_mean) const {
     double j[3] = {0, 0, 0}, work = 0;
     for (int k = 0; k < 3; ++k) {
       const auto dof = static_cast<std::size_t>(k);
-      const double g = model_.gravity.g[k], m = body.mass, p = get(contact.impulse, k), f = get(force.impulse, k);
+      const double g = state.gravity.g[k], m = body.mass, p = get(contact.impulse, k), f = get(force.impulse, k);
       const double v0 = get(now.velocity, k), v1 = get(next.velocity, k), change = m * (v1 - v0) - p;
       if (body.holds(dof)) {
         j[k] = change - dt_mean * (f + m * g);
-        work += 0.5 * change * (v0 + v1) - dt * v1 * (0.5 * f + m * g);
+        work += 0.5 * change * (v0 + v1) - dt * v1 * (0.5 * f + share * m * g);
       }
       if (!body.holds(dof + 3)) continue;
       const double w0 = get(now.spin, k), w1 = get(next.spin, k), t = get(force.moment, k);
@@ -225,12 +226,14 @@ void RigidStage::book_rest(State& state, double dt) {
   const auto& bodies = model_.rigid.bodies;
   const std::vector<Wrench> forces = find_forces_(model_, state);
   if (model_.ranks.rank() != 0) return;
+  const Gravity rest = model_.gravity_varies ? state.gravity : Gravity{};
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const RigidState& now = state.bodies[b];
     double power = 0;
+    const Vector3<double> weight = bodies[b].mass * Vector3<double>{rest.g[0], rest.g[1], rest.g[2]};
     for (int k = 0; k < 3; ++k) {
       const auto dof = static_cast<std::size_t>(k);
-      if (bodies[b].holds(dof)) power += get(now.velocity, k) * get(forces[b].impulse, k);
+      if (bodies[b].holds(dof)) power += get(now.velocity, k) * (get(forces[b].impulse, k) + get(weight, k));
       if (bodies[b].holds(dof + 3)) power += get(now.spin, k) * get(forces[b].moment, k);
     }
     state.books.external_work.add(-0.5 * dt * power);

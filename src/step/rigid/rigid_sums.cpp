@@ -23,13 +23,14 @@ RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t ind
   const RigidState& now = state.bodies[index];
   const double dt = state.step == 0 ? 0.0 : state.dt, first_dt = state.step == 0 ? state.next_dt : 0.0;
   const double m = body.mass;
+  const Gravity constant = find_constant_gravity(model);
   RigidSums sums;
   for (int k = 0; k < 3; ++k) {
-    const double v = get(now.velocity, k), g = model.gravity.g[k], f = get(force.impulse, k) + m * g;
+    const double v = get(now.velocity, k), g = state.gravity.g[k], f = get(force.impulse, k) + m * g;
     const bool is_free = !body.holds(static_cast<std::size_t>(k));
     sums.kinetic += 0.5 * v * (m * v + (is_free ? dt * f : 0));
     if (is_free) sums.half_steps += 0.125 / m * (first_dt * f) * (first_dt * f);
-    sums.fallen += m * g * (get(now.center, k) - get(body.center, k));
+    sums.fallen += m * constant.g[k] * (get(now.center, k) - get(body.center, k));
   }
   sums.kinetic += find_turning_energy(body, now, force.moment, dt);
   const Vector3<double> turned = first_dt * force.moment;
