@@ -241,9 +241,7 @@ struct GravityDeck {
 
   Vec3 at(double time) const { return {along[0](time), along[1](time), along[2](time)}; }
   /// Whether it is the same at all times.
-  bool is_constant() const {
-    return along[0].is_constant() && along[1].is_constant() && along[2].is_constant();
-  }
+  bool is_constant() const { return along[0].is_constant() && along[1].is_constant() && along[2].is_constant(); }
   bool any() const { return !is_constant() || at(0) != Vec3{}; }
 };
 

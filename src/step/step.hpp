@@ -137,8 +137,8 @@ class Stepper {
   std::unique_ptr<GlobalStep> global_;  // only if the deck asks for it
   std::unique_ptr<MassScaler> scaler_;  // likewise
   RigidStage rigid_;
-  std::unique_ptr<TetStage> tets_;        // only with tetrahedra
-  std::unique_ptr<SpringStage> springs_;  // only with springs
+  std::unique_ptr<TetStage> tets_;         // only with tetrahedra
+  std::unique_ptr<SpringStage> springs_;   // only with springs
   std::unique_ptr<DampingStage> damping_;  // only with damping
   Bookkeeper bookkeeper_;
   ForceBooks forces_;

@@ -80,8 +80,8 @@ std::string format_summary(const Summary& s) {
       "energy",
       fmt::format("initial {:.6g}, kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, viscous {:.6g}, folding {:.6g}",
                   e.initial, e.kinetic, e.internal, e.hourglass, e.viscous, e.folding));
-  text += line("", fmt::format("contact {:.6g}, friction {:.6g}, damping {:.6g}, external {:.6g}; error {:.2g}", e.contact,
-                               e.friction, e.damping, e.external, e.error));
+  text += line("", fmt::format("contact {:.6g}, friction {:.6g}, damping {:.6g}, external {:.6g}; error {:.2g}",
+                               e.contact, e.friction, e.damping, e.external, e.error));
   text += line("momentum", fmt::format("linear ({:.6g}, {:.6g}, {:.6g}), error {:.2g}; angular error {:.2g}",
                                        s.momentum.linear[0], s.momentum.linear[1], s.momentum.linear[2],
                                        s.momentum.linear_error, s.momentum.angular_error));

@@ -72,8 +72,8 @@ bool has_motion(const CheckedScene& scene) {
   const Deck& deck = scene.deck;
   const bool spins = std::any_of(scene.measures->parts.begin(), scene.measures->parts.end(),
                                  [](const PartMeasures& part) { return part.speed > 0; });
-  return spins || deck.gravity.any() || !deck.pressures.empty() || !deck.nodal_loads.empty() ||
-         !deck.springs.empty() || deck.contact.overlap == ContactDeck::Overlap::push_out ||
+  return spins || deck.gravity.any() || !deck.pressures.empty() || !deck.nodal_loads.empty() || !deck.springs.empty() ||
+         deck.contact.overlap == ContactDeck::Overlap::push_out ||
          std::any_of(deck.conditions.begin(), deck.conditions.end(), is_driving) ||
          std::any_of(deck.walls.begin(), deck.walls.end(), is_driven) ||
          std::any_of(deck.parts.begin(), deck.parts.end(),

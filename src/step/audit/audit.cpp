@@ -116,8 +116,8 @@ void AuditResult::archive(CheckpointArchive& archive) {
   double energies[] = {e.initial, e.kinetic,  e.internal, e.hourglass, e.viscous, e.folding,
                        e.contact, e.friction, e.damping,  e.external,  e.error};
   archive.numbers("audited/energy", energies);
-  e = {energies[0], energies[1], energies[2], energies[3], energies[4],
-       energies[5], energies[6], energies[7], energies[8], energies[9], energies[10]};
+  e = {energies[0], energies[1], energies[2], energies[3], energies[4], energies[5],
+       energies[6], energies[7], energies[8], energies[9], energies[10]};
   archive.numbers("audited/linear", momentum.linear);
   archive.numbers("audited/angular", momentum.angular);
   archive.number("audited/linear_error", momentum.linear_error);
@@ -170,8 +170,8 @@ void Audit::note_start(const State& state, const Totals& totals, double held) {
   if (started_) return;
   started_ = true;
   start_half_steps_ = totals[S::half_steps];
-  initial_energy_ =
-      held - totals[S::external] - totals[S::potential] - totals[S::damping] - state.books.contact_work - state.books.friction_work;
+  initial_energy_ = held - totals[S::external] - totals[S::potential] - totals[S::damping] - state.books.contact_work -
+                    state.books.friction_work;
   for (std::size_t k = 0; k < 3; ++k) {
     initial_momentum_[k] = totals[S::momentum + k] - totals[S::impulse + k];
     initial_moment_[k] = totals[S::angular + k] - totals[S::moment_impulse + k];

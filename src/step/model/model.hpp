@@ -116,9 +116,9 @@ struct Model {
   std::vector<Curve> pressures;  // by load
   NodalLoads nodal_loads;
   std::vector<std::array<Curve, 6>> nodal_values;  // by load: forces, moments
-  std::vector<Curve> dampings;     // by entry of the deck: coefficient [1 / time]
-  DampedNodes damped_nodes;        // by the same
-  std::vector<int> damped_bodies;  // [rigid bodies] entry of each, -1: none; empty without damping
+  std::vector<Curve> dampings;                     // by entry of the deck: coefficient [1 / time]
+  DampedNodes damped_nodes;                        // by the same
+  std::vector<int> damped_bodies;                  // [rigid bodies] entry of each, -1: none; empty without damping
   HeldDirections held;
   Array<int> owned_held;        // entries of `held` whose nodes this rank owns
   std::vector<Motion> motions;  // by HeldDirections::motion; row 0 is "at rest"

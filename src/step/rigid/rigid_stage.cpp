@@ -171,6 +171,19 @@ void RigidStage::set_spins(const State& state) const {
   set_rigid_spins(ExecSpace(), model_.rigid.nodes, steps_, state.w);
 }
 
+/// Work and moment of the damping of a body; adds its impulse to j.
+void RigidStage::book_damping(State& state, std::size_t index, double (&j)[3]) const {
+  const Wrench& lost = damping_[index];
+  const RigidState &now = state.bodies[index], &next = next_[index];
+  const double work = dot(lost.impulse, now.velocity + next.velocity) + dot(lost.moment, now.spin + next.spin);
+  state.books.damping_work.add(0.5 * work);
+  state.books.damping_work.normalize();
+  for (int k = 0; k < 3; ++k) {
+    j[k] += get(lost.impulse, k);
+    state.books.moment_impulse[k].add(get(lost.moment, k));
+  }
+}
+
 void RigidStage::book(State& state, double dt, double dt_mean) const {
   if (model_.ranks.rank() != 0) return;
   const double share = model_.gravity_varies ? 0.5 : 1;  // of the step: the other half is of that at n+1
@@ -193,15 +206,7 @@ void RigidStage::book(State& state, double dt, double dt_mean) const {
       state.books.moment_impulse[k].add(turned - dt_mean * t);
       work += 0.5 * turned * (w0 + w1) - 0.5 * dt * w1 * t;
     }
-    if (!damping_.empty()) {
-      const Wrench& lost = damping_[b];
-      state.books.damping_work.add(0.5 * (dot(lost.impulse, now.velocity + next.velocity) +
-                                          dot(lost.moment, now.spin + next.spin)));
-      for (int k = 0; k < 3; ++k) {
-        j[k] += get(lost.impulse, k);
-        state.books.moment_impulse[k].add(get(lost.moment, k));
-      }
-    }
+    if (!damping_.empty()) book_damping(state, b, j);
     const double r[3] = {now.center.x - model_.mass_center[0], now.center.y - model_.mass_center[1],
                          now.center.z - model_.mass_center[2]};
     add_impulse(r, j, 0, [&](int k, double value) {
@@ -212,7 +217,6 @@ void RigidStage::book(State& state, double dt, double dt_mean) const {
   for (ExactSum* sum : {state.books.impulse, state.books.moment_impulse})
     for (int k = 0; k < 3; ++k) sum[k].normalize();
   state.books.external_work.normalize();
-  state.books.damping_work.normalize();
 }
 
 void RigidStage::place(State& state) {

@@ -50,6 +50,7 @@ class RigidStage {
 
   Goal find_goal(const State& state, std::size_t index, double dt) const;
   void damp(const State& state, std::size_t index, const std::vector<double>& damping, double dt_mean);
+  void book_damping(State& state, std::size_t index, double (&j)[3]) const;
   void move(const State& state, std::size_t index, double dt);
   void upload(const State& state, double dt);
 

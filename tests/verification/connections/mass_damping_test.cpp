@@ -52,7 +52,8 @@ void expect_decay(const Outcome& run, double speed) {
 
 TEST(MassDamping, SlowsFreeFlightAsItsDifferenceEquation) {
   expect_decay(run_deck(describe_flight(block, damped, "velocity: [3, 0, 0]")), 3);
-  EXPECT_NEAR(find_left(steps), std::exp(-coefficient * steps * dt), 1e-2);  // rows have velocities of half a step before
+  EXPECT_NEAR(find_left(steps), std::exp(-coefficient * steps * dt),
+              1e-2);  // rows have velocities of half a step before
   EXPECT_NEAR(find_left(steps), std::exp(-coefficient * (steps - 0.5) * dt), 1e-6);
 }
 
@@ -100,7 +101,8 @@ TEST(MassDamping, ObeysTheLastEntryThatNamesANode) {
 
 TEST(MassDamping, RefusesToDampAPartOfABody) {
   try {
-    run_deck(describe_flight(block + ", rigid: true", "damping: [{nodes: a/x_min, coefficient: 1}]", "velocity: [3, 0, 0]"));
+    run_deck(
+        describe_flight(block + ", rigid: true", "damping: [{nodes: a/x_min, coefficient: 1}]", "velocity: [3, 0, 0]"));
     FAIL();
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("names only some nodes of rigid body 'a'"));
