@@ -432,6 +432,25 @@ class Scene(InFolder):
         one_length = card.replace("6.0,5.0", "6.0,0.0")
         self.assertIn("RIGIDWALL_PLANAR_FINITE", self.refusals(decks.SMALL.replace("*END", one_length)))
 
+    def test_damping_in_proportion_to_mass_is_that_of_parts_or_of_all(self):
+        cards = "*DAMPING_PART_MASS\n3,9,40.0\n*DAMPING_GLOBAL\n0,5.0\n*DEFINE_CURVE\n9\n0,1\n2e-5,1\n3e-5,0\n1,0\n*END"
+        deck = decks.SMALL.replace("*END", cards)
+        of_all, of_part = self.read(deck)[0].deck["damping"]
+        self.assertEqual(of_all, {"coefficient": 5.0})
+        self.assertEqual(of_part["coefficient"]["table"][:3], [[0, 40], [2e-5, 40], [3e-5, 0]])
+        self.accept(deck)
+        with self.assertRaisesRegex(BadInput, "would add energy"):
+            self.read(decks.SMALL.replace("*END", "*DAMPING_GLOBAL\n0,-5.0\n*END"))
+
+    def test_gravity_follows_its_curve(self):
+        cards = "*LOAD_BODY_Z\n9,9.81\n*LOAD_BODY_X\n9,2\n*DEFINE_CURVE\n9\n0,0\n2e-5,1\n1,1\n*END"
+        deck = decks.SMALL.replace("*END", cards)
+        gravity = self.read(deck)[0].deck["loads"]["gravity"]
+        self.assertEqual(gravity[1], 0)
+        self.assertEqual(gravity[0]["table"][:2], [[0, 0], [2e-5, -2]])
+        self.assertEqual(gravity[2]["table"][:2], [[0, 0], [2e-5, -9.81]])
+        self.accept(deck)
+
     def test_settings_of_a_part_stay_with_it(self):
         text = decks.TWO_PARTS.replace("4,4,3\n", "4,4,3,0,9\n").replace("*END", "*HOURGLASS\n9,4,0.03,0,1.0,0.1\n*END")
         model = self.read(text)[0]
@@ -457,7 +476,8 @@ class Scene(InFolder):
 class Strictness(InFolder):
     def test_nothing_is_dropped_silently(self):
         for card, key in (("*CONSTRAINED_SPOTWELD\n1,2\n", "CONSTRAINED_SPOTWELD"), ("*SOMETHING_NEW\n1\n", "SOMETHING_NEW"),
-                          ("*CONTROL_IMPLICIT_GENERAL\n1\n", "CONTROL_IMPLICIT_GENERAL"), ("*DAMPING_GLOBAL\n0,1.0\n", "DAMPING_GLOBAL"),
+                          ("*CONTROL_IMPLICIT_GENERAL\n1\n", "CONTROL_IMPLICIT_GENERAL"), ("*DAMPING_PART_STIFFNESS\n3,0.1\n", "DAMPING_PART_STIFFNESS"),
+                          ("*DAMPING_GLOBAL\n0,1.0,1,0,0\n", "DAMPING_GLOBAL.STX"),
                           ("*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,-1,0,0,1\n0\n0\n", "RIGIDWALL_PLANAR_ORTHO"),
                           ("*INCLUDE_STAMPED_PART\nx.k\n", "INCLUDE_STAMPED_PART"),
                           ("*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK\n3,3,3,3\n0\n0\n1\n", "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK"),
