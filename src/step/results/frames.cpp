@@ -12,7 +12,7 @@ namespace percuss {
 
 namespace {
 
-std::vector<double> copy_rows(const Rows3<double>& rows) {
+std::vector<double> list_rows(const Rows3<double>& rows) {
   const auto host = to_host(rows);
   return {host.data(), host.data() + host.extent(0) * 3};
 }
@@ -108,7 +108,7 @@ struct FrameSource {
 };
 
 std::vector<double> find_contact_forces(const State& state) {
-  std::vector<double> force = copy_rows(state.impulse);
+  std::vector<double> force = list_rows(state.impulse);
   for (double& f : force) f = state.dt > 0 ? f / state.dt : 0;
   return force;
 }
@@ -132,7 +132,7 @@ struct FrameField {
 };
 
 constexpr FrameField frame_fields[] = {
-    {"velocity", FieldPlace::node, 3, [](const FrameSource& of) { return copy_rows(of.state.v); }},
+    {"velocity", FieldPlace::node, 3, [](const FrameSource& of) { return list_rows(of.state.v); }},
     {"contact_force", FieldPlace::node, 3, [](const FrameSource& of) { return find_contact_forces(of.state); }},
     {"contact_pressure", FieldPlace::node, 1,
      [](const FrameSource& of) { return of.contact.find_pressures(of.state.x, of.state.dt); }},
