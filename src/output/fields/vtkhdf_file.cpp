@@ -4,18 +4,18 @@
 #include <array>
 
 #include "comm/all_reduce.hpp"
+#include "src/output/earlier/earlier_formats.hpp"
 #include "src/output/fields/mesh_extents.hpp"
 #include "src/output/hdf5/hdf5_reading.hpp"
 
 namespace percuss {
 namespace {
 
-// Most bytes of metadata (B-tree nodes on two levels, headers) that a table adds with a frame, and that a file starts
-// with; counted from the sizes in the HDF5 file format specification for the k above, and rounded up.
-constexpr hsize_t metadata_bytes_per_table = hsize_t{64} << 10;
+// Most bytes of metadata beside the index of a table that a frame adds, and that a file starts with.
+constexpr hsize_t metadata_bytes_of_frame = hsize_t{64} << 10;
 constexpr hsize_t metadata_bytes_of_file = hsize_t{256} << 10;
-constexpr hsize_t mesh_bytes_per_node = 8;                      // its id
-constexpr hsize_t mesh_bytes_per_element = 8 * 8 + 8 + 1 + 16;  // corners, offset, type, id and part
+constexpr hsize_t vtkhdf_bytes_per_node = 8;                      // its id
+constexpr hsize_t vtkhdf_bytes_per_element = 8 * 8 + 8 + 1 + 16;  // corners, offset, type, id and part
 
 // Whether the cells of all ranks are of more than one kind.
 bool has_several_kinds(const Communicator& ranks, const Cells& cells) {
@@ -23,10 +23,6 @@ bool has_several_kinds(const Communicator& ranks, const Cells& cells) {
   for (const TopologyKind kind : cells.kinds) kinds[static_cast<std::size_t>(kind)] = 1;
   all_reduce(ranks, Reduce::largest, kinds);
   return std::count(kinds.begin(), kinds.end(), 1) > 1;
-}
-
-std::int64_t count_frames(hid_t file) {
-  return hdf5::read_whole_number(hdf5::open_group(file, "VTKHDF/Steps").get(), "NSteps");
 }
 
 }  // namespace
@@ -40,12 +36,14 @@ VtkhdfFile::VtkhdfFile(Unopened, const std::string& path, const ChunkedMesh& chu
       node_rows_(ranks, find_owned_nodes(chunked, ranks), chunked.mesh.node_numbers, chunked.numbering.node_count()),
       element_rows_(ranks, count_up(chunked.mesh.elements.size()), list_element_numbers(chunked),
                     chunked.numbering.element_count()),
-      file_(path, ranks, {hdf5::LinkOrder::by_name, [this] { tables_.release(); }, count_frames}) {}
+      file_(path, ranks,
+            {hdf5::LinkOrder::by_name, hdf5::most_chunk_index, [this] { tables_.release(); },
+             vtkhdf_frames.count_frames}) {}
 
 VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
                        const Communicator& ranks)
     : VtkhdfFile(Unopened{}, path, chunked, options, ranks) {
-  file_.create(metadata_bytes_of_file + nodes_ * mesh_bytes_per_node + elements_ * mesh_bytes_per_element, [&] {
+  file_.create(metadata_bytes_of_file + nodes_ * vtkhdf_bytes_per_node + elements_ * vtkhdf_bytes_per_element, [&] {
     tables_.create_groups(file_.id());
     write_mesh(chunked.mesh);
     write_scene(chunked.mesh);
@@ -129,22 +127,26 @@ void VtkhdfFile::write_scene(const Mesh& mesh) {
   hdf5::write_rows_once(tables_.own.get(), "walls", file_.block_of_first_rank(options_.walls.size()), 6, walls);
 }
 
-hsize_t VtkhdfFile::frame_bytes(std::span<const FieldData> fields) const {
-  const hsize_t tables = 4 + tables_.constants.size() + 2 * fields.size();
-  hsize_t bytes = metadata_bytes_per_table * tables + tables_.points->growth_bytes(nodes_);
-  for (const auto& table : tables_.fields)
+hsize_t VtkhdfFile::frame_bytes() const {
+  hsize_t bytes = metadata_bytes_of_frame + tables_.points->growth_bytes(nodes_);
+  for (const auto& table : tables_.fields) {
     bytes += table.values.growth_bytes(table.place == FieldPlace::node ? nodes_ : elements_);
+    bytes += table.offsets.growth_bytes(1);
+  }
+  for (const auto& constant : tables_.constants) bytes += constant.table.growth_bytes(1);
+  for (const auto* table : {&tables_.times, &tables_.point_offsets, &tables_.step_numbers})
+    bytes += (*table)->growth_bytes(1);
   return bytes;
 }
 
 void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const double> positions,
                               std::span<const FieldData> fields) {
   const auto prepare = [&] {
-    if (file_.frames() == 0)
-      tables_.create_fields(fields, options_, nodes_, elements_);
-    else if (tables_.fields.empty())
+    if (tables_.fields.empty() && tables_.has_fields())
       tables_.open_fields(fields);
-    return frame_bytes(fields);
+    else if (tables_.fields.empty())
+      tables_.create_fields(fields, options_, nodes_, elements_);
+    return frame_bytes();
   };
   const auto show = [&] {
     hdf5::write_attribute(tables_.steps.get(), "NSteps", std::array<std::int64_t, 1>{file_.frames() + 1});

@@ -21,7 +21,7 @@ class VtkhdfFile {
   /// Creates the file with the mesh and no frame. Collective, as all below. Throws SystemError; no file is left then.
   VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks);
-  /// Continues with a file that has so many frames and nothing else (cut_fields_file()).
+  /// Continues with a file that has so many frames and nothing else (cut_earlier_results()).
   VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks, std::int64_t frames);
   VtkhdfFile(const VtkhdfFile&) = delete;
@@ -60,7 +60,7 @@ class VtkhdfFile {
   void append_one(hdf5::Table& table, T value);
   void append_rows(double time, std::int64_t step, std::span<const double> positions,
                    std::span<const FieldData> fields);
-  hsize_t frame_bytes(std::span<const FieldData> fields) const;
+  hsize_t frame_bytes() const;
 
   Communicator ranks_;
   FieldsOptions options_;

@@ -76,6 +76,10 @@ void VtkhdfTables::open(hid_t file) {
   add_constants([](hid_t group, const char* name) { return hdf5::Table(group, name); });
 }
 
+bool VtkhdfTables::has_fields() const {
+  return hdf5::check(H5Lexists(point_data.get(), "displacement", H5P_DEFAULT), "look for fields") > 0;
+}
+
 void VtkhdfTables::open_fields(std::span<const FieldData> described) {
   for (const auto& field : described) {
     const bool on_nodes = field.place == FieldPlace::node;

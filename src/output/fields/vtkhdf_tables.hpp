@@ -43,6 +43,9 @@ struct VtkhdfTables {
   /// Opens what create_groups() and create_steps() made.
   void open(hid_t file);
 
+  /// Whether create_fields() was called for the file.
+  bool has_fields() const;
+
   /// Opens what create_fields() made for the same fields.
   void open_fields(std::span<const FieldData> described);
 
