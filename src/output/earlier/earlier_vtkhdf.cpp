@@ -60,7 +60,10 @@ void cut_vtkhdf(hid_t file, const FramesInFile& kept) {
   cut_group(file, point_data, kept.frames * kept.nodes, is_written_once);
   cut_group(file, cell_data, kept.frames * kept.elements, is_written_once);
   hdf5::GrowingDataset(file, "VTKHDF/Points").cut(kept.frames * kept.nodes);
-  hdf5::GrowingDataset(file, "percuss/step").cut(kept.frames);
+  for (const char* name : {"percuss/step", "percuss/wall_displacements"}) {
+    if (hdf5::check(H5Lexists(file, name, H5P_DEFAULT), "look for a table") > 0)
+      hdf5::GrowingDataset(file, name).cut(kept.frames);
+  }
 }
 
 }  // namespace

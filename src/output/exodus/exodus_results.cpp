@@ -9,6 +9,7 @@
 
 #include "src/output/earlier/earlier_results.hpp"
 #include "src/output/exodus/exodus_blocks.hpp"
+#include "src/output/exodus/exodus_sets.hpp"
 #include "src/output/exodus/exodus_variables.hpp"
 #include "src/output/exodus/netcdf_variables.hpp"
 #include "src/output/fields/field_units.hpp"
@@ -49,6 +50,13 @@ std::string cut_text(std::string text, std::size_t most) {
   return text;
 }
 
+/// What the variables of a kind of set are called.
+struct SetNames {
+  const char *count, *prefix, *size, *members;
+};
+constexpr SetNames node_set_names{"num_node_sets", "ns", "num_nod_ns", "node_ns"};
+constexpr SetNames side_set_names{"num_side_sets", "ss", "num_side_ss", "elem_ss"};
+
 std::string name_block_dimension(const char* kind, std::size_t block) { return fmt::format("{}{}", kind, block + 1); }
 
 }  // namespace
@@ -73,12 +81,15 @@ struct ExodusResults::Impl {
   void write_texts(const std::string& name, std::span<const std::string> names, std::span<const std::string> texts);
 
   void create(const Mesh& mesh);
+  std::uint64_t find_bytes() const;
   std::size_t find_name_length() const;
   void write_header();
   void create_dimensions();
   void write_nodes(const Mesh& mesh);
   void write_elements(const Mesh& mesh);
   void write_connectivity(const Mesh& mesh, std::size_t block);
+  void write_entities(const std::string& prefix, const std::string& dimension, std::span<const std::string> names);
+  void write_sets(const SetNames& of, const std::vector<ExodusSet>& found);
   void write_records();
   void create_steps();
 
@@ -98,6 +109,7 @@ struct ExodusResults::Impl {
   FrameFields fields;
   std::size_t nodes, elements;  // of the whole mesh
   RowBlocks node_rows;
+  ExodusSets sets;  // until they are written
   NetcdfDimensions dimensions;
   std::optional<hdf5::FrameTable> times, globals;
   std::vector<ExodusVariable> node_variables, element_variables;
@@ -117,22 +129,36 @@ void ExodusResults::Impl::write_texts(const std::string& name, std::span<const s
   netcdf().write_texts(name, names, file.block_of_first_rank(1).transfer, ranks.rank() == 0, texts);
 }
 
-void ExodusResults::Impl::create(const Mesh& mesh) {
-  const std::uint64_t bytes =
+std::uint64_t ExodusResults::Impl::find_bytes() const {
+  std::uint64_t bytes =
       file_bytes + nodes * exodus_bytes_per_node + elements * exodus_bytes_per_element + blocks.size() * variable_bytes;
-  file.create(bytes, [&] {
+  for (const auto* kind : {&sets.of_nodes, &sets.of_sides}) {
+    for (const ExodusSet& set : *kind) bytes += 2 * (variable_bytes + sizeof(std::int64_t) * set.members.size());
+  }
+  return bytes;
+}
+
+void ExodusResults::Impl::create(const Mesh& mesh) {
+  sets = list_exodus_sets(mesh, blocks, options, ranks);
+  file.create(find_bytes(), [&] {
     write_header();
     create_dimensions();
     create_steps();
     write_nodes(mesh);
     write_elements(mesh);
+    write_sets(node_set_names, sets.of_nodes);
+    write_sets(side_set_names, sets.of_sides);
     write_records();
   });
+  sets = {};
 }
 
 std::size_t ExodusResults::Impl::find_name_length() const {
   std::size_t length = least_name_length;
   for (const ExodusBlock& block : blocks) length = std::max(length, block.name.size());
+  for (const auto* kind : {&sets.of_nodes, &sets.of_sides}) {
+    for (const ExodusSet& set : *kind) length = std::max(length, set.name.size());
+  }
   return length;
 }
 
@@ -190,20 +216,40 @@ void ExodusResults::Impl::write_nodes(const Mesh& mesh) {
                           node_rows.gather(std::span<const std::int64_t>(mesh.node_ids), 1));
 }
 
-void ExodusResults::Impl::write_elements(const Mesh& mesh) {
-  std::vector<std::int64_t> ids, in_use(blocks.size(), 1);
-  std::vector<std::string> names;
-  for (const ExodusBlock& block : blocks) {
-    ids.push_back(static_cast<std::int64_t>(ids.size()) + 1);
-    names.push_back(block.name);
-  }
-  const hdf5::RowBlock one = file.block_of_first_rank(blocks.size());
-  netcdf().write_integers("eb_status", "num_el_blk", one, in_use);
-  netcdf().write_integers("eb_prop1", "num_el_blk", one, ids);
-  const hdf5::Handle property(hdf5::check(H5Dopen2(file.id(), "eb_prop1", H5P_DEFAULT), "open dataset eb_prop1"),
+/// Ids from 1, and names, of blocks or sets.
+void ExodusResults::Impl::write_entities(const std::string& prefix, const std::string& dimension,
+                                         std::span<const std::string> names) {
+  std::vector<std::int64_t> ids, in_use(names.size(), 1);
+  for (std::size_t i = 0; i < names.size(); ++i) ids.push_back(static_cast<std::int64_t>(i) + 1);
+  const hdf5::RowBlock one = file.block_of_first_rank(names.size());
+  const std::string id = prefix + "_prop1";
+  netcdf().write_integers(prefix + "_status", dimension, one, in_use);
+  netcdf().write_integers(id, dimension, one, ids);
+  const hdf5::Handle property(hdf5::check(H5Dopen2(file.id(), id.c_str(), H5P_DEFAULT), "open dataset " + id),
                               H5Dclose);
   hdf5::write_attribute(property.get(), "name", std::string("ID"));
-  write_texts("eb_names", std::array<std::string, 2>{"num_el_blk", "len_name"}, names);
+  write_texts(prefix + "_names", std::array<std::string, 2>{dimension, "len_name"}, names);
+}
+
+void ExodusResults::Impl::write_sets(const SetNames& of, const std::vector<ExodusSet>& found) {
+  if (found.empty()) return;
+  std::vector<std::string> names;
+  for (const ExodusSet& set : found) names.push_back(set.name);
+  dimensions.create(file.id(), of.count, names.size());
+  write_entities(of.prefix, of.count, names);
+  for (std::size_t s = 0; s < found.size(); ++s) {
+    const std::string size = fmt::format("{}{}", of.size, s + 1);
+    dimensions.create(file.id(), size, found[s].members.size());
+    const hdf5::RowBlock rows = file.block_of_first_rank(found[s].members.size());
+    netcdf().write_integers(fmt::format("{}{}", of.members, s + 1), size, rows, found[s].members);
+    if (&of == &side_set_names) netcdf().write_integers(fmt::format("side_ss{}", s + 1), size, rows, found[s].sides);
+  }
+}
+
+void ExodusResults::Impl::write_elements(const Mesh& mesh) {
+  std::vector<std::string> names;
+  for (const ExodusBlock& block : blocks) names.push_back(block.name);
+  write_entities("eb", "num_el_blk", names);
   hdf5::Table map(file.id(), "elem_num_map", H5T_STD_I64LE, 1, elements);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     write_connectivity(mesh, b);

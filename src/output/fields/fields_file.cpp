@@ -146,11 +146,11 @@ FieldsFile& FieldsFile::operator=(FieldsFile&& other) noexcept {
 }
 
 void FieldsFile::write_frame(double time, long step, std::span<const double> positions,
-                             std::span<const FieldData> fields) {
+                             std::span<const FieldData> fields, std::span<const double> wall_displacements) {
   if (!impl_) throw std::logic_error("a frame is written to a closed fields file");
   const hdf5::QuietErrors quiet;
   const auto all = impl_->fields.complete(positions, fields);
-  impl_->file.append_frame(time, step, positions, all);
+  impl_->file.append_frame(time, step, positions, all, wall_displacements);
   impl_->remember_fields(all);
   impl_->index.times.push_back(time);
   impl_->write_index();

@@ -47,7 +47,7 @@ VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, cons
     tables_.create_groups(file_.id());
     write_mesh(chunked.mesh);
     write_scene(chunked.mesh);
-    tables_.create_steps(nodes_, options_.units);
+    tables_.create_steps(nodes_, options_);
   });
 }
 
@@ -118,13 +118,33 @@ void VtkhdfFile::write_scene(const Mesh& mesh) {
   hdf5::write_texts(tables_.own.get(), "part_names", names, file_.block_of_first_rank(names.size()));
   hdf5::write_attribute(tables_.own.get(), "title", options_.title);
   hdf5::write_attribute(tables_.own.get(), "units", options_.units);
-  if (options_.walls.empty()) return;
-  std::vector<double> walls;  // a point and the normal of each
-  for (const auto& [point, normal] : options_.walls) {
-    walls.insert(walls.end(), point.begin(), point.end());
-    walls.insert(walls.end(), normal.begin(), normal.end());
-  }
-  hdf5::write_rows_once(tables_.own.get(), "walls", file_.block_of_first_rank(options_.walls.size()), 6, walls);
+  write_walls();
+}
+
+void VtkhdfFile::write_walls() {
+  const auto write = [&](const char* name, const std::vector<double>& rows) {
+    if (!rows.empty())
+      hdf5::write_rows_once(tables_.own.get(), name, file_.block_of_first_rank(rows.size() / 6), 6, rows);
+  };
+  const auto list_planes = [](const std::vector<WallPlane>& walls) {
+    std::vector<double> rows;
+    for (const WallPlane& wall : walls) {
+      for (const Vec3& vector : {wall.point, wall.normal}) rows.insert(rows.end(), vector.begin(), vector.end());
+    }
+    return rows;
+  };
+  const auto list_edges = [](const std::vector<WallPlane>& walls) {
+    std::vector<double> rows;
+    for (const WallPlane& wall : walls) {
+      for (const Vec3& vector : wall.edges) rows.insert(rows.end(), vector.begin(), vector.end());
+    }
+    const bool all_endless = std::all_of(rows.begin(), rows.end(), [](double x) { return x == 0; });
+    return all_endless ? std::vector<double>() : rows;
+  };
+  write("walls", list_planes(options_.walls));
+  write("wall_edges", list_edges(options_.walls));
+  write("moving_walls", list_planes(options_.moving_walls));
+  write("moving_wall_edges", list_edges(options_.moving_walls));
 }
 
 hsize_t VtkhdfFile::frame_bytes() const {
@@ -136,11 +156,12 @@ hsize_t VtkhdfFile::frame_bytes() const {
   for (const auto& constant : tables_.constants) bytes += constant.table.growth_bytes(1);
   for (const auto* table : {&tables_.times, &tables_.point_offsets, &tables_.step_numbers})
     bytes += (*table)->growth_bytes(1);
+  if (tables_.wall_displacements) bytes += tables_.wall_displacements->growth_bytes();
   return bytes;
 }
 
 void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const double> positions,
-                              std::span<const FieldData> fields) {
+                              std::span<const FieldData> fields, std::span<const double> wall_displacements) {
   const auto prepare = [&] {
     if (tables_.fields.empty() && tables_.has_fields())
       tables_.open_fields(fields);
@@ -151,7 +172,12 @@ void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const do
   const auto show = [&] {
     hdf5::write_attribute(tables_.steps.get(), "NSteps", std::array<std::int64_t, 1>{file_.frames() + 1});
   };
-  file_.append_frame({prepare, [&] { append_rows(time, step, positions, fields); }, show});
+  const auto write = [&] {
+    append_rows(time, step, positions, fields);
+    if (tables_.wall_displacements)
+      tables_.wall_displacements->append(wall_displacements, file_.block_of_first_rank(wall_displacements.size()));
+  };
+  file_.append_frame({prepare, write, show});
 }
 
 template <class T>

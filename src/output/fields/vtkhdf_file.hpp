@@ -31,7 +31,7 @@ class VtkhdfFile {
   /// of steps is written, which is what shows the frame to readers. The first frame creates the fields. Throws
   /// SystemError; the file then keeps the frames before and takes no more.
   void append_frame(double time, std::int64_t step, std::span<const double> positions,
-                    std::span<const FieldData> fields);
+                    std::span<const FieldData> fields, std::span<const double> wall_displacements);
 
   /// Waits until the disk has the frames written so far, and looks whether all are there. Throws SystemError.
   void sync() { file_.sync(); }
@@ -50,6 +50,7 @@ class VtkhdfFile {
   void write_cells(const Mesh& mesh);
   void write_mesh(const Mesh& mesh);
   void write_scene(const Mesh& mesh);
+  void write_walls();
   hdf5::RowBlock make_block(FieldPlace place, int rows = 1);
   void write_numbers(const hdf5::Handle& group, const std::string& name, const hdf5::RowBlock& block,
                      std::span<const std::int64_t> values);

@@ -8,7 +8,7 @@
 
 namespace percuss {
 
-/// Work of all springs and dampers, then "spring_force:NAME" and "spring_elongation:NAME", spring after spring, of
+/// Work of all springs and dampers, which spring limits the step, then "spring_force:NAME" and "spring_elongation:NAME", spring after spring, of
 /// those with Spring::has_columns; none without springs.
 std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs);
 

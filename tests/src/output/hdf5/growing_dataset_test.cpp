@@ -28,7 +28,7 @@ class GrowingDatasetTest : public testing::Test {
   Handle create(unsigned entries) const {
     return create_durable_file(folder_.path() + "/growing.h5", Communicator::world(), LinkOrder::by_name, entries / 2);
   }
-  TemporaryFolder folder_;
+  sample::TemporaryFolder folder_;
 };
 
 // One chunk a row: nodes of 64 entries split, and the level above them does.
