@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "comm/agreement.hpp"
@@ -146,6 +147,41 @@ output: {fields: {every: 10, write: [contact_force, contact_pressure]}}
     EXPECT_NEAR(pressure[n], sum / 0.24, 1e-7 * sum / 0.24);
   }
   EXPECT_EQ(pressed, 2 * 4 * 3);
+}
+
+// A frame that a restart writes before its first step is that of the run that wrote the checkpoint.
+TEST(FramesOnRanks, ContactPressureIsThereInTheFirstFrameAfterARestart) {
+  const Communicator ranks = Communicator::world();
+  std::optional<TemporaryFolder> folder;
+  if (ranks.rank() == 0) folder.emplace();
+  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  const std::string deck = R"yaml(
+time: {end: 1, max_steps: 8}
+parts:
+  top: {box: {size: [0.6, 0.4, 1], cells: [3, 2, 10]}, at: [0, 0, 1.0005], material: m}
+  base: {box: {size: [0.6, 0.4, 1], cells: [3, 2, 10]}, material: m}
+materials: {m: {model: elastic, density: 4, youngs_modulus: 100, poissons_ratio: 0}}
+initial: [{part: top, velocity: [0, 0, -0.1]}]
+contact: {friction: 0.2}
+output: {fields: {every: 10, write: [contact_pressure]}, checkpoint: {every: 1}}
+)yaml";
+  if (ranks.rank() == 0) {
+    std::filesystem::create_directory(path + "/first");
+    std::filesystem::create_directory(path + "/second");
+  }
+  ranks.barrier();
+  run_scene(parse_deck(deck, "deck.yaml"), {path + "/first", Progress::Style::quiet});
+  RunOptions again{path + "/second", Progress::Style::quiet};
+  again.restart = path + "/first/checkpoint.h5";
+  run_scene(parse_deck(deck, "deck.yaml", {"time.max_steps=9"}), again);
+  if (ranks.rank() > 0) return;
+  const std::string name = "VTKHDF/PointData/contact_pressure";
+  const std::vector<double> before = Hdf5FileView(path + "/first/fields.vtkhdf").numbers(name),
+                            after = Hdf5FileView(path + "/second/fields.vtkhdf").numbers(name);
+  const auto half = static_cast<std::ptrdiff_t>(before.size() / 2);
+  EXPECT_GT(*std::max_element(before.begin() + half, before.end()), 0);
+  EXPECT_EQ(std::vector<double>(after.begin(), after.begin() + half),
+            std::vector<double>(before.begin() + half, before.end()));
 }
 
 // A bar that is pulled apart at its end; its deck does not name the field.
