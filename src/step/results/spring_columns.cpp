@@ -12,8 +12,8 @@ double number_limiting_spring(const SpringModel& springs, std::int64_t limiting)
   if (!springs.has(limiting)) return 0;
   const auto at = springs.springs.begin() + static_cast<std::ptrdiff_t>(limiting);
   if (!at->has_columns) return -1 - at->law;
-  return 1 + static_cast<double>(
-                 std::count_if(springs.springs.begin(), at, [](const Spring& s) { return s.has_columns; }));
+  return 1 +
+         static_cast<double>(std::count_if(springs.springs.begin(), at, [](const Spring& s) { return s.has_columns; }));
 }
 
 }  // namespace
