@@ -46,7 +46,8 @@ std::vector<std::string> choose(const Sets& sets, const Names& named, const Name
   for (const auto& [name, members] : sets) {
     const std::size_t slash = name.find('/');
     if (slash == std::string::npos) continue;
-    if (parts_of_files.contains(name.substr(0, slash)) || named.contains(name) || named.contains(name.substr(slash + 1)))
+    if (parts_of_files.contains(name.substr(0, slash)) || named.contains(name) ||
+        named.contains(name.substr(slash + 1)))
       chosen.push_back(name);
   }
   return chosen;

@@ -28,7 +28,7 @@ struct VtkhdfTables {
 
   hdf5::Handle root, point_data, cell_data, steps, point_data_offsets, cell_data_offsets, own;
   std::optional<hdf5::Table> points, times, point_offsets, step_numbers;  // from create_steps() or open() on
-  std::optional<hdf5::FrameTable> wall_displacements;  // only where walls move
+  std::optional<hdf5::FrameTable> wall_displacements;                     // only where walls move
   std::vector<Constant> constants;
   std::vector<Field> fields;  // from the first frame on
 

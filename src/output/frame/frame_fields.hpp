@@ -40,7 +40,7 @@ struct FieldsOptions {
   std::string title;  // of the deck
   std::string units;  // of the deck: "m, kg, s"; units of fields follow from it (src/output/fields/field_units.hpp)
   FieldPrecision precision = FieldPrecision::float64;
-  std::vector<WallPlane> walls{}, moving_walls{};      // for pictures
+  std::vector<WallPlane> walls{}, moving_walls{};     // for pictures
   std::vector<std::string> node_sets{}, side_sets{};  // of the mesh, by their names there; for Exodus II
 };
 
