@@ -28,6 +28,9 @@ void add_surfaces(const Deck& deck, Names& names) {
     if (pair.b) names.insert(pair.b->name);
   }
   for (const ForceDeck& force : deck.output.forces) names.insert(force.where.name);
+  for (const SpringDeck& spring : deck.springs) {
+    for (const SpringEndDeck& end : spring.between) names.insert(end.where.name);
+  }
 }
 
 /// Parts whose mesh is that of a file.
