@@ -46,6 +46,7 @@ SCENE.update({f"body_q{k}": ("-", f"orientation, unit quaternion {k}") for k in 
 SCENE.update({f"body_w{axis}": ("frequency", f"angular velocity {axis}") for axis in "xyz"})
 SCENE.update({"body_kinetic": ("energy", "kinetic energy of the body")})
 SCENE.update({"spring_work": ("energy", "energy of springs"), "damper_work": ("energy", "energy that dampers took")})
+SCENE.update({"dt_spring": ("-", "spring that limits the next step")})
 SCENE.update({"spring_force": ("force", "force of the spring"), "spring_elongation": ("length", "elongation")})
 SCENE.update({"normal": ("force", "normal force"), "tangential": ("force", "friction force"),
               "area": ("area", "area of contact"), "pressure": ("pressure", "largest contact pressure of a node")})

@@ -48,6 +48,18 @@ class Fields:
         self.units = _text(own.attrs.get("units", ""))
         self.time_unit = _text(root["Steps/Values"].attrs.get("unit", ""))  # files of older versions have none
         self.walls = own["walls"][:] if "walls" in own else np.empty((0, 6))
+        self._wall_edges = own["wall_edges"][:] if "wall_edges" in own else np.zeros((len(self.walls), 6))
+        self._moving = own["moving_walls"][:] if "moving_walls" in own else np.empty((0, 6))
+        self._moving_edges = own["moving_wall_edges"][:] if "moving_wall_edges" in own else np.zeros((len(self._moving), 6))
+        self._wall_displacements = own["wall_displacements"][:count] if len(self._moving) else np.empty((count, 0))
+
+    def walls_at(self, frame):
+        """[(point, normal, edges)] of all rigid walls at the time of a frame, those that move last. edges: two vectors from the
+        point, which is a corner then; None of a wall that does not end."""
+        planes, edges = np.concatenate([self.walls, self._moving]), np.concatenate([self._wall_edges, self._moving_edges])
+        moved = np.concatenate([np.zeros(len(self.walls)), self._wall_displacements[frame]])
+        return [(plane[:3] + by * plane[3:], plane[3:], vectors.reshape(2, 3) if vectors.any() else None)
+                for plane, vectors, by in zip(planes, edges, moved)]
 
     @property
     def element_ids(self):

@@ -29,7 +29,7 @@ def make_curve(history, name, options):
     time, values = history["time"], history[name]
     if name == "dt" and len(time) > 1 and values[0] == 0:  # no step has led to the start
         time, values = time[1:], values[1:]
-    if options.channel_class and name not in ("dt_element", "step"):
+    if options.channel_class and name not in ("dt_element", "dt_spring", "step"):
         time, values = resample(time, values)
         seconds = history.units.time[1] if history.units else 1.0
         values = filter_cfc(values, (time[1] - time[0]) * seconds, options.channel_class)

@@ -28,7 +28,7 @@ def render(arguments):
     kept, cut = choose_elements(fields, arguments)
     coloring = Coloring(fields, arguments, kept, frames)
     surface = Surface(Skin(fields.hexahedra, kept, cut))
-    scene = make_scene(fields, arguments, surface, coloring)
+    scene, walls = make_scene(fields, arguments, surface, coloring, frames)
     clock = scene.add_text("", 0.03, 0.035, 0.03)
     folder = arguments.out or os.path.dirname(os.path.abspath(fields.path))
     os.makedirs(folder, exist_ok=True)
@@ -41,6 +41,7 @@ def render(arguments):
             alive = now
             surface.choose(Skin(fields.hexahedra, alive, cut))
         surface.move(fields.positions(frame))
+        scene.place_walls(walls.span(frame))
         surface.color(*coloring.choose_values(frame, surface.skin))
         clock.SetInput(format_time(fields.times[frame], fields.times[-1], fields.time_unit))
         image = Image.fromarray(scene.draw()).resize(arguments.size, Image.Resampling.LANCZOS)
@@ -65,8 +66,26 @@ def choose_frames(fields, wanted):
     return sorted({frame % count for frame in wanted or range(count)})
 
 
-def make_scene(fields, arguments, surface, coloring, marks=np.empty((0, 3))):
-    """marks: points [n][3] that are to be in view, besides the bodies."""
+class Walls:
+    """The plates of rigid walls; one that stands between the camera and the bodies is seen through."""
+
+    def __init__(self, fields, points, camera):
+        self._fields, self._points, self._camera = fields, points, camera
+
+    def span(self, frame):
+        """[(corners, whether it is seen from behind)] of each at the time of a frame."""
+        return [(span_wall(point, normal, edges, self._points), (self._camera - point) @ normal < 0)
+                for point, normal, edges in self._fields.walls_at(frame)]
+
+
+class NoWalls:
+    def span(self, frame):
+        return []
+
+
+def make_scene(fields, arguments, surface, coloring, frames, marks=np.empty((0, 3))):
+    """The scene with its walls as in the first of the frames, and the walls. marks: points [n][3] that are to be in view, besides
+    the bodies."""
     edges = arguments.edges == "on" or (
         arguments.edges == "auto" and surface.mesh.GetNumberOfPolys() <= MOST_FACES_WITH_EDGES)
     scene = Scene(surface, coloring.lut, arguments.size, 1 if arguments.fast else 2, edges)
@@ -75,8 +94,10 @@ def make_scene(fields, arguments, surface, coloring, marks=np.empty((0, 3))):
     shown = np.concatenate([points, *[marks] * max(1, len(points) // 400)]) if len(marks) else points
     aspect = arguments.size[0] / arguments.size[1]
     position, target, up = place_camera(shown, *arguments.view, aspect, MARGINS, arguments.look_at)
-    plates = [] if arguments.no_walls else add_walls(scene, fields.walls, points, position)
-    scene.look(position, target, up, arguments.zoom, np.concatenate([shown, *plates]))
+    walls = NoWalls() if arguments.no_walls else Walls(fields, points, position)
+    scene.place_walls(walls.span(frames[0]))
+    ends = [corners for frame in {frames[0], frames[-1]} for corners, _ in walls.span(frame)]
+    scene.look(position, target, up, arguments.zoom, np.concatenate([shown, *ends]))
     if not arguments.fast:
         start = fields.positions(0)
         diagonal = np.linalg.norm(np.ptp(start[nodes], axis=0))
@@ -88,17 +109,7 @@ def make_scene(fields, arguments, surface, coloring, marks=np.empty((0, 3))):
     else:
         for row, (number, name) in enumerate(coloring.legend()[:MOST_LEGEND_ENTRIES]):
             scene.add_legend_entry(row, colors.part_color(number), name)
-    return scene
-
-
-def add_walls(scene, walls, points, camera):
-    """Draws the walls and returns their corners; one that stands between the camera and the bodies is seen through."""
-    plates = []
-    for wall in walls:
-        point, normal = wall[:3], wall[3:]
-        plates.append(span_wall(point, normal, points))
-        scene.add_wall(plates[-1], seen_from_behind=(camera - point) @ normal < 0)
-    return plates
+    return scene, walls
 
 
 def shrink(image):

@@ -1,4 +1,4 @@
-"""Where rigid walls are drawn: each a plate in the plane of the wall, under and a little around the bodies."""
+"""Where rigid walls are drawn: each a plate in the plane of the wall, as large as it is, or under and a little around the bodies."""
 
 import numpy as np
 
@@ -6,9 +6,12 @@ MARGIN = 0.08  # of the plate around the bodies, as a share of the size of the s
 GAP = 5e-4     # by which the plate lies behind the wall, likewise: faces that lie on the wall are seen
 
 
-def span_wall(point, normal, points):
-    """Four corners of a plate in the wall's plane that lies under all points [n][3], as seen along the normal."""
+def span_wall(point, normal, edges, points):
+    """Four corners of a plate in the wall's plane: of its rectangle, or under all points [n][3], as seen along the normal."""
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    if edges is not None:
+        corner = point - GAP * size * normal
+        return np.array([corner, corner + edges[0], corner + edges[0] + edges[1], corner + edges[1]])
     first = np.eye(3)[np.argmin(np.abs(normal))]
     first = first - (first @ normal) * normal
     first /= np.linalg.norm(first)

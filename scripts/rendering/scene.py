@@ -23,7 +23,7 @@ from vtkmodules.vtkRenderingCore import (
 
 from .camera import narrow_view
 from .colors import rgb
-from .walls import make_wall_actor
+from .walls import WallPlate
 
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
 VTK_FONT_FILE = 4  # a constant of VTK that its Python modules do not name
@@ -63,6 +63,7 @@ class Scene:
     def __init__(self, surface, lut, size, supersampling, edges):
         self.width, self.height = size
         self.scale = supersampling
+        self._walls = []
         self.renderer = vtkRenderer()
         self.renderer.SetBackground(1, 1, 1)
         self.window = vtkRenderWindow()
@@ -118,8 +119,13 @@ class Scene:
         self.renderer.SetSSAOKernelSize(32)
         self.renderer.SSAOBlurOn()
 
-    def add_wall(self, corners, seen_from_behind):
-        self.renderer.AddActor(make_wall_actor(corners, seen_from_behind, 0.6 * self.scale))
+    def place_walls(self, plates):
+        """plates: [(corners, whether it is seen from behind)], as many at every call; where they are from now on."""
+        while len(self._walls) < len(plates):
+            self._walls.append(WallPlate(0.6 * self.scale))
+            self.renderer.AddActor(self._walls[-1].actor)
+        for wall, plate in zip(self._walls, plates):
+            wall.place(*plate)
 
     def look(self, position, target, up, zoom, sample):
         """sample: points [n][3] of all that is drawn."""

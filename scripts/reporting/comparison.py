@@ -117,7 +117,7 @@ def find_history_differences(first, other):
     time = first["time"][first["time"] <= end * (1 + 1e-12)]
     rows = []
     for name in first:
-        if name in ("time", "step", "dt_element", "candidates") or name not in other:
+        if name in ("time", "step", "dt_element", "dt_spring", "candidates") or name not in other:
             continue
         a, b = first[name][: len(time)], np.interp(time, other["time"], other[name])
         size = max(_find_size(history, name) for history in (first, other))

@@ -51,7 +51,7 @@ def draw(fields, layers, view):
     surface = Surface(Skin(fields.hexahedra, kept, cut))
     coloring = Coloring(fields, arguments, kept, [0])
     ends = [np.reshape(layer["places"], (-1, 3)) for layer in layers if layer["kind"] == "arrows"]
-    scene = pictures.make_scene(fields, arguments, surface, coloring, *ends)
+    scene, _ = pictures.make_scene(fields, arguments, surface, coloring, [0], *ends)
     surface.move(fields.positions(0))
     surface.color(*coloring.choose_values(0, surface.skin))
     top = add_top(scene)

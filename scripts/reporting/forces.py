@@ -42,7 +42,8 @@ def _name(value):
 
 
 def make_forces_table(run):
-    """A row for each force: largest resultant and its time, impulse, mean, largest normal force."""
+    """A row for each force: largest resultant and its time, impulse, mean, and of contact and walls the largest normal force, area
+    and pressure."""
     history = run.history
     names = list_forces(history)
     if not names or len(history) < 2:
@@ -55,15 +56,23 @@ def make_forces_table(run):
         top = int(np.argmax(size))
         impulse = find_impulse(history, name)
         mean = np.linalg.norm(impulse) / (history["time"][-1] - history["time"][0])
-        normal = f"normal:{name}"
         rows.append((name, describe_kind(run, name), _show(size[top], force_unit), _show(history["time"][top], time_unit),
                      "(" + ", ".join(f"{x:.4g}" for x in impulse) + ")", _show(mean, force_unit),
-                     _show(np.nanmax(history[normal]), force_unit) if normal in history else ""))
+                     *(_show_peak(history, f"{quantity}:{name}") for quantity in ("normal", "area", "pressure"))))
     unit = f" [{force_unit} {time_unit}]" if force_unit else ""
-    heading = ("force", "of", "largest resultant", "at", f"impulse{unit}", "mean", "largest normal force")
-    text = "<h3>Forces</h3>" + make_table(heading, rows, (2, 3, 5, 6))
+    heading = ("force", "of", "largest resultant", "at", f"impulse{unit}", "mean", "largest normal force", "largest area",
+               "largest pressure")
+    text = "<h3>Forces</h3>" + make_table(heading, rows, (2, 3, 5, 6, 7, 8))
     return text + ("<p class=soft>Means over the time between rows: no impulse is lost, and a peak shorter than that time is "
-                   "averaged. The impulse is the momentum exchanged over the whole run.</p>")
+                   "averaged. The impulse is the momentum exchanged over the whole run. Area and pressure are of the nodes that "
+                   "are pushed; the pressure is that of the node with the most.</p>")
+
+
+def _show_peak(history, column):
+    """The largest value; nothing where there is no such column, or none in it."""
+    if column not in history or not np.any(np.isfinite(history[column])):
+        return ""
+    return _show(np.nanmax(history[column]), history.unit(column))
 
 
 def _show(value, unit):

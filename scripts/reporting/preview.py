@@ -43,12 +43,12 @@ class Preview:
         return self.units.name_of(quantity) if self.units else ""
 
     def _span_walls(self):
-        if not len(self.fields.walls):
+        if not self.fields.walls_at(0):
             return []
         from rendering.plates import span_wall
 
         points = self.fields.positions(0)
-        return [span_wall(wall[:3], wall[3:], points) for wall in self.fields.walls]
+        return [span_wall(*wall, points) for wall in self.fields.walls_at(0)]
 
     def make_page(self):
         title = "Before the run: " + (self.scene["title"] or os.path.basename(self.trial.deck))

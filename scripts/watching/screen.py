@@ -68,6 +68,19 @@ def make_line(run, rows, end, left):
     return "  ".join(words)
 
 
+def name_limit(run, rows):
+    """What limits the step: a spring, by the column dt_spring, or an element; empty where it is not known."""
+    spring = int(rows.last("dt_spring") or 0)
+    names = [name.partition(":")[2] for name in rows.names if name.startswith("spring_force:")]
+    if 0 < spring <= len(names):
+        return f"spring '{names[spring - 1]}' limits the step"
+    if spring < 0:  # one of an entry with too many for columns of their own
+        entries = list(run.deck.get("springs") or {})
+        return f"a spring of '{entries[-1 - spring]}' limits the step" if -spring <= len(entries) else "a spring limits the step"
+    element = rows.last("dt_element")
+    return "" if element is None else f"element {element:.0f} limits the step"
+
+
 def make_screen(run, rows, end, left, size):
     """Lines of the view. left: seconds to the end, or None. size: (width, plain)."""
     width, plain = size
@@ -80,7 +93,7 @@ def make_screen(run, rows, end, left, size):
         ahead = f", {format_duration(left)} left" if left is not None and run.status == "running" else ""
         lines += [f"{bar}  t = {time:.4g}{goal}, step {rows.last('step'):.0f}{ahead}".strip(), ""]
         lines += _make_curves(rows, width, plain)
-        lines.append(f"element {rows.last('dt_element'):.0f} limits the step" if rows.last("dt_element") is not None else "")
+        lines.append(name_limit(run, rows))
     else:
         lines.append("no rows yet")
     lines += _list_warnings(run)

@@ -19,6 +19,7 @@
 #include "src/contact/ties/tie_rows.hpp"
 #include "src/contact/ties/ties.hpp"
 #include "src/error.hpp"
+#include "src/index.hpp"
 
 namespace percuss {
 struct ContactStage::Impl {
@@ -60,6 +61,7 @@ struct ContactStage::Impl {
   void refuse_torn_ties(const ContactReport& report) const;
   const AreaNodes& find_areas(const Rows3<const double>& x);
   void forget_last_step();
+  void archive_pushes(CheckpointArchive& archive);
   void redefine_surface();
   HistoryOwners list_owners() const { return list_history_owners(chunks, share, walls, ties); }
 
@@ -267,6 +269,30 @@ void ContactStage::redefine(Rows3<const double> x, Rows3<const double> v) {
   seed_opened(stage.look_for_overlap(*stage.finder), here, stage.contact.overlap, {before, now}, stage.history);
 }
 
+/// Pushes of the last step, for the contact_pressure of a frame that a restart writes before its first step. Nothing
+/// else needs them: only where the deck writes that field, and the checkpoint is of a deck that did.
+void ContactStage::Impl::archive_pushes(CheckpointArchive& archive) {
+  const std::vector<std::string>& fields = deck.output.fields;
+  bool is_written = std::find(fields.begin(), fields.end(), "contact_pressure") != fields.end();
+  if (!is_written || !archive.has_number("contact/has_pushes")) return;
+  archive.integer("contact/has_pushes", is_written);
+  const bool is_loading = archive.is_loading();
+  const Rows3<double> pushes =
+      is_loading ? Rows3<double>("contact::restored_pushes", mesh.nodes.size()) : enforcer.find_pushes();
+  const auto host = to_host(pushes);
+  std::vector<double> rows;
+  for (const int n : share.nodes.mesh_nodes) {
+    for (std::size_t k = 0; k < 3; ++k) rows.push_back(host(at(n), k));
+  }
+  archive.rows("contact/nodes/push", find_rows_of_nodes(chunks, share.nodes.numbers), 3, std::span<double>(rows));
+  if (!is_loading) return;
+  for (std::size_t i = 0; i < share.nodes.mesh_nodes.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) host(at(share.nodes.mesh_nodes[i]), k) = rows[3 * i + k];
+  }
+  Kokkos::deep_copy(pushes, host);
+  enforcer.restore_pushes(pushes);
+}
+
 void ContactStage::archive(CheckpointArchive& archive) {
   Impl& stage = *impl_;
   archive_history(archive, stage.chunks, stage.share, stage.walls, stage.history);
@@ -275,6 +301,7 @@ void ContactStage::archive(CheckpointArchive& archive) {
   stage.bound.archive(archive, find_rows_of_nodes(stage.chunks, stage.share.nodes.numbers));
   stage.enforcer.archive(archive);
   stage.forces.archive(archive);
+  stage.archive_pushes(archive);
   archive.number("contact/overlap_at_start", stage.overlap_at_start);
   if (!archive.is_loading()) return;
   stage.forget_last_step();

@@ -9,13 +9,12 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/element/failure/failure.hpp"
 #include "src/index.hpp"
+#include "src/step/model/pack_width.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
 
 namespace {
-
-constexpr int width = pack_size<Real>;
 
 /// Numbers of the nodes of a face, ascending, each once; beyond the last the largest number.
 using FaceKey = std::array<std::int64_t, 4>;
@@ -37,7 +36,7 @@ void visit_failing(const Model& model, const Visit& visit) {
   for (std::size_t i = 0; i < list.extent(0); ++i) {
     const int c = list(i);
     for (int e = first_element(c); e < first_element(c + 1); ++e) {
-      visit(e, first_pack(c) * width + e - first_element(c));
+      visit(e, first_pack(c) * pack_width + e - first_element(c));
     }
   }
 }
@@ -157,11 +156,12 @@ void Erosion::count_holders(const State& state) {
         for (int s = chunks.first_slot(c); s < chunks.first_slot(c + 1); ++s) slots(s, 0) = 0;
         const int first_pack = failing.find_pack(c);
         for (int i = 0; i < chunks.first_element(c + 1) - chunks.first_element(c); ++i) {
-          if (first_pack >= 0 && steps_left(first_pack * width + i) == 0) continue;
-          const std::size_t corners = (static_cast<std::size_t>(chunks.first_pack(c) + i / width) * 8) * width;
+          if (first_pack >= 0 && steps_left(first_pack * pack_width + i) == 0) continue;
+          const std::size_t corners =
+              (static_cast<std::size_t>(chunks.first_pack(c) + i / pack_width) * 8) * pack_width;
           for (int corner = 0; corner < 8; ++corner) {
             slots(chunks.first_slot(c) +
-                      chunks.corner_slots(corners + static_cast<std::size_t>(corner * width + i % width)),
+                      chunks.corner_slots(corners + static_cast<std::size_t>(corner * pack_width + i % pack_width)),
                   0) += 1;
           }
         }
@@ -257,7 +257,7 @@ void Erosion::book_elements(State& state, const std::vector<int>& newly_dead) co
   for (const int e : newly_dead) {
     const int lane = lanes[at(e)];
     for (std::size_t k = 0; k < work_kinds; ++k) {
-      sums[k]->add(work((at(lane / width) * work_kinds + k) * width + at(lane % width)));
+      sums[k]->add(work((at(lane / pack_width) * work_kinds + k) * pack_width + at(lane % pack_width)));
     }
     books.eroded_mass.add(mass(at(e)));
   }

@@ -8,11 +8,10 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/mesh/mesh.hpp"
+#include "src/step/model/pack_width.hpp"
 
 namespace percuss {
 namespace {
-
-constexpr int width = pack_size<Real>;
 
 /// What an element of a chunk lacks of the mass that makes its bound the wanted step.
 struct MissingMass {
@@ -24,10 +23,10 @@ struct MissingMass {
 
   KOKKOS_INLINE_FUNCTION double operator()(int c, int i, double target) const {
     const int pack = failing.find_pack(c);
-    if (pack >= 0 && lives.steps_left(pack * width + i) == 0) return 0;
+    if (pack >= 0 && lives.steps_left(pack * pack_width + i) == 0) return 0;
     const int e = chunks.first_element(c) + i;
     const double bound =
-        is_shell(chunks, c) ? shell_bounds(e) : static_cast<double>(hex_bounds(chunks.first_pack(c) * width + i));
+        is_shell(chunks, c) ? shell_bounds(e) : static_cast<double>(hex_bounds(chunks.first_pack(c) * pack_width + i));
     if (!(bound > 0 && bound < target)) return 0;
     const double ratio = target / bound;
     return mass(e) * (ratio * ratio - 1);
@@ -39,10 +38,10 @@ MissingMass find_missing(const Model& model, const State& state, const StepWatch
 }
 
 /// Shares of the corners that kernels see, in eighths of the mass of an element.
-struct CornerShares {
+struct MassShares {
   Kokkos::Array<double, kernel_corner_count> hex, quad, triangle;
 
-  CornerShares() {
+  MassShares() {
     for (std::size_t i = 0; i < kernel_corner_count; ++i) {
       hex[i] = hex8_topology.find_mass_share(i);
       quad[i] = quad4_topology.find_mass_share(i);
@@ -137,10 +136,10 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
         if (!(wanted(c) > 0 && share(c) > 0)) return;
         const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
         for (int i = 0; i < count; ++i) mass(first + i) += share(c) * missing(c, i, target(c));
-        const int size = chunks.record_size(c), lanes = (chunks.first_pack(c + 1) - chunks.first_pack(c)) * width;
+        const int size = chunks.record_size(c), lanes = (chunks.first_pack(c + 1) - chunks.first_pack(c)) * pack_width;
         for (int i = 0; i < lanes; ++i) {  // lanes past the end repeat the last element
-          Real* const record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
-          record[HexRecord::mass * width] = static_cast<Real>(mass(first + (i < count ? i : count - 1)));
+          Real* const record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
+          record[HexRecord::mass * pack_width] = static_cast<Real>(mass(first + (i < count ? i : count - 1)));
         }
         settled(c) = 0;
       });
@@ -148,7 +147,7 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
 
 /// Mass and rotary inertia of the nodes from those of all elements, in the order in which forces are added.
 void MassScaler::sum_lumped(const State& state) {
-  const CornerShares shares;
+  const MassShares shares;
   const auto slots = slot_lumped_;
   const auto mass = state.element_mass, gyration_square = model_.gyration_square;
   const HexChunks chunks = model_.chunks;
@@ -158,9 +157,11 @@ void MassScaler::sum_lumped(const State& state) {
         const int first = chunks.first_element(c);
         const bool of_shells = is_shell(chunks, c);
         for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
-          const std::size_t place = (static_cast<std::size_t>(chunks.first_pack(c) + i / width) * 8) * width +
-                                    static_cast<std::size_t>(i % width);
-          const auto slot = [&](int k) { return chunks.corner_slots(place + static_cast<std::size_t>(k * width)); };
+          const std::size_t place = (static_cast<std::size_t>(chunks.first_pack(c) + i / pack_width) * 8) * pack_width +
+                                    static_cast<std::size_t>(i % pack_width);
+          const auto slot = [&](int k) {
+            return chunks.corner_slots(place + static_cast<std::size_t>(k * pack_width));
+          };
           const auto& share = !of_shells ? shares.hex : slot(2) == slot(3) ? shares.triangle : shares.quad;
           const double eighth = mass(first + i) / 8,
                        turning = of_shells ? mass(first + i) * gyration_square(first + i) / 8 : 0;

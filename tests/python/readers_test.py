@@ -57,6 +57,20 @@ class OfARun(unittest.TestCase):
             wanted = [float(word) for word in lines[1:][row].split(",")]
             self.assertEqual([history[name][row] for name in history], wanted)
 
+    def test_walls_are_where_they_are_at_the_time_of_a_frame(self):
+        walls = "[{point: [0, 0, -0.002], normal: z}, {name: lid, point: [-0.01, -0.01, 0.05], normal: -z, speed: 30, " \
+                "rectangle: {along: x, size: [0.04, 0.05]}}]"
+        run = percuss.read(sample_run.run(PERCUSS, make_folder(self), "--set", f"walls={walls}"))
+        displacement = np.interp(run.fields.times, run.history["time"], run.history["wall_displacement:lid"])
+        self.assertGreater(displacement[-1], 0.9 * 30 * run.fields.times[-1])
+        for frame, by in enumerate(displacement):
+            floor, lid = run.fields.walls_at(frame)
+            np.testing.assert_array_equal(floor[0], [0, 0, -0.002])
+            self.assertIsNone(floor[2])
+            np.testing.assert_allclose(lid[0], [-0.01, -0.01, 0.05 - by], atol=1e-9)
+            np.testing.assert_array_equal(lid[1], [0, 0, -1])
+            np.testing.assert_allclose(lid[2], [[0.04, 0, 0], [0, -0.05, 0]], atol=1e-15)
+
     def test_every_column_has_a_dimension_and_its_unit(self):
         history = percuss.read(self.out).history
         self.assertEqual([name for name in history if history.dimension(name) is None], [])

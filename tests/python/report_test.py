@@ -172,9 +172,10 @@ class Report(OfARun):
             sample_run.run(PERCUSS, self.folder.name, "--set", f"output.history.forces={forces}", name="forces")
         text = self.make(out, "--no-pictures", "--no-view")
         self.check(text)
-        self.expect(text, "largest resultant", "contact block and all", "support plate/x_min", "impulse of hit", "in balance",
+        self.expect(text, "largest resultant", "largest area", "largest pressure", "contact block and all", "support plate/x_min", "impulse of hit", "in balance",
                     "work of contact by all pairs", "momentum z of all parts")
         history = percuss.read(out).history
+        self.expect(text, f"{np.nanmax(history['area:hit']):.4g}", f"{np.nanmax(history['pressure:hit']):.4g}")
         self.assertEqual(list_forces(history), ["hit", "back", "clamp"])
         change = history["momentum_z:block"][-1] - history["momentum_z:block"][0]
         self.assertAlmostEqual(find_impulse(history, "hit")[2] / change, 1, places=10)  # nothing else acts on the block

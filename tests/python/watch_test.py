@@ -6,13 +6,14 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from types import SimpleNamespace
 
 PERCUSS, ROOT = sys.argv.pop(), sys.argv.pop()
 sys.path[:0] = [os.path.join(ROOT, "python"), os.path.join(ROOT, "scripts")]
 import sample_run  # noqa: E402
 from percuss.deck import Deck  # noqa: E402
 from watching.rows import Rows  # noqa: E402
-from watching.screen import find_end, format_duration, make_progress, make_sparkline  # noqa: E402
+from watching.screen import find_end, format_duration, make_progress, make_sparkline, name_limit  # noqa: E402
 
 
 class Watch(unittest.TestCase):
@@ -103,6 +104,18 @@ class Screen(unittest.TestCase):
         self.assertEqual(make_progress(0.5, 1, 10, True), "#####-----  50.0 %")
         self.assertEqual(make_progress(0.5, None, 10, True), "")
         self.assertEqual([format_duration(s) for s in (59.9, 61, 7260)], ["59 s", "1 min 01 s", "2 h 01 min"])
+
+    def test_names_what_limits_the_step(self):
+        rows = Rows("")
+        rows.names = ["dt_element", "dt_spring", "spring_force:a_1", "spring_elongation:a_1", "spring_force:b"]
+        run = SimpleNamespace(deck=Deck("", {"springs": {"a": {}, "b": {}, "many": {}}}))
+        for number, text in ((0, "element 7"), (1, "spring 'a_1'"), (2, "spring 'b'"), (-3, "a spring of 'many'"), (-4, "a spring")):
+            rows.columns = {"dt_element": [7], "dt_spring": [number]}
+            self.assertEqual(name_limit(run, rows), text + " limits the step")
+        rows.columns = {"dt_element": [7]}
+        self.assertEqual(name_limit(run, rows), "element 7 limits the step")
+        rows.columns = {}
+        self.assertEqual(name_limit(run, rows), "")
 
     def test_the_end_is_found_in_the_text_without_yaml(self):
         self.assertEqual(find_end(Deck("title: a\ntime: {step_scale: 0.5, end: 2.5e-3}\n")), 2.5e-3)

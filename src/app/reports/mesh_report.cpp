@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "src/app/reports/report_lines.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
@@ -43,11 +44,9 @@ PartMesh read_mesh(const std::string& file, const std::vector<std::string>& bloc
   return mesh;
 }
 
-std::string line(const std::string& label, const std::string& text) { return fmt::format("{:<12}{}\n", label, text); }
+std::string mesh_line(const std::string& label, const std::string& text) { return format_line(label, text, 12); }
 
-std::string count(std::int64_t n, const std::string& what) {
-  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
-}
+std::string count_of(std::int64_t n, const std::string& what) { return format_count(n, what, what + "s"); }
 
 std::string format_extent(const std::vector<Vec3>& nodes) {
   if (nodes.empty()) return "none";
@@ -63,10 +62,11 @@ std::string format_extent(const std::vector<Vec3>& nodes) {
 std::string format_blocks(const std::vector<FileBlock>& blocks) {
   std::string text;
   for (const FileBlock& block : blocks) {
-    text += line(text.empty() ? "blocks" : "",
-                 fmt::format("{}, id {}: {} of kind {} with {}{}", block.name, block.id,
-                             count(block.elements, "element"), block.kind, count(block.nodes_per_element, "node"),
-                             block.elements == 0 || block.topology ? "" : ", which cannot be run"));
+    text += mesh_line(
+        text.empty() ? "blocks" : "",
+        fmt::format("{}, id {}: {} of kind {} with {}{}", block.name, block.id, count_of(block.elements, "element"),
+                    block.kind, count_of(block.nodes_per_element, "node"),
+                    block.elements == 0 || block.topology ? "" : ", which cannot be run"));
   }
   return text;
 }
@@ -74,8 +74,9 @@ std::string format_blocks(const std::vector<FileBlock>& blocks) {
 std::string format_sets(const std::vector<FileSet>& sets, const char* label, const char* what) {
   std::string text;
   for (const FileSet& set : sets)
-    text += line(text.empty() ? label : "", fmt::format("{}, id {}: {}", set.name, set.id, count(set.entries, what)));
-  return text.empty() ? line(label, "none") : text;
+    text += mesh_line(text.empty() ? label : "",
+                      fmt::format("{}, id {}: {}", set.name, set.id, count_of(set.entries, what)));
+  return text.empty() ? mesh_line(label, "none") : text;
 }
 
 /// Elements that percuss makes of the file, with their volume and area.
@@ -94,7 +95,7 @@ std::string format_elements(const PartMesh& mesh) {
     }
   }
   const std::int64_t solids = static_cast<std::int64_t>(mesh.elements.size()) - shells;
-  std::string text = count(static_cast<std::int64_t>(mesh.nodes.size()), "node");
+  std::string text = count_of(static_cast<std::int64_t>(mesh.nodes.size()), "node");
   if (solids > 0) text += fmt::format(", {} solid elements of volume {:.6g}", solids, volume);
   if (shells > 0) text += fmt::format(", {} shells of area {:.6g} (the part needs a thickness)", shells, area);
   return text + (triangles > 0 ? fmt::format(", {} of them triangles", triangles) : "");
@@ -109,12 +110,12 @@ std::string format_reading(const std::string& file, const MeshContents& contents
     all = all && block.topology.has_value();
   }
   if (contents.dimensions != 3)
-    return line("percuss", fmt::format("runs meshes of 3 dimensions only, this has {}", contents.dimensions));
+    return mesh_line("percuss", fmt::format("runs meshes of 3 dimensions only, this has {}", contents.dimensions));
   if (chosen.empty())
-    return line("percuss", fmt::format("runs none of this (of all kinds of elements only {})", contents.kinds));
+    return mesh_line("percuss", fmt::format("runs none of this (of all kinds of elements only {})", contents.kinds));
   const PartMesh mesh = name_file(file, [&] { return read_mesh(file, all ? std::vector<std::string>{} : chosen); });
-  std::string text = line("percuss", "reads " + format_elements(mesh));
-  if (!all) text += line("", fmt::format("with blocks: [{}]", fmt::join(chosen, ", ")));
+  std::string text = mesh_line("percuss", "reads " + format_elements(mesh));
+  if (!all) text += mesh_line("", fmt::format("with blocks: [{}]", fmt::join(chosen, ", ")));
   for (const Warning& warning : mesh.warnings) text += format_warning(warning) + "\n";
   return text;
 }
@@ -132,10 +133,10 @@ bool is_mesh_file(const std::string& file) {
 
 std::string describe_mesh_file(const std::string& file) {
   const MeshContents contents = name_file(file, [&] { return read_mesh_contents(file); });
-  std::string text = line("mesh", file + ": " + contents.format);
-  text += line("size", fmt::format("{}, {}", count(contents.elements, "element"),
-                                   count(static_cast<std::int64_t>(contents.nodes.size()), "node")));
-  text += line("extent", format_extent(contents.nodes)) + format_blocks(contents.blocks);
+  std::string text = mesh_line("mesh", file + ": " + contents.format);
+  text += mesh_line("size", fmt::format("{}, {}", count_of(contents.elements, "element"),
+                                        count_of(static_cast<std::int64_t>(contents.nodes.size()), "node")));
+  text += mesh_line("extent", format_extent(contents.nodes)) + format_blocks(contents.blocks);
   text += format_sets(contents.node_sets, "node sets", "node") + format_sets(contents.side_sets, "side sets", "face");
   if (!contents.element_sets.empty()) text += format_sets(contents.element_sets, "elem. sets", "element");
   try {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "src/checks/rules.hpp"
+#include "src/deck/asked_for.hpp"
 #include "src/output/progress.hpp"
 #include "src/output/warning_log.hpp"
 
@@ -146,11 +147,6 @@ std::string format_head(const PlannedScene& scene, const PlanFigures& figures) {
   return text + "\n\n";
 }
 
-bool can_erode(const Deck& deck) {
-  return std::any_of(deck.materials.begin(), deck.materials.end(),
-                     [](const MaterialDeck& material) { return material.failure.has_value(); });
-}
-
 Warning warn(const char* rule, const std::string& text) { return {rule, text, "", 0, 1}; }
 
 void warn_of_column(const PlannedScene& scene, const Column& column, WarningLog& log) {
@@ -179,7 +175,7 @@ std::string format_warnings(const PlannedScene& scene, const std::vector<Column>
   WarningLog log(scene.deck.silenced);
   log.add(scene.deck.warnings);
   log.add(check_input({scene.deck, nullptr, nullptr, 0}));
-  if (scene.pattern.has_pairs && can_erode(scene.deck)) {
+  if (scene.pattern.has_pairs && can_fail(scene.deck)) {
     log.add(warn("plan_without_erosion",
                  "elements can fail (each time surfaces are made anew, which is not predicted and which ranks hardly "
                  "divide): measure a short run in which elements die"));

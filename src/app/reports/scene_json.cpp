@@ -8,6 +8,8 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "src/app/reports/plan_estimate.hpp"
+#include "src/deck/asked_for.hpp"
+#include "src/index.hpp"
 #include "src/mesh/surface_nodes.hpp"
 #include "src/output/warning_json.hpp"
 #include "src/step/model/followed_points.hpp"
@@ -19,8 +21,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_nodes = 4000;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 /// Entries of a deck that select something, in its order.
 class SelectionList {
@@ -46,7 +46,7 @@ class SelectionList {
   void add(const std::string& key, const std::string& what, const Selector& where, const std::vector<int>& nodes) {
     Json numbers = Json::array();
     const std::size_t stride = std::max<std::size_t>(1, (nodes.size() + most_nodes - 1) / most_nodes);
-    for (std::size_t i = 0; i < nodes.size(); i += stride) numbers.push_back(mesh_.node_numbers[index(nodes[i])]);
+    for (std::size_t i = 0; i < nodes.size(); i += stride) numbers.push_back(mesh_.node_numbers[at(nodes[i])]);
     list_.push_back({{"key", key},
                      {"what", what},
                      {"where", where.name.empty() ? "the whole mesh" : where.name},
@@ -62,10 +62,9 @@ class SelectionList {
 
 /// "fixed x, y": the directions of a condition or of a load.
 std::string name_directions(const std::string& what, const std::array<bool, 6>& active) {
-  constexpr std::array<const char*, 6> names{"x", "y", "z", "rx", "ry", "rz"};
   std::string text = what;
-  for (std::size_t d = 0; d < names.size(); ++d) {
-    if (active[d]) text += fmt::format("{} {}", text == what ? "" : ",", names[d]);
+  for (std::size_t d = 0; d < direction_names.size(); ++d) {
+    if (active[d]) text += fmt::format("{} {}", text == what ? "" : ",", direction_names[d]);
   }
   return text;
 }
@@ -147,7 +146,7 @@ Json list_parts(const SceneReport& scene, const ChunkedMesh& chunked, const Chun
   std::vector<double> steps(scene.parts.size(), std::numeric_limits<double>::infinity());
   std::vector<int> controlling(scene.parts.size(), -1);
   for (std::size_t c = 0; c < bounds.extent(0); ++c) {
-    const std::size_t part = index(chunked.chunks[c].part);
+    const std::size_t part = at(chunked.chunks[c].part);
     if (bounds(c) >= steps[part]) continue;
     steps[part] = bounds(c);
     controlling[part] = elements(c);
@@ -169,8 +168,8 @@ Json list_parts(const SceneReport& scene, const ChunkedMesh& chunked, const Chun
 
 Json describe(const StartOverlap& overlap, const Mesh& mesh, const Deck& deck) {
   const auto name = [&](int part) {
-    if (part >= 0) return mesh.parts[index(part)].name;
-    const std::string& wall = deck.walls[index(-1 - part)].name;
+    if (part >= 0) return mesh.parts[at(part)].name;
+    const std::string& wall = deck.walls[at(-1 - part)].name;
     return wall.empty() ? fmt::format("walls.{}", -1 - part) : wall;
   };
   Json parts = Json::array(), gaps = Json::array();

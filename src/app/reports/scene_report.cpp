@@ -9,7 +9,9 @@
 #include "comm/agreement.hpp"
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
+#include "src/app/reports/report_lines.hpp"
 #include "src/deck/units.hpp"
+#include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/output/warning_log.hpp"
 #include "src/step/model/whole_mesh.hpp"
@@ -17,48 +19,41 @@
 namespace percuss {
 namespace {
 
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-std::string line(const std::string& label, const std::string& text) { return fmt::format("{:<10}{}\n", label, text); }
-
-template <class Count>
-std::string count(Count n, const std::string& what, const std::string& plural) {
-  return fmt::format("{} {}", n, n == 1 ? what : plural);
-}
-
 std::string format_parts(const SceneReport& scene) {
   std::size_t width = 4;
   for (const PartReport& part : scene.parts) width = std::max(width, part.name.size());
   const std::string unit = unit_suffix(scene.deck.units, dimensions::mass);
-  std::string text = line("parts", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12}  material", "name", width, "elements",
-                                               "nodes", unit.empty() ? "mass" : "mass [" + unit.substr(1) + "]"));
+  std::string text =
+      format_line("parts", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12}  material", "name", width, "elements", "nodes",
+                                       unit.empty() ? "mass" : "mass [" + unit.substr(1) + "]"));
   double total = 0;
   for (const PartReport& part : scene.parts) {
-    text += line("", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12.6g}  {}", part.name, width, part.elements, part.nodes,
-                                 part.mass, part.material));
+    text += format_line("", fmt::format("{:<{}}  {:>10}  {:>10}  {:>12.6g}  {}", part.name, width, part.elements,
+                                        part.nodes, part.mass, part.material));
     total += part.mass;
   }
-  return text + line("total", fmt::format("{}, {}, {}, mass {:.6g}{}", count(scene.elements, "element", "elements"),
-                                          count(scene.nodes, "node", "nodes"), count(scene.bodies, "body", "bodies"),
-                                          total, unit));
+  return text + format_line("total", fmt::format("{}, {}, {}, mass {:.6g}{}",
+                                                 format_count(scene.elements, "element", "elements"),
+                                                 format_count(scene.nodes, "node", "nodes"),
+                                                 format_count(scene.bodies, "body", "bodies"), total, unit));
 }
 
 /// What the deck changes in the mesh.
 std::string format_changes(const SceneReport& scene) {
   std::string text;
-  for (const std::string& note : scene.mesh_notes) text += line(text.empty() ? "changed" : "", note);
+  for (const std::string& note : scene.mesh_notes) text += format_line(text.empty() ? "changed" : "", note);
   return text;
 }
 
 std::string format_springs(const SceneReport& scene) {
   std::string text;
-  for (const std::string& note : scene.spring_notes) text += line(text.empty() ? "springs" : "", note);
+  for (const std::string& note : scene.spring_notes) text += format_line(text.empty() ? "springs" : "", note);
   return text;
 }
 
 std::string format_joints(const SceneReport& scene) {
   std::string text;
-  for (const std::string& joint : scene.joints) text += line(text.empty() ? "joints" : "", joint);
+  for (const std::string& joint : scene.joints) text += format_line(text.empty() ? "joints" : "", joint);
   return text;
 }
 
@@ -73,30 +68,31 @@ std::vector<std::string> describe_joints(const Mesh& mesh) {
     }
     const std::string apart =
         joint.farthest > 0 ? fmt::format(" (merged from up to {:.2g} apart)", joint.farthest) : "";
-    texts.push_back(fmt::format("'{}' and '{}' share {}{}", mesh.parts[index(joint.part)].name,
-                                mesh.parts[index(joint.other)].name, count(joint.nodes, "node", "nodes"), apart));
+    texts.push_back(fmt::format("'{}' and '{}' share {}{}", mesh.parts[at(joint.part)].name,
+                                mesh.parts[at(joint.other)].name, format_count(joint.nodes, "node", "nodes"), apart));
   }
   return texts;
 }
 
 std::string format_size(const SceneReport& scene) {
   const Vec3 &low = scene.low, &high = scene.high;
-  return line("extent",
-              fmt::format("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}{}", low[0], high[0], low[1],
-                          high[1], low[2], high[2], unit_suffix(scene.deck.units, dimensions::length)));
+  return format_line(
+      "extent", fmt::format("x {:.6g} to {:.6g}, y {:.6g} to {:.6g}, z {:.6g} to {:.6g}{}", low[0], high[0], low[1],
+                            high[1], low[2], high[2], unit_suffix(scene.deck.units, dimensions::length)));
 }
 
 /// "mm, kg, ms: force kN, stress GPa, energy J"
 std::string format_units(const Units& units) {
-  return line("units", fmt::format("{}: force {}, stress {}, energy {}", units.text(), units.name_of(dimensions::force),
-                                   units.name_of(dimensions::stress), units.name_of(dimensions::energy)));
+  return format_line("units",
+                     fmt::format("{}: force {}, stress {}, energy {}", units.text(), units.name_of(dimensions::force),
+                                 units.name_of(dimensions::stress), units.name_of(dimensions::energy)));
 }
 
 /// "friction 0.1, 1 pair with its own"
 std::string format_friction(const ContactDeck& contact) {
   const std::string text = fmt::format("friction {:g}", contact.friction);
   if (contact.frictions.empty()) return text;
-  return text + ", " + count(contact.frictions.size(), "pair with its own", "pairs with their own");
+  return text + ", " + format_count(contact.frictions.size(), "pair with its own", "pairs with their own");
 }
 
 std::string format_contact(const SceneReport& scene) {
@@ -104,27 +100,28 @@ std::string format_contact(const SceneReport& scene) {
   using Surfaces = ContactDeck::Surfaces;
   std::string text = "none (bodies pass through each other)";
   if (contact.surfaces != Surfaces::none) {
-    text = contact.surfaces == Surfaces::all ? "all surfaces"
-                                             : count(contact.pairs.size(), "pair of surfaces", "pairs of surfaces");
+    text = contact.surfaces == Surfaces::all
+               ? "all surfaces"
+               : format_count(contact.pairs.size(), "pair of surfaces", "pairs of surfaces");
     text += fmt::format(", {}; {} contact nodes, {} contact faces", format_friction(contact), scene.contact_nodes,
                         scene.contact_faces);
   }
-  if (!scene.deck.walls.empty()) text += "; " + count(scene.deck.walls.size(), "wall", "walls");
-  std::string lines = line("contact", text);
-  for (const std::string& note : scene.contact_notes) lines += line("", note);
+  if (!scene.deck.walls.empty()) text += "; " + format_count(scene.deck.walls.size(), "wall", "walls");
+  std::string lines = format_line("contact", text);
+  for (const std::string& note : scene.contact_notes) lines += format_line("", note);
   return lines;
 }
 
 std::string format_loads(const Deck& deck) {
   std::string text;
   const auto add = [&](const std::string& item) { text += (text.empty() ? "" : ", ") + item; };
-  if (!deck.initial.empty()) add(count(deck.initial.size(), "initial velocity", "initial velocities"));
-  if (!deck.conditions.empty()) add(count(deck.conditions.size(), "condition", "conditions"));
-  if (!deck.pressures.empty()) add(count(deck.pressures.size(), "pressure", "pressures"));
-  if (!deck.nodal_loads.empty()) add(count(deck.nodal_loads.size(), "load on nodes", "loads on nodes"));
+  if (!deck.initial.empty()) add(format_count(deck.initial.size(), "initial velocity", "initial velocities"));
+  if (!deck.conditions.empty()) add(format_count(deck.conditions.size(), "condition", "conditions"));
+  if (!deck.pressures.empty()) add(format_count(deck.pressures.size(), "pressure", "pressures"));
+  if (!deck.nodal_loads.empty()) add(format_count(deck.nodal_loads.size(), "load on nodes", "loads on nodes"));
   if (deck.gravity.any()) add("gravity");
   if (!deck.dampings.empty()) add("damping");
-  return line("loads", text.empty() ? "none" : text);
+  return format_line("loads", text.empty() ? "none" : text);
 }
 
 std::string format_output(const Deck& deck) {
@@ -140,14 +137,14 @@ std::string format_output(const Deck& deck) {
   }
   if (output.checkpoint_every) text += fmt::format(", checkpoint every {:g}", *output.checkpoint_every);
   if (output.checkpoint_wall) text += fmt::format(", checkpoint every {:g} s by the clock", *output.checkpoint_wall);
-  return line("output", text);
+  return format_line("output", text);
 }
 
 std::string format_step(const SceneReport& scene) {
   const double end = scene.deck.time.end;
   const std::string unit = unit_suffix(scene.deck.units, dimensions::time);
-  return line("time",
-              fmt::format("0 to {:g}{}; first step {:.4g}{} ({} controls it), about {:.0f} steps if it stays so", end,
+  return format_line(
+      "time", fmt::format("0 to {:g}{}; first step {:.4g}{} ({} controls it), about {:.0f} steps if it stays so", end,
                           unit, scene.first_step, unit, scene.controlling_element, std::ceil(end / scene.first_step)));
 }
 
@@ -158,9 +155,9 @@ std::vector<PartReport> describe_parts(const Deck& deck, const ChunkedMesh& chun
   std::vector<ExactSum> masses(count);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const ElementBlock& block = mesh.block_of(e);
-    const double density = deck.materials.at(index(block.material)).density;
-    masses[index(block.part)].add(density * find_element_volume(mesh, e));
-    ++counts[index(block.part)];
+    const double density = deck.materials.at(at(block.material)).density;
+    masses[at(block.part)].add(density * find_element_volume(mesh, e));
+    ++counts[at(block.part)];
   }
   for (std::size_t p = 0; p < count; ++p) {
     const std::vector<int>& nodes = mesh.node_sets.at(mesh.parts[p].name);
@@ -206,7 +203,7 @@ std::string describe_element(const ChunkedMesh& chunked, std::int64_t number) {
 
 std::string format_scene(const SceneReport& scene) {
   const Deck& deck = scene.deck;
-  std::string text = line("deck", deck.file + (deck.title.empty() ? "" : ": " + deck.title));
+  std::string text = format_line("deck", deck.file + (deck.title.empty() ? "" : ": " + deck.title));
   if (const auto units = find_units(deck.units)) text += format_units(*units);
   text += format_parts(scene) + format_joints(scene) + format_springs(scene) + format_changes(scene) +
           format_size(scene) + format_contact(scene) + format_loads(deck) + format_output(deck) + format_step(scene);

@@ -4,12 +4,11 @@
 
 #include <utility>
 
+#include "src/app/reports/report_lines.hpp"
 #include "src/output/warning_log.hpp"
 
 namespace percuss {
 namespace {
-
-std::string line(const std::string& label, const std::string& text) { return fmt::format("{:<10}{}\n", label, text); }
 
 // The phases that took time, as shares of the loop.
 std::string format_phases(const Summary& summary) {
@@ -29,7 +28,7 @@ std::string format_phases(const Summary& summary) {
     if (seconds <= 0 || summary.loop_s <= 0) continue;
     text += fmt::format("{}{} {:.1f} %", text.empty() ? "" : ", ", name, 100 * seconds / summary.loop_s);
   }
-  return text.empty() ? "" : line("phases", text);
+  return text.empty() ? "" : format_line("phases", text);
 }
 
 std::string format_warnings(const Summary& s) {
@@ -57,37 +56,38 @@ std::string format_added_mass(const Summary& s) {
 }
 
 std::string format_summary(const Summary& s) {
-  std::string text = line("status", s.status + (s.error.empty() ? "" : ": " + s.error));
-  text +=
-      line("program", fmt::format("percuss {}, {} back end, {} precision, {} rank{}, {} thread{}", s.version, s.backend,
+  std::string text = format_line("status", s.status + (s.error.empty() ? "" : ": " + s.error));
+  text += format_line("program",
+                      fmt::format("percuss {}, {} back end, {} precision, {} rank{}, {} thread{}", s.version, s.backend,
                                   s.precision, s.ranks, s.ranks == 1 ? "" : "s", s.threads, s.threads == 1 ? "" : "s"));
-  text += line("scene", fmt::format("{} elements, {} nodes; {} contact nodes, {} contact faces", s.elements, s.nodes,
-                                    s.contact_nodes, s.contact_faces));
+  text += format_line("scene", fmt::format("{} elements, {} nodes; {} contact nodes, {} contact faces", s.elements,
+                                           s.nodes, s.contact_nodes, s.contact_faces));
   if (s.status == "running") return text + format_warnings(s);  // the rest comes at its end
   const std::string controller =
       s.dt.spring.empty() ? fmt::format("element {}", s.dt.element) : fmt::format("spring '{}'", s.dt.spring);
-  text += line("time", fmt::format("{:.6g} in {} steps; step {:.4g} to {:.4g}, last {:.4g} ({})", s.time, s.steps,
-                                   s.dt.min, s.dt.max, s.dt.last, controller));
+  text += format_line("time", fmt::format("{:.6g} in {} steps; step {:.4g} to {:.4g}, last {:.4g} ({})", s.time,
+                                          s.steps, s.dt.min, s.dt.max, s.dt.last, controller));
   if (s.dt.estimates > 0) {
-    text += line("", fmt::format("{:.4g} times what the elements alone allow, by {} estimates of the whole mesh",
-                                 s.dt.gain, s.dt.estimates));
+    text += format_line("", fmt::format("{:.4g} times what the elements alone allow, by {} estimates of the whole mesh",
+                                        s.dt.gain, s.dt.estimates));
   }
-  text += line("took", fmt::format("set-up {:.3g} s, loop {:.3g} s, {:.4g} ns per element and step; {:.4g} MB at most",
-                                   s.setup_s, s.loop_s, s.grind_ns, static_cast<double>(s.peak_bytes) / 1e6));
+  text += format_line("took",
+                      fmt::format("set-up {:.3g} s, loop {:.3g} s, {:.4g} ns per element and step; {:.4g} MB at most",
+                                  s.setup_s, s.loop_s, s.grind_ns, static_cast<double>(s.peak_bytes) / 1e6));
   text += format_phases(s);
   const EnergySummary& e = s.energy;
-  text += line(
+  text += format_line(
       "energy",
       fmt::format("initial {:.6g}, kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, viscous {:.6g}, folding {:.6g}",
                   e.initial, e.kinetic, e.internal, e.hourglass, e.viscous, e.folding));
-  text += line("", fmt::format("contact {:.6g}, friction {:.6g}, damping {:.6g}, external {:.6g}; error {:.2g}",
-                               e.contact, e.friction, e.damping, e.external, e.error));
-  text += line("momentum", fmt::format("linear ({:.6g}, {:.6g}, {:.6g}), error {:.2g}; angular error {:.2g}",
-                                       s.momentum.linear[0], s.momentum.linear[1], s.momentum.linear[2],
-                                       s.momentum.linear_error, s.momentum.angular_error));
-  if (s.mass.added > 0) text += line("mass", format_added_mass(s));
-  if (s.eroded.elements > 0) text += line("eroded", format_eroded(s));
-  return text + line("state", "hash " + s.state_hash) + format_warnings(s);
+  text += format_line("", fmt::format("contact {:.6g}, friction {:.6g}, damping {:.6g}, external {:.6g}; error {:.2g}",
+                                      e.contact, e.friction, e.damping, e.external, e.error));
+  text += format_line("momentum", fmt::format("linear ({:.6g}, {:.6g}, {:.6g}), error {:.2g}; angular error {:.2g}",
+                                              s.momentum.linear[0], s.momentum.linear[1], s.momentum.linear[2],
+                                              s.momentum.linear_error, s.momentum.angular_error));
+  if (s.mass.added > 0) text += format_line("mass", format_added_mass(s));
+  if (s.eroded.elements > 0) text += format_line("eroded", format_eroded(s));
+  return text + format_line("state", "hash " + s.state_hash) + format_warnings(s);
 }
 
 }  // namespace percuss

@@ -5,6 +5,7 @@
 
 #include "kernels/material/pressure/equation_of_state.hpp"
 #include "src/checks/rules.hpp"
+#include "src/deck/asked_for.hpp"
 #include "src/mesh/hex_geometry.hpp"
 
 namespace percuss {
@@ -90,8 +91,6 @@ bool is_cut_off(const std::vector<std::pair<double, double>>& rows, double end) 
   return std::abs(last) > flat * largest && std::abs(last - before) > flat * largest;
 }
 
-constexpr const char* directions[] = {"x", "y", "z", "rx", "ry", "rz"};
-
 }  // namespace
 
 std::vector<Warning> check_stopped_velocity(const CheckedScene& scene) {
@@ -158,10 +157,10 @@ std::vector<Warning> check_prescribed_speed(const CheckedScene& scene) {
       if (speed <= wave) continue;
       const std::string path = join_path("conditions", c) + (is_displacement ? ".displacement." : ".velocity.");
       warnings.push_back(
-          warn_at(scene.deck, "prescribed_speed", path + directions[k],
+          warn_at(scene.deck, "prescribed_speed", path + direction_names[k],
                   fmt::format("these nodes are moved at up to {:.4g} along {} (waves in their material run at "
                               "{:.4g}, so that nothing can follow): check the units of the curve",
-                              speed, directions[k], wave)));
+                              speed, direction_names[k], wave)));
     }
   }
   return warnings;
@@ -183,14 +182,14 @@ std::vector<Warning> check_curve_end(const CheckedScene& scene) {
     const bool is_velocity = deck.conditions[c].kind == ConditionDeck::Kind::velocity;
     for (std::size_t k = 0; k < 6; ++k)
       check(deck.conditions[c].value[k],
-            join_path("conditions", c) + (is_velocity ? ".velocity." : ".displacement.") + directions[k]);
+            join_path("conditions", c) + (is_velocity ? ".velocity." : ".displacement.") + direction_names[k]);
   }
   for (std::size_t i = 0; i < deck.pressures.size(); ++i)
     check(deck.pressures[i].value, join_path("loads.pressure", i) + ".value");
   for (std::size_t i = 0; i < deck.nodal_loads.size(); ++i) {
     for (std::size_t k = 0; k < 6; ++k)
       check(deck.nodal_loads[i].value[k],
-            join_path("loads.nodal", i) + (k < 3 ? ".force." : ".moment.") + directions[k % 3]);
+            join_path("loads.nodal", i) + (k < 3 ? ".force." : ".moment.") + direction_names[k % 3]);
   }
   return warnings;
 }

@@ -146,6 +146,7 @@ void Enforcer::clear_last_impulse(const ContactMotion& motion) {
   num_pushed_ = 0;
   last_impulse_ = motion.impulse.data();
   was_pushed_ = false;
+  restored_pushes_ = {};
 }
 
 /// Copies of nodes on other ranks get what their owners found.
@@ -186,6 +187,7 @@ void Enforcer::repeat(const ContactMotion& motion) {
 }
 
 Rows3<double> Enforcer::find_pushes() {
+  if (restored_pushes_.extent(0) > 0) return restored_pushes_;
   const Rows3<double> pushes("contact::node_pushes", node_numbers_.extent(0));
   if (!has_solved_) return pushes;
   Array<RowSides> marks("contact::push_marks", 0);

@@ -44,8 +44,10 @@ class Enforcer {
   void repeat(const ContactMotion& motion);
 
   /// What the pushes along the normals gave to the nodes in the last step [force x time]: [mesh nodes], of copies of
-  /// others' nodes zero; zero after a restart until the next step. Collective.
+  /// others' nodes zero. Collective.
   Rows3<double> find_pushes();
+  /// After a restart they are these until the next step.
+  void restore_pushes(const Rows3<double>& pushes) { restored_pushes_ = pushes; }
 
   void archive(CheckpointArchive& archive);
 
@@ -92,6 +94,7 @@ class Enforcer {
   double last_dt_ = 0;
   std::int64_t last_pushes_ = -1;  // of all ranks in the last step; -1: not known
   bool has_solved_ = false;        // system_ is that of the last step
+  Rows3<double> restored_pushes_;  // of the step before a restart; empty from the next one on
   bool remembers_ = true;          // the history may hold something
 };
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "kernels/shell/thickness_points.hpp"
-#include "src/deck/history_parts.hpp"
+#include "src/deck/asked_for.hpp"
 #include "src/deck/reading/deck_keys.hpp"
 
 namespace percuss {

@@ -39,12 +39,6 @@ std::uint64_t find_file_bytes(const std::string& path) {
   return static_cast<std::uint64_t>(size);
 }
 
-hdf5::Handle open_hdf5(const std::string& path) {
-  const hdf5::Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "open the file"), H5Pclose);
-  check(H5Pset_file_locking(access.get(), false, true), "open the file");
-  return {check(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), "open it as HDF5"), H5Fclose};
-}
-
 /// Calls work(); what HDF5 cannot do becomes an error of the input.
 template <class Work>
 void read_or_refuse(const std::string& path, const Work& work) {
@@ -141,7 +135,7 @@ CheckpointReader::CheckpointReader(const std::string& path, const ChunkedMesh& m
 void CheckpointReader::load() {
   check_structure(path_);
   file_bytes_ = find_file_bytes(path_);
-  file_ = open_hdf5(path_);
+  file_ = hdf5::open_unlocked(path_, H5F_ACC_RDONLY);
   header_ = read_header(file_.get(), file_bytes_, path_);
   const hdf5::Handle group = hdf5::open_group(file_.get(), names::header);
   const auto integers = [&](const char* name) {
@@ -248,7 +242,9 @@ void CheckpointReader::rows(const std::string& name, const ChunkRows& rows, int 
 
 CheckpointHeader read_unsealed_header(const std::string& path) {
   CheckpointHeader header;
-  read_or_refuse(path, [&] { header = read_header(open_hdf5(path).get(), find_file_bytes(path), path); });
+  read_or_refuse(path, [&] {
+    header = read_header(hdf5::open_unlocked(path, H5F_ACC_RDONLY).get(), find_file_bytes(path), path);
+  });
   return header;
 }
 
@@ -260,7 +256,7 @@ CheckpointHeader read_checkpoint_header(const std::string& path) {
   const auto read = [&] {
     read_or_refuse(path, [&] {
       check_structure(path);
-      const hdf5::Handle file = open_hdf5(path);
+      const hdf5::Handle file = hdf5::open_unlocked(path, H5F_ACC_RDONLY);
       header = read_header(file.get(), bytes, path);
       check_content(header, file.get(), bytes, path);
     });
@@ -273,7 +269,7 @@ CheckpointHeader read_checkpoint_header(const std::string& path) {
 bool is_checkpoint(const std::string& path) {
   const hdf5::QuietErrors quiet;
   try {
-    return H5Lexists(open_hdf5(path).get(), names::header, H5P_DEFAULT) > 0;
+    return H5Lexists(hdf5::open_unlocked(path, H5F_ACC_RDONLY).get(), names::header, H5P_DEFAULT) > 0;
   } catch (const hdf5::Error&) {
     return false;
   }

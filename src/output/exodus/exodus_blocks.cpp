@@ -89,7 +89,7 @@ std::vector<ExodusBlock> list_exodus_blocks(const ChunkedMesh& chunked, const Co
       const std::string& part = chunked.mesh.parts[p].name;
       auto rows = std::make_unique<RowBlocks>(ranks, count_up(placed.local.size()), placed.places, placed.all);
       blocks.push_back({several ? fmt::format("{} {}", part, topologies[k].name) : part, static_cast<TopologyKind>(k),
-                        placed.all, std::move(placed.local), std::move(rows)});
+                        placed.all, std::move(placed.local), std::move(placed.places), std::move(rows)});
     }
   }
   return blocks;

@@ -17,9 +17,10 @@ namespace percuss {
 struct ExodusBlock {
   std::string name;  // the part's; where it has several kinds of elements, with the kind: "can quad4"
   TopologyKind topology{};
-  std::int64_t elements = 0;        // of all ranks
-  std::vector<int> local;           // this rank's, ascending
-  std::unique_ptr<RowBlocks> rows;  // their way into the file
+  std::int64_t elements = 0;         // of all ranks
+  std::vector<int> local;            // this rank's, ascending
+  std::vector<std::int64_t> places;  // [local] among all of the block, from 0
+  std::unique_ptr<RowBlocks> rows;   // their way into the file
 
   std::size_t corners() const { return static_cast<std::size_t>(find_topology(topology).corner_count); }
   /// "HEX8", "SHELL4"

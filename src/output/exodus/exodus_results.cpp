@@ -7,8 +7,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "src/output/earlier/earlier_results.hpp"
 #include "src/output/exodus/exodus_blocks.hpp"
-#include "src/output/exodus/exodus_restart.hpp"
+#include "src/output/exodus/exodus_sets.hpp"
 #include "src/output/exodus/exodus_variables.hpp"
 #include "src/output/exodus/netcdf_variables.hpp"
 #include "src/output/fields/field_units.hpp"
@@ -19,11 +20,12 @@
 namespace percuss {
 namespace {
 
-// Most bytes that a frame adds to the metadata of a table, that a variable takes, and that a file starts with.
+// Most bytes of metadata that a frame adds beside the index of its tables, that a variable takes, and that a file
+// starts with.
 constexpr std::uint64_t frame_metadata_bytes = std::uint64_t{64} << 10, variable_bytes = std::uint64_t{16} << 10,
                         file_bytes = std::uint64_t{512} << 10;
 // Id and coordinates; corners and id; and the dimension scales, whose numbers several ranks store.
-constexpr std::uint64_t mesh_bytes_per_node = 4 * 8 + 4, mesh_bytes_per_element = 8 * 9 + 2 * 4;
+constexpr std::uint64_t exodus_bytes_per_node = 4 * 8 + 4, exodus_bytes_per_element = 8 * 9 + 2 * 4;
 
 constexpr std::size_t line_length = 80;    // of titles and information records
 constexpr std::size_t string_length = 32;  // of QA records
@@ -32,9 +34,12 @@ constexpr float format_version = 8.11F;
 constexpr int all_integers_are_long = 0xe000;  // ids, maps and connectivity (exodusII.h: EX_ALL_INT64_DB)
 constexpr std::uint64_t growing = 0;           // length of such a dimension
 
-EarlierFrames find_kept(const ChunkedMesh& chunked, std::int64_t frames) {
-  return {static_cast<hsize_t>(frames), static_cast<hsize_t>(chunked.numbering.node_count()),
-          static_cast<hsize_t>(chunked.numbering.element_count())};
+/// Half the entries of a node of the index of each variable, which is there whole from the first frame on: in a file of
+/// many blocks nodes are small, so that they take about as much as with few.
+unsigned choose_chunk_index(std::size_t blocks) {
+  constexpr std::size_t blocks_with_most = 64;
+  constexpr unsigned least = 32;
+  return std::max(least, hdf5::most_chunk_index / static_cast<unsigned>(1 + (blocks - 1) / blocks_with_most));
 }
 
 /// No more than the format holds, without half a character of UTF-8.
@@ -45,6 +50,13 @@ std::string cut_text(std::string text, std::size_t most) {
   return text;
 }
 
+/// What the variables of a kind of set are called.
+struct SetNames {
+  const char *count, *prefix, *size, *members;
+};
+constexpr SetNames node_set_names{"num_node_sets", "ns", "num_nod_ns", "node_ns"};
+constexpr SetNames side_set_names{"num_side_sets", "ss", "num_side_ss", "elem_ss"};
+
 std::string name_block_dimension(const char* kind, std::size_t block) { return fmt::format("{}{}", kind, block + 1); }
 
 }  // namespace
@@ -53,13 +65,15 @@ struct ExodusResults::Impl {
   Impl(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& given, const Communicator& all_ranks)
       : ranks(all_ranks),
         options(given),
-        file(path, all_ranks, {hdf5::LinkOrder::by_creation, [this] { release(); }, count_exodus_frames}),
+        blocks(list_exodus_blocks(chunked, all_ranks)),
+        file(path, all_ranks,
+             {hdf5::LinkOrder::by_creation, choose_chunk_index(blocks.size()), [this] { release(); },
+              exodus_frames.count_frames}),
         fields(chunked.mesh),
         nodes(static_cast<std::size_t>(chunked.numbering.node_count())),
         elements(static_cast<std::size_t>(chunked.numbering.element_count())),
         node_rows(all_ranks, find_owned_nodes(chunked, all_ranks), chunked.mesh.node_numbers,
-                  chunked.numbering.node_count()),
-        blocks(list_exodus_blocks(chunked, all_ranks)) {}
+                  chunked.numbering.node_count()) {}
 
   NetcdfFile netcdf() { return {file.id(), dimensions}; }
   hdf5::RowBlock node_block() { return file.complete(node_rows.block()); }
@@ -67,12 +81,15 @@ struct ExodusResults::Impl {
   void write_texts(const std::string& name, std::span<const std::string> names, std::span<const std::string> texts);
 
   void create(const Mesh& mesh);
+  std::uint64_t find_bytes() const;
   std::size_t find_name_length() const;
   void write_header();
   void create_dimensions();
   void write_nodes(const Mesh& mesh);
   void write_elements(const Mesh& mesh);
   void write_connectivity(const Mesh& mesh, std::size_t block);
+  void write_entities(const std::string& prefix, const std::string& dimension, std::span<const std::string> names);
+  void write_sets(const SetNames& of, const std::vector<ExodusSet>& found);
   void write_records();
   void create_steps();
 
@@ -87,11 +104,12 @@ struct ExodusResults::Impl {
 
   Communicator ranks;
   FieldsOptions options;
+  std::vector<ExodusBlock> blocks;
   hdf5::DurableFile file;
   FrameFields fields;
   std::size_t nodes, elements;  // of the whole mesh
   RowBlocks node_rows;
-  std::vector<ExodusBlock> blocks;
+  ExodusSets sets;  // until they are written
   NetcdfDimensions dimensions;
   std::optional<hdf5::FrameTable> times, globals;
   std::vector<ExodusVariable> node_variables, element_variables;
@@ -111,22 +129,36 @@ void ExodusResults::Impl::write_texts(const std::string& name, std::span<const s
   netcdf().write_texts(name, names, file.block_of_first_rank(1).transfer, ranks.rank() == 0, texts);
 }
 
+std::uint64_t ExodusResults::Impl::find_bytes() const {
+  std::uint64_t bytes =
+      file_bytes + nodes * exodus_bytes_per_node + elements * exodus_bytes_per_element + blocks.size() * variable_bytes;
+  for (const auto* kind : {&sets.of_nodes, &sets.of_sides}) {
+    for (const ExodusSet& set : *kind) bytes += 2 * (variable_bytes + sizeof(std::int64_t) * set.members.size());
+  }
+  return bytes;
+}
+
 void ExodusResults::Impl::create(const Mesh& mesh) {
-  const std::uint64_t bytes =
-      file_bytes + nodes * mesh_bytes_per_node + elements * mesh_bytes_per_element + blocks.size() * variable_bytes;
-  file.create(bytes, [&] {
+  sets = list_exodus_sets(mesh, blocks, options, ranks);
+  file.create(find_bytes(), [&] {
     write_header();
     create_dimensions();
     create_steps();
     write_nodes(mesh);
     write_elements(mesh);
+    write_sets(node_set_names, sets.of_nodes);
+    write_sets(side_set_names, sets.of_sides);
     write_records();
   });
+  sets = {};
 }
 
 std::size_t ExodusResults::Impl::find_name_length() const {
   std::size_t length = least_name_length;
   for (const ExodusBlock& block : blocks) length = std::max(length, block.name.size());
+  for (const auto* kind : {&sets.of_nodes, &sets.of_sides}) {
+    for (const ExodusSet& set : *kind) length = std::max(length, set.name.size());
+  }
   return length;
 }
 
@@ -163,9 +195,9 @@ void ExodusResults::Impl::create_dimensions() {
 }
 
 void ExodusResults::Impl::create_steps() {
-  times.emplace(file.id(), "time_whole", hdf5::FrameTable::Shape{1, true});
+  times.emplace(file.id(), "time_whole", hdf5::FrameTable::Shape{1, true, true});
   dimensions.attach(times->id(), std::array<std::string, 1>{"time_step"});
-  globals.emplace(file.id(), "vals_glo_var", hdf5::FrameTable::Shape{1});
+  globals.emplace(file.id(), "vals_glo_var", hdf5::FrameTable::Shape{1, false, true});
   dimensions.attach(globals->id(), std::array<std::string, 2>{"frame_rows", "num_glo_var"});
   write_texts("name_glo_var", std::array<std::string, 2>{"num_glo_var", "len_name"},
               std::array<std::string, 1>{"step"});
@@ -184,20 +216,40 @@ void ExodusResults::Impl::write_nodes(const Mesh& mesh) {
                           node_rows.gather(std::span<const std::int64_t>(mesh.node_ids), 1));
 }
 
-void ExodusResults::Impl::write_elements(const Mesh& mesh) {
-  std::vector<std::int64_t> ids, in_use(blocks.size(), 1);
-  std::vector<std::string> names;
-  for (const ExodusBlock& block : blocks) {
-    ids.push_back(static_cast<std::int64_t>(ids.size()) + 1);
-    names.push_back(block.name);
-  }
-  const hdf5::RowBlock one = file.block_of_first_rank(blocks.size());
-  netcdf().write_integers("eb_status", "num_el_blk", one, in_use);
-  netcdf().write_integers("eb_prop1", "num_el_blk", one, ids);
-  const hdf5::Handle property(hdf5::check(H5Dopen2(file.id(), "eb_prop1", H5P_DEFAULT), "open dataset eb_prop1"),
+/// Ids from 1, and names, of blocks or sets.
+void ExodusResults::Impl::write_entities(const std::string& prefix, const std::string& dimension,
+                                         std::span<const std::string> names) {
+  std::vector<std::int64_t> ids, in_use(names.size(), 1);
+  for (std::size_t i = 0; i < names.size(); ++i) ids.push_back(static_cast<std::int64_t>(i) + 1);
+  const hdf5::RowBlock one = file.block_of_first_rank(names.size());
+  const std::string id = prefix + "_prop1";
+  netcdf().write_integers(prefix + "_status", dimension, one, in_use);
+  netcdf().write_integers(id, dimension, one, ids);
+  const hdf5::Handle property(hdf5::check(H5Dopen2(file.id(), id.c_str(), H5P_DEFAULT), "open dataset " + id),
                               H5Dclose);
   hdf5::write_attribute(property.get(), "name", std::string("ID"));
-  write_texts("eb_names", std::array<std::string, 2>{"num_el_blk", "len_name"}, names);
+  write_texts(prefix + "_names", std::array<std::string, 2>{dimension, "len_name"}, names);
+}
+
+void ExodusResults::Impl::write_sets(const SetNames& of, const std::vector<ExodusSet>& found) {
+  if (found.empty()) return;
+  std::vector<std::string> names;
+  for (const ExodusSet& set : found) names.push_back(set.name);
+  dimensions.create(file.id(), of.count, names.size());
+  write_entities(of.prefix, of.count, names);
+  for (std::size_t s = 0; s < found.size(); ++s) {
+    const std::string size = fmt::format("{}{}", of.size, s + 1);
+    dimensions.create(file.id(), size, found[s].members.size());
+    const hdf5::RowBlock rows = file.block_of_first_rank(found[s].members.size());
+    netcdf().write_integers(fmt::format("{}{}", of.members, s + 1), size, rows, found[s].members);
+    if (&of == &side_set_names) netcdf().write_integers(fmt::format("side_ss{}", s + 1), size, rows, found[s].sides);
+  }
+}
+
+void ExodusResults::Impl::write_elements(const Mesh& mesh) {
+  std::vector<std::string> names;
+  for (const ExodusBlock& block : blocks) names.push_back(block.name);
+  write_entities("eb", "num_el_blk", names);
   hdf5::Table map(file.id(), "elem_num_map", H5T_STD_I64LE, 1, elements);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     write_connectivity(mesh, b);
@@ -285,7 +337,7 @@ std::uint64_t ExodusResults::Impl::prepare_frame(std::span<const FieldData> fram
     else
       create_variables(frame);
   }
-  std::uint64_t bytes = frame_metadata_bytes * (2 + node_tables.size() + element_tables.size());
+  std::uint64_t bytes = frame_metadata_bytes + times->growth_bytes() + globals->growth_bytes();
   for (const auto* tables : {&node_tables, &element_tables}) {
     for (const hdf5::FrameTable& table : *tables) bytes += table.growth_bytes();
   }
@@ -320,18 +372,18 @@ void ExodusResults::Impl::write_element_variables(std::span<const FieldData> fra
 ExodusResults::ExodusResults(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
                              const Communicator& ranks) {
   const hdf5::QuietErrors quiet;
-  impl_ = std::make_unique<Impl>(directory + "/" + exodus_results_name, chunked, options, ranks);
+  impl_ = std::make_unique<Impl>(directory + "/" + exodus_frames.file_name, chunked, options, ranks);
   impl_->create(chunked.mesh);
 }
 
 ExodusResults::ExodusResults(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
                              const Communicator& ranks, std::int64_t frames, std::span<const std::string> fields) {
   const hdf5::QuietErrors quiet;
-  const std::string path = directory + "/" + exodus_results_name;
-  const EarlierFrames kept = find_kept(chunked, frames);
+  const std::string path = directory + "/" + exodus_frames.file_name;
+  const FramesInFile kept = find_kept(chunked, frames);
   run_on_first_rank(ranks, [&] {
-    check_exodus_results(path, kept, fields);
-    cut_exodus_results(path, kept);
+    check_earlier_results(exodus_frames, path, kept, fields);
+    cut_earlier_results(exodus_frames, path, kept);
   });
   impl_ = std::make_unique<Impl>(path, chunked, options, ranks);
   impl_->file.open(frames, [&] { impl_->open_steps(); });
@@ -339,8 +391,8 @@ ExodusResults::ExodusResults(const std::string& directory, const ChunkedMesh& ch
 
 void ExodusResults::check(const std::string& directory, const ChunkedMesh& chunked, const Communicator& ranks,
                           std::int64_t frames, std::span<const std::string> fields) {
-  run_on_first_rank(
-      ranks, [&] { check_exodus_results(directory + "/" + exodus_results_name, find_kept(chunked, frames), fields); });
+  const std::string path = directory + "/" + exodus_frames.file_name;
+  run_on_first_rank(ranks, [&] { check_earlier_results(exodus_frames, path, find_kept(chunked, frames), fields); });
 }
 
 ExodusResults::~ExodusResults() {

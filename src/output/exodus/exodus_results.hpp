@@ -18,9 +18,6 @@
 
 namespace percuss {
 
-/// The name of the file in its folder.
-inline constexpr const char* exodus_results_name = "fields.exo";
-
 /// All calls are collective and throw as those of FieldsFile.
 class ExodusResults {
  public:

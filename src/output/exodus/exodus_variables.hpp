@@ -9,12 +9,6 @@
 
 namespace percuss {
 
-/// "velocity_x" ... of three components, "stress_xx" ... of six: the endings by which ParaView joins them again.
-std::vector<std::string> list_component_names(const std::string& field, int components);
-
-/// The field of a variable: its name without such an ending.
-std::string find_field_of_variable(const std::string& variable, std::span<const std::string> fields);
-
 /// A component of a field in a frame.
 struct ExodusVariable {
   std::string name;

@@ -15,12 +15,6 @@ using hdf5::Handle;
 
 constexpr hsize_t scale_chunk = 512;
 
-Handle create_properties(const std::string& action) {
-  Handle properties(check(H5Pcreate(H5P_DATASET_CREATE), action), H5Pclose);
-  check(H5Pset_obj_track_times(properties.get(), false), action);
-  return properties;
-}
-
 /// HDF5 takes a dataset for a scale only with texts that end with a zero.
 void write_ended_text(hid_t object, const char* name, const std::string& text) {
   const std::string action = fmt::format("write attribute {}", name);
@@ -45,9 +39,7 @@ Handle create_dataset(hid_t file, const std::string& name, hid_t type, std::span
   const std::string action = "create dataset " + name;
   const Handle space(check(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), action),
                      H5Sclose);
-  const Handle properties = create_properties(action);
-  check(H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY), action);
-  check(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER), action);
+  const Handle properties = hdf5::create_early_properties(action);
   return {check(H5Dcreate2(file, name.c_str(), type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), action),
           H5Dclose};
 }
@@ -62,7 +54,7 @@ void NetcdfDimensions::create(hid_t file, const std::string& name, std::size_t l
   const std::string action = "create dimension " + name;
   const hsize_t extent = length, most = length == 0 ? H5S_UNLIMITED : extent;
   const Handle space(check(H5Screate_simple(1, &extent, &most), action), H5Sclose);
-  const Handle properties = create_properties(action);
+  const Handle properties = hdf5::create_dataset_properties(action);
   if (length == 0) check(H5Pset_chunk(properties.get(), 1, &scale_chunk), action);
   const Handle scale(
       check(H5Dcreate2(file, name.c_str(), H5T_IEEE_F32BE, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
@@ -133,26 +125,6 @@ void NetcdfFile::write_texts(const std::string& name, std::span<const std::strin
   if (!is_writer) check(H5Sselect_none(space.get()), "write dataset " + name);
   check(H5Dwrite(dataset.get(), H5T_C_S1, space.get(), space.get(), transfer, padded.data()), "write dataset " + name);
   dimensions.attach(dataset.get(), names);
-}
-
-std::vector<std::string> read_character_rows(hid_t file, const std::string& name) {
-  const hdf5::Shape shape = hdf5::read_shape(file, name);
-  constexpr hsize_t longest = 65536;
-  if (shape.components > longest || shape.rows > longest) throw hdf5::Error("read " + name, "it has too many texts");
-  const Handle dataset(check(H5Dopen2(file, name.c_str(), H5P_DEFAULT), "open dataset " + name), H5Dclose);
-  const Handle type(check(H5Dget_type(dataset.get()), "read " + name), H5Tclose);
-  if (H5Tget_class(type.get()) != H5T_STRING || H5Tget_size(type.get()) != 1 || H5Tis_variable_str(type.get()) != 0)
-    throw hdf5::Error("read " + name, "it does not hold characters");
-  std::vector<char> padded(shape.rows * shape.components);
-  if (!padded.empty())
-    check(H5Dread(dataset.get(), H5T_C_S1, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()), "read " + name);
-  std::vector<std::string> texts;
-  for (hsize_t i = 0; i < shape.rows; ++i) {
-    const auto begin = padded.begin() + static_cast<std::ptrdiff_t>(i * shape.components);
-    const auto end = begin + static_cast<std::ptrdiff_t>(shape.components);
-    texts.emplace_back(begin, std::find(begin, end, '\0'));
-  }
-  return texts;
 }
 
 void write_int_attribute(hid_t object, const std::string& name, int value) {

@@ -50,9 +50,6 @@ struct NetcdfFile {
                    std::span<const std::string> texts) const;
 };
 
-/// Texts that write_texts() has written in two dimensions. Throws hdf5::Error.
-std::vector<std::string> read_character_rows(hid_t file, const std::string& name);
-
 /// Attributes of a type that netCDF expects.
 void write_int_attribute(hid_t object, const std::string& name, int value);
 void write_float_attribute(hid_t object, const std::string& name, float value);

@@ -121,9 +121,7 @@ hsize_t read_file_size(const std::string& path) {
 }
 
 void open_file(Description& d) {
-  const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "open the file"), H5Pclose);
-  check(H5Pset_file_locking(access.get(), false, true), "open the file");
-  d.file = Handle(check(H5Fopen(d.path.c_str(), H5F_ACC_RDONLY, access.get()), "open it as HDF5"), H5Fclose);
+  d.file = hdf5::open_unlocked(d.path, H5F_ACC_RDONLY);
   d.root = open_group(d.file.get(), "VTKHDF");
   d.own = open_group(d.file.get(), "percuss");
   const auto count = [&](const char* name) {

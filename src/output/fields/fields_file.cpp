@@ -7,8 +7,8 @@
 #include "comm/agreement.hpp"
 #include "comm/all_reduce.hpp"
 #include "src/hdf5/hdf5_handle.hpp"
+#include "src/output/earlier/earlier_results.hpp"
 #include "src/output/fields/field_units.hpp"
-#include "src/output/fields/fields_restart.hpp"
 #include "src/output/fields/vtkhdf_file.hpp"
 #include "src/output/fields/xdmf_text.hpp"
 #include "src/output/files/atomic_file.hpp"
@@ -19,7 +19,7 @@ namespace {
 
 XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options, const Communicator& ranks) {
   XdmfIndex index;
-  index.file = "fields.vtkhdf";
+  index.file = vtkhdf_frames.file_name;
   index.title = options.title;
   index.units = options.units;
   index.walls = options.walls;
@@ -33,11 +33,6 @@ XdmfIndex make_index(const ChunkedMesh& chunked, const FieldsOptions& options, c
 // has, so that all that is written of it in a run is some ten times its length.
 constexpr std::size_t frames_per_new_one = 16;
 
-EarlierFrames find_kept(const ChunkedMesh& chunked, std::int64_t frames) {
-  return {static_cast<hsize_t>(frames), static_cast<hsize_t>(chunked.numbering.node_count()),
-          static_cast<hsize_t>(chunked.numbering.element_count())};
-}
-
 }  // namespace
 
 struct FieldsFile::Impl {
@@ -49,7 +44,7 @@ struct FieldsFile::Impl {
         fields(chunked.mesh),
         precision(options.precision),
         index(make_index(chunked, options, all_ranks)),
-        file(directory + "/fields.vtkhdf", chunked, options, all_ranks) {
+        file(directory + "/" + vtkhdf_frames.file_name, chunked, options, all_ranks) {
     write_index();
     write_parts_index();
   }
@@ -62,7 +57,8 @@ struct FieldsFile::Impl {
         fields(chunked.mesh),
         precision(options.precision),
         index(make_index(chunked, options, all_ranks)),
-        file(directory + "/fields.vtkhdf", chunked, options, all_ranks, static_cast<std::int64_t>(times.size())) {
+        file(directory + "/" + vtkhdf_frames.file_name, chunked, options, all_ranks,
+             static_cast<std::int64_t>(times.size())) {
     index.times = std::move(times);
   }
 
@@ -113,12 +109,12 @@ FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked,
 FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked, const FieldsOptions& options,
                        const Communicator& ranks, std::int64_t frames, std::span<const std::string> fields) {
   const hdf5::QuietErrors quiet;
-  const EarlierFrames kept = find_kept(chunked, frames);
-  const std::string path = directory + "/fields.vtkhdf";
+  const FramesInFile kept = find_kept(chunked, frames);
+  const std::string path = directory + "/" + vtkhdf_frames.file_name;
   std::vector<double> times;
   run_on_first_rank(ranks, [&] {
-    times = check_fields_file(path, kept, fields);
-    cut_fields_file(path, kept);
+    times = check_earlier_results(vtkhdf_frames, path, kept, fields);
+    cut_earlier_results(vtkhdf_frames, path, kept);
   });
   broadcast_values(ranks, times, 0);
   impl_ = std::make_unique<Impl>(directory, chunked, options, ranks, std::move(times));
@@ -126,8 +122,8 @@ FieldsFile::FieldsFile(const std::string& directory, const ChunkedMesh& chunked,
 
 void FieldsFile::check(const std::string& directory, const ChunkedMesh& chunked, const Communicator& ranks,
                        std::int64_t frames, std::span<const std::string> fields) {
-  run_on_first_rank(ranks,
-                    [&] { check_fields_file(directory + "/fields.vtkhdf", find_kept(chunked, frames), fields); });
+  const std::string path = directory + "/" + vtkhdf_frames.file_name;
+  run_on_first_rank(ranks, [&] { check_earlier_results(vtkhdf_frames, path, find_kept(chunked, frames), fields); });
 }
 
 void FieldsFile::sync() {
@@ -150,11 +146,11 @@ FieldsFile& FieldsFile::operator=(FieldsFile&& other) noexcept {
 }
 
 void FieldsFile::write_frame(double time, long step, std::span<const double> positions,
-                             std::span<const FieldData> fields) {
+                             std::span<const FieldData> fields, std::span<const double> wall_displacements) {
   if (!impl_) throw std::logic_error("a frame is written to a closed fields file");
   const hdf5::QuietErrors quiet;
   const auto all = impl_->fields.complete(positions, fields);
-  impl_->file.append_frame(time, step, positions, all);
+  impl_->file.append_frame(time, step, positions, all, wall_displacements);
   impl_->remember_fields(all);
   impl_->index.times.push_back(time);
   impl_->write_index();

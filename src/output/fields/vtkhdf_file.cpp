@@ -4,18 +4,18 @@
 #include <array>
 
 #include "comm/all_reduce.hpp"
+#include "src/output/earlier/earlier_formats.hpp"
 #include "src/output/fields/mesh_extents.hpp"
 #include "src/output/hdf5/hdf5_reading.hpp"
 
 namespace percuss {
 namespace {
 
-// Most bytes of metadata (B-tree nodes on two levels, headers) that a table adds with a frame, and that a file starts
-// with; counted from the sizes in the HDF5 file format specification for the k above, and rounded up.
-constexpr hsize_t metadata_bytes_per_table = hsize_t{64} << 10;
+// Most bytes of metadata beside the index of a table that a frame adds, and that a file starts with.
+constexpr hsize_t metadata_bytes_of_frame = hsize_t{64} << 10;
 constexpr hsize_t metadata_bytes_of_file = hsize_t{256} << 10;
-constexpr hsize_t mesh_bytes_per_node = 8;                      // its id
-constexpr hsize_t mesh_bytes_per_element = 8 * 8 + 8 + 1 + 16;  // corners, offset, type, id and part
+constexpr hsize_t vtkhdf_bytes_per_node = 8;                      // its id
+constexpr hsize_t vtkhdf_bytes_per_element = 8 * 8 + 8 + 1 + 16;  // corners, offset, type, id and part
 
 // Whether the cells of all ranks are of more than one kind.
 bool has_several_kinds(const Communicator& ranks, const Cells& cells) {
@@ -23,10 +23,6 @@ bool has_several_kinds(const Communicator& ranks, const Cells& cells) {
   for (const TopologyKind kind : cells.kinds) kinds[static_cast<std::size_t>(kind)] = 1;
   all_reduce(ranks, Reduce::largest, kinds);
   return std::count(kinds.begin(), kinds.end(), 1) > 1;
-}
-
-std::int64_t count_frames(hid_t file) {
-  return hdf5::read_whole_number(hdf5::open_group(file, "VTKHDF/Steps").get(), "NSteps");
 }
 
 }  // namespace
@@ -40,16 +36,18 @@ VtkhdfFile::VtkhdfFile(Unopened, const std::string& path, const ChunkedMesh& chu
       node_rows_(ranks, find_owned_nodes(chunked, ranks), chunked.mesh.node_numbers, chunked.numbering.node_count()),
       element_rows_(ranks, count_up(chunked.mesh.elements.size()), list_element_numbers(chunked),
                     chunked.numbering.element_count()),
-      file_(path, ranks, {hdf5::LinkOrder::by_name, [this] { tables_.release(); }, count_frames}) {}
+      file_(path, ranks,
+            {hdf5::LinkOrder::by_name, hdf5::most_chunk_index, [this] { tables_.release(); },
+             vtkhdf_frames.count_frames}) {}
 
 VtkhdfFile::VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
                        const Communicator& ranks)
     : VtkhdfFile(Unopened{}, path, chunked, options, ranks) {
-  file_.create(metadata_bytes_of_file + nodes_ * mesh_bytes_per_node + elements_ * mesh_bytes_per_element, [&] {
+  file_.create(metadata_bytes_of_file + nodes_ * vtkhdf_bytes_per_node + elements_ * vtkhdf_bytes_per_element, [&] {
     tables_.create_groups(file_.id());
     write_mesh(chunked.mesh);
     write_scene(chunked.mesh);
-    tables_.create_steps(nodes_, options_.units);
+    tables_.create_steps(nodes_, options_);
   });
 }
 
@@ -120,36 +118,66 @@ void VtkhdfFile::write_scene(const Mesh& mesh) {
   hdf5::write_texts(tables_.own.get(), "part_names", names, file_.block_of_first_rank(names.size()));
   hdf5::write_attribute(tables_.own.get(), "title", options_.title);
   hdf5::write_attribute(tables_.own.get(), "units", options_.units);
-  if (options_.walls.empty()) return;
-  std::vector<double> walls;  // a point and the normal of each
-  for (const auto& [point, normal] : options_.walls) {
-    walls.insert(walls.end(), point.begin(), point.end());
-    walls.insert(walls.end(), normal.begin(), normal.end());
-  }
-  hdf5::write_rows_once(tables_.own.get(), "walls", file_.block_of_first_rank(options_.walls.size()), 6, walls);
+  write_walls();
 }
 
-hsize_t VtkhdfFile::frame_bytes(std::span<const FieldData> fields) const {
-  const hsize_t tables = 4 + tables_.constants.size() + 2 * fields.size();
-  hsize_t bytes = metadata_bytes_per_table * tables + tables_.points->growth_bytes(nodes_);
-  for (const auto& table : tables_.fields)
+void VtkhdfFile::write_walls() {
+  const auto write = [&](const char* name, const std::vector<double>& rows) {
+    if (!rows.empty())
+      hdf5::write_rows_once(tables_.own.get(), name, file_.block_of_first_rank(rows.size() / 6), 6, rows);
+  };
+  const auto list_planes = [](const std::vector<WallPlane>& walls) {
+    std::vector<double> rows;
+    for (const WallPlane& wall : walls) {
+      for (const Vec3& vector : {wall.point, wall.normal}) rows.insert(rows.end(), vector.begin(), vector.end());
+    }
+    return rows;
+  };
+  const auto list_edges = [](const std::vector<WallPlane>& walls) {
+    std::vector<double> rows;
+    for (const WallPlane& wall : walls) {
+      for (const Vec3& vector : wall.edges) rows.insert(rows.end(), vector.begin(), vector.end());
+    }
+    const bool all_endless = std::all_of(rows.begin(), rows.end(), [](double x) { return x == 0; });
+    return all_endless ? std::vector<double>() : rows;
+  };
+  write("walls", list_planes(options_.walls));
+  write("wall_edges", list_edges(options_.walls));
+  write("moving_walls", list_planes(options_.moving_walls));
+  write("moving_wall_edges", list_edges(options_.moving_walls));
+}
+
+hsize_t VtkhdfFile::frame_bytes() const {
+  hsize_t bytes = metadata_bytes_of_frame + tables_.points->growth_bytes(nodes_);
+  for (const auto& table : tables_.fields) {
     bytes += table.values.growth_bytes(table.place == FieldPlace::node ? nodes_ : elements_);
+    bytes += table.offsets.growth_bytes(1);
+  }
+  for (const auto& constant : tables_.constants) bytes += constant.table.growth_bytes(1);
+  for (const auto* table : {&tables_.times, &tables_.point_offsets, &tables_.step_numbers})
+    bytes += (*table)->growth_bytes(1);
+  if (tables_.wall_displacements) bytes += tables_.wall_displacements->growth_bytes();
   return bytes;
 }
 
 void VtkhdfFile::append_frame(double time, std::int64_t step, std::span<const double> positions,
-                              std::span<const FieldData> fields) {
+                              std::span<const FieldData> fields, std::span<const double> wall_displacements) {
   const auto prepare = [&] {
-    if (file_.frames() == 0)
-      tables_.create_fields(fields, options_, nodes_, elements_);
-    else if (tables_.fields.empty())
+    if (tables_.fields.empty() && tables_.has_fields())
       tables_.open_fields(fields);
-    return frame_bytes(fields);
+    else if (tables_.fields.empty())
+      tables_.create_fields(fields, options_, nodes_, elements_);
+    return frame_bytes();
   };
   const auto show = [&] {
     hdf5::write_attribute(tables_.steps.get(), "NSteps", std::array<std::int64_t, 1>{file_.frames() + 1});
   };
-  file_.append_frame({prepare, [&] { append_rows(time, step, positions, fields); }, show});
+  const auto write = [&] {
+    append_rows(time, step, positions, fields);
+    if (tables_.wall_displacements)
+      tables_.wall_displacements->append(wall_displacements, file_.block_of_first_rank(wall_displacements.size()));
+  };
+  file_.append_frame({prepare, write, show});
 }
 
 template <class T>

@@ -21,7 +21,7 @@ class VtkhdfFile {
   /// Creates the file with the mesh and no frame. Collective, as all below. Throws SystemError; no file is left then.
   VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks);
-  /// Continues with a file that has so many frames and nothing else (cut_fields_file()).
+  /// Continues with a file that has so many frames and nothing else (cut_earlier_results()).
   VtkhdfFile(const std::string& path, const ChunkedMesh& chunked, const FieldsOptions& options,
              const Communicator& ranks, std::int64_t frames);
   VtkhdfFile(const VtkhdfFile&) = delete;
@@ -31,7 +31,7 @@ class VtkhdfFile {
   /// of steps is written, which is what shows the frame to readers. The first frame creates the fields. Throws
   /// SystemError; the file then keeps the frames before and takes no more.
   void append_frame(double time, std::int64_t step, std::span<const double> positions,
-                    std::span<const FieldData> fields);
+                    std::span<const FieldData> fields, std::span<const double> wall_displacements);
 
   /// Waits until the disk has the frames written so far, and looks whether all are there. Throws SystemError.
   void sync() { file_.sync(); }
@@ -50,6 +50,7 @@ class VtkhdfFile {
   void write_cells(const Mesh& mesh);
   void write_mesh(const Mesh& mesh);
   void write_scene(const Mesh& mesh);
+  void write_walls();
   hdf5::RowBlock make_block(FieldPlace place, int rows = 1);
   void write_numbers(const hdf5::Handle& group, const std::string& name, const hdf5::RowBlock& block,
                      std::span<const std::int64_t> values);
@@ -60,7 +61,7 @@ class VtkhdfFile {
   void append_one(hdf5::Table& table, T value);
   void append_rows(double time, std::int64_t step, std::span<const double> positions,
                    std::span<const FieldData> fields);
-  hsize_t frame_bytes(std::span<const FieldData> fields) const;
+  hsize_t frame_bytes() const;
 
   Communicator ranks_;
   FieldsOptions options_;

@@ -10,6 +10,8 @@ namespace {
 
 constexpr hsize_t steps_at_once = 512;  // entries of a chunk of the tables that get one number a frame
 
+constexpr const char* wall_table = "wall_displacements";
+
 // Tables of Steps to which every frame adds the same number: their group, name and number.
 struct StepConstantPlace {
   enum class Group { steps, point_data, cell_data } group;
@@ -49,14 +51,16 @@ void VtkhdfTables::add_constants(const Make& make) {
   }
 }
 
-void VtkhdfTables::create_steps(hsize_t nodes, const std::string& units) {
+void VtkhdfTables::create_steps(hsize_t nodes, const FieldsOptions& options) {
   hdf5::write_attribute(steps.get(), "NSteps", std::array<std::int64_t, 1>{0});
   points.emplace(root.get(), "Points", H5T_IEEE_F64LE, 3, nodes);
   times.emplace(steps.get(), "Values", H5T_IEEE_F64LE, 1, steps_at_once);
   point_offsets.emplace(steps.get(), "PointOffsets", H5T_STD_I64LE, 1, steps_at_once);
   step_numbers.emplace(own.get(), "step", H5T_STD_I64LE, 1, steps_at_once);
-  points->note_unit(name_field_unit("Points", units));
-  times->note_unit(name_field_unit("time", units));
+  points->note_unit(name_field_unit("Points", options.units));
+  times->note_unit(name_field_unit("time", options.units));
+  if (!options.moving_walls.empty())
+    wall_displacements.emplace(own.get(), wall_table, hdf5::FrameTable::Shape{options.moving_walls.size()});
   add_constants(
       [](hid_t group, const char* name) { return hdf5::Table(group, name, H5T_STD_I64LE, 1, steps_at_once); });
 }
@@ -73,7 +77,13 @@ void VtkhdfTables::open(hid_t file) {
   times.emplace(steps.get(), "Values");
   point_offsets.emplace(steps.get(), "PointOffsets");
   step_numbers.emplace(own.get(), "step");
+  if (hdf5::check(H5Lexists(own.get(), wall_table, H5P_DEFAULT), "look for walls") > 0)
+    wall_displacements.emplace(own.get(), wall_table);
   add_constants([](hid_t group, const char* name) { return hdf5::Table(group, name); });
+}
+
+bool VtkhdfTables::has_fields() const {
+  return hdf5::check(H5Lexists(point_data.get(), "displacement", H5P_DEFAULT), "look for fields") > 0;
 }
 
 void VtkhdfTables::open_fields(std::span<const FieldData> described) {
@@ -104,6 +114,7 @@ void VtkhdfTables::create_fields(std::span<const FieldData> described, const Fie
 void VtkhdfTables::release() {
   fields.clear();
   constants.clear();
+  wall_displacements.reset();
   for (auto* table : {&points, &times, &point_offsets, &step_numbers}) table->reset();
   for (auto* group : {&own, &cell_data_offsets, &point_data_offsets, &steps, &cell_data, &point_data, &root})
     group->reset();

@@ -7,6 +7,7 @@
 
 #include "src/hdf5/hdf5_handle.hpp"
 #include "src/output/fields/fields_file.hpp"
+#include "src/output/hdf5/frame_table.hpp"
 #include "src/output/hdf5/hdf5_table.hpp"
 
 namespace percuss {
@@ -27,6 +28,7 @@ struct VtkhdfTables {
 
   hdf5::Handle root, point_data, cell_data, steps, point_data_offsets, cell_data_offsets, own;
   std::optional<hdf5::Table> points, times, point_offsets, step_numbers;  // from create_steps() or open() on
+  std::optional<hdf5::FrameTable> wall_displacements;                     // only where walls move
   std::vector<Constant> constants;
   std::vector<Field> fields;  // from the first frame on
 
@@ -34,7 +36,7 @@ struct VtkhdfTables {
   void create_groups(hid_t file);
 
   /// Makes the tables of the steps, empty. nodes: of the whole mesh, rows of Points that a frame brings.
-  void create_steps(hsize_t nodes, const std::string& units);
+  void create_steps(hsize_t nodes, const FieldsOptions& options);
 
   /// Makes the tables of the fields, empty. nodes, elements: of the whole mesh.
   void create_fields(std::span<const FieldData> described, const FieldsOptions& options, hsize_t nodes,
@@ -42,6 +44,9 @@ struct VtkhdfTables {
 
   /// Opens what create_groups() and create_steps() made.
   void open(hid_t file);
+
+  /// Whether create_fields() was called for the file.
+  bool has_fields() const;
 
   /// Opens what create_fields() made for the same fields.
   void open_fields(std::span<const FieldData> described);

@@ -171,7 +171,7 @@ void write_information(Out out, const XdmfIndex& index) {
     if (!field.unit.empty()) write("unit of " + field.name, field.unit);
   }
   for (std::size_t w = 0; w < index.walls.size(); ++w) {
-    const auto& [point, normal] = index.walls[w];
+    const Vec3 &point = index.walls[w].point, &normal = index.walls[w].normal;
     write(fmt::format("wall {}", w), fmt::format("point {} {} {}, normal {} {} {}", point[0], point[1], point[2],
                                                  normal[0], normal[1], normal[2]));
   }

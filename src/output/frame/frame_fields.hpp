@@ -1,6 +1,7 @@
 #pragma once
 // What a frame of results holds, whatever the format of the file.
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,15 +31,17 @@ enum class FieldPrecision { float64, float32 };
 
 /// A rigid plane; bodies live on the side to which the unit normal points.
 struct WallPlane {
-  Vec3 point{};  // [length]
+  Vec3 point{};  // [length] at time 0
   Vec3 normal{};
+  std::array<Vec3, 2> edges{};  // of a rectangle with the point as its corner; zeros: the wall does not end
 };
 
 struct FieldsOptions {
   std::string title;  // of the deck
   std::string units;  // of the deck: "m, kg, s"; units of fields follow from it (src/output/fields/field_units.hpp)
   FieldPrecision precision = FieldPrecision::float64;
-  std::vector<WallPlane> walls{};  // for pictures
+  std::vector<WallPlane> walls{}, moving_walls{};     // for pictures
+  std::vector<std::string> node_sets{}, side_sets{};  // of the mesh, by their names there; for Exodus II
 };
 
 /// The nodes of this rank's share that it brings, ascending: each node is brought by the rank that owns it. Empty where

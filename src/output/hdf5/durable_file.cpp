@@ -19,7 +19,7 @@ DurableFile::DurableFile(std::string path, const Communicator& ranks, FileLayout
 void DurableFile::create(std::uint64_t bytes, const std::function<void()>& write) {
   try {
     run_or_abandon("create", [&] {
-      file_ = create_durable_file(path_, ranks_, layout_.links);
+      file_ = create_durable_file(path_, ranks_, layout_.links, layout_.chunk_index);
       run_on_first_rank(ranks_, [&] {
         disk_ = DiskReservation(path_);
         disk_.reserve(0, bytes);

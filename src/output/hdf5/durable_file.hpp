@@ -20,6 +20,7 @@ namespace percuss::hdf5 {
 /// What a layout adds.
 struct FileLayout {
   LinkOrder links = LinkOrder::by_name;
+  unsigned chunk_index = most_chunk_index;          // of create_durable_file()
   std::function<void()> release;                    // closes all that is open within the file
   std::function<std::int64_t(hid_t)> count_frames;  // that a reader finds; throws Error
 };

@@ -12,34 +12,30 @@ namespace percuss::hdf5 {
 class FrameTable {
  public:
   /// Creates it without frames below `parent`. items: numbers of a frame, at least 1; one alone with is_list gives a
-  /// dataset of one dimension.
+  /// dataset of one dimension. is_alone: one of a few in the file, whatever the number of blocks.
   struct Shape {
     hsize_t items = 1;
-    bool is_list = false;
+    bool is_list = false, is_alone = false;
   };
   FrameTable(hid_t parent, const std::string& name, const Shape& shape);
 
   /// Opens one that is there.
   FrameTable(hid_t parent, const std::string& name);
 
-  hid_t id() const { return dataset_.get(); }
-  hsize_t frames() const { return frames_; }
+  hid_t id() const { return dataset_.id(); }
+  hsize_t frames() const { return dataset_.rows(); }
 
   /// Adds a frame. block: of its items; values: [block.count].
   void append(std::span<const double> values, const RowBlock& block);
 
   /// Cuts off all frames from `frames` on. In a file that this process alone has open.
-  void cut(hsize_t frames);
+  void cut(hsize_t frames) { dataset_.cut(frames); }
 
   /// Most bytes that the next append makes the file grow by.
-  hsize_t growth_bytes() const;
+  hsize_t growth_bytes() const { return dataset_.growth_bytes(1); }
 
  private:
-  Handle dataset_;
-  std::string name_;
-  int dimensions_ = 2;
-  hsize_t items_ = 1, chunk_frames_ = 1, chunk_items_ = 1;
-  hsize_t frames_ = 0;
+  GrowingDataset dataset_;
 };
 
 }  // namespace percuss::hdf5

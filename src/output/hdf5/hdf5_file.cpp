@@ -25,11 +25,6 @@ namespace {
 bool leave_open_at_exit() noexcept { return H5dont_atexit() >= 0 && H5open() >= 0; }
 [[maybe_unused]] const bool leaves_open_at_exit = leave_open_at_exit();
 
-// A B-tree node of the chunk index holds 2 k entries. A node that does not split is only ever added to, which lets a
-// file survive a crash between any two writes of its metadata; so only every 512th frame of a field has such a weak
-// moment.
-constexpr unsigned chunk_index_k = 256;
-
 // Metadata leave the cache at a flush only, so that a crash while a frame is computed or written changes nothing.
 void keep_metadata_until_flush(hid_t file, const std::string& action) {
   H5AC_cache_config_t cache{};
@@ -96,12 +91,14 @@ void turn_to_null(int descriptor) {
 
 }  // namespace
 
-Handle create_durable_file(const std::string& path, const Communicator& ranks, LinkOrder links) {
+Handle create_durable_file(const std::string& path, const Communicator& ranks, LinkOrder links, unsigned chunk_index) {
   const std::string action = "create the file";
   const bool together = ranks.size() > 1;
   const Handle access = create_access(ranks, action);
   const Handle creation(check(H5Pcreate(H5P_FILE_CREATE), action), H5Pclose);
-  check(H5Pset_istore_k(creation.get(), chunk_index_k), action);
+  // A B-tree node of the chunk index holds 2 k entries. A node that does not split is only ever added to, which lets a
+  // file survive a crash between any two writes of its metadata.
+  check(H5Pset_istore_k(creation.get(), chunk_index), action);
   if (links == LinkOrder::by_creation)
     check(H5Pset_link_creation_order(creation.get(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED), action);
   if (together) {

@@ -64,6 +64,12 @@ herr_t collect_name(hid_t, const char* name, const H5L_info_t*, void* data) {
 
 }  // namespace
 
+Handle open_unlocked(const std::string& path, unsigned mode) {
+  const Handle access(check(H5Pcreate(H5P_FILE_ACCESS), "open the file"), H5Pclose);
+  check(H5Pset_file_locking(access.get(), false, true), "open the file");
+  return {check(H5Fopen(path.c_str(), mode, access.get()), "open it as HDF5"), H5Fclose};
+}
+
 Handle open_group(hid_t parent, const std::string& name) {
   return {check(H5Gopen2(parent, name.c_str(), H5P_DEFAULT), "open group " + name), H5Gclose};
 }
@@ -128,6 +134,26 @@ std::vector<std::string> read_texts(hid_t parent, const std::string& name) {
   if (!bytes.empty())
     check(H5Dread(dataset.get(), type.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()), "read " + name);
   return split_texts(bytes, length);
+}
+
+std::vector<std::string> read_character_rows(hid_t parent, const std::string& name) {
+  const Shape shape = read_shape(parent, name);
+  constexpr hsize_t longest = 65536;
+  if (shape.components > longest || shape.rows > longest) throw Error("read " + name, "it has too many texts");
+  const Handle dataset = open_dataset(parent, name);
+  const Handle type(check(H5Dget_type(dataset.get()), "read " + name), H5Tclose);
+  if (H5Tget_class(type.get()) != H5T_STRING || H5Tget_size(type.get()) != 1 || H5Tis_variable_str(type.get()) != 0)
+    throw Error("read " + name, "it does not hold characters");
+  std::vector<char> padded(shape.rows * shape.components);
+  if (!padded.empty())
+    check(H5Dread(dataset.get(), H5T_C_S1, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()), "read " + name);
+  std::vector<std::string> texts;
+  for (hsize_t i = 0; i < shape.rows; ++i) {
+    const auto begin = padded.begin() + static_cast<std::ptrdiff_t>(i * shape.components);
+    const auto end = begin + static_cast<std::ptrdiff_t>(shape.components);
+    texts.emplace_back(begin, std::find(begin, end, '\0'));
+  }
+  return texts;
 }
 
 std::vector<std::string> list_names(hid_t parent, const std::string& group) {

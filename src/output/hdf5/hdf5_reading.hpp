@@ -10,7 +10,11 @@
 
 namespace percuss::hdf5 {
 
-/// Opens a group below `parent`. This and all below throw Error if the thing is missing or is not what it should be.
+/// Opens a file (H5F_ACC_RDONLY, H5F_ACC_RDWR) without a lock: others may have it open. This and all below throw Error
+/// if the thing is missing or is not what it should be.
+Handle open_unlocked(const std::string& path, unsigned mode);
+
+/// Opens a group below `parent`.
 Handle open_group(hid_t parent, const std::string& name);
 
 /// The shape of a dataset of one or two dimensions; components is 1 for one dimension.
@@ -29,6 +33,9 @@ std::string read_text(hid_t object, const std::string& name);
 
 /// A dataset of texts of fixed length.
 std::vector<std::string> read_texts(hid_t parent, const std::string& name);
+
+/// Texts as rows of characters, as netCDF has them, up to their first zero.
+std::vector<std::string> read_character_rows(hid_t parent, const std::string& name);
 
 /// Names of what is in a group, ascending.
 std::vector<std::string> list_names(hid_t parent, const std::string& group);

@@ -14,10 +14,11 @@ namespace {
 constexpr hsize_t min_chunk_bytes = 4096;
 constexpr hsize_t max_chunk_bytes = hsize_t{1} << 30;
 
-hsize_t choose_chunk_rows(hsize_t rows_at_once, hsize_t row_bytes) {
-  const hsize_t lowest = std::max<hsize_t>(1, min_chunk_bytes / row_bytes);
-  const hsize_t highest = std::max<hsize_t>(lowest, max_chunk_bytes / row_bytes);
-  return std::clamp(rows_at_once, lowest, highest);
+GrowingDataset::Layout make_layout(hsize_t number_bytes, int components, hsize_t rows_at_once) {
+  const auto length = static_cast<hsize_t>(components);
+  const hsize_t lowest = std::max<hsize_t>(1, min_chunk_bytes / (number_bytes * length));
+  const hsize_t highest = std::max<hsize_t>(lowest, max_chunk_bytes / (number_bytes * length));
+  return {length, components == 1, std::clamp(rows_at_once, lowest, highest), length};
 }
 
 struct Extent {
@@ -32,13 +33,6 @@ Extent make_extent(hsize_t rows, int components) {
 Handle create_space(const Extent& extent) {
   return {check(H5Screate_simple(extent.rank, extent.dims.data(), nullptr), "describe the shape of a dataset"),
           H5Sclose};
-}
-
-// Without the time of its creation, so that two runs of one scene leave the same bytes.
-Handle create_properties(const std::string& name) {
-  Handle properties(check(H5Pcreate(H5P_DATASET_CREATE), "create dataset " + name), H5Pclose);
-  check(H5Pset_obj_track_times(properties.get(), false), "create dataset " + name);
-  return properties;
 }
 
 Handle create_dataset(hid_t parent, const std::string& name, hid_t type, hid_t space, hid_t properties) {
@@ -103,7 +97,8 @@ Handle create_group(hid_t parent, const std::string& name) {
 void write_dataset(hid_t parent, const std::string& name, hid_t file_type, const RowBlock& block, hid_t memory_type,
                    const void* values) {
   const Handle space = create_space(make_extent(block.all, 1));
-  Handle dataset = create_dataset(parent, name, file_type, space.get(), create_properties(name).get());
+  Handle dataset =
+      create_dataset(parent, name, file_type, space.get(), create_dataset_properties("create dataset " + name).get());
   write_rows(dataset.get(), name, 0, block, {1, memory_type, values});
   check(dataset.reset(), fmt::format("close dataset {}", name));
 }
@@ -120,7 +115,8 @@ void write_rows_once(hid_t parent, const std::string& name, const RowBlock& bloc
   // Two dimensions, whatever their lengths.
   const Extent extent{{block.all, static_cast<hsize_t>(components)}, 2};
   const Handle space = create_space(extent);
-  const Handle dataset = create_dataset(parent, name, H5T_STD_I64LE, space.get(), create_properties(name).get());
+  const Handle dataset = create_dataset(parent, name, H5T_STD_I64LE, space.get(),
+                                        create_dataset_properties("create dataset " + name).get());
   write_rows(dataset.get(), name, 0, block, {components, H5T_NATIVE_INT64, values.data()});
 }
 
@@ -148,63 +144,18 @@ void write_texts(hid_t parent, const std::string& name, std::span<const std::str
 }
 
 void Table::note_unit(const std::string& unit) {
-  if (!unit.empty()) write_attribute(dataset_.get(), "unit", unit);
+  if (!unit.empty()) write_attribute(dataset_.id(), "unit", unit);
 }
 
 Table::Table(hid_t parent, const std::string& name, hid_t file_type, int components, hsize_t rows_at_once)
-    : name_(name), components_(components) {
-  const Extent none = make_extent(0, components);
-  const std::array<hsize_t, 2> unlimited{H5S_UNLIMITED, none.dims[1]};
-  const Handle space(check(H5Screate_simple(none.rank, none.dims.data(), unlimited.data()), "create dataset " + name),
-                     H5Sclose);
-  const Handle properties = create_properties(name);
-  row_bytes_ = H5Tget_size(file_type) * none.dims[1];
-  chunk_rows_ = choose_chunk_rows(rows_at_once, row_bytes_);
-  const std::array<hsize_t, 2> chunk{chunk_rows_, none.dims[1]};
-  check(H5Pset_chunk(properties.get(), none.rank, chunk.data()), "create dataset " + name);
-  // Every row is written before a reader may look at it, so filling chunks first would only write them twice.
-  check(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER), "create dataset " + name);
-  // Several ranks can only write to room that was made when the dataset was extended; one of them, or one rank alone,
-  // may have begun the file.
-  check(H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY), "create dataset " + name);
-  dataset_ = create_dataset(parent, name, file_type, space.get(), properties.get());
-}
+    : dataset_(parent, name, file_type, make_layout(H5Tget_size(file_type), components, rows_at_once)) {}
 
-Table::Table(hid_t parent, const std::string& name)
-    : dataset_(check(H5Dopen2(parent, name.c_str(), H5P_DEFAULT), "open dataset " + name), H5Dclose), name_(name) {
-  const std::string action = "read the shape of " + name;
-  const Handle space(check(H5Dget_space(dataset_.get()), action), H5Sclose);
-  const Handle properties(check(H5Dget_create_plist(dataset_.get()), action), H5Pclose);
-  const Handle type(check(H5Dget_type(dataset_.get()), action), H5Tclose);
-  std::array<hsize_t, 2> dims{0, 1}, chunk{1, 1};
-  const int rank = H5Sget_simple_extent_ndims(space.get());
-  if (rank != 1 && rank != 2) throw Error(action, "it has neither one nor two dimensions");
-  if (H5Pget_layout(properties.get()) != H5D_CHUNKED) throw Error(action, "it cannot grow");
-  check(H5Sget_simple_extent_dims(space.get(), dims.data(), nullptr), action);
-  check(H5Pget_chunk(properties.get(), rank, chunk.data()), action);
-  components_ = static_cast<int>(dims[1]);
-  rows_ = dims[0];
-  chunk_rows_ = chunk[0];
-  row_bytes_ = H5Tget_size(type.get()) * dims[1];
-}
-
-void Table::cut(hsize_t rows) {
-  if (rows > rows_) throw Error("cut dataset " + name_, "it has too few rows");
-  if (rows == rows_) return;
-  check(H5Dset_extent(dataset_.get(), make_extent(rows, components_).dims.data()), "cut dataset " + name_);
-  rows_ = rows;
-}
-
-hsize_t Table::growth_bytes(hsize_t rows) const {
-  const auto chunks = [&](hsize_t n) { return (n + chunk_rows_ - 1) / chunk_rows_; };
-  return (chunks(rows_ + rows) - chunks(rows_)) * chunk_rows_ * row_bytes_;
-}
+Table::Table(hid_t parent, const std::string& name) : dataset_(parent, name) {}
 
 void Table::append(const void* values, hid_t type, const RowBlock& block) {
-  const Extent extent = make_extent(rows_ + block.all, components_);
-  check(H5Dset_extent(dataset_.get(), extent.dims.data()), fmt::format("extend dataset {}", name_));
-  write_rows(dataset_.get(), name_, rows_, block, {components_, type, values});
-  rows_ += block.all;
+  const hsize_t before = rows();
+  dataset_.extend(block.all);
+  write_rows(dataset_.id(), dataset_.name(), before, block, {components(), type, values});
 }
 
 }  // namespace percuss::hdf5

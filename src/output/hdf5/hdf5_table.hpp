@@ -9,6 +9,7 @@
 #include <string>
 
 #include "src/hdf5/hdf5_handle.hpp"
+#include "src/output/hdf5/growing_dataset.hpp"
 #include "src/output/hdf5/write_record.hpp"
 
 namespace percuss::hdf5 {
@@ -67,13 +68,13 @@ class Table {
   /// Opens one that is there.
   Table(hid_t parent, const std::string& name);
 
-  int components() const { return components_; }
+  int components() const { return static_cast<int>(dataset_.row_length()); }
 
   /// Says what its numbers are in, as the attribute `unit`; nothing if that is empty.
   void note_unit(const std::string& unit);
 
   /// Cuts off all rows from row `rows` on. In a file that this process alone has open.
-  void cut(hsize_t rows);
+  void cut(hsize_t rows) { dataset_.cut(rows); }
 
   /// Adds block.all rows at the end. values: [block.count][components].
   template <class T>
@@ -81,19 +82,15 @@ class Table {
     append(values.data(), memory_type<T>(), block);
   }
 
-  hsize_t rows() const { return rows_; }
+  hsize_t rows() const { return dataset_.rows(); }
 
   /// Most bytes that the next append of so many rows makes the file grow by.
-  hsize_t growth_bytes(hsize_t rows) const;
+  hsize_t growth_bytes(hsize_t rows) const { return dataset_.growth_bytes(rows); }
 
  private:
   void append(const void* values, hid_t memory_type, const RowBlock& block);
 
-  Handle dataset_;
-  std::string name_;
-  int components_;
-  hsize_t chunk_rows_ = 1, row_bytes_ = 1;
-  hsize_t rows_ = 0;
+  GrowingDataset dataset_;
 };
 
 }  // namespace percuss::hdf5

@@ -16,14 +16,15 @@ using S = AuditSum;
 
 double find_length(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z); }
 
-void subtract(ExactSum& from, const ExactSum& sum) {
+void take_out(ExactSum& from, const ExactSum& sum) {
   for (int i = 0; i < ExactSum::limb_count; ++i) from.limb[i] -= sum.limb[i];
   from.normalize();
 }
 
-using NodeSums = ExactSums<AuditSum::count_of_nodes>;
+using AuditSums = ExactSums<AuditSum::count_of_nodes>;
 
-NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model, const State& state) {
+AuditSums::Totals sum_audited_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model,
+                                    const State& state) {
   const MovingNodes nodes = find_translations(model, state);
   const auto x = state.x, v = state.v, start = model.start;
   const auto mass = state.mass;
@@ -56,7 +57,7 @@ NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const 
 
 /// Adds what the rotations of the nodes of shells hold to the same sums.
 void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model, const State& state,
-               NodeSums::Totals& totals) {
+               AuditSums::Totals& totals) {
   if (!model.has_shells) return;
   const MovingNodes nodes = find_rotations(model, state);
   const auto w = state.w;
@@ -82,7 +83,7 @@ void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model
 }
 
 /// Adds the rigid bodies, which every rank knows, on the first one. Collective.
-void add_rigid_bodies(RigidForces& find_forces, const Model& model, const State& state, NodeSums::Totals& totals) {
+void add_rigid_bodies(RigidForces& find_forces, const Model& model, const State& state, AuditSums::Totals& totals) {
   if (!model.rigid.any()) return;
   const std::vector<Wrench> forces = find_forces(model, state);
   if (model.ranks.rank() != 0) return;
@@ -132,7 +133,7 @@ Audit::Audit(const Model& model) : model_(model) {}
 
 Audit::Totals Audit::sum_all(const State& state) {
   std::array<ExactSum, S::count> sums{};
-  auto of_nodes = sum_nodes(node_sums_, model_, state);
+  auto of_nodes = sum_audited_nodes(node_sums_, model_, state);
   add_spins(node_sums_, model_, state, of_nodes);
   add_rigid_bodies(rigid_forces_, model_, state, of_nodes);
   std::copy(of_nodes.begin(), of_nodes.end(), sums.begin());
@@ -152,7 +153,7 @@ Audit::Totals Audit::sum_all(const State& state) {
   const ExactSum eroded[] = {books.eroded_internal, books.eroded_hourglass, books.eroded_viscous,
                              books.eroded_folding,  books.eroded_kinetic,   books.eroded_mass};
   std::copy_n(eroded, work_kinds + 2, sums.begin() + S::eroded_internal);
-  for (std::size_t k = 0; k < work_kinds; ++k) subtract(sums[S::internal + k], eroded[k]);
+  for (std::size_t k = 0; k < work_kinds; ++k) take_out(sums[S::internal + k], eroded[k]);
   sums[S::vanished_mass] = sum_vanished_mass(model_, state);
   sum_over_ranks(model_.ranks, sums);
   Totals totals{};

@@ -9,7 +9,7 @@
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "src/deck/history_parts.hpp"
+#include "src/deck/asked_for.hpp"
 #include "src/step/model/moving_nodes.hpp"
 
 namespace percuss {
@@ -31,10 +31,10 @@ struct PartSum {
 using P = PartSum;
 
 /// What is summed over the nodes of a chunk.
-struct NodeSum {
+struct ChunkSum {
   enum : int { kinetic, momentum, mass = momentum + 3, rotation, count };
 };
-using NodeSums = Kokkos::View<double**, Kokkos::LayoutRight, MemSpace>;
+using ChunkSums = Kokkos::View<double**, Kokkos::LayoutRight, MemSpace>;
 
 /// A quantity of a part, in the order of its sums.
 struct PartQuantity {
@@ -62,33 +62,27 @@ constexpr PartQuantity part_quantities[] = {
     {"eroded_energy", dimensions::energy, "work that the eroded elements absorbed,", fails},
 };
 
-bool can_fail(const Deck& deck, const PartDeck& part) {
-  return !part.rigid && std::any_of(deck.materials.begin(), deck.materials.end(), [&](const MaterialDeck& material) {
-    return material.name == part.material && material.failure.has_value();
-  });
-}
-
 /// Sums over the nodes of the listed chunks, in ascending order. A chunk is the same everywhere.
-void sum_nodes(const Model& model, const State& state, const Array<int>& listed, const NodeSums& sums) {
+void sum_chunks(const Model& model, const State& state, const Array<int>& listed, const ChunkSums& sums) {
   const MovingNodes moving = find_translations(model, state);
   const MovingNodes turning = model.has_shells ? find_rotations(model, state) : MovingNodes{};
   const bool turns = model.has_shells;
   const NodeRuns owned = model.owned_nodes;
   Kokkos::parallel_for(
       "percuss::sum_parts", Range(ExecSpace(), 0, static_cast<int>(listed.extent(0))), KOKKOS_LAMBDA(const int i) {
-        double sum[NodeSum::count] = {}, f[3];
+        double sum[ChunkSum::count] = {}, f[3];
         for (int n = owned.first(listed(i)); n < owned.end(listed(i)); ++n) {
           moving.find_force(n, f);
           for (int k = 0; k < 3; ++k) {
-            sum[NodeSum::kinetic] += moving.find_energy(n, k, f[k]);
-            sum[NodeSum::momentum + k] += moving.inertia(n) * moving.velocity(n, k);
+            sum[ChunkSum::kinetic] += moving.find_energy(n, k, f[k]);
+            sum[ChunkSum::momentum + k] += moving.inertia(n) * moving.velocity(n, k);
           }
-          sum[NodeSum::mass] += moving.inertia(n);
+          sum[ChunkSum::mass] += moving.inertia(n);
           if (!turns) continue;
           turning.find_force(n, f);
-          for (int k = 0; k < 3; ++k) sum[NodeSum::rotation] += turning.find_energy(n, k, f[k]);
+          for (int k = 0; k < 3; ++k) sum[ChunkSum::rotation] += turning.find_energy(n, k, f[k]);
         }
-        for (int k = 0; k < NodeSum::count; ++k) sums(i, k) = sum[k];
+        for (int k = 0; k < ChunkSum::count; ++k) sums(i, k) = sum[k];
       });
 }
 
@@ -125,8 +119,8 @@ class DeadElements {
 };
 
 /// Adds the work of a chunk to the sums of its part.
-void add_work(const decltype(to_host(WorkRows()))& work, const std::optional<DeadElements>& dead, int chunk,
-              ExactSum* part) {
+void add_chunk_work(const decltype(to_host(WorkRows()))& work, const std::optional<DeadElements>& dead, int chunk,
+                    ExactSum* part) {
   for (int k = 0; k < work_kinds; ++k)
     part[P::internal + k].add(work(static_cast<std::size_t>(chunk), static_cast<std::size_t>(k)));
   if (dead) dead->take_out(chunk, part);
@@ -140,7 +134,7 @@ std::vector<PartEnergy> sum_part_energies(const ChunkedMesh& chunked, const Mode
   if (chunked.mesh.eroded.any) dead.emplace(chunked, model, state);
   std::vector<ExactSum> sums(P::count * chunked.mesh.parts.size());
   for (std::size_t c = 0; c < chunked.chunks.size(); ++c)
-    add_work(work, dead, static_cast<int>(c), &sums[P::count * static_cast<std::size_t>(chunked.chunks[c].part)]);
+    add_chunk_work(work, dead, static_cast<int>(c), &sums[P::count * static_cast<std::size_t>(chunked.chunks[c].part)]);
   sum_over_ranks(model.ranks, sums);
   std::vector<PartEnergy> parts;
   for (std::size_t p = 0; p < chunked.mesh.parts.size(); ++p)
@@ -185,12 +179,12 @@ PartEnergies::PartEnergies(const Deck& deck, const ChunkedMesh& chunked)
     part_of_chunk_.push_back(part);
   }
   listed_ = to_view("percuss::chunks_of_booked_parts", chunks_);
-  node_sums_ = NodeSums("percuss::part_sums", chunks_.size(), NodeSum::count);
+  node_sums_ = ChunkSums("percuss::part_sums", chunks_.size(), ChunkSum::count);
 }
 
 /// The sums of this rank, part after part.
 std::vector<ExactSum> PartEnergies::sum_parts(const Model& model, const State& state) {
-  sum_nodes(model, state, listed_, node_sums_);
+  sum_chunks(model, state, listed_, node_sums_);
   const auto of_nodes = to_host(node_sums_);
   const auto work = to_host(state.results.work);
   std::optional<DeadElements> dead;
@@ -198,11 +192,11 @@ std::vector<ExactSum> PartEnergies::sum_parts(const Model& model, const State& s
   std::vector<ExactSum> sums(P::count * parts_.size());
   for (std::size_t i = 0; i < chunks_.size(); ++i) {
     ExactSum* const part = &sums[P::count * static_cast<std::size_t>(part_of_chunk_[i])];
-    part[P::kinetic].add(of_nodes(i, NodeSum::kinetic));
-    part[P::kinetic].add(of_nodes(i, NodeSum::rotation));
-    for (int k = 0; k < 3; ++k) part[P::momentum + k].add(of_nodes(i, NodeSum::momentum + k));
-    part[P::mass].add(of_nodes(i, NodeSum::mass));
-    add_work(work, dead, chunks_[i], part);
+    part[P::kinetic].add(of_nodes(i, ChunkSum::kinetic));
+    part[P::kinetic].add(of_nodes(i, ChunkSum::rotation));
+    for (int k = 0; k < 3; ++k) part[P::momentum + k].add(of_nodes(i, ChunkSum::momentum + k));
+    part[P::mass].add(of_nodes(i, ChunkSum::mass));
+    add_chunk_work(work, dead, chunks_[i], part);
   }
   return sums;
 }

@@ -14,7 +14,9 @@
 #include "comm/exact_reduction.hpp"
 #include "comm/merge_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/asked_for.hpp"
 #include "src/error.hpp"
+#include "src/index.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
@@ -48,11 +50,6 @@ bool is_rest(const ConditionDeck& condition) {
 
 /// Rotations come after translations: directions 3, 4, 5.
 constexpr int first_rotation = 3, direction_count = 6;
-
-const char* name_direction(int k) {
-  constexpr const char* names[direction_count] = {"x", "y", "z", "rx", "ry", "rz"};
-  return names[k];
-}
 
 /// The held directions of this rank's nodes; of contradictions it notes the first, with its message.
 class HeldDirectionFinder {
@@ -111,7 +108,7 @@ class HeldDirectionFinder {
     throw InputError(fmt::format(
         "{}: error: {} is of no use here (none of these nodes is one of shells or of a rigid body, which alone "
         "have rotations)",
-        deck_.where(condition.where.place), name_direction(static_cast<int>(active - condition.active.begin()))));
+        deck_.where(condition.where.place), direction_names[at(active - condition.active.begin())]));
   }
 
   void note(std::size_t c, int k, int node, const ConditionDeck& other) {
@@ -120,7 +117,7 @@ class HeldDirectionFinder {
     message_ = fmt::format(
         "{}: error: node {} is held in direction {} by two conditions that move it (the other is at {}); leave it out "
         "of one of them",
-        deck_.where(deck_.conditions[c].where.place), chunked_.mesh.node_ids[n], name_direction(k),
+        deck_.where(deck_.conditions[c].where.place), chunked_.mesh.node_ids[n], direction_names[at(k)],
         deck_.where(other.where.place));
   }
 

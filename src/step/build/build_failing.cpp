@@ -10,12 +10,11 @@
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/step/build/build_shells.hpp"
+#include "src/step/model/pack_width.hpp"
 
 namespace percuss {
 
 namespace {
-
-constexpr int width = pack_size<Real>;
 
 FailureLimits make_limits(const MaterialDeck& material, double step_scale) {
   const FailureDeck& deck = *material.failure;
@@ -65,7 +64,7 @@ void build_failing_layers(Model& model) {
     const auto c = static_cast<std::size_t>(list(i));
     if (is_shell(c) == 0) continue;
     first[c] = failing.layer_scalars;
-    failing.layer_scalars += static_cast<std::size_t>((first_pack(c + 1) - first_pack(c)) * width) *
+    failing.layer_scalars += static_cast<std::size_t>((first_pack(c + 1) - first_pack(c)) * pack_width) *
                              static_cast<std::size_t>(LayerLives::count_rows(points(c)));
   }
   if (failing.layer_scalars > 0) failing.first_layer = to_view("percuss::first_failing_layer", first);

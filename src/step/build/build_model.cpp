@@ -22,6 +22,7 @@
 #include "src/step/build/mass_scaling.hpp"
 #include "src/step/damping/build_damping.hpp"
 #include "src/step/model/model.hpp"
+#include "src/step/model/pack_width.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/springs/build_springs.hpp"
 #include "src/step/tets/build_tets.hpp"
@@ -29,8 +30,6 @@
 namespace percuss {
 
 namespace {
-
-constexpr int width = pack_size<Real>;
 
 // --- chunks
 
@@ -51,16 +50,16 @@ void add_chunk(const Mesh& mesh, const Chunk& chunk, std::vector<int>& slot_of_n
     }
     return static_cast<std::uint16_t>(slot - first_slot);
   };
-  const int packs = (chunk.element_count + width - 1) / width;
+  const int packs = (chunk.element_count + pack_width - 1) / pack_width;
   const std::size_t base = tables.corner_slots.size();
-  tables.corner_slots.resize(base + static_cast<std::size_t>(packs) * 8 * width);
-  for (int i = 0; i < packs * width; ++i) {
+  tables.corner_slots.resize(base + static_cast<std::size_t>(packs) * 8 * pack_width);
+  for (int i = 0; i < packs * pack_width; ++i) {
     const int element = chunk.first_element + std::min(i, chunk.element_count - 1);
     const auto nodes = mesh.elements.kernel_nodes(static_cast<std::size_t>(element));
     for (int corner = 0; corner < 8; ++corner) {
-      const std::size_t place = base +
-                                (static_cast<std::size_t>(i / width) * 8 + static_cast<std::size_t>(corner)) * width +
-                                static_cast<std::size_t>(i % width);
+      const std::size_t place =
+          base + (static_cast<std::size_t>(i / pack_width) * 8 + static_cast<std::size_t>(corner)) * pack_width +
+          static_cast<std::size_t>(i % pack_width);
       tables.corner_slots[place] = find_slot(nodes[static_cast<std::size_t>(corner)]);
     }
   }
@@ -114,7 +113,7 @@ std::vector<std::size_t> place_records(const ChunkTables& tables, const std::vec
   for (std::size_t c = 0; c < first_state.size(); ++c) {
     first_state[c] = model.state_size;
     const int packs = tables.first_pack[c + 1] - tables.first_pack[c];
-    model.state_size += static_cast<std::size_t>(packs) * static_cast<std::size_t>(record_size[c]) * width;
+    model.state_size += static_cast<std::size_t>(packs) * static_cast<std::size_t>(record_size[c]) * pack_width;
   }
   return first_state;
 }
@@ -260,8 +259,9 @@ Rows3<double> sum_mass_by_slot(const Model& model, const Elements& elements, con
       const double share = element_mass[static_cast<std::size_t>(e)] / 8;
       const auto slot = [&](int corner) {
         return corner_slots(
-            (static_cast<std::size_t>(first_pack(c) + i / width) * 8 + static_cast<std::size_t>(corner)) * width +
-            static_cast<std::size_t>(i % width));
+            (static_cast<std::size_t>(first_pack(c) + i / pack_width) * 8 + static_cast<std::size_t>(corner)) *
+                pack_width +
+            static_cast<std::size_t>(i % pack_width));
       };
       const Topology& topology = elements.topology_of(static_cast<std::size_t>(e));
       for (int corner = 0; corner < 8; ++corner) {

@@ -10,13 +10,12 @@
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
 #include "src/step/build/build_shells.hpp"
+#include "src/step/model/pack_width.hpp"
 #include "src/step/model/state.hpp"
 #include "src/step/model/whole_mesh.hpp"
 
 namespace percuss {
 namespace {
-
-constexpr int width = pack_size<Real>;
 
 bool is_asked_for(const Deck& deck) {
   return deck.time.mass_scaling || std::any_of(deck.parts.begin(), deck.parts.end(),
@@ -59,7 +58,7 @@ std::vector<double> find_hex_bounds(const Model& model, const std::vector<double
   for (std::size_t c = 0; c < static_cast<std::size_t>(model.chunks.count); ++c) {
     for (int e = first_element(c); e < first_element(c + 1); ++e) {
       bounds[static_cast<std::size_t>(e)] =
-          lanes(static_cast<std::size_t>(first_pack(c) * width + e - first_element(c)));
+          lanes(static_cast<std::size_t>(first_pack(c) * pack_width + e - first_element(c)));
     }
   }
   return bounds;
@@ -114,8 +113,8 @@ struct NodeTotal {
   std::int64_t count = 0;
 };
 
-NodeTotal sum_nodes(const ChunkedMesh& chunked, const Model& model, const std::vector<int>& nodes,
-                    const std::vector<double>& mass) {
+NodeTotal find_node_total(const ChunkedMesh& chunked, const Model& model, const std::vector<int>& nodes,
+                          const std::vector<double>& mass) {
   ExactSum sums[1];
   NodeTotal total;
   for (const int n : nodes) {
@@ -175,7 +174,7 @@ void add_deck_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<d
   std::vector<double> extra(mass.size(), 0);
   for (const AddedMassDeck& added : deck.added_masses) {
     const std::vector<int> nodes = select_nodes(chunked.mesh, deck, added.where);
-    const NodeTotal total = sum_nodes(chunked, model, nodes, of_elements);
+    const NodeTotal total = find_node_total(chunked, model, nodes, of_elements);
     const bool evenly = added.spread == AddedMassDeck::Spread::evenly;
     for (const int node : nodes) {
       const auto n = static_cast<std::size_t>(node);

@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "comm/merge_reduction.hpp"
-#include "src/deck/history_parts.hpp"
+#include "src/deck/asked_for.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
 #include "src/step/model/nearest_items.hpp"

@@ -4,13 +4,12 @@
 #include "kernels/core/host_copy.hpp"
 #include "kernels/core/same_bits.hpp"
 #include "kernels/shell/shell_failure.hpp"
+#include "src/step/model/pack_width.hpp"
 #include "src/step/model/streamed_view.hpp"
 
 namespace percuss {
 
 namespace {
-
-constexpr int width = pack_size<Real>;
 
 /// Each element starts undeformed: R = V = I, no stress, its mass from its own volume and density.
 Array<Real> make_element_records(const Model& model) {
@@ -21,11 +20,11 @@ Array<Real> make_element_records(const Model& model) {
         if (is_shell(chunks, c)) return;
         const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
         const int size = chunks.record_size(c);
-        for (int i = 0; i < packs * width; ++i) {
-          Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+        for (int i = 0; i < packs * pack_width; ++i) {
+          Real* record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
           for (int k = 0; k < 3; ++k) {
-            record[(HexRecord::rotation + 4 * k) * width] = 1;
-            record[(HexRecord::stretch + k) * width] = 1;
+            record[(HexRecord::rotation + 4 * k) * pack_width] = 1;
+            record[(HexRecord::stretch + k) * pack_width] = 1;
           }
         }
       });
@@ -41,11 +40,12 @@ void set_element_masses(const Model& model, const Array<Real>& elements) {
         const int first = chunks.first_element(c);
         const int count = chunks.first_element(c + 1) - first;
         const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
-        for (int i = 0; i < packs * width; ++i) {
+        for (int i = 0; i < packs * pack_width; ++i) {
           const int lane_element = i < count ? i : count - 1;
           elements(chunks.first_state(c) +
-                   static_cast<std::size_t>(i / width) * static_cast<std::size_t>(chunks.record_size(c)) * width +
-                   static_cast<std::size_t>(HexRecord::mass * width + i % width)) =
+                   static_cast<std::size_t>(i / pack_width) * static_cast<std::size_t>(chunks.record_size(c)) *
+                       pack_width +
+                   static_cast<std::size_t>(HexRecord::mass * pack_width + i % pack_width)) =
               static_cast<Real>(mass(first + lane_element));
         }
       });
@@ -63,17 +63,17 @@ void set_start_history(const Model& model, const Array<Real>& elements) {
         const int size = chunks.record_size(c), points = chunks.points(c);
         const bool layered = is_shell(chunks, c);
         const int to_point = layered ? find_layer_size(chunks, c) : 1, to_scalar = layered ? 1 : points;
-        for (int i = 0; i < packs * width; ++i) {
-          Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+        for (int i = 0; i < packs * pack_width; ++i) {
+          Real* record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
           const int row = i < elements_here ? i : elements_here - 1;
           for (int k = 0; k < start.count(c); ++k) {
             const double value = start.values(start.first(c) + static_cast<std::size_t>(row * start.count(c) + k));
             const auto kept = static_cast<Real>(value);
             for (int p = 0; p < points; ++p) {
-              Real* const scalar = record + (chunks.history(c) + to_scalar * k + to_point * p) * width;
+              Real* const scalar = record + (chunks.history(c) + to_scalar * k + to_point * p) * pack_width;
               *scalar = kept;
               if (is_single_precision && !layered) {  // its rest
-                scalar[points * start.count(c) * width] = static_cast<Real>(value - static_cast<double>(kept));
+                scalar[points * start.count(c) * pack_width] = static_cast<Real>(value - static_cast<double>(kept));
               }
             }
           }
@@ -91,11 +91,11 @@ void start_shells(const Model& model, const Array<Real>& elements) {
         if (!is_shell(chunks, c)) return;
         const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
         const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c), size = chunks.record_size(c);
-        for (int i = 0; i < packs * width; ++i) {
-          Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
-          record[ShellRecord::gyration_square * width] =
+        for (int i = 0; i < packs * pack_width; ++i) {
+          Real* record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
+          record[ShellRecord::gyration_square * pack_width] =
               static_cast<Real>(gyration_square(first + (i < count ? i : count - 1)));
-          record[ShellRecord::thickness * width] = static_cast<Real>(thickness(c));
+          record[ShellRecord::thickness * pack_width] = static_cast<Real>(thickness(c));
         }
       });
 }
@@ -112,7 +112,7 @@ KOKKOS_INLINE_FUNCTION std::uint64_t find_bits(double value) {
 /// Every element whole.
 ElementLives make_lives(const FailingChunks& failing) {
   if (failing.pack_count == 0) return {};
-  const auto lanes = static_cast<std::size_t>(failing.pack_count) * width;
+  const auto lanes = static_cast<std::size_t>(failing.pack_count) * pack_width;
   ElementLives lives{Array<Real>("percuss::force_share", lanes),
                      Array<Real>("percuss::work_share", lanes),
                      Array<double>("percuss::element_work", work_kinds * lanes),
@@ -137,7 +137,7 @@ void start_layers(const Model& model, const ElementLives& lives) {
       KOKKOS_LAMBDA(const int i) {
         const int c = failing.list(i);
         if (!is_shell(chunks, c)) return;
-        for (int e = 0; e < (chunks.first_pack(c + 1) - chunks.first_pack(c)) * width; ++e) {
+        for (int e = 0; e < (chunks.first_pack(c + 1) - chunks.first_pack(c)) * pack_width; ++e) {
           double* const rows = find_layer_lives(lives, failing, c, chunks.points(c), e);
           for (int p = 0; p < chunks.points(c); ++p) set_layer_left(find_layer_life(rows, p), ElementLives::whole, 1);
         }
@@ -309,14 +309,14 @@ std::uint64_t hash_elements(const Model& model, const State& state) {
         const int first = chunks.first_element(c);
         for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
           const int size = chunks.record_size(c);
-          const Real* record = &elements(chunks.first_state(c)) + i / width * size * width + i % width;
+          const Real* record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
           std::uint64_t h = mix_bits(~static_cast<std::uint64_t>(first_numbers(c) + i));
-          const int lane = failing.find_pack(c) < 0 ? -1 : failing.find_pack(c) * width + i;
+          const int lane = failing.find_pack(c) < 0 ? -1 : failing.find_pack(c) * pack_width + i;
           if (lane >= 0) h = mix_life(lives, lane, h);
           if (lane >= 0 && is_shell(chunks, c))
             h = mix_layers(find_layer_lives(lives, failing, c, chunks.points(c), i), chunks.points(c), h);
           const bool is_dead = lane >= 0 && lives.steps_left(lane) == 0;
-          for (int s = 0; s < size && !is_dead; ++s) h = mix_bits(h ^ find_bits(record[s * width]));
+          for (int s = 0; s < size && !is_dead; ++s) h = mix_bits(h ^ find_bits(record[s * pack_width]));
           sum += h;
         }
       },

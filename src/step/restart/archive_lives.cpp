@@ -5,12 +5,13 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "kernels/shell/shell_failure.hpp"
+#include "src/step/model/pack_width.hpp"
 
 namespace percuss {
 
 namespace {
 
-constexpr std::size_t lanes = pack_size<Real>, across = pack_size<double>;  // packs of elements, of layers
+constexpr std::size_t layer_lanes = pack_size<double>;  // of packs of layers
 
 constexpr std::size_t life_columns = 4 + work_kinds;  // steps left, plastic strain, damage, time at yield, works
 
@@ -30,7 +31,7 @@ FailingRows list_elements_that_fail(const Model& model) {
     const bool can_fail = model.failing.pack_count > 0 && first_pack(c) >= 0;
     of.rows.counts.push_back(can_fail ? first_element(c + 1) - first_element(c) : 0);
     for (std::int64_t i = 0; i < of.rows.counts.back(); ++i) {
-      of.lanes.push_back(static_cast<std::size_t>(first_pack(c)) * lanes + static_cast<std::size_t>(i));
+      of.lanes.push_back(static_cast<std::size_t>(first_pack(c)) * pack_lanes + static_cast<std::size_t>(i));
       of.fade_steps.push_back(limits(static_cast<std::size_t>(row(c))).fade_steps);
     }
   }
@@ -48,7 +49,9 @@ struct LivesOnHost {
         damage(to_host(lives.damage)),
         time_at_yield(to_host(lives.time_at_yield)) {}
 
-  static std::size_t find_work(std::size_t lane) { return lane / lanes * work_kinds * lanes + lane % lanes; }
+  static std::size_t find_work(std::size_t lane) {
+    return lane / pack_lanes * work_kinds * pack_lanes + lane % pack_lanes;
+  }
 
   /// v: out, [life_columns].
   void read(std::size_t l, double* v) const {
@@ -56,7 +59,7 @@ struct LivesOnHost {
     v[1] = plastic_strain(l);
     v[2] = damage(l);
     v[3] = time_at_yield(l);
-    for (std::size_t k = 0; k < work_kinds; ++k) v[4 + k] = work(find_work(l) + k * lanes);
+    for (std::size_t k = 0; k < work_kinds; ++k) v[4 + k] = work(find_work(l) + k * pack_lanes);
   }
 
   void write(std::size_t l, const double* v, int fade_steps) const {
@@ -64,7 +67,7 @@ struct LivesOnHost {
     plastic_strain(l) = v[1];
     damage(l) = v[2];
     time_at_yield(l) = v[3];
-    for (std::size_t k = 0; k < work_kinds; ++k) work(find_work(l) + k * lanes) = v[4 + k];
+    for (std::size_t k = 0; k < work_kinds; ++k) work(find_work(l) + k * pack_lanes) = v[4 + k];
     const LifeShares shares = find_life_shares(steps_left(l), fade_steps);
     force_share(l) = static_cast<Real>(shares.force);
     work_share(l) = static_cast<Real>(shares.work);
@@ -113,7 +116,7 @@ void visit_failing_shells(const Model& model, const Visit& visit) {
     const auto rows = static_cast<std::size_t>(LayerLives::count_rows(points(c)));
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < static_cast<std::size_t>(first_element(c + 1) - first_element(c)); ++i) {
-      places.push_back(first_layer(c) + i / across * rows * across + i % across);
+      places.push_back(first_layer(c) + i / layer_lanes * rows * layer_lanes + i % layer_lanes);
     }
     visit(c, places, points(c));
   }
@@ -131,10 +134,10 @@ void archive_layers(CheckpointArchive& archive, const Model& model, const State&
   std::vector<std::size_t> scalars;  // of the layers, as they stand in `values`
   visit_failing_shells(model, [&](std::size_t c, const std::vector<std::size_t>& places, int points) {
     for (const std::size_t first : places) {
-      for (std::size_t k = 0; k < L::layers; ++k) scalars.push_back(first + k * across);
+      for (std::size_t k = 0; k < L::layers; ++k) scalars.push_back(first + k * layer_lanes);
       for (int p = 0; p < points; ++p) {
         for (const int k : columns)
-          scalars.push_back(first + static_cast<std::size_t>(L::layers + p * L::layer_size + k) * across);
+          scalars.push_back(first + static_cast<std::size_t>(L::layers + p * L::layer_size + k) * layer_lanes);
       }
     }
     rows.counts[c] = static_cast<std::int64_t>(places.size()) * (L::layers + 4 * points);
@@ -150,7 +153,7 @@ void archive_layers(CheckpointArchive& archive, const Model& model, const State&
     for (const std::size_t first : places) {
       for (int p = 0; p < points; ++p) {
         double* const layer = find_layer_life(&layers(first), p);
-        set_layer_left(layer, static_cast<int>(layer[L::left * across]),
+        set_layer_left(layer, static_cast<int>(layer[L::left * layer_lanes]),
                        limits(static_cast<std::size_t>(row(c))).fade_steps);
       }
     }

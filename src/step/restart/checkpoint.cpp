@@ -14,13 +14,12 @@
 #include "kernels/core/same_bits.hpp"
 #include "src/deck/yaml/deck_values.hpp"
 #include "src/error.hpp"
+#include "src/step/model/pack_width.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/restart/archive_lives.hpp"
 
 namespace percuss {
 namespace {
-
-constexpr std::size_t lanes = pack_size<Real>;
 
 /// Calls visit(scalars of a record, whether the lane only repeats the element before, first scalar) for every lane of
 /// this rank's packs: lanes behind the last element of a chunk repeat that one.
@@ -31,10 +30,10 @@ void visit_records(const HexChunks& chunks, const Visit& visit) {
   const auto record_size = to_host(chunks.record_size);
   for (std::size_t c = 0; c < static_cast<std::size_t>(chunks.count); ++c) {
     const auto elements = static_cast<std::size_t>(first_element(c + 1) - first_element(c));
-    const std::size_t in_packs = lanes * static_cast<std::size_t>(first_pack(c + 1) - first_pack(c));
+    const std::size_t in_packs = pack_lanes * static_cast<std::size_t>(first_pack(c + 1) - first_pack(c));
     const auto size = static_cast<std::size_t>(record_size(c));
     for (std::size_t i = 0; i < in_packs; ++i) {
-      visit(size, i >= elements, first_state(c) + i / lanes * size * lanes + i % lanes);
+      visit(size, i >= elements, first_state(c) + i / pack_lanes * size * pack_lanes + i % pack_lanes);
     }
   }
 }
@@ -55,14 +54,14 @@ void archive_elements(CheckpointArchive& archive, const Model& model, const Stat
   if (!archive.is_loading()) {
     visit_records(model.chunks, [&](std::size_t size, bool is_repeated, std::size_t first) {
       if (is_repeated) return;
-      for (std::size_t s = 0; s < size; ++s) records[next++] = packs(first + s * lanes);
+      for (std::size_t s = 0; s < size; ++s) records[next++] = packs(first + s * pack_lanes);
     });
   }
   archive.rows("elements/records", rows, 1, records);
   if (!archive.is_loading()) return;
   visit_records(model.chunks, [&](std::size_t size, bool is_repeated, std::size_t first) {
     if (is_repeated) next -= size;  // the last element's again
-    for (std::size_t s = 0; s < size; ++s) packs(first + s * lanes) = static_cast<Real>(records[next++]);
+    for (std::size_t s = 0; s < size; ++s) packs(first + s * pack_lanes) = static_cast<Real>(records[next++]);
   });
   Kokkos::deep_copy(state.elements, packs);
 }

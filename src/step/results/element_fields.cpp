@@ -3,19 +3,19 @@
 #include <cmath>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/step/model/pack_width.hpp"
 #include "src/step/results/shell_fields.hpp"
 
 namespace percuss {
 
 namespace {
 
-constexpr int width = pack_size<Real>;
-
-/// The record of an element: record[width * i] is its scalar i. c: its chunk.
+/// The record of an element: record[pack_width * i] is its scalar i. c: its chunk.
 KOKKOS_INLINE_FUNCTION const Real* find_record(const HexChunks& chunks, const Array<Real>& elements, int c, int e) {
   const int i = e - chunks.first_element(c);
   return &elements(chunks.first_state(c)) +
-         static_cast<std::size_t>(i / width) * static_cast<std::size_t>(chunks.record_size(c)) * width + i % width;
+         static_cast<std::size_t>(i / pack_width) * static_cast<std::size_t>(chunks.record_size(c)) * pack_width +
+         i % pack_width;
 }
 
 /// What the reading of an element needs besides its record.
@@ -26,7 +26,7 @@ struct Lives {
   /// Of element i of chunk c among the lanes that can fail; -1: it cannot.
   KOKKOS_INLINE_FUNCTION int find_lane(int c, int i) const {
     const int pack = failing.find_pack(c);
-    return pack < 0 ? -1 : pack * width + i;
+    return pack < 0 ? -1 : pack * pack_width + i;
   }
   /// Share of its force that an element has at n.
   KOKKOS_INLINE_FUNCTION double find_share(int c, int i) const {
@@ -64,19 +64,19 @@ struct ReadStress {
       read_shell_stress(shells, {chunks, c, e, record}, point, row);
       return;
     }
-    const Real* s = record + HexRecord::stress * width;
-    const Real* r = record + HexRecord::rotation * width;
+    const Real* s = record + HexRecord::stress * pack_width;
+    const Real* r = record + HexRecord::rotation * pack_width;
     const int points = chunks.points(c);
     double mean[6];
     for (int k = 0; k < 6; ++k) {
-      double sum = s[k * width];
-      for (int p = 1; p < points; ++p) sum += s[(6 * p + k) * width];
+      double sum = s[k * pack_width];
+      for (int p = 1; p < points; ++p) sum += s[(6 * p + k) * pack_width];
       mean[k] = sum / points;
     }
     const Symmetric3<double> stress{mean[0], mean[1], mean[2], mean[3], mean[4], mean[5]};
     Matrix3<double> rotation{};
     for (int i = 0; i < 3; ++i) {
-      rotation.row[i] = {r[3 * i * width], r[(3 * i + 1) * width], r[(3 * i + 2) * width]};
+      rotation.row[i] = {r[3 * i * pack_width], r[(3 * i + 1) * pack_width], r[(3 * i + 2) * pack_width]};
     }
     const Symmetric3<double> t = push_forward(rotation, stress);
     row[0] = t.xx;
@@ -107,7 +107,7 @@ struct ReadScalar {
     const int place = chunks.find_scalar(c, name);
     const int points = place < 0 ? 0 : chunks.points(c);
     row[0] = 0;
-    for (int p = 0; p < points; ++p) row[0] += double{record[(place + p) * width]} / points;
+    for (int p = 0; p < points; ++p) row[0] += double{record[(place + p) * pack_width]} / points;
   }
 };
 
@@ -117,7 +117,7 @@ struct ReadThickness {
   static constexpr bool fades = false;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const Real* record,
                                          double* row) const {
-    row[0] = is_shell(chunks, c) ? record[ShellRecord::thickness * width] : 0;
+    row[0] = is_shell(chunks, c) ? record[ShellRecord::thickness * pack_width] : 0;
   }
 };
 

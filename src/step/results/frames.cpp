@@ -6,13 +6,15 @@
 #include <utility>
 
 #include "kernels/core/host_copy.hpp"
+#include "src/mesh/hex_geometry.hpp"
+#include "src/mesh/named_sets.hpp"
 #include "src/step/results/element_fields.hpp"
 
 namespace percuss {
 
 namespace {
 
-std::vector<double> copy_rows(const Rows3<double>& rows) {
+std::vector<double> list_rows(const Rows3<double>& rows) {
   const auto host = to_host(rows);
   return {host.data(), host.data() + host.extent(0) * 3};
 }
@@ -30,11 +32,26 @@ std::vector<std::string> list_fields(const Deck& deck, const Model& model) {
   return fields;
 }
 
-FieldsOptions make_options(const Deck& deck) {
-  FieldsOptions options{.title = deck.title, .units = deck.units};
-  for (const WallDeck& wall : deck.walls) {
-    if (!wall.moves()) options.walls.push_back({wall.point, wall.normal});  // the file has one place for all frames
+WallPlane make_wall_plane(const WallDeck& wall) {
+  WallPlane plane{wall.point, wall.normal, {}};
+  if (!wall.rectangle) return plane;
+  const auto& [along, size] = *wall.rectangle;
+  const Vec3 across = cross(wall.normal, along);
+  for (std::size_t k = 0; k < 3; ++k) {
+    plane.edges[0][k] = size[0] * along[k];
+    plane.edges[1][k] = size[1] * across[k];
   }
+  return plane;
+}
+
+FieldsOptions make_options(const Deck& deck, const Mesh& mesh) {
+  FieldsOptions options{.title = deck.title, .units = deck.units};
+  for (const WallDeck& wall : deck.walls)
+    (wall.moves() ? options.moving_walls : options.walls).push_back(make_wall_plane(wall));
+  if (!deck.output.has_format(FieldsFormat::exodus)) return options;
+  NamedSets sets = find_named_sets(deck, mesh);
+  options.node_sets = std::move(sets.of_nodes);
+  options.side_sets = std::move(sets.of_sides);
   return options;
 }
 
@@ -43,7 +60,7 @@ FieldsOptions make_options(const Deck& deck) {
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                const ContactStage& contact)
     : model_(model), contact_(contact), names_(list_fields(deck, model)) {
-  const FieldsOptions options = make_options(deck);
+  const FieldsOptions options = make_options(deck, chunked.mesh);
   if (deck.output.has_format(FieldsFormat::vtkhdf)) vtkhdf_.emplace(directory, chunked, options, model.ranks);
   if (deck.output.has_format(FieldsFormat::exodus)) exodus_.emplace(directory, chunked, options, model.ranks);
   note_constant_fields(chunked);
@@ -52,7 +69,7 @@ Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh
 Frames::Frames(const std::string& directory, const Deck& deck, const ChunkedMesh& chunked, const Model& model,
                const ContactStage& contact, std::int64_t frames)
     : model_(model), contact_(contact), names_(list_fields(deck, model)), count_(frames) {
-  const FieldsOptions options = make_options(deck);
+  const FieldsOptions options = make_options(deck, chunked.mesh);
   if (deck.output.has_format(FieldsFormat::vtkhdf))
     vtkhdf_.emplace(directory, chunked, options, model.ranks, frames, names_);
   if (deck.output.has_format(FieldsFormat::exodus))
@@ -108,7 +125,7 @@ struct FrameSource {
 };
 
 std::vector<double> find_contact_forces(const State& state) {
-  std::vector<double> force = copy_rows(state.impulse);
+  std::vector<double> force = list_rows(state.impulse);
   for (double& f : force) f = state.dt > 0 ? f / state.dt : 0;
   return force;
 }
@@ -132,7 +149,7 @@ struct FrameField {
 };
 
 constexpr FrameField frame_fields[] = {
-    {"velocity", FieldPlace::node, 3, [](const FrameSource& of) { return copy_rows(of.state.v); }},
+    {"velocity", FieldPlace::node, 3, [](const FrameSource& of) { return list_rows(of.state.v); }},
     {"contact_force", FieldPlace::node, 3, [](const FrameSource& of) { return find_contact_forces(of.state); }},
     {"contact_pressure", FieldPlace::node, 1,
      [](const FrameSource& of) { return of.contact.find_pressures(of.state.x, of.state.dt); }},
@@ -193,7 +210,10 @@ void Frames::write(const State& state) {
   }
   const auto x = to_host(state.x);
   const std::span<const double> positions{x.data(), x.extent(0) * 3};
-  if (vtkhdf_) vtkhdf_->write_frame(state.time, state.step, positions, frame);
+  std::vector<double> walls = contact_.list_wall_motions();  // displacement and speed of each
+  for (std::size_t i = 0; 2 * i < walls.size(); ++i) walls[i] = walls[2 * i];
+  walls.resize(walls.size() / 2);
+  if (vtkhdf_) vtkhdf_->write_frame(state.time, state.step, positions, frame, walls);
   if (exodus_) exodus_->write_frame(state.time, state.step, positions, frame);
   ++count_;
 }

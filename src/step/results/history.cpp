@@ -8,7 +8,7 @@
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
-#include "src/deck/history_parts.hpp"
+#include "src/deck/asked_for.hpp"
 #include "src/deck/make_material.hpp"
 #include "src/error.hpp"
 #include "src/fail_together.hpp"

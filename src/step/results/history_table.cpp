@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
+#include "src/deck/asked_for.hpp"
+
 namespace percuss {
 namespace {
 
-using S = HistorySources;
-
-bool can_fail(const Deck& deck) {
-  return std::any_of(deck.materials.begin(), deck.materials.end(),
-                     [](const MaterialDeck& material) { return material.failure.has_value(); });
-}
+using From = HistorySources;
 
 bool always(const Deck&) { return true; }
 bool has_walls(const Deck& deck) { return !deck.walls.empty(); }
@@ -23,7 +20,7 @@ bool is_damped(const Deck& deck) { return !deck.dampings.empty(); }
 bool is_lagrange(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::lagrange; }
 bool is_penalty(const Deck& deck) { return deck.contact.enforcement == ContactDeck::Enforcement::penalty; }
 
-struct Entry {
+struct HistoryEntry {
   const char* name;
   Dimension dimension;
   const char* meaning;
@@ -35,86 +32,92 @@ constexpr Dimension no_dimension{};
 constexpr Dimension angular_momentum{2, 1, -1};
 namespace dim = dimensions;
 
-constexpr Entry before_pairs[] = {
-    {"time", dim::time, "time", always, [](const S& s) { return s.state.time; }},
-    {"step", no_dimension, "time steps so far", always, [](const S& s) { return static_cast<double>(s.state.step); }},
-    {"dt", dim::time, "step that led here", always, [](const S& s) { return s.state.dt; }},
+constexpr HistoryEntry before_pairs[] = {
+    {"time", dim::time, "time", always, [](const From& s) { return s.state.time; }},
+    {"step", no_dimension, "time steps so far", always,
+     [](const From& s) { return static_cast<double>(s.state.step); }},
+    {"dt", dim::time, "step that led here", always, [](const From& s) { return s.state.dt; }},
     {"dt_element", no_dimension, "id of the element that limits the next step", always,
-     [](const S& s) { return static_cast<double>(s.state.bound.element_id); }},
-    {"kinetic", dim::energy, "kinetic energy", always, [](const S& s) { return s.audit.energy.kinetic; }},
-    {"internal", dim::energy, "work of the stresses", always, [](const S& s) { return s.audit.energy.internal; }},
+     [](const From& s) { return static_cast<double>(s.state.bound.element_id); }},
+    {"kinetic", dim::energy, "kinetic energy", always, [](const From& s) { return s.audit.energy.kinetic; }},
+    {"internal", dim::energy, "work of the stresses", always, [](const From& s) { return s.audit.energy.internal; }},
     {"hourglass", dim::energy, "work of the hourglass control", always,
-     [](const S& s) { return s.audit.energy.hourglass; }},
-    {"viscous", dim::energy, "work of the bulk viscosity", always, [](const S& s) { return s.audit.energy.viscous; }},
+     [](const From& s) { return s.audit.energy.hourglass; }},
+    {"viscous", dim::energy, "work of the bulk viscosity", always,
+     [](const From& s) { return s.audit.energy.viscous; }},
     {"folding", dim::energy, "work of the resistance to folding", resists_folding,
-     [](const S& s) { return s.audit.energy.folding; }},
+     [](const From& s) { return s.audit.energy.folding; }},
     {"contact", dim::energy, "work of normal contact forces, rigid walls included", always,
-     [](const S& s) { return s.audit.energy.contact; }},
-    {"friction", dim::energy, "work of friction", always, [](const S& s) { return s.audit.energy.friction; }},
+     [](const From& s) { return s.audit.energy.contact; }},
+    {"friction", dim::energy, "work of friction", always, [](const From& s) { return s.audit.energy.friction; }},
     {"damping", dim::energy, "work of damping in proportion to mass", is_damped,
-     [](const S& s) { return s.audit.energy.damping; }},
+     [](const From& s) { return s.audit.energy.damping; }},
     {"external", dim::energy, "work of loads, gravity, prescribed motion and walls that move", always,
-     [](const S& s) { return s.audit.energy.external; }},
+     [](const From& s) { return s.audit.energy.external; }},
     {"energy_error", no_dimension, "energy that the balance lacks, over the largest energy held so far", always,
-     [](const S& s) { return s.audit.energy.error; }},
-    {"momentum_x", dim::momentum, "linear momentum, x", always, [](const S& s) { return s.audit.momentum.linear[0]; }},
-    {"momentum_y", dim::momentum, "linear momentum, y", always, [](const S& s) { return s.audit.momentum.linear[1]; }},
-    {"momentum_z", dim::momentum, "linear momentum, z", always, [](const S& s) { return s.audit.momentum.linear[2]; }},
+     [](const From& s) { return s.audit.energy.error; }},
+    {"momentum_x", dim::momentum, "linear momentum, x", always,
+     [](const From& s) { return s.audit.momentum.linear[0]; }},
+    {"momentum_y", dim::momentum, "linear momentum, y", always,
+     [](const From& s) { return s.audit.momentum.linear[1]; }},
+    {"momentum_z", dim::momentum, "linear momentum, z", always,
+     [](const From& s) { return s.audit.momentum.linear[2]; }},
     {"angular_x", angular_momentum, "angular momentum about the mass centre at time 0, x", always,
-     [](const S& s) { return s.audit.momentum.angular[0]; }},
+     [](const From& s) { return s.audit.momentum.angular[0]; }},
     {"angular_y", angular_momentum, "angular momentum about the mass centre at time 0, y", always,
-     [](const S& s) { return s.audit.momentum.angular[1]; }},
+     [](const From& s) { return s.audit.momentum.angular[1]; }},
     {"angular_z", angular_momentum, "angular momentum about the mass centre at time 0, z", always,
-     [](const S& s) { return s.audit.momentum.angular[2]; }},
+     [](const From& s) { return s.audit.momentum.angular[2]; }},
     {"contacts", no_dimension, "contact interactions in force, tied nodes included", always,
-     [](const S& s) { return static_cast<double>(s.contact.interactions); }},
+     [](const From& s) { return static_cast<double>(s.contact.interactions); }},
     {"candidates", no_dimension, "candidate pairs of the contact search", always,
-     [](const S& s) { return static_cast<double>(s.contact.candidates); }},
+     [](const From& s) { return static_cast<double>(s.contact.candidates); }},
     {"iterations", no_dimension, "iterations of contact enforcement in the step", always,
-     [](const S& s) { return static_cast<double>(s.contact.iterations); }},
+     [](const From& s) { return static_cast<double>(s.contact.iterations); }},
     {"residual", no_dimension, "largest penetration that enforcement left, over the edge of the face", always,
-     [](const S& s) { return s.contact.residual; }},
+     [](const From& s) { return s.contact.residual; }},
     {"complementarity", no_dimension,
      "largest deviation from the conditions of contact, over the largest closing velocity", is_lagrange,
-     [](const S& s) { return s.contact.complementarity; }},
+     [](const From& s) { return s.contact.complementarity; }},
     {"contact_stored", dim::energy, "energy in the springs of contact", is_penalty,
-     [](const S& s) { return s.contact.stored; }},
+     [](const From& s) { return s.contact.stored; }},
     {"eroded_elements", no_dimension, "eroded elements", can_fail,
-     [](const S& s) { return static_cast<double>(s.audit.eroded.elements); }},
-    {"eroded_mass", dim::mass, "mass of the eroded elements", can_fail, [](const S& s) { return s.audit.eroded.mass; }},
+     [](const From& s) { return static_cast<double>(s.audit.eroded.elements); }},
+    {"eroded_mass", dim::mass, "mass of the eroded elements", can_fail,
+     [](const From& s) { return s.audit.eroded.mass; }},
     {"eroded_energy", dim::energy, "energy of the eroded elements and removed nodes", can_fail,
-     [](const S& s) { return s.audit.eroded.energy; }},
+     [](const From& s) { return s.audit.eroded.energy; }},
     {"vanished_mass", dim::mass, "mass of removed nodes, within eroded_mass", removes_nodes,
-     [](const S& s) { return s.audit.eroded.vanished_mass; }},
+     [](const From& s) { return s.audit.eroded.vanished_mass; }},
     {"added_mass", dim::mass, "mass that mass scaling has added during the run", scales_in_run,
-     [](const S& s) { return s.state.books.added_mass; }},
+     [](const From& s) { return s.state.books.added_mass; }},
     {"added_energy", dim::energy, "kinetic energy that came with the added mass, within external", scales_in_run,
-     [](const S& s) { return s.state.books.added_energy; }},
+     [](const From& s) { return s.state.books.added_energy; }},
 };
 
-constexpr Entry after_pairs[] = {
+constexpr HistoryEntry after_pairs[] = {
     {"wall_force_x", dim::force, "force of the rigid walls on the bodies, x", has_walls,
-     [](const S& s) { return s.wall_force[0]; }},
+     [](const From& s) { return s.wall_force[0]; }},
     {"wall_force_y", dim::force, "force of the rigid walls on the bodies, y", has_walls,
-     [](const S& s) { return s.wall_force[1]; }},
+     [](const From& s) { return s.wall_force[1]; }},
     {"wall_force_z", dim::force, "force of the rigid walls on the bodies, z", has_walls,
-     [](const S& s) { return s.wall_force[2]; }},
+     [](const From& s) { return s.wall_force[2]; }},
 };
 
 }  // namespace
 
 HistoryTable::HistoryTable(const Deck& deck) {
-  const auto take = [&](const Entry& entry, std::vector<Value>& values) {
+  const auto take = [&](const HistoryEntry& entry, std::vector<Value>& values) {
     if (!entry.has(deck)) return;
     columns_.push_back({entry.name, entry.dimension, entry.meaning});
     values.push_back(entry.value);
   };
-  for (const Entry& entry : before_pairs) take(entry, before_pairs_);
+  for (const HistoryEntry& entry : before_pairs) take(entry, before_pairs_);
   for (const std::string& pair : name_contact_pairs(deck)) {
     columns_.push_back({"contact:" + pair, dim::energy, "work of normal contact forces of the pair since the start"});
     columns_.push_back({"friction:" + pair, dim::energy, "work of friction of the pair since the start"});
   }
-  for (const Entry& entry : after_pairs) take(entry, after_pairs_);
+  for (const HistoryEntry& entry : after_pairs) take(entry, after_pairs_);
 }
 
 void HistoryTable::append(const HistorySources& sources, std::vector<double>& row) const {

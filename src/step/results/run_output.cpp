@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "src/output/exodus/exodus_restart.hpp"
-#include "src/output/fields/fields_restart.hpp"
+#include "src/output/earlier/earlier_results.hpp"
 
 namespace percuss {
 
@@ -64,11 +63,9 @@ CutStates RunOutput::find_cut_states(const SavedState& from, const SavedState& e
     cut.rows = keep_lost(find_later_rows(directory_ + "/history.csv", history_bytes_), from, end, rows_.is_thinned());
   }
   if (wants_frames()) {
-    const bool is_vtkhdf = deck_.output.has_format(FieldsFormat::vtkhdf);
-    cut.frames_file = is_vtkhdf ? "fields.vtkhdf" : exodus_results_name;
-    const std::string path = directory_ + "/" + cut.frames_file;
-    const LaterStates later =
-        is_vtkhdf ? find_later_frames(path, frame_count_) : find_later_exodus_frames(path, frame_count_);
+    const FramesFormat& format = deck_.output.has_format(FieldsFormat::vtkhdf) ? vtkhdf_frames : exodus_frames;
+    cut.frames_file = format.file_name;
+    const LaterStates later = find_later_frames(format, directory_ + "/" + cut.frames_file, frame_count_);
     cut.frames = keep_lost(later, from, end, frames_due_.is_thinned());
   }
   return cut;

@@ -2,13 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace percuss {
+namespace {
+
+/// 0: none; from 1 on: a spring by its place among those with columns; below 0: one without, by that of its entry.
+double number_limiting_spring(const SpringModel& springs, std::int64_t limiting) {
+  if (!springs.has(limiting)) return 0;
+  const auto at = springs.springs.begin() + static_cast<std::ptrdiff_t>(limiting);
+  if (!at->has_columns) return -1 - at->law;
+  return 1 +
+         static_cast<double>(std::count_if(springs.springs.begin(), at, [](const Spring& s) { return s.has_columns; }));
+}
+
+}  // namespace
 
 std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs) {
   if (!springs.any()) return {};
   std::vector<HistoryColumn> columns = {
       {"spring_work", dimensions::energy, "energy of springs, within the internal energy"},
-      {"damper_work", dimensions::energy, "energy that dampers have taken, within the viscous energy"}};
+      {"damper_work", dimensions::energy, "energy that dampers have taken, within the viscous energy"},
+      {"dt_spring", {}, "spring that limits the next step, 0: an element does"}};
   for (const Spring& spring : springs.springs) {
     if (!spring.has_columns) continue;
     columns.push_back({"spring_force:" + spring.name, dimensions::force,
@@ -23,6 +38,7 @@ void append_springs(const SpringModel& springs, const State& state, std::vector<
   if (state.springs.empty()) return;
   row.push_back(state.books.spring_work);
   row.push_back(state.books.damper_work);
+  row.push_back(number_limiting_spring(springs, state.bound.spring));
   for (std::size_t s = 0; s < state.springs.size(); ++s) {
     if (!springs.springs[s].has_columns) continue;
     row.push_back(state.springs[s].force());

@@ -8,8 +8,8 @@
 
 namespace percuss {
 
-/// Work of all springs and dampers, then "spring_force:NAME" and "spring_elongation:NAME", spring after spring, of
-/// those with Spring::has_columns; none without springs.
+/// Work of all springs and dampers, which spring limits the step, then "spring_force:NAME" and
+/// "spring_elongation:NAME", spring after spring, of those with Spring::has_columns; none without springs.
 std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs);
 
 /// Appends the values of those columns to a row.

@@ -10,6 +10,7 @@
 #include "comm/all_reduce.hpp"
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/deck/asked_for.hpp"
 #include "src/deck/rigid_bodies.hpp"
 #include "src/error.hpp"
 #include "src/index.hpp"
@@ -18,11 +19,6 @@
 
 namespace percuss {
 namespace {
-
-const char* name_direction(int k) {
-  constexpr const char* names[6] = {"x", "y", "z", "rx", "ry", "rz"};
-  return names[k];
-}
 
 /// Holds a direction of a body. Rest is rest, whoever asks for it.
 void hold(RigidBody& body, int direction, int motion, const std::string& place) {
@@ -34,7 +30,7 @@ void hold(RigidBody& body, int direction, int motion, const std::string& place) 
   throw InputError(
       fmt::format("{}: error: rigid body '{}' is held in direction {} already, and is to be moved in it "
                   "leave it out of one of both",
-                  place, body.name, name_direction(direction)));
+                  place, body.name, direction_names[at(direction)]));
 }
 
 /// [bodies] nodes of each that a condition selects, on all ranks.

@@ -11,6 +11,7 @@ try:
     import h5py
     import numpy as np
     from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
     from vtkmodules.vtkIOExodus import vtkExodusIIReader
 except ImportError as error:
     print(f"skipped: {error}; scripts/install_dependencies --render installs what this test needs")
@@ -94,6 +95,32 @@ class Vtk(unittest.TestCase):
                 np.testing.assert_array_equal(cells["von_mises"], 1e6 * frame + mine / 7)
                 np.testing.assert_array_equal(cells["flag"], (500 + 3 * mine + frame) % 2)
                 np.testing.assert_array_equal(cells["GlobalElementId"], 500 + 3 * mine)
+
+    def test_has_the_sets_of_the_mesh(self):
+        for kind in (self.reader.NODE_SET, self.reader.SIDE_SET):
+            self.assertEqual(self.reader.GetNumberOfObjects(kind), 1)
+            self.assertEqual(self.reader.GetObjectName(kind, 0).split(" Size")[0].split(" ID")[0], "left/floor")
+            self.reader.SetObjectStatus(kind, 0, 1)
+        self.reader.SetTimeStep(0)
+        self.reader.Update()
+        self.assertEqual(self.reader.GetErrorCode(), 0)
+        sets = {}
+        for i in range(self.reader.GetOutput().GetNumberOfBlocks()):
+            group = self.reader.GetOutput().GetBlock(i)
+            name = self.reader.GetOutput().GetMetaData(i).Get(vtkCompositeDataSet.NAME())
+            if group is not None and group.GetNumberOfBlocks() > 0:
+                sets[name] = group.GetBlock(0)
+        floor = cube()[: (CELLS + 1) ** 2]
+        nodes = vtk_to_numpy(sets["Node Sets"].GetPoints().GetData())
+        self.assertEqual({tuple(p) for p in nodes}, {tuple(p) for p in floor})
+        faces = sets["Side Sets"]
+        self.assertEqual(faces.GetNumberOfCells(), CELLS**2)
+        corners = vtk_to_numpy(faces.GetPoints().GetData())
+        for cell in range(CELLS**2):
+            ids = faces.GetCell(cell).GetPointIds()
+            face = np.array([corners[ids.GetId(i)] for i in range(4)])
+            np.testing.assert_array_equal(face[:, 2], 0)
+            self.assertEqual(np.cross(face[1] - face[0], face[2] - face[1])[2], -1)  # outward
 
     def test_has_the_tensor_by_its_components(self):
         with h5py.File(PATH, "r") as file:

@@ -16,9 +16,26 @@ except ImportError as error:
 SCRIPTS = sys.argv.pop()
 sys.path[:0] = [SCRIPTS, os.path.join(os.path.dirname(SCRIPTS), "python")]
 from percuss.units import choose_unit, format_time  # noqa: E402
+from rendering.plates import span_wall  # noqa: E402
 from rendering.ranges import choose_bar, find_ends  # noqa: E402
 from rendering.selection import Cut, faces_camera  # noqa: E402
 from rendering.skin import Skin  # noqa: E402
+
+
+class Wall(unittest.TestCase):
+    points = np.array([[0.0, 0, 0], [1, 2, 3]])
+    up = np.array([0.0, 0, 1])
+
+    def test_without_an_end_lies_under_all_points(self):
+        plate = span_wall(np.array([5.0, 5, -1]), self.up, None, self.points)
+        self.assertTrue((plate.min(axis=0)[:2] < 0).all() and (plate.max(axis=0)[:2] > [1, 2]).all())
+        np.testing.assert_allclose(plate[:, 2], -1, atol=0.01)
+
+    def test_that_ends_is_its_rectangle(self):
+        edges = np.array([[2.0, 0, 0], [0, 3, 0]])
+        plate = span_wall(np.array([5.0, 5, -1]), self.up, edges, self.points)
+        np.testing.assert_array_equal(plate[:, :2], [[5, 5], [7, 5], [7, 8], [5, 8]])
+        np.testing.assert_allclose(plate[:, 2], -1, atol=0.01)
 
 
 class Bar(unittest.TestCase):

@@ -26,7 +26,9 @@ inline Mesh make_mesh(int cells = 2) {
       mesh.nodes.push_back({i % n + 10.0 * part, i / n % n + 0.0, i / (n * n) + 0.0});
       mesh.node_ids.push_back(1000 - static_cast<std::int64_t>(mesh.node_ids.size()));
     }
+    for (int i = 0; part == 0 && i < n * n; ++i) mesh.node_sets["left/floor"].push_back(first + i);
     for (int e = 0; e < cells * cells * cells; ++e) {
+      if (part == 0 && e < cells * cells) mesh.side_sets["left/floor"].push_back({e, 4});
       const int c = first + e % cells + n * (e / cells % cells) + n * n * (e / (cells * cells));
       const int up = n * n;
       testing_mesh::add_element(mesh.elements, TopologyKind::hex8,
@@ -61,6 +63,8 @@ inline ChunkedMesh take_share(const ChunkedMesh& whole, const Communicator& rank
   Mesh& own = share.mesh;
   share.numbering = whole.numbering;
   own.parts = whole.mesh.parts;
+  own.node_sets["left/floor"] = {};
+  own.side_sets["left/floor"] = {};
   own.elements.blocks = whole.mesh.elements.blocks;
   std::vector<int> local(whole.mesh.nodes.size(), -1);
   for (const Chunk& chunk : whole.chunks) {
@@ -70,6 +74,10 @@ inline ChunkedMesh take_share(const ChunkedMesh& whole, const Communicator& rank
     share.chunks.push_back({static_cast<int>(own.elements.size()), chunk.element_count, chunk.part, chunk.number});
     for (int i = chunk.first_element; i < chunk.first_element + chunk.element_count; ++i) {
       const auto e = static_cast<std::size_t>(i);
+      for (const ElementFace& face : whole.mesh.side_sets.at("left/floor")) {
+        if (face.element == i)
+          own.side_sets["left/floor"].push_back({static_cast<int>(own.elements.size()), face.face});
+      }
       own.elements.add(whole.mesh.elements.block_index(e), whole.mesh.corners(e));
       own.element_ids.push_back(whole.mesh.element_ids[e]);
       for (const int node : whole.mesh.corners(e)) local[static_cast<std::size_t>(node)] = 0;
@@ -81,6 +89,10 @@ inline ChunkedMesh take_share(const ChunkedMesh& whole, const Communicator& rank
     own.nodes.push_back(whole.mesh.nodes[n]);
     own.node_ids.push_back(whole.mesh.node_ids[n]);
     own.node_numbers.push_back(static_cast<std::int64_t>(n));
+  }
+  for (const int node : whole.mesh.node_sets.at("left/floor")) {
+    if (local[static_cast<std::size_t>(node)] >= 0)
+      own.node_sets["left/floor"].push_back(local[static_cast<std::size_t>(node)]);
   }
   for (std::size_t e = 0; e < own.elements.size(); ++e) {
     for (int& node : own.elements.corners(e)) node = local[static_cast<std::size_t>(node)];
@@ -126,7 +138,9 @@ void write_frame(File& file, const Mesh& mesh, int frame) {
 }
 
 inline FieldsOptions options() {
-  return {"A sample & its <title>", "m, kg, s", FieldPrecision::float64, {{{0, 0, -1}, {0, 0, 1}}}};
+  FieldsOptions options{"A sample & its <title>", "m, kg, s", FieldPrecision::float64, {{{0, 0, -1}, {0, 0, 1}}}};
+  options.node_sets = options.side_sets = {"left/floor"};
+  return options;
 }
 
 /// A fields file that one rank writes.

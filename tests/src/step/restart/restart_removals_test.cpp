@@ -13,7 +13,7 @@
 
 #include "src/deck/reading/read_deck.hpp"
 #include "src/error.hpp"
-#include "src/output/fields/fields_restart.hpp"
+#include "src/output/earlier/earlier_results.hpp"
 #include "src/output/history_file.hpp"
 #include "src/step/run/run.hpp"
 #include "tests/verification/support/run_deck.hpp"
@@ -158,10 +158,10 @@ TEST_F(RestartRemovals, RowsAndFramesBehindAPointAreFound) {
   fs::resize_file(path("history.csv"), text.size() - 1);  // half of a row is none
   EXPECT_EQ(find_later_rows(path("history.csv"), bytes).size(), 0);
   EXPECT_EQ(find_later_rows(path("none.csv"), -1).size(), 0);
-  ASSERT_EQ(find_later_frames(path("fields.vtkhdf"), 2).size(), 2);
-  EXPECT_EQ(find_later_frames(path("fields.vtkhdf"), 2)[0].step, 20);
-  EXPECT_EQ(find_later_frames(path("fields.vtkhdf"), -1).size(), 4);
-  EXPECT_EQ(find_later_frames(path("history.csv"), 0).size(), 0);
+  ASSERT_EQ(find_later_frames(vtkhdf_frames, path("fields.vtkhdf"), 2).size(), 2);
+  EXPECT_EQ(find_later_frames(vtkhdf_frames, path("fields.vtkhdf"), 2)[0].step, 20);
+  EXPECT_EQ(find_later_frames(vtkhdf_frames, path("fields.vtkhdf"), -1).size(), 4);
+  EXPECT_EQ(find_later_frames(vtkhdf_frames, path("history.csv"), 0).size(), 0);
 }
 
 TEST(StopRequest, BeforeTheFirstFileEndsTheRunWithoutOne) {

@@ -120,6 +120,46 @@ TEST(ExodusOnRanks, TellsKindsAndErosion) {
   for (const double one : exo.numbers("vals_elem_var7eb2")) EXPECT_EQ(one, 1);
 }
 
+/// Names of sets, each a row of characters.
+std::vector<std::string> read_names(const Hdf5FileView& file, const std::string& name) {
+  const std::vector<unsigned char> bytes = file.bytes(name);
+  const std::size_t length = file.shape(name)[1];
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < bytes.size(); i += length)
+    names.emplace_back(reinterpret_cast<const char*>(&bytes[i]));  // ends with a zero
+  return names;
+}
+
+// Those that the deck names, of generated parts; the bar is 3 long.
+TEST(ExodusOnRanks, HasTheSetsThatTheDeckNames) {
+  const Folder folder;
+  run(make_deck("exodus"), folder.path());
+  if (!is_first_rank()) return;
+  const Hdf5FileView exo(folder.path() + "/fields.exo");
+  EXPECT_EQ(read_names(exo, "ns_names"), (std::vector<std::string>{"bar/x_max", "bar/x_min", "plate/x_min"}));
+  EXPECT_EQ(exo.whole_numbers("ns_prop1"), (std::vector<std::int64_t>{1, 2, 3}));
+  const std::vector<double> x = exo.numbers("coordx"), y = exo.numbers("coordy");
+  const auto places = [&](const std::string& name, const std::vector<double>& of) {
+    std::vector<double> found;
+    for (const std::int64_t node : exo.whole_numbers(name)) found.push_back(of.at(static_cast<std::size_t>(node - 1)));
+    return found;
+  };
+  EXPECT_EQ(places("node_ns1", x), (std::vector<double>{3, 3, 3, 3}));
+  EXPECT_EQ(places("node_ns2", x), (std::vector<double>{0, 0, 0, 0}));
+  EXPECT_EQ(places("node_ns3", x), (std::vector<double>{0, 0, 0}));
+  EXPECT_THAT(places("node_ns3", y), testing::Each(testing::Ge(3)));
+  // Side 2 of HEX8 has the corners 2, 3, 7, 6 of the element, side 4 has 1, 5, 8, 4 (Exodus II manual, figure 4.4).
+  ASSERT_EQ(read_names(exo, "ss_names"), (std::vector<std::string>{"bar/x_max", "bar/x_min"}));
+  const std::vector<std::int64_t> corners = exo.whole_numbers("connect1");
+  const auto corner_x = [&](const std::string& set, std::size_t corner) {
+    const auto element = static_cast<std::size_t>(exo.whole_numbers("elem_" + set).at(0) - 1);
+    return x.at(static_cast<std::size_t>(corners.at(8 * element + corner) - 1));
+  };
+  const std::size_t sides[6][4] = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+  for (const std::size_t corner : sides[exo.whole_numbers("side_ss1").at(0) - 1]) EXPECT_EQ(corner_x("ss1", corner), 3);
+  for (const std::size_t corner : sides[exo.whole_numbers("side_ss2").at(0) - 1]) EXPECT_EQ(corner_x("ss2", corner), 0);
+}
+
 TEST(ExodusOnRanks, GoesOnAfterARestart) {
   const Folder whole, parts;
   run(make_deck("exodus"), whole.path());

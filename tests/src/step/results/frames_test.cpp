@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 
 #include "comm/agreement.hpp"
@@ -146,6 +147,45 @@ output: {fields: {every: 10, write: [contact_force, contact_pressure]}}
     EXPECT_NEAR(pressure[n], sum / 0.24, 1e-7 * sum / 0.24);
   }
   EXPECT_EQ(pressed, 2 * 4 * 3);
+}
+
+// The last frame of a run that restarts where it ends: no step comes before it.
+TEST(FramesOnRanks, ContactPressureIsThereInAFrameThatARestartWritesBeforeItsFirstStep) {
+  const Communicator ranks = Communicator::world();
+  std::optional<TemporaryFolder> folder;
+  if (ranks.rank() == 0) folder.emplace();
+  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  if (ranks.rank() == 0) {
+    for (const char* name : {"/whole", "/first", "/second"}) std::filesystem::create_directory(path + name);
+  }
+  ranks.barrier();
+  const auto run = [&](const std::string& name, const std::string& steps, const std::string& restart) {
+    RunOptions options{path + name, Progress::Style::quiet};
+    options.restart = restart;
+    run_scene(parse_deck(R"yaml(
+time: {end: 1, max_steps: 8}
+parts:
+  top: {box: {size: [0.6, 0.4, 1], cells: [3, 2, 10]}, at: [0, 0, 1.0005], material: m}
+  base: {box: {size: [0.6, 0.4, 1], cells: [3, 2, 10]}, material: m}
+materials: {m: {model: elastic, density: 4, youngs_modulus: 100, poissons_ratio: 0}}
+initial: [{part: top, velocity: [0, 0, -0.1]}]
+contact: {friction: 0.2}
+output: {fields: {every: 10, write: [contact_pressure]}, checkpoint: {every: 1.0e-6}}
+)yaml",
+                         "deck.yaml", {"time.max_steps=" + steps}),
+              options);
+  };
+  run("/whole", "7", "");
+  run("/first", "8", "");
+  run("/second", "7", path + "/first/checkpoint_previous.h5");
+  if (ranks.rank() > 0) return;
+  const auto read_last = [&](const std::string& name) {
+    const std::vector<double> all = Hdf5FileView(path + name).numbers("VTKHDF/PointData/contact_pressure");
+    return std::vector<double>(all.end() - 2 * 4 * 3 * 11, all.end());
+  };
+  const std::vector<double> pressure = read_last("/whole/fields.vtkhdf");
+  EXPECT_GT(*std::max_element(pressure.begin(), pressure.end()), 0);
+  EXPECT_EQ(read_last("/second/fields.vtkhdf"), pressure);
 }
 
 // A bar that is pulled apart at its end; its deck does not name the field.

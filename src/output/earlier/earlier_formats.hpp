@@ -1,0 +1,41 @@
+#pragma once
+// How the formats of result files keep their frames, for who continues a file.
+
+#include <cstdint>
+#include <set>
+#include <span>
+#include <string>
+
+#include "src/hdf5/hdf5_handle.hpp"
+
+namespace percuss {
+
+/// What a file has, or must have.
+struct FramesInFile {
+  hsize_t frames = 0;
+  hsize_t nodes = 0, elements = 0;  // of the mesh
+};
+
+/// file: an open HDF5 file. All functions throw hdf5::Error.
+struct FramesFormat {
+  const char* file_name;  // in the folder of a run
+
+  /// Paths of datasets with a number a frame.
+  const char *times, *steps;
+
+  /// Frames that a reader finds.
+  std::int64_t (*count_frames)(hid_t file);
+  /// The mesh; frames are not counted.
+  FramesInFile (*find_mesh)(hid_t file);
+
+  /// The fields in the file, and "?" for what belongs to none of `fields`.
+  std::set<std::string> (*list_fields)(hid_t file, std::span<const std::string> fields);
+
+  /// Cuts off all frames behind the first. The file is flushed in between: a kill must leave no frame that a reader
+  /// counts but finds cut, and filled with zeros.
+  void (*cut)(hid_t file, const FramesInFile& kept);
+};
+
+extern const FramesFormat vtkhdf_frames, exodus_frames;
+
+}  // namespace percuss
