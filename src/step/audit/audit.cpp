@@ -57,7 +57,7 @@ NodeSums::Totals sum_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const 
 /// Adds what the rotations of the nodes of shells hold to the same sums.
 void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model, const State& state,
                NodeSums::Totals& totals) {
-  if (!model.has_shells) return;
+  if (!model.has_rotations) return;
   const MovingNodes nodes = find_rotations(model, state);
   const auto w = state.w;
   const auto inertia = state.inertia;
