@@ -14,7 +14,7 @@ class Fields:
     Attributes: times [frames], steps [frames], time_unit, title, units (the deck's text), part_names, walls [walls][6]
     (a point and the unit normal of each that does not move), part [elements], element_ids, node_ids, nodes and elements
     (counts), hexahedra [elements][8]. The four corners of a shell stand twice there, so that its faces 4 and 5 are its
-    two surfaces."""
+    two surfaces. Of a beam the second node stands for the others too."""
 
     def __init__(self, folder):
         self.path = os.path.join(folder, "fields.vtkhdf") if os.path.isdir(folder) else os.fspath(folder)
@@ -70,7 +70,7 @@ class Fields:
         return self.root["PointData/node_id"][: self.nodes]
 
     def cells(self):
-        """Corners of each element, an array each: eight, four of a shell, three of a triangle. Indexes of nodes from 0."""
+        """Corners of each element, an array each: eight, four of a shell, three of a triangle, two of a beam. Indexes of nodes from 0."""
         corners, offsets = self.root["Connectivity"][:], self.root["Offsets"][:]
         return np.split(corners, offsets[1:-1])
 

@@ -29,11 +29,12 @@ def list_nodes(model: Model) -> Iterator[str]:
 def list_blocks(model: Model) -> Iterator[str]:
     for block in model.blocks:
         yield from ("*PART", block.name, f"{block.id},")
-        for keyword, elements in (("*ELEMENT_SOLID", block.solids), ("*ELEMENT_SHELL", block.shells)):
+        kinds = (("*ELEMENT_SOLID", block.solids, 8), ("*ELEMENT_SHELL", block.shells, 4), ("*ELEMENT_BEAM", block.beams, 2))
+        for keyword, elements, count in kinds:
             if elements:
                 yield keyword
             for id, corners in elements:
-                nodes = corners + corners[-1:] * ((8 if keyword == "*ELEMENT_SOLID" else 4) - len(corners))
+                nodes = corners + corners[-1:] * (count - len(corners))
                 yield f"{id},{block.id},{','.join(map(str, nodes))}"
 
 

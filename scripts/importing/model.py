@@ -17,7 +17,7 @@ RESERVED = {"all", "top", "bottom"}
 class Block:
     """Elements of one part with one thickness: a part of the deck.
 
-    solids and shells: (id, corners). A shell has 3 or 4 corners, a solid 8, or 4 where it is a tetrahedron.
+    solids, shells and beams: (id, corners). A shell has 3 or 4 corners, a solid 8, or 4 where it is a tetrahedron.
     """
 
     id: int
@@ -26,9 +26,17 @@ class Block:
     place: Place
     solids: list[tuple[int, tuple[int, ...]]] = field(default_factory=list)
     shells: list[tuple[int, tuple[int, ...]]] = field(default_factory=list)
+    beams: list[tuple[int, tuple[int, ...]]] = field(default_factory=list)
     thickness: float | None = None
     keys: Deck = field(default_factory=dict)  # further keys of parts.NAME, such as points
     density: float = 0.0
+
+    def elements(self) -> list[tuple[int, tuple[int, ...]]]:
+        return self.solids + self.shells + self.beams
+
+    def bends(self) -> bool:
+        """Whether its nodes have rotations."""
+        return bool(self.shells or self.beams) and "truss" not in self.keys.get("section", {})
 
 
 @dataclass
@@ -50,19 +58,22 @@ class Model:
         """Nodes of the elements that are written."""
         used: set[int] = set()
         for block in self.blocks:
-            for _, corners in block.solids:
-                used.update(corners)
-            for _, corners in block.shells:
+            for _, corners in block.elements():
                 used.update(corners)
         return used
 
     def shell_nodes(self) -> set[int]:
         return {node for block in self.blocks for _, corners in block.shells for node in corners}
 
+    def turning_nodes(self) -> set[int]:
+        """Nodes that have rotations: those of shells and of beams that bend."""
+        blocks = [block for block in self.blocks if block.bends()]
+        return {node for block in blocks for _, corners in block.shells + block.beams for node in corners}
+
     def nodes_of_blocks(self, ids: Iterable[int]) -> set[int]:
         wanted = set(ids)
         return {
-            node for block in self.blocks if block.id in wanted for _, corners in block.solids + block.shells for node in corners
+            node for block in self.blocks if block.id in wanted for _, corners in block.elements() for node in corners
         }
 
     def add(self, section: str, entry: Deck) -> None:

@@ -39,9 +39,11 @@ def summarise(model: Model, notes: list[str]) -> list[str]:
     nodes = model.used_nodes()
     solids = sum(len(block.solids) for block in model.blocks)
     shells = [corners for block in model.blocks for _, corners in block.shells]
+    beams = sum(len(block.beams) for block in model.blocks)
     triangles = sum(1 for corners in shells if len(corners) == 3)
     lines = [f"nodes: {len(nodes)}, ids {min(nodes)} to {max(nodes)}, kept" if nodes else "nodes: none",
-             f"elements: {solids} solids, {len(shells) - triangles} quadrilaterals, {triangles} triangles, ids kept"]  # fmt: skip
+             f"elements: {solids} solids, {len(shells) - triangles} quadrilaterals, {triangles} triangles"
+             + (f", {beams} beams" if beams else "") + ", ids kept"]  # fmt: skip
     if len(model.nodes) > len(nodes):
         lines.append(f"nodes without elements: {len(model.nodes) - len(nodes)}, left out of the mesh and of sets")
     if nodes:
@@ -57,7 +59,7 @@ def measure(model: Model, nodes: set[int]) -> list[str]:
         mass, of_block = measure_block(model, block)
         total += mass
         moment = [a + b for a, b in zip(moment, of_block)]
-        count = len(block.solids) + len(block.shells)
+        count = len(block.elements())
         lines.append(f"part {block.name}: id {block.part}, {count} elements, {block.keys['material']}, mass {mass:.6g}")
     center = [m / total if total else 0.0 for m in moment]
     show = lambda v: ", ".join(f"{x:.6g}" for x in v)  # noqa: E731

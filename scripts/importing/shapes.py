@@ -1,5 +1,7 @@
 """Geometry of elements: volumes, areas, faces."""
 
+import math
+
 from .model import Block, Model, Vector
 
 HEX_FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
@@ -50,6 +52,22 @@ def shell_area(x: list[Vector]) -> float:
     return 0.5 * dot(normal, normal) ** 0.5
 
 
+def section_area(section: dict) -> float:
+    """Area of a section as the deck gives it."""
+    for kind, keys in section.items():
+        if kind == "round":
+            return math.pi * keys["radius"] ** 2
+        if kind == "tube":
+            return math.pi * (keys["outer_radius"] ** 2 - keys["inner_radius"] ** 2)
+        if kind == "rectangle":
+            return keys["size"][0] * keys["size"][1]
+        if kind == "box":
+            (y, z), wall = keys["size"], keys["wall"]
+            return y * z - (y - 2 * wall) * (z - 2 * wall)
+        return keys["area"]
+    return 0.0
+
+
 def measure_block(model: Model, block: Block) -> tuple[float, Vector]:
     """Mass, and mass times centre."""
     mass, moment = 0.0, [0.0, 0.0, 0.0]
@@ -64,6 +82,13 @@ def measure_block(model: Model, block: Block) -> tuple[float, Vector]:
             mass += volume * block.density
             for d in range(3):
                 moment[d] += volume * block.density * center[d]
+    area = section_area(block.keys.get("section", {}))
+    for _, corners in block.beams:
+        a, b = (model.nodes[node] for node in corners)
+        weight = dot(subtract(b, a), subtract(b, a)) ** 0.5 * area * block.density
+        mass += weight
+        for d in range(3):
+            moment[d] += 0.5 * weight * (a[d] + b[d])
     return mass, (moment[0], moment[1], moment[2])
 
 

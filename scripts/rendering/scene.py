@@ -32,8 +32,14 @@ VEIL = 0.7  # opacity of the white behind texts
 SMOOTH_BELOW = 35.0  # degrees between faces: round bodies look round, edges of blocks stay sharp
 
 
+def make_cells(offsets, corners):
+    cells = vtkCellArray()
+    cells.SetData(numpy_to_vtkIdTypeArray(offsets, deep=1), numpy_to_vtkIdTypeArray(corners.astype(np.int64), deep=1))
+    return cells
+
+
 class Surface:
-    """The polygons of a skin, whose points move from frame to frame."""
+    """The lines and polygons of a skin, whose points move from frame to frame."""
 
     def __init__(self, skin):
         self.points = vtkPoints()
@@ -44,10 +50,9 @@ class Surface:
     def choose(self, skin):
         """Another skin of the same mesh; it has neither places nor colours until it is given some."""
         self.skin = skin
-        cells = vtkCellArray()
-        cells.SetData(numpy_to_vtkIdTypeArray(skin.offsets, deep=1),
-                      numpy_to_vtkIdTypeArray(skin.corners.astype(np.int64), deep=1))
-        self.mesh.SetPolys(cells)
+        behind = int(skin.offsets[skin.lines])
+        self.mesh.SetLines(make_cells(skin.offsets[: skin.lines + 1], skin.corners[:behind]))
+        self.mesh.SetPolys(make_cells(skin.offsets[skin.lines :] - behind, skin.corners[behind:]))
 
     def move(self, positions):
         self.points.SetData(numpy_to_vtk(np.ascontiguousarray(self.skin.at_points(positions)), deep=1))
@@ -92,6 +97,7 @@ class Scene:
         look.SetDiffuse(0.82)
         look.SetSpecular(0.08)
         look.SetSpecularPower(20)
+        look.SetLineWidth(1.8 * self.scale)  # of beams
         if edges:
             look.EdgeVisibilityOn()
             look.SetEdgeColor(*rgb("#4a4f57"))

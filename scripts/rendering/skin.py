@@ -1,4 +1,4 @@
-"""The polygons that are drawn: outer faces of the elements, cut off at a plane, and the sections of elements in that plane.
+"""What is drawn: beams as lines, outer faces of the elements, cut off at a plane, and the sections of elements in that plane.
 
 A point of a polygon is a node, or lies on the edge between two nodes: it moves with both, so that a cut stays in the
 material.
@@ -13,11 +13,17 @@ HEX_EDGES = [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0,
 
 class Skin:
     """Attributes: ends [points][2], the nodes of each point's edge, twice the same for a node; share [points] of the second;
-    corners, the points of polygon after polygon; offsets [polygons + 1] into corners; owners [polygons], elements."""
+    corners, the points of line after line, then of polygon after polygon; offsets [lines and polygons + 1] into corners;
+    owners [lines and polygons], elements; lines, how many there are."""
 
     def __init__(self, hexahedra, drawn, cut=None):
         faces, owners = exterior_faces(hexahedra, drawn)
         polygons = _Polygons()
+        beams = np.flatnonzero(drawn & are_lines(hexahedra))
+        if cut is not None:
+            beams = beams[(cut.height[hexahedra[beams, :2]] <= 0).all(axis=1)]
+        self.lines = len(beams)
+        polygons.add_lines(hexahedra[beams, :2], beams)
         if cut is None:
             polygons.add_faces(faces, owners)
         else:
@@ -54,6 +60,12 @@ class _Polygons:
     def __init__(self):
         self.ends, self.sizes, self.owners = [], [np.empty(0, int)], [np.empty(0, int)]
 
+    def add_lines(self, lines, owners):
+        """Lines [n][2] of nodes."""
+        self.ends.append(np.repeat(lines.reshape(-1, 1), 2, axis=1))
+        self.sizes.append(np.full(len(lines), 2))
+        self.owners.append(owners)
+
     def add_faces(self, faces, owners):
         """Faces [n][4] of nodes; a triangle's last corner stands for a fourth."""
         stands = np.ones((len(faces), 4), dtype=bool)
@@ -71,9 +83,14 @@ class _Polygons:
         return np.concatenate(self.ends) if self.ends else np.empty((0, 2), int)
 
 
+def are_lines(hexahedra):
+    """[elements] whether each is a beam: its second corner stands for all others."""
+    return (hexahedra[:, 1] == hexahedra[:, 2]) & (hexahedra[:, 0] == hexahedra[:, 4])
+
+
 def exterior_faces(hexahedra, kept):
     """Faces that belong to one of the kept elements only, and shells: their corners [faces][4], their elements [faces]."""
-    elements = np.flatnonzero(kept)
+    elements = np.flatnonzero(kept & ~are_lines(hexahedra))
     shells = elements[hexahedra[elements, 0] == hexahedra[elements, 4]]
     elements = elements[hexahedra[elements, 0] != hexahedra[elements, 4]]
     corners = hexahedra[elements][:, HEX_FACES].reshape(-1, 4)

@@ -6,7 +6,7 @@ from rendering.colors import PART_COLORS
 
 from .markup import Markup, escape, fold, format_number, make_table, show_deck, with_unit
 
-KINDS = {3: "triangles", 4: "quadrilaterals", 8: "hexahedra"}
+KINDS = {2: "beams", 3: "triangles", 4: "quadrilaterals", 8: "hexahedra"}
 
 
 def unit_of(run, quantity):
@@ -63,6 +63,8 @@ def count_corners(corners):
     """Corners of a cell, from its padded form."""
     if corners[0] != corners[4]:
         return 8
+    if corners[1] == corners[2]:
+        return 2
     return 3 if corners[2] == corners[3] else 4
 
 

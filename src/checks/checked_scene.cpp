@@ -10,7 +10,7 @@ namespace percuss {
 
 std::string find_shape_path(const PartDeck& part) {
   constexpr const char* names[] = {"box",        "cylinder",     "tube",           "sphere", "shell_plate",
-                                   "shell_tube", "shell_sphere", "shell_box_tube", "mesh"};
+                                   "shell_tube", "shell_sphere", "shell_box_tube", "line",   "mesh"};
   static_assert(std::variant_size_v<Shape> == std::size(names), "every shape has its key");
   const auto* mesh = std::get_if<FileMesh>(&part.shape);
   const char* const name = mesh != nullptr && mesh->is_exodus ? "exodus" : names[part.shape.index()];

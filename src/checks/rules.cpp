@@ -60,6 +60,7 @@ const std::vector<CheckRule>& check_rules() {
       {"idle_part", check_idle_parts, Needs::mesh},
       {"unreached_body", check_unreached_bodies, Needs::mesh},
       {"no_contact", check_missing_contact, Needs::mesh},
+      {"beam_contact", check_beam_contact, Needs::mesh},
       {"deep_overlap", check_deep_overlap, Needs::start},
       {"behind_wall", check_behind_wall, Needs::start},
       {"penalty_speed", check_penalty_speed, Needs::mesh},

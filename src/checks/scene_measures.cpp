@@ -73,7 +73,7 @@ void measure_elements(const Mesh& mesh, std::vector<PartMeasures>& parts) {
     PartMeasures& part = parts[at(mesh.part_of(e))];
     const Topology& topology = mesh.topology_of(e);
     measure_edges(mesh, e, part);
-    ++(topology.is_surface() ? part.shells : part.solids);
+    ++(topology.is_solid() ? part.solids : topology.is_surface() ? part.shells : part.beams);
     if (topology.family == ElementFamily::hexahedra) measure_layer(mesh, e, part);
   }
 }
@@ -207,7 +207,7 @@ void reduce(const Communicator& ranks, SceneMeasures& scene) {
   std::vector<double> largest;
   const auto list = [&](const auto& count, const auto& value) {
     for (PartMeasures& part : scene.parts) {
-      for (std::int64_t* c : {&part.solids, &part.shells, &part.single_layer, &part.nodes}) count(*c);
+      for (std::int64_t* c : {&part.solids, &part.shells, &part.beams, &part.single_layer, &part.nodes}) count(*c);
       for (std::int64_t& moment : part.moments) count(moment);
       value(part.shortest_edge, -1);
       value(part.longest_edge, 1);
@@ -239,6 +239,14 @@ void reduce(const Communicator& ranks, SceneMeasures& scene) {
 }  // namespace
 
 double PartMeasures::extent() const { return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]}); }
+
+std::vector<bool> SceneMeasures::mark_beams() const {
+  std::vector<bool> has_surface(parts.size(), false), marks;  // has_surface: by assembly
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    if (parts[p].solids + parts[p].shells > 0) has_surface[at(assemblies[p])] = true;
+  for (std::size_t p = 0; p < parts.size(); ++p) marks.push_back(!has_surface[at(assemblies[p])]);
+  return marks;
+}
 
 SceneMeasures measure_scene(const Deck& deck, const ChunkedMesh& chunked, const Rows3<double>& start_velocity) {
   const Mesh& mesh = chunked.mesh;

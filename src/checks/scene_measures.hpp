@@ -24,11 +24,11 @@ struct PartMeasures {
   // Sums over its nodes of x, y and z, then of their squares, as shares of the box of the scene in units of 2^-30:
   // whole numbers, whose sum has no order.
   std::array<std::int64_t, 6> moments{};
-  std::int64_t solids = 0, shells = 0;  // elements
-  std::int64_t single_layer = 0;        // solids with just two opposite faces on the surface, as a sheet has
-  double layer_thickness = 0;           // largest distance of these faces [length]
+  std::int64_t solids = 0, shells = 0, beams = 0;  // elements
+  std::int64_t single_layer = 0;                   // solids with just two opposite faces on the surface, as a sheet has
+  double layer_thickness = 0;                      // largest distance of these faces [length]
 
-  std::int64_t elements() const { return solids + shells; }
+  std::int64_t elements() const { return solids + shells + beams; }
   double extent() const;  // longest edge of its box [length]
   friend bool operator==(const PartMeasures&, const PartMeasures&) = default;
 };
@@ -53,6 +53,8 @@ struct SceneMeasures {
 
   /// Of parts that share nodes, directly or not.
   bool are_joined(std::size_t part, std::size_t other) const { return assemblies[part] == assemblies[other]; }
+  /// [parts] whether it and all that it is joined to are beams, which touch nothing.
+  std::vector<bool> mark_beams() const;
   bool is_joined(std::size_t part) const {
     return std::count(assemblies.begin(), assemblies.end(), assemblies[part]) > 1;
   }

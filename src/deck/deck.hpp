@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "src/deck/beam_deck.hpp"
 #include "src/deck/element_deck.hpp"
 #include "src/deck/functions/curve.hpp"
 #include "src/deck/mesh_changes.hpp"
@@ -97,6 +98,12 @@ struct ShellBoxTubeShape {
   bool has_end() const { return closed == Closed::end || closed == Closed::both; }
 };
 
+/// A straight line of beams. Sides: start, end, its two outer nodes.
+struct LineShape {
+  Vec3 from{}, to{};
+  int cells = 1;
+};
+
 /// A file with a mesh. All its element blocks and sets, by name (or "block_7", "nodes_7", "sides_7", "elements_7").
 struct FileMesh {
   std::string file;                 // as found: relative paths are relative to the deck
@@ -106,7 +113,7 @@ struct FileMesh {
 };
 
 using Shape = std::variant<BoxShape, CylinderShape, TubeShape, SphereShape, ShellPlateShape, ShellTubeShape,
-                           ShellSphereShape, ShellBoxTubeShape, FileMesh>;
+                           ShellSphereShape, ShellBoxTubeShape, LineShape, FileMesh>;
 
 /// Whether a generated shape is a surface of shells.
 bool is_shell_shape(const Shape& shape);
@@ -158,11 +165,13 @@ struct PartDeck {
   Vec3 at{};
   std::optional<MassScalingDeck> mass_scaling;  // instead of TimeDeck::mass_scaling
   std::string material;
-  std::optional<double> thickness;  // of its shells [length]; they need one
-  std::optional<int> points;        // across the thickness of its shells; default: by the material
-  double offset = 0;                // of the middle of its shells from the mesh, along their normal [length]
-  std::optional<RigidDeck> rigid;   // none: it deforms
-  PartElementDeck own_elements;     // instead of Deck::elements
+  std::optional<double> thickness;         // of its shells [length]; they need one
+  std::optional<int> points;               // across the thickness of its shells; default: by the material
+  double offset = 0;                       // of the middle of its shells from the mesh, along their normal [length]
+  std::optional<BeamSectionDeck> section;  // of its beams; they need one
+  std::optional<Vec3> toward;      // to which y of the section of its beams points as far as it can, a unit vector
+  std::optional<RigidDeck> rigid;  // none: it deforms
+  PartElementDeck own_elements;    // instead of Deck::elements
   Place place;
 };
 

@@ -59,6 +59,8 @@ MeshSize count(const ShellBoxTubeShape& tube) {
   return {around * along + plates * x * y, around * (along + 1) + plates * (x - 1) * (y - 1)};
 }
 
+MeshSize count(const LineShape& line) { return {double(line.cells), double(line.cells) + 1}; }
+
 MeshSize count(const FileMesh&) { return {}; }
 
 }  // namespace

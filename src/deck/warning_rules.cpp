@@ -38,6 +38,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"unreached_body", "moving body that touches nothing before the end"},
       // contact (src/checks/rules/motion_rules.cpp, contact_rules.cpp)
       {"no_contact", "parts that have no contact and whose boxes meet"},
+      {"beam_contact", "beams, which have no contact, whose box meets another body or a wall"},
       {"penalty_speed", "penalty contact that is too soft for how fast bodies meet"},
       {"deep_overlap", "overlap at the start that is deep beside an element or a thickness"},
       {"behind_wall", "nodes that begin behind a wall"},

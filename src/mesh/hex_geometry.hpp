@@ -1,5 +1,5 @@
 #pragma once
-// Volume and corner Jacobians of a solid, area of a shell, centres.
+// Volume and corner Jacobians of a solid, area of a shell, length of a beam, centres.
 
 #include <array>
 #include <cmath>
@@ -71,10 +71,12 @@ inline double find_solid_volume(const Topology& topology, const HexCorners& x) {
   return volume / 12;
 }
 
-/// Volume of an element at time 0 [length^3]: of a shell its area times its thickness.
+/// Volume of an element at time 0 [length^3]: of a shell its area times its thickness, of a beam its length times that
+/// of its cross section.
 inline double find_element_volume(const Mesh& mesh, std::size_t element) {
   const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
   if (mesh.topology_of(element).is_surface()) return mesh.block_of(element).section.thickness * find_shell_area_size(x);
+  if (mesh.topology_of(element).is_line()) return mesh.block_of(element).section.area * find_distance(x[0], x[1]);
   return find_solid_volume(mesh.topology_of(element), x);
 }
 

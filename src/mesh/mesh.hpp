@@ -81,6 +81,13 @@ inline bool has_shells(const Mesh& mesh) {
                      [](const ElementBlock& block) { return find_topology(block.topology).is_surface(); });
 }
 
+/// Whether some block of the mesh is of beams; the same on all ranks.
+inline bool has_beams(const Mesh& mesh) {
+  const std::vector<ElementBlock>& blocks = mesh.elements.blocks;
+  return std::any_of(blocks.begin(), blocks.end(),
+                     [](const ElementBlock& block) { return find_topology(block.topology).is_line(); });
+}
+
 /// load_mesh() (src/mesh/decomposition/decompose.hpp) on this rank alone, without its chunks.
 Mesh build_mesh(const Deck& deck);
 

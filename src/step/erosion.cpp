@@ -105,7 +105,7 @@ ElementFace Erosion::find_across(const FaceKey& face, int but) const {
   for (int i = around_.first[at(node)]; i < around_.first[at(node) + 1]; ++i) {
     const int e = around_.items[at(i)];
     const Topology& topology = mesh.topology_of(at(e));
-    if (topology.is_surface()) continue;  // its faces are exterior as long as it lives
+    if (!topology.is_solid()) continue;  // the faces of a surface are exterior as long as it lives
     for (int f = 0; e != but && f < topology.face_count; ++f)
       if (make_key(mesh, {e, f}) == face) return {e, f};
   }
@@ -188,7 +188,7 @@ void Erosion::sort_nodes(State& state, Bookkeeper* books) {
   unload_nodes(vanished, state, books != nullptr);
   if (books != nullptr) books->book_vanished(chunked_, vanished, state);
   empty_nodes(vanished, state.mass, state.inverse_mass, state.v);
-  if (model_.has_shells) empty_nodes(vanished, state.inertia, state.inverse_inertia, state.w);
+  if (model_.has_rotations) empty_nodes(vanished, state.inertia, state.inverse_inertia, state.w);
 }
 
 /// Loads on nodes go with them, and so does the half step's work of their force at n.

@@ -16,8 +16,9 @@ namespace {
 /// What an element of a chunk lacks of the mass that makes its bound the wanted step.
 struct MissingMass {
   HexChunks chunks;
+  BeamMarks is_beam;
   Array<Real> hex_bounds;
-  Array<double> shell_bounds, mass;
+  Array<double> other_bounds, mass;  // other_bounds: of shells and beams
   FailingChunks failing;
   ElementLives lives;
 
@@ -25,27 +26,29 @@ struct MissingMass {
     const int pack = failing.find_pack(c);
     if (pack >= 0 && lives.steps_left(pack * pack_width + i) == 0) return 0;
     const int e = chunks.first_element(c) + i;
-    const double bound =
-        is_shell(chunks, c) ? shell_bounds(e) : static_cast<double>(hex_bounds(chunks.first_pack(c) * pack_width + i));
+    const double bound = is_shell(chunks, c) || is_beam(c)
+                             ? other_bounds(e)
+                             : static_cast<double>(hex_bounds(chunks.first_pack(c) * pack_width + i));
     if (!(bound > 0 && bound < target)) return 0;
     const double ratio = target / bound;
     return mass(e) * (ratio * ratio - 1);
   }
 };
 
-MissingMass find_missing(const Model& model, const State& state, const StepWatch& watch, const Array<double>& shells) {
-  return {model.chunks, watch.bound, shells, state.element_mass, model.failing, state.lives};
+MissingMass find_missing(const Model& model, const State& state, const StepWatch& watch, const Array<double>& others) {
+  return {model.chunks, model.is_beam_chunk, watch.bound, others, state.element_mass, model.failing, state.lives};
 }
 
 /// Shares of the corners that kernels see, in eighths of the mass of an element.
 struct MassShares {
-  Kokkos::Array<double, kernel_corner_count> hex, quad, triangle;
+  Kokkos::Array<double, kernel_corner_count> hex, quad, triangle, line;
 
   MassShares() {
     for (std::size_t i = 0; i < kernel_corner_count; ++i) {
       hex[i] = hex8_topology.find_mass_share(i);
       quad[i] = quad4_topology.find_mass_share(i);
       triangle[i] = tri3_topology.find_mass_share(i);
+      line[i] = line2_topology.find_mass_share(i);
     }
   }
 };
@@ -62,8 +65,8 @@ MassScaler::MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model
       halo_(model.ranks, model.halo) {
   watch_.bound = Array<Real>("percuss::element_bounds", model.chunks.corner_slots.extent(0) / 8);
   watch_.growth = Array<double>("percuss::growth", chunked.chunks.size());
-  if (model.has_shells)
-    shell_bounds_ = Array<double>("percuss::shell_bounds", static_cast<std::size_t>(model.element_count));
+  if (model.has_rotations || model.has_beams)
+    other_bounds_ = Array<double>("percuss::shell_and_beam_bounds", static_cast<std::size_t>(model.element_count));
   std::vector<int> places(deck.parts.size(), -1);
   for (const AddedMass& start : model.added_masses) {
     const auto part =
@@ -95,7 +98,7 @@ std::vector<double> MassScaler::find_shares(const State& state) {
     target(c) = due ? parts_[static_cast<std::size_t>(p)].request.step : 0;
   }
   Kokkos::deep_copy(target_, target);
-  const MissingMass missing = find_missing(model_, state, watch_, shell_bounds_);
+  const MissingMass missing = find_missing(model_, state, watch_, other_bounds_);
   const auto wanted = wanted_, step = target_;
   const HexChunks chunks = model_.chunks;
   Kokkos::parallel_for(
@@ -126,7 +129,7 @@ void MassScaler::give(const State& state, const std::vector<double>& shares) {
   for (std::size_t c = 0; c < part_of_chunk_.size(); ++c)
     by_chunk(c) = part_of_chunk_[c] >= 0 ? shares[static_cast<std::size_t>(part_of_chunk_[c])] : 0;
   Kokkos::deep_copy(share_, by_chunk);
-  const MissingMass missing = find_missing(model_, state, watch_, shell_bounds_);
+  const MissingMass missing = find_missing(model_, state, watch_, other_bounds_);
   const auto wanted = wanted_, share = share_, target = target_, mass = state.element_mass;
   const auto elements = state.elements;
   const auto settled = state.results.is_settled;
@@ -151,20 +154,23 @@ void MassScaler::sum_lumped(const State& state) {
   const auto slots = slot_lumped_;
   const auto mass = state.element_mass, gyration_square = model_.gyration_square;
   const HexChunks chunks = model_.chunks;
+  const BeamMarks is_beam = model_.is_beam_chunk;
   Kokkos::parallel_for(
       "percuss::lump_masses", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
         for (int s = chunks.first_slot(c); s < chunks.first_slot(c + 1); ++s) slots(s, 0) = slots(s, 1) = 0;
         const int first = chunks.first_element(c);
-        const bool of_shells = is_shell(chunks, c);
+        const bool of_shells = is_shell(chunks, c), of_beams = is_beam(c);
+        const bool turns = (of_shells || of_beams) && gyration_square.extent(0) > 0;
         for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
           const std::size_t place = (static_cast<std::size_t>(chunks.first_pack(c) + i / pack_width) * 8) * pack_width +
                                     static_cast<std::size_t>(i % pack_width);
-          const auto slot = [&](int k) {
-            return chunks.corner_slots(place + static_cast<std::size_t>(k * pack_width));
-          };
-          const auto& share = !of_shells ? shares.hex : slot(2) == slot(3) ? shares.triangle : shares.quad;
+          const auto slot = [&](int k) { return chunks.corner_slots(place + static_cast<std::size_t>(k * pack_width)); };
+          const auto& share = of_beams             ? shares.line
+                              : !of_shells         ? shares.hex
+                              : slot(2) == slot(3) ? shares.triangle
+                                                   : shares.quad;
           const double eighth = mass(first + i) / 8,
-                       turning = of_shells ? mass(first + i) * gyration_square(first + i) / 8 : 0;
+                       turning = turns ? mass(first + i) * gyration_square(first + i) / 8 : 0;
           for (int k = 0; k < 8; ++k) {
             slots(chunks.first_slot(c) + slot(k), 0) += share[k] * eighth;
             slots(chunks.first_slot(c) + slot(k), 1) += share[k] * turning;
@@ -187,7 +193,7 @@ void MassScaler::set_nodes(State& state) const {
   const auto lumped = lumped_;
   const auto whole = state.lumped_mass, mass = state.mass, inertia = state.inertia;
   const auto inverse_mass = state.inverse_mass, inverse_inertia = state.inverse_inertia;
-  const bool has_spins = model_.has_shells;
+  const bool has_spins = model_.has_rotations;
   Kokkos::parallel_for(
       "percuss::set_node_masses", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
         whole(n) = lumped(n, 0);

@@ -21,9 +21,9 @@ class MassScaler {
   /// All arguments outlive this.
   MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 
-  /// Where the launchers write the bounds of all elements: of hexahedra and of shells.
+  /// Where the launchers write the bounds of all elements: of hexahedra, and of shells and beams.
   const StepWatch& watch() const { return watch_; }
-  const Array<double>& shell_bounds() const { return shell_bounds_; }
+  const Array<double>& other_bounds() const { return other_bounds_; }
 
   /// Whether an element of this rank is to get mass after the forces of a step. bounds: [chunks] least of each.
   bool is_wanted(long step, const HostMirror<Array<double>>& bounds) const;
@@ -62,7 +62,7 @@ class MassScaler {
   Array<double> wanted_;            // [chunks] mass that elements lack
   Array<double> share_;             // [chunks] of it that is given
   StepWatch watch_;
-  Array<double> shell_bounds_;
+  Array<double> other_bounds_;
   Rows3<double> slot_lumped_;  // mass and rotary inertia by slot
   Rows3<double> lumped_;       // the same of the nodes
   HaloSwap halo_;

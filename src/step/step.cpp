@@ -18,7 +18,7 @@ Stepper::Stepper(const Deck& deck, const ChunkedMesh& chunked, const Model& mode
       forces_(deck, chunked, model, contact),
       pressures_("percuss::pressures", model.pressures.size()),
       nodal_values_("percuss::nodal_values", model.nodal_values.size()) {
-  if (model.has_shells) moment_halo_.emplace(model.ranks, model.halo);
+  if (model.has_rotations) moment_halo_.emplace(model.ranks, model.halo);
   std::vector<int> is_displacement;
   for (const Motion& motion : model.motions) is_displacement.push_back(motion.is_displacement ? 1 : 0);
   motions_ = {Array<double>("percuss::motion_values", model.motions.size()),
@@ -164,9 +164,9 @@ void Stepper::integrate_motion(State& state, double dt, double dt_mean) {
   if (damping_) damping_->damp(state, dt_mean);
 }
 
-/// Rotations of the nodes of shells: nothing but the elements' moments and conditions acts on them.
+/// Rotations of the nodes of shells and beams: nothing but the elements' moments and conditions acts on them.
 void Stepper::integrate_spins(State& state, double dt, double dt_mean) {
-  if (!model_.has_shells) return;
+  if (!model_.has_rotations) return;
   {
     const Phase phase("percuss::integrate_spins", clocks_.integrate);
     predict_velocities(space_, {model_.nodes_to_slots, state.slot_moment, state.inverse_inertia, {}}, dt_mean,
@@ -261,20 +261,29 @@ void Stepper::advance_sending(State& state, const ElementMotion& motion) {
   advance_elements(space_, model_.chunks, model_.sending_blocks, motion, state.chunk_fields());
   if (tets_) tets_->advance(state, model_.sending_tet_blocks, motion);
   advance_shells_of(state, model_.sending_shell_blocks, motion);
+  advance_beams_of(state, model_.sending_beam_block, motion);
 }
 
 void Stepper::advance_others(State& state, const ElementMotion& motion) {
   advance_elements(space_, model_.chunks, model_.blocks, motion, state.chunk_fields());
   if (tets_) tets_->advance(state, model_.tet_blocks, motion);
   advance_shells_of(state, model_.shell_blocks, motion);
+  advance_beams_of(state, model_.beam_block, motion);
 }
 
 void Stepper::advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion) {
-  if (!model_.has_shells) return;
-  const Array<double> shell_bounds = scaler_ ? scaler_->shell_bounds() : Array<double>();
+  if (!model_.has_rotations) return;
+  const Array<double> bounds = scaler_ ? scaler_->other_bounds() : Array<double>();
   advance_shells(space_, model_.chunks, shells,
-                 {state.x, state.v, state.w, motion.dt, motion.skips_rest, model_.failing, state.lives, shell_bounds},
+                 {state.x, state.v, state.w, motion.dt, motion.skips_rest, model_.failing, state.lives, bounds},
                  state.chunk_fields());
+}
+
+void Stepper::advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion) {
+  if (!model_.has_beams) return;
+  const Array<double> bounds = scaler_ ? scaler_->other_bounds() : Array<double>();
+  advance_beams(space_, model_.chunks, beams, {state.x, state.v, state.w, motion.dt, motion.skips_rest, bounds},
+                state.chunk_fields());
 }
 
 Traffic Stepper::traffic() const {

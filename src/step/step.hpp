@@ -117,6 +117,7 @@ class Stepper {
   void advance_sending(State& state, const ElementMotion& motion);
   void advance_others(State& state, const ElementMotion& motion);
   void advance_shells_of(State& state, const ShellBlocks& shells, const ElementMotion& motion);
+  void advance_beams_of(State& state, const BeamBlock& beams, const ElementMotion& motion);
   void apply_loads(State& state, double time);
   void apply_forces(State& state, double time);
   StepNotice find_notice(const State& state) const;

@@ -30,7 +30,7 @@ std::vector<std::int64_t> count_turned_corners(const ChunkedMesh& chunked, const
   std::vector<std::int64_t> counts(mesh.parts.size(), 0);
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const Topology& topology = mesh.topology_of(e);
-    if (topology.is_surface()) continue;
+    if (!topology.is_solid()) continue;
     if (e < mesh.eroded.dead.size() && mesh.eroded.dead[e] != 0) continue;
     const HexCorners x = gather_corners(mesh.elements, e, [&](int node) {
       const auto n = static_cast<std::size_t>(node);

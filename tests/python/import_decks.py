@@ -512,3 +512,82 @@ tip, 2, 50.
 U,
 *END STEP
 """
+
+# A frame: a rectangle, a tube, resultants, and a truss.
+BEAMS = (
+    _HEAD
+    + BLOCK
+    + """\
+*NODE
+      31             0.0             0.0             0.0
+      32             0.0             0.0             2.0
+      33             2.0             0.0             2.0
+      34             2.0             0.0             0.0
+      39             0.0             5.0             0.0
+      40             0.0             5.0             2.0
+      41             2.0             5.0             2.0
+*ELEMENT_BEAM
+       1      21      31      32      39
+       2      21      32      33      40
+       3      21      33      34      41
+     500      22      31      33       0
+       5      23      31      34       0
+       6      24      32      34       0
+*PART
+posts
+        21        21         3
+*PART
+tie
+        22        22         3
+*PART
+sill
+        23        23         3
+*PART
+brace
+        24        24         3
+*SECTION_BEAM
+        21         1       1.0         2         0
+      0.02      0.02      0.05      0.05
+        22         3
+    0.0001
+        23         1       1.0         2         1
+      0.04      0.04      0.03      0.03
+        24         2
+     0.001    1.0e-7    1.0e-7    2.0e-7    8.0e-4
+*BOUNDARY_SPC_NODE
+        31         0         1         1         1         1         1         1
+*END
+"""
+)
+
+ABAQUS_BEAMS = """\
+*HEADING
+a frame
+*NODE
+1, 0., 0., 0.
+2, 0., 0., 1.
+3, 1., 0., 1.
+*ELEMENT, TYPE=B31, ELSET=posts
+1, 1, 2
+2, 2, 3
+*ELEMENT, TYPE=T3D2, ELSET=tie
+3, 1, 3
+*BEAM SECTION, ELSET=posts, MATERIAL=steel, SECTION=RECT
+0.02, 0.04
+0., 1., 0.
+*SOLID SECTION, ELSET=tie, MATERIAL=steel
+1e-4
+*MATERIAL, NAME=steel
+*DENSITY
+7850.
+*ELASTIC
+2e11, 0.3
+*BOUNDARY
+1, 1, 6
+*STEP
+*DYNAMIC, EXPLICIT
+, 1e-3
+*CLOAD
+3, 1, 100.
+*END STEP
+"""

@@ -148,9 +148,46 @@ class Mesh(InFolder):
     def test_elements_of_other_shapes_are_refused_with_their_line(self):
         wedge = decks.SMALL.replace("      11      12      13      14\n", "      11      11      14      14\n")
         self.assertIn("deck.k:21", self.refusals(wedge)["ELEMENT_SOLID.wedge"])
-        beam = decks.SMALL.replace("*END", "*ELEMENT_BEAM\n7,3,1,2,3\n*END")
-        self.assertIn("ELEMENT_BEAM", self.refusals(beam))
-        self.assertEqual(self.refusals(beam, "element_*"), {})
+        belt = decks.SMALL.replace("*END", "*ELEMENT_SEATBELT\n7,3,1,2,3\n*END")
+        self.assertIn("ELEMENT_SEATBELT", self.refusals(belt))
+        self.assertEqual(self.refusals(belt, "element_*"), {})
+
+    def test_beams_become_parts_with_sections(self):
+        model, ledger = self.read(decks.BEAMS)
+        self.assertEqual(ledger.list_refused(), [])
+        blocks = {block.name: block for block in model.blocks if block.beams}
+        self.assertEqual(blocks["posts"].keys["section"], {"rectangle": {"size": [0.02, 0.05]}})
+        self.assertEqual(blocks["posts"].keys["toward"], [0.0, 1.0, 0.0])
+        self.assertEqual(len(blocks["posts"].beams), 3)
+        self.assertEqual(blocks["tie"].keys["section"], {"truss": {"area": 1e-4}})
+        self.assertEqual(blocks["tie"].beams, [(10500, (31, 33))])  # a solid has the id
+        self.assertEqual(blocks["sill"].keys["section"], {"tube": {"outer_radius": 0.02, "inner_radius": 0.015}})
+        general = blocks["brace"].keys["section"]["general"]
+        self.assertEqual((general["inertia_y"], general["shear_area_y"]), (1e-7, 8e-4))
+        self.assertEqual(model.deck["conditions"][-1]["fixed"], ["x", "y", "z", "rx", "ry", "rz"])
+
+    def test_beams_are_checked_by_the_program(self):
+        self.accept(decks.BEAMS)
+        self.accept(decks.ABAQUS_BEAMS, "frame.inp")
+
+    def test_beams_turned_in_two_ways_become_two_parts(self):
+        model, _ = self.read(decks.BEAMS.replace("       3      21      33      34      41", "       3      21      33      34      31"))
+        self.assertEqual([block.name for block in model.blocks if block.part == 21], ["posts", "posts_d2"])
+
+    def test_what_beams_do_not_have_is_refused(self):
+        for old, new, card in (("        21         1       1.0", "        21         6       1.0", "SECTION_BEAM.ELFORM"),
+                               ("      0.02      0.02", "      0.02      0.03", "SECTION_BEAM.TS2"),
+                               ("       5      23      31      34       0", "       5      23      31      34       0       1", "ELEMENT_BEAM.RT1")):
+            self.assertIn(card, self.refusals(decks.BEAMS.replace(old, new)))
+        self.fails(decks.BEAMS.replace("       3      21      33      34      41", "       3      21      33      34       0"), "there is no node 0", "N3")
+
+    def test_beams_of_abaqus(self):
+        model, ledger = self.read_abaqus(decks.ABAQUS_BEAMS)
+        self.assertEqual(ledger.list_refused(), [])
+        self.assertEqual(model.blocks[0].keys["section"], {"rectangle": {"size": [0.02, 0.04]}})
+        self.assertEqual(model.blocks[0].keys["toward"], [0.0, 1.0, 0.0])
+        self.assertEqual(model.blocks[1].keys["section"], {"truss": {"area": 1e-4}})
+        self.assertIn("BEAM SECTION.SECTION", {e.card for e in self.read_abaqus(decks.ABAQUS_BEAMS.replace("RECT", "L"))[1].list_refused()})
 
     def test_tetrahedra_are_known_by_their_collapsed_edges(self):
         plain = "       1       2       3       4      11      12      13      14\n"

@@ -119,7 +119,7 @@ class AbaqusDeck:
         """The name of a block, or of a set of elements."""
         wanted = set(ids)
         for block in self.model.blocks:
-            if wanted == {id for id, _ in block.solids + block.shells}:
+            if wanted == {id for id, _ in block.elements()}:
                 return block.name
         if not ids:
             return ""

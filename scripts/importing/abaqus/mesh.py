@@ -12,6 +12,7 @@ from .lines import Block
 # Type: corners, kind; what percuss does not have has no kind.
 SOLIDS = {"C3D8": 8, "C3D8R": 8, "C3D4": 4}
 SHELLS = {"S4": 4, "S4R": 4, "S4RS": 4, "S4RSW": 4, "S3": 3, "S3R": 3, "S3RS": 3}
+BEAMS = {"B31": 2, "T3D2": 2}
 SPRINGS = {"SPRINGA": 2, "DASHPOTA": 2}
 NODES_OF_OTHERS = {"C3D10": 10, "C3D10M": 10, "C3D20": 20, "C3D20R": 20, "C3D15": 15, "C3D27": 27}
 HEX_SIDES = ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
@@ -22,7 +23,7 @@ Side = tuple[str, str]  # an element or a set of elements, the label of a face
 
 @dataclass
 class Section:
-    """*SOLID SECTION or *SHELL SECTION."""
+    """*SOLID SECTION, *SHELL SECTION or *BEAM SECTION."""
 
     kind: str
     elements: str
@@ -31,6 +32,10 @@ class Section:
     thickness: float = 0.0
     points: int = 5
     offset: float = 0.0
+    area: float = 0.0  # of trusses
+    shape: str = ""  # of beams, with dimensions and the direction n1
+    sizes: list[float] = field(default_factory=list)
+    toward: list[float] = field(default_factory=lambda: [0.0, 0.0, -1.0])
 
 
 @dataclass
@@ -107,7 +112,7 @@ def read_nodes(scope: Scope, block: Block) -> None:
 def read_elements(scope: Scope, block: Block) -> None:
     """An element may go over several lines."""
     kind = block.option("TYPE")
-    count: int = {**NODES_OF_OTHERS, **SOLIDS, **SHELLS, **SPRINGS}.get(kind, 0)
+    count: int = {**NODES_OF_OTHERS, **SOLIDS, **SHELLS, **BEAMS, **SPRINGS}.get(kind, 0)
     lines = iter(block.lines)
     for line in lines:
         values = [block.id(line, i) for i in range(len(line[1])) if line[1][i]]

@@ -6,16 +6,17 @@ from ..fields import MOST_ID
 from ..ledger import BadInput
 from ..model import Block as Part
 from ..model import Deck
+from .beams import add_beam_keys, read_beam_section
 from .deck import AbaqusDeck
 from .lines import Block
 from .materials import translate_material
-from .mesh import SHELLS, SOLIDS, SPRINGS, Scope, Section, join
+from .mesh import BEAMS, SHELLS, SOLIDS, SPRINGS, Scope, Section, join
 
 MOST_NODES = 20_000_000
 
 
 def read_section(scope: Scope, block: Block) -> None:
-    """*SOLID SECTION and *SHELL SECTION."""
+    """*SOLID SECTION, *SHELL SECTION and *BEAM SECTION."""
     section = Section(block.keyword.split()[0], block.option("ELSET"), block.option("MATERIAL"), block.place)
     if section.kind == "SHELL" and block.lines:
         section.thickness, section.points = block.number(block.lines[0], 0), block.integer(block.lines[0], 1, 5)
@@ -23,6 +24,10 @@ def read_section(scope: Scope, block: Block) -> None:
         section.offset = {"SPOS": 0.5, "SNEG": -0.5}.get(offset, 0.0)
         if offset and offset not in ("SPOS", "SNEG"):
             section.offset = block.number((block.place.line, [offset]), 0)
+    if section.kind == "SOLID" and block.lines:
+        section.area = block.number(block.lines[0], 0)
+    if section.kind == "BEAM":
+        read_beam_section(section, block)
     scope.sections.append(section)
 
 
@@ -91,16 +96,22 @@ def build_part(deck: AbaqusDeck, section: Section, number: int, material: str, l
                 raise BadInput(section.place, f"there is no node {corner}, of element {id}")
     if part.shells:
         add_shell_keys(deck, section, part)
-    if part.solids and part.shells:
-        raise BadInput(section.place, "a section of solids and shells")
-    if part.solids or part.shells:
+    if sum(1 for elements in (part.solids, part.shells, part.beams) if elements) > 1:
+        raise BadInput(section.place, "a section of elements of several kinds")
+    if part.beams and not add_beam_keys(deck, section, part, law):
+        return
+    if part.elements():
         deck.model.blocks.append(part)
         deck.ledger.translated(f"{section.kind} SECTION", section.place, "a part")
 
 
 def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: str, corners: tuple[int, ...]) -> None:
-    """A solid or a shell; anything else is refused."""
-    if kind in SHELLS and len(corners) == SHELLS[kind]:
+    """A solid, a shell or a beam; anything else is refused."""
+    if kind in BEAMS and (kind == "T3D2") == (section.kind == "SOLID"):
+        if len(corners) > 2:
+            deck.ledger.refuse("ELEMENT.B31", section.place, "beams with a node that turns the section", "n1 of the section is used")
+        part.beams.append((id, corners[:2]))
+    elif kind in SHELLS and len(corners) == SHELLS[kind]:
         part.shells.append((id, corners))
     elif kind in SOLIDS and len(set(corners)) == SOLIDS[kind]:
         part.solids.append((id, corners))

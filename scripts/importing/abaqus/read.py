@@ -24,7 +24,7 @@ IGNORED = {
     "ORIENTATION": "the laws that are read are isotropic", "DISTRIBUTION TABLE": "of distributions", "CONTACT INITIALIZATION DATA": "numerics",
 }  # fmt: skip
 MATERIAL_END = {"MATERIAL", "STEP", "BOUNDARY", "AMPLITUDE", "SURFACE INTERACTION", "INITIAL CONDITIONS", "PART", "ASSEMBLY", "NSET", "ELSET",
-                "NODE", "ELEMENT", "SOLID SECTION", "SHELL SECTION", "SURFACE", "TIE", "CONTACT", "CONTACT PAIR", "INSTANCE",
+                "NODE", "ELEMENT", "SOLID SECTION", "SHELL SECTION", "BEAM SECTION", "SURFACE", "TIE", "CONTACT", "CONTACT PAIR", "INSTANCE",
                 "END ASSEMBLY"}  # fmt: skip
 
 
@@ -166,7 +166,7 @@ class Reader:
 METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "HEADING": Reader.heading, "PART": Reader.begin_part, "ASSEMBLY": Reader.begin_assembly, "INSTANCE": Reader.begin_instance,
     "END PART": Reader.end, "END ASSEMBLY": Reader.end, "END INSTANCE": Reader.end, "NODE": Reader.nodes, "ELEMENT": Reader.elements,
-    "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section,
+    "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section, "BEAM SECTION": Reader.section,
     "MASS": Reader.mass, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
     "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,
     "AMPLITUDE": Reader.amplitude, "STEP": Reader.begin_step, "DYNAMIC": Reader.dynamic, "STATIC": Reader.static, "FREQUENCY": Reader.static,

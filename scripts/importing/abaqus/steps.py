@@ -69,8 +69,8 @@ def read_boundary(deck: AbaqusDeck, block: Block) -> None:
 def add_condition(
     deck: AbaqusDeck, block: Block, line: tuple[int, list[str]], name: str, directions: list[str], value: float
 ) -> None:
-    shells = deck.model.shell_nodes()
-    if not any(node in shells for node in deck.model.node_sets[name]):
+    turning = deck.model.turning_nodes()
+    if not any(node in turning for node in deck.model.node_sets[name]):
         directions = [d for d in directions if d in AXES[:3]]
     kind = block.option("TYPE") or "DISPLACEMENT"
     if not directions:

@@ -13,9 +13,9 @@ DIRECTIONS = {1: "x", 2: "y", 3: "z", 5: "rx", 6: "ry", 7: "rz"}
 
 
 def add_fixed(deck: KeywordDeck, name: str, directions: list[str], nodes: list[int]) -> None:
-    """A condition; rotations only where one of the nodes has shells."""
-    shells = deck.shell_nodes()
-    if not any(node in shells for node in nodes):
+    """A condition; rotations only where one of the nodes has shells or beams."""
+    turning = deck.turning_nodes()
+    if not any(node in turning for node in nodes):
         directions = [d for d in directions if d in AXES]
     if directions:
         deck.model.add("conditions", {"nodes": name, "fixed": directions})

@@ -56,6 +56,15 @@ class Element:
 
 
 @dataclass
+class BeamElement:
+    """A beam with the node that says how its section is turned; 0: none."""
+
+    id: int
+    ends: tuple[int, ...]
+    third: int
+
+
+@dataclass
 class SpringElement:
     """A spring or damper between two nodes; 0 is the ground."""
 
@@ -73,6 +82,7 @@ class Elements:
     place: Place
     solids: list[tuple[int, tuple[int, ...]]] = field(default_factory=list)
     shells: list[Element] = field(default_factory=list)
+    beams: list[BeamElement] = field(default_factory=list)
     others: set[str] = field(default_factory=set)
 
 
@@ -131,6 +141,7 @@ class KeywordDeck:
         self.single_nodes: dict[int, str] = {}  # sets of one node
         self._used_nodes: set[int] | None = None
         self._shell_nodes: set[int] | None = None
+        self._turning_nodes: set[int] | None = None
         self.names_of_parts: dict[int, list[str]] = {}  # in the deck: one name a thickness
         self.rigid: dict[int, RigidPart] = {}  # parts that are rigid
         self.merged: dict[int, tuple[int, Place]] = {}  # rigid parts that belong to the body of another
@@ -217,6 +228,7 @@ class KeywordDeck:
         if not found:
             return []
         corners = [c for _, nodes in found.solids for c in nodes] + [c for e in found.shells for c in e.corners]
+        corners += [c for beam in found.beams for c in beam.ends]
         return list(dict.fromkeys(corners))
 
     def nodes_of_box(self, id: int, place: Place) -> list[int]:
@@ -267,6 +279,11 @@ class KeywordDeck:
         if self._shell_nodes is None:
             self._shell_nodes = self.model.shell_nodes()
         return self._shell_nodes
+
+    def turning_nodes(self) -> set[int]:
+        if self._turning_nodes is None:
+            self._turning_nodes = self.model.turning_nodes()
+        return self._turning_nodes
 
     def segment_set_name(self, id: int, place: Place) -> str | None:
         """A surface of contact: of shells both faces. None if no face is of an element."""

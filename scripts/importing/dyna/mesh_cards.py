@@ -10,8 +10,8 @@ NODE_WIDTHS = (8, 16, 16, 16, 8, 8)
 EIGHTS = (8,) * 10
 SIXTEENS = (16,) * 5
 SHAPES = {4: "tetrahedron", 5: "pyramid", 6: "wedge", 7: "degenerate"}
-# Beams and the like have no law in percuss: what is left of the model without them.
-OTHERS = ("BEAM", "SEATBELT", "SPH", "TSHELL", "PLOTEL", "INERTIA", "GENERALIZED")
+# Seat belts and the like have no law in percuss: what is left of the model without them.
+OTHERS = ("SEATBELT", "SPH", "TSHELL", "PLOTEL", "INERTIA", "GENERALIZED")
 
 
 def to_id(card: Card, number: int, text: str, what: str, may_be_blank: bool = False) -> int:

@@ -100,7 +100,7 @@ def pair_forces(deck: KeywordDeck) -> list[Deck]:
 def add_points(deck: KeywordDeck, history: Deck) -> None:
     """Followed nodes and elements, by the user's ids."""
     used = deck.used_nodes()
-    written = {id for block in deck.model.blocks for id, _ in block.shells + block.solids}
+    written = {id for block in deck.model.blocks for id, _ in block.elements()}
     for key, ids, known in (("nodes", deck.output.nodes, used), ("elements", deck.output.elements, written)):
         kept = [id for id in dict.fromkeys(ids) if id in known][:MOST_POINTS]
         if kept:

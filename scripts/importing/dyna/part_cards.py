@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from ..fields import Row
 from ..ledger import BadInput
 from ..model import Block, Deck
+from .beam_cards import divide_beams
 from .cards import Card
 from .deck import Element, Elements, KeywordDeck, PartCard
 from .rigid_cards import read_inertia
@@ -61,7 +62,7 @@ def read_part_options(deck: KeywordDeck, card: Card, reader, part: PartCard, opt
 def read_section(deck: KeywordDeck, card: Card) -> None:
     """Sections by id: cards of their own. A keyword may be followed by several."""
     kind = card.keyword.removeprefix("SECTION_").split("_")[0]
-    if kind not in ("SOLID", "SHELL", "DISCRETE"):
+    if kind not in ("SOLID", "SHELL", "DISCRETE", "BEAM"):
         deck.ledger.ignored(card.keyword, card.place, "a section of elements that percuss does not have")
         return
     reader = card.reader()
@@ -72,7 +73,7 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
         row = card.row(lines[0], "SECID ELFORM A B C D E F")
         if row.integer("ELFORM") > 100:  # a user's element has lines of its own
             lines += [reader.take() for _ in range(len(card.lines)) if reader]
-        elif kind == "DISCRETE" and reader:
+        elif kind in ("DISCRETE", "BEAM") and reader:
             lines.append(reader.take())
         elif kind == "SHELL":
             lines.append(reader.take())
@@ -140,7 +141,7 @@ def build_blocks(deck: KeywordDeck) -> None:
         part = deck.parts.get(id)
         if part is None:
             raise BadInput(elements.place, f"there is no part {id}")
-        if not elements.solids and not elements.shells:
+        if not elements.solids and not elements.shells and not elements.beams:
             continue
         for block in divide_part(deck, part, elements, next_id):
             next_id = max(next_id, block.id + 1)
@@ -152,7 +153,9 @@ def build_blocks(deck: KeywordDeck) -> None:
 
 
 def separate_ids(deck: KeywordDeck) -> None:
-    """Raises the ids of shells where solids have some of them: ids of elements are of one kind in percuss."""
+    """Raises the ids of shells where solids have some of them, and of beams likewise: ids of elements are of one kind in
+    percuss."""
+    separate_beams(deck)
     solids = {id for elements in deck.elements.values() for id, _ in elements.solids}
     shells = [shell for elements in deck.elements.values() for shell in elements.shells]
     if not solids or solids.isdisjoint(shell.id for shell in shells):
@@ -166,12 +169,31 @@ def separate_ids(deck: KeywordDeck) -> None:
     )
 
 
+def separate_beams(deck: KeywordDeck) -> None:
+    """Raises the ids of beams above those of all others where some are the same."""
+    beams = [beam for elements in deck.elements.values() for beam in elements.beams]
+    others = {id for elements in deck.elements.values() for id, _ in elements.solids}
+    others |= {shell.id for elements in deck.elements.values() for shell in elements.shells}
+    if not others or others.isdisjoint(beam.id for beam in beams):
+        return
+    shift = 10 ** (len(str(max(others))) + 1)  # shells may be raised too
+    for beam in beams:
+        beam.id += shift
+    place = next(elements.place for elements in deck.elements.values() if elements.beams)
+    deck.ledger.approximated("ELEMENT_BEAM.EID", place, f"ids are raised by {shift}, since other elements have some of them too")
+
+
 def divide_part(deck: KeywordDeck, part: PartCard, elements: Elements, next_id: int) -> list[Block]:
     """The blocks of a part, without its material."""
     section = deck.sections.get(part.section)
     if section is None:
         raise BadInput(part.place, f"there is no section {part.section}, of part {part.id}")
     name = deck.model.names.take(part.title or f"part_{part.id}", "part")
+    is_beam = section.keyword.startswith("SECTION_BEAM")
+    if elements.beams:
+        if elements.solids or elements.shells or not is_beam:
+            raise BadInput(part.place, f"part {part.id} has beams, but its section or other elements are of another kind")
+        return divide_beams(deck, part, elements.beams, name, next_id)
     if not elements.shells:
         return [Block(part.id, part.id, name, part.place, solids=elements.solids)]
     if elements.solids or not section.keyword.startswith("SECTION_SHELL"):

@@ -7,6 +7,7 @@ from ..model import Model
 from . import condition_cards as conditions
 from . import rigid_cards as rigid
 from . import start_cards as start
+from .beam_cards import read_beams
 from .cards import Card, CardReader
 from .contact_cards import finish_contacts, read_contact
 from .control_cards import apply_timestep, apply_viscosity, read_general_hourglass, read_other_control, read_termination
@@ -42,7 +43,7 @@ def read_detonation(deck: KeywordDeck, card: Card) -> None:
 # Read at once, by the longest name that a keyword begins with.
 DEFINITIONS: dict[str, Handler] = {
     "TITLE": read_title, "NODE": read_nodes, "ELEMENT_SOLID": read_solids, "ELEMENT_SHELL": read_shells, "ELEMENT_MASS": read_masses,
-    "ELEMENT_DISCRETE": read_springs, "ELEMENT_": read_other_elements, "PART": read_parts, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
+    "ELEMENT_DISCRETE": read_springs, "ELEMENT_BEAM": read_beams, "ELEMENT_": read_other_elements, "PART": read_parts, "SECTION_": read_section, "HOURGLASS": read_hourglass, "MAT_": read_material,
     "EOS_": read_state, "SET_": read_set, "DEFINE_CURVE": read_curve, "DEFINE_CURVE_SMOOTH": read_smooth_curve,
     "DEFINE_CURVE_": read_other_curve, "DEFINE_FUNCTION": read_other_curve, "DEFINE_TABLE": read_table, "DEFINE_BOX": read_box,
     "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination,
@@ -134,7 +135,8 @@ def build(deck: KeywordDeck) -> None:
 def check_corners(deck: KeywordDeck) -> None:
     """Every corner is a node."""
     for elements in deck.elements.values():
-        for id, corners in [*elements.solids, *((shell.id, shell.corners) for shell in elements.shells)]:
+        shells = ((shell.id, shell.corners) for shell in elements.shells)
+        for id, corners in [*elements.solids, *shells, *((beam.id, beam.ends) for beam in elements.beams)]:
             for node in corners:
                 if node not in deck.nodes:
                     raise BadInput(elements.place, f"there is no node {node}, of element {id}")

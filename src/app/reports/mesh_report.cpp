@@ -79,10 +79,10 @@ std::string format_sets(const std::vector<FileSet>& sets, const char* label, con
   return text.empty() ? mesh_line(label, "none") : text;
 }
 
-/// Elements that percuss makes of the file, with their volume and area.
+/// Elements that percuss makes of the file, with their volume, area and length.
 std::string format_elements(const PartMesh& mesh) {
-  double volume = 0, area = 0;
-  std::int64_t shells = 0, triangles = 0;
+  double volume = 0, area = 0, length = 0;
+  std::int64_t shells = 0, triangles = 0, beams = 0;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
     const HexCorners corners = gather_corners(mesh.elements, e, mesh.nodes);
     const Topology& topology = mesh.elements.topology_of(e);
@@ -90,15 +90,20 @@ std::string format_elements(const PartMesh& mesh) {
       area += find_shell_area_size(corners);
       ++shells;
       triangles += topology.corner_count == 3 ? 1 : 0;
+    } else if (topology.is_line()) {
+      length += find_distance(corners[0], corners[1]);
+      ++beams;
     } else {
       volume += find_solid_volume(topology, corners);
     }
   }
-  const std::int64_t solids = static_cast<std::int64_t>(mesh.elements.size()) - shells;
+  const std::int64_t solids = static_cast<std::int64_t>(mesh.elements.size()) - shells - beams;
   std::string text = count_of(static_cast<std::int64_t>(mesh.nodes.size()), "node");
   if (solids > 0) text += fmt::format(", {} solid elements of volume {:.6g}", solids, volume);
   if (shells > 0) text += fmt::format(", {} shells of area {:.6g} (the part needs a thickness)", shells, area);
-  return text + (triangles > 0 ? fmt::format(", {} of them triangles", triangles) : "");
+  if (triangles > 0) text += fmt::format(", {} of them triangles", triangles);
+  if (beams > 0) text += fmt::format(", {} beams of length {:.6g} (the part needs a section)", beams, length);
+  return text;
 }
 
 std::string format_reading(const std::string& file, const MeshContents& contents) {

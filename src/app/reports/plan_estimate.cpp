@@ -20,9 +20,9 @@ void add(const Traffic& traffic, double times, Cost& cost) {
   cost.bytes += times * static_cast<double>(traffic.bytes);
 }
 
-/// Shells swap moments besides forces.
+/// Shells and beams swap moments besides forces.
 Cost find_halo_cost(const RankPlan& rank, const StepPattern& pattern) {
-  const double swaps = pattern.has_shells ? 2 : 1;
+  const double swaps = pattern.has_rotations ? 2 : 1;
   return {swaps * static_cast<double>(rank.neighbours), swaps * static_cast<double>(rank.bytes_sent())};
 }
 
@@ -66,9 +66,10 @@ Spread find_spread(int ranks, const std::function<double(std::size_t)>& find) {
 }  // namespace
 
 StepPattern find_step_pattern(const Deck& deck, const ContactPlanner& contact) {
-  const bool has_shells = std::any_of(deck.parts.begin(), deck.parts.end(),
-                                      [](const PartDeck& part) { return part.thickness.has_value(); });
-  return {deck.gravity.any(), contact.points() > 0, !deck.walls.empty(), deck.contact.reuse_search, has_shells};
+  const bool has_rotations = std::any_of(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) {
+    return part.thickness || (part.section && bends(*part.section));
+  });
+  return {deck.gravity.any(), contact.points() > 0, !deck.walls.empty(), deck.contact.reuse_search, has_rotations};
 }
 
 double count_steps(const TimeDeck& time, double first_step) {

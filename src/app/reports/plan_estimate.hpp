@@ -18,7 +18,7 @@ struct StepPattern {
   bool has_pairs = false;  // surfaces that may touch
   bool has_walls = false;
   bool reuses_search = true;
-  bool has_shells = false;
+  bool has_rotations = false;
 };
 
 StepPattern find_step_pattern(const Deck& deck, const ContactPlanner& contact);

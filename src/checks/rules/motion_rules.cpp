@@ -90,11 +90,13 @@ struct Meeting {
 std::vector<Meeting> find_meetings(const CheckedScene& scene, std::size_t most) {
   constexpr double overlap = -1e-6;  // of a size: boxes that only touch may part
   const std::vector<Flight> flights = find_flights(scene);
+  const Marks of_beams = scene.measures->mark_beams();
   std::vector<Meeting> meetings;
   for (std::size_t a = 0; a < flights.size(); ++a) {
     for (std::size_t b = a + 1; b < flights.size() && meetings.size() < most; ++b) {
       if ((!flights[a].moves() && !flights[b].moves()) || flights[a].moves_with(flights[b])) continue;
       if (scene.measures->are_joined(a, b)) continue;
+      if (of_beams[a] || of_beams[b]) continue;  // check_beam_contact()
       if (do_overlap(flights[a].find_box(0), flights[b].find_box(0))) continue;
       const double time = find_meeting(flights[a], flights[b], scene.deck.time.end, overlap);
       if (time >= 0) meetings.push_back(flights[a].moves() ? Meeting{a, b, time} : Meeting{b, a, time});
@@ -145,6 +147,23 @@ class FirstMeetings {
   std::vector<Flight> flights_;
   std::vector<Marks> stopped_;  // by wall
 };
+
+/// Whom a part of beams meets before the end; empty: nobody.
+std::string describe_meeting(const CheckedScene& scene, const std::vector<Flight>& flights, std::size_t part) {
+  constexpr double overlap = -1e-6;  // of a size: boxes that only touch may part
+  const Deck& deck = scene.deck;
+  for (std::size_t other = 0; other < flights.size(); ++other) {
+    if (deck.contact.surfaces == ContactDeck::Surfaces::none || scene.measures->are_joined(part, other)) continue;
+    if (!flights[part].moves() && !flights[other].moves()) continue;
+    if (find_meeting(flights[part], flights[other], deck.time.end, overlap) >= 0)
+      return fmt::format("that of part '{}'", deck.parts[other].name);
+  }
+  for (std::size_t w = 0; w < deck.walls.size(); ++w) {
+    if (flights[part].moves() && find_meeting(flights[part], deck.walls[w], deck.time.end) >= 0)
+      return fmt::format("walls.{}", w);
+  }
+  return "";
+}
 
 /// later: when the part would touch something; below 0: never.
 std::string describe_flight(const std::string& part, double end, double later) {
@@ -202,6 +221,26 @@ std::vector<Warning> check_unreached_bodies(const CheckedScene& scene) {
     const std::string& name = deck.parts[p].name;
     const std::string text = describe_flight(name, deck.time.end, later);
     warnings.push_back(warn_at(deck, "unreached_body", "parts." + name, text));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_beam_contact(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  const bool has_contact = deck.contact.surfaces != ContactDeck::Surfaces::none;
+  if ((!has_contact && deck.walls.empty()) || deck.parts.size() > most_compared_parts) return warnings;
+  const std::vector<Flight> flights = find_flights(scene);
+  const Marks of_beams = scene.measures->mark_beams();
+  for (std::size_t p = 0; p < flights.size(); ++p) {
+    if (!of_beams[p]) continue;
+    const std::string meets = describe_meeting(scene, flights, p);
+    if (meets.empty()) continue;
+    warnings.push_back(
+        warn_at(deck, "beam_contact", "parts." + deck.parts[p].name,
+                fmt::format("the box of part '{}' meets {} (its beams have no contact and pass through): "
+                            "join it to a part that has a surface, or make it of shells or solids",
+                            deck.parts[p].name, meets)));
   }
   return warnings;
 }

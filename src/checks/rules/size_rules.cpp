@@ -42,7 +42,7 @@ bool have_alike_nodes(const PartMeasures& a, const PartMeasures& b) {
 
 bool are_alike(const PartMeasures& a, const PartMeasures& b) {
   constexpr double share = 1e-6;  // of the size: beyond round-off of how they were placed
-  if (a.solids != b.solids || a.shells != b.shells || !have_alike_nodes(a, b)) return false;
+  if (a.solids != b.solids || a.shells != b.shells || a.beams != b.beams || !have_alike_nodes(a, b)) return false;
   const double margin = share * a.extent();
   for (std::size_t k = 0; k < 3; ++k) {
     if (std::abs(a.low[k] - b.low[k]) > margin || std::abs(a.high[k] - b.high[k]) > margin) return false;

@@ -83,30 +83,30 @@ void check_size(const Deck& deck, const Node& root, Reading& reading) {
                                  total.elements, total.nodes, largest_mesh));
 }
 
-/// Rotations are held of nodes of shells and of rigid bodies only.
+/// Rotations are held of nodes of shells, of beams and of rigid bodies only.
 void check_rotations(const Deck& deck, Reading& reading) {
   const auto may_turn = [](const PartDeck& part) {
-    return part.thickness || part.rigid || std::holds_alternative<FileMesh>(part.shape);
+    return part.thickness || part.rigid || (part.section && bends(*part.section)) ||
+           std::holds_alternative<FileMesh>(part.shape);
   };
   if (std::any_of(deck.parts.begin(), deck.parts.end(), may_turn)) return;
   for (const NameUse& use : reading.rotations) {
-    reading.errors.add(use.spot,
-                       fmt::format("{} is of no use{} (no part has shells, whose nodes alone have rotations, or is "
-                                   "rigid)",
-                                   use.name, use.in));
+    reading.errors.add(use.spot, fmt::format("{} is of no use{} (no part has shells or beams, whose nodes alone have "
+                                             "rotations, or is rigid)",
+                                             use.name, use.in));
   }
 }
 
 /// The eigenvalue of the mesh is that of hexahedra.
 void check_step_estimate(const Deck& deck, const Node& root, Reading& reading) {
   if (deck.time.step_estimate != TimeDeck::StepEstimate::global) return;
-  const auto shells =
-      std::find_if(deck.parts.begin(), deck.parts.end(), [](const auto& part) { return part.thickness; });
-  if (shells == deck.parts.end()) return;
+  const auto other = std::find_if(deck.parts.begin(), deck.parts.end(),
+                                  [](const auto& part) { return part.thickness || part.section; });
+  if (other == deck.parts.end()) return;
   reading.errors.add(root.find("time")->find("step_estimate")->spot,
-                     fmt::format("time.step_estimate is global (part '{}' has shells, of which only the bound of the "
+                     fmt::format("time.step_estimate is global (part '{}' has {}, of which only the bound of the "
                                  "element is known) leave it out",
-                                 shells->name));
+                                 other->name, other->thickness ? "shells" : "beams"));
 }
 
 /// The eigenvalue of the mesh is that of its first masses.

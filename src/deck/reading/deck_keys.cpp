@@ -125,18 +125,22 @@ void check_settings(const Reader& reader, const Node& node, const ElementDeck& d
                                              reader.name_of("hourglass.coefficient"), reader.in()));
 }
 
-/// What has no hexahedra has no hourglass modes; shells have no bulk viscosity either.
+/// What has no hexahedra has no hourglass modes; shells and beams have no bulk viscosity either.
 void check_kind(const Reader& reader, const Node& node, const PartDeck& part) {
   if (std::holds_alternative<FileMesh>(part.shape)) return;
   const bool is_shell = is_shell_shape(part.shape);
-  if (!is_shell && part.elements == PartDeck::Elements::hexahedra) return;
+  const bool is_line = std::holds_alternative<LineShape>(part.shape), is_solid = !is_shell && !is_line;
+  if (is_solid && part.elements == PartDeck::Elements::hexahedra) return;
   for (const std::string key : {"integration", "hourglass", "bulk_viscosity"}) {
     const Node* given = node.find(key);
     const bool is_viscosity = key == "bulk_viscosity";
-    if (given == nullptr || (!is_shell && is_viscosity)) continue;
-    reader.error(given->key,
-                 fmt::format("{} is of no use{} (its elements are {}; this is of hexahedra{})", reader.name_of(key),
-                             reader.in(), is_shell ? "shells" : "tetrahedra", is_viscosity ? " and tetrahedra" : ""));
+    if (given == nullptr || (is_solid && is_viscosity)) continue;
+    reader.error(given->key, fmt::format("{} is of no use{} (its elements are {}; this is of hexahedra{})",
+                                         reader.name_of(key), reader.in(),
+                                         is_shell  ? "shells"
+                                         : is_line ? "beams"
+                                                   : "tetrahedra",
+                                         is_viscosity ? " and tetrahedra" : ""));
   }
 }
 

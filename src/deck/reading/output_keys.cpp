@@ -350,11 +350,12 @@ std::optional<int> find_thickness_point(std::string_view field, std::string_view
 
 const std::vector<std::string>& field_names() {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all = {"displacement",  "velocity",        "contact_force", "contact_pressure",
+    std::vector<std::string> all = {"displacement",  "velocity",        "contact_force",  "contact_pressure",
                                     "mass",          "contact_rank",  // of nodes
-                                    "stress",        "pressure",        "von_mises",     "equivalent_plastic_strain",
-                                    "temperature",   "internal_energy", "alive",         "damage",  // of elements
-                                    "stress_bottom", "stress_top",      "thickness",                // of shells
+                                    "stress",        "pressure",        "von_mises",      "equivalent_plastic_strain",
+                                    "temperature",   "internal_energy", "alive",          "damage",  // of elements
+                                    "stress_bottom", "stress_top",      "thickness",                 // of shells
+                                    "axial_force",   "section_force",   "section_moment",            // of beams
                                     "body",          "chunk",           "fe_rank"};
     for (const std::string_view quantity : {stress_points, plastic_strain_points}) {
       for (int point = 1; point <= most_thickness_points; ++point) all.push_back(fmt::format("{}{}", quantity, point));

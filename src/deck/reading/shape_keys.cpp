@@ -138,6 +138,22 @@ const Keys<ShellBoxTubeShape>& shell_box_tube_keys() {
   return keys;
 }
 
+const Keys<LineShape>& line_keys() {
+  static const Keys<LineShape> keys = {
+      need("from", &LineShape::from, vector3()),
+      need("to", &LineShape::to, vector3()),
+      need("cells", &LineShape::cells, IntegerValue{1}),
+  };
+  return keys;
+}
+
+bool check_line(const Reader& reader, const Node& node, LineShape& line) {
+  if (line.from != line.to) return true;
+  reader.error(node.find("to")->spot, fmt::format("{} is where {} is{} (a line of beams needs a length)",
+                                                  reader.name_of("to"), reader.name_of("from"), reader.in()));
+  return false;
+}
+
 /// A file that the deck names: relative paths are relative to the deck.
 struct FileValue {
   bool read(const Reader& reader, const std::string& name, const Node& node, std::string& out) const {
@@ -191,6 +207,7 @@ const Keys<PartDeck>& shape_keys() {
       shape_key<ShellTubeShape>("shell_tube", shell_tube_keys),
       shape_key<ShellSphereShape>("shell_sphere", shell_sphere_keys),
       shape_key<ShellBoxTubeShape>("shell_box_tube", shell_box_tube_keys),
+      shape_key<LineShape>("line", line_keys, check_line),
       shape_key<FileMesh>("exodus", file_keys),
       shape_key<FileMesh>("mesh", file_keys,
                           [](const Reader&, const Node&, FileMesh& mesh) {
@@ -226,6 +243,7 @@ std::vector<std::string> side_names(const Shape& shape) {
     }
     std::vector<std::string> operator()(const ShellSphereShape&) const { return {"inner", "outer"}; }
     std::vector<std::string> operator()(const ShellBoxTubeShape&) const { return {"start", "end", "inner", "outer"}; }
+    std::vector<std::string> operator()(const LineShape&) const { return {"start", "end"}; }
     std::vector<std::string> operator()(const FileMesh&) const { return {}; }
   };
   return std::visit(Names{}, shape);

@@ -15,7 +15,7 @@
 namespace percuss {
 
 /// Where an id of an element counts: in some formats a solid and a shell may have the same.
-enum class IdSpace : std::uint8_t { elements, shells };
+enum class IdSpace : std::uint8_t { elements, shells, beams };
 
 /// What elements of a block have in common.
 struct TextKind {
@@ -38,6 +38,7 @@ struct TextSide {
 
   int find(const Topology& topology) const {
     if (topology.is_surface()) return of_shell;
+    if (topology.is_line()) return left_out;
     return topology.family == ElementFamily::tetrahedra ? of_tetrahedron : of_solid;
   }
 };

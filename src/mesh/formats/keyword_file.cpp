@@ -51,7 +51,7 @@ class KeywordReader {
     for (const auto& [id, title] : titles_) builder_.rename_blocks(id, title);
     if (!passed_over_.empty()) builder_.add_note(describe_passed_over());
     return std::make_unique<TextMesh>(
-        builder_.finish("solids of eight different nodes, shells of three and four nodes"));
+        builder_.finish("solids of eight different nodes, shells of three and four nodes, beams of two nodes"));
   }
 
  private:
@@ -59,6 +59,7 @@ class KeywordReader {
     if (keyword == "NODE") return read_nodes();
     if (keyword == "ELEMENT_SOLID") return read_solids();
     if (keyword == "ELEMENT_SHELL") return read_shells();
+    if (keyword == "ELEMENT_BEAM") return read_beams();
     if (keyword == "PART") return read_parts();
     if (keyword == "INCLUDE") return read_includes();
     if (keyword.starts_with("SET_")) return read_set(keyword);
@@ -69,8 +70,9 @@ class KeywordReader {
 
   /// What would change the mesh that is read.
   void refuse_changes(const std::string& keyword) const {
-    for (const char* word : {"INCLUDE_", "NODE_TRANSFORM", "NODE_MERGE", "NODE_SCALAR", "ELEMENT_SOLID_",
-                             "ELEMENT_SHELL_", "ELEMENT_GENERATE", "DEFINE_TRANSFORMATION", "--BEGIN", "-----BEGIN"}) {
+    for (const char* word :
+         {"INCLUDE_", "NODE_TRANSFORM", "NODE_MERGE", "NODE_SCALAR", "ELEMENT_SOLID_", "ELEMENT_SHELL_",
+          "ELEMENT_BEAM_", "ELEMENT_GENERATE", "DEFINE_TRANSFORMATION", "--BEGIN", "-----BEGIN"}) {
       if (keyword.starts_with(word)) cards_.refuse(fmt::format("*{} is not read (it changes the mesh)", keyword));
     }
   }
@@ -162,6 +164,19 @@ class KeywordReader {
       if (is_triangle) named.name += ", triangle";
       builder_.add_element(builder_.find_block(name_part(part), part, named), id,
                            std::span(nodes.data(), is_triangle ? 3U : 4U), cards_.place());
+    }
+  }
+
+  /// The third node, which says how the section is turned, is not read.
+  void read_beams() {
+    while (cards_.next_line()) {
+      if (strip_blanks(cards_.line()).empty()) continue;
+      cards_.cut(element_widths);
+      const std::int64_t id = cards_.integer(0), part = cards_.integer(1);
+      const std::array<std::int64_t, 2> nodes{cards_.integer(2), cards_.integer(3)};
+      if (cards_.integer(4) != 0) passed_over_.insert("ELEMENT_BEAM (third node)");
+      const TextKind kind{"ELEMENT_BEAM", TopologyKind::line2, 2, IdSpace::beams};
+      builder_.add_element(builder_.find_block(name_part(part), part, kind), id, nodes, cards_.place());
     }
   }
 

@@ -75,6 +75,8 @@ std::vector<std::string> list_names(const Sets& sets) {
 
 bool is_of_shells(const ElementBlock& block) { return find_topology(block.topology).is_surface(); }
 
+bool is_of_beams(const ElementBlock& block) { return find_topology(block.topology).is_line(); }
+
 /// Shells need a thickness, and only they.
 void check_thickness(const PartDeck& deck, const PartMesh& mesh) {
   const bool has_shells = std::any_of(mesh.elements.blocks.begin(), mesh.elements.blocks.end(), is_of_shells);
@@ -84,11 +86,19 @@ void check_thickness(const PartDeck& deck, const PartMesh& mesh) {
   }
 }
 
+/// Beams need a section, and only they.
+void check_section(const PartDeck& deck, const PartMesh& mesh) {
+  const bool has_beams = std::any_of(mesh.elements.blocks.begin(), mesh.elements.blocks.end(), is_of_beams);
+  if (has_beams && !deck.section) throw InputError("section is missing (the beams of the file need one)");
+  if (!has_beams && deck.section) throw InputError("it has a section (the file has no beams, which alone have one)");
+}
+
 void read_file_part(const PartDeck& deck, const Totals& so_far, MeshFiles& files, ScenePart& part) {
   auto file = std::make_unique<FilePart>();
   PartMesh& mesh = file->mesh;
   mesh = files.read(std::get<FileMesh>(deck.shape));
   check_thickness(deck, mesh);
+  check_section(deck, mesh);
   const double copies = count_copies(deck);
   check_size(so_far, copies * double(mesh.nodes.size()), copies * double(mesh.elements.size()));
   const std::size_t own_elements = mesh.elements.size();
@@ -204,7 +214,7 @@ void share_blocks(const Communicator& ranks, std::vector<ElementBlock>& blocks) 
   }
 }
 
-/// Gives the blocks of each part its material, and its section to those of shells.
+/// Gives the blocks of each part its material, and its section to those of shells and of beams.
 void describe_blocks(const Deck& deck, SceneParts& scene) {
   for (std::size_t p = 0; p < scene.parts.size(); ++p) {
     const PartDeck& from = deck.parts[p];
@@ -212,6 +222,7 @@ void describe_blocks(const Deck& deck, SceneParts& scene) {
       block.part = static_cast<int>(p);
       block.material = find_material(deck, from.material);
       if (is_of_shells(block)) block.section = {from.thickness.value_or(0), from.points.value_or(0)};
+      if (is_of_beams(block) && from.section) block.section.area = make_beam_section(*from.section).area;
     }
   }
 }

@@ -99,7 +99,7 @@ class PieceJoiner {
   void add_faces(std::size_t chunk, int element, std::vector<int>& homes, std::vector<FaceNotice>& notices) const {
     const Topology& topology = find_topology(topologies_[at(pieces_.blocks[at(element)])]);
     const unsigned mask = pieces_.exterior[at(element)];
-    if (topology.is_surface() || mask == 0) return;
+    if (!topology.is_solid() || mask == 0) return;
     for (int f = 0; f < topology.face_count; ++f) {
       if ((mask >> f & 1) == 0) continue;
       FaceNotice notice{{}, ranks_.rank(), element, f};

@@ -67,7 +67,8 @@ void check_repeated_nodes(const PartMesh& mesh, std::size_t element, Problems& p
                        describe_element(mesh, element), id_of(mesh.node_ids, static_cast<std::size_t>(repeated)),
                        topology.is_surface()
                            ? "a shell needs four different corners, or three of which one stands twice in a row"
-                           : fmt::format("a {} needs {} different corners", topology.noun, topology.how_many));
+                           : fmt::format("a {} needs {} different {}", topology.noun, topology.how_many,
+                                         topology.is_line() ? "nodes" : "corners"));
   });
 }
 
@@ -168,6 +169,14 @@ std::string judge_shell(const std::string& element, const HexCorners& x, std::sp
   return "";
 }
 
+/// What is wrong with a beam; empty if nothing.
+std::string judge_beam(const std::string& element, const HexCorners& x) {
+  constexpr double round_off = 1e-13;  // of the distance to the origin
+  const double length = find_distance(x[0], x[1]);
+  if (length > round_off * std::sqrt(dot(x[0], x[0]))) return "";
+  return fmt::format("{} has no length (it is {:.6g}); check the places of its nodes", element, length);
+}
+
 }  // namespace
 
 void Problems::append(const Problems& later) {
@@ -205,8 +214,10 @@ void GeometryFindings::check_node(std::int64_t id, const Vec3& x) {
 
 void GeometryFindings::check_element(const Topology& topology, std::int64_t id, const HexCorners& corners,
                                      std::span<const std::int64_t> node_ids) {
-  if (topology.family == ElementFamily::shells) {
-    const std::string problem = judge_shell(describe_element(id, corners), corners, node_ids);
+  if (!topology.is_solid()) {
+    const std::string element = describe_element(id, corners);
+    const std::string problem =
+        topology.is_surface() ? judge_shell(element, corners, node_ids) : judge_beam(element, corners);
     if (!problem.empty()) report(elements, [&] { return problem; });
     return;
   }

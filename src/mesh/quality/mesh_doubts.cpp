@@ -25,11 +25,12 @@ constexpr std::size_t few_least = 4;
 constexpr std::size_t most_named = 5;
 
 /// Across the thinnest direction, to which the stable step is proportional: the edge of a cube or a square, the height
-/// of a triangle.
+/// of a triangle, the length of a beam.
 double find_height(const PartMesh& mesh, std::size_t element) {
   const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
   const Topology& topology = mesh.elements.topology_of(element);
-  if (topology.family == ElementFamily::shells) {
+  if (topology.is_line()) return find_distance(x[0], x[1]);
+  if (topology.is_surface()) {
     double longest = 0;
     for (const auto& [a, b] : topology.edges()) longest = std::max(longest, find_distance(x[at(a)], x[at(b)]));
     return (topology.corner_count == 3 ? 2 : 1) * find_shell_area_size(x) / longest;

@@ -262,6 +262,7 @@ class PartReader {
               mesh_.element_ids[static_cast<std::size_t>(in_part)],
               topology.is_surface() ? "of a shell the sides 1 and 2, its surfaces, can be named; nodes on its "
                                       "edges belong into a node set"
+              : topology.is_line()  ? "a beam has no sides"
                                     : fmt::format("a {} has the sides 1 to {}", topology.noun, topology.face_count)));
           continue;
         }

@@ -12,6 +12,7 @@ std::unique_ptr<ShapeSource> make_source(const Shape& shape) {
     std::unique_ptr<ShapeSource> operator()(const ShellTubeShape& tube) const { return make_shell_source(tube); }
     std::unique_ptr<ShapeSource> operator()(const ShellSphereShape& ball) const { return make_shell_source(ball); }
     std::unique_ptr<ShapeSource> operator()(const ShellBoxTubeShape& tube) const { return make_shell_source(tube); }
+    std::unique_ptr<ShapeSource> operator()(const LineShape& line) const { return make_line_source(line); }
     std::unique_ptr<ShapeSource> operator()(const FileMesh&) const { return nullptr; }
   };
   return std::visit(Make{}, shape);

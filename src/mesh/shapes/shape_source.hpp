@@ -89,4 +89,7 @@ std::unique_ptr<ShapeSource> make_shell_source(const ShellTubeShape& shape);
 std::unique_ptr<ShapeSource> make_shell_source(const ShellSphereShape& shape);
 std::unique_ptr<ShapeSource> make_shell_source(const ShellBoxTubeShape& shape);
 
+/// A line of beams from one end to the other.
+std::unique_ptr<ShapeSource> make_line_source(const LineShape& shape);
+
 }  // namespace percuss

@@ -18,7 +18,7 @@ FacesByLowestNode bin_faces(const Elements& elements, std::size_t node_count) {
   return collect_buckets<ElementFace, std::int64_t>(node_count, [&](auto&& put) {
     for (int e = 0; e < static_cast<int>(elements.size()); ++e) {
       const Topology& topology = elements.topology_of(at(e));
-      if (topology.is_surface()) continue;
+      if (!topology.is_solid()) continue;
       for (int f = 0; f < topology.face_count; ++f) {
         const std::array<int, 4> nodes = elements.face_nodes({e, f});
         put(at(std::min({nodes[0], nodes[1], nodes[2], nodes[3]})), ElementFace{e, f});

@@ -17,10 +17,11 @@
 
 namespace percuss {
 
-/// What a surface element is across.
+/// What a surface element is across, and a beam.
 struct Section {
-  double thickness = 0;  // [length]; 0: of solids
+  double thickness = 0;  // of surfaces [length]; else 0
   int points = 0;        // across the thickness; 0: by the material
+  double area = 0;       // of the cross section of beams [length^2]; else 0
 };
 
 struct ElementBlock {

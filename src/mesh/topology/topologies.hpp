@@ -2,6 +2,7 @@
 // All topologies: the list that readers, writers and checks go through.
 
 #include "src/mesh/topology/hex8.hpp"
+#include "src/mesh/topology/line2.hpp"
 #include "src/mesh/topology/quad4.hpp"
 #include "src/mesh/topology/tet4.hpp"
 #include "src/mesh/topology/tri3.hpp"
@@ -9,9 +10,9 @@
 namespace percuss {
 
 /// In the order of `topologies`.
-enum class TopologyKind : std::uint8_t { hex8, quad4, tri3, tet4 };
+enum class TopologyKind : std::uint8_t { hex8, quad4, tri3, tet4, line2 };
 
-inline constexpr std::array topologies{hex8_topology, quad4_topology, tri3_topology, tet4_topology};
+inline constexpr std::array topologies{hex8_topology, quad4_topology, tri3_topology, tet4_topology, line2_topology};
 inline constexpr std::size_t topology_count = topologies.size();
 
 constexpr const Topology& find_topology(TopologyKind kind) { return topologies[static_cast<std::size_t>(kind)]; }

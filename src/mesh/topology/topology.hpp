@@ -17,7 +17,7 @@ inline constexpr std::size_t most_corners = 8, most_faces = 6, most_edges = 12;
 inline constexpr std::size_t kernel_corner_count = 8;
 
 /// Elements that one launcher computes, side by side in the packs of a chunk.
-enum class ElementFamily : std::uint8_t { hexahedra, shells, tetrahedra };
+enum class ElementFamily : std::uint8_t { hexahedra, shells, tetrahedra, beams };
 
 /// A face of a topology. Corners are places among those of the element, outward by the right-hand rule.
 struct FaceCorners {
@@ -42,7 +42,7 @@ struct Topology {
   std::string_view noun;      // in messages: "a hexahedron"
   std::string_view how_many;  // corners, in words
   ElementFamily family{};
-  int dimension = 0;  // 3: a solid, 2: a surface with a thickness
+  int dimension = 0;  // 3: a solid, 2: a surface with a thickness, 1: a line with a cross section
   int corner_count = 0, face_count = 0, edge_count = 0;
   std::array<FaceCorners, most_faces> face_table{};
   std::array<std::array<int, 2>, most_edges> edge_table{};  // of a surface around it, along its normal
@@ -53,7 +53,7 @@ struct Topology {
   std::uint8_t vtk_type = 0;                       // VTKCellType
   int xdmf_type = 0;                               // in a mixed topology of XDMF
   std::string_view xdmf_name;                      // of a topology with this kind alone
-  std::array<std::string_view, 2> exodus_names{};  // beginnings of the names of its blocks; unused: empty
+  std::array<std::string_view, 4> exodus_names{};  // beginnings of the names of its blocks; unused: empty
   std::array<int, most_faces> exodus_sides{};      // face of the Exodus side with this number, less one
   std::array<std::string_view, 2> abaqus_names{};  // element types with its corners; unused: empty
 
@@ -64,6 +64,8 @@ struct Topology {
     return {edge_table.data(), static_cast<std::size_t>(edge_count)};
   }
   constexpr bool is_surface() const { return dimension == 2; }
+  constexpr bool is_line() const { return dimension == 1; }
+  constexpr bool is_solid() const { return dimension == 3; }
 
   /// What one of the corners that kernels see has of the mass of an element, in eighths: all corners have equal shares,
   /// divided over the places of each.

@@ -47,6 +47,7 @@ std::vector<MeshExtent> find_part_extents(const ChunkedMesh& chunked, const Comm
     part.first_element = before.first_element + before.elements;
     part.first_node = before.first_node + before.nodes;
     part.first_corner = before.first_corner + before.corners();
+    part.first_mixed = before.first_mixed + before.mixed_size();
     std::copy_n(&counts[topology_count * p], topology_count, part.of_topology.begin());
     part.elements = std::accumulate(part.of_topology.begin(), part.of_topology.end(), std::int64_t{0});
     // The first chunk of the next part begins where this one ends.
@@ -96,6 +97,7 @@ std::vector<std::int64_t> list_mixed_topology(const Cells& cells) {
   std::int64_t first = 0;
   for (std::size_t e = 0; e < cells.kinds.size(); ++e) {
     topology.push_back(find_topology(cells.kinds[e]).xdmf_type);
+    if (find_topology(cells.kinds[e]).is_line()) topology.push_back(cells.ends[e] - first);
     topology.insert(topology.end(), cells.corners.begin() + first, cells.corners.begin() + cells.ends[e]);
     first = cells.ends[e];
   }

@@ -23,10 +23,17 @@ struct MeshExtent {
   std::int64_t first_element = 0, elements = 0;
   std::array<std::int64_t, topology_count> of_topology{};  // of the elements
   std::int64_t first_corner = 0;                           // row in Connectivity
+  std::int64_t first_mixed = 0;                            // place in list_mixed_topology() of all
 
   std::int64_t corners() const {
     std::int64_t count = 0;
     for (std::size_t k = 0; k < topology_count; ++k) count += topologies[k].corner_count * of_topology[k];
+    return count;
+  }
+  /// Numbers of list_mixed_topology().
+  std::int64_t mixed_size() const {
+    std::int64_t count = corners() + elements;
+    for (std::size_t k = 0; k < topology_count; ++k) count += topologies[k].is_line() ? of_topology[k] : 0;
     return count;
   }
   /// Whether there are elements of several topologies.
@@ -63,7 +70,7 @@ struct Cells {
 /// rows: [elements][cell_row]
 Cells list_cells(std::span<const std::int64_t> rows);
 
-/// The same as XDMF wants cells of several kinds: each begins with its type.
+/// The same as XDMF wants cells of several kinds: each begins with its type, a line also with the number of its nodes.
 std::vector<std::int64_t> list_mixed_topology(const Cells& cells);
 
 }  // namespace percuss

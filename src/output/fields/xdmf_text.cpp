@@ -110,14 +110,16 @@ void write_topology(Out out, const XdmfIndex& index, const Grid& grid) {
   const auto only = static_cast<std::size_t>(used - rows.of_topology.begin()) % topology_count;
   const std::string_view kind = mixed ? "Mixed" : topologies[only].xdmf_name;
   fmt::format_to(out, "   <Topology TopologyType=\"{}\" NumberOfElements=\"{}\"", kind, rows.elements);
+  if (!mixed && topologies[only].is_line())
+    fmt::format_to(out, " NodesPerElement=\"{}\"", topologies[only].corner_count);
   // The corners in the file are numbers of nodes of the whole mesh.
   if (rows.first_node > 0) fmt::format_to(out, " BaseOffset=\"{}\"", rows.first_node);
   fmt::format_to(out, ">");
   // As a slab, though it may be the whole: VTK's reader would take text here for the name of a file whose mesh it may
   // reuse for the next frame, and complain that the points have no such name.
-  const auto count = [mixed](const MeshExtent& e) { return e.corners() + (mixed ? e.elements : 0); };
+  const auto count = [mixed](const MeshExtent& e) { return mixed ? e.mixed_size() : e.corners(); };
   write_slab(out, index, {mixed ? "percuss/xdmf_topology" : "VTKHDF/Connectivity", "Int", 8, 1, count(index.mesh)},
-             {rows.first_corner + (mixed ? rows.first_element : 0), count(rows)});
+             {mixed ? rows.first_mixed : rows.first_corner, count(rows)});
   fmt::format_to(out, "</Topology>\n");
 }
 

@@ -58,7 +58,7 @@ AuditSums::Totals sum_audited_nodes(OwnedNodeSums<AuditSum::count_of_nodes>& sum
 /// Adds what the rotations of the nodes of shells hold to the same sums.
 void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model, const State& state,
                AuditSums::Totals& totals) {
-  if (!model.has_shells) return;
+  if (!model.has_rotations) return;
   const MovingNodes nodes = find_rotations(model, state);
   const auto w = state.w;
   const auto inertia = state.inertia;

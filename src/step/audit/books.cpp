@@ -209,7 +209,7 @@ struct AddedToNodes {
         constant_gravity(find_constant_gravity(model)),
         center(model.mass_center),
         dt(state.dt),
-        has_spins(model.has_shells) {}
+        has_spins(model.has_rotations) {}
 
   /// The kinetic energy is that of the audit (moving_nodes.hpp), in which gravity moves a free direction on. What
   /// gravity did to the node so far, the new mass has not taken part in.
@@ -319,7 +319,7 @@ void Bookkeeper::book_new_forces(State& state, double dt) {
 
 /// The rotation of a node that vanishes: its energy, and its angular momentum as a moment impulse without a lever.
 void Bookkeeper::book_vanished_spins(const ChunkedMesh& chunked, const std::vector<int>& nodes, State& state) const {
-  if (!model_.has_shells) return;
+  if (!model_.has_rotations) return;
   const auto inertia = to_host(state.inertia);
   const auto w = to_host(state.w);
   for (const int node : nodes) {

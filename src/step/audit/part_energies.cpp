@@ -65,8 +65,8 @@ constexpr PartQuantity part_quantities[] = {
 /// Sums over the nodes of the listed chunks, in ascending order. A chunk is the same everywhere.
 void sum_chunks(const Model& model, const State& state, const Array<int>& listed, const ChunkSums& sums) {
   const MovingNodes moving = find_translations(model, state);
-  const MovingNodes turning = model.has_shells ? find_rotations(model, state) : MovingNodes{};
-  const bool turns = model.has_shells;
+  const MovingNodes turning = model.has_rotations ? find_rotations(model, state) : MovingNodes{};
+  const bool turns = model.has_rotations;
   const NodeRuns owned = model.owned_nodes;
   Kokkos::parallel_for(
       "percuss::sum_parts", Range(ExecSpace(), 0, static_cast<int>(listed.extent(0))), KOKKOS_LAMBDA(const int i) {

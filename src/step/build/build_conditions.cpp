@@ -62,7 +62,7 @@ class HeldDirectionFinder {
     for (std::size_t c = 0; c < deck_.conditions.size(); ++c) {
       const std::vector<int> nodes = select_nodes(chunked_.mesh, deck_, deck_.conditions[c].where);
       require_rotations(deck_.conditions[c], nodes);
-      const bool turns = model_.has_shells || model_.rigid.any();
+      const bool turns = model_.has_rotations || model_.rigid.any();
       for (int k = 0; k < (turns ? direction_count : first_rotation); ++k) {
         if (deck_.conditions[c].active[static_cast<std::size_t>(k)]) hold(c, k, nodes);
       }
@@ -99,7 +99,7 @@ class HeldDirectionFinder {
     const auto active = std::find(first, condition.active.end(), true);
     if (condition.kind == ConditionDeck::Kind::symmetry || active == condition.active.end()) return;
     int some = std::any_of(nodes.begin(), nodes.end(), [&](int n) { return rigid_.holds(n); }) ? 1 : 0;
-    if (model_.has_shells && some == 0) {
+    if (model_.has_rotations && some == 0) {
       const auto inertia = to_host(model_.inertia);
       some = std::any_of(nodes.begin(), nodes.end(), [&](int n) { return inertia(static_cast<std::size_t>(n)) > 0; });
     }
@@ -184,7 +184,7 @@ void build_held_directions(const Deck& deck, const ChunkedMesh& chunked, const R
   model.held = moves.all;
   model.owned_held = moves.owned;
   model.inverse_mass = moves.inverse;
-  if (!model.has_shells) return;
+  if (!model.has_rotations) return;
   const auto inertia = to_host(model.inertia);
   const HeldLists spins =
       list_held(held, first_rotation, chunked, rigid, {inertia.data(), inertia.data() + inertia.extent(0)});

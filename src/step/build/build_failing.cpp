@@ -55,7 +55,7 @@ void check_failure(const Deck& deck, const MaterialDeck& material) {
 
 /// Where the layers of the chunks of shells are that can fail.
 void build_failing_layers(Model& model) {
-  if (!model.has_shells) return;
+  if (!model.has_rotations) return;
   FailingChunks& failing = model.failing;
   const auto list = to_host(failing.list), is_shell = to_host(model.chunks.is_shell),
              points = to_host(model.chunks.points), first_pack = to_host(model.chunks.first_pack);

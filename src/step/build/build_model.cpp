@@ -14,6 +14,7 @@
 #include "src/deck/rigid_bodies.hpp"
 #include "src/error.hpp"
 #include "src/mesh/hex_geometry.hpp"
+#include "src/step/beams/build_beams.hpp"
 #include "src/step/build/block_builder.hpp"
 #include "src/step/build/build_conditions.hpp"
 #include "src/step/build/build_failing.hpp"
@@ -149,6 +150,8 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
                      {builder.record_size, builder.history, builder.points, builder.parameters, builder.scalars,
                       builder.first_start, builder.start_count, builder.start_values},
                      model);
+  build_beam_block(deck, chunked,
+                   {builder.record_size, builder.history, builder.points, builder.parameters, builder.scalars}, model);
 
   HexChunks& chunks = model.chunks;
   chunks.count = static_cast<int>(count);
@@ -190,20 +193,22 @@ void build_numbers(const ChunkedMesh& chunked, Model& model) {
 
 // --- halo
 
-/// Leaves to `blocks` the chunks that no other rank waits for and puts the others into `sending`.
+/// Leaves to `block` the chunks that no other rank waits for and puts the others into `sending`.
+template <class Block>
+void split_block(const std::vector<char>& sends, Block& block, Block& sending) {
+  const auto all = to_host(block.chunks);
+  std::vector<int> first, rest;
+  for (std::size_t i = 0; i < all.extent(0); ++i) {
+    (sends[static_cast<std::size_t>(all(i))] != 0 ? first : rest).push_back(all(i));
+  }
+  sending = block;
+  sending.chunks = to_view("percuss::sending_chunks_of_block", first);
+  block.chunks = to_view("percuss::chunks_of_block", rest);
+}
+
 template <class Blocks, std::size_t... Is>
 void split_blocks(const std::vector<char>& sends, Blocks& blocks, Blocks& sending, std::index_sequence<Is...>) {
-  const auto split = [&](auto& block, auto& sending_block) {
-    const auto all = to_host(block.chunks);
-    std::vector<int> first, rest;
-    for (std::size_t i = 0; i < all.extent(0); ++i) {
-      (sends[static_cast<std::size_t>(all(i))] != 0 ? first : rest).push_back(all(i));
-    }
-    sending_block = block;
-    sending_block.chunks = to_view("percuss::sending_chunks_of_block", first);
-    block.chunks = to_view("percuss::chunks_of_block", rest);
-  };
-  (split(std::get<Is>(blocks), std::get<Is>(sending)), ...);
+  (split_block(sends, std::get<Is>(blocks), std::get<Is>(sending)), ...);
 }
 
 void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& model) {
@@ -219,6 +224,7 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
                std::make_index_sequence<std::tuple_size_v<ShellBlocks>>());
   split_blocks(sends, model.tet_blocks, model.sending_tet_blocks,
                std::make_index_sequence<std::tuple_size_v<TetBlocks>>());
+  if (model.has_beams) split_block(sends, model.beam_block, model.sending_beam_block);
   model.nodes_to_slots = {to_view("percuss::first_slot_of_node", halo.nodes_to_slots.first),
                           to_view("percuss::slots_of_node", halo.nodes_to_slots.slots)};
   model.slot_count = halo.plan.slot_count();
@@ -291,7 +297,8 @@ std::vector<double> assemble_masses(const Model& model, const Elements& elements
 
 /// Rotary inertia of the nodes, summed as their masses are.
 void build_inertia(const Deck& deck, const Mesh& mesh, std::vector<double> element_mass, Model& model) {
-  const std::vector<double> gyration_square = find_gyration_squares(deck, mesh);
+  std::vector<double> gyration_square = find_gyration_squares(deck, mesh);
+  set_beam_gyrations(deck, mesh, gyration_square);
   for (std::size_t e = 0; e < element_mass.size(); ++e) element_mass[e] *= gyration_square[e];
   model.gyration_square = to_view("percuss::gyration_square", gyration_square);
   model.inertia = to_view("percuss::inertia", assemble_masses(model, mesh.elements, element_mass));
@@ -317,7 +324,7 @@ std::vector<double> build_masses(const Deck& deck, const ChunkedMesh& chunked, M
   model.mass_center = scene.center;
   model.mass = to_view("percuss::mass", mass);
   model.element_mass = to_view("percuss::element_mass", element_mass);
-  if (model.has_shells) build_inertia(deck, mesh, element_mass, model);
+  if (model.has_rotations) build_inertia(deck, mesh, element_mass, model);
   return mass;
 }
 
@@ -355,6 +362,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   check_tets(deck, mesh);
   model.has_tets = has_tetrahedra(mesh);
   model.mixes_tets = model.has_tets && deck.elements.tetrahedra == ElementDeck::Tetrahedra::mixed;
+  model.has_rotations = has_shells(mesh) || has_bending_beams(deck, mesh);
   build_chunks(deck, chunked, model);
   mark_rigid_chunks(deck, chunked, model);
   build_failing_chunks(deck, chunked, model);

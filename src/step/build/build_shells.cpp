@@ -143,8 +143,7 @@ bool is_shell_chunk(const ChunkedMesh& chunked, const Chunk& chunk) {
 }
 
 void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, Model& model) {
-  model.has_shells = has_shells(chunked.mesh);
-  if (!model.has_shells) return;
+  if (!model.has_rotations) return;
   check_materials(deck, chunked.mesh);
   std::apply([&](auto&... block) { (build_block(deck, chunked, records, block), ...); }, model.shell_blocks);
   std::vector<int> kinds;

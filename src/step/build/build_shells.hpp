@@ -25,12 +25,12 @@ struct ChunkRecords {
   std::vector<double>& start_values;
 };
 
-/// Fills the blocks of shells and the records of their chunks. Throws InputError with the deck's place, the same on all
-/// ranks, where a part of shells has a material that they do not know.
+/// Fills the blocks of shells and the records of their chunks; model.has_rotations is set. Throws InputError with the
+/// deck's place, the same on all ranks, where a part of shells has a material that they do not know.
 void build_shell_blocks(const Deck& deck, const ChunkedMesh& chunked, const ChunkRecords& records, Model& model);
 
 /// Rotary inertia over mass of each element [length^2]: t^2 / 12 + A / 8 and the square of the offset, more than a
-/// shell has, so that rotations never hold the step down (docs/theory_shells.md); 0 of a hexahedron.
+/// shell has, so that rotations never hold the step down (docs/theory_shells.md); 0 of other elements.
 std::vector<double> find_gyration_squares(const Deck& deck, const Mesh& mesh);
 
 /// Step bound of each shell at rest in its first shape, with these masses of all elements; of others 0.

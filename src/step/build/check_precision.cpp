@@ -25,14 +25,16 @@ constexpr Held held[] = {{"volumes", 1e-15, 1e15},
                          {"products of lambda + 2 mu and volume", 1e-16, 1e16}};
 constexpr std::size_t count = std::size(held);
 
-void refuse_shells(const Deck& deck, const Mesh& mesh) {
+/// Of shells and beams.
+void refuse_thin_elements(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
-    if (!find_topology(block.topology).is_surface()) continue;
+    const Topology& topology = find_topology(block.topology);
+    if (topology.is_solid()) continue;
     const auto p = static_cast<std::size_t>(block.part);
     throw InputError(
-        fmt::format("{}: error: part '{}' is of shells (this percuss computes elements in single precision, shells are "
+        fmt::format("{}: error: part '{}' is of {}s (this percuss computes elements in single precision, {}s are "
                     "in double only) use one that is configured with PERCUSS_PRECISION=double",
-                    deck.where(deck.parts[p].place), deck.parts[p].name));
+                    deck.where(deck.parts[p].place), deck.parts[p].name, topology.noun, topology.noun));
   }
 }
 
@@ -49,7 +51,7 @@ double find_stiffness(const MaterialDeck& material) {
 
 void check_single_precision(const Deck& deck, const ChunkedMesh& chunked, const std::vector<double>& masses) {
   const Mesh& mesh = chunked.mesh;
-  refuse_shells(deck, mesh);
+  refuse_thin_elements(deck, mesh);
   std::vector<double> stiffness;
   for (const MaterialDeck& material : deck.materials) stiffness.push_back(find_stiffness(material));
   std::array<double, 2 * count> extremes;  // largest of each and of its reciprocal

@@ -31,7 +31,7 @@ void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, cons
   const Vec3 extent = subtract(mesh.high, mesh.low);
   const double least_radius = center_margin * std::hypot(extent[0], extent[1], extent[2]);
   std::vector<Vec3> velocity(mesh.nodes.size(), Vec3{});
-  std::vector<Vec3> spin(model.has_shells ? mesh.nodes.size() : 0, Vec3{});
+  std::vector<Vec3> spin(model.has_rotations ? mesh.nodes.size() : 0, Vec3{});
   for (const InitialDeck& initial : deck.initial) {
     const std::vector<int> nodes = select_nodes(mesh, deck, initial.where);
     const Vec3 center = initial.center ? *initial.center : find_mass_point(chunked, nodes, mass).center;
@@ -39,7 +39,7 @@ void build_initial_velocities(const Deck& deck, const ChunkedMesh& chunked, cons
       const auto n = static_cast<std::size_t>(node);
       const Vec3 turn = cross(initial.angular_velocity, subtract(mesh.nodes[n], center));
       for (std::size_t k = 0; k < 3; ++k) velocity[n][k] = initial.velocity[k] + turn[k];
-      if (model.has_shells) spin[n] = initial.angular_velocity;
+      if (model.has_rotations) spin[n] = initial.angular_velocity;
       if (!initial.radial_velocity) continue;
       // No spin: the directors of shells that are concentric with the field keep their directions. Others would turn
       // with the fibres of a solid; theirs begin at rest, which is a transverse shear rate.

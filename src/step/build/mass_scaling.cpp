@@ -9,6 +9,7 @@
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/error.hpp"
+#include "src/step/beams/build_beams.hpp"
 #include "src/step/build/build_shells.hpp"
 #include "src/step/model/pack_width.hpp"
 #include "src/step/model/state.hpp"
@@ -25,7 +26,7 @@ bool is_asked_for(const Deck& deck) {
 /// Other laws of solids take the change of volume from the density, which is not the material's own where mass is
 /// added.
 void refuse_other_laws(const Deck& deck, const ElementBlock& block, const MassScalingDeck& request) {
-  if (find_topology(block.topology).is_surface()) return;
+  if (!find_topology(block.topology).is_solid()) return;
   const auto part = static_cast<std::size_t>(block.part);
   const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
   const std::string& model = material.law.model;
@@ -38,10 +39,11 @@ void refuse_other_laws(const Deck& deck, const ElementBlock& block, const MassSc
                   material.equation_of_state ? " with an equation of state" : ""));
 }
 
-/// Step bound of each hexahedron at rest in its first shape; of shells 0.
+/// Step bound of each hexahedron at rest in its first shape; of shells and beams 0.
 std::vector<double> find_hex_bounds(const Model& model, const std::vector<double>& element_mass) {
   Model resting = model;
-  resting.has_shells = false;  // what shells need beside follows from the scaled masses
+  resting.has_rotations = resting.has_beams =
+      false;  // what shells and beams need beside follows from the scaled masses
   resting.element_mass = to_view("percuss::unscaled_mass", element_mass);
   resting.start_velocity = Rows3<double>("percuss::rest", static_cast<std::size_t>(model.node_count));
   const State state = make_initial_state(resting);
@@ -139,6 +141,7 @@ void scale_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<doub
   std::vector<double> bounds = find_hex_bounds(model, element_mass);
   const std::vector<double> of_shells = find_shell_bounds(deck, chunked.mesh, element_mass);
   for (std::size_t e = 0; e < bounds.size(); ++e) bounds[e] = std::max(bounds[e], of_shells[e]);
+  set_beam_bounds(deck, chunked.mesh, element_mass, bounds);
   std::vector<PartShare> shares(deck.parts.size());
   for (std::size_t e = 0; e < element_mass.size(); ++e) {
     const auto part = static_cast<std::size_t>(chunked.mesh.part_of(e));

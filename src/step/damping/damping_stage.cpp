@@ -11,7 +11,7 @@ DampingStage::DampingStage(const Model& model)
       values_(model.dampings.size(), 0),
       coefficients_("percuss::damping_coefficients", model.dampings.size()),
       impulse_("percuss::damping_impulse", static_cast<std::size_t>(model.node_count)) {
-  if (model.has_shells)
+  if (model.has_rotations)
     spin_impulse_ = Rows3<double>("percuss::damping_spin_impulse", static_cast<std::size_t>(model.node_count));
 }
 
@@ -40,7 +40,7 @@ void DampingStage::book(State& state) {
   if (!is_active_) return;
   const auto x = state.x, v = state.v, v_before = state.v_before, w = state.w, w_before = state.w_before;
   const auto impulse = impulse_, spin_impulse = spin_impulse_;
-  const bool has_spins = model_.has_shells;
+  const bool has_spins = model_.has_rotations;
   const Kokkos::Array<double, 3> center{{model_.mass_center[0], model_.mass_center[1], model_.mass_center[2]}};
   const auto sums = sums_(
       ExecSpace(), model_.owned_nodes, KOKKOS_LAMBDA(const int n, Kokkos::Array<double, 7>& sum) {

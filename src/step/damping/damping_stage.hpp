@@ -23,7 +23,7 @@ class DampingStage {
   /// Damps v(n+1/2), which must be without contact. Call with v_before.
   void damp(State& state, double dt_mean);
 
-  /// The same of the rotations of the nodes of shells.
+  /// The same of the rotations of the nodes of shells and beams.
   void damp_spins(State& state, double dt_mean);
 
   /// Books the work and the impulses of both. Call with v and w at n+1/2, x at n.

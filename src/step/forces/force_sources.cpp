@@ -36,7 +36,7 @@ SupportForce::SupportForce(const Deck& deck, const ForceDeck& force, const Chunk
   for (const int node : select_nodes(chunked.mesh, deck, force.where)) marked[static_cast<std::size_t>(node)] = 1;
   const std::vector<int> held = list_entries(model.owned_held, model.held, marked);
   std::vector<int> spins;
-  if (model.has_shells) spins = list_entries(model.owned_held_spins, model.held_spins, marked);
+  if (model.has_rotations) spins = list_entries(model.owned_held_spins, model.held_spins, marked);
   require_some(model.ranks, held.size() + spins.size(),
                fmt::format("{}: error: force '{}' is of a support where no condition holds a node (conditions say "
                            "what is held)",

@@ -11,6 +11,7 @@
 
 #include "comm/communicator.hpp"
 #include "comm/halo/halo_plan.hpp"
+#include "kernels/beam/beam_force.hpp"
 #include "kernels/core/views.hpp"
 #include "kernels/element/internal_force.hpp"
 #include "kernels/node/conditions.hpp"
@@ -70,17 +71,24 @@ struct Model {
   FailingChunks failing;      // those whose material can fail
   bool can_erode = false;     // whether there are any on any rank
 
-  bool has_shells = false;           // whether any rank has some; without them what follows is empty
+  // Whether any rank has shells or beams that bend, whose nodes turn; without them what follows is empty.
+  bool has_rotations = false;
   ShellBlocks sending_shell_blocks;  // as sending_blocks
   ShellBlocks shell_blocks;
   Array<double> start_thickness;                             // [chunks] of shells [length]
   Kokkos::View<ThicknessPoints*, MemSpace> thickness_rules;  // by number of points
   Array<double> gyration_square;                             // [elements] rotary inertia over mass [length^2]
-  Array<double> inertia;                                     // [nodes] rotary, about any axis; 0 without a shell
-  Rows3<double> inverse_inertia;                             // 0 in held directions
-  Rows3<double> start_spin;                                  // [nodes] angular velocity at time 0
-  HeldDirections held_spins;                                 // directions 0, 1, 2: about x, y, z
-  Array<int> owned_held_spins;                               // as owned_held
+  Array<double> inertia;          // [nodes] rotary, about any axis; 0 without such an element
+  Rows3<double> inverse_inertia;  // 0 in held directions
+  Rows3<double> start_spin;       // [nodes] angular velocity at time 0
+  HeldDirections held_spins;      // directions 0, 1, 2: about x, y, z
+  Array<int> owned_held_spins;    // as owned_held
+
+  bool has_beams = false;  // whether any rank has some, trusses among them
+  BeamMarks is_beam_chunk;
+  BeamBlock sending_beam_block;  // as sending_blocks
+  BeamBlock beam_block;
+  Rows3<double> start_beam_axes;  // [elements] y of the section of each at time 0
 
   bool has_tets = false;         // whether any rank has tetrahedra
   bool mixes_tets = false;       // whether their rates and stresses are averaged over nodes

@@ -15,9 +15,10 @@ namespace {
 Array<Real> make_element_records(const Model& model) {
   const auto elements = make_streamed<Array<Real>>("percuss::elements", model.state_size);
   const HexChunks chunks = model.chunks;
+  const BeamMarks is_beam = model.is_beam_chunk;
   Kokkos::parallel_for(
       "percuss::start_elements", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
-        if (is_shell(chunks, c)) return;
+        if (is_shell(chunks, c) || is_beam(c)) return;
         const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c);
         const int size = chunks.record_size(c);
         for (int i = 0; i < packs * pack_width; ++i) {
@@ -83,7 +84,7 @@ void set_start_history(const Model& model, const Array<Real>& elements) {
 
 /// Thickness and rotary inertia of shells into the records.
 void start_shells(const Model& model, const Array<Real>& elements) {
-  if (!model.has_shells) return;
+  if (!model.has_rotations) return;
   const HexChunks chunks = model.chunks;
   const Array<double> gyration_square = model.gyration_square, thickness = model.start_thickness;
   Kokkos::parallel_for(
@@ -96,6 +97,28 @@ void start_shells(const Model& model, const Array<Real>& elements) {
           record[ShellRecord::gyration_square * pack_width] =
               static_cast<Real>(gyration_square(first + (i < count ? i : count - 1)));
           record[ShellRecord::thickness * pack_width] = static_cast<Real>(thickness(c));
+        }
+      });
+}
+
+/// Rotary inertia and axes of beams into the records.
+void start_beams(const Model& model, const Array<Real>& elements) {
+  if (!model.has_beams) return;
+  const HexChunks chunks = model.chunks;
+  const BeamMarks is_beam = model.is_beam_chunk;
+  const Array<double> gyration_square = model.gyration_square;  // empty if all are trusses
+  const Rows3<double> axes = model.start_beam_axes;
+  Kokkos::parallel_for(
+      "percuss::start_beams", Range(ExecSpace(), 0, chunks.count), KOKKOS_LAMBDA(const int c) {
+        if (!is_beam(c)) return;
+        const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
+        const int packs = chunks.first_pack(c + 1) - chunks.first_pack(c), size = chunks.record_size(c);
+        for (int i = 0; i < packs * pack_width; ++i) {
+          Real* record = &elements(chunks.first_state(c)) + i / pack_width * size * pack_width + i % pack_width;
+          const int e = first + (i < count ? i : count - 1);
+          if (gyration_square.extent(0) > 0)
+            record[BeamRecord::gyration_square * pack_width] = static_cast<Real>(gyration_square(e));
+          for (int k = 0; k < 3; ++k) record[(BeamRecord::e2 + k) * pack_width] = static_cast<Real>(axes(e, k));
         }
       });
 }
@@ -167,7 +190,7 @@ ChunkResults make_results(const HexChunks& chunks) {
           Array<double>("percuss::resists", chunks.fold_threshold.extent(0))};
 }
 
-/// What nodes of shells have besides.
+/// What nodes of shells and beams have besides.
 void start_rotations(const Model& model, State& s) {
   const auto nodes = static_cast<std::size_t>(model.node_count);
   s.w = Rows3<double>("percuss::w", nodes);
@@ -206,7 +229,7 @@ void own_masses(const Model& model, State& state) {
   if (state.mass.data() != model.mass.data()) return;
   state.mass = copy_array("percuss::own_mass", model.mass);
   state.inverse_mass = copy_rows("percuss::own_inverse_mass", model.inverse_mass);
-  if (!model.has_shells) return;
+  if (!model.has_rotations) return;
   state.inertia = copy_array("percuss::own_inertia", model.inertia);
   state.inverse_inertia = copy_rows("percuss::own_inverse_inertia", model.inverse_inertia);
 }
@@ -233,8 +256,9 @@ State make_initial_state(const Model& model) {
   set_element_masses(model, s.elements);
   set_start_history(model, s.elements);
   start_shells(model, s.elements);
+  start_beams(model, s.elements);
   s.slot_force = make_streamed<Rows3<double>>("percuss::slot_force", static_cast<std::size_t>(model.slot_count));
-  if (model.has_shells) start_rotations(model, s);
+  if (model.has_rotations) start_rotations(model, s);
   s.results = make_results(model.chunks);
   rest_rigid_chunks(model, s.results);
   s.bodies = make_rigid_states(model);
@@ -260,7 +284,7 @@ namespace {
 
 std::uint64_t hash_nodes(const Model& model, const State& state) {
   const auto x = state.x, v = state.v, w = state.w;
-  const bool has_shells = model.has_shells;
+  const bool turns = model.has_rotations;
   const auto owned = model.owned_nodes;
   const auto numbers = model.node_numbers;
   std::uint64_t hash = 0;
@@ -270,7 +294,7 @@ std::uint64_t hash_nodes(const Model& model, const State& state) {
         for (int n = owned.first(c); n < owned.end(c); ++n) {
           std::uint64_t h = mix_bits(static_cast<std::uint64_t>(numbers(n)));
           for (int k = 0; k < 3; ++k) h = mix_bits(mix_bits(h ^ find_bits(x(n, k))) ^ find_bits(v(n, k)));
-          for (int k = 0; has_shells && k < 3; ++k) h = mix_bits(h ^ find_bits(w(n, k)));
+          for (int k = 0; turns && k < 3; ++k) h = mix_bits(h ^ find_bits(w(n, k)));
           sum += h;  // integers: any order gives the same sum
         }
       },

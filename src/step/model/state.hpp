@@ -70,7 +70,7 @@ struct State {
   PressureFaces pressure_faces;  // those of dead elements have no area
   NodalLoads nodal_loads;        // those of nodes that have vanished are gone
 
-  // Of scenes with shells; empty otherwise.
+  // Of scenes with shells or beams that bend; empty otherwise.
   Rows3<double> w;                 // angular velocity of the nodes, at n-1/2 (at n = 0: at 0)
   Rows3<double> w_before;          // one step earlier; scratch of the step
   Array<double> inertia;           // rotary, of the nodes: as mass

@@ -125,7 +125,7 @@ void visit_failing_shells(const Model& model, const Visit& visit) {
 /// What the layers of shells carry that can fail, element after element: the strains of the element, then of each
 /// layer the evaluations left, plastic strain, damage, time at yield.
 void archive_layers(CheckpointArchive& archive, const Model& model, const State& state) {
-  if (!model.has_shells) return;
+  if (!model.has_rotations) return;
   using L = LayerLives;
   constexpr int columns[] = {L::left, L::plastic_strain, L::damage, L::time_at_yield};
   ChunkRows rows{std::vector<std::int64_t>(static_cast<std::size_t>(model.chunks.count), 0), {}};

@@ -99,7 +99,7 @@ void archive_slots(CheckpointArchive& archive, const char* name, const Model& mo
 
 /// What shells add.
 void archive_spins(CheckpointArchive& archive, const ChunkRows& nodes, const Model& model, State& state) {
-  if (!model.has_shells) return;
+  if (!model.has_rotations) return;
   archive.rows("nodes/w", nodes, 3, state.w);
   archive_slots(archive, "elements/slot_moment", model, state.slot_moment);
 }
@@ -244,7 +244,7 @@ void complete_state(const ChunkedMesh& chunked, const Model& model, const State&
   }
   NodeCopies copies(model.ranks, shared);
   std::vector<Rows3<double>> rows{state.x, state.v, state.impulse};
-  if (model.has_shells) rows.push_back(state.w);
+  if (model.has_rotations) rows.push_back(state.w);
   for (const auto& values : rows) {
     copies.begin(ExecSpace(), values);
     copies.end(ExecSpace(), values);

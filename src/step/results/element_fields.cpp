@@ -4,6 +4,7 @@
 
 #include "kernels/core/host_copy.hpp"
 #include "src/step/model/pack_width.hpp"
+#include "src/step/results/beam_fields.hpp"
 #include "src/step/results/shell_fields.hpp"
 
 namespace percuss {
@@ -53,15 +54,20 @@ KOKKOS_INLINE_FUNCTION int find_chunk(const HexChunks& chunks, int e) {
   return low;
 }
 
-/// The stress, turned into space axes; of a hexahedron with several points their mean.
+/// The stress, turned into space axes; of a hexahedron with several points their mean, of a beam that of its section.
 struct ReadStress {
   static constexpr int components = 6;
   static constexpr bool fades = true;
   ShellTables shells;
+  BeamTables beams;
   int point = ShellPoint::mean;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const Real* record, double* row) const {
     if (is_shell(chunks, c)) {
       read_shell_stress(shells, {chunks, c, e, record}, point, row);
+      return;
+    }
+    if (beams.is_beam(c)) {
+      read_beam_stress(beams, chunks, c, e, record, row);
       return;
     }
     const Real* s = record + HexRecord::stress * pack_width;
@@ -88,11 +94,13 @@ struct ReadStress {
   }
 };
 
-/// A scalar of the history; of an element with several points their mean, 0 where the material has none.
+/// A scalar of the history; of an element with several points their mean, of a beam the largest plastic strain, 0 where
+/// the material has none.
 struct ReadScalar {
   static constexpr int components = 1;
   static constexpr bool fades = false;
   ShellTables shells;
+  BeamMarks is_beam;
   HistoryScalar name;
   int point = ShellPoint::mean;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int e, const Real* record, double* row) const {
@@ -102,6 +110,11 @@ struct ReadScalar {
       const auto whole = [](int) { return 1.0; };
       const bool has = place >= 0 && point < rule.count;
       row[0] = has ? read_layers({chunks, c, e, record}, rule, place - ShellRecord::layers, point, whole) : 0;
+      return;
+    }
+    if (is_beam(c)) {
+      const bool has = name == HistoryScalar::equivalent_plastic_strain;
+      row[0] = has ? read_beam_plastic_strain(chunks, c, record) : 0;
       return;
     }
     const int place = chunks.find_scalar(c, name);
@@ -118,6 +131,19 @@ struct ReadThickness {
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& chunks, int c, int /*e*/, const Real* record,
                                          double* row) const {
     row[0] = is_shell(chunks, c) ? record[ShellRecord::thickness * pack_width] : 0;
+  }
+};
+
+/// Forces of the section of a beam from `first` on; 0 of others.
+template <int Count>
+struct ReadBeamForces {
+  static constexpr int components = Count;
+  static constexpr bool fades = false;
+  BeamMarks is_beam;
+  int first = 0;
+  KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& /*chunks*/, int c, int /*e*/, const Real* record,
+                                         double* row) const {
+    for (int k = 0; k < Count; ++k) row[k] = is_beam(c) ? double{record[(BeamRecord::forces + first + k) * pack_width]} : 0;
   }
 };
 
@@ -199,40 +225,59 @@ std::vector<double> find_damage(const Model& model, const State& state) {
 }
 
 std::vector<double> find_stresses(const Model& model, const State& state) {
-  return read_all(model, state, ReadStress{{model, state}});
+  return read_all(model, state, ReadStress{{model, state}, {model, state}});
 }
 
 std::vector<double> find_point_stresses(const Model& model, const State& state, int point) {
-  return read_all(model, state, ReadStress{{model, state}, point});
+  return read_all(model, state, ReadStress{{model, state}, {model, state}, point});
 }
 
 std::vector<double> find_thicknesses(const Model& model, const State& state) {
   return read_all(model, state, ReadThickness{});
 }
 
+std::vector<double> find_axial_forces(const Model& model, const State& state) {
+  return read_all(model, state, ReadBeamForces<1>{model.is_beam_chunk});
+}
+
+std::vector<double> find_section_forces(const Model& model, const State& state) {
+  return read_all(model, state, ReadBeamForces<3>{model.is_beam_chunk});
+}
+
+std::vector<double> find_section_moments(const Model& model, const State& state) {
+  return read_all(model, state, ReadBeamForces<3>{model.is_beam_chunk, 3});
+}
+
+std::vector<double> find_section_results(const Model& model, const State& state, const std::vector<int>& elements) {
+  return read_some(model, state, elements, ReadBeamForces<6>{model.is_beam_chunk});
+}
+
 std::vector<double> find_plastic_strains(const Model& model, const State& state) {
-  return read_all(model, state, ReadScalar{{model, state}, HistoryScalar::equivalent_plastic_strain});
+  return read_all(model, state,
+                  ReadScalar{{model, state}, model.is_beam_chunk, HistoryScalar::equivalent_plastic_strain});
 }
 
 std::vector<double> find_point_plastic_strains(const Model& model, const State& state, int point) {
-  return read_all(model, state, ReadScalar{{model, state}, HistoryScalar::equivalent_plastic_strain, point});
+  return read_all(model, state,
+                  ReadScalar{{model, state}, model.is_beam_chunk, HistoryScalar::equivalent_plastic_strain, point});
 }
 
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name) {
-  return read_all(model, state, ReadScalar{{model, state}, name});
+  return read_all(model, state, ReadScalar{{model, state}, model.is_beam_chunk, name});
 }
 
 std::vector<double> find_history(const Model& model, const State& state, HistoryScalar name,
                                  const std::vector<int>& elements) {
-  return read_some(model, state, elements, ReadScalar{{model, state}, name});
+  return read_some(model, state, elements, ReadScalar{{model, state}, model.is_beam_chunk, name});
 }
 
 std::vector<double> find_stresses(const Model& model, const State& state, const std::vector<int>& elements) {
-  return read_some(model, state, elements, ReadStress{{model, state}});
+  return read_some(model, state, elements, ReadStress{{model, state}, {model, state}});
 }
 
 std::vector<double> find_plastic_strains(const Model& model, const State& state, const std::vector<int>& elements) {
-  return read_some(model, state, elements, ReadScalar{{model, state}, HistoryScalar::equivalent_plastic_strain});
+  return read_some(model, state, elements,
+                   ReadScalar{{model, state}, model.is_beam_chunk, HistoryScalar::equivalent_plastic_strain});
 }
 
 std::vector<double> find_pressures(const std::vector<double>& stresses) {

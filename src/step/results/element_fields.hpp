@@ -10,7 +10,7 @@ namespace percuss {
 
 /// Cauchy stress in space axes, one row of xx, yy, zz, xy, yz, zx an element. Bulk viscosity is not part of it. Of an
 /// element that fails it is the share that is left, of a dead one zero.
-/// Of a shell the mean across its thickness.
+/// Of a shell the mean across its thickness; of a beam the force along it over its area.
 std::vector<double> find_stresses(const Model& model, const State& state);
 
 /// Which of the points across the thickness of a shell: a number from 0, the lowest, or one of these.
@@ -21,10 +21,20 @@ struct ShellPoint {
 /// The same at one point of shells, 0 where they have no such point; of hexahedra as find_stresses().
 std::vector<double> find_point_stresses(const Model& model, const State& state, int point);
 
-/// Thickness of shells; 0 of hexahedra.
+/// Thickness of shells; 0 of others.
 std::vector<double> find_thicknesses(const Model& model, const State& state);
 
-/// Equivalent plastic strain an element, the mean of its points; 0 where the material has none.
+/// Normal forces of beams, positive where they pull; 0 of others.
+std::vector<double> find_axial_forces(const Model& model, const State& state);
+
+/// What the sections of beams carry, in their axes: the force along, then across in y and z; the torque, then the
+/// moments about y and z. 0 of others.
+std::vector<double> find_section_forces(const Model& model, const State& state);
+std::vector<double> find_section_moments(const Model& model, const State& state);
+/// All six of some elements, in their order.
+std::vector<double> find_section_results(const Model& model, const State& state, const std::vector<int>& elements);
+
+/// Equivalent plastic strain an element, the mean of its points, of a beam the largest; 0 where the material has none.
 std::vector<double> find_plastic_strains(const Model& model, const State& state);
 
 /// The same at one point of shells, 0 where they have no such point; of hexahedra as find_plastic_strains().

@@ -42,6 +42,21 @@ constexpr PointColumn element_columns[] = {{"stress_xx", dimensions::stress, "st
                                            {"von_mises", dimensions::stress, "equivalent stress of von Mises"},
                                            {"eps", {}, "equivalent plastic strain"}};
 
+/// Columns of a followed element in a scene with beams.
+constexpr PointColumn beam_columns[] = {
+    {"axial_force", dimensions::force, "force along the beam, positive where it pulls"},
+    {"shear_y", dimensions::force, "shear force along y of the section"},
+    {"shear_z", dimensions::force, "shear force along z of the section"},
+    {"torque", dimensions::energy, "torque"},
+    {"moment_y", dimensions::energy, "bending moment about y of the section"},
+    {"moment_z", dimensions::energy, "bending moment about z of the section"}};
+
+/// Whether some part may have beams.
+bool has_sections(const Deck& deck) {
+  return std::any_of(deck.parts.begin(), deck.parts.end(),
+                     [](const PartDeck& part) { return part.section.has_value(); });
+}
+
 /// Columns of a followed element that only some materials fill.
 struct ThermalColumn {
   HistoryScalar name;
@@ -73,6 +88,7 @@ void add_point_columns(const FollowedPoint& point, const Deck& deck, std::vector
   };
   if (!point.is_element) return add(node_columns);
   add(element_columns);
+  if (has_sections(deck)) add(beam_columns);
   for (const ThermalColumn& c : find_thermal_columns(deck)) {
     const bool is_temperature = c.name == HistoryScalar::temperature;
     columns.push_back({point.name + "_" + c.suffix, is_temperature ? Dimension{} : dimensions::stress,
@@ -110,6 +126,7 @@ History::History(const std::string& directory, const Deck& deck, const ChunkedMe
       table_(deck),
       points_(find_history_points(deck, chunked)),
       parts_(deck, chunked),
+      has_sections_(has_sections(deck)),
       thermal_(name_thermal_columns(deck)) {
   fail_together(ranks_, [&] {
     if (ranks_.rank() != 0) return;
@@ -144,6 +161,8 @@ void History::gather_points(const Model& model, const State& state, std::vector<
   }
   const std::vector<double> stresses = find_stresses(model, state, elements);
   const std::vector<double> strains = find_plastic_strains(model, state, elements);
+  const std::vector<double> sections =
+      has_sections_ ? find_section_results(model, state, elements) : std::vector<double>();
   std::vector<std::vector<double>> thermal;
   for (const HistoryScalar name : thermal_) thermal.push_back(find_history(model, state, name, elements));
   const std::vector<double> pressures = find_pressures(stresses), von_mises = find_von_mises(stresses);
@@ -152,10 +171,11 @@ void History::gather_points(const Model& model, const State& state, std::vector<
   std::size_t e = 0;  // of the elements of this rank
   for (const FollowedPoint& p : points_) {
     if (p.index < 0) {
-      values.insert(values.end(), p.is_element ? 9 + thermal.size() : 6, 0.0);
+      values.insert(values.end(), p.is_element ? 9 + (has_sections_ ? 6U : 0U) + thermal.size() : 6, 0.0);
     } else if (p.is_element) {
       values.insert(values.end(), &stresses[6 * e], &stresses[6 * e] + 6);
       values.insert(values.end(), {pressures[e], von_mises[e], strains[e]});
+      if (has_sections_) values.insert(values.end(), &sections[6 * e], &sections[6 * e] + 6);
       for (const std::vector<double>& column : thermal) values.push_back(column[e]);
       ++e;
     } else {

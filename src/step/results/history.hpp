@@ -47,6 +47,7 @@ class History {
   std::vector<FollowedPoint> points_;
   PartEnergies parts_;
   BodyColumns bodies_;
+  bool has_sections_ = false;           // whether followed elements have the columns of beams
   std::vector<HistoryScalar> thermal_;  // columns of followed elements that only some materials fill
   std::optional<HistoryFile> file_;     // of rank 0
 };

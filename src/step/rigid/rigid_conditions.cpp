@@ -233,11 +233,11 @@ void start_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
     const Vector3<double> moved = body.velocity + cross(body.spin, Vector3<double>{x[0], x[1], x[2]} - body.center);
     for (std::size_t k = 0; k < 3; ++k) {
       v(n, k) = get(moved, static_cast<int>(k));
-      if (model.has_shells) w(n, k) = get(body.spin, static_cast<int>(k));
+      if (model.has_rotations) w(n, k) = get(body.spin, static_cast<int>(k));
     }
   }
   Kokkos::deep_copy(model.start_velocity, v);
-  if (model.has_shells) Kokkos::deep_copy(model.start_spin, w);
+  if (model.has_rotations) Kokkos::deep_copy(model.start_spin, w);
 }
 
 }  // namespace percuss

@@ -167,7 +167,7 @@ void RigidStage::correct(State& state, const std::vector<Wrench>& contact, doubl
 }
 
 void RigidStage::set_spins(const State& state) const {
-  if (!any() || !model_.has_shells) return;
+  if (!any() || !model_.has_rotations) return;
   set_rigid_spins(ExecSpace(), model_.rigid.nodes, steps_, state.w);
 }
 

@@ -56,10 +56,14 @@ std::string describe_failed_element(const CheckedRun& run) {
     const HexCorners corners = find_corners(run, element);
     const Topology& topology = run.chunked.mesh.topology_of(static_cast<std::size_t>(element));
     const bool shell = topology.is_surface();
-    const double volume = shell ? find_shell_area_size(corners) : find_solid_volume(topology, corners);
+    const double volume = topology.is_line() ? find_distance(corners[0], corners[1])
+                          : shell            ? find_shell_area_size(corners)
+                                             : find_solid_volume(topology, corners);
     const std::string name = name_with_place(run, element);
     if (std::isnan(volume)) return name + " is not finite any more (a corner's position is no number)";
     if (shell) return fmt::format("{} has no area or no stable step any more (its area is {:.3g})", name, volume);
+    if (topology.is_line())
+      return fmt::format("{} has no length or no stable step any more (its length is {:.3g})", name, volume);
     if (volume <= 0) return fmt::format("{} has inverted (its volume is {:.3g})", name, volume);
     return fmt::format("{} has no stable step any more (its volume is {:.3g})", name, volume);
   });

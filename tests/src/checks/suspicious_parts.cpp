@@ -133,6 +133,13 @@ std::vector<SuspiciousDeck> contact_decks() {
        "distance: 0.02",
        {{surfaces, "contact: {surfaces: all, ties: [{a: sheet, b: plate, distance: 0.02}]}"}},
        {{surfaces, "contact: {surfaces: all, ties: [{a: sheet, b: plate, distance: 0.016}]}"}}},
+      {"BeamThatABodyHits",
+       "beam_contact",
+       "bar: {line",
+       {add_part("bar: {line: {from: [0, 0.05, 0.0105], to: [0.1, 0.05, 0.0106], cells: 4}, section: {round: {radius: "
+                 "0.0002}}, material: steel}")},
+       {add_part("bar: {line: {from: [0, 0.05, 0.05], to: [0.1, 0.05, 0.06], cells: 4}, section: {round: {radius: "
+                 "0.0002}}, material: steel}")}},
       {"NoContactSection",
        "no_contact",
        "parts:",

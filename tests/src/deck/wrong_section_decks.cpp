@@ -5,6 +5,11 @@
 namespace percuss {
 namespace {
 
+/// The part as a line, with more keys behind it.
+std::string change_to_line(const std::string& more) {
+  return change("box: {size: [1, 1, 1], cells: [2, 2, 2]}", "line: {from: [0, 0, 0], to: [1, 0, 0], cells: 2}" + more);
+}
+
 std::vector<WrongDeck> missing_keys() {
   return {
       {"NoTime", change("time: {end: 1.0, step_scale: 0.9}", "title: x"), "1:1", "time is missing (required: a map)"},
@@ -22,7 +27,7 @@ std::vector<WrongDeck> missing_keys() {
       {"PartWithoutMaterial", change(", material: steel", ""), "3:3", "material is missing in part 'rod'"},
       {"PartWithoutShape", change("box: {size: [1, 1, 1], cells: [2, 2, 2]}, ", ""), "3:3",
        "part 'rod' has no shape (must be one of box, cylinder, tube, sphere, shell_plate, shell_tube, shell_sphere, "
-       "shell_box_tube, exodus, mesh)"},
+       "shell_box_tube, line, exodus, mesh)"},
       {"PartWithTwoShapes", change("material: steel}", "material: steel, sphere: {radius: 1, cells: 4}}"), "3:68",
        "part 'rod' has 2 shapes, box and sphere"},
       {"ShellWithoutThickness",
@@ -32,6 +37,34 @@ std::vector<WrongDeck> missing_keys() {
        "thickness is of no use in part 'rod' (only shells have a thickness)"},
       {"ReferenceOfASolid", change("material: steel}", "material: steel, reference: top}"), "3:68",
        "reference is of no use in part 'rod' (only shells have a thickness)"},
+      {"LineWithoutSection", change_to_line(""), "3:3", "part 'rod' has no section (its beams need one)"},
+      {"LineWithoutLength",
+       change("box: {size: [1, 1, 1], cells: [2, 2, 2]}", "line: {from: [1, 0, 0], to: [1, 0, 0], cells: 2}"), "3:38",
+       "line.to is where line.from is in part 'rod' (a line of beams needs a length)", 2},
+      {"SectionOfASolid", change("material: steel}", "material: steel, section: {truss: {area: 1}}}"), "3:68",
+       "section is of no use in part 'rod' (only beams have a cross section)"},
+      {"SectionOfTwoKinds", change_to_line(", section: {round: {radius: 1}, truss: {area: 1}}"), "3:71",
+       "section has 2 kinds in part 'rod' (must be one of truss, round, tube, rectangle, box, general)"},
+      {"UnknownSection", change_to_line(", section: {rectangel: {size: [1, 2]}}"), "3:72", "did you mean 'rectangle'?"},
+      {"RectangleWithoutDirection", change_to_line(", section: {rectangle: {size: [1, 2]}}"), "3:62",
+       "part 'rod' has no toward (its section is not the same all around"},
+      {"DirectionOfATruss", change_to_line(", section: {truss: {area: 1}}, toward: y"), "3:91",
+       "toward is of no use in part 'rod' (a truss does not bend)"},
+      {"DirectionWithoutSection", change_to_line(", toward: y"), "3:3", "part 'rod' has no section"},
+      {"TubeOfWrongRadii", change_to_line(", section: {tube: {outer_radius: 1, inner_radius: 1}}"), "3:109",
+       "inner_radius is 1 in part 'rod' (must be smaller than outer_radius, 1)"},
+      {"BoxOfThickWalls", change_to_line(", section: {box: {size: [2, 3], wall: 1}}, toward: y"), "3:97",
+       "wall is 1 in part 'rod' (must be less than half of the width 2)"},
+      {"ElementsOfBeams", change_to_line(", section: {round: {radius: 1}}, elements: tetrahedra"), "3:93",
+       "elements is of no use in part 'rod' (its elements are beams)"},
+      {"HourglassOfBeams", change_to_line(", section: {round: {radius: 1}}, hourglass: viscous"), "3:93",
+       "hourglass is of no use in part 'rod' (its elements are beams"},
+      {"GlobalStepOfBeams",
+       "time: {end: 1.0, step_estimate: global}\n"
+       "parts: {bar: {line: {from: [0, 0, 0], to: [1, 0, 0], cells: 2}, section: {round: {radius: 1}}, material: "
+       "steel}}\n"
+       "materials: {steel: {model: elastic, density: 7850, youngs_modulus: 200e9, poissons_ratio: 0.3}}\n",
+       "1:33", "time.step_estimate is global (part 'bar' has beams"},
       {"UnknownElements", change("material: steel}", "material: steel, elements: tets}"), "3:78",
        "elements is 'tets' in part 'rod' (must be hexahedra | tetrahedra"},
       {"ElementsOfShells",
@@ -46,7 +79,7 @@ std::vector<WrongDeck> missing_keys() {
        "silence names 'frictoin' (no warning has this rule): did you mean 'friction'?"},
       {"RuleThatIsNoList", append("silence: friction"), "6:10", "silence is 'friction' (must be a list of rules)"},
       {"RotationWithoutShells", append("conditions: [{nodes: rod, fixed: [x, ry]}]"), "6:38",
-       "ry is of no use (no part has shells, whose nodes alone have rotations, or is rigid)"},
+       "ry is of no use (no part has shells or beams, whose nodes alone have rotations, or is rigid)"},
       {"UnknownFormatOfFields", append("output: {fields: {every: 1, format: exodos}}"), "6:37",
        "output.fields.format is 'exodos' (must be vtkhdf | exodus"},
       {"FormatOfFieldsTwice", append("output: {fields: {every: 1, format: [exodus, exodus]}}"), "6:37",

@@ -76,11 +76,11 @@ def read_state(deck: KeywordDeck, card: Card) -> None:
 
 def build_materials(deck: KeywordDeck) -> None:
     """The material of each block. Blocks whose material is left out go out of the model."""
-    made: dict[tuple[int, int, bool], tuple[str, Deck] | None] = {}
+    made: dict[tuple[int, int, str], tuple[str, Deck] | None] = {}
     kept: list[Block] = []
     for block in deck.model.blocks:
         part = deck.parts[block.part]
-        key = (part.material, part.state, bool(block.shells))
+        key = (part.material, part.state, "beam" if block.beams else "shell" if block.shells else "solid")
         if key not in made:
             made[key] = make_material(deck, part, block)
         if made[key]:
@@ -105,7 +105,7 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     if card is None:
         raise BadInput(part.place, f"there is no material {part.material}, of part {part.id}")
     deck.used.add(("material", part.material))
-    use = Use(bool(block.shells), find_state(deck, part), part.place, block.keys.get("points", 1))
+    use = Use(bool(block.shells), find_state(deck, part), part.place, block.keys.get("points", 1), bool(block.beams))
     law_name = name_law(card.keyword)
     if law_name == "RIGID":
         law = translate_rigid(deck, card)
@@ -119,6 +119,8 @@ def make_material(deck: KeywordDeck, part: PartCard, block: Block) -> "tuple[str
     if use.state and not use.has_used_state and "equation_of_state" not in law:
         deck.ledger.refuse(f"{card.keyword}.EOSID", part.place, "an equation of state with this law", "the law alone is used")
     add_erosion(deck, part.material, law, use)
+    if use.is_beam and law.pop("failure", None):
+        deck.ledger.refuse(f"{card.keyword}.beams", use.place, "beams that fail", "they do not")
     deck.ledger.translated(card.keyword, card.place, law["model"])
     name = deck.model.names.take(deck.material_titles[part.material] or f"material_{part.material}", "material")
     deck.model.materials[name] = law
@@ -134,7 +136,9 @@ def translate(deck: KeywordDeck, card: Card, use: Use, law: Callable[[KeywordDec
 
 
 def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
-    """Whether shells take the law."""
+    """Whether shells, or beams, take the law."""
+    if use.is_beam:
+        return may_be_of_beams(deck, card, law, use)
     if not use.is_shell or law["model"] not in SOLIDS_ONLY:
         return True
     deck.ledger.refuse(
@@ -144,6 +148,16 @@ def may_be_used(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
         "the parts made of it are left out",
     )
     return False
+
+
+def may_be_of_beams(deck: KeywordDeck, card: Card, law: Deck, use: Use) -> bool:
+    """Whether beams take the law; without what they do not have, where that is allowed."""
+    if law["model"] not in ("elastic", "j2_plasticity") or "equation_of_state" in law:
+        deck.ledger.refuse(
+            f"{card.keyword}.beams", use.place, f"beams of the law {law['model']}", "the parts made of it are left out"
+        )
+        return False
+    return True
 
 
 def find_state(deck: KeywordDeck, part: PartCard) -> Card | None:

@@ -21,6 +21,7 @@ class Use:
     state: Card | None
     place: Place
     points: int
+    is_beam: bool = False
     has_used_state: bool = False
 
 

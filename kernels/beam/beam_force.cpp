@@ -1,0 +1,180 @@
+#include "kernels/beam/beam_force.hpp"
+
+#include <cstdint>
+#include <cstring>
+
+#include "kernels/element/chunk_records.hpp"
+
+namespace percuss {
+namespace {
+
+constexpr int width = pack_size<Real>;
+constexpr int beam_force_record = 6;  // force, moment
+using BeamScratch = ChunkScratch<0, beam_force_record>;
+
+KOKKOS_INLINE_FUNCTION Vector3<double> load_vector(const Rows3<const double>& rows, int n) {
+  return {rows(n, 0), rows(n, 1), rows(n, 2)};
+}
+
+KOKKOS_INLINE_FUNCTION void subtract_vector(const Vector3<double>& u, double* sum) {
+  sum[0] -= u.x;
+  sum[1] -= u.y;
+  sum[2] -= u.z;
+}
+
+/// A record, whose scalars lie a pack apart.
+KOKKOS_INLINE_FUNCTION BeamState load_state(const Real* record) {
+  const auto value = [&](int i) { return static_cast<double>(record[i * width]); };
+  constexpr int e2 = BeamRecord::e2, f = BeamRecord::forces;
+  return {value(BeamRecord::mass),
+          value(BeamRecord::gyration_square),
+          {value(e2), value(e2 + 1), value(e2 + 2)},
+          {value(f), value(f + 1), value(f + 2), value(f + 3), value(f + 4), value(f + 5)}};
+}
+
+KOKKOS_INLINE_FUNCTION bool have_other_bits(const Real& a, const Real& b) {
+  std::uint64_t of_a = 0, of_b = 0;
+  std::memcpy(&of_a, &a, sizeof a);
+  std::memcpy(&of_b, &b, sizeof b);
+  return of_a != of_b;
+}
+
+/// Returns whether a bit has changed.
+KOKKOS_INLINE_FUNCTION bool store_state(const BeamState& s, Real* record) {
+  const BeamForces<double>& f = s.forces;
+  const double values[] = {s.e2.x, s.e2.y, s.e2.z, f.normal, f.shear_y, f.shear_z, f.torque, f.moment_y, f.moment_z};
+  bool changed = false;
+  for (int i = 0; i < BeamRecord::fibres - BeamRecord::e2; ++i) {
+    Real& stored = record[(BeamRecord::e2 + i) * width];
+    const Real value = static_cast<Real>(values[i]);
+    changed = changed || have_other_bits(stored, value);
+    stored = value;
+  }
+  return changed;
+}
+
+struct AdvanceBeamChunk {
+  HexChunks chunks;
+  BeamBlock block;
+  BeamStep step;
+  Array<Real> state;
+  Rows3<double> slot_force, slot_moment;
+  ChunkResults results;
+
+  KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
+    const int c = block.chunks(member.league_rank());
+    const int first_slot = chunks.first_slot(c), slot_count = chunks.first_slot(c + 1) - first_slot;
+    const bool at_rest = step.skips_rest && is_at_rest(first_slot, slot_count);
+    if (at_rest && results.is_settled(c) != 0) {
+      ++results.skipped(c);
+      return;
+    }
+    const BeamScratch scratch(member, slot_count);
+    double* const sums = scratch.forces;
+    for (int i = 0; i < beam_force_record * slot_count; ++i) sums[i] = 0;
+    const bool changed = advance_elements(c, sums);
+    results.is_settled(c) = at_rest && !changed ? 1 : 0;
+    for (int s = 0; s < slot_count; ++s) {
+      const double* const sum = sums + beam_force_record * s;
+      for (int k = 0; k < 3; ++k) {
+        slot_force(first_slot + s, k) = sum[k];
+        if (slot_moment.extent(0) > 0) slot_moment(first_slot + s, k) = sum[3 + k];
+      }
+    }
+  }
+
+  /// The positions of nodes without velocity are those of the step before.
+  KOKKOS_FUNCTION bool is_at_rest(int first_slot, int slot_count) const {
+    for (int s = 0; s < slot_count; ++s) {
+      const std::size_t n = 3 * static_cast<std::size_t>(chunks.slots_to_nodes(first_slot + s));
+      if (!is_plain_zero(step.v.data() + n)) return false;
+      if (step.w.extent(0) > 0 && !is_plain_zero(step.w.data() + n)) return false;
+    }
+    return true;
+  }
+
+  /// Returns whether a bit of the records has changed.
+  KOKKOS_FUNCTION bool advance_elements(int c, double* sums) const {
+    const BeamParameters& parameters = block.parameters(chunks.parameters(c));
+    const int first = chunks.first_element(c), count = chunks.first_element(c + 1) - first;
+    const int lanes = (chunks.first_pack(c + 1) - chunks.first_pack(c)) * width, size = chunks.record_size(c);
+    double least = 1e300, work = 0;
+    int controlling = first, failed = -1;
+    bool changed = false;
+    for (int i = 0; i < lanes; ++i) {  // lanes past the end repeat the last element
+      const int slots[2] = {find_slot(c, i, 0), find_slot(c, i, 1)};
+      Real* const record = &state(chunks.first_state(c)) + i / width * size * width + i % width;
+      const BeamResult result = advance_element(parameters, find_motion(c, slots), record, changed);
+      if (i >= count) continue;
+      add_forces(result.on, slots, sums);
+      work += result.work;
+      if (step.bound.extent(0) > 0) step.bound(first + i) = result.stable_step;
+      if (failed < 0 && !(result.length > 0 && result.stable_step > 0)) failed = first + i;  // also for NaN
+      if (!(result.stable_step < least)) continue;
+      least = result.stable_step;
+      controlling = first + i;
+    }
+    results.stable_step(c) = least;
+    results.controlling_element(c) = controlling;
+    results.failed_element(c) = failed;
+    results.work(c, 0) += work;
+    return changed;
+  }
+
+  /// changed: true from here on if a bit of the record does.
+  KOKKOS_FUNCTION static BeamResult advance_element(const BeamParameters& parameters, const BeamMotion& motion,
+                                                    Real* record, bool& changed) {
+    double fibres[2 * most_beam_fibres];
+    const int scalars = 2 * parameters.fibres.count;
+    Real* const stored = record + BeamRecord::fibres * width;
+    for (int k = 0; k < scalars; ++k) fibres[k] = stored[k * width];
+    BeamState now = load_state(record);
+    const BeamResult result = advance_beam(parameters, motion, now, fibres);
+    changed = store_state(now, record) || changed;
+    for (int k = 0; k < scalars; ++k) {
+      const Real value = static_cast<Real>(fibres[k]);
+      changed = changed || have_other_bits(stored[k * width], value);
+      stored[k * width] = value;
+    }
+    return result;
+  }
+
+  KOKKOS_FUNCTION int find_slot(int c, int lane, int corner) const {
+    const auto pack = static_cast<std::size_t>(chunks.first_pack(c)) + static_cast<std::size_t>(lane / width);
+    return chunks.corner_slots((pack * 8 + static_cast<std::size_t>(corner)) * width +
+                               static_cast<std::size_t>(lane % width));
+  }
+
+  KOKKOS_FUNCTION BeamMotion find_motion(int c, const int (&slots)[2]) const {
+    const int a = chunks.slots_to_nodes(chunks.first_slot(c) + slots[0]),
+              b = chunks.slots_to_nodes(chunks.first_slot(c) + slots[1]);
+    BeamMotion motion{{load_vector(step.x, a), load_vector(step.x, b)},
+                      {load_vector(step.v, a), load_vector(step.v, b)},
+                      {{0, 0, 0}, {0, 0, 0}},
+                      step.dt};
+    if (step.w.extent(0) > 0) motion.w = {load_vector(step.w, a), load_vector(step.w, b)};
+    return motion;
+  }
+
+  KOKKOS_FUNCTION static void add_forces(const BeamNodalForces<double>& on, const int (&slots)[2], double* sums) {
+    double* const first = sums + beam_force_record * slots[0];
+    double* const second = sums + beam_force_record * slots[1];
+    subtract_vector(-1.0 * on.force_on_second, first);
+    subtract_vector(on.force_on_second, second);
+    subtract_vector(on.moment.first, first + 3);
+    subtract_vector(on.moment.second, second + 3);
+  }
+};
+
+}  // namespace
+
+void advance_beams(const ExecSpace& space, const HexChunks& chunks, const BeamBlock& block, const BeamStep& step,
+                   const ChunkFields& fields) {
+  const int count = static_cast<int>(block.chunks.extent(0));
+  if (count == 0) return;
+  Kokkos::parallel_for(
+      "percuss::advance_beams", BeamScratch::make_policy(space, count, chunks.largest_slot_count),
+      AdvanceBeamChunk{chunks, block, step, fields.state, fields.slot_force, fields.slot_moment, fields.results});
+}
+
+}  // namespace percuss

@@ -1,0 +1,46 @@
+#pragma once
+// Launcher of the part of beams in a step: (1.3) to (1.5) of the paper.
+//
+// They lie in the tables of all chunks (kernels/element/hex_chunks.hpp) and write to the same slots. A beam takes the
+// first two of the eight corners there. There are few of them beside solids and shells: lanes are computed one by one.
+
+#include "kernels/beam/beam_step.hpp"
+#include "kernels/element/hex_chunks.hpp"
+
+namespace percuss {
+
+/// Where things lie in a record, in scalars of one lane: those of BeamState, then stress and plastic strain of each
+/// fibre.
+struct BeamRecord {
+  static constexpr int mass = 0, gyration_square = 1, e2 = 2, forces = 5, fibres = 11;
+  static constexpr int force_count = 6;  // normal, shear y, shear z, torque, moment y, moment z
+  static constexpr int find_size(int fibre_count) { return fibres + 2 * fibre_count; }
+};
+
+/// Chunks of beams.
+struct BeamBlock {
+  Array<int> chunks;                                   // ascending chunk ids
+  Kokkos::View<BeamParameters*, MemSpace> parameters;  // by HexChunks::parameters
+};
+
+/// Which chunks are of beams.
+struct BeamMarks {
+  Array<int> marks;  // [chunks] 1: of beams; empty in a scene without any
+  KOKKOS_INLINE_FUNCTION bool operator()(int c) const { return marks.extent(0) > 0 && marks(c) != 0; }
+};
+
+/// The motion that beams see: positions at n+1, velocities and spins at n+1/2, the step between.
+struct BeamStep {
+  Rows3<const double> x;
+  Rows3<const double> v;
+  Rows3<const double> w;  // empty: all are trusses, in a scene without rotations
+  double dt = 0;
+  bool skips_rest = false;  // as ElementMotion::skips_rest
+  Array<double> bound{};    // [elements] out: step bound of each, without the deck's scale; empty: nobody asks
+};
+
+/// Advances every beam from n to n+1.
+void advance_beams(const ExecSpace& space, const HexChunks& chunks, const BeamBlock& block, const BeamStep& step,
+                   const ChunkFields& fields);
+
+}  // namespace percuss

@@ -1,0 +1,52 @@
+#pragma once
+// Cross sections of beams: areas, moments and torsion constants.
+//
+// Local axes: e1 along the beam, y along e2, z along e3. inertia_y is the integral of z^2 (bending about e2), inertia_z
+// that of y^2.
+
+#include <cmath>
+#include <numbers>
+
+namespace percuss {
+
+struct BeamSection {
+  double area = 0;                            // A
+  double inertia_y = 0, inertia_z = 0;        // of bending about e2 and e3
+  double torsion = 0;                         // J of Saint-Venant
+  double shear_area_y = 0, shear_area_z = 0;  // A times the shear factor, for shear along e2 and e3
+};
+
+/// A solid circle: shear factor 9/10 (Timoshenko).
+inline BeamSection make_round(double radius) {
+  const double square = radius * radius, area = std::numbers::pi * square;
+  return {area, area * square / 4, area * square / 4, area * square / 2, 0.9 * area, 0.9 * area};
+}
+
+/// A circular tube: shear factor 1/2, that of a thin wall.
+inline BeamSection make_tube(double outer_radius, double inner_radius) {
+  const double a = outer_radius * outer_radius, b = inner_radius * inner_radius;
+  const double area = std::numbers::pi * (a - b), square = a + b;
+  return {area, area * square / 4, area * square / 4, area * square / 2, 0.5 * area, 0.5 * area};
+}
+
+/// A solid rectangle: shear factor 5/6. J from Roark's Formulas for Stress and Strain, table of torsion, within 0.4 %.
+inline BeamSection make_rectangle(double width_y, double width_z) {
+  const double a = std::fmax(width_y, width_z), b = std::fmin(width_y, width_z), q = b / a;
+  const double area = a * b, torsion = a * b * b * b * (1.0 / 3 - 0.21 * q * (1 - q * q * q * q / 12));
+  return {area, area * width_z * width_z / 12, area * width_y * width_y / 12, torsion, area * 5 / 6, area * 5 / 6};
+}
+
+/// A box with walls of one thickness: shear in the two walls along it, J of Bredt for a thin wall.
+inline BeamSection make_box(double width_y, double width_z, double wall) {
+  const double inner_y = width_y - 2 * wall, inner_z = width_z - 2 * wall;
+  const auto cube = [](double x) { return x * x * x; };
+  const double middle_y = width_y - wall, middle_z = width_z - wall;
+  return {width_y * width_z - inner_y * inner_z,
+          (width_y * cube(width_z) - inner_y * cube(inner_z)) / 12,
+          (width_z * cube(width_y) - inner_z * cube(inner_y)) / 12,
+          2 * wall * middle_y * middle_y * middle_z * middle_z / (middle_y + middle_z),
+          2 * wall * middle_y,
+          2 * wall * middle_z};
+}
+
+}  // namespace percuss

@@ -1,0 +1,108 @@
+#pragma once
+// A beam or a truss over one step: from the motion of its nodes to what they exert on it, as a pure function.
+//
+// Place in the step: (1.3) to (1.5) of the paper. Positions are at n+1, velocities and spins at n+1/2. Rates are taken
+// on the geometry of n+1/2, forces act on that of n+1. Formulas and their sources: docs/theory_line_elements.md.
+
+#include "kernels/beam/beam_fibres.hpp"
+
+namespace percuss {
+
+/// Numbers that are the same for all elements of a part.
+struct BeamParameters {
+  BeamStiffness stiffness;
+  double area = 0;
+  bool bends = false;  // else a truss
+  FibreLaw law;
+  BeamFibres fibres;  // none: the section is elastic
+};
+
+/// What an element remembers between steps. The stress and plastic strain of each fibre follow it in the record.
+struct BeamState {
+  double mass = 0, gyration_square = 0;  // gyration_square: rotary inertia over mass; both constant
+  Vector3<double> e2{};                  // the axis y of the section, at n
+  BeamForces<double> forces{};           // at n
+};
+
+/// The motion of an element's nodes in a step.
+struct BeamMotion {
+  BeamEnds<double> x;     // at n+1
+  BeamEnds<double> v, w;  // velocities and spins at n+1/2
+  double dt = 0;
+};
+
+struct BeamResult {
+  double work = 0;         // that the step put into the element [energy]
+  double stable_step = 0;  // bound for the next step, without the deck's scale
+  double length = 0;       // at n+1
+  BeamNodalForces<double> on{};
+};
+
+KOKKOS_INLINE_FUNCTION double find_section_work(const BeamForces<double>& f, const BeamRates<double>& strain) {
+  return f.normal * strain.stretch + f.shear_y * strain.shear_y + f.shear_z * strain.shear_z + f.torque * strain.twist +
+         f.moment_y * strain.curvature_y + f.moment_z * strain.curvature_z;
+}
+
+/// fibres: stress and plastic strain of each; in and out.
+KOKKOS_INLINE_FUNCTION BeamForces<double> advance_section(const BeamParameters& par, const BeamForces<double>& before,
+                                                          const BeamRates<double>& strain, double* fibres) {
+  BeamForces<double> f = add_elastic(before, par.stiffness, strain);
+  if (par.fibres.count == 0) return f;
+  f.normal = f.moment_y = f.moment_z = 0;
+  for (int i = 0; i < par.fibres.count; ++i) {
+    double &stress = fibres[2 * i], &plastic_strain = fibres[2 * i + 1];
+    const BeamFibre& fibre = par.fibres.fibre[i];
+    const FibreState now = par.law.advance({stress, plastic_strain}, find_fibre_strain(fibre, strain));
+    stress = now.stress;
+    plastic_strain = now.plastic_strain;
+    add_fibre(fibre, stress, f);
+  }
+  if (!par.bends) f.moment_y = f.moment_z = 0;
+  return f;
+}
+
+KOKKOS_INLINE_FUNCTION double find_beam_step(const BeamParameters& par, const BeamState& state, double length) {
+  const double normal = state.forces.normal;
+  if (!par.bends) return 2 / std::sqrt(find_truss_eigenvalue(par.stiffness.axial, state.mass, length, normal));
+  const double inertia = 0.5 * state.mass * state.gyration_square;
+  return 2 / std::sqrt(find_beam_eigenvalue(par.stiffness, state.mass, inertia, length, normal));
+}
+
+/// A truss: the stretch alone.
+KOKKOS_INLINE_FUNCTION BeamResult advance_truss(const BeamParameters& par, const BeamMotion& m, BeamState& state,
+                                                double* fibres) {
+  const double half = 0.5 * m.dt;
+  const Vector3<double> end = m.x.second - m.x.first, change = m.v.second - m.v.first, middle = end - half * change;
+  const double length = norm(end), middle_square = dot(middle, middle);
+  BeamRates<double> strain{};
+  strain.stretch = m.dt * dot(middle, change) / middle_square;
+  const BeamForces<double> before = state.forces;
+  state.forces = advance_section(par, before, strain, fibres);
+  const double mean = 0.5 * (before.normal + state.forces.normal);
+  return {std::sqrt(middle_square) * mean * strain.stretch,
+          find_beam_step(par, state, length),
+          length,
+          {(state.forces.normal / length) * end, {}}};
+}
+
+/// Advances the element from n to n+1. With dt = 0 it evaluates forces and step only.
+KOKKOS_INLINE_FUNCTION BeamResult advance_beam(const BeamParameters& par, const BeamMotion& m, BeamState& state,
+                                               double* fibres) {
+  if (!par.bends) return advance_truss(par, m, state, fibres);
+  const double half = 0.5 * m.dt;
+  const Vector3<double> spin = 0.5 * (m.w.first + m.w.second);
+  const BeamFrame<double> middle = find_beam_frame<double>(
+      {m.x.first - half * m.v.first, m.x.second - half * m.v.second}, turn_by_spin(state.e2, spin, half));
+  const BeamRates<double> rate = find_beam_rates(middle, m.v, m.w);
+  const BeamRates<double> strain{m.dt * rate.stretch, m.dt * rate.shear_y,     m.dt * rate.shear_z,
+                                 m.dt * rate.twist,   m.dt * rate.curvature_y, m.dt * rate.curvature_z};
+  const BeamForces<double> before = state.forces;
+  state.forces = advance_section(par, before, strain, fibres);
+  const BeamFrame<double> end = find_beam_frame(m.x, turn_by_spin(middle.e2, spin, half));
+  state.e2 = end.e2;
+  const double work = 0.5 * (find_section_work(before, strain) + find_section_work(state.forces, strain));
+  return {middle.length * work, find_beam_step(par, state, end.length), end.length,
+          find_beam_nodal_forces(end, state.forces)};
+}
+
+}  // namespace percuss

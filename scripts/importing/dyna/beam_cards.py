@@ -1,0 +1,130 @@
+"""*ELEMENT_BEAM and *SECTION_BEAM: beams and trusses."""
+
+from ..ledger import BadInput
+from ..model import Block, Deck
+from ..shapes import cross, dot, normalise, subtract
+from .cards import Card
+from .deck import BeamElement, KeywordDeck, PartCard
+from .mesh_cards import EIGHTS, elements_of, to_id
+
+LEFT_OUT = "these beams are left out"
+MOST_DIRECTIONS = 64  # parts that one *PART may become by how its sections are turned
+LAWS = ("elastic", "j2_plasticity")
+
+
+def read_beams(deck: KeywordDeck, card: Card) -> None:
+    """EID PID N1 N2 N3 RT1 RR1 RT2 RR2 LOCAL."""
+    if card.keyword != "ELEMENT_BEAM":
+        deck.ledger.refuse(card.keyword, card.place, "this form of beams is not read", "these elements are left out")
+        return
+    for line in card.lines:
+        if not line[1].strip():
+            continue
+        texts = card.split(line, EIGHTS) + [""] * 10
+        id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
+        ends = (to_id(card, line[0], texts[2], "N1"), to_id(card, line[0], texts[3], "N2"))
+        third = to_id(card, line[0], texts[4], "N3", True)
+        if ends[0] == ends[1]:
+            raise BadInput(card.at(line[0]), f"beam {id} has one node at both ends")
+        if any(text not in ("", "0") for text in texts[5:9]):
+            deck.ledger.refuse("ELEMENT_BEAM.RT1", card.at(line[0]), "released ends of beams", "they are held")
+        elements_of(deck, part, card.at(line[0])).beams.append(BeamElement(id, ends, third))
+    deck.ledger.translated(card.keyword, card.place, "elements of the mesh, ids kept")
+
+
+def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
+    """The section of a part. None where it is refused."""
+    reader = card.reader()
+    row = reader.row("SECID ELFORM=1 SHRF~ QR~ CST SCOOR NSM NAUPD~")
+    form = row.integer("ELFORM") or 1
+    kind = row.integer("CST")
+    row.skip("SECID")
+    row.finish(deck.ledger, "it is left out")
+    if form == 1:
+        return make_shape(deck, reader, kind)
+    if form == 2:
+        return make_general(deck, reader)
+    if form == 3:
+        more = reader.row("A RAMPT STRESS")
+        area = more.number("A")
+        more.finish(deck.ledger, "it begins without a stress")
+        deck.ledger.translated(card.keyword, row.place, "trusses")
+        return {"truss": {"area": area}} if area > 0 else more.fail("A", "must be positive")
+    deck.ledger.refuse("SECTION_BEAM.ELFORM", row.place, f"formulation {form} of beams (1, 2 and 3 are read)", LEFT_OUT)
+    return None
+
+
+def make_shape(deck: KeywordDeck, reader, kind: int) -> Deck | None:
+    """CST 0: a rectangle TS by TT; 1: a tube of these diameters."""
+    more = reader.row("TS1 TS2 TT1 TT2 NSLOC NTLOC")
+    s, s2, t, t2 = more.numbers("TS1", "TS2", "TT1", "TT2")
+    more.finish(deck.ledger, "the nodes are in the middle of the section")
+    if (s2 and s2 != s) or (t2 and t2 != t):
+        deck.ledger.refuse("SECTION_BEAM.TS2", more.place, "sections that differ between the ends", "those of the first node are used")
+    if s <= 0 or (kind == 0 and t <= 0) or (kind == 1 and not 0 <= t < s):
+        more.fail("TS1", "positive widths, or an outer diameter above the inner one, are expected")
+    deck.ledger.approximated(
+        "SECTION_BEAM", more.place, "percuss has one beam: one point along it, normal stress in fibres, elastic shear and torque"
+    )
+    if kind == 0:
+        return {"rectangle": {"size": [s, t]}}
+    if kind == 1:
+        return {"tube": {"outer_radius": s / 2, "inner_radius": t / 2}} if t > 0 else {"round": {"radius": s / 2}}
+    deck.ledger.refuse("SECTION_BEAM.CST", more.place, f"cross section type {kind}", LEFT_OUT)
+    return None
+
+
+def make_general(deck: KeywordDeck, reader) -> Deck:
+    """A ISS ITT J SA: resultants. s is y of percuss."""
+    more = reader.row("A ISS ITT J SA IST")
+    area, iss, itt, j, shear = more.numbers("A", "ISS", "ITT", "J", "SA")
+    more.finish(deck.ledger, "it is left out")
+    if min(area, iss, itt) <= 0:
+        more.fail("A", "a positive area and positive moments of inertia are expected")
+    shear = shear if shear > 0 else area * 5 / 6
+    deck.ledger.approximated("SECTION_BEAM", more.place, "shear areas of SA, or 5/6 of A; J of 0 is ISS + ITT")
+    return {
+        "general": {"area": area, "inertia_y": iss, "inertia_z": itt, "torsion": j if j > 0 else iss + itt,
+                    "shear_area_y": shear, "shear_area_z": shear}
+    }  # fmt: skip
+
+
+def has_axes(section: Deck) -> bool:
+    """As percuss judges whether it matters how a section is turned."""
+    general = section.get("general")
+    return "rectangle" in section or (general is not None and general["inertia_y"] != general["inertia_z"])
+
+
+def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], name: str, next_id: int) -> list[Block]:
+    """A block for each direction in which y of the section points."""
+    section = translate_beam_section(deck, deck.sections[part.section])
+    if section is None:
+        return []
+    groups: dict[tuple[float, ...], list[tuple[int, tuple[int, ...]]]] = {}
+    for beam in beams:
+        toward = find_direction(deck, part, beam) if has_axes(section) else ()
+        groups.setdefault(toward, []).append((beam.id, beam.ends))
+    if len(groups) > MOST_DIRECTIONS:
+        raise BadInput(part.place, f"the beams of part {part.id} are turned in {len(groups)} ways (at most {MOST_DIRECTIONS})")
+    blocks = []
+    for index, (toward, members) in enumerate(sorted(groups.items(), key=lambda item: -len(item[1]))):
+        keys: Deck = {"section": section, **({"toward": list(toward)} if toward else {})}
+        own_name = name if index == 0 else deck.model.names.take(f"{name}_d{index + 1}", "part")
+        id = part.id if index == 0 else next_id + index - 1
+        blocks.append(Block(id, part.id, own_name, part.place, beams=members, keys=keys))
+    if len(blocks) > 1:
+        deck.ledger.approximated("ELEMENT_BEAM.N3", part.place, "a part for each direction of N3")
+    return blocks
+
+
+def find_direction(deck: KeywordDeck, part: PartCard, beam: BeamElement) -> tuple[float, ...]:
+    """From the first node to N3, across the beam, to six digits."""
+    for node in (*beam.ends, beam.third):
+        if node not in deck.nodes:
+            raise BadInput(part.place, f"there is no node {node}, of beam {beam.id} (N3 says how its section is turned)")
+    start = deck.nodes[beam.ends[0]]
+    axis, to_third = normalise(subtract(deck.nodes[beam.ends[1]], start)), subtract(deck.nodes[beam.third], start)
+    across = cross(cross(axis, to_third), axis)
+    if dot(across, across) <= 1e-12 * dot(to_third, to_third):
+        raise BadInput(part.place, f"N3 of beam {beam.id} lies along the beam")
+    return tuple(round(c, 6) + 0.0 for c in normalise(across))

@@ -1,0 +1,209 @@
+#include "src/step/beams/build_beams.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "kernels/core/host_copy.hpp"
+#include "src/deck/make_material.hpp"
+#include "src/error.hpp"
+#include "src/fail_together.hpp"
+#include "src/mesh/hex_geometry.hpp"
+#include "src/step/model/whole_mesh.hpp"
+
+namespace percuss {
+namespace {
+
+bool is_of_beams(const ElementBlock& block) { return find_topology(block.topology).is_line(); }
+
+const PartDeck& find_part(const Deck& deck, const ElementBlock& block) {
+  return deck.parts[static_cast<std::size_t>(block.part)];
+}
+
+const MaterialDeck& find_material(const Deck& deck, const ElementBlock& block) {
+  return deck.materials[static_cast<std::size_t>(block.material)];
+}
+
+[[noreturn]] void refuse(const Deck& deck, const ElementBlock& block, const std::string& what) {
+  const PartDeck& part = find_part(deck, block);
+  throw InputError(fmt::format("{}: error: part '{}' has beams {}", deck.where(part.place), part.name, what));
+}
+
+/// On all ranks alike: they know all blocks.
+void check_blocks(const Deck& deck, const Mesh& mesh) {
+  for (const ElementBlock& block : mesh.elements.blocks) {
+    if (!is_of_beams(block)) continue;
+    const MaterialDeck& material = find_material(deck, block);
+    const std::string& model = material.law.model;
+    if ((model != "elastic" && model != "j2_plasticity") || material.equation_of_state)
+      refuse(deck, block,
+             fmt::format("of material '{}' (beams know elastic and j2_plasticity, without an equation of state)",
+                         material.name));
+    if (material.failure)
+      refuse(deck, block,
+             fmt::format("of material '{}', which can fail (beams never do) give them a material without failure",
+                         material.name));
+    if (model == "j2_plasticity" && std::holds_alternative<BeamSection>(*find_part(deck, block).section))
+      refuse(deck, block,
+             "with a general section of a material that yields (yielding needs the shape of the section) give it as "
+             "round, tube, rectangle or box, or take an elastic material");
+  }
+}
+
+BeamFibres list_fibres(const BeamSectionDeck& section) {
+  struct List {
+    BeamFibres operator()(const TrussSection& s) const {
+      BeamFibres one;
+      one.add(0, 0, s.area);
+      return one;
+    }
+    BeamFibres operator()(const RoundSection& s) const { return list_ring_fibres<3>(s.radius, 0); }
+    BeamFibres operator()(const TubeSection& s) const { return list_ring_fibres<2>(s.outer_radius, s.inner_radius); }
+    BeamFibres operator()(const RectangleSection& s) const { return list_rectangle_fibres(s.size[0], s.size[1]); }
+    BeamFibres operator()(const BoxSection& s) const { return list_box_fibres(s.size[0], s.size[1], s.wall); }
+    BeamFibres operator()(const BeamSection&) const { return {}; }
+  };
+  return std::visit(List{}, section);
+}
+
+LameConstants find_moduli(const Deck& deck, const ElementBlock& block) {
+  LameConstants c{};
+  visit_law(find_material(deck, block), [&](const auto& law) { c = law.moduli(); });
+  return c;
+}
+
+double find_youngs_modulus(const LameConstants& c) { return c.mu * (3 * c.lambda + 2 * c.mu) / (c.lambda + c.mu); }
+
+BeamStiffness find_stiffness(const Deck& deck, const ElementBlock& block) {
+  const LameConstants c = find_moduli(deck, block);
+  return find_beam_stiffness(make_beam_section(*find_part(deck, block).section), find_youngs_modulus(c), c.mu);
+}
+
+BeamParameters make_parameters(const Deck& deck, const ElementBlock& block) {
+  const BeamSectionDeck& section = *find_part(deck, block).section;
+  BeamParameters parameters;
+  parameters.stiffness = find_stiffness(deck, block);
+  parameters.area = make_beam_section(section).area;
+  parameters.bends = bends(section);
+  visit_law(find_material(deck, block), [&]<class Law>(const Law& law) {
+    if constexpr (std::is_same_v<Law, J2Plasticity>) {
+      parameters.law = {find_youngs_modulus(law.moduli()), law.yield_stress, law.hardening_modulus};
+      parameters.fibres = list_fibres(section);
+    }
+  });
+  return parameters;
+}
+
+void describe_records(std::size_t c, int fibre_count, const BeamRecords& records) {
+  records.record_size[c] = BeamRecord::find_size(fibre_count);
+  records.points[c] = fibre_count;
+  records.history[c] = -1;
+  for (std::size_t k = 0; k < history_scalars; ++k) records.scalars[c * history_scalars + k] = -1;
+}
+
+void build_block(const Deck& deck, const ChunkedMesh& chunked, const BeamRecords& records, Model& model) {
+  std::vector<int> chunks, kinds;
+  std::vector<BeamParameters> rows;
+  std::map<int, int> row_of_part;
+  for (std::size_t c = 0; c < chunked.chunks.size(); ++c) {
+    const ElementBlock& block = find_block(chunked, chunked.chunks[c]);
+    kinds.push_back(is_of_beams(block) ? 1 : 0);
+    if (kinds.back() == 0) continue;
+    const auto [row, is_new] = row_of_part.emplace(block.part, static_cast<int>(rows.size()));
+    if (is_new) rows.push_back(make_parameters(deck, block));
+    if (!find_part(deck, block).rigid) chunks.push_back(static_cast<int>(c));
+    records.parameters[c] = row->second;
+    describe_records(c, rows[static_cast<std::size_t>(row->second)].fibres.count, records);
+  }
+  model.beam_block.chunks = to_view("percuss::chunks_of_beams", chunks);
+  model.beam_block.parameters = to_view("percuss::beam_parameters", rows);
+  model.is_beam_chunk.marks = to_view("percuss::is_beam", kinds);
+}
+
+/// The axis of the scene that lies most across a line.
+Vec3 find_axis_across(const Vec3& line) {
+  std::size_t least = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (std::abs(line[k]) < std::abs(line[least])) least = k;
+  Vec3 axis{};
+  axis[least] = 1;
+  return axis;
+}
+
+/// y of the section of an element at the start.
+Vec3 find_start_axis(const Deck& deck, const Mesh& mesh, std::size_t element) {
+  constexpr double least_sine = 1e-6;
+  const PartDeck& part = find_part(deck, mesh.block_of(element));
+  const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
+  const Vec3 line = subtract(x[1], x[0]), toward = part.toward.value_or(find_axis_across(line));
+  const Vec3 across = cross(line, toward);
+  if (!(std::sqrt(dot(across, across)) > least_sine * std::sqrt(dot(line, line))))
+    throw InputError(fmt::format(
+        "{}: error: toward of part '{}' lies along {} (it says where y of the section points, which is across the "
+        "beam) give another direction, or divide the part",
+        deck.where(part.place), part.name, name_element(mesh, static_cast<int>(element))));
+  const auto frame =
+      find_beam_frame<double>({{0, 0, 0}, {line[0], line[1], line[2]}}, {toward[0], toward[1], toward[2]});
+  return {frame.e2.x, frame.e2.y, frame.e2.z};
+}
+
+void build_start_axes(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
+  const Mesh& mesh = chunked.mesh;
+  std::vector<Vec3> axes(mesh.elements.size(), Vec3{});
+  fail_together(model.ranks, [&] {
+    for (std::size_t e = 0; e < axes.size(); ++e)
+      if (is_of_beams(mesh.block_of(e))) axes[e] = find_start_axis(deck, mesh, e);
+  });
+  model.start_beam_axes = to_rows("percuss::start_beam_axes", axes);
+}
+
+double find_length(const Mesh& mesh, std::size_t element) {
+  const HexCorners x = gather_corners(mesh.elements, element, mesh.nodes);
+  return find_distance(x[0], x[1]);
+}
+
+double find_gyration_square(const Deck& deck, const Mesh& mesh, std::size_t element) {
+  const ElementBlock& block = mesh.block_of(element);
+  if (!bends(*find_part(deck, block).section)) return 0;
+  return 2 * find_beam_inertia(find_stiffness(deck, block), 1, find_length(mesh, element));
+}
+
+}  // namespace
+
+bool has_bending_beams(const Deck& deck, const Mesh& mesh) {
+  return std::any_of(mesh.elements.blocks.begin(), mesh.elements.blocks.end(), [&](const ElementBlock& block) {
+    return is_of_beams(block) && bends(*find_part(deck, block).section);
+  });
+}
+
+void build_beam_block(const Deck& deck, const ChunkedMesh& chunked, const BeamRecords& records, Model& model) {
+  model.has_beams = has_beams(chunked.mesh);
+  if (!model.has_beams) return;
+  check_blocks(deck, chunked.mesh);
+  build_block(deck, chunked, records, model);
+  build_start_axes(deck, chunked, model);
+}
+
+void set_beam_gyrations(const Deck& deck, const Mesh& mesh, std::vector<double>& squares) {
+  for (std::size_t e = 0; e < squares.size(); ++e)
+    if (is_of_beams(mesh.block_of(e))) squares[e] = find_gyration_square(deck, mesh, e);
+}
+
+void set_beam_bounds(const Deck& deck, const Mesh& mesh, const std::vector<double>& element_mass,
+                     std::vector<double>& bounds) {
+  std::map<int, BeamParameters> of_block;
+  for (std::size_t e = 0; e < bounds.size(); ++e) {
+    const ElementBlock& block = mesh.block_of(e);
+    if (!is_of_beams(block)) continue;
+    const auto [of, is_new] = of_block.emplace(mesh.elements.block_index(e), BeamParameters{});
+    if (is_new) of->second = make_parameters(deck, block);
+    BeamState state;
+    state.mass = element_mass[e];
+    state.gyration_square = find_gyration_square(deck, mesh, e);
+    bounds[e] = find_beam_step(of->second, state, find_length(mesh, e));
+  }
+}
+
+}  // namespace percuss

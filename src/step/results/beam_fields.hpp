@@ -1,0 +1,56 @@
+#pragma once
+// Reads the records of beams for output. Internal to element_fields.cpp.
+
+#include "src/step/model/model.hpp"
+#include "src/step/model/state.hpp"
+
+namespace percuss {
+
+/// What a reader of beams needs besides the records; empty in a scene without beams.
+struct BeamTables {
+  Rows3<const double> x;
+  Kokkos::View<BeamParameters*, MemSpace> parameters;
+  BeamMarks is_beam;
+
+  BeamTables(const Model& model, const State& state)
+      : x(state.x), parameters(model.beam_block.parameters), is_beam(model.is_beam_chunk) {}
+};
+
+/// Unit vector along element e of chunk c, from its first node to its second.
+KOKKOS_INLINE_FUNCTION Vector3<double> find_beam_axis(const BeamTables& tables, const HexChunks& chunks, int c, int e) {
+  constexpr int width = pack_size<Real>;
+  const int i = e - chunks.first_element(c);
+  const std::size_t pack = static_cast<std::size_t>(chunks.first_pack(c)) + static_cast<std::size_t>(i / width);
+  Vector3<double> ends[2];
+  for (int k = 0; k < 2; ++k) {
+    const int slot =
+        chunks.corner_slots((pack * 8 + static_cast<std::size_t>(k)) * width + static_cast<std::size_t>(i % width));
+    const int n = chunks.slots_to_nodes(chunks.first_slot(c) + slot);
+    ends[k] = {tables.x(n, 0), tables.x(n, 1), tables.x(n, 2)};
+  }
+  const Vector3<double> line = ends[1] - ends[0];
+  return (1 / norm(line)) * line;
+}
+
+/// The mean normal stress of the section, in space axes: xx, yy, zz, xy, yz, zx.
+KOKKOS_INLINE_FUNCTION void read_beam_stress(const BeamTables& tables, const HexChunks& chunks, int c, int e,
+                                             const Real* record, double* row) {
+  const double stress = record[BeamRecord::forces * pack_size<Real>] / tables.parameters(chunks.parameters(c)).area;
+  const Vector3<double> a = find_beam_axis(tables, chunks, c, e);
+  row[0] = stress * a.x * a.x;
+  row[1] = stress * a.y * a.y;
+  row[2] = stress * a.z * a.z;
+  row[3] = stress * a.x * a.y;
+  row[4] = stress * a.y * a.z;
+  row[5] = stress * a.z * a.x;
+}
+
+/// The largest plastic strain of the fibres.
+KOKKOS_INLINE_FUNCTION double read_beam_plastic_strain(const HexChunks& chunks, int c, const Real* record) {
+  double largest = 0;
+  for (int i = 0; i < chunks.points(c); ++i)
+    largest = larger(largest, static_cast<double>(record[(BeamRecord::fibres + 2 * i + 1) * pack_size<Real>]));
+  return largest;
+}
+
+}  // namespace percuss
