@@ -97,10 +97,11 @@ std::vector<double> check_earlier_results(const FramesFormat& format, const std:
                                           std::span<const std::string> fields) {
   std::string problem;
   try {
-    return read_earlier(format, path, [&](const EarlierFile& file) {
+    std::vector<double> times = read_earlier(format, path, [&](const EarlierFile& file) {
       problem = file.find_problem(kept, fields);
       return problem.empty() ? file.read_times(0, kept.frames) : std::vector<double>();
     });
+    if (problem.empty()) return times;
   } catch (const hdf5::Error& error) {
     problem = fmt::format("cannot {}: {}", error.what(), error.reason);
   }
