@@ -176,7 +176,8 @@ output: {{history: {{every: 1e-3, nodes: [{{name: corner, near: [0, 0, 1]}}]}}}}
 // alone, and with beams alone, the deflections of the same load are larger by that.
 TEST(Beam, StiffensAStripOfShellsThatItIsJoinedTo) {
   const double load = 10, thickness = 0.01, side = 0.012;
-  const Outcome run = run_deck(fmt::format(R"yaml(
+  const Outcome run =
+      run_deck(fmt::format(R"yaml(
 parts:
   strip: {{shell_plate: {{size: [0.5, 0.05], cells: [20, 2]}}, thickness: {}, material: metal}}
   low:   {{line: {{from: [0, 0, 0], to: [0.5, 0, 0], cells: 20}}, section: {{rectangle: {{size: [{}, {}]}}}}, toward: y, material: metal}}
@@ -188,7 +189,7 @@ loads: {{nodal: [{{nodes: low/end, force: {{z: {}}}}}, {{nodes: high/end, force:
 time: {{end: 0.2}}
 output: {{history: {{every: 1e-3, nodes: [{{name: tip, near: [0.5, 0, 0]}}]}}}}
 )yaml",
-                                           thickness, side, side, side, side, rise_to(load, 0.15), rise_to(load, 0.15)));
+                           thickness, side, side, side, side, rise_to(load, 0.15), rise_to(load, 0.15)));
   const double inertia = 0.05 * std::pow(thickness, 3) / 12 + 2 * std::pow(side, 4) / 12;
   const double area = 0.05 * thickness + 2 * side * side, length = 0.5;
   const double exact =
