@@ -41,7 +41,7 @@ contact: {surfaces: all, friction: 0.2}
 
 TEST(BeamsOnRanks, BesideShellsAndSolidsHaveTheBitsOfOneRank) {
   TwoScenes scenes(frame_text);
-  expect_same_bits_of_beams(scenes, 120);
+  expect_same_bits_of_beams(scenes, 20);
   EXPECT_GT(scenes.alone.stepper.contact_report().interactions, 0);
 }
 
