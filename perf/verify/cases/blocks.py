@@ -93,7 +93,7 @@ def follow_wheel(sides, inertia, slope, start, steps):
     return np.array(times), np.array(rates)
 
 
-@case("rolling_prism", "rigid", "A prism of twelve sides rolls down")
+@case("rolling_prism", "rigid", "A prism of twelve sides rolls down", quick=True)
 def rolling_prism(bench):
     """A rigid prism of twelve sides rolls down a slope of 6 degrees on which it cannot slide. It turns about one edge
     until the next one strikes. Angular momentum about that edge is kept: with I = m R^2 / 2 the angular velocity

@@ -51,7 +51,7 @@ def follow_oscillator(start, share, frequency, times):
     return place
 
 
-@case("spring_slider", "friction", "A block on a spring slides and sticks", quick=True)
+@case("spring_slider", "friction", "A block on a spring slides and sticks")
 def spring_slider(bench):
     """A rigid block of 1 kg on a floor with friction 0.3 is held by a spring of 100 N/m, w = 10 rad/s; d = mu m g /
     k.
