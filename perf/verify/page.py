@@ -8,6 +8,7 @@ GROUPS = {
     "impact": "Impact of bars and balls",
     "closed": "Closed scenes: momentum and energy",
     "friction": "Friction",
+    "rigid": "Rigid blocks",
     "plastic": "Plastic flow",
     "shocks": "Shocks",
     "failure": "Failure and erosion",

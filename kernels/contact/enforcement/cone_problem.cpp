@@ -171,7 +171,9 @@ struct Sweeper {
     });
   }
 
+  /// The largest deviation of a row; the largest number where one is none.
   double find_residual(const Array<double>& z) const {
+    constexpr double most_of_all = std::numeric_limits<double>::max();
     const ConeProblem p = problem;
     const Array<const ConeBlock> b = blocks;
     double residual = 0;
@@ -179,7 +181,7 @@ struct Sweeper {
         "contact::cone_residual", Range(0, p.num_rows),
         KOKKOS_LAMBDA(int r, double& most) {
           const double deviation = find_deviation(p, b(r), r, z);
-          if (!(deviation <= most)) most = deviation;
+          if (!(deviation <= most)) most = deviation <= most_of_all ? deviation : most_of_all;
         },
         Kokkos::Max<double>(residual));
     return residual;
@@ -249,6 +251,15 @@ struct BestPoint {
       last_gain = report.sweeps;
     }
   }
+
+  /// Goes back from a z that is lost. Where rows depend on each other, as those of rigid bodies do, there are impulses
+  /// that change no velocity, along which nothing holds the extrapolation.
+  bool take_back(double residual, double tolerance, const Array<double>& now) const {
+    constexpr double lost = 1e16;  // residual / tolerance
+    if (!(residual > lost * tolerance)) return false;
+    Kokkos::deep_copy(now, z);
+    return true;
+  }
 };
 
 }  // namespace
@@ -272,6 +283,10 @@ ConeReport solve_cone_problem(const ConeProblem& problem, double tolerance, cons
     report.converged = residual <= tolerance;
     const bool is_stuck = report.sweeps - best.last_gain > patience;
     if (report.converged || is_stuck || report.sweeps >= max_sweeps) break;
+    if (best.take_back(residual, tolerance, z)) {
+      window.clear();
+      last_move = std::numeric_limits<double>::infinity();
+    }
     Kokkos::deep_copy(next, z);
     sweep(next);
     report.sweeps += 2;

@@ -224,13 +224,14 @@ KOKKOS_INLINE_FUNCTION void correct_twins(const ConeProblem& problem, const Arra
   if (has_rub(problem, twins.row)) correct_rubs(problem, blocks(twins.row), twins.row, z);
 }
 
-/// Deviation from the conditions: the natural map z - P(z - w / D), as a velocity.
+/// Deviation from the conditions: the natural map z - P(z - w / D), as a velocity. Not a number where z is none.
 KOKKOS_INLINE_FUNCTION double find_deviation(const ConeProblem& problem, const ConeBlock& block, int row,
                                              const Array<double>& z) {
   if (is_tied(problem, row)) {
     double most = 0;
     for (int i = problem.first(row); i < problem.first(row + 1); ++i) {
       const double w = find_entry(problem.a, i, i) > 0 ? std::fabs(find_velocity(problem, z, i)) : 0;
+      if (!(w >= 0)) return w;
       most = w > most ? w : most;
     }
     return most;
@@ -238,15 +239,15 @@ KOKKOS_INLINE_FUNCTION double find_deviation(const ConeProblem& problem, const C
   if (!(block.push > 0)) return 0;
   const int f = problem.first(row);
   const double w = find_velocity(problem, z, f), force = block.push * z(f);
-  const double of_push = std::fabs(w < force ? w : force);
-  if (!has_rub(problem, row) || !(block.rub > 0)) return of_push;
+  const double of_push = std::fabs(w > force ? force : w);
+  if (!(of_push >= 0) || !has_rub(problem, row) || !(block.rub > 0)) return of_push;
   double t1 = z(f + 1) - find_velocity(problem, z, f + 1) / block.rub;
   double t2 = z(f + 2) - find_velocity(problem, z, f + 2) / block.rub;
   project_on_disc(find_limit(problem, row, z), t1, t2);
   t1 -= z(f + 1);
   t2 -= z(f + 2);
   const double of_rub = block.rub * std::sqrt(t1 * t1 + t2 * t2);
-  return of_rub > of_push ? of_rub : of_push;
+  return of_rub < of_push ? of_push : of_rub;
 }
 
 }  // namespace percuss

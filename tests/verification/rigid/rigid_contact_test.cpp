@@ -99,6 +99,27 @@ output: {{history: {{every: 1.0e-5}}}}
 INSTANTIATE_TEST_SUITE_P(Of, RigidContact, testing::Values("kinematic", "lagrange", "penalty"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
+// A block on a spring slides over a plate, on nine nodes where three would hold it: a swing with dry friction about
+// mu m g / k. (Extrapolation along impulses that change no velocity once gave no numbers in step 154.)
+TEST(RigidBlockOnAPlate, SwingsOnASpringWithFrictionUnderLagrange) {
+  const Outcome run = run_deck(R"(
+time: {end: 2, max_step: 5.0e-4, max_steps: 160}
+parts:
+  block: {box: {size: [0.2, 0.2, 0.1], cells: [2, 2, 1]}, material: soft, rigid: {mass: 1}}
+  anchor: {box: {size: [0.1, 0.1, 0.1], cells: [2, 2, 2]}, at: [1, 0.05, 0], material: soft, rigid: true}
+  plate: {box: {size: [2, 1, 0.1], cells: [9, 5, 1]}, at: [-1, -0.4, -0.1], material: soft, rigid: true}
+springs:
+  pull: {between: [{near: [0.2, 0.1, 0], part: block}, {near: [1, 0.1, 0], part: anchor}], stiffness: 100, rest_length: 0.6}
+conditions: [{nodes: anchor, fixed: [x, y, z]}, {nodes: plate, fixed: [x, y, z]}]
+loads: {gravity: [0, 0, -9.81]}
+contact: {surfaces: [[block, plate]], friction: 0.3, enforcement: lagrange}
+output: {history: {every: 0}}
+)" + materials);
+  const double middle = 0.3 * 9.81 / 100, swing = (0.2 - middle) * (1 - std::cos(10 * 0.08));
+  EXPECT_NEAR(run.history.last("body_x:block"), 0.1 + swing, 1e-3 * swing);
+  EXPECT_LT(std::abs(run.summary.energy.error), 1e-7);
+}
+
 // A chain of masses and springs with the end mass that a rigid block adds: the bar is one element wide, without lateral
 // contraction, so that it is that chain exactly, up to the square of the strain (1e-7).
 TEST(RigidEndMass, MovesWithItsBarAsALumpedChain) {
