@@ -62,7 +62,7 @@ TEST(MassDamping, SlowsARigidBodyLikewise) {
 }
 
 TEST(MassDamping, SlowsTheSpinOfBodiesAndShells) {
-  for (const std::string part :
+  for (const std::string& part :
        {block + ", rigid: true", block, std::string("shell_plate: {size: [2, 2], cells: [4, 4]}, thickness: 0.1")}) {
     const Outcome run = run_deck(describe_flight(part, damped, "angular_velocity: [0, 0, 0.5]"));
     const double start = run.history["angular_z"][0];
