@@ -10,7 +10,8 @@
 //   F = n^2 + (m_c^2 + sqrt(m_c^4 + 4 m_a^2)) / 2 - 1.
 // The trial beyond F = 0 returns along the normal, in the metric of elastic energy n^2 + (3/4) m^2: dn = 2 n L and
 // dm = (4/3) dF/dm L, one step of Newton's method for L. Where the centre itself flows, by d of its elastic limit, all
-// of the section flows: m_a falls by (2/3) d, to what the hardening of its sides differs by, and m_c relaxes.
+// of the section flows: the centre keeps what its own return left, m_a falls by (2/3) d, to what the hardening of its
+// sides differs by, and m_c relaxes.
 
 #include "kernels/core/long_sum.hpp"
 #include "kernels/element/hex8/assumed_strain.hpp"
@@ -26,9 +27,7 @@ KOKKOS_INLINE_FUNCTION constexpr bool bends_plastically() {
 }
 
 /// m_c over what the element's rates would have as steady value: without it coarse Taylor bars are too stiff.
-inline constexpr double across_share = 0.2;
-/// Share of m_c^2 in F while the centre flows.
-inline constexpr double across_weight = 0.5;
+inline constexpr double across_share = 0.03;
 /// Of 1 - n^2 in the limit of m, which keeps some resistance against hourglass modes.
 inline constexpr double least_room = 0.1;
 /// Of the hardening, as a share of the flow stress.
@@ -68,12 +67,12 @@ PERCUSS_FORCE_INLINE SectionYield<T> return_section(const SectionState<T>& state
   // flow of the whole section
   const T hard = larger(state.hardening, number<T>(least_hardening));
   SectionYield<T> out;
-  const T relaxed = one / (one + flow * number<T>(1 / across_share));
+  const T relaxed = larger(one / (one + flow * number<T>(1 / across_share)), state.guard * share);
   const T left = larger(along - number<T>(2.0 / 3) * flow, along / (one + flow / hard));
   const T held = select(flows, smaller(left, number<T>(2.0 / 3) * hard), T(0));  // does not count as yield
   const T after = relaxed * relaxed * across_square;
   // return to F = 0
-  const T a = left - held, c = select(flows, number<T>(across_weight), one) * after;
+  const T a = left - held, c = select(flows, T(0), after);
   const T root = larger(square_root(c * c + T(4) * a * a), nothing);
   const T excess = larger(state.plastic.loading + number<T>(0.5) * (c + root) - one, T(0));
   const T slope_a = T(2) * a / root, slope_c = one + c / root;
@@ -81,7 +80,7 @@ PERCUSS_FORCE_INLINE SectionYield<T> return_section(const SectionState<T>& state
                              number<T>(4.0 / 3) * (slope_a * slope_a + slope_c * slope_c * c) + number<T>(1e-9));
   const T reduced = larger(a - number<T>(4.0 / 3) * slope_a * length, T(0));
   const T across_return = one / (one + number<T>(4.0 / 3) * slope_c * length);
-  out.centre = one / (one + T(2) * length);
+  out.centre = select(flows, one, one / (one + T(2) * length));
   // limit, as the normal of the trial leads past F = 0 only nearly
   const T loading = state.plastic.loading * out.centre * out.centre;
   const T room = larger(larger(one - loading, number<T>(least_room)), state.guard);
