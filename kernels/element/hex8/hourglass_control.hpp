@@ -117,7 +117,7 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_by_assumed_strain(const Material& 
                                                           rule.guard_coefficient);
     response.stiffness = response.stiffness + guard;
     constexpr bool bends = bends_plastically<Material>();
-    const T rate = bends ? half_dt : half_dt * rule.rate_share(plastic);
+    const T rate = half_dt * rule.rate_share(plastic);
     for (int h = 0; h < 4; ++h) {
       const Vector3<T> increment = response.force.mode[h] + guard * motion.rate.mode[h];
       sum.mode[h] = q.mode[h];

@@ -9,9 +9,8 @@
 // t across it in the space of deviators. With both parts, m_a along and m_c across, and summed over the plates,
 //   F = n^2 + (m_c^2 + sqrt(m_c^4 + 4 m_a^2)) / 2 - 1.
 // The trial beyond F = 0 returns along the normal, in the metric of elastic energy n^2 + (3/4) m^2: dn = 2 n L and
-// dm = (4/3) dF/dm L, one step of Newton's method for L. Where the centre itself flows, by d of its elastic limit, all
-// of the section flows: the centre keeps what its own return left, m_a falls by (2/3) d, to what the hardening of its
-// sides differs by, and m_c relaxes.
+// dm = (4/3) dF/dm L, one step of Newton's method for L. Where the centre itself flows, it keeps what its own return
+// left; Q is scaled by the share of that return and limited to the room of 1 - n^2.
 
 #include "kernels/core/long_sum.hpp"
 #include "kernels/element/hex8/assumed_strain.hpp"
@@ -26,20 +25,15 @@ KOKKOS_INLINE_FUNCTION constexpr bool bends_plastically() {
   return false;
 }
 
-/// m_c over what the element's rates would have as steady value: without it coarse Taylor bars are too stiff.
-inline constexpr double across_share = 0.03;
 /// Of 1 - n^2 in the limit of m, which keeps some resistance against hourglass modes.
 inline constexpr double least_room = 0.1;
-/// Of the hardening, as a share of the flow stress.
-inline constexpr double least_hardening = 0.01;
 
 /// The stress of a plastic step at the centre, and what it leaves to bending.
 template <class T>
 struct SectionState {
   Symmetric3<T> deviator;  // Cauchy stress at the centre, spatial
   PlasticReturn<T> plastic;
-  T hardening;  // share of the flow stress that hardening has added
-  T guard;      // of find_guard()
+  T guard;  // of find_guard()
 };
 
 /// What bending yields: factors of the parts of Q along and across the centre's stress, and of its deviator.
@@ -62,36 +56,31 @@ template <class T>
 PERCUSS_FORCE_INLINE SectionYield<T> return_section(const SectionState<T>& state, const T& along,
                                                     const T& across_square) {
   const T one(1), nothing = number<T>(1e-12), share = state.plastic.share;
-  const T flow = one / share - one;
   const auto flows = share < one;
-  // flow of the whole section
-  const T hard = larger(state.hardening, number<T>(least_hardening));
   SectionYield<T> out;
-  const T relaxed = larger(one / (one + flow * number<T>(1 / across_share)), state.guard * share);
-  const T left = larger(along - number<T>(2.0 / 3) * flow, along / (one + flow / hard));
-  const T held = select(flows, smaller(left, number<T>(2.0 / 3) * hard), T(0));  // does not count as yield
-  const T after = relaxed * relaxed * across_square;
+  const T left = share * along, after = share * share * across_square;
   // return to F = 0
-  const T a = left - held, c = select(flows, T(0), after);
+  const T a = select(flows, T(0), left), c = select(flows, T(0), after);
   const T root = larger(square_root(c * c + T(4) * a * a), nothing);
   const T excess = larger(state.plastic.loading + number<T>(0.5) * (c + root) - one, T(0));
   const T slope_a = T(2) * a / root, slope_c = one + c / root;
   const T length = excess / (T(4) * share * state.plastic.loading +
                              number<T>(4.0 / 3) * (slope_a * slope_a + slope_c * slope_c * c) + number<T>(1e-9));
-  const T reduced = larger(a - number<T>(4.0 / 3) * slope_a * length, T(0));
+  const T reduced = larger(left - number<T>(4.0 / 3) * slope_a * length, T(0));
   const T across_return = one / (one + number<T>(4.0 / 3) * slope_c * length);
   out.centre = select(flows, one, one / (one + T(2) * length));
   // limit, as the normal of the trial leads past F = 0 only nearly
   const T loading = state.plastic.loading * out.centre * out.centre;
   const T room = larger(larger(one - loading, number<T>(least_room)), state.guard);
-  const T limited = reduced * reduced + room * (across_return * across_return * after);
+  const T limited = reduced * reduced + select(flows, one, room) * (across_return * across_return * after);
   const T limit = smaller(one, room / square_root(larger(limited, nothing)));
   const T remaining = limit * across_return;
-  out.across = remaining * relaxed;
-  out.returned = out.across * (one - remaining);  // no more than is left, however far the trial is
-  out.along = larger((limit * reduced + held) / larger(along, number<T>(1e-9)), state.guard * out.across);
+  out.across = remaining * share;
+  out.returned = select(flows, T(0), out.across * (one - remaining));  // no more than is left, however far the trial is
+  out.along = larger(limit * reduced / larger(along, number<T>(1e-9)), state.guard * out.across);
   out.strain = number<T>(0.75) * state.plastic.flow_stress *
                (along * along * out.along * (one - out.along) + across_square * out.across * (one - out.across));
+  out.strain = select(flows, T(0), out.strain);
   return out;
 }
 
@@ -194,8 +183,7 @@ PERCUSS_NO_INLINE void yield_as_section(const Material& material, const PlasticR
   const ElementAxes<T> axes = find_element_axes(middle);
   const T mean = number<T>(1.0 / 3.0) * trace(state.stress);
   const Symmetric3<T> deviator = state.stress + Symmetric3<T>{-mean, -mean, -mean, T(0), T(0), T(0)};
-  const SectionState<T> section{push_forward(state.polar.rotation, deviator), plastic,
-                                one - number<T>(material.yield_stress) / plastic.flow_stress, motion.guard};
+  const SectionState<T> section{push_forward(state.polar.rotation, deviator), plastic, motion.guard};
   HourglassModes<T>& q = state.hourglass;
   const SectionAlong<T> centre = find_section_along(section, motion.a, motion.volume, q);
   const T over = one / larger(plastic.loading, number<T>(1e-6));
