@@ -141,11 +141,11 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   state.viscous_pressure = viscous.pressure;
 
   const HourglassModes<T> rates = find_hourglass_rates(v, step.middle, step.l);
-  const HourglassMotion<T> motion{step.middle, a, rates, step.turn, dt};
+  const HourglassMotion<T> motion{step.middle, a, v, rates, step.turn, dt};
   const HourglassElement<T> element{state.mass, size.trace, b.volume, step.b};
   HourglassModes<T> own_force;
   HourglassModes<T>& force = find_hourglass_place(state.hourglass, own_force);
-  const HourglassStep<T> hourglass = control_hourglass<Kind>(par, response, motion, element, force);
+  const HourglassStep<T> hourglass = control_hourglass<Kind>(par, response, motion, element, force, state);
 
   Symmetric3<T> t = push_forward(state.polar.rotation, state.stress);
   t.xx = t.xx - viscous.pressure;

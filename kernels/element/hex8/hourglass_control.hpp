@@ -8,6 +8,7 @@
 #include "kernels/element/hex8/hourglass.hpp"
 #include "kernels/element/hex8/kinematics.hpp"
 #include "kernels/element/hex8/material_point.hpp"
+#include "kernels/element/hex8/plastic_bending.hpp"
 
 namespace percuss {
 
@@ -27,10 +28,11 @@ enum class HexKind { assumed_strain, stiffness, viscous, full };
 /// The motion over the step as hourglass control sees it.
 template <class T>
 struct HourglassMotion {
-  const VectorModes<T>& middle;   // positions at n+1/2
-  const VectorModes<T>& end;      // positions at n+1
-  const HourglassModes<T>& rate;  // u at n+1/2
-  const Matrix3<T>& turn;         // of advance_polar()
+  const VectorModes<T>& middle;    // positions at n+1/2
+  const VectorModes<T>& end;       // positions at n+1
+  const VectorModes<T>& velocity;  // at n+1/2
+  const HourglassModes<T>& rate;   // u at n+1/2
+  const Matrix3<T>& turn;          // of advance_polar()
   T dt;
 };
 
@@ -66,7 +68,8 @@ PERCUSS_FORCE_INLINE HourglassModes<T>& find_hourglass_place(NoHourglass& /*stor
   return own;
 }
 
-/// How stored forces follow a step of plastic flow, and the guard of near-inverted elements.
+/// How stored forces follow a step of plastic flow where the element does not yield as a section (plastic_bending.hpp),
+/// and the guard of near-inverted elements.
 ///
 /// They are scaled by the radial return of the centre. New ones use the plastic tangent, approximated by the share
 /// `flowing`. The stress that they represent at the surface is limited to the yield stress left by the centre's own
@@ -96,13 +99,13 @@ PERCUSS_FORCE_INLINE Vector3<T> advance_hourglass(const Matrix3<T>& turn, const 
   return turn_along(turn, old + half_increment) + half_increment;
 }
 
-/// The assumed-strain stabilisation. q: Q at n, out at n+1.
-template <class T, class Material, class Plastic>
+/// The assumed-strain stabilisation. state: Q at n, out at n+1, and the centre's stress, which yields with Q.
+template <class T, class Material, class Plastic, class State>
 PERCUSS_FORCE_INLINE HourglassStep<T> control_by_assumed_strain(const Material& material,
                                                                 [[maybe_unused]] const Plastic& plastic,
                                                                 const HourglassMotion<T>& motion,
-                                                                const HourglassElement<T>& element,
-                                                                HourglassModes<T>& q) {
+                                                                const HourglassElement<T>& element, State& state) {
+  HourglassModes<T>& q = state.hourglass;
   const ElementAxes<T> axes = find_element_axes(motion.middle);
   const PlateModuli moduli = find_plate_moduli(material.moduli());
   HourglassResponse<T> response = find_assumed_strain_response(moduli, axes, element.middle.volume, motion.rate);
@@ -113,17 +116,25 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_by_assumed_strain(const Material& 
     const T guard = rule.guard * find_hourglass_stiffness(element.gradient_square, element.volume, material.moduli().mu,
                                                           rule.guard_coefficient);
     response.stiffness = response.stiffness + guard;
+    constexpr bool bends = bends_plastically<Material>();
     const T rate = half_dt * rule.rate_share(plastic);
     for (int h = 0; h < 4; ++h) {
       const Vector3<T> increment = response.force.mode[h] + guard * motion.rate.mode[h];
       sum.mode[h] = q.mode[h];
-      q.mode[h] = plastic.share * advance_hourglass(motion.turn, q.mode[h], rate * increment);
+      q.mode[h] = advance_hourglass(motion.turn, q.mode[h], rate * increment);
+      if constexpr (!bends) q.mode[h] = plastic.share * q.mode[h];
     }
-    const T share = rule.force_share(plastic, find_surface_stress_square(axes, motion.end, element.middle.volume, q));
-    for (int h = 0; h < 4; ++h) {
-      q.mode[h] = share * q.mode[h];
-      sum.mode[h] = sum.mode[h] + q.mode[h];
+    const T square = find_surface_stress_square(axes, motion.end, element.middle.volume, q);
+    if constexpr (bends) {
+      if (any(find_yielding(plastic, square))) {
+        yield_as_section(material, plastic,
+                         {motion.end, motion.velocity, motion.dt, element.middle.volume, square, rule.guard}, state);
+      }
+    } else {
+      const T share = rule.force_share(plastic, square);
+      for (int h = 0; h < 4; ++h) q.mode[h] = share * q.mode[h];
     }
+    for (int h = 0; h < 4; ++h) sum.mode[h] = sum.mode[h] + q.mode[h];
   } else {
     for (int h = 0; h < 4; ++h) {
       const Vector3<T> old = q.mode[h];
@@ -153,13 +164,14 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_by_stiffness(double mu, double coe
 }
 
 /// The control of Kind over one step; mu and hourglass of the parameters size the forms of Flanagan and Belytschko. q:
-/// Q at n where it is kept, out at n+1.
-template <HexKind Kind, class T, class Material, class Plastic>
+/// Q at n where it is kept, out at n+1. state: that of the element, with its stress at n+1.
+template <HexKind Kind, class T, class Material, class Plastic, class State>
 PERCUSS_FORCE_INLINE HourglassStep<T> control_hourglass(const HexParameters<Material>& par, const Plastic& plastic,
                                                         const HourglassMotion<T>& motion,
-                                                        const HourglassElement<T>& element, HourglassModes<T>& q) {
+                                                        const HourglassElement<T>& element, HourglassModes<T>& q,
+                                                        [[maybe_unused]] State& state) {
   if constexpr (Kind == HexKind::assumed_strain) {
-    return control_by_assumed_strain(par.material, plastic, motion, element, q);
+    return control_by_assumed_strain(par.material, plastic, motion, element, state);
   } else if constexpr (Kind == HexKind::stiffness) {
     return control_by_stiffness<T, Material>(par.mu, par.hourglass, plastic, motion, element, q);
   } else {

@@ -152,10 +152,11 @@ TEST(AssumedStrain, ForcesAreLimitedByWhatYieldLeavesAndFollowTheReturn) {
   auto state = make_state<J2Plasticity, HexKind::assumed_strain>(1.0);
   Corners f{};
   // Bent far beyond yield, with no stress at the centre: the surface holds 1.5 yield, an ideally plastic section.
-  advance_hex8(par, find_modes(cube.corners), find_modes(bend(cube.corners)), 0.1, state, {f.x, f.y, f.z});
+  for (int i = 0; i < 1000; ++i)
+    advance_hex8(par, find_modes(cube.corners), find_modes(bend(cube.corners)), 1e-4, state, {f.x, f.y, f.z});
   const ElementAxes<double> axes = find_element_axes(find_modes(cube.corners));
   EXPECT_NEAR(std::sqrt(find_surface_stress_square(axes, find_modes(cube.corners), 1.0, state.hourglass)) / yield, 1.5,
-              0.1);
+              0.02);
   EXPECT_LT(std::sqrt(contract(state.stress, state.stress)), 0.1 * yield);
   // Sheared fourfold beyond yield in one step: what is stored falls to a quarter at least.
   const double before = norm(state.hourglass.mode[1]);
@@ -163,7 +164,7 @@ TEST(AssumedStrain, ForcesAreLimitedByWhatYieldLeavesAndFollowTheReturn) {
   g.row[0].y = 4 * yield / (std::sqrt(3.0) * m.mu);
   advance_hex8(par, find_modes(cube.corners), find_modes(apply(g, cube.corners)), 1.0, state, {f.x, f.y, f.z});
   EXPECT_LT(norm(state.hourglass.mode[1]), 0.26 * before);
-  EXPECT_GT(norm(state.hourglass.mode[1]), 0.02 * before);
+  EXPECT_GT(norm(state.hourglass.mode[1]), 0.002 * before);
 }
 
 TEST(AssumedStrain, GuardActsOnNearInvertedElementsOnly) {
