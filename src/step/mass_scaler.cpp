@@ -164,7 +164,9 @@ void MassScaler::sum_lumped(const State& state) {
         for (int i = 0; i < chunks.first_element(c + 1) - first; ++i) {
           const std::size_t place = (static_cast<std::size_t>(chunks.first_pack(c) + i / pack_width) * 8) * pack_width +
                                     static_cast<std::size_t>(i % pack_width);
-          const auto slot = [&](int k) { return chunks.corner_slots(place + static_cast<std::size_t>(k * pack_width)); };
+          const auto slot = [&](int k) {
+            return chunks.corner_slots(place + static_cast<std::size_t>(k * pack_width));
+          };
           const auto& share = of_beams             ? shares.line
                               : !of_shells         ? shares.hex
                               : slot(2) == slot(3) ? shares.triangle

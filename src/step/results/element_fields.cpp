@@ -143,7 +143,8 @@ struct ReadBeamForces {
   int first = 0;
   KOKKOS_INLINE_FUNCTION void operator()(const HexChunks& /*chunks*/, int c, int /*e*/, const Real* record,
                                          double* row) const {
-    for (int k = 0; k < Count; ++k) row[k] = is_beam(c) ? double{record[(BeamRecord::forces + first + k) * pack_width]} : 0;
+    for (int k = 0; k < Count; ++k)
+      row[k] = is_beam(c) ? double{record[(BeamRecord::forces + first + k) * pack_width]} : 0;
   }
 };
 
