@@ -72,7 +72,7 @@ std::vector<WrongDeck> wrong_numbers() {
       {"DecimalCommaInAMap", change("{end: 1.0, step_scale: 0.9}", "{end: 1,5}"), "1:15",
        "unknown key '5' in 'time' (decimals take a point, not a comma)"},
       {"DecimalCommaInAVector", append("loads: {gravity: [0, 0, -9,81]}"), "6:18",
-       "loads.gravity is [0, 0, -9, 81] (must be a list of 3, each a number; decimals take a point, not a comma)"},
+       "loads.gravity is [0, 0, -9, 81] (must be a list of 3, each a curve; decimals take a point, not a comma)"},
       {"ClosedByAWord",
        change("{box: {size: [1, 1, 1], cells: [2, 2, 2]}",
               "{thickness: 0.1, shell_box_tube: {size: [1, 1], length: 1, cells: [2, 2, 2], closed: lid}"),
@@ -191,7 +191,7 @@ std::vector<WrongDeck> wrong_ranges() {
 std::vector<WrongDeck> wrong_lists_and_curves() {
   return {
       {"ShortVector", append("loads: {gravity: [0, 0]}"), "6:18",
-       "loads.gravity is [0, 0] (must be a list of 3, each a number)"},
+       "loads.gravity is [0, 0] (must be a list of 3, each a curve)"},
       {"LongVector", append("loads: {gravity: [0, 0, 0, 9]}"), "6:18", "loads.gravity is [0, 0, 0, 9]"},
       {"NumberForVector", append("loads: {gravity: 9.81}"), "6:18", "loads.gravity is 9.81 (must be a list of 3"},
       {"DeadLoadWithoutDirection", append("loads: {pressure: [{faces: rod, value: 1, direction: [0, 0, 0]}]}"), "6:54",

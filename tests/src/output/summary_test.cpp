@@ -113,6 +113,7 @@ TEST(Summary, HasExactlyTheKeysThatItPromisesInTheirOrder) {
                                           "energy.folding",
                                           "energy.contact",
                                           "energy.friction",
+                                          "energy.damping",
                                           "energy.external",
                                           "energy.error",
                                           "momentum.linear",

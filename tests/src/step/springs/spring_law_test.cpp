@@ -200,7 +200,7 @@ springs: {{s: {{between: [a/x_max, b/x_min], stiffness: 1}}, one: {{{1}, stiffne
 )yaml",
                             size, centres));
     scene.stepper.start(scene.state);
-    const std::size_t expected = 2 + 2 + (cells == 9 ? 200 : 0);
+    const std::size_t expected = 3 + 2 + (cells == 9 ? 200 : 0);
     EXPECT_EQ(list_spring_columns(scene.model.springs).size(), expected);
     std::vector<double> row;
     append_springs(scene.model.springs, scene.state, row);
