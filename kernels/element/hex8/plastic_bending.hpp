@@ -9,8 +9,9 @@
 // t across it in the space of deviators. With both parts, m_a along and m_c across, and summed over the plates,
 //   F = n^2 + (m_c^2 + sqrt(m_c^4 + 4 m_a^2)) / 2 - 1.
 // The trial beyond F = 0 returns along the normal, in the metric of elastic energy n^2 + (3/4) m^2: dn = 2 n L and
-// dm = (4/3) dF/dm L, one step of Newton's method for L. Where the centre itself flows, it keeps what its own return
-// left; Q is scaled by the share of that return and limited to the room of 1 - n^2.
+// dm = (4/3) dF/dm L, one step of Newton's method for L. Where the centre itself flows, and in
+// near-inverted elements, it keeps what its own return left; Q is scaled by the share of that return and limited to the
+// room of 1 - n^2.
 
 #include "kernels/core/long_sum.hpp"
 #include "kernels/element/hex8/assumed_strain.hpp"
@@ -56,11 +57,11 @@ template <class T>
 PERCUSS_FORCE_INLINE SectionYield<T> return_section(const SectionState<T>& state, const T& along,
                                                     const T& across_square) {
   const T one(1), nothing = number<T>(1e-12), share = state.plastic.share;
-  const auto flows = share < one;
+  const auto plain = (share < one) || (state.guard > T(0));
   SectionYield<T> out;
   const T left = share * along, after = share * share * across_square;
   // return to F = 0
-  const T a = select(flows, T(0), left), c = select(flows, T(0), after);
+  const T a = select(plain, T(0), left), c = select(plain, T(0), after);
   const T root = larger(square_root(c * c + T(4) * a * a), nothing);
   const T excess = larger(state.plastic.loading + number<T>(0.5) * (c + root) - one, T(0));
   const T slope_a = T(2) * a / root, slope_c = one + c / root;
@@ -68,19 +69,19 @@ PERCUSS_FORCE_INLINE SectionYield<T> return_section(const SectionState<T>& state
                              number<T>(4.0 / 3) * (slope_a * slope_a + slope_c * slope_c * c) + number<T>(1e-9));
   const T reduced = larger(left - number<T>(4.0 / 3) * slope_a * length, T(0));
   const T across_return = one / (one + number<T>(4.0 / 3) * slope_c * length);
-  out.centre = select(flows, one, one / (one + T(2) * length));
+  out.centre = select(plain, one, one / (one + T(2) * length));
   // limit, as the normal of the trial leads past F = 0 only nearly
   const T loading = state.plastic.loading * out.centre * out.centre;
   const T room = larger(larger(one - loading, number<T>(least_room)), state.guard);
-  const T limited = reduced * reduced + select(flows, one, room) * (across_return * across_return * after);
+  const T limited = reduced * reduced + select(plain, one, room) * (across_return * across_return * after);
   const T limit = smaller(one, room / square_root(larger(limited, nothing)));
   const T remaining = limit * across_return;
   out.across = remaining * share;
-  out.returned = select(flows, T(0), out.across * (one - remaining));  // no more than is left, however far the trial is
+  out.returned = select(plain, T(0), out.across * (one - remaining));  // no more than is left, however far the trial is
   out.along = larger(limit * reduced / larger(along, number<T>(1e-9)), state.guard * out.across);
   out.strain = number<T>(0.75) * state.plastic.flow_stress *
                (along * along * out.along * (one - out.along) + across_square * out.across * (one - out.across));
-  out.strain = select(flows, T(0), out.strain);
+  out.strain = select(plain, T(0), out.strain);
   return out;
 }
 
