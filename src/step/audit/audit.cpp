@@ -5,6 +5,7 @@
 
 #include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
+#include "src/index.hpp"
 #include "src/step/model/moving_nodes.hpp"
 #include "src/step/rigid/rigid_sums.hpp"
 
@@ -93,8 +94,8 @@ void add_rigid_bodies(RigidForces& find_forces, const Model& model, const State&
     totals[S::half_steps].add(body.half_steps);
     totals[S::potential].add(body.fallen);
     for (int k = 0; k < 3; ++k) {
-      totals[static_cast<std::size_t>(S::momentum + k)].add(get(body.momentum, k));
-      totals[static_cast<std::size_t>(S::angular + k)].add(get(body.angular, k));
+      totals[at(S::momentum + k)].add(get(body.momentum, k));
+      totals[at(S::angular + k)].add(get(body.angular, k));
     }
     totals[S::momentum_size].add(body.momentum_size);
     totals[S::moment_size].add(body.angular_size);
