@@ -21,7 +21,7 @@ constexpr std::int64_t least_bytes = 4;
 /// netCDF's own limit (NC_MAX_NAME).
 constexpr int longest_name = 256;
 
-[[noreturn]] void refuse(const std::string& what) {
+[[noreturn]] void refuse_damaged(const std::string& what) {
   const char *message = nullptr, *function = nullptr;
   int code = 0;
   ex_get_err(&message, &function, &code);
@@ -34,7 +34,7 @@ constexpr int longest_name = 256;
 
 /// Positive codes are warnings of the library, about things that are allowed to be missing.
 void check(int code, const std::string& what) {
-  if (code < 0) refuse(what);
+  if (code < 0) refuse_damaged(what);
 }
 
 std::size_t size_of(std::int64_t count) { return static_cast<std::size_t>(count); }
@@ -110,7 +110,7 @@ ExodusFile::ExodusFile(const std::string& path) : container_(inspect_exodus_cont
   int word_in_memory = sizeof(double), word_in_file = 0;
   float version = 0;
   file_ = ex_open(path.c_str(), EX_READ | EX_ALL_INT64_API, &word_in_memory, &word_in_file, &version);
-  if (file_ < 0) refuse("the file");
+  if (file_ < 0) refuse_damaged("the file");
   try {
     read_counts();
     read_blocks();

@@ -13,8 +13,6 @@
 namespace percuss {
 namespace {
 
-constexpr double full_turn = 360;
-
 /// A grid of cells along two directions, the first of which may close on itself. Side numbers are those of
 /// side_names(): both ends of the second direction, of the first if it is open, then the surfaces.
 template <class Shape>

@@ -8,8 +8,6 @@
 namespace percuss {
 namespace {
 
-constexpr double full_turn = 360;
-
 // Sides as side_names() lists them.
 enum Side : int { start, end, inner, outer, first, last };
 

@@ -7,6 +7,8 @@
 
 namespace percuss {
 
+inline constexpr double full_turn = 360;  // degrees
+
 /// Cosine and sine of index / count of a turn, reduced to the first eighth so that mirrored and quarter-turned points
 /// agree to the last bit. Whole numbers stay exact, as far as doubles hold them.
 inline std::array<double, 2> find_turn_direction(double index, double count) {

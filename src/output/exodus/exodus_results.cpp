@@ -234,6 +234,7 @@ void ExodusResults::Impl::write_entities(const std::string& prefix, const std::s
 void ExodusResults::Impl::write_sets(const SetNames& of, const std::vector<ExodusSet>& found) {
   if (found.empty()) return;
   std::vector<std::string> names;
+  names.reserve(found.size());
   for (const ExodusSet& set : found) names.push_back(set.name);
   dimensions.create(file.id(), of.count, names.size());
   write_entities(of.prefix, of.count, names);

@@ -126,7 +126,7 @@ void RigidStage::damp(const State& state, std::size_t index, const std::vector<d
               (-0.5 * share) * (now.spin_momentum + next.spin_momentum)};
   for (int k = 0; k < 3; ++k) {
     if (body.holds(static_cast<std::size_t>(k))) set(lost.impulse, k, 0);
-    if (body.holds(static_cast<std::size_t>(3 + k))) set(lost.moment, k, 0);
+    if (body.holds(3 + static_cast<std::size_t>(k))) set(lost.moment, k, 0);
   }
   next.velocity = next.velocity + (1 / body.mass) * lost.impulse;
   next.spin_momentum = next.spin_momentum + lost.moment;
