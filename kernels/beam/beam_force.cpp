@@ -124,7 +124,7 @@ struct AdvanceBeamChunk {
   /// changed: true from here on if a bit of the record does.
   KOKKOS_FUNCTION static BeamResult advance_element(const BeamParameters& parameters, const BeamMotion& motion,
                                                     Real* record, bool& changed) {
-    double fibres[2 * most_beam_fibres];
+    double fibres[2 * most_beam_fibres] = {};
     const int scalars = 2 * parameters.fibres.count;
     Real* const stored = record + BeamRecord::fibres * width;
     for (int k = 0; k < scalars; ++k) fibres[k] = stored[k * width];

@@ -54,6 +54,7 @@ std::vector<std::string> read_names(int file, ex_entity_type kind, std::int64_t 
   std::vector<std::string> names(size_of(count));
   for (std::size_t i = 0; i < names.size(); ++i) names[i].assign(static_cast<std::size_t>(width) + 2, '\0');
   std::vector<char*> pointers;
+  pointers.reserve(names.size());
   for (std::string& name : names) pointers.push_back(name.data());
   if (count > 0) check(ex_get_names(file, kind, pointers.data()), what);
   for (std::string& name : names) {
