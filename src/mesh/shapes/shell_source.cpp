@@ -129,6 +129,7 @@ class SphereSurface final : public ShapeSource {
     const int cells = shape_.cells;
     const double edge = shape_.radius * std::numbers::pi / (2 * cells);
     std::vector<CellBlock> blocks;
+    blocks.reserve(6);
     for (int face = 0; face < 6; ++face) {
       blocks.push_back({face, {cells, cells, 1}, {6, 6 * cells, element_count()}, {edge, edge, edge}});
     }
