@@ -1,8 +1,6 @@
 #include "kernels/beam/beam_force.hpp"
 
-#include <cstdint>
-#include <cstring>
-
+#include "kernels/core/same_bits.hpp"
 #include "kernels/element/chunk_records.hpp"
 
 namespace percuss {
@@ -32,13 +30,6 @@ KOKKOS_INLINE_FUNCTION BeamState load_state(const Real* record) {
           {value(f), value(f + 1), value(f + 2), value(f + 3), value(f + 4), value(f + 5)}};
 }
 
-KOKKOS_INLINE_FUNCTION bool have_other_bits(const Real& a, const Real& b) {
-  std::uint64_t of_a = 0, of_b = 0;
-  std::memcpy(&of_a, &a, sizeof a);
-  std::memcpy(&of_b, &b, sizeof b);
-  return of_a != of_b;
-}
-
 /// Returns whether a bit has changed.
 KOKKOS_INLINE_FUNCTION bool store_state(const BeamState& s, Real* record) {
   const BeamForces<double>& f = s.forces;
@@ -47,7 +38,7 @@ KOKKOS_INLINE_FUNCTION bool store_state(const BeamState& s, Real* record) {
   for (int i = 0; i < BeamRecord::fibres - BeamRecord::e2; ++i) {
     Real& stored = record[(BeamRecord::e2 + i) * width];
     const Real value = static_cast<Real>(values[i]);
-    changed = changed || have_other_bits(stored, value);
+    changed = changed || !has_same_bits(stored, value);
     stored = value;
   }
   return changed;
@@ -133,7 +124,7 @@ struct AdvanceBeamChunk {
     changed = store_state(now, record) || changed;
     for (int k = 0; k < scalars; ++k) {
       const Real value = static_cast<Real>(fibres[k]);
-      changed = changed || have_other_bits(stored[k * width], value);
+      changed = changed || !has_same_bits(stored[k * width], value);
       stored[k * width] = value;
     }
     return result;

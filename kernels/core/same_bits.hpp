@@ -25,6 +25,14 @@ PERCUSS_FORCE_INLINE bool have_same_bits(const double* a, const double* b) {
   return ((of_a[0] ^ of_b[0]) | (of_a[1] ^ of_b[1]) | (of_a[2] ^ of_b[2])) == 0;
 }
 
+/// Whether two numbers have the same bits.
+KOKKOS_INLINE_FUNCTION bool has_same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+KOKKOS_INLINE_FUNCTION bool has_same_bits(float a, float b) {
+  return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
 /// Order-preserving map from doubles to unsigned integers (-0 and +0 are the same).
 KOKKOS_INLINE_FUNCTION std::uint64_t make_sort_key(double value) {
   const double normal = value + 0.0;  // -0 becomes +0

@@ -53,7 +53,7 @@ double find_wave_speed(const MaterialDeck& material) {
 double find_stiffness(const MaterialDeck& material) {
   const LameConstants moduli = find_moduli(material);
   if (!(moduli.mu > 0)) return moduli.lambda;
-  return moduli.mu * (3 * moduli.lambda + 2 * moduli.mu) / (moduli.lambda + moduli.mu);
+  return find_youngs_modulus(moduli);
 }
 
 }  // namespace percuss

@@ -23,7 +23,7 @@ struct PlateModuli {
 };
 
 PERCUSS_FORCE_INLINE PlateModuli find_plate_moduli(const LameConstants& c) {
-  const double young = c.mu * (3 * c.lambda + 2 * c.mu) / (c.lambda + c.mu);
+  const double young = find_youngs_modulus(c);
   const double poisson = c.lambda / (2 * (c.lambda + c.mu));
   const double plane = young / (1 - poisson * poisson);
   const double equal_bending = plane * (1 + poisson);

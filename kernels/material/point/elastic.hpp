@@ -18,6 +18,11 @@ PERCUSS_FORCE_INLINE LameConstants find_lame_constants(double youngs_modulus, do
           youngs_modulus / (2 * (1 + poissons_ratio))};
 }
 
+/// Young's modulus, the other way round. mu must be positive.
+KOKKOS_INLINE_FUNCTION double find_youngs_modulus(const LameConstants& c) {
+  return c.mu * (3 * c.lambda + 2 * c.mu) / (c.lambda + c.mu);
+}
+
 /// lambda tr(de) I + 2 mu de.
 template <class T>
 PERCUSS_FORCE_INLINE Symmetric3<T> find_elastic_increment(const LameConstants& c, const Symmetric3<T>& de) {

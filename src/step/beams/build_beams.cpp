@@ -74,18 +74,13 @@ LameConstants find_moduli(const Deck& deck, const ElementBlock& block) {
   return c;
 }
 
-double find_youngs_modulus(const LameConstants& c) { return c.mu * (3 * c.lambda + 2 * c.mu) / (c.lambda + c.mu); }
-
-BeamStiffness find_stiffness(const Deck& deck, const ElementBlock& block) {
-  const LameConstants c = find_moduli(deck, block);
-  return find_beam_stiffness(make_beam_section(*find_part(deck, block).section), find_youngs_modulus(c), c.mu);
-}
-
 BeamParameters make_parameters(const Deck& deck, const ElementBlock& block) {
   const BeamSectionDeck& section = *find_part(deck, block).section;
   BeamParameters parameters;
-  parameters.stiffness = find_stiffness(deck, block);
-  parameters.area = make_beam_section(section).area;
+  const BeamSection form = make_beam_section(section);
+  const LameConstants c = find_moduli(deck, block);
+  parameters.stiffness = find_beam_stiffness(form, find_youngs_modulus(c), c.mu);
+  parameters.area = form.area;
   parameters.bends = bends(section);
   visit_law(find_material(deck, block), [&]<class Law>(const Law& law) {
     if constexpr (std::is_same_v<Law, J2Plasticity>) {
@@ -164,10 +159,21 @@ double find_length(const Mesh& mesh, std::size_t element) {
   return find_distance(x[0], x[1]);
 }
 
-double find_gyration_square(const Deck& deck, const Mesh& mesh, std::size_t element) {
-  const ElementBlock& block = mesh.block_of(element);
-  if (!bends(*find_part(deck, block).section)) return 0;
-  return 2 * find_beam_inertia(find_stiffness(deck, block), 1, find_length(mesh, element));
+double find_gyration_square(const BeamParameters& parameters, double length) {
+  return parameters.bends ? 2 * find_beam_inertia(parameters.stiffness, 1, length) : 0;
+}
+
+/// Calls visit(element, parameters of its block, its length) for all beams.
+template <class Visit>
+void visit_beams(const Deck& deck, const Mesh& mesh, const Visit& visit) {
+  std::map<int, BeamParameters> of_block;
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const ElementBlock& block = mesh.block_of(e);
+    if (!is_of_beams(block)) continue;
+    const auto [of, is_new] = of_block.emplace(mesh.elements.block_index(e), BeamParameters{});
+    if (is_new) of->second = make_parameters(deck, block);
+    visit(e, of->second, find_length(mesh, e));
+  }
 }
 
 }  // namespace
@@ -187,23 +193,19 @@ void build_beam_block(const Deck& deck, const ChunkedMesh& chunked, const BeamRe
 }
 
 void set_beam_gyrations(const Deck& deck, const Mesh& mesh, std::vector<double>& squares) {
-  for (std::size_t e = 0; e < squares.size(); ++e)
-    if (is_of_beams(mesh.block_of(e))) squares[e] = find_gyration_square(deck, mesh, e);
+  visit_beams(deck, mesh, [&](std::size_t e, const BeamParameters& parameters, double length) {
+    squares[e] = find_gyration_square(parameters, length);
+  });
 }
 
 void set_beam_bounds(const Deck& deck, const Mesh& mesh, const std::vector<double>& element_mass,
                      std::vector<double>& bounds) {
-  std::map<int, BeamParameters> of_block;
-  for (std::size_t e = 0; e < bounds.size(); ++e) {
-    const ElementBlock& block = mesh.block_of(e);
-    if (!is_of_beams(block)) continue;
-    const auto [of, is_new] = of_block.emplace(mesh.elements.block_index(e), BeamParameters{});
-    if (is_new) of->second = make_parameters(deck, block);
+  visit_beams(deck, mesh, [&](std::size_t e, const BeamParameters& parameters, double length) {
     BeamState state;
     state.mass = element_mass[e];
-    state.gyration_square = find_gyration_square(deck, mesh, e);
-    bounds[e] = find_beam_step(of->second, state, find_length(mesh, e));
-  }
+    state.gyration_square = find_gyration_square(parameters, length);
+    bounds[e] = find_beam_step(parameters, state, length);
+  });
 }
 
 }  // namespace percuss

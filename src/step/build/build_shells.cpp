@@ -19,8 +19,7 @@ namespace {
 // --- materials: the one place that turns a deck's material into that of a layer
 
 PlaneElasticity find_layer_elasticity(const LameConstants& c) {
-  const double sum = c.lambda + c.mu;
-  return find_plane_elasticity(c.mu * (3 * c.lambda + 2 * c.mu) / sum, 0.5 * c.lambda / sum);
+  return find_plane_elasticity(find_youngs_modulus(c), 0.5 * c.lambda / (c.lambda + c.mu));
 }
 
 ElasticLayer make_layer(const Elastic& law, double /*density*/) { return {find_layer_elasticity(law.moduli())}; }

@@ -7,6 +7,17 @@
 
 namespace percuss {
 
+/// The point about which moments are booked, as kernels take it.
+struct MomentCenter {
+  double at[3];
+  explicit MomentCenter(const Vec3& c) : at{c[0], c[1], c[2]} {}
+};
+
+inline void add_work(const ExactSum& work, Books& books) {
+  books.external_work.merge(work);
+  books.external_work.normalize();
+}
+
 /// Calls add(first + i, ...) for the impulse j at position r (relative to the point of moments) and its moment: three
 /// sums each [force x time, force x length x time].
 template <class Add>

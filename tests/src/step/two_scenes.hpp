@@ -32,4 +32,14 @@ inline void expect_same_rows(const TwoScenes& scenes, const Rows3<double>& toget
   }
 }
 
+/// Runs both and expects the same bits of them.
+inline void expect_same_run(TwoScenes& scenes, int steps) {
+  scenes.run(steps);
+  expect_same_rows(scenes, scenes.together.state.x, scenes.alone.state.x, "position");
+  expect_same_rows(scenes, scenes.together.state.v, scenes.alone.state.v, "velocity");
+  EXPECT_EQ(hash_state(scenes.together.model, scenes.together.state),
+            hash_state(scenes.alone.model, scenes.alone.state));
+  EXPECT_EQ(scenes.together.state.next_dt, scenes.alone.state.next_dt);
+}
+
 }  // namespace percuss::test

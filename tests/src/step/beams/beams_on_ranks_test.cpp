@@ -12,15 +12,6 @@
 namespace percuss::test {
 namespace {
 
-void expect_same_bits_of_beams(TwoScenes& scenes, int steps) {
-  scenes.run(steps);
-  expect_same_rows(scenes, scenes.together.state.x, scenes.alone.state.x, "position");
-  expect_same_rows(scenes, scenes.together.state.v, scenes.alone.state.v, "velocity");
-  EXPECT_EQ(hash_state(scenes.together.model, scenes.together.state),
-            hash_state(scenes.alone.model, scenes.alone.state));
-  EXPECT_EQ(scenes.together.state.next_dt, scenes.alone.state.next_dt);
-}
-
 // Beams that yield on a plate, posts below it, trusses; a block hits the plate. Masses are scaled during the run.
 const std::string frame_text = R"yaml(
 time: {end: 1, mass_scaling: {step: 1.2e-6, max_added: 3, every: 5}}
@@ -41,7 +32,7 @@ contact: {surfaces: all, friction: 0.2}
 
 TEST(BeamsOnRanks, BesideShellsAndSolidsHaveTheBitsOfOneRank) {
   TwoScenes scenes(frame_text);
-  expect_same_bits_of_beams(scenes, 20);
+  expect_same_run(scenes, 20);
   EXPECT_GT(scenes.alone.stepper.contact_report().interactions, 0);
 }
 
@@ -57,7 +48,7 @@ initial: [{part: a, velocity: [1, 2, 3]}]
 conditions: [{nodes: b/start, fixed: [x, y, z]}]
 )yaml" + steel_text);
   EXPECT_FALSE(scenes.alone.model.has_rotations);
-  expect_same_bits_of_beams(scenes, 60);
+  expect_same_run(scenes, 60);
 }
 
 TEST(BeamsOnRanks, AreRefusedWithWhatTheyDoNotHave) {

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 
-#include "comm/agreement.hpp"
 #include "src/step/run/run.hpp"
 #include "tests/src/output/hdf5_file_view.hpp"
 #include "tests/src/step/scene.hpp"
@@ -38,9 +36,8 @@ struct Frame {
 
 /// The first and the last frame of the scene, read on rank 0.
 std::vector<Frame> write_and_read(const Communicator& ranks) {
-  std::optional<TemporaryFolder> folder;
-  if (ranks.rank() == 0) folder.emplace();
-  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  const SharedFolder folder;
+  const std::string& path = folder.path();
   run_scene(parse_deck(two_cubes, "deck.yaml"), {path, Progress::Style::quiet});
   if (ranks.rank() > 0) return {};
   const Hdf5FileView file(path + "/fields.vtkhdf");
@@ -93,9 +90,8 @@ output: {fields: {every: 1, write: [stress_bottom, stress_top, stress_point_1, s
 
 TEST(FramesOnRanks, HaveTheFirstPointOfShellsAtTheBottomAndTheLastAtTheTop) {
   const Communicator ranks = Communicator::world();
-  std::optional<TemporaryFolder> folder;
-  if (ranks.rank() == 0) folder.emplace();
-  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  const SharedFolder folder;
+  const std::string& path = folder.path();
   run_scene(parse_deck(bent_plate, "deck.yaml"), {path, Progress::Style::quiet});
   if (ranks.rank() > 0) return;
   const Hdf5FileView file(path + "/fields.vtkhdf");
@@ -117,9 +113,8 @@ TEST(FramesOnRanks, ShowTheDivisionFromTheFirstFrameOn) {
 // Two blocks with equal faces that press flat on each other, in uniaxial strain.
 TEST(FramesOnRanks, ContactPressureIsTheForceOverTheAreaOfEachNode) {
   const Communicator ranks = Communicator::world();
-  std::optional<TemporaryFolder> folder;
-  if (ranks.rank() == 0) folder.emplace();
-  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  const SharedFolder folder;
+  const std::string& path = folder.path();
   run_scene(parse_deck(R"yaml(
 time: {end: 1, max_steps: 8}
 parts:
@@ -152,9 +147,8 @@ output: {fields: {every: 10, write: [contact_force, contact_pressure]}}
 // The last frame of a run that restarts where it ends: no step comes before it.
 TEST(FramesOnRanks, ContactPressureIsThereInAFrameThatARestartWritesBeforeItsFirstStep) {
   const Communicator ranks = Communicator::world();
-  std::optional<TemporaryFolder> folder;
-  if (ranks.rank() == 0) folder.emplace();
-  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  const SharedFolder folder;
+  const std::string& path = folder.path();
   if (ranks.rank() == 0) {
     for (const char* name : {"/whole", "/first", "/second"}) std::filesystem::create_directory(path + name);
   }
@@ -191,9 +185,8 @@ output: {fields: {every: 10, write: [contact_pressure]}, checkpoint: {every: 1.0
 // A bar that is pulled apart at its end; its deck does not name the field.
 TEST(FramesOnRanks, TellWhoLivesWhereverElementsCanDie) {
   const Communicator ranks = Communicator::world();
-  std::optional<TemporaryFolder> folder;
-  if (ranks.rank() == 0) folder.emplace();
-  const std::string path = broadcast_text(ranks, folder ? folder->path() : "", 0);
+  const SharedFolder folder;
+  const std::string& path = folder.path();
   run_scene(parse_deck(R"yaml(
 time: {end: 0.02, max_step: 1.0e-3}
 parts: {bar: {box: {size: [3, 1, 1], cells: [3, 1, 1]}, material: weak}}
