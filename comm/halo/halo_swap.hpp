@@ -1,8 +1,8 @@
 #pragma once
 // The swap of swap-and-add (section 3 of the paper): slots of shared nodes to all who hold a copy.
 //
-// begin() once the chunks that send are computed, end() before the nodes that wait are summed; the interior chunks and
-// nodes go between. The add is the ordinary assembly of nodes over their slot lists (kernels/node/motion.hpp).
+// begin() once the chunks that send are computed, end() before nodes are summed; the other chunks go between. The add
+// is the ordinary assembly of nodes over their slot lists (kernels/node/motion.hpp).
 
 #include <vector>
 

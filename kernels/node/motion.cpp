@@ -32,10 +32,10 @@ KOKKOS_INLINE_FUNCTION double predict(double v, double force, double inverse_mas
 
 }  // namespace
 
-void assemble_forces(const ExecSpace& space, const NodeSlots& nodes_to_slots, const Rows3<const double>& slot_force,
-                     const Rows3<double>& force) {
+void assemble_slots(const ExecSpace& space, const NodeSlots& nodes_to_slots, const Rows3<const double>& slot_force,
+                    const Rows3<double>& force) {
   Kokkos::parallel_for(
-      "percuss::assemble_forces", Range(space, 0, static_cast<int>(force.extent(0))), KOKKOS_LAMBDA(const int n) {
+      "percuss::assemble_slots", Range(space, 0, static_cast<int>(force.extent(0))), KOKKOS_LAMBDA(const int n) {
         const Vector3<double> f = sum_slots(nodes_to_slots, slot_force, n);
         force(n, 0) = f.x;
         force(n, 1) = f.y;

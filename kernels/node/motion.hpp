@@ -17,8 +17,8 @@ struct Gravity {
 };
 
 /// Force of each node: its slots summed in ascending order. Shape [nodes][3].
-void assemble_forces(const ExecSpace& space, const NodeSlots& nodes_to_slots, const Rows3<const double>& slot_force,
-                     const Rows3<double>& force);
+void assemble_slots(const ExecSpace& space, const NodeSlots& nodes_to_slots, const Rows3<const double>& slot_force,
+                    const Rows3<double>& force);
 
 /// What drives the nodes at n.
 struct NodeForces {
@@ -29,7 +29,7 @@ struct NodeForces {
 };
 
 /// v(n+1/2) = v(n-1/2) + dt_mean (f / m + g) in each direction with a finite mass; fixed directions keep their
-/// velocity. force, v_before: out, f(n) as assemble_forces gives it and v(n-1/2), for what acts on nodes besides.
+/// velocity. force, v_before: out, f(n) as assemble_slots gives it and v(n-1/2), for what acts on nodes besides.
 void predict_velocities(const ExecSpace& space, const NodeForces& forces, double dt_mean, const Rows3<double>& force,
                         const Rows3<double>& v_before, const Rows3<double>& v);
 

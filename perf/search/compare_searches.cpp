@@ -65,7 +65,7 @@ double time_searches(const Scene& scene, std::size_t repeats, SearchScratch& scr
   for (std::size_t i = 0; i <= repeats; ++i) {
     prepare();
     const std::clock_t start = std::clock();
-    find_points_in_boxes(ExecSpace(), scene.surface, {scene.x, scene.boxes}, 1'000'000'000, scratch, list);
+    find_candidate_pairs(ExecSpace(), scene.surface, {scene.x, scene.boxes}, 1'000'000'000, scratch, list);
     const double passed = 1e9 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     if (i > 0) times.push_back(passed / scene.surface.num_nodes);
   }

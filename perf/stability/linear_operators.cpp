@@ -75,7 +75,7 @@ class RestingElements {
     state_.x = to_rows("stability::x", x);
     state_.v = to_rows("stability::v", v);
     advance_elements(ExecSpace(), model_.chunks, model_.blocks, {state_.x, state_.v, dt}, state_.chunk_fields());
-    assemble_forces(ExecSpace(), model_.nodes_to_slots, state_.slot_force, state_.force);
+    assemble_slots(ExecSpace(), model_.nodes_to_slots, state_.slot_force, state_.force);
     const auto force = to_host(state_.force);
     forces_.resize(x.size());
     for (std::size_t n = 0; n < x.size(); ++n) {

@@ -168,7 +168,7 @@ void Erosion::count_holders(const State& state) {
       });
   halo_->begin(ExecSpace(), slots);
   halo_->end();
-  assemble_forces(ExecSpace(), model_.nodes_to_slots, slots, holders_);
+  assemble_slots(ExecSpace(), model_.nodes_to_slots, slots, holders_);
 }
 
 /// Nodes that no element holds any more go on as particles or vanish. books: null: after a restart, nothing is booked.

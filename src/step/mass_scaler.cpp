@@ -181,7 +181,7 @@ void MassScaler::sum_lumped(const State& state) {
       });
   halo_.begin(ExecSpace(), slot_lumped_);
   halo_.end();
-  assemble_forces(ExecSpace(), model_.nodes_to_slots, slot_lumped_, lumped_);
+  assemble_slots(ExecSpace(), model_.nodes_to_slots, slot_lumped_, lumped_);
   if (model_.extra_mass.extent(0) == 0) return;
   const auto lumped = lumped_;
   const auto extra = model_.extra_mass;

@@ -94,12 +94,16 @@ void Stepper::archive(CheckpointArchive& archive) {
 void Stepper::advance(State& state, StepWishes wishes) {
   const double dt = state.next_dt;
   const double dt_mean = 0.5 * (state.dt + dt);
-  predict_motion(state, dt, dt_mean);  // (1.2) equations of motion, (1.6) prediction without contact
-  resolve_contact(state, dt);          // (1.7) search, (1.8) detailed check, (1.9) enforcement
+  const bool is_free = are_nodes_free();
+  if (is_free)
+    integrate_free_motion(state, dt, dt_mean);  // (1.2) with the positions at n+1
+  else
+    predict_motion(state, dt, dt_mean);  // (1.2) equations of motion, (1.6) prediction without contact
+  resolve_contact(state, dt);            // (1.7) search, (1.8) detailed check, (1.9) enforcement
   integrate_spins(state, dt, dt_mean);
   book_motion(state, dt, dt_mean);
-  accept_motion(state, dt);   // (1.2) positions at n+1
-  compute_forces(state, dt);  // (1.3) strain rate, (1.4) stress, (1.5) internal forces
+  if (!is_free) accept_motion(state, dt);  // (1.2) positions at n+1
+  compute_forces(state, dt);               // (1.3) strain rate, (1.4) stress, (1.5) internal forces
   book_forces(state, dt);
   judge_elements(state, dt);
   state.time += dt;
@@ -112,23 +116,18 @@ void Stepper::advance(State& state, StepWishes wishes) {
 
 /// Whether only elements, springs and gravity act on the nodes: then nothing comes between their velocities and their
 /// motion, and nothing asks for their forces, or for their places before they move.
-bool Stepper::is_free() const {
+bool Stepper::are_nodes_free() const {
   return !contact_.is_active() && !rigid_.any() && model_.held.count == 0 && model_.pressure_faces.count == 0 &&
          model_.nodal_loads.count == 0 && !damping_ && !forces_.has_sections();
 }
 
-/// Velocities at n+1/2 as they are without contact, conditions included. Of free nodes positions as well.
+/// Velocities at n+1/2 as they are without contact, conditions included.
 void Stepper::predict_motion(State& state, double dt, double dt_mean) {
-  if (is_free()) {
-    integrate_free_motion(state, dt, dt_mean);
-    return;
-  }
   integrate_motion(state, dt, dt_mean);
   hold_conditions(state, dt);
 }
 
 void Stepper::accept_motion(State& state, double dt) {
-  if (is_free()) return;
   const Phase phase("percuss::integrate", clocks_.integrate);
   move_nodes(space_, state.v, dt, state.x);
   rigid_.place(state);

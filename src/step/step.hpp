@@ -1,5 +1,6 @@
 #pragma once
-// One step of the run, each line of the paper's outline a function (Stepper::advance()).
+// One step of the run: Figure 1 of the paper in order (Stepper::advance()); lines that one pass computes share a
+// function.
 
 #include <cstdint>
 #include <limits>
@@ -99,7 +100,7 @@ class Stepper {
   const PhaseClocks& clocks() const { return clocks_; }
 
  private:
-  bool is_free() const;
+  bool are_nodes_free() const;
   void predict_motion(State& state, double dt, double dt_mean);
   void accept_motion(State& state, double dt);
   void book_motion(State& state, double dt, double dt_mean);

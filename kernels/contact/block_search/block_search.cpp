@@ -336,7 +336,7 @@ void identify(const std::vector<std::int64_t>& points, const std::vector<std::in
 }
 
 template <class Space, class Rule>
-std::int64_t find_hits_in_blocks(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
+std::int64_t find_hits_by_blocks(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
                                  BlockScratch& scratch, CandidateList& list) {
   constexpr double wear = 1.5;  // tests after which a new order pays, over those that it begins with
   const int num_points = static_cast<int>(query.point_names.extent(0));
@@ -376,9 +376,9 @@ std::int64_t find_hits_in_blocks(const Space& space, const PointQuery& query, co
 }
 
 #define PERCUSS_INSTANTIATE(Space)                                                                              \
-  template std::int64_t find_hits_in_blocks(const Space&, const PointQuery&, const NodeFaceRule&, std::int64_t, \
+  template std::int64_t find_hits_by_blocks(const Space&, const PointQuery&, const NodeFaceRule&, std::int64_t, \
                                             BlockScratch&, CandidateList&);                                     \
-  template std::int64_t find_hits_in_blocks(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, \
+  template std::int64_t find_hits_by_blocks(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, \
                                             BlockScratch&, CandidateList&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)

@@ -60,7 +60,7 @@ void identify(const std::vector<std::int64_t>& points, const std::vector<std::in
 
 /// find_hits() of pair_search.hpp by blocks.
 template <class Space, class Rule>
-std::int64_t find_hits_in_blocks(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
+std::int64_t find_hits_by_blocks(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
                                  BlockScratch& scratch, CandidateList& list);
 
 }  // namespace percuss

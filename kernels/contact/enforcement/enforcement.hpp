@@ -6,7 +6,8 @@
 // (O'Donoghue and Candes 2015). D, the row sum of |G M^-1 G^T|, is the partition factor: it makes the correction a
 // contraction however many nodes share a face, and needs no tuning. Only pushing, within Coulomb's limit.
 //
-// Here is what comes before and after; row_packs.hpp has the passes, row_solution.hpp is the iteration.
+// The iteration is solve_kinematic() in row_solution.hpp, its passes are in row_packs.hpp. Here is what comes before it
+// and after.
 
 #include "kernels/contact/rows/pass_sums.hpp"
 #include "kernels/contact/rows/row_system.hpp"
@@ -47,8 +48,8 @@ template <class Space>
 WallMeeting sum_wall_meeting(const Space& space, int wall, const WallPairs& walls, const RowInputs& inputs,
                              RowSumMemory& memory);
 
-/// Writes the history for the next step: rows that push, or that hold an overlap accepted at the start. All else is
-/// forgotten.
+/// Writes the history for the next step: rows that push, that hold an overlap accepted at the start, or that are
+/// caught; and ties. All else is forgotten.
 template <class Space>
 void write_history(const Space& space, double dt, RowSystem& system, ContactHistory& history);
 

@@ -29,7 +29,7 @@ struct RowImpulse {
 enum class RowKind { face, edges, wall, tie };
 
 struct ContactRow {
-  std::int64_t key = 0;    // its place in every sum: by (node, face), then edge pairs, ties, walls
+  std::int64_t key = 0;    // its place in every sum: make_face_row_key()
   std::int64_t face = -1;  // number of the contact face or of edge B; -1: a wall
   RowKind kind = RowKind::wall;
   int count = 1;                                // slots in use
@@ -148,21 +148,6 @@ KOKKOS_INLINE_FUNCTION void limit_rub(const ContactRow& row, RowImpulse& p) {
 /// Whether the iteration begins with the row, and not only once its nodes move.
 KOKKOS_INLINE_FUNCTION bool wants_something(const ContactRow& row) {
   return row.impulse.push > 0 || row.gap < row.target || is_tie(row);
-}
-
-/// One corrected force of the iteration: the impulse that would close the row if its neighbours followed, pushing
-/// only (but for ties), within Coulomb's limit. y: impulse to correct; u: work velocity of the correction that y and
-/// all others cause.
-KOKKOS_INLINE_FUNCTION RowImpulse correct_impulse(const ContactRow& row, const RowImpulse& y, const Point3& u,
-                                                  double dt) {
-  RowImpulse p;
-  const double push = y.push - (row.gap - row.target + dt * dot(row.gap_gradient, u)) / (dt * row.stiffness);
-  p.push = push > 0 || is_tie(row) ? push : 0;
-  if (!(row.friction > 0)) return p;
-  for (int d = 0; d < 2; ++d)
-    p.rub[d] = y.rub[d] - (row.slide[d] + dt * dot(row.tangent[d], u)) / (dt * row.rub_stiffness);
-  limit_rub(row, p);
-  return p;
 }
 
 }  // namespace percuss

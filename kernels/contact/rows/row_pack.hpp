@@ -115,8 +115,9 @@ struct PackedChange {
   }
 };
 
-/// One corrected force of the iteration for the rows of a pack (correct_impulse() of contact_row.hpp), from their
-/// iterate extrapolated by beta and the motion dv that it causes.
+/// One corrected force of the iteration for the rows of a pack: the impulse that would close a row if its neighbours
+/// followed, pushing only (but for ties), within Coulomb's limit. From their iterate extrapolated by beta and the
+/// motion dv that it causes.
 KOKKOS_FORCEINLINE_FUNCTION PackedChange correct_pack(RowPack& pack, const Rows4<const double>& dv, double beta,
                                                       double dt) {
   const PackedPoint u = find_work_velocity(pack, dv);

@@ -74,7 +74,8 @@ void number_nodes(const Space& space, int num_mesh_nodes, const EntryNodes& entr
   const Array<int> place = system.place_of_node, nodes = system.nodes, first = system.first_entry;
   const EntryNodes touched = entries;
   const bool is_alone = space.concurrency() == 1;
-  // A node's first entry has the largest of these marks.
+  // A node's first entry has the largest of these marks (num_entries - e), which a maximum by atomics finds; untouched
+  // nodes have -1.
   Kokkos::parallel_for(
       "contact::mark_nodes", RangeOf<Space>(space, 0, num_entries), KOKKOS_LAMBDA(int e) {
         const int node = touched(e), mark = num_entries - e;

@@ -1,11 +1,11 @@
 #pragma once
 // All rows of a step as one system, and the nodes that they touch (the paper's section 4.3).
 //
-// A rank has the rows of the contact nodes that it owns, sorted: faces' rows by (node, face), then walls' rows by
-// (wall, node). The corners of a face may belong to other ranks: of these foreign nodes it has a copy for each row and
-// corner that touches one, and their owners get the row's impulses on them as remote entries. Each owned node knows its
-// entries, local and remote, in the order of ContactRow::key, so that every sum over a node has one order whatever the
-// number of threads and ranks.
+// A rank has the rows of the contact nodes that it owns, in the order of their keys (make_face_row_key()). The corners
+// of a face may belong to other ranks: of these foreign nodes it has a copy for each row and corner that touches one,
+// and their owners get the row's impulses on them as remote entries. Each owned node knows its entries, local and
+// remote, in the order of ContactRow::key, so that every sum over a node has one order whatever the number of threads
+// and ranks.
 
 #include "kernels/contact/check/detailed_check.hpp"
 #include "kernels/contact/check/edge_check.hpp"
@@ -102,8 +102,9 @@ KOKKOS_INLINE_FUNCTION RowTouch make_edge_row_touch(const EdgeTouch& touch) {
   return row;
 }
 
-/// Keys of rows: by number of the node and order of its touches; then edge pairs by number of edge A and order of its
-/// touches; then ties by node; then walls. An edge is numbered by its lower node and its place among that node's edges.
+/// Keys of rows, the order of every sum: by number of the node and order of its touches; then edge pairs by number of
+/// edge A and order of its touches; then ties by node; then walls by (node, wall). An edge is numbered by its lower
+/// node and its place among that node's edges.
 KOKKOS_INLINE_FUNCTION std::int64_t make_face_row_key(std::int64_t node, int touch) {
   return node * (contact_limits::max_touches + 1) + touch;
 }

@@ -2,8 +2,9 @@
 // Capture boxes (the paper's section 4.1.1) and the bound that lets candidate pairs be used again.
 //
 // A box bounds a face at its known and its predicted place, widened by what a node can move in the step, by the reach
-// of the detailed check, and by a margin. As long as no node has left its place of the search by more than half of
-// motion and margin, a pair that the check could accept is in the list: a guarantee, not a guess.
+// of the detailed check, and by a margin. As long as no node has left its place of the search by more than a third of
+// motion and margin, a pair that the check could accept is in the list: a guarantee, not a guess. (Node and face may
+// each travel by that third, and the reach grows with the face by the last one: src/contact/search/reuse_bound.cpp.)
 
 #include "kernels/contact/surface/contact_state.hpp"
 #include "kernels/contact/surface/edge_surface.hpp"

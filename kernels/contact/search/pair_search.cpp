@@ -8,12 +8,12 @@ template <class Space, class Rule>
 std::int64_t find_hits(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
                        SearchScratch& scratch, CandidateList& list) {
   if (scratch.method == SearchMethod::blocks)
-    return find_hits_in_blocks(space, query, rule, max_pairs, scratch.blocks, list);
-  return find_hits_in_lists(space, query, rule, max_pairs, scratch.lists, list);
+    return find_hits_by_blocks(space, query, rule, max_pairs, scratch.blocks, list);
+  return find_hits_by_points_in_box(space, query, rule, max_pairs, scratch.lists, list);
 }
 
 template <class Space>
-std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surface, const SearchedPlaces& places,
+std::int64_t find_candidate_pairs(const Space& space, const ContactSurface& surface, const SearchedPlaces& places,
                                   std::int64_t max_pairs, SearchScratch& scratch, CandidateList& list) {
   const int n = static_cast<int>(surface.searched_nodes.extent(0));
   reserve(scratch.points, n);
@@ -69,7 +69,7 @@ void list_concerned(const Space& space, const ContactSurface& surface, Concerned
 }
 
 #define PERCUSS_INSTANTIATE(Space)                                                                                     \
-  template std::int64_t find_points_in_boxes(const Space&, const ContactSurface&, const SearchedPlaces&, std::int64_t, \
+  template std::int64_t find_candidate_pairs(const Space&, const ContactSurface&, const SearchedPlaces&, std::int64_t, \
                                              SearchScratch&, CandidateList&);                                          \
   template std::int64_t find_hits(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, SearchScratch&,  \
                                   CandidateList&);                                                                     \

@@ -25,7 +25,7 @@ struct SearchScratch {
   ConcernedScratch concerned;
 };
 
-/// Finds all pairs of a point and a box that holds it and is not ruled out; as find_points_in_boxes(). Rule:
+/// Finds all pairs of a point and a box that holds it and is not ruled out; as find_candidate_pairs(). Rule:
 /// NodeFaceRule or EdgePairRule, called with both names.
 template <class Space, class Rule>
 std::int64_t find_hits(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
@@ -41,7 +41,7 @@ struct SearchedPlaces {
 /// not share an element. Fills offset, face, num_pairs of the list and returns the number of pairs; if that is above
 /// max_pairs the list is not filled.
 template <class Space>
-std::int64_t find_points_in_boxes(const Space& space, const ContactSurface& surface, const SearchedPlaces& places,
+std::int64_t find_candidate_pairs(const Space& space, const ContactSurface& surface, const SearchedPlaces& places,
                                   std::int64_t max_pairs, SearchScratch& scratch, CandidateList& list);
 
 /// Lists the nodes that have candidates and the faces that their check reads: candidates, the faces around these and

@@ -123,8 +123,8 @@ std::int64_t collect_hits(const Space& space, const PointQuery& query, const Rul
 }  // namespace
 
 template <class Space, class Rule>
-std::int64_t find_hits_in_lists(const Space& space, const PointQuery& query, const Rule& rule, std::int64_t max_pairs,
-                                RankedListScratch& scratch, CandidateList& list) {
+std::int64_t find_hits_by_points_in_box(const Space& space, const PointQuery& query, const Rule& rule,
+                                        std::int64_t max_pairs, RankedListScratch& scratch, CandidateList& list) {
   const RankLists lists = rank_all(space, query, scratch);
   const std::int64_t found = collect_hits(space, query, rule, lists, max_pairs, scratch);
   if (found > max_pairs) return found;
@@ -137,11 +137,11 @@ std::int64_t find_hits_in_lists(const Space& space, const PointQuery& query, con
   return found;
 }
 
-#define PERCUSS_INSTANTIATE(Space)                                                                             \
-  template std::int64_t find_hits_in_lists(const Space&, const PointQuery&, const NodeFaceRule&, std::int64_t, \
-                                           RankedListScratch&, CandidateList&);                                \
-  template std::int64_t find_hits_in_lists(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, \
-                                           RankedListScratch&, CandidateList&);
+#define PERCUSS_INSTANTIATE(Space)                                                                                     \
+  template std::int64_t find_hits_by_points_in_box(const Space&, const PointQuery&, const NodeFaceRule&, std::int64_t, \
+                                                   RankedListScratch&, CandidateList&);                                \
+  template std::int64_t find_hits_by_points_in_box(const Space&, const PointQuery&, const EdgePairRule&, std::int64_t, \
+                                                   RankedListScratch&, CandidateList&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -61,7 +61,7 @@ struct EdgeHistory {
 /// 3 n + i belongs to push i of contact node n, the records after those to pairs of a wall and a node. Part of the
 /// state: a checkpoint must keep it.
 struct ContactHistory {
-  Array<std::int64_t> face;  // [3 contact nodes] number of the face that pushed; -1: none
+  Array<std::int64_t> face;  // [3 contact nodes] number of the face of this record; -1: none
   Rows3<double> impulse;     // [records] impulse on the node in the last step
   Rows3<double> slip;        // [records] tangential displacement that sticking still owes
   Array<double> reference;   // [records] overlap accepted at the start, >= 0

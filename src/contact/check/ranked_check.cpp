@@ -215,6 +215,7 @@ std::vector<Record> RankedCheck::send_to_fe_owners(const CheckPart& part, std::v
 
 /// What the last check found, by (node, face).
 std::vector<RankedCheck::TouchRecord> RankedCheck::list_touches() const {
+  static_assert(sizeof(TouchRecord) == touch_bytes);
   std::vector<TouchRecord> records;
   if (space_.touches.count == 0) return records;
   records.reserve(at(space_.touches.count));
@@ -243,6 +244,7 @@ std::vector<RankedCheck::TouchRecord> RankedCheck::list_touches() const {
   return records;
 }
 
+// (5.6) Detailed check of the pairs that this rank has found.
 void RankedCheck::check(const SurfaceMotion& motion, const ContactHistory& history) {
   if (total_pairs_ == 0)
     forget_touches(space_);
@@ -250,6 +252,7 @@ void RankedCheck::check(const SurfaceMotion& motion, const ContactHistory& histo
     check_candidates(receive(motion, history), space_);
 }
 
+// (5.7) Touches to the FE owners of their nodes. Requests for what near pairs read follow, for the next check.
 std::vector<RowTouch> RankedCheck::send_results_to_fe_owners() {
   if (total_pairs_ == 0) return {};
   std::vector<TouchRecord> records = send_to_fe_owners(*read_, list_touches());

@@ -22,6 +22,9 @@ struct KnownSurface {
 /// All calls but space(), narrow() and the counts are collective.
 class RankedCheck {
  public:
+  /// Size of a touch on its way to the FE owner of its node.
+  static constexpr int touch_bytes = 192;
+
   /// The share and the exchange outlive this.
   RankedCheck(const ContactRanks& ranks, const SurfaceShare& share, DataExchange& data, bool keeps_still);
 

@@ -198,15 +198,16 @@ RowTouch RankedEdgeCheck::make_row_touch(const TouchRecord& record, int& foreign
   return row;
 }
 
-void RankedEdgeCheck::append_touches(const SurfaceMotion& motion, const EdgeHistory& history, DataExchange& data,
-                                     std::vector<RowTouch>& touches) {
-  if (total_pairs_ == 0) {
+void RankedEdgeCheck::check(const SurfaceMotion& motion, const EdgeHistory& history, DataExchange& data) {
+  if (total_pairs_ == 0)
     forget_touches(space_);
-    return;
-  }
-  // (5.6) detailed check
-  check_edge_pairs(motion_.receive(data, read_, motion), receive_history(history, data), space_);
-  const std::vector<TouchRecord> records = send_results_to_homes(data, list_touches());  // (5.7)
+  else
+    check_edge_pairs(motion_.receive(data, read_, motion), receive_history(history, data), space_);
+}
+
+void RankedEdgeCheck::append_touches(const EdgeHistory& history, DataExchange& data, std::vector<RowTouch>& touches) {
+  if (total_pairs_ == 0) return;
+  const std::vector<TouchRecord> records = send_results_to_homes(data, list_touches());
   int foreign = 0;
   for (const RowTouch& touch : touches)
     foreign += static_cast<int>(std::count_if(touch.node, touch.node + touch.count, [](int n) { return n < 0; }));

@@ -18,9 +18,12 @@ class RankedEdgeCheck {
   void take_pairs(const std::vector<EdgeTopology>& edges, std::int64_t total_pairs, UnstructuredExchange& exchange,
                   DataExchange& data);
 
-  /// Checks the pairs and appends the touches of edges A whose home this rank is, by (A, B), to those of faces.
-  void append_touches(const SurfaceMotion& motion, const EdgeHistory& history, DataExchange& data,
-                      std::vector<RowTouch>& touches);
+  /// The detailed check of the pairs.
+  void check(const SurfaceMotion& motion, const EdgeHistory& history, DataExchange& data);
+
+  /// Results to the homes of edges: appends the touches of edges A whose home this rank is, by (A, B), to those of
+  /// faces.
+  void append_touches(const EdgeHistory& history, DataExchange& data, std::vector<RowTouch>& touches);
 
   std::vector<EdgePenetration> find_penetrations(const SurfaceMotion& motion, DataExchange& data);
 

@@ -118,6 +118,7 @@ void ContactDecomposition::send_contact_data_to_previous_owners(const SurfaceMot
   if (is_due_) arrived_ = send_points_to_previous_owners();
 }
 
+// (5.2) Recursive coordinate bisection, where it is due.
 void ContactDecomposition::rebalance() {
   if (!is_due_) return;
   divided_ = parts_->cuts().divide(ExecSpace(), arrived_);

@@ -72,6 +72,7 @@ void RowExchange::receive_nodes(RowSystem& system) {
   const auto place = to_host(system.remote_place);
   const auto spring = to_host(system.at.spring);
   const bool has_springs = spring.extent(0) > 0;
+  static_assert(sizeof(ForeignData) == foreign_bytes);
   std::vector<ForeignData> send(at(system.num_remote));
   std::vector<HostMirror<Rows3<double>>> hosts;
   for (const Rows3<double>* view : rows) hosts.push_back(to_host(*view));

@@ -18,6 +18,9 @@ namespace percuss {
 /// The Others of kernels/contact/enforcement/row_solution.hpp. All calls are collective.
 class RowExchange {
  public:
+  /// Size of what rows read of a foreign node, when they are made.
+  static constexpr int foreign_bytes = 128;
+
   explicit RowExchange(const ContactRanks& ranks);
 
   /// Sends the owners of foreign nodes the rows that touch these; receives the same for the own nodes. Fills

@@ -59,7 +59,7 @@ void ContactPlanner::find_pairs(const Boxes& boxes, double margin) {
   const std::int64_t limit = find_pair_limit(share_);
   SearchScratch scratch;
   CandidateList found;
-  const std::int64_t pairs = find_points_in_boxes(ExecSpace(), surface, {x_, boxes}, limit, scratch, found);
+  const std::int64_t pairs = find_candidate_pairs(ExecSpace(), surface, {x_, boxes}, limit, scratch, found);
   refuse_too_many_pairs(pairs, limit, margin);
   const auto offset = to_host(found.offset);
   const auto face = to_host(found.face);

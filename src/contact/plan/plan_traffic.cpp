@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "src/contact/check/ranked_check.hpp"
 #include "src/contact/decomposition/contact_decomposition.hpp"
+#include "src/contact/enforcement/row_exchange.hpp"
 #include "src/contact/plan/contact_flow.hpp"
 #include "src/index.hpp"
 
@@ -15,13 +17,13 @@ constexpr std::int64_t number_bytes = 8;  // of a node
 constexpr std::int64_t plan_bytes = 8;    // items of a message that is to follow, when a plan is made (2.4)
 constexpr std::int64_t place_bytes = 24;
 constexpr std::int64_t box_bytes = 48;
-constexpr std::int64_t flag_bytes = 1;         // whether something is wanted
-constexpr std::int64_t motion_bytes = 48;      // place and velocity
-constexpr std::int64_t history_bytes = 24;     // three faces
-constexpr std::int64_t touch_bytes = 200;      // a touch with its node, face and corners
-constexpr std::int64_t notice_bytes = 16;      // a corner and its row
-constexpr std::int64_t corner_bytes = 4 * 24;  // place, two velocities, inverse mass
-constexpr std::int64_t value_bytes = 24;       // a coefficient, an impulse, a correction
+constexpr std::int64_t flag_bytes = 1;                             // whether something is wanted
+constexpr std::int64_t motion_bytes = 48;                          // place and velocity
+constexpr std::int64_t history_bytes = 24;                         // three faces
+constexpr std::int64_t touch_bytes = RankedCheck::touch_bytes;     // a touch with its node, face and corners
+constexpr std::int64_t notice_bytes = 16;                          // a corner and its row
+constexpr std::int64_t corner_bytes = RowExchange::foreign_bytes;  // place, velocities, inverse mass, spring
+constexpr std::int64_t value_bytes = 24;                           // a coefficient, an impulse, a correction
 
 }  // namespace
 

@@ -22,44 +22,24 @@ struct SearchLoad {
   std::int64_t faces = 0;  // contact faces that reached it, copies included
 };
 
-/// What of steps (5.1) to (5.7) is to be done: a search for candidate pairs, their check, or both.
-struct FinderTask {
-  SurfaceMotion motion;
-  bool searches = false;
-  double margin = 0;                        // of a search: by this much capture boxes are wider
-  const ContactHistory* history = nullptr;  // of a check: that of the last step; none: there is no check
-};
-
-/// What has been found.
-struct FoundContacts {
-  std::int64_t candidates = 0;  // by a search, on all ranks
-  int touches = 0;              // by a check, of this rank
-};
-
 /// All calls are collective.
 class ContactFinder {
  public:
   virtual ~ContactFinder() = default;
 
-  /// Steps (5.1) to (5.7), in their order. touches: as in check(), which may be null without a check.
-  FoundContacts find_contacts(const FinderTask& task, Array<RowTouch>* touches);
-
-  /// The search alone. Finds candidate pairs for capture boxes widened by `margin` and returns how many there are on
-  /// all ranks. Throws RunError, on all ranks, if they are absurdly many.
-  std::int64_t search(const SurfaceMotion& motion, double margin) {
-    return find_contacts({motion, true, margin, nullptr}, nullptr).candidates;
-  }
+  /// Steps (5.1) to (5.6), points in boxes: finds candidate pairs for capture boxes widened by `margin` and returns how
+  /// many there are on all ranks. Throws RunError, on all ranks, if they are absurdly many.
+  std::int64_t search(const SurfaceMotion& motion, double margin);
 
   /// From the next check on leaves out the pairs of nodes and faces that it cannot accept before some node has used up
   /// its travel.
   virtual void narrow(const NearWay& way) = 0;
 
-  /// The check alone, of the candidate pairs of the last search. touches: those of this rank's contact nodes, by (node,
-  /// face), then those of edges whose home this rank is, by (edge A, edge B); in: the same array with those of the last
-  /// check as they were, where they stay if it finds the same. Returns how many these are.
-  int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches) {
-    return find_contacts({motion, false, 0, &history}, &touches).touches;
-  }
+  /// Steps (5.6), the detailed check, and (5.7), of the candidate pairs of the last search. history: of the last step.
+  /// touches: those of this rank's contact nodes, by (node, face), then those of edges whose home this rank is, by
+  /// (edge A, edge B); in: the same array with those of the last check as they were, where they stay if it finds the
+  /// same. Returns how many these are.
+  int check(const SurfaceMotion& motion, const ContactHistory& history, Array<RowTouch>& touches);
 
   /// Whether all that the last check found on this rank was found by the one before it as well, and is at rest: as many
   /// touches on all ranks are then the same ones.
@@ -84,7 +64,8 @@ class ContactFinder {
   /// Continues where a finder of the surface before left off: cuts, orders, counts and clocks.
   virtual void take_over(const ContactFinder& before) = 0;
 
-  /// Of a search, what went into the decomposition: steps (5.1) to (5.5).
+  /// Of a search, what went into the decomposition: steps (5.1) to (5.5) of nodes and faces; those of edges count as
+  /// search.
   virtual PhaseClock decomposition_clock() const = 0;
   virtual Traffic traffic() const = 0;
 
@@ -98,7 +79,7 @@ class ContactFinder {
   virtual std::int64_t find_candidates(const SurfaceMotion& motion, double margin) = 0;
   virtual void check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) = 0;
   /// Returns the number of touches of this rank's contact nodes and edges.
-  virtual int send_results_to_fe_owners(const FinderTask& task, Array<RowTouch>& touches) = 0;
+  virtual int send_results_to_fe_owners(const ContactHistory& history, Array<RowTouch>& touches) = 0;
 };
 
 /// The finder that suits the number of ranks.

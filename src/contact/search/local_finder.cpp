@@ -102,7 +102,7 @@ std::int64_t LocalFinder::search_faces(const SurfaceMotion& motion, double margi
   // A search is some eighty launches, most of them of the sorts.
   run_where_it_pays(static_cast<int>(share_.searched_faces.size()) / 2, [&](const auto& space) {
     bound_faces(space, share_.bounded_faces(), motion, margin, boxes_);
-    pairs = find_points_in_boxes(space, surface, {motion.x, boxes_}, limit, scratch_, check_.candidates);
+    pairs = find_candidate_pairs(space, surface, {motion.x, boxes_}, limit, scratch_, check_.candidates);
     if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, check_.candidates);
   });
   refuse_too_many_pairs(pairs, find_pair_limit(share_), margin);
@@ -118,7 +118,7 @@ void LocalFinder::check_candidates_here(const SurfaceMotion& motion, const Conta
 }
 
 /// This rank is the FE owner of all; touches that have not changed stay where they are.
-int LocalFinder::send_results_to_fe_owners(const FinderTask& /*task*/, Array<RowTouch>& touches) {
+int LocalFinder::send_results_to_fe_owners(const ContactHistory& /*history*/, Array<RowTouch>& touches) {
   if (has_found_nothing_new() && found_ == found_before_) return found_;
   if (of_faces_ > 0) {
     run_where_it_pays(of_faces_, [&](const auto& space) {

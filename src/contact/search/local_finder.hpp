@@ -1,6 +1,6 @@
 #pragma once
 // One rank has the whole surface: search and check run on the arrays of the mesh. The steps of
-// ContactFinder::find_contacts() that send do nothing.
+// ContactFinder::search() and check() that send do nothing.
 
 #include "src/contact/check/check_space.hpp"
 #include "src/contact/check/edge_space.hpp"
@@ -33,7 +33,7 @@ class LocalFinder : public ContactFinder {
  private:
   std::int64_t find_candidates(const SurfaceMotion& motion, double margin) override;
   void check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) override;
-  int send_results_to_fe_owners(const FinderTask& task, Array<RowTouch>& touches) override;
+  int send_results_to_fe_owners(const ContactHistory& history, Array<RowTouch>& touches) override;
 
   std::int64_t search_faces(const SurfaceMotion& motion, double margin);
   std::int64_t search_edges(const SurfaceMotion& motion, double margin);

@@ -22,9 +22,13 @@ class RankedEdges {
   /// ranks. Throws RunError, on all ranks, if they are absurdly many.
   std::int64_t search(const SurfaceMotion& motion, double margin, const ContactDecomposition& decomposition);
 
-  /// Checks the pairs and appends the touches of edges A whose home this rank is, by (A, B), to those of faces.
-  void append_touches(const SurfaceMotion& motion, const EdgeHistory& history, std::vector<RowTouch>& touches) {
-    if (data_) check_.append_touches(motion, history, *data_, touches);
+  void check(const SurfaceMotion& motion, const EdgeHistory& history) {
+    if (data_) check_.check(motion, history, *data_);
+  }
+
+  /// Appends the touches of edges A whose home this rank is, by (A, B), to those of faces.
+  void append_touches(const EdgeHistory& history, std::vector<RowTouch>& touches) {
+    if (data_) check_.append_touches(history, *data_, touches);
   }
 
   /// EdgeSpace::has_found_nothing_new() of this rank's pairs.

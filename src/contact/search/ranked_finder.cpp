@@ -134,12 +134,12 @@ std::int64_t RankedFinder::find_candidates(const SurfaceMotion& motion, double m
 
 void RankedFinder::check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) {
   check_.check(motion, history);
+  edges_.check(motion, history.edges);
 }
 
-/// The touches of nodes; edges are checked here too, as their messages follow those of nodes.
-int RankedFinder::send_results_to_fe_owners(const FinderTask& task, Array<RowTouch>& touches) {
+int RankedFinder::send_results_to_fe_owners(const ContactHistory& history, Array<RowTouch>& touches) {
   std::vector<RowTouch> rows = check_.send_results_to_fe_owners();
-  edges_.append_touches(task.motion, task.history->edges, rows);
+  edges_.append_touches(history.edges, rows);
   reserve(touches, static_cast<int>(rows.size()));
   Kokkos::View<const RowTouch*, Kokkos::HostSpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>> host(rows.data(),
                                                                                                  rows.size());
@@ -229,7 +229,7 @@ void RankedFinder::number_surface(std::vector<FaceTopology> more) {
 }
 
 /// Which nodes are in which boxes, on every rank by itself.
-std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
+std::int64_t RankedFinder::find_candidate_pairs_here(std::int64_t limit) {
   const ContactSurface& surface = check_.space().surface;
   CandidateList& candidates = check_.space().candidates;
   const Array<const int> nodes = surface.searched_nodes;
@@ -240,7 +240,7 @@ std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
     Kokkos::parallel_for(
         "contact::searched_places", RangeOf<std::decay_t<decltype(space)>>(space, 0, static_cast<int>(nodes.extent(0))),
         KOKKOS_LAMBDA(int i) { store_row(x, nodes(i), load_row(found, i)); });
-    pairs = find_points_in_boxes(space, surface, {x, decomposition_.boxes()}, limit, scratch_, candidates);
+    pairs = find_candidate_pairs(space, surface, {x, decomposition_.boxes()}, limit, scratch_, candidates);
     if (pairs <= limit) list_concerned(space, surface, scratch_.concerned, candidates);
   });
   return pairs;
@@ -248,7 +248,7 @@ std::int64_t RankedFinder::find_points_in_boxes_here(std::int64_t limit) {
 
 std::int64_t RankedFinder::search_faces(double margin) {
   const std::int64_t limit = find_pair_limit(share_);
-  const std::int64_t pairs = find_points_in_boxes_here(std::min(limit, most_indexed_pairs));
+  const std::int64_t pairs = find_candidate_pairs_here(std::min(limit, most_indexed_pairs));
   std::int64_t sums[3] = {pairs, decomposition_.reaching_faces(), pairs > most_indexed_pairs ? 1 : 0};
   all_reduce(ranks_.ranks, Reduce::sum, sums);
   refuse_too_many_pairs(sums[0], limit, margin);

@@ -1,5 +1,6 @@
 #pragma once
-// Search and check in the contact decomposition: what the steps of ContactFinder::find_contacts() do on many ranks.
+// Search and check in the contact decomposition: what the steps of ContactFinder::search() and check() do on many
+// ranks.
 //
 // A rank knows its part of the surface: the nodes that it owns there, the faces that reach it, and the faces around the
 // nodes of both, for normals. This topology is sent once and cached for many searches, until faces reach other ranks or
@@ -43,7 +44,7 @@ class RankedFinder : public ContactFinder {
   void send_overlapping_faces(const SurfaceMotion& motion, double margin) override;
   std::int64_t find_candidates(const SurfaceMotion& motion, double margin) override;
   void check_candidates_here(const SurfaceMotion& motion, const ContactHistory& history) override;
-  int send_results_to_fe_owners(const FinderTask& task, Array<RowTouch>& touches) override;
+  int send_results_to_fe_owners(const ContactHistory& history, Array<RowTouch>& touches) override;
 
   Phase decompose() { return {"percuss::contact_rcb", decomposition_clock_}; }
   void redefine_surface();
@@ -51,7 +52,7 @@ class RankedFinder : public ContactFinder {
   std::vector<FaceTopology> ask_for_faces_around(const std::vector<std::int64_t>& nodes);
   void number_surface(std::vector<FaceTopology> more);
   std::int64_t search_faces(double margin);
-  std::int64_t find_points_in_boxes_here(std::int64_t limit);
+  std::int64_t find_candidate_pairs_here(std::int64_t limit);
 
   ContactRanks ranks_;
   const SurfaceShare& share_;

@@ -90,6 +90,9 @@ bool ReuseBound::covers_near(const SurfaceMotion& motion) const {
   return near_travel_ > 0 && find_largest(find_distance_here(motion, near_origin_)) <= near_travel_;
 }
 
+/// Near pairs are those that a travel of near_travel_ can bring within reach, of those that the way to the next search
+/// can, of all candidate pairs: each list is right as long as its travel is not used up, and the first is used up
+/// first.
 NearWay ReuseBound::restart_near(const SurfaceMotion& motion) {
   const double whole = margin_ / travels_in_margin, left = 0.999 * (whole - travel_);  // so that covers() holds, too
   const bool is_worth_it = enabled_ && left >= least_near_share * whole;

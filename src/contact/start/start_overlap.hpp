@@ -28,7 +28,8 @@ struct StartOverlap {
   std::vector<std::int64_t> inside;  // numbers of the nodes, of this rank alone, one for each that holds it
 };
 
-/// What looks for overlap: a finder of its own, so that the search of the steps is not disturbed.
+/// What looks for overlap. At the start and after erosion the finder is that of the run, whose pairs are used or
+/// searched again; audits bring one of their own.
 struct OverlapSearch {
   const Communicator& ranks;
   const SurfaceShare& share;

@@ -366,6 +366,7 @@ SurfaceShare build_surface_share(const ChunkedMesh& chunked, const Deck& deck, c
   std::vector<SurfaceSet> named = face_sets, part_sets;
   if (mesh.eroded.any) part_sets = find_part_surfaces(mesh, deck);
   named.insert(named.end(), part_sets.begin(), part_sets.end());
+  // Classes are agreed on twice: nodes and edges lie on unions of the faces' surfaces, which are classes of their own.
   const SurfaceClasses of_faces = agree_on_classes(mesh, std::move(named));
   for (std::size_t f = 0; f < faces.size(); ++f) share.faces[f].surface_class = of_faces.find(face_sets[f]);
   std::vector<int> part_classes;

@@ -288,7 +288,7 @@ std::vector<double> assemble_masses(const Model& model, const Elements& elements
   swap.begin(ExecSpace(), slot_mass);
   swap.end();
   const Rows3<double> rows("percuss::node_mass", static_cast<std::size_t>(model.node_count));
-  assemble_forces(ExecSpace(), model.nodes_to_slots, slot_mass, rows);
+  assemble_slots(ExecSpace(), model.nodes_to_slots, slot_mass, rows);
   const auto host = to_host(rows);
   std::vector<double> mass(host.extent(0));
   for (std::size_t n = 0; n < mass.size(); ++n) mass[n] = host(n, 0);

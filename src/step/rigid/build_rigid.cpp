@@ -45,7 +45,7 @@ std::vector<std::array<double, 3>> sum_over_chunks(const ChunkedMesh& chunked, c
   swap.begin(ExecSpace(), slots);
   swap.end();
   const Rows3<double> rows("percuss::rigid_mark_sums", at(model.node_count));
-  assemble_forces(ExecSpace(), model.nodes_to_slots, slots, rows);
+  assemble_slots(ExecSpace(), model.nodes_to_slots, slots, rows);
   const auto sums = to_host(rows);
   std::vector<std::array<double, 3>> out(at(model.node_count));
   for (std::size_t n = 0; n < out.size(); ++n) out[n] = {sums(n, 0), sums(n, 1), sums(n, 2)};

@@ -84,7 +84,7 @@ void MeshEigenvalue::apply(const State& state, double step) {
 void MeshEigenvalue::subtract_previous(double beta) {
   const auto next = next_, before = before_;
   const auto inverse_mass = model_.inverse_mass;
-  assemble_forces(ExecSpace(), model_.nodes_to_slots, slots_, next_);
+  assemble_slots(ExecSpace(), model_.nodes_to_slots, slots_, next_);
   Kokkos::parallel_for(
       "percuss::subtract_previous", Range(ExecSpace(), 0, model_.node_count), KOKKOS_LAMBDA(const int n) {
         for (int k = 0; k < 3; ++k) next(n, k) = -inverse_mass(n, k) * next(n, k) - beta * before(n, k);

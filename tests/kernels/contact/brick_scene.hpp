@@ -159,7 +159,7 @@ struct CheckedScene {
     Kokkos::deep_copy(history_face, -1);
     const SmallSpace space;
     bound_faces(space, {surface.face_corners}, motion, margin, boxes);  // every node is a contact node
-    find_points_in_boxes(space, surface, {motion.x, boxes}, 1'000'000, scratch, candidates);
+    find_candidate_pairs(space, surface, {motion.x, boxes}, 1'000'000, scratch, candidates);
     list_concerned(space, surface, scratch.concerned, candidates);
     check();
   }

@@ -165,7 +165,7 @@ void compare_steps(const std::string& elements) {
     const std::vector<Vec3> expected = one_by_one.advance(dt);
     advance_elements(ExecSpace(), scene.model.chunks, scene.model.blocks, {scene.state.x, scene.state.v, dt},
                      scene.state.chunk_fields());
-    assemble_forces(ExecSpace(), scene.model.nodes_to_slots, scene.state.slot_force, force);
+    assemble_slots(ExecSpace(), scene.model.nodes_to_slots, scene.state.slot_force, force);
     const auto host = to_host(force);
     for (std::size_t i = 0; i < expected.size(); ++i) {
       for (std::size_t k = 0; k < 3; ++k) ASSERT_EQ(host(i, k), expected[i][k]) << "node " << i << " step " << n;

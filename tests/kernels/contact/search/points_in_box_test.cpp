@@ -44,7 +44,7 @@ template <class Space>
 Pairs find_pairs(const BrickScene& scene, const Boxes& boxes, SearchScratch& scratch) {
   CandidateList list;
   const Rows3<double> x = to_rows(scene.x);
-  find_points_in_boxes(Space(), scene.surface(), {x, boxes}, 10'000'000, scratch, list);
+  find_candidate_pairs(Space(), scene.surface(), {x, boxes}, 10'000'000, scratch, list);
   Pairs pairs;
   for (int n = 0; n < scene.num_nodes(); ++n)
     for (int c = list.offset(n); c < list.offset(n + 1); ++c) pairs.emplace_back(n, list.face(c));
@@ -107,7 +107,7 @@ TEST(PointsInBox, ReportsTooManyPairsInsteadOfListingThem) {
     SearchScratch scratch;
     scratch.method = method;
     CandidateList list;
-    EXPECT_GT(find_points_in_boxes(SmallSpace(), scene.surface(), {x, bound_all(scene, 1)}, 100, scratch, list), 100);
+    EXPECT_GT(find_candidate_pairs(SmallSpace(), scene.surface(), {x, bound_all(scene, 1)}, 100, scratch, list), 100);
     EXPECT_EQ(list.num_pairs, 0);
   }
 }

@@ -14,7 +14,7 @@ namespace {
 /// Nodal forces of the pressure alone: the elements of a scene at rest have none.
 Rows3<double> find_forces(Scene& scene) {
   scene.stepper.start(scene.state);
-  assemble_forces(ExecSpace(), scene.model.nodes_to_slots, scene.state.slot_force, scene.state.force);
+  assemble_slots(ExecSpace(), scene.model.nodes_to_slots, scene.state.slot_force, scene.state.force);
   return scene.state.force;
 }
 

@@ -65,7 +65,7 @@ struct SmallMesh {
     const State fresh = make_initial_state(model);
     Kokkos::deep_copy(state.elements, fresh.elements);
     advance_elements(ExecSpace(), model.chunks, model.blocks, {state.x, v, dt, false, 0, watch}, state.chunk_fields());
-    assemble_forces(ExecSpace(), model.nodes_to_slots, state.slot_force, state.force);
+    assemble_slots(ExecSpace(), model.nodes_to_slots, state.slot_force, state.force);
   }
 
   /// Adds `factor` times the forces that unit velocities bring in a step dt to the columns of a matrix.
