@@ -1,6 +1,7 @@
 #pragma once
 // Between std::vector on the host and views where the kernels run.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -10,13 +11,21 @@
 
 namespace percuss {
 
+/// Whether kernels run on host memory. Copies of vectors then need no deep_copy(), whose kernels each source would
+/// compile for each type.
+inline constexpr bool is_host_memory = Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemSpace>::accessible;
+
 /// A view with the values of a host vector.
 template <class T>
 Array<T> to_view(const std::string& label, const std::vector<T>& values) {
   const Array<T> view(Kokkos::view_alloc(label, Kokkos::WithoutInitializing), values.size());
-  const Kokkos::View<const T*, Kokkos::LayoutRight, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(values.data(),
-                                                                                                     values.size());
-  Kokkos::deep_copy(view, host);
+  if constexpr (is_host_memory) {
+    std::copy(values.begin(), values.end(), view.data());
+  } else {
+    const Kokkos::View<const T*, Kokkos::LayoutRight, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(values.data(),
+                                                                                                       values.size());
+    Kokkos::deep_copy(view, host);
+  }
   return view;
 }
 
@@ -29,7 +38,7 @@ auto to_rows(const std::string& label, const std::vector<std::array<T, N>>& valu
   for (std::size_t i = 0; i < values.size(); ++i) {
     for (std::size_t k = 0; k < N; ++k) host(i, k) = values[i][k];
   }
-  Kokkos::deep_copy(view, host);
+  if constexpr (!is_host_memory) Kokkos::deep_copy(view, host);
   return view;
 }
 

@@ -15,9 +15,9 @@
 #include "src/deck/beam_deck.hpp"
 #include "src/deck/element_deck.hpp"
 #include "src/deck/functions/curve.hpp"
+#include "src/deck/functions/selector.hpp"
 #include "src/deck/mesh_changes.hpp"
 #include "src/deck/output_deck.hpp"
-#include "src/deck/selector.hpp"
 #include "src/deck/spring_deck.hpp"
 #include "src/deck/yaml/key_places.hpp"
 #include "src/warning.hpp"
@@ -360,6 +360,14 @@ struct AuditDeck {
 };
 
 struct Deck {
+  // Not inline: every source would compile them, which takes longer than the rest of this header.
+  Deck();
+  Deck(const Deck&);
+  Deck(Deck&&) noexcept;
+  Deck& operator=(const Deck&);
+  Deck& operator=(Deck&&) noexcept;
+  ~Deck();
+
   std::string file;  // as given on the command line
   std::string text;  // of the file, without what --set changes
   std::string title;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/deck/functions/place_function.hpp"
-#include "src/deck/selector.hpp"
+#include "src/deck/functions/selector.hpp"
 
 namespace percuss {
 

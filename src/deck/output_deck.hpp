@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/deck/selector.hpp"
+#include "src/deck/functions/selector.hpp"
 
 namespace percuss {
 

@@ -34,6 +34,13 @@ Node parse_tree(std::string text, const std::vector<std::string>& overrides, Dec
 
 }  // namespace
 
+Deck::Deck() = default;
+Deck::Deck(const Deck&) = default;
+Deck::Deck(Deck&&) noexcept = default;
+Deck& Deck::operator=(const Deck&) = default;
+Deck& Deck::operator=(Deck&&) noexcept = default;
+Deck::~Deck() = default;
+
 Deck parse_deck(const std::string& text, const std::string& file, const std::vector<std::string>& overrides) {
   std::vector<std::string> paths;
   for (const std::string& argument : overrides) paths.push_back(override_path(argument));

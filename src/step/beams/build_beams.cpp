@@ -68,26 +68,19 @@ BeamFibres list_fibres(const BeamSectionDeck& section) {
   return std::visit(List{}, section);
 }
 
-LameConstants find_moduli(const Deck& deck, const ElementBlock& block) {
-  LameConstants c{};
-  visit_law(find_material(deck, block), [&](const auto& law) { c = law.moduli(); });
-  return c;
-}
-
 BeamParameters make_parameters(const Deck& deck, const ElementBlock& block) {
   const BeamSectionDeck& section = *find_part(deck, block).section;
   BeamParameters parameters;
   const BeamSection form = make_beam_section(section);
-  const LameConstants c = find_moduli(deck, block);
+  const LameConstants c = find_moduli(find_material(deck, block));
   parameters.stiffness = find_beam_stiffness(form, find_youngs_modulus(c), c.mu);
   parameters.area = form.area;
   parameters.bends = bends(section);
-  visit_law(find_material(deck, block), [&]<class Law>(const Law& law) {
-    if constexpr (std::is_same_v<Law, J2Plasticity>) {
-      parameters.law = {find_youngs_modulus(law.moduli()), law.yield_stress, law.hardening_modulus};
-      parameters.fibres = list_fibres(section);
-    }
-  });
+  if (find_material(deck, block).law.model == J2Plasticity::name) {
+    const auto law = make_law<J2Plasticity>(find_material(deck, block).law);
+    parameters.law = {find_youngs_modulus(law.moduli()), law.yield_stress, law.hardening_modulus};
+    parameters.fibres = list_fibres(section);
+  }
   return parameters;
 }
 

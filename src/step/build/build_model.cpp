@@ -353,6 +353,13 @@ void mark_rigid_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& mode
 
 }  // namespace
 
+Model::Model() = default;
+Model::Model(const Model&) = default;
+Model::Model(Model&&) noexcept = default;
+Model& Model::operator=(const Model&) = default;
+Model& Model::operator=(Model&&) noexcept = default;
+Model::~Model() = default;
+
 Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   const Mesh& mesh = chunked.mesh;
   Model model;

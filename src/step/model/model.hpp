@@ -58,6 +58,14 @@ struct AddedMass {
 };
 
 struct Model {
+  // Not inline: every source would compile them, which takes longer than the rest of this header.
+  Model();
+  Model(const Model&);
+  Model(Model&&) noexcept;
+  Model& operator=(const Model&);
+  Model& operator=(Model&&) noexcept;
+  ~Model();
+
   Communicator ranks{MPI_COMM_SELF};  // those that hold the scene together
   int node_count = 0;                 // of this rank, copies included
   int element_count = 0;              // of this rank

@@ -350,6 +350,13 @@ std::uint64_t hash_elements(const Model& model, const State& state) {
 
 }  // namespace
 
+State::State() = default;
+State::State(const State&) = default;
+State::State(State&&) noexcept = default;
+State& State::operator=(const State&) = default;
+State& State::operator=(State&&) noexcept = default;
+State::~State() = default;
+
 std::uint64_t hash_state(const Model& model, const State& state) {
   std::uint64_t sums[2] = {hash_nodes(model, state), hash_elements(model, state)};
   all_reduce(model.ranks, Reduce::sum, sums);

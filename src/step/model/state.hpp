@@ -42,6 +42,14 @@ struct StepBound {
 };
 
 struct State {
+  // Not inline: every source would compile them, which takes longer than the rest of this header.
+  State();
+  State(const State&);
+  State(State&&) noexcept;
+  State& operator=(const State&);
+  State& operator=(State&&) noexcept;
+  ~State();
+
   double time = 0;     // n
   long step = 0;       // n
   double dt = 0;       // between n-1 and n; 0 before the first step

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "src/deck/yaml/key_places.hpp"
+#include "src/deck/text/deck_errors.hpp"
 
 namespace percuss {
 
