@@ -35,6 +35,7 @@ std::vector<Warning> check_density(const CheckedScene& scene);
 std::vector<Warning> check_wave_speed(const CheckedScene& scene);
 std::vector<Warning> check_scene_size(const CheckedScene& scene);
 std::vector<Warning> check_gravity_size(const CheckedScene& scene);
+std::vector<Warning> check_scene_mass(const CheckedScene& scene);
 
 // Materials and numerical settings (material_rules.cpp)
 std::vector<Warning> check_yield_stress(const CheckedScene& scene);
@@ -42,6 +43,10 @@ std::vector<Warning> check_hardening(const CheckedScene& scene);
 std::vector<Warning> check_failure_strain(const CheckedScene& scene);
 std::vector<Warning> check_viscosity(const CheckedScene& scene);
 std::vector<Warning> check_mass_scaling(const CheckedScene& scene);
+std::vector<Warning> check_poissons_ratio(const CheckedScene& scene);
+std::vector<Warning> check_hardening_strain(const CheckedScene& scene);
+std::vector<Warning> check_specific_heat(const CheckedScene& scene);
+std::vector<Warning> check_start_temperature(const CheckedScene& scene);
 
 // Sizes and positions of parts (size_rules.cpp)
 std::vector<Warning> check_part_size(const CheckedScene& scene);
@@ -51,14 +56,32 @@ std::vector<Warning> check_duplicate_parts(const CheckedScene& scene);
 std::vector<Warning> check_enclosed_parts(const CheckedScene& scene);
 std::vector<Warning> check_angles(const CheckedScene& scene);
 
+// Masses, rigid bodies and cross sections (body_rules.cpp)
+std::vector<Warning> check_added_mass(const CheckedScene& scene);
+std::vector<Warning> check_rigid_inertia(const CheckedScene& scene);
+std::vector<Warning> check_beam_section(const CheckedScene& scene);
+std::vector<Warning> check_shell_reference(const CheckedScene& scene);
+
 // Velocities, conditions and loads (condition_rules.cpp)
 std::vector<Warning> check_stopped_velocity(const CheckedScene& scene);
 std::vector<Warning> check_unused_velocity(const CheckedScene& scene);
 std::vector<Warning> check_fast_velocity(const CheckedScene& scene);
 std::vector<Warning> check_prescribed_speed(const CheckedScene& scene);
-std::vector<Warning> check_curve_end(const CheckedScene& scene);
 std::vector<Warning> check_pressure_size(const CheckedScene& scene);
 std::vector<Warning> check_gravity_direction(const CheckedScene& scene);
+
+// Tables over time (curve_rules.cpp)
+std::vector<Warning> check_curve_end(const CheckedScene& scene);
+std::vector<Warning> check_curve_time(const CheckedScene& scene);
+std::vector<Warning> check_short_pulse(const CheckedScene& scene);
+
+// What acts on nothing or stops everything (load_rules.cpp)
+std::vector<Warning> check_idle_loads(const CheckedScene& scene);
+std::vector<Warning> check_symmetry_planes(const CheckedScene& scene);
+std::vector<Warning> check_damping_size(const CheckedScene& scene);
+std::vector<Warning> check_idle_forces(const CheckedScene& scene);
+std::vector<Warning> check_wall_place(const CheckedScene& scene);
+std::vector<Warning> check_spring_length(const CheckedScene& scene);
 
 // Who moves and who meets whom (motion_rules.cpp)
 std::vector<Warning> check_still_scene(const CheckedScene& scene);
@@ -73,10 +96,12 @@ std::vector<Warning> check_penalty_speed(const CheckedScene& scene);
 std::vector<Warning> check_behind_wall(const CheckedScene& scene);
 std::vector<Warning> check_friction(const CheckedScene& scene);
 std::vector<Warning> check_tie_distance(const CheckedScene& scene);
+std::vector<Warning> check_contact_tolerance(const CheckedScene& scene);
 
 // Time and output (output_rules.cpp)
 std::vector<Warning> check_end_time(const CheckedScene& scene);
 std::vector<Warning> check_step_scale(const CheckedScene& scene);
+std::vector<Warning> check_no_output(const CheckedScene& scene);
 std::vector<Warning> check_output_interval(const CheckedScene& scene);
 std::vector<Warning> check_output_count(const CheckedScene& scene);
 std::vector<Warning> check_history_points(const CheckedScene& scene);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "comm/all_reduce.hpp"
+#include "comm/exact_reduction.hpp"
 #include "kernels/core/host_copy.hpp"
 #include "src/index.hpp"
 #include "src/mesh/hex_geometry.hpp"
@@ -76,6 +77,17 @@ void measure_elements(const Mesh& mesh, std::vector<PartMeasures>& parts) {
     ++(topology.is_solid() ? part.solids : topology.is_surface() ? part.shells : part.beams);
     if (topology.family == ElementFamily::hexahedra) measure_layer(mesh, e, part);
   }
+}
+
+/// Exact sums, which have no order.
+void measure_masses(const Deck& deck, const Mesh& mesh, std::vector<PartMeasures>& parts) {
+  std::vector<ExactSum> masses(parts.size());
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const ElementBlock& block = mesh.block_of(e);
+    masses[at(block.part)].add(deck.materials[at(block.material)].density * find_element_volume(mesh, e));
+  }
+  if (mesh.ranks && mesh.ranks->size() > 1) sum_over_ranks(*mesh.ranks, masses);
+  for (std::size_t p = 0; p < parts.size(); ++p) parts[p].mass = masses[p].round();
 }
 
 /// Velocities at time 0 on the host.
@@ -257,6 +269,8 @@ SceneMeasures measure_scene(const Deck& deck, const ChunkedMesh& chunked, const 
   measure_nodes(mesh, velocities, scene.parts);
   const std::vector<bool> owned = find_owned(chunked);
   measure_places(mesh, owned, scene.parts);
+  measure_masses(deck, mesh, scene.parts);
+  scene.selections = measure_selections(deck, chunked, owned);
   scene.initial = InitialCounts(deck, mesh, velocities, owned)();
   if (mesh.ranks && mesh.ranks->size() > 1) reduce(*mesh.ranks, scene);
   return scene;

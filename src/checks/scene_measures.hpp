@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernels/core/views.hpp"
+#include "src/checks/selection_measures.hpp"
 #include "src/deck/deck.hpp"
 #include "src/mesh/ordering.hpp"
 
@@ -20,6 +21,7 @@ struct PartMeasures {
   double speed = 0;                      // of its fastest node [length / time]
   double shortest_edge = 0;              // of its elements [length]
   double longest_edge = 0;               // of its elements [length]
+  double mass = 0;                       // of its elements, by their density [mass]
   std::int64_t nodes = 0;                // nodes
   // Sums over its nodes of x, y and z, then of their squares, as shares of the box of the scene in units of 2^-30:
   // whole numbers, whose sum has no order.
@@ -50,6 +52,7 @@ struct SceneMeasures {
   std::vector<InitialMeasures> initial;  // as Deck::initial
   Vec3 low{}, high{};                    // box of all nodes [length]
   std::vector<int> assemblies;           // [parts] the lowest part that each is joined to, directly or not, or itself
+  SelectionMeasures selections{};        // of loads and conditions
 
   /// Of parts that share nodes, directly or not.
   bool are_joined(std::size_t part, std::size_t other) const { return assemblies[part] == assemblies[other]; }

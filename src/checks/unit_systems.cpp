@@ -24,7 +24,7 @@ bool is_plausible(const MaterialDeck& material, const Units& units) {
   const double density = material.density * units.in_si(dimensions::density);
   const double speed = find_wave_speed(material) * units.in_si(dimensions::velocity);
   if (density < least_density || density > largest_density) return false;
-  return !has_wave_speed(material) || (speed >= least_wave_speed && speed <= largest_wave_speed);
+  return !has_wave_speed(material) || (speed >= find_least_wave_speed(density) && speed <= largest_wave_speed);
 }
 
 std::vector<Units> find_plausible_units(const Deck& deck) {

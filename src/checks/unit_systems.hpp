@@ -13,6 +13,15 @@ namespace percuss {
 inline constexpr double least_density = 1e-3, largest_density = 23000;
 inline constexpr double least_wave_speed = 10, largest_wave_speed = 20000;
 
+/// Beyond the first density all solids are metals and their ores, whose waves run faster than the second: lead's at
+/// 2000 m/s.
+inline constexpr double density_of_metals = 5000, least_wave_speed_of_metals = 500;
+
+/// Least wave speed of a solid of a density, both in SI.
+inline double find_least_wave_speed(double density) {
+  return density < density_of_metals ? least_wave_speed : least_wave_speed_of_metals;
+}
+
 /// The materials of parts.
 std::vector<const MaterialDeck*> list_used_materials(const Deck& deck);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "comm/all_reduce.hpp"
 #include "comm/gather_items.hpp"
@@ -90,6 +91,7 @@ double find_displacement(const ImperfectionDeck& imperfection, const Vec3& place
 /// What is told of an entry, and what is wrong with it; of all ranks once merged.
 struct Outcome {
   double largest = 0;
+  double size = 0;  // longest edge of the box of its nodes
   std::int64_t nodes = 0;
   int bare = 0, endless = 0;  // 1: a node without a normal; a displacement that is not finite
 };
@@ -127,6 +129,30 @@ void check_outcome(const Deck& deck, const ImperfectionDeck& imperfection, const
     throw InputError(deck.where(imperfection.place) +
                      ": error: the imperfection has no direction at some node (only nodes of shells have a normal) "
                      "give a direction");
+}
+
+/// Longest edge of the box around nodes of all ranks [length].
+double find_size(const Communicator& ranks, const Mesh& mesh, const std::vector<int>& nodes) {
+  std::vector<double> bounds(6, -std::numeric_limits<double>::infinity());  // minus the lowest, then the highest place
+  for (const int n : nodes) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      bounds[k] = std::max(bounds[k], -mesh.nodes[at(n)][k]);
+      bounds[3 + k] = std::max(bounds[3 + k], mesh.nodes[at(n)][k]);
+    }
+  }
+  all_reduce(ranks, Reduce::largest, bounds);
+  return std::max({bounds[0] + bounds[3], bounds[1] + bounds[4], bounds[2] + bounds[5]});
+}
+
+/// An imperfection that changes the shape as a whole.
+void warn_of_size(const Deck& deck, const ImperfectionDeck& imperfection, const Outcome& outcome, Mesh& mesh) {
+  constexpr double most = 0.1;  // of the size of what is displaced; imperfections are a few per cent of a thickness
+  if (outcome.largest <= most * outcome.size) return;
+  mesh.warnings.push_back({"imperfection_size",
+                           fmt::format("the imperfection displaces nodes by up to {:.3g}, what it displaces is {:.3g} "
+                                       "long (an imperfection is a small share of it): check its unit",
+                                       outcome.largest, outcome.size),
+                           deck.where(imperfection.place), 0, 1});
 }
 
 /// Elements that were sound before.
@@ -180,10 +206,12 @@ void apply_imperfections(const Deck& deck, const Communicator& ranks, Mesh& mesh
     const std::vector<int> nodes = select_nodes(mesh, deck, imperfection.where);
     Outcome outcome = displace(imperfection, nodes, normals, mesh, moved);
     outcome.nodes = count_nodes(ranks, mesh, nodes);
+    outcome.size = find_size(ranks, mesh, nodes);
     all_reduce(ranks, Reduce::largest, outcome.largest);
     all_reduce(ranks, Reduce::largest, outcome.bare);
     all_reduce(ranks, Reduce::largest, outcome.endless);
     check_outcome(deck, imperfection, outcome);
+    warn_of_size(deck, imperfection, outcome, mesh);
     const std::string& name = imperfection.where.name;
     mesh.notes.push_back(fmt::format("imperfection of {}: largest displacement {:.4g}, of {} nodes",
                                      name.empty() ? "all nodes" : "'" + name + "'", outcome.largest, outcome.nodes));

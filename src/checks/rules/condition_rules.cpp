@@ -74,21 +74,19 @@ std::string find_initial_path(const Deck& deck, std::size_t part) {
   return "initial";
 }
 
-/// Whether the values of a table only rise or only fall, as those of a ramp to a value that is held.
-bool is_monotone(const std::vector<std::pair<double, double>>& rows) {
-  const auto rises = [](const auto& a, const auto& b) { return a.second < b.second; };
-  const auto falls = [](const auto& a, const auto& b) { return a.second > b.second; };
-  return std::is_sorted(rows.begin(), rows.end(), rises) || std::is_sorted(rows.begin(), rows.end(), falls);
-}
-
-/// Whether a table was cut off: it has a course of its own, and neither ends flat nor at zero.
-bool is_cut_off(const std::vector<std::pair<double, double>>& rows, double end) {
-  constexpr double flat = 1e-3;  // of the largest value
-  if (rows.empty() || is_monotone(rows) || rows.back().first >= end) return false;
-  double largest = 0;
-  for (const auto& row : rows) largest = std::max(largest, std::abs(row.second));
-  const double last = rows.back().second, before = rows[rows.size() - 2].second;
-  return std::abs(last) > flat * largest && std::abs(last - before) > flat * largest;
+/// Walls that no material of the scene can follow.
+void warn_of_fast_walls(const Deck& deck, std::vector<Warning>& warnings) {
+  const double wave = find_fastest_wave(deck, {});
+  for (std::size_t w = 0; w < deck.walls.size(); ++w) {
+    const WallDeck& wall = deck.walls[w];
+    const double speed = wall.speed ? find_largest(*wall.speed, deck.time.end, false) : std::abs(wall.start_speed);
+    if (wave == 0 || speed <= wave) continue;
+    warnings.push_back(
+        warn_at(deck, "prescribed_speed", join_path("walls", w) + (wall.speed ? ".speed" : ".start_speed"),
+                fmt::format("the wall moves at up to {:.4g} (the fastest waves of the parts run at {:.4g}, so that "
+                            "nothing can give way): check its unit",
+                            speed, wave)));
+  }
 }
 
 }  // namespace
@@ -163,34 +161,7 @@ std::vector<Warning> check_prescribed_speed(const CheckedScene& scene) {
                               speed, direction_names[k], wave)));
     }
   }
-  return warnings;
-}
-
-std::vector<Warning> check_curve_end(const CheckedScene& scene) {
-  const Deck& deck = scene.deck;
-  std::vector<Warning> warnings;
-  const auto check = [&](const Curve& curve, const std::string& path) {
-    const auto rows = curve.rows();
-    if (!is_cut_off(rows, deck.time.end)) return;
-    warnings.push_back(
-        warn_at(deck, "curve_end", path,
-                fmt::format("the table ends at t = {:g}, the run at {:g} (its last value, {:g}, is held from there "
-                            "on): extend it, or end it flat or at 0",
-                            rows.back().first, deck.time.end, rows.back().second)));
-  };
-  for (std::size_t c = 0; c < deck.conditions.size(); ++c) {
-    const bool is_velocity = deck.conditions[c].kind == ConditionDeck::Kind::velocity;
-    for (std::size_t k = 0; k < 6; ++k)
-      check(deck.conditions[c].value[k],
-            join_path("conditions", c) + (is_velocity ? ".velocity." : ".displacement.") + direction_names[k]);
-  }
-  for (std::size_t i = 0; i < deck.pressures.size(); ++i)
-    check(deck.pressures[i].value, join_path("loads.pressure", i) + ".value");
-  for (std::size_t i = 0; i < deck.nodal_loads.size(); ++i) {
-    for (std::size_t k = 0; k < 6; ++k)
-      check(deck.nodal_loads[i].value[k],
-            join_path("loads.nodal", i) + (k < 3 ? ".force." : ".moment.") + direction_names[k % 3]);
-  }
+  warn_of_fast_walls(scene.deck, warnings);
   return warnings;
 }
 

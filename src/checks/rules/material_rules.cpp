@@ -1,10 +1,12 @@
 // Constants of materials and numerical settings outside their usual ranges.
 
+#include <algorithm>
 #include <optional>
 
 #include "kernels/material/laws/johnson_cook.hpp"
 #include "kernels/material/laws/tabulated_plasticity.hpp"
 #include "src/checks/rules.hpp"
+#include "src/checks/unit_systems.hpp"
 
 namespace percuss {
 namespace {
@@ -83,6 +85,90 @@ std::vector<Warning> check_failure_strain(const CheckedScene& scene) {
                               "percentages): give 0.2 for 20 %",
                               material.name, *strain, 100 * *strain)));
     }
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_poissons_ratio(const CheckedScene& scene) {
+  constexpr double most = 0.4999;  // rubber has 0.499; the bulk modulus is 1700 times Young's then
+  std::vector<Warning> warnings;
+  for (const MaterialDeck& material : scene.deck.materials) {
+    const auto found = material.law.numbers.find("poissons_ratio");
+    if (found == material.law.numbers.end() || (found->second >= 0 && found->second <= most)) continue;
+    const std::string why = found->second < 0 ? "it would become thicker as it is stretched, as only special foams do"
+                                              : fmt::format(
+                                                    "its bulk modulus is {:.2g} times its Young's modulus, "
+                                                    "and the step as much smaller as the root of it",
+                                                    1 / (3 * (1 - 2 * found->second)));
+    warnings.push_back(warn_at(scene.deck, "poissons_ratio", find_key_path(material, found->first),
+                               fmt::format("material '{}' has Poisson's ratio {:g} ({}): check it; rubber has 0.49 to "
+                                           "0.4995, metals 0.25 to 0.4",
+                                           material.name, found->second, why)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_hardening_strain(const CheckedScene& scene) {
+  constexpr double most = 10;  // 20 is meant as 20 %
+  std::vector<Warning> warnings;
+  for (const MaterialDeck& material : scene.deck.materials) {
+    const auto found = material.law.tables.find("hardening");
+    if (found == material.law.tables.end() || found->second.back()[0] <= most) continue;
+    const double strain = found->second.back()[0];
+    warnings.push_back(
+        warn_at(scene.deck, "hardening_strain", find_key_path(material, found->first),
+                fmt::format("the hardening of material '{}' goes on to a plastic strain of {:g} (that is "
+                            "{:.0f} %; strains are no percentages): give 0.2 for 20 %",
+                            material.name, strain, 100 * strain)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_specific_heat(const CheckedScene& scene) {
+  constexpr double least = 50, most = 2e4;  // [J/(kg K)] lead has 129, hydrogen 14 000
+  const std::vector<Units> systems = find_meant_units(scene.deck);
+  std::vector<Warning> warnings;
+  for (const MaterialDeck& material : scene.deck.materials) {
+    const auto found = material.law.numbers.find("specific_heat");
+    if (found == material.law.numbers.end() || systems.empty()) continue;
+    const auto find_si = [&](const Units& units) { return found->second * units.in_si({2, 0, -2}); };
+    if (std::any_of(systems.begin(), systems.end(),
+                    [&](const Units& units) { return find_si(units) >= least && find_si(units) <= most; }))
+      continue;
+    const Units& units = systems.front();
+    warnings.push_back(warn_at(
+        scene.deck, "specific_heat", find_key_path(material, found->first),
+        fmt::format("the specific heat {:g} of material '{}' is {:.3g} J/(kg K) in {} (metals have 100 to 1000, "
+                    "here {:.3g} to {:.3g}): check it, or units",
+                    found->second, material.name, find_si(units), units.text(), 100 / units.in_si({2, 0, -2}),
+                    1000 / units.in_si({2, 0, -2}))));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_start_temperature(const CheckedScene& scene) {
+  constexpr double most = 150;  // nobody tests so far below room temperature
+  const auto units = find_units(scene.deck.units);
+  const bool in_celsius = units && units->temperature == "C";
+  std::vector<Warning> warnings;
+  for (const MaterialDeck& material : scene.deck.materials) {
+    if (material.law.model != JohnsonCook::name) continue;
+    const auto& numbers = material.law.numbers;
+    const auto find = [&](const char* key, double otherwise) {
+      const auto found = numbers.find(key);
+      return found == numbers.end() ? otherwise : found->second;
+    };
+    const JohnsonCook otherwise;
+    const double start = find("start_temperature", otherwise.start_temperature),
+                 room = find("room_temperature", otherwise.room_temperature);
+    const bool is_kelvin = in_celsius && (start == otherwise.start_temperature || room == otherwise.room_temperature);
+    if (!is_kelvin && start >= room - most) continue;
+    const char* why = is_kelvin ? "293.15 is room temperature in kelvins, the deck is in degrees Celsius"
+                                : "kelvins and degrees Celsius differ so much";
+    warnings.push_back(warn_at(scene.deck, "start_temperature", find_key_path(material, "start_temperature"),
+                               fmt::format("material '{}' starts at a temperature of {:g}, and softens from "
+                                           "room_temperature {:g} on ({}): give both in one scale",
+                                           material.name, start, room, why)));
   }
   return warnings;
 }

@@ -53,7 +53,27 @@ std::vector<Warning> check_step_scale(const CheckedScene& scene) {
                 fmt::format("time.max_step is {:g} (elements are stable up to {:.2g}): raise it or leave it "
                             "out",
                             *time.max_step, scene.stable_step)));
+  if (time.max_step && *time.max_step > time.end)
+    warnings.push_back(
+        warn_at(scene.deck, "step_scale", "time.max_step",
+                fmt::format("time.max_step is {:g}, longer than the run, {:g} (it limits nothing): check "
+                            "its unit or leave it out",
+                            *time.max_step, time.end)));
   return warnings;
+}
+
+std::vector<Warning> check_no_output(const CheckedScene& scene) {
+  constexpr double most = 1e5;  // steps
+  const OutputDeck& output = scene.deck.output;
+  if (output.fields_every || output.history_every || output.checkpoint_every || output.checkpoint_wall) return {};
+  double steps = scene.deck.time.end / (scene.deck.time.step_scale * scene.stable_step);
+  if (scene.deck.time.max_steps) steps = std::min(steps, static_cast<double>(*scene.deck.time.max_steps));
+  if (steps <= most) return {};
+  return {
+      warn_at(scene.deck, "no_output", scene.deck.places.has("output") ? "output" : "time.end",
+              fmt::format("some {:.2g} steps leave nothing but a summary (output asks for no fields, no history and "
+                          "no checkpoint): add output: {{fields: {{every: {:g}}}, history: {{every: {:g}}}}}",
+                          steps, scene.deck.time.end / 100, scene.deck.time.end / 1000))};
 }
 
 std::vector<Warning> check_output_interval(const CheckedScene& scene) {

@@ -54,14 +54,34 @@ bool is_turned(const PartDeck& part) {
   return std::any_of(part.rotate.begin(), part.rotate.end(), [](const Rotation& turn) { return turn.degrees != 0; });
 }
 
-/// Whether the box of a part lies deep inside another one, which is a solid box or ball.
+/// Parts that are smaller than any element of the largest one, which then is in another unit. A rigid one may be a
+/// floor of one element.
+std::vector<Warning> check_element_size(const CheckedScene& scene, std::size_t largest, double size) {
+  constexpr double most = 100, most_edges = 10;  // sizes of the part, and edges over it
+  const PartDeck& large = scene.deck.parts[largest];
+  if (large.rigid || is_driven(scene.deck, large)) return {};
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const double extent = find_copy_extent(scene.deck.parts[p], scene.measures->parts[p]);
+    const double edge = scene.measures->parts[largest].shortest_edge;
+    if (size <= most * extent || edge <= most_edges * extent) continue;
+    return {
+        warn_at(scene.deck, "part_size", find_shape_path(large),
+                fmt::format("part '{}' is {:.3g} long, part '{}' {:.3g} (less than a tenth of any element edge of the "
+                            "other): check that all lengths are in one unit",
+                            large.name, size, scene.deck.parts[p].name, extent))};
+  }
+  return {};
+}
+
+/// Whether the box of a part lies in another one, which is a solid box or ball. Shells may lie on its surface.
 bool is_enclosed(const PartMeasures& inner, const PartDeck& part, const PartMeasures& outer) {
   if (part.array) return false;
   const bool is_box = std::holds_alternative<BoxShape>(part.shape) && !is_turned(part);
   const auto* sphere = std::get_if<SphereShape>(&part.shape);
   double square = 0;  // of the distance of the farthest corner from the middle
   for (std::size_t k = 0; k < 3; ++k) {
-    if (inner.low[k] <= outer.low[k] || inner.high[k] >= outer.high[k]) return false;
+    const double margin = inner.solids > 0 ? 1e-6 * outer.extent() : 0;  // a solid has volume wherever it lies
+    if (inner.low[k] + margin <= outer.low[k] || inner.high[k] - margin >= outer.high[k]) return false;
     const double middle = 0.5 * (outer.low[k] + outer.high[k]);
     const double farthest = std::max(middle - inner.low[k], inner.high[k] - middle);
     square += farthest * farthest;
@@ -87,7 +107,7 @@ std::vector<Warning> check_part_size(const CheckedScene& scene) {
   std::sort(sizes.begin(), sizes.end());
   const auto& [small, smallest] = sizes.front();
   const auto& [large, largest] = sizes.back();
-  if (!(large > most * small)) return {};
+  if (!(large > most * small)) return check_element_size(scene, largest, large);
   // The odd one is what is farther from most: the largest where the middle is closer to the smallest.
   const double middle = sizes[(sizes.size() - 1) / 2].first;
   const std::size_t odd = large * small > middle * middle ? largest : smallest;
@@ -169,6 +189,7 @@ std::vector<Warning> check_enclosed_parts(const CheckedScene& scene) {
       const PartMeasures& b = scene.measures->parts[outer];
       if (scene.measures->are_joined(inner, outer) || are_alike(a, b) || !is_enclosed(a, scene.deck.parts[outer], b))
         continue;
+      if (inner < outer && is_enclosed(b, part, a)) continue;  // one box twice, which the other part tells
       warnings.push_back(
           warn_at(scene.deck, "enclosed_part", "parts." + part.name,
                   fmt::format("part '{}' lies inside the solid part '{}' (contact finds no faces there, and "

@@ -73,13 +73,14 @@ std::vector<Warning> check_wave_speed(const CheckedScene& scene) {
     const MaterialDeck& material = *used;
     if (!has_wave_speed(material)) continue;
     const double speed = find_wave_speed(material) * units->in_si(dimensions::velocity);
-    if (speed >= least_wave_speed && speed <= largest_wave_speed) continue;
-    warnings.push_back(warn_at(
-        scene.deck, "wave_speed", "materials." + material.name,
-        fmt::format("waves in material '{}' run at {:.3g} m/s (solids have {:g} to {:g}; its density is {:g}, its "
-                    "stiffness {:g} in {}): check both and units",
-                    material.name, speed, least_wave_speed, largest_wave_speed, material.density,
-                    find_stiffness(material), units->text())));
+    const double density = material.density * units->in_si(dimensions::density), least = find_least_wave_speed(density);
+    if (speed >= least && speed <= largest_wave_speed) continue;
+    warnings.push_back(
+        warn_at(scene.deck, "wave_speed", "materials." + material.name,
+                fmt::format("waves in material '{}' run at {:.3g} m/s ({} have {:g} to {:g}; its density is {:g}, its "
+                            "stiffness {:g} in {}): check both and units",
+                            material.name, speed, least > least_wave_speed ? "metals" : "solids", least,
+                            largest_wave_speed, material.density, find_stiffness(material), units->text())));
   }
   return warnings;
 }
@@ -94,6 +95,29 @@ std::vector<Warning> check_scene_size(const CheckedScene& scene) {
                   fmt::format("the whole scene is {:.3g} long, which is {:.3g} m (the materials are in {}): check the "
                               "unit of lengths",
                               size, size * systems.front().length.in_si, join_names(systems)))};
+}
+
+std::vector<Warning> check_scene_mass(const CheckedScene& scene) {
+  constexpr double most = 1e8;  // [kg] the largest ships; a kilogram with millimetres read as metres has 1e9
+  const std::vector<Units> systems = find_meant_units(scene.deck);
+  std::vector<Warning> warnings;
+  for (std::size_t p = 0; p < scene.deck.parts.size(); ++p) {
+    const PartDeck& part = scene.deck.parts[p];
+    const double density = find_material(scene.deck, part).density, mass = scene.measures->parts[p].mass;
+    const auto is_large = [&](const Units& units) {
+      return density * units.in_si(dimensions::density) >= density_of_metals &&
+             mass * units.in_si(dimensions::mass) > most;
+    };
+    if (systems.empty() || !std::all_of(systems.begin(), systems.end(), is_large)) continue;
+    warnings.push_back(
+        warn_at(scene.deck, "scene_mass", find_shape_path(part),
+                fmt::format("part '{}' has a mass of {:.2g} kg and is {:.3g} long in {} (more metal than "
+                            "in the largest ships): check the unit of lengths; files of meshes have a "
+                            "scale",
+                            part.name, mass * systems.front().in_si(dimensions::mass),
+                            scene.measures->parts[p].extent(), join_names(systems))));
+  }
+  return warnings;
 }
 
 std::vector<Warning> check_gravity_size(const CheckedScene& scene) {

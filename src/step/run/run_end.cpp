@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/index.hpp"
@@ -37,7 +39,8 @@ Summary Run::make_summary(const std::string& status, const std::string& error) c
 }
 
 /// Contact that pushes nodes of mass m out by g in steps of dt compresses elements, or springs of its own, at most as
-/// stiff as m / dt^2. What else it may give holds the forces that were there at the start.
+/// stiff as m / dt^2. What else it may give holds the forces that were there at the start. Bodies that rest on each
+/// other have no other energy than that of half a step of their weight, which contact takes and gives again.
 EnergyScales Run::find_scales() const {
   const auto nodes = static_cast<double>(chunked_.numbering.node_count());
   const double steps = static_cast<double>(state_.step), node_mass = model_.total_mass / nodes;
@@ -46,6 +49,7 @@ EnergyScales Run::find_scales() const {
   scales.resolved = find_resolved_energy(chunked_, model_, steps > 0 ? state_.time / steps : 0);
   scales.stored = stepper_.contact_report().stored;
   scales.granted = audit_.start_half_steps();
+  scales.resolved = std::max(scales.resolved, scales.granted);
   if (warnings_.pushed_square() > 0)
     scales.granted += 0.5 * node_mass * warnings_.pushed_square() / (first_dt_ * first_dt_);
   return scales;

@@ -27,7 +27,7 @@ std::vector<Warning> find_step_warnings(const ContactReport& contact, double acc
 /// What the energies of a run are judged by at its end [energy].
 struct EnergyScales {
   double largest = 0;   // that was held in any state
-  double resolved = 0;  // below this it is of motions that positions do not resolve: round-off
+  double resolved = 0;  // below this it is of motions that positions or steps do not resolve: round-off
   double stored = 0;    // in the springs of contact
   double granted =
       0;  // that contact may have given: to push out overlap as asked, to hold what was loaded at the start

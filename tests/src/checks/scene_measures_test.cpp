@@ -26,6 +26,12 @@ conditions:
   - {nodes: bar, fixed: [x]}
   - {nodes: plate, fixed: [z]}
   - {nodes: plate/x_min, fixed: [x, z]}
+loads:
+  nodal:
+    - {nodes: plate, force: {x: 1}}
+    - {nodes: plate, force: {x: 1, z: 1}}
+    - {nodes: sheet/x_min, force: {x: 1}, moment: {y: 1}}
+    - {nodes: bar, force: {x: 2}}
 )";
 
 SceneMeasures measure(const Communicator& ranks) {
@@ -39,8 +45,26 @@ TEST(SceneMeasures, AreThoseOfOneRankOnAnyNumber) {
   ASSERT_EQ(together.parts.size(), alone.parts.size());
   for (std::size_t p = 0; p < alone.parts.size(); ++p) EXPECT_EQ(together.parts[p], alone.parts[p]) << p;
   EXPECT_EQ(together.initial, alone.initial);
+  EXPECT_EQ(together.selections, alone.selections);
   EXPECT_EQ(together.low, alone.low);
   EXPECT_EQ(together.high, alone.high);
+}
+
+TEST(SceneMeasures, CountTheNodesThatCannotFollowALoad) {
+  const SelectionMeasures found = measure(Communicator::world()).selections;
+  const std::int64_t plate = 21 * 31 * 2, side = 31 * 2, bar = 81 * 2 * 2;
+  const std::vector<LoadMeasures> expected = {
+      {plate, side, false}, {plate, side, false}, {17, 0, true}, {bar, bar, false}};
+  EXPECT_EQ(found.loads, expected);
+  ASSERT_EQ(found.conditions.size(), 3U);
+  EXPECT_EQ(found.conditions[2].low, (Vec3{0, 0, 0}));
+  EXPECT_EQ(found.conditions[2].high, (Vec3{0, 3, 0.1}));
+}
+
+TEST(SceneMeasures, SayHowHeavyPartsAre) {
+  const std::vector<PartMeasures> parts = measure(Communicator::world()).parts;
+  EXPECT_NEAR(parts[0].mass, 2 * 3 * 0.1, 1e-12);
+  EXPECT_NEAR(parts[2].mass, 2 * 2 * 0.01, 1e-12);
 }
 
 TEST(SceneMeasures, SayHowLargeAndHowThickPartsAre) {

@@ -34,7 +34,7 @@ std::vector<Warning> check(const std::string& text) {
   const SceneMeasures measures = measure_scene(deck, chunked, model.start_velocity);
   const CheckedScene scene{deck, &measures, &contact.start_overlap(), state.bound.step};
   std::vector<Warning> warnings = deck.warnings;
-  for (const auto& found : {check_input(scene), check_start(scene)})
+  for (const auto& found : {chunked.mesh.warnings, check_input(scene), check_start(scene)})
     warnings.insert(warnings.end(), found.begin(), found.end());
   return warnings;
 }

@@ -37,6 +37,14 @@ std::pair<std::string, std::string> honeycomb(const std::string& yield_stress) {
               yield_stress};
 }
 
+/// steel with the heat of a law of Johnson and Cook.
+std::pair<std::string, std::string> johnson_cook(const std::string& heat) {
+  return {steel,
+          "johnson_cook, density: 7850, youngs_modulus: 210e9, poissons_ratio: 0.3, a: 806e6, b: 614e6, n: 0.2, "
+          "melt_temperature: 1500, " +
+              heat};
+}
+
 std::vector<SuspiciousDeck> unit_decks() {
   return {
       {"DensityInTonnesPerCubicMillimetre",
@@ -64,7 +72,7 @@ std::vector<SuspiciousDeck> unit_decks() {
       {"SolidAsSoftAsAColdGas", "unit_system", "density: 7850", {no_units, {"210e9", "210"}}, {no_units, cold_gas}},
       {"DensityOfAnotherSystem", "density", "density: 7.85e-9", {{"7850", "7.85e-9"}}, {{"7850", "1.2"}}},
       {"DensityAThousandTimesTooLarge", "density", "density: 7850e3", {{"7850", "7850e3"}}, {{"7850", "22600"}}},
-      {"ModulusInGigapascalBesideNamedUnits", "wave_speed", "steel: {", {{"210e9", "210"}}, {{"210e9", "1e6"}}},
+      {"ModulusInGigapascalBesideNamedUnits", "wave_speed", "steel: {", {{"210e9", "210"}}, {{"210e9", "3e9"}}},
       {"ModulusInMegapascal", "wave_speed", "steel: {", {{"210e9", "210e3"}}, {{"210e9", "2e9"}}},
       {"DensityInGramsPerCubicCentimetre", "wave_speed", "steel: {", {{"7850", "7.85"}}, {{"7850", "785"}}},
       {"ModulusAThousandTimesTooLarge", "wave_speed", "aluminium: {", {{"70e9", "70e12"}}, {{"70e9", "700e9"}}},
@@ -81,6 +89,18 @@ std::vector<SuspiciousDeck> unit_decks() {
        "parts:",
        {no_units, steel_in_mm, {aluminium, aluminium_in_mm}},
        {no_units}},
+      {"ModulusOfSteelInMegapascalBesideMillimetres",
+       "wave_speed",
+       "steel: {",
+       {{"m, kg, s", "mm, t, s"},
+        {"density: 7850, youngs_modulus: 210e9", "density: 7.85e-9, youngs_modulus: 210"},
+        {aluminium, aluminium_in_mm}},
+       {{"density: 7850, youngs_modulus: 210e9", "density: 1200, youngs_modulus: 30e6"}}},
+      {"BlockInMillimetresReadAsMetres",
+       "scene_mass",
+       "box: {size: [20, 20, 20]",
+       {{"0.02, 0.02, 0.02]", "20, 20, 20]"}, {"7850", "19000"}},
+       {{"0.02, 0.02, 0.02]", "20, 20, 20]"}}},
       {"GravityInMillimetres", "gravity_size", "gravity: [0, 0, -9810]", {{"-9.81", "-9810"}}, {{"-9.81", "-981"}}},
       {"GravityInMetresPerMillisecond",
        "gravity_size",
@@ -150,6 +170,38 @@ std::vector<SuspiciousDeck> material_decks() {
        "max_added: 3",
        {no_sheet, no_sheet_condition, {"2.0e-4}", "2.0e-4, mass_scaling: {step: 1e-9, max_added: 3}}"}},
        {no_sheet, no_sheet_condition, {"2.0e-4}", "2.0e-4, mass_scaling: {step: 1e-9, max_added: 0.1}}"}}},
+      {"PoissonsRatioOfAnIncompressibleMetal",
+       "poissons_ratio",
+       "poissons_ratio: 0.49999",
+       {{"poissons_ratio: 0.3}", "poissons_ratio: 0.49999}"}},
+       {{"poissons_ratio: 0.3}", "poissons_ratio: 0.4995}"}}},
+      {"PoissonsRatioWithAWrongSign",
+       "poissons_ratio",
+       "poissons_ratio: -0.3",
+       {{"poissons_ratio: 0.3}", "poissons_ratio: -0.3}"}},
+       {{"poissons_ratio: 0.3}", "poissons_ratio: 0}"}}},
+      {"HardeningInPercent",
+       "hardening_strain",
+       "hardening: [[0, 120e6]",
+       {{"j2_plasticity", "tabulated_plasticity"},
+        {"yield_stress: 120e6, hardening_modulus: 400e6", "hardening: [[0, 120e6], [20, 160e6]]"}},
+       {{"j2_plasticity", "tabulated_plasticity"},
+        {"yield_stress: 120e6, hardening_modulus: 400e6", "hardening: [[0, 120e6], [2, 160e6]]"}}},
+      {"SpecificHeatInMillimetresBesideMetres",
+       "specific_heat",
+       "specific_heat: 460e6",
+       {johnson_cook("specific_heat: 460e6")},
+       {johnson_cook("specific_heat: 129")}},
+      {"StartInCelsiusBesideKelvins",
+       "start_temperature",
+       "start_temperature: 20}",
+       {johnson_cook("specific_heat: 460, start_temperature: 20")},
+       {johnson_cook("specific_heat: 460, start_temperature: 200")}},
+      {"DeckInCelsiusWithRoomTemperatureInKelvins",
+       "start_temperature",
+       "steel: {",
+       {{"m, kg, s", "m, kg, s, C"}, johnson_cook("specific_heat: 460")},
+       {{"m, kg, s", "m, kg, s, C"}, johnson_cook("specific_heat: 460, start_temperature: 20, room_temperature: 20")}},
       {"MaterialOfNoPart", "unused_material", "steel: {", {{"material: steel", "material: aluminium"}}, {}},
       {"FluidHeldByItsHourglassControl",
        "fluid_hourglass",

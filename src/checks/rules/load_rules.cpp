@@ -1,0 +1,197 @@
+// Loads, planes and forces that act on nothing, damping that stops what is to move.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "src/checks/rules.hpp"
+#include "src/deck/asked_for.hpp"
+#include "src/mesh/hex_geometry.hpp"
+
+namespace percuss {
+namespace {
+
+/// Diagonal of a box.
+double find_diagonal(const Vec3& low, const Vec3& high) {
+  const Vec3 size = subtract(high, low);
+  return std::sqrt(dot(size, size));
+}
+
+/// Time integral of a curve over a run, as it damps.
+double integrate(const Curve& curve, double end) {
+  constexpr int pieces = 512;
+  double sum = 0;
+  for (int i = 0; i < pieces; ++i) sum += end / pieces * curve(end * (i + 0.5) / pieces);
+  return sum;
+}
+
+/// Whether contact or a tie can act between any of two lists of parts; others: all parts besides the first.
+class PossibleContact {
+ public:
+  explicit PossibleContact(const Deck& deck) : deck_(deck) {}
+
+  bool between(const ForceDeck& force) const {
+    if (deck_.contact.surfaces == ContactDeck::Surfaces::all) return true;
+    if (force.from.empty() && !deck_.walls.empty()) return true;
+    return meets(deck_.contact.pairs, force) || meets(deck_.contact.ties, force);
+  }
+
+ private:
+  bool names(const Selector& where, const std::vector<std::string>& parts) const {
+    if (parts.empty()) return true;
+    const std::vector<std::size_t> named = find_named_parts(deck_, where);
+    return std::any_of(named.begin(), named.end(), [&](std::size_t p) {
+      return std::find(parts.begin(), parts.end(), deck_.parts[p].name) != parts.end();
+    });
+  }
+
+  template <class Pairs>
+  bool meets(const Pairs& pairs, const ForceDeck& force) const {
+    return std::any_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+      return (names(pair.a, force.on) && names(pair.b, force.from)) ||
+             (names(pair.b, force.on) && names(pair.a, force.from));
+    });
+  }
+
+  const Deck& deck_;
+};
+
+/// Distance of the scene's box from a wall: from its plane, or from the rectangle that it ends at.
+double find_distance(const WallDeck& wall, const Vec3& low, const Vec3& high) {
+  Vec3 middle{}, half{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    middle[k] = 0.5 * (low[k] + high[k]) - wall.point[k];
+    half[k] = 0.5 * (high[k] - low[k]);
+  }
+  const auto find_reach = [&](const Vec3& direction) {
+    return std::abs(direction[0]) * half[0] + std::abs(direction[1]) * half[1] + std::abs(direction[2]) * half[2];
+  };
+  double distance = std::abs(dot(middle, wall.normal)) - find_reach(wall.normal);
+  if (!wall.rectangle) return distance;
+  const RectangleDeck& end = *wall.rectangle;
+  const Vec3 edges[] = {end.along, cross(wall.normal, end.along)};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double along = dot(middle, edges[k]), reach = find_reach(edges[k]);
+    distance = std::max({distance, -along - reach, along - reach - end.size[k]});
+  }
+  return distance;
+}
+
+}  // namespace
+
+std::vector<Warning> check_idle_loads(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < deck.nodal_loads.size(); ++i) {
+    const LoadMeasures& load = scene.measures->selections.loads[i];
+    const auto& active = deck.nodal_loads[i].active;
+    if (load.held > 0 && load.held == load.selected)
+      warnings.push_back(warn_at(deck, "idle_load", join_path("loads.nodal", i) + ".force",
+                                 fmt::format("all {} nodes of this load are held in its direction (conditions carry it "
+                                             "at once, and nothing deforms): take other nodes, or free them",
+                                             load.selected)));
+    if (!load.turns && (active[3] || active[4] || active[5]))
+      warnings.push_back(warn_at(deck, "idle_load", join_path("loads.nodal", i) + ".moment",
+                                 "none of these nodes has rotations (only shells and beams do, and a moment on others "
+                                 "has no effect): give pairs of forces"));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_symmetry_planes(const CheckedScene& scene) {
+  constexpr double flat = 1e-6;  // of the size of the nodes' box
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  for (std::size_t c = 0; c < deck.conditions.size(); ++c) {
+    const ConditionDeck& condition = deck.conditions[c];
+    const ConditionMeasures& box = scene.measures->selections.conditions[c];
+    if (condition.kind != ConditionDeck::Kind::symmetry) continue;
+    const double size = find_diagonal(box.low, box.high);
+    const auto is_flat = [&](std::size_t k) { return box.high[k] - box.low[k] <= flat * size; };
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!condition.active[k] || is_flat(k) || is_flat((k + 1) % 3) == is_flat((k + 2) % 3)) continue;
+      const std::size_t across = is_flat((k + 1) % 3) ? (k + 1) % 3 : (k + 2) % 3;
+      warnings.push_back(
+          warn_at(deck, "symmetry_plane", join_path("conditions", c) + ".symmetry",
+                  fmt::format("these nodes lie in a plane with the normal {} (symmetry: {} holds them along that plane, "
+                              "not across it): write symmetry: {}",
+                              direction_names[across], direction_names[k], direction_names[across])));
+    }
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_damping_size(const CheckedScene& scene) {
+  constexpr double most = 0.5;       // of the logarithm of the speed: a body in flight loses 40 % of its speed
+  constexpr double most_creep = 50;  // times critical damping, 2 pi speed / length, of the slowest wave along a part
+  const Deck& deck = scene.deck;
+  std::vector<Warning> warnings;
+  for (std::size_t i = 0; i < deck.dampings.size(); ++i) {
+    const double lost = integrate(deck.dampings[i].coefficient, deck.time.end);
+    for (const std::size_t p : find_named_parts(deck, deck.dampings[i].where)) {
+      const PartMeasures& part = scene.measures->parts[p];
+      const double wave = find_wave_speed(find_material(deck, deck.parts[p]));
+      const double creep = wave > 0 ? lost / deck.time.end * part.extent() / (2 * std::numbers::pi * wave) : 0;
+      const bool is_stopped = part.speed > 0 && lost > most;
+      if (!is_stopped && creep <= most_creep) continue;
+      const std::string effect = is_stopped
+                                     ? fmt::format("by the end free flight has slowed down to {:.2g} of its start",
+                                                   std::exp(-lost))
+                                     : fmt::format("it is {:.2g} times critical for waves along the part", creep);
+      warnings.push_back(warn_at(deck, "damping_size", join_path("damping", i) + ".coefficient",
+                                 fmt::format("damping stops the motion of part '{}' ({}): lower it, or switch it off "
+                                             "by a table",
+                                             deck.parts[p].name, effect)));
+      break;
+    }
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_idle_forces(const CheckedScene& scene) {
+  const Deck& deck = scene.deck;
+  const PossibleContact contact(deck);
+  std::vector<Warning> warnings;
+  for (const ForceDeck& force : deck.output.forces) {
+    if (force.kind != ForceDeck::Kind::contact || contact.between(force)) continue;
+    warnings.push_back({"idle_force",
+                        fmt::format("force '{}' stays 0 (no contact, pair or tie of the deck acts between its parts): "
+                                    "add a pair to contact.surfaces, or name other parts",
+                                    force.name),
+                        deck.where(force.place), 0, 1});
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_wall_place(const CheckedScene& scene) {
+  constexpr double most = 10;  // of the diagonal of the scene
+  const Deck& deck = scene.deck;
+  const double size = find_diagonal(scene.measures->low, scene.measures->high);
+  std::vector<Warning> warnings;
+  for (std::size_t w = 0; w < deck.walls.size(); ++w) {
+    const double distance = find_distance(deck.walls[w], scene.measures->low, scene.measures->high);
+    if (distance <= most * size) continue;
+    warnings.push_back(warn_at(deck, "wall_place", join_path("walls", w) + ".point",
+                               fmt::format("this wall is {:.3g} away from all parts ({:.3g} times the size of the "
+                                           "scene): check its place and its unit",
+                                           distance, distance / size)));
+  }
+  return warnings;
+}
+
+std::vector<Warning> check_spring_length(const CheckedScene& scene) {
+  constexpr double most = 10;  // of the diagonal of the scene
+  const Deck& deck = scene.deck;
+  const double size = find_diagonal(scene.measures->low, scene.measures->high);
+  std::vector<Warning> warnings;
+  for (const SpringDeck& spring : deck.springs) {
+    if (!spring.rest_length || *spring.rest_length <= most * size) continue;
+    warnings.push_back(warn_at(deck, "spring_length", "springs." + spring.name + ".rest_length",
+                               fmt::format("spring '{}' is {:g} long at rest, {:.3g} times the size of the scene (it "
+                                           "pushes its ends apart at once): check its unit",
+                                           spring.name, *spring.rest_length, *spring.rest_length / size)));
+  }
+  return warnings;
+}
+
+}  // namespace percuss

@@ -1,0 +1,108 @@
+#include "src/checks/selection_measures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "comm/all_reduce.hpp"
+#include "src/deck/beam_deck.hpp"
+#include "src/index.hpp"
+
+namespace percuss {
+namespace {
+
+/// [nodes] which directions conditions hold or move.
+std::vector<std::array<bool, 3>> find_held(const Deck& deck, const Mesh& mesh) {
+  std::vector<std::array<bool, 3>> held(mesh.nodes.size(), std::array<bool, 3>{});
+  for (const ConditionDeck& condition : deck.conditions) {
+    for (const int node : select_nodes(mesh, deck, condition.where)) {
+      for (std::size_t k = 0; k < 3; ++k) held[at(node)][k] = held[at(node)][k] || condition.active[k];
+    }
+  }
+  return held;
+}
+
+/// [nodes] whether it has rotations: those of shells and of beams that bend.
+std::vector<bool> find_turning(const Deck& deck, const Mesh& mesh) {
+  std::vector<bool> turning(mesh.nodes.size(), false);
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    const Topology& topology = mesh.topology_of(e);
+    const auto& section = deck.parts[at(mesh.part_of(e))].section;
+    if (!topology.is_surface() && !(topology.is_line() && section && bends(*section))) continue;
+    for (const int node : mesh.corners(e)) turning[at(node)] = true;
+  }
+  return turning;
+}
+
+/// Whether a force acts in a held direction alone.
+bool is_held(const NodalLoadDeck& load, const std::array<bool, 3>& held) {
+  bool acts = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (load.active[k] && !held[k]) return false;
+    acts = acts || load.active[k];
+  }
+  return acts;
+}
+
+void measure_loads(const Deck& deck, const Mesh& mesh, const std::vector<bool>& owned,
+                   std::vector<LoadMeasures>& loads) {
+  if (loads.empty()) return;
+  const auto held = find_held(deck, mesh);
+  const std::vector<bool> turning = find_turning(deck, mesh);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    for (const int node : select_nodes(mesh, deck, deck.nodal_loads[i].where)) {
+      loads[i].turns = loads[i].turns || turning[at(node)];  // its owner need not hold the shells around it
+      if (!owned[at(node)]) continue;
+      ++loads[i].selected;
+      if (is_held(deck.nodal_loads[i], held[at(node)])) ++loads[i].held;
+    }
+  }
+}
+
+void measure_conditions(const Deck& deck, const Mesh& mesh, std::vector<ConditionMeasures>& conditions) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < conditions.size(); ++c) {
+    conditions[c] = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+    for (const int node : select_nodes(mesh, deck, deck.conditions[c].where)) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        conditions[c].low[k] = std::min(conditions[c].low[k], mesh.nodes[at(node)][k]);
+        conditions[c].high[k] = std::max(conditions[c].high[k], mesh.nodes[at(node)][k]);
+      }
+    }
+  }
+}
+
+/// The counts of all ranks, and the box around those of all.
+void reduce(const Communicator& ranks, SelectionMeasures& selections) {
+  std::vector<std::int64_t> counts;
+  for (const LoadMeasures& load : selections.loads)
+    counts.insert(counts.end(), {load.selected, load.held, load.turns ? 1 : 0});
+  all_reduce(ranks, Reduce::sum, counts);
+  for (std::size_t i = 0; i < selections.loads.size(); ++i)
+    selections.loads[i] = {counts[3 * i], counts[3 * i + 1], counts[3 * i + 2] > 0};
+  std::vector<double> bounds;
+  for (const ConditionMeasures& condition : selections.conditions) {
+    for (std::size_t k = 0; k < 3; ++k) bounds.insert(bounds.end(), {-condition.low[k], condition.high[k]});
+  }
+  all_reduce(ranks, Reduce::largest, bounds);
+  for (std::size_t c = 0; c < selections.conditions.size(); ++c) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      selections.conditions[c].low[k] = -bounds[6 * c + 2 * k];
+      selections.conditions[c].high[k] = bounds[6 * c + 2 * k + 1];
+    }
+  }
+}
+
+}  // namespace
+
+SelectionMeasures measure_selections(const Deck& deck, const ChunkedMesh& chunked, const std::vector<bool>& owned) {
+  const Mesh& mesh = chunked.mesh;
+  SelectionMeasures selections{std::vector<LoadMeasures>(deck.nodal_loads.size()),
+                               std::vector<ConditionMeasures>(deck.conditions.size())};
+  measure_loads(deck, mesh, owned, selections.loads);
+  measure_conditions(deck, mesh, selections.conditions);
+  if (mesh.ranks && mesh.ranks->size() > 1) reduce(*mesh.ranks, selections);
+  return selections;
+}
+
+}  // namespace percuss
