@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "src/error.hpp"
 #include "src/fail_together.hpp"
 #include "src/index.hpp"
@@ -49,6 +51,15 @@ EnergyScales Run::find_scales() const {
   if (warnings_.pushed_square() > 0)
     scales.granted += 0.5 * node_mass * warnings_.pushed_square() / (first_dt_ * first_dt_);
   return scales;
+}
+
+/// By the state audited last. Gases and springs may hold energy at the start.
+std::vector<Warning> Run::find_element_warnings() const {
+  const bool starts_empty =
+      deck_.springs.empty() && std::none_of(deck_.materials.begin(), deck_.materials.end(),
+                                            [](const MaterialDeck& material) { return material.equation_of_state; });
+  return warn_of_elements(find_given_by_elements(audited_.energy, starts_empty), find_scales(), state_.time,
+                          deck_.units);
 }
 
 /// Collective.
