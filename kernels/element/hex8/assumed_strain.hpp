@@ -71,7 +71,7 @@ template <class T>
 struct StartShape {
   ElementAxes<T> axes;
   T volume;
-  T softening;  // bound of the largest eigenvalue of V^-2, by which rates of now strain the shape at the start
+  T gain;  // bound of the largest eigenvalue of V^-2: how much rates of now may strain the shape at the start
 };
 
 /// With F = V R the axes were F^-1 a_k at the start. A rate u of now is there F^-1 u, and its products with them are
@@ -94,7 +94,7 @@ PERCUSS_FORCE_INLINE StartShape<T> find_start_shape(const VectorModes<T>& a, con
     out.axes.product[i] = dot(a[1 + plate.first], out.axes.g[plate.second]);
   }
   out.volume = over_j * volume;
-  out.softening = bound_largest_eigenvalue(square);
+  out.gain = bound_by_rows(square);
   return out;
 }
 

@@ -118,7 +118,7 @@ PERCUSS_FORCE_INLINE HourglassStep<T> control_elastic_assumed_strain(const LameC
     q.mode[h] = advance_hourglass(carry, old, half_dt * response.force.mode[h]);
     sum.mode[h] = old + q.mode[h];
   }
-  return {find_hourglass_work(sum, motion.rate, motion.dt), start.softening * response.stiffness, T(0)};
+  return {find_hourglass_work(sum, motion.rate, motion.dt), start.gain * response.stiffness, T(0)};
 }
 
 /// The assumed-strain stabilisation of materials that yield. state: Q at n, out at n+1, and the centre's stress, which

@@ -47,7 +47,7 @@ PERCUSS_FORCE_INLINE Symmetric3<T> find_cauchy_increment(const LameConstants& c,
 /// Bound of the largest pressure of a direction, at least 0.
 template <class T>
 PERCUSS_FORCE_INLINE T bound_pressure(const Symmetric3<T>& stress) {
-  return larger(bound_largest_eigenvalue(number<T>(-1.0) * stress), T(0));
+  return larger(bound_by_rows(number<T>(-1.0) * stress), T(0));
 }
 
 /// Moduli of the current volume that bound the stiffness: those of J sigma over J, and the largest pressure, by which

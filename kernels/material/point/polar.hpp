@@ -147,6 +147,14 @@ PERCUSS_FORCE_INLINE void advance_polar(const Matrix3<T>& l, const T& dt, Polar<
   }
 }
 
+/// Upper bound of the largest eigenvalue of a symmetric tensor, without a root: the largest sum of a row (Gershgorin),
+/// exact if the tensor is diagonal.
+template <class T>
+PERCUSS_FORCE_INLINE T bound_by_rows(const Symmetric3<T>& g) {
+  const T xy = larger(g.xy, T(0) - g.xy), yz = larger(g.yz, T(0) - g.yz), zx = larger(g.zx, T(0) - g.zx);
+  return larger(larger(g.xx + xy + zx, g.yy + xy + yz), g.zz + yz + zx);
+}
+
 /// Upper bound of the largest eigenvalue of a symmetric tensor: tr/3 + sqrt(2/3) |dev|, exact if the others are equal.
 template <class T>
 PERCUSS_FORCE_INLINE T bound_largest_eigenvalue(const Symmetric3<T>& g) {
