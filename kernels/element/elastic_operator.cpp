@@ -52,6 +52,24 @@ struct ProbeChunk {
     return &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c) + pack) * 8 * width);
   }
 
+  static KOKKOS_FUNCTION Symmetric3<HexLanes> load_tensor(const Real* at) {
+    return {load_pack(at),
+            load_pack(at + width),
+            load_pack(at + 2 * width),
+            load_pack(at + 3 * width),
+            load_pack(at + 4 * width),
+            load_pack(at + 5 * width)};
+  }
+  /// The largest of the points of an elastic element.
+  static KOKKOS_FUNCTION HexLanes find_pressure(const Real* record) {
+    HexLanes largest(0);
+    if constexpr (is_elastic<Material>) {
+      for (int p = 0; p < hex_points<Kind>; ++p)
+        largest = larger(largest, bound_pressure(load_tensor(record + (HexRecord::stress + 6 * p) * width)));
+    }
+    return largest;
+  }
+
   KOKKOS_FUNCTION void probe_packs(int c, const Real* nodes, double* forces) const {
     const HexParameters<Material> parameters = block.parameters(chunks.parameters(c));
     const int count = chunks.first_element(c + 1) - chunks.first_element(c);
@@ -63,7 +81,8 @@ struct ProbeChunk {
       const Real* record = find_record(c, i);
       const ProbedElement<HexLanes> element{load_pack(record + HexRecord::mass * width),
                                             load_pack(record + HexRecord::viscous_pressure * width),
-                                            HexLanes(static_cast<Real>(probe.step))};
+                                            HexLanes(static_cast<Real>(probe.step)),
+                                            load_tensor(record + HexRecord::stretch * width), find_pressure(record)};
       HexLanes f[3][8];
       probe_hex8<Kind>(parameters, a, u, element, {f[0], f[1], f[2]});
       scatter_forces(f, corners, count - i * width < width ? count - i * width : width, forces);

@@ -27,9 +27,21 @@ void apply_elastic_operator(const ExecSpace& space, const HexChunks& chunks, con
 template <class T>
 struct ProbedElement {
   T mass;
-  T viscous_pressure;  // q at n
-  T step;              // h
+  T viscous_pressure;                                         // q at n
+  T step;                                                     // h
+  Symmetric3<T> stretch{T(1), T(1), T(1), T(0), T(0), T(0)};  // V at n
+  T pressure{T(0)};                                           // largest of a direction, at n
 };
+
+/// Those of the current volume; of a material that yields, those of the start.
+template <class T, class Material>
+PERCUSS_FORCE_INLINE Moduli<T> find_probed_moduli(const HexParameters<Material>& par, const ProbedElement<T>& element) {
+  if constexpr (is_elastic<Material>) {
+    return find_elastic_moduli(par.material.moduli(), element.pressure, T(1) / determinant(full(element.stretch)));
+  } else {
+    return {number<T>(par.lambda), number<T>(par.mu)};
+  }
+}
 
 /// |dq / d(tr D)| from q itself: with compression c > 0, q / (rho l) = b2^2 l c^2 + b1 c_d c, and the tangent is
 /// rho l (b1 c_d + 2 b2^2 l c) = rho l sqrt((b1 c_d)^2 + 4 b2^2 q / rho).
@@ -49,10 +61,13 @@ PERCUSS_FORCE_INLINE HourglassModes<T> probe_hourglass(const HexParameters<Mater
   const T elastic = number<T>(0.25) * element.step * element.step;
   HourglassModes<T> q;
   if constexpr (Kind == HexKind::assumed_strain) {
-    const ElementAxes<T> axes = find_element_axes(a);
-    q = find_assumed_strain_response(find_plate_moduli({par.lambda, par.mu}), axes, b.volume, u).force;
+    const PlateModuli moduli = find_plate_moduli({par.lambda, par.mu});
     T guard(0);
-    if constexpr (Material::can_yield) {
+    if constexpr (!Material::can_yield) {
+      const StartShape<T> start = find_start_shape(a, element.stretch, b.volume);
+      q = find_assumed_strain_response(moduli, start.axes, start.volume, u).force;
+    } else {
+      q = find_assumed_strain_response(moduli, find_element_axes(a), b.volume, u).force;
       guard = find_guard(a, b) *
               find_hourglass_stiffness(gradient_square, b.volume, par.mu, PlasticHourglass<T>::guard_coefficient);
     }
@@ -72,15 +87,15 @@ PERCUSS_FORCE_INLINE HourglassModes<T> probe_hourglass(const HexParameters<Mater
 
 /// Deviatoric forces of the 2x2x2 points: modes of A(h) u without its volumetric part, 512 times. `elastic`: h^2/4.
 template <class T>
-PERCUSS_FORCE_INLINE VectorModes<T> probe_points(double mu, const VectorModes<T>& a, const VectorModes<T>& u,
+PERCUSS_FORCE_INLINE VectorModes<T> probe_points(const T& mu, const VectorModes<T>& a, const VectorModes<T>& u,
                                                  const T& elastic) {
-  const T third = number<T>(1.0 / 3.0), shear = number<T>(2 * mu) * elastic;
+  const T third = number<T>(1.0 / 3.0), shear = T(2) * mu * elastic;
   VectorModes<T> force;
   for (int m = 1; m <= 7; ++m) force[m] = {T(0), T(0), T(0)};
   for (int p = 0; p < 8; ++p) {
     const GaussPoint at = find_gauss_point(p);
     const PointGeometry<T> point = find_point_geometry(a, at);
-    const Symmetric3<T> d = find_point_rate(point, at, u, identity_matrix<T>());
+    const Symmetric3<T> d = symmetric_part(find_point_gradient(point, at, u, identity_matrix<T>()));
     const T mean = third * trace(d);
     add_point_force(shear * (d + Symmetric3<T>{-mean, -mean, -mean, T(0), T(0), T(0)}), point, at, force);
   }
@@ -97,18 +112,19 @@ PERCUSS_FORCE_INLINE void probe_hex8(const HexParameters<Material>& par, const V
   const T density = element.mass * (T(1) / b.volume);
   const T speed = square_root(number<T>(par.lambda + 2 * par.mu) * (T(1) / density));
   const T elastic = number<T>(0.25) * element.step * element.step;
+  const Moduli<T> moduli = find_probed_moduli(par, element);
   const Matrix3<T> l = find_velocity_gradient(u, b);
   const Symmetric3<T> d = symmetric_part(l);
   const T viscous =
       number<T>(0.5) * element.step *
       find_viscous_tangent(par.viscosity, density, find_thickness(size, b.volume), speed, element.viscous_pressure);
   if constexpr (Kind == HexKind::full) {
-    const T bulk = number<T>(par.lambda + 2 * par.mu / 3) * elastic + viscous;
-    find_full_forces(probe_points(par.mu, a, u, elastic), identity_matrix<T>(), bulk * trace(d), b, out);
+    const T bulk = (moduli.lambda + number<T>(2.0 / 3.0) * moduli.mu) * elastic + viscous;
+    find_full_forces(probe_points(moduli.mu, a, u, elastic), identity_matrix<T>(), bulk * trace(d), b, out);
   } else {
-    const T pressure = (number<T>(par.lambda) * elastic + viscous) * trace(d);
+    const T pressure = (moduli.lambda * elastic + viscous) * trace(d);
     const Symmetric3<T> t =
-        (number<T>(2 * par.mu) * elastic) * d + Symmetric3<T>{pressure, pressure, pressure, T(0), T(0), T(0)};
+        (T(2) * moduli.mu * elastic) * d + Symmetric3<T>{pressure, pressure, pressure, T(0), T(0), T(0)};
     const HourglassModes<T> q = probe_hourglass<Kind>(par, a, b, size.trace, element, find_hourglass_rates(u, a, l));
     find_corner_forces(t, q, a, b, out);
   }

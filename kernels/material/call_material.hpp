@@ -20,6 +20,7 @@ CalledMaterial make_called_material(const Law& law, double density) {
   called.reference = law.moduli();
   called.density = density;
   called.law_history = Law::history_count;
+  called.stores_energy = requires { requires Law::stores_energy; };
   if constexpr (requires { law.count_history(); }) called.law_history = law.count_history();
   return called;
 }
@@ -32,6 +33,7 @@ CalledMaterial make_called_material(const Law& law, double density, const State&
   CalledMaterial called = make_called_material(law, density);
   set_any_of(called.state, EquationsOfState(), state);
   called.state_history = state_history_count;
+  called.stores_energy = false;
   const double bulk = find_start_modulus(state, density);
   LameConstants& reference = called.reference;
   if (!(reference.mu > 0)) reference.mu = least_share * bulk;

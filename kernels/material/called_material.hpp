@@ -25,6 +25,7 @@ struct CalledMaterial {
   int law_history = 0;      // scalars
   int state_history = 0;
   bool changes_at_rest = false;  // whether the state changes with time alone
+  bool stores_energy = false;    // whether the stress follows from an energy of the strain
 
   PERCUSS_FORCE_INLINE LameConstants moduli() const { return reference; }
   KOKKOS_INLINE_FUNCTION int count_history() const { return law_place + law_history + state_history; }

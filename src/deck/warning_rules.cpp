@@ -92,6 +92,7 @@ const std::vector<WarningRule>& warning_rules() {
       {"mass_scaling_limit", "mass scaling during the run that has reached its limit"},
       {"inverted_corners", "elements with a negative Jacobian at a corner"},
       {"contact_energy", "energy that contact gives"},
+      {"element_energy", "elements that give more energy than they took"},
       {"hourglass_energy", "hourglass modes with much of the internal energy"},
       {"energy_error", "energy balance that is off at the end"},
   };

@@ -11,6 +11,7 @@
 
 #include "kernels/element/hex8/hourglass.hpp"
 #include "kernels/material/point/elastic.hpp"
+#include "kernels/material/point/polar.hpp"
 
 namespace percuss {
 
@@ -63,6 +64,38 @@ PERCUSS_FORCE_INLINE ElementAxes<T> find_element_axes(const VectorModes<T>& a) {
     axes.product[i] = dot(axes.g[plate.first], axes.g[plate.second]);
   }
   return axes;
+}
+
+/// The axes for forces and rates of now, with the metric and the volume that the element had at the start.
+template <class T>
+struct StartShape {
+  ElementAxes<T> axes;
+  T volume;
+  T gain;  // bound of the largest eigenvalue of V^-2: how much rates of now may strain the shape at the start
+};
+
+/// With F = V R the axes were F^-1 a_k at the start. A rate u of now is there F^-1 u, and its products with them are
+/// u . h_k, h_k = V^-2 a_k. A force S F^-1 a_k there is S h_k now. V: at the mid-point, as the modes a and the volume.
+template <class T>
+PERCUSS_FORCE_INLINE StartShape<T> find_start_shape(const VectorModes<T>& a, const Symmetric3<T>& stretch,
+                                                    const T& volume) {
+  const Adjugate<T> adjugate = find_adjugate(stretch);
+  const T over_j = T(1) / adjugate.determinant;
+  const Symmetric3<T> cofactor = adjugate.matrix;
+  const Symmetric3<T> square = (over_j * over_j) * symmetric_product(full(cofactor), full(cofactor));
+  StartShape<T> out;
+  for (int k = 0; k < 3; ++k) {
+    out.axes.g[k] = square * a[1 + k];
+    out.axes.square[k] = dot(a[1 + k], out.axes.g[k]);
+  }
+  find_reciprocals(out.axes.square, out.axes.inverse_square);
+  for (int i = 0; i < 3; ++i) {
+    const Plate plate = find_plate(i);
+    out.axes.product[i] = dot(a[1 + plate.first], out.axes.g[plate.second]);
+  }
+  out.volume = over_j * volume;
+  out.gain = bound_by_rows(square);
+  return out;
 }
 
 /// Rates of the hourglass forces, and a bound of the largest eigenvalue of these over the rates.

@@ -101,6 +101,7 @@ PERCUSS_FORCE_INLINE ToldMotion<T> tell_motion(const HexParameters<Material>& pa
                                                [[maybe_unused]] const State& state, const StepMotion<T>& step,
                                                const T& dt) {
   ToldMotion<T> told{{step.de, dt, T(1), T(1), T(0), par.time}, number<T>(par.lambda + 2 * par.mu)};
+  told.point.change = step.change;
   if constexpr (is_called<Material>) {
     const VolumeGradient<T> b = find_volume_gradient(a);
     told.modulus = find_longitudinal_modulus<T>(state.history);
@@ -141,7 +142,7 @@ PERCUSS_FORCE_INLINE HexResult<T> advance_hex8(const HexParameters<Material>& pa
   state.viscous_pressure = viscous.pressure;
 
   const HourglassModes<T> rates = find_hourglass_rates(v, step.middle, step.l);
-  const HourglassMotion<T> motion{step.middle, a, v, rates, step.turn, dt};
+  const HourglassMotion<T> motion{step.middle, a, v, rates, step.turn, dt, step.l, step.stretch};
   const HourglassElement<T> element{state.mass, size.trace, b.volume, step.b};
   HourglassModes<T> own_force;
   HourglassModes<T>& force = find_hourglass_place(state.hourglass, own_force);

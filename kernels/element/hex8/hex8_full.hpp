@@ -27,10 +27,10 @@ PERCUSS_FORCE_INLINE VectorModes<T> pull_back(const Matrix3<T>& turn, const Vect
   return out;
 }
 
-/// Rate of deformation at a point of the mid-point geometry, turned to the unrotated frame; v: already turned.
+/// Velocity gradient at a point of the mid-point geometry, turned to the unrotated frame; v: already turned.
 template <class T>
-PERCUSS_FORCE_INLINE Symmetric3<T> find_point_rate(const PointGeometry<T>& point, const GaussPoint& at,
-                                                   const VectorModes<T>& v, const Matrix3<T>& turn) {
+PERCUSS_FORCE_INLINE Matrix3<T> find_point_gradient(const PointGeometry<T>& point, const GaussPoint& at,
+                                                    const VectorModes<T>& v, const Matrix3<T>& turn) {
   Vector3<T> d[3];
   find_derivatives(v, at, d);
   const T scale = T(1) / point.volume;
@@ -41,7 +41,24 @@ PERCUSS_FORCE_INLINE Symmetric3<T> find_point_rate(const PointGeometry<T>& point
     l.row[1] = l.row[1] + d[k].y * g;
     l.row[2] = l.row[2] + d[k].z * g;
   }
-  return symmetric_part(l);
+  return l;
+}
+
+/// The stress of a point turned with it, and the digits of it that a float does not hold. turn: axial vector, small.
+template <class T, class Rest>
+PERCUSS_FORCE_INLINE void turn_stress(const Vector3<T>& turn, Symmetric3<T>& stress, [[maybe_unused]] Rest& rest) {
+  const Matrix3<T> q = find_turn(T(1), number<T>(0.5) * turn), one_side = q * full(stress);
+  const Symmetric3<T> more = number<T>(2.0) * symmetric_part(one_side) + symmetric_product(one_side, q);
+  if constexpr (is_short<T>)
+    add_to(stress, rest, more);
+  else
+    stress = stress + more;
+}
+
+/// de turned by half of a small turn about w.
+template <class T>
+PERCUSS_FORCE_INLINE Symmetric3<T> turn_half(const Vector3<T>& w, const Symmetric3<T>& de) {
+  return de + symmetric_part(antisymmetric(w) * full(de));
 }
 
 /// Corner forces from the modes of the deviatoric forces in the unrotated frame (512 times) and a uniform pressure.
@@ -86,7 +103,8 @@ PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, con
   const Matrix3<T> turn = number<T>(0.5) * step.rotations;
   const VectorModes<T> rates = pull_back(turn, v), end = pull_back(state.polar.rotation, a);
   const T trace_de = trace(mean.de);
-  PointSums<T, std::conditional_t<is_called<Material>, T, double>> sums;
+  const Vector3<T> mean_spin = axial_vector(transpose(turn) * (step.l * turn));
+  PointSums<T, std::conditional_t<has_own_moduli<Material>, T, double>> sums;
   sums.moduli = {{}, {}};
   for (int m = 1; m <= 7; ++m) sums.force[m] = {T(0), T(0), T(0)};
   sums.tension = sums.work = T(0);
@@ -94,13 +112,19 @@ PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, con
   for (int p = 0; p < 8; ++p) {
     const GaussPoint at = find_gauss_point(p);
     const PointGeometry<T> mid_point = find_point_geometry(step.middle, at);
-    Symmetric3<T> de = mean.dt * find_point_rate(mid_point, at, rates, turn);
+    const Matrix3<T> gradient = find_point_gradient(mid_point, at, rates, turn);
+    Symmetric3<T> de = mean.dt * symmetric_part(gradient);
     const T dilatation = third * (trace_de - trace(de));
     de = de + Symmetric3<T>{dilatation, dilatation, dilatation, T(0), T(0), T(0)};
     const Symmetric3<T> old_stress = state.stress[p];
     Symmetric3<T> stress = old_stress;
     PointMotion<T> motion = mean;
     motion.de = de;
+    if constexpr (has_own_moduli<Material>) motion.turn = mean.dt * (axial_vector(gradient) - mean_spin);
+    if constexpr (is_elastic<Material>) {
+      turn_stress(motion.turn, stress, state.stress_rest[p]);
+      motion.de = turn_half(motion.turn, de);
+    }
     const auto response = update_stress(par.material, stress, state.stress_rest[p], state.history, p, motion);
     take_larger(sums.moduli, find_moduli(par, response));
     state.stress[p] = stress;

@@ -34,6 +34,8 @@ struct HourglassMotion {
   const HourglassModes<T>& rate;   // u at n+1/2
   const Matrix3<T>& turn;          // of advance_polar()
   T dt;
+  const Matrix3<T>& l;           // velocity gradient at n+1/2
+  const Symmetric3<T>& stretch;  // V at n+1/2
 };
 
 /// The element that it stabilises.
@@ -99,50 +101,79 @@ PERCUSS_FORCE_INLINE Vector3<T> advance_hourglass(const Matrix3<T>& turn, const 
   return turn_along(turn, old + half_increment) + half_increment;
 }
 
-/// The assumed-strain stabilisation. state: Q at n, out at n+1, and the centre's stress, which yields with Q.
+/// The assumed-strain stabilisation of the shape at the start, for materials that keep their energy. Q follows the
+/// deformation as the gradient of a field does, so that its components along the axes of the element stay.
+template <class T>
+PERCUSS_FORCE_INLINE HourglassStep<T> control_elastic_assumed_strain(const LameConstants& constants,
+                                                                     const HourglassMotion<T>& motion, const T& volume,
+                                                                     HourglassModes<T>& q) {
+  const StartShape<T> start = find_start_shape(motion.middle, motion.stretch, volume);
+  const HourglassResponse<T> response =
+      find_assumed_strain_response(find_plate_moduli(constants), start.axes, start.volume, motion.rate);
+  const Matrix3<T> carry = find_force_increment(motion.l, motion.dt);
+  const T half_dt = number<T>(0.5) * motion.dt;
+  HourglassModes<T> sum;  // Q(n) + Q(n+1)
+  for (int h = 0; h < 4; ++h) {
+    const Vector3<T> old = q.mode[h];
+    q.mode[h] = advance_hourglass(carry, old, half_dt * response.force.mode[h]);
+    sum.mode[h] = old + q.mode[h];
+  }
+  return {find_hourglass_work(sum, motion.rate, motion.dt), start.gain * response.stiffness, T(0)};
+}
+
+/// The assumed-strain stabilisation of materials that yield. state: Q at n, out at n+1, and the centre's stress, which
+/// yields with Q.
+template <class T, class Material, class Plastic, class State>
+PERCUSS_FORCE_INLINE HourglassStep<T> control_yielding_assumed_strain(const Material& material, const Plastic& plastic,
+                                                                      const HourglassMotion<T>& motion,
+                                                                      const HourglassElement<T>& element,
+                                                                      State& state) {
+  HourglassModes<T>& q = state.hourglass;
+  const ElementAxes<T> axes = find_element_axes(motion.middle);
+  const PlateModuli moduli = find_plate_moduli(material.moduli());
+  HourglassResponse<T> response = find_assumed_strain_response(moduli, axes, element.middle.volume, motion.rate);
+  HourglassModes<T> sum;  // Q(n) + Q(n+1)
+  const PlasticHourglass<T> rule{find_guard(motion.middle, element.middle)};
+  const T guard = rule.guard * find_hourglass_stiffness(element.gradient_square, element.volume, material.moduli().mu,
+                                                        rule.guard_coefficient);
+  response.stiffness = response.stiffness + guard;
+  constexpr bool bends = bends_plastically<Material>();
+  const T rate = number<T>(0.5) * motion.dt * rule.rate_share(plastic);
+  for (int h = 0; h < 4; ++h) {
+    const Vector3<T> increment = response.force.mode[h] + guard * motion.rate.mode[h];
+    sum.mode[h] = q.mode[h];
+    q.mode[h] = advance_hourglass(motion.turn, q.mode[h], rate * increment);
+    if constexpr (!bends) q.mode[h] = plastic.share * q.mode[h];
+  }
+  const T square = find_surface_stress_square(axes, motion.end, element.middle.volume, q);
+  if constexpr (bends) {
+    if (any(find_yielding(plastic, square))) {
+      yield_as_section(material, plastic,
+                       {motion.end, motion.velocity, motion.dt, element.middle.volume, square, rule.guard}, state);
+    }
+  } else {
+    const T share = rule.force_share(plastic, square);
+    for (int h = 0; h < 4; ++h) q.mode[h] = share * q.mode[h];
+  }
+  for (int h = 0; h < 4; ++h) sum.mode[h] = sum.mode[h] + q.mode[h];
+  return {find_hourglass_work(sum, motion.rate, motion.dt), response.stiffness, T(0)};
+}
+
+/// The assumed-strain stabilisation. state: Q at n, out at n+1.
 template <class T, class Material, class Plastic, class State>
 PERCUSS_FORCE_INLINE HourglassStep<T> control_by_assumed_strain(const Material& material,
                                                                 [[maybe_unused]] const Plastic& plastic,
                                                                 const HourglassMotion<T>& motion,
                                                                 const HourglassElement<T>& element, State& state) {
-  HourglassModes<T>& q = state.hourglass;
-  const ElementAxes<T> axes = find_element_axes(motion.middle);
-  const PlateModuli moduli = find_plate_moduli(material.moduli());
-  HourglassResponse<T> response = find_assumed_strain_response(moduli, axes, element.middle.volume, motion.rate);
-  const T half_dt = number<T>(0.5) * motion.dt;
-  HourglassModes<T> sum;  // Q(n) + Q(n+1)
-  if constexpr (Material::can_yield) {
-    const PlasticHourglass<T> rule{find_guard(motion.middle, element.middle)};
-    const T guard = rule.guard * find_hourglass_stiffness(element.gradient_square, element.volume, material.moduli().mu,
-                                                          rule.guard_coefficient);
-    response.stiffness = response.stiffness + guard;
-    constexpr bool bends = bends_plastically<Material>();
-    const T rate = half_dt * rule.rate_share(plastic);
-    for (int h = 0; h < 4; ++h) {
-      const Vector3<T> increment = response.force.mode[h] + guard * motion.rate.mode[h];
-      sum.mode[h] = q.mode[h];
-      q.mode[h] = advance_hourglass(motion.turn, q.mode[h], rate * increment);
-      if constexpr (!bends) q.mode[h] = plastic.share * q.mode[h];
-    }
-    const T square = find_surface_stress_square(axes, motion.end, element.middle.volume, q);
-    if constexpr (bends) {
-      if (any(find_yielding(plastic, square))) {
-        yield_as_section(material, plastic,
-                         {motion.end, motion.velocity, motion.dt, element.middle.volume, square, rule.guard}, state);
-      }
-    } else {
-      const T share = rule.force_share(plastic, square);
-      for (int h = 0; h < 4; ++h) q.mode[h] = share * q.mode[h];
-    }
-    for (int h = 0; h < 4; ++h) sum.mode[h] = sum.mode[h] + q.mode[h];
+  if constexpr (!Material::can_yield) {
+    return control_elastic_assumed_strain(material.moduli(), motion, element.middle.volume, state.hourglass);
   } else {
-    for (int h = 0; h < 4; ++h) {
-      const Vector3<T> old = q.mode[h];
-      q.mode[h] = advance_hourglass(motion.turn, old, half_dt * response.force.mode[h]);
-      sum.mode[h] = old + q.mode[h];
+    if constexpr (is_called<Material>) {
+      if (material.stores_energy)
+        return control_elastic_assumed_strain(material.moduli(), motion, element.middle.volume, state.hourglass);
     }
+    return control_yielding_assumed_strain(material, plastic, motion, element, state);
   }
-  return {find_hourglass_work(sum, motion.rate, motion.dt), response.stiffness, T(0)};
 }
 
 /// The stiffness form of Flanagan and Belytschko, relaxed by plastic return. q: Q at n, out at n+1.

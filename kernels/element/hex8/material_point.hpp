@@ -39,17 +39,24 @@ struct NoStressRests {
 template <class T, int Points>
 using StressRestsOf = std::conditional_t<is_short<T>, StressRests<T, Points>, NoStressRests<T>>;
 
-/// Elastic moduli: one number for all lanes, or one by lane.
-template <class S>
-struct Moduli {
-  S lambda, mu;
-};
-
 /// What a called material returns.
 template <class T>
 struct CalledResponse : PlasticReturn<T> {
   Moduli<T> moduli;
 };
+
+/// What an elastic material returns.
+template <class T>
+struct ElasticResponse {
+  Moduli<T> moduli;
+};
+
+template <class Material>
+inline constexpr bool is_elastic = std::is_same_v<Material, Elastic>;
+
+/// Whether the moduli change, lane by lane.
+template <class Material>
+inline constexpr bool has_own_moduli = std::is_same_v<Material, CalledMaterial> || is_elastic<Material>;
 
 template <class Material>
 inline constexpr bool is_called = std::is_same_v<Material, CalledMaterial>;
@@ -90,8 +97,10 @@ PERCUSS_FORCE_INLINE Symmetric3<Wide<T>> widen_tensor(const Symmetric3<T>& a) {
 /// Input of a called material, part of its lanes in double.
 template <int Part, class T>
 PERCUSS_FORCE_INLINE PointMotion<Wide<T>> widen_motion(const PointMotion<T>& m) {
-  return {widen_tensor<Part>(m.de), widen<Part>(m.dt),        widen<Part>(m.volume_ratio),
-          widen<Part>(m.length),    widen<Part>(m.viscosity), m.time};
+  PointMotion<Wide<T>> wide{widen_tensor<Part>(m.de), widen<Part>(m.dt),        widen<Part>(m.volume_ratio),
+                            widen<Part>(m.length),    widen<Part>(m.viscosity), m.time};
+  wide.turn = {widen<Part>(m.turn.x), widen<Part>(m.turn.y), widen<Part>(m.turn.z)};
+  return wide;
 }
 
 /// A called material works in double for any precision of the element: its powers and logarithms cost more than the
@@ -132,8 +141,21 @@ PERCUSS_FORCE_INLINE CalledResponse<T> call_in_double(const Material& material, 
   return {{told[0], told[1], told[2]}, {told[3], told[4]}};
 }
 
-/// Advances the stress of a point; returns a CalledResponse, or a PlasticReturn if the material can yield, and nothing
-/// to speak of otherwise. rest: of the stress, in float; nothing else.
+/// Advances the stress of an elastic point, and the digits that a float does not hold.
+template <class T, class Rest>
+PERCUSS_FORCE_INLINE ElasticResponse<T> update_elastic_stress(const Elastic& material, Symmetric3<T>& stress,
+                                                              [[maybe_unused]] Rest& rest,
+                                                              const PointMotion<T>& motion) {
+  const Symmetric3<T> more = find_cauchy_increment(material.moduli(), stress, motion.de, motion.change);
+  if constexpr (is_short<T>)
+    add_to(stress, rest, more);
+  else
+    stress = stress + more;
+  return {find_elastic_moduli(material.moduli(), bound_pressure(stress), motion.change.inverse)};
+}
+
+/// Advances the stress of a point; returns a CalledResponse or an ElasticResponse, or a PlasticReturn if the material
+/// can yield. rest: of the stress, in float; nothing else.
 template <class T, class Material, int Points, class Rest>
 PERCUSS_FORCE_INLINE auto update_stress(const Material& material, Symmetric3<T>& stress, [[maybe_unused]] Rest& rest,
                                         MaterialHistory<T, Material, Points>& history, int point,
@@ -150,6 +172,8 @@ PERCUSS_FORCE_INLINE auto update_stress(const Material& material, Symmetric3<T>&
     history.store(point, here, count);
     stress = step.stress;
     return CalledResponse<T>{step.plastic, {step.lambda, step.mu}};
+  } else if constexpr (is_elastic<Material>) {
+    return update_elastic_stress(material, stress, rest, motion);
   } else {
     T here[is_short<T> ? 2 * most : most];
     constexpr int count = is_short<T> ? 2 * Material::history_count : Material::history_count;
@@ -160,22 +184,16 @@ PERCUSS_FORCE_INLINE auto update_stress(const Material& material, Symmetric3<T>&
         return material.update(stress, here, motion.de);
     };
     history.load(point, here, count);
-    if constexpr (Material::can_yield) {
-      const PlasticReturn<T> plastic = update();
-      history.store(point, here, count);
-      return plastic;
-    } else {
-      update();
-      history.store(point, here, count);
-      return false;
-    }
+    const PlasticReturn<T> plastic = update();
+    history.store(point, here, count);
+    return plastic;
   }
 }
 
 /// The moduli that bound the next step.
 template <class Parameters, class Response>
 PERCUSS_FORCE_INLINE auto find_moduli(const Parameters& par, [[maybe_unused]] const Response& response) {
-  if constexpr (is_called<decltype(par.material)>) {
+  if constexpr (has_own_moduli<decltype(par.material)>) {
     return response.moduli;
   } else {
     return Moduli<double>{par.lambda, par.mu};

@@ -84,6 +84,7 @@ PERCUSS_FORCE_INLINE TetPoint<T> advance_tet4(const HexParameters<Material>& par
   TetPoint<T> out;
   out.geometry = find_tet_geometry(x);
   const Matrix3<T> before = state.polar.rotation;
+  const Symmetric3<T> stretch_before = state.polar.stretch;
   Matrix3<T> turn;
   advance_polar(m.l, dt, state.polar, turn);
   const Symmetric3<T> de = (T(0.25) * dt) * pull_back(before + state.polar.rotation, seen);
@@ -93,6 +94,7 @@ PERCUSS_FORCE_INLINE TetPoint<T> advance_tet4(const HexParameters<Material>& par
   const T speed = square_root(find_modulus_before<T>(par, state) / density);
   const ViscousPressure<T> viscous = find_viscous_pressure(par.viscosity, density, length, speed, trace_d);
   PointMotion<T> point{de, dt, T(1), T(1), T(0), par.time};
+  point.change = find_volume_change(stretch_before, state.polar.stretch);
   if constexpr (Mixed) state.log_volume = state.log_volume + dt * trace(seen);
   if constexpr (is_called<Material>) {
     point.length = length;

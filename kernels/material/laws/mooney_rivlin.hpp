@@ -10,6 +10,7 @@ namespace percuss {
 /// (2/J) dev((c10 + I1 c01) b - c01 b b) + K (J - 1) I (Holzapfel, Nonlinear Solid Mechanics, section 6.5). History: U.
 struct MooneyRivlin {
   static constexpr const char* name = "mooney_rivlin";
+  static constexpr bool stores_energy = true;
   using Constants = MooneyRivlin;
   double c10 = 0, c01 = 0, bulk_modulus = 0;
 

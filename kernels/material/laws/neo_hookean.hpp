@@ -10,6 +10,7 @@ namespace percuss {
 /// and Wood, Nonlinear Continuum Mechanics, section 6.4.3). History: U.
 struct NeoHookean {
   static constexpr const char* name = "neo_hookean";
+  static constexpr bool stores_energy = true;
   using Constants = NeoHookean;
   double youngs_modulus = 0, poissons_ratio = 0;
 

@@ -1,8 +1,14 @@
 #pragma once
-// Linear (hypo)elasticity in the unrotated configuration.
+// Linear elasticity in rates, in the unrotated configuration.
+//
+// Where an element tells its change of volume, the rate is that of the Kirchhoff stress J sigma, which is what strain
+// works on per volume at the start. Its work then depends on the strain reached and not on the path, up to the second
+// order of strain; with the rate of sigma itself, cycles of small strains give energy in the first order.
 
 #include "kernels/core/long_sum.hpp"
 #include "kernels/material/point/material_key.hpp"
+#include "kernels/material/point/point_step.hpp"
+#include "kernels/material/point/polar.hpp"
 
 namespace percuss {
 
@@ -28,6 +34,32 @@ template <class T>
 PERCUSS_FORCE_INLINE Symmetric3<T> find_elastic_increment(const LameConstants& c, const Symmetric3<T>& de) {
   const T volumetric = number<T>(c.lambda) * trace(de);
   return number<T>(2 * c.mu) * de + Symmetric3<T>{volumetric, volumetric, volumetric, T(0), T(0), T(0)};
+}
+
+/// Elastic moduli: one number for all lanes, or one by lane.
+template <class S>
+struct Moduli {
+  S lambda, mu;
+};
+
+/// Increment of Cauchy's stress where J sigma grows by lambda tr(de) I + 2 mu de.
+template <class T>
+PERCUSS_FORCE_INLINE Symmetric3<T> find_cauchy_increment(const LameConstants& c, const Symmetric3<T>& stress,
+                                                         const Symmetric3<T>& de, const VolumeChange<T>& change) {
+  return change.inverse * (find_elastic_increment(c, de) + (T(0) - change.growth) * stress);
+}
+
+/// Bound of the largest pressure of a direction, at least 0.
+template <class T>
+PERCUSS_FORCE_INLINE T bound_pressure(const Symmetric3<T>& stress) {
+  return larger(bound_by_rows(number<T>(-1.0) * stress), T(0));
+}
+
+/// Moduli of the current volume that bound the stiffness: those of J sigma over J, and the largest pressure, by which
+/// compression stiffens what the gradient of the velocity works on.
+template <class T>
+PERCUSS_FORCE_INLINE Moduli<T> find_elastic_moduli(const LameConstants& c, const T& pressure, const T& over_j) {
+  return {number<T>(c.lambda) * over_j, number<T>(c.mu) * over_j + number<T>(0.5) * pressure};
 }
 
 /// Stress increment lambda tr(de) I + 2 mu de; no history, no yield.

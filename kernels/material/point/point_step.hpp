@@ -10,6 +10,13 @@ namespace percuss {
 enum class HistoryScalar { none, equivalent_plastic_strain, temperature, internal_energy };
 inline constexpr int history_scalars = 4;
 
+/// How J = V / V(0) changes over a step.
+template <class T>
+struct VolumeChange {
+  T growth;   // J(n+1) - J(n)
+  T inverse;  // 1 / J(n+1)
+};
+
 /// The step from n to n+1 at a point, all in the unrotated frame.
 template <class T>
 struct PointMotion {
@@ -19,6 +26,8 @@ struct PointMotion {
   T length;         // thickness of the element at n+1
   T viscosity;      // (q(n) + q(n+1)) / 2, which heats
   double time = 0;  // at n+1
+  VolumeChange<T> change{T(0), T(1)};
+  Vector3<T> turn{T(0), T(0), T(0)};  // of the point beyond that of the frame: axial vector
 };
 
 /// The state of the point, in at n and out at n+1, and what the element has to know of it.

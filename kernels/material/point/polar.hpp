@@ -105,6 +105,19 @@ PERCUSS_FORCE_INLINE Matrix3<T> find_deformation_increment(const Matrix3<T>& a) 
   return scale * Matrix3<T>{{{own, c1.x, c2.x}, {c0.y, dot(a.row[1], c1), c2.y}, {c0.z, c1.z, dot(a.row[2], c2)}}};
 }
 
+/// transpose(f)^-1 of the step, f = (I - dt/2 L)^-1 (I + dt/2 L), in float less the identity (turn_along()): what takes
+/// a covector of n, such as a gradient, along to n+1.
+template <class T>
+PERCUSS_FORCE_INLINE Matrix3<T> find_force_increment(const Matrix3<T>& l, const T& dt) {
+  const Matrix3<T> a = (number<T>(-0.5) * dt) * transpose(l);
+  if constexpr (is_short<T>) {
+    return find_deformation_increment(a);
+  } else {
+    const Matrix3<T> one = identity_matrix<T>();
+    return inverse(one - a, T(2)) - one;
+  }
+}
+
 /// As advance_polar() in single precision, which would lose small increments of 1: increments are kept apart from their
 /// sums, and the digits that R does not hold go to its remainder.
 template <class T>
@@ -132,6 +145,14 @@ PERCUSS_FORCE_INLINE void advance_polar(const Matrix3<T>& l, const T& dt, Polar<
     polar.rotation = turn * polar.rotation;
     polar.stretch = symmetric_product(stretched, turn);
   }
+}
+
+/// Upper bound of the largest eigenvalue of a symmetric tensor, without a root: the largest sum of a row (Gershgorin),
+/// exact if the tensor is diagonal.
+template <class T>
+PERCUSS_FORCE_INLINE T bound_by_rows(const Symmetric3<T>& g) {
+  const T xy = larger(g.xy, T(0) - g.xy), yz = larger(g.yz, T(0) - g.yz), zx = larger(g.zx, T(0) - g.zx);
+  return larger(larger(g.xx + xy + zx, g.yy + xy + yz), g.zz + yz + zx);
 }
 
 /// Upper bound of the largest eigenvalue of a symmetric tensor: tr/3 + sqrt(2/3) |dev|, exact if the others are equal.

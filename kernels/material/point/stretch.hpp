@@ -87,13 +87,13 @@ PERCUSS_FORCE_INLINE Vector3<T> find_material_spin(const Symmetric3<T>& d, const
   return w + solve(a, z);
 }
 
-/// Advances U by the increment de of the unrotated rate of deformation. In the unrotated frame the axes do not turn, so
-/// that the spin is the one that keeps U symmetric. Its determinant is set to that of the element's
-/// volume.
+/// Advances U by the increment de of the unrotated rate of deformation. In the unrotated frame the axes turn only by
+/// what the point turns beyond it, so that the rest of the spin is the one that keeps U symmetric. Its determinant is
+/// set to that of the element's volume.
 template <class T>
 KOKKOS_INLINE_FUNCTION Symmetric3<T> advance_stretch(const Symmetric3<T>& u, const PointMotion<T>& motion) {
   const Vector3<T> zero{T(0), T(0), T(0)};
-  const Vector3<T> spin = T(-1) * find_material_spin(motion.de, zero, u);
+  const Vector3<T> spin = motion.turn + T(-1) * find_material_spin(motion.de, zero, u);
   Polar<T> polar{identity_matrix<T>(), u};
   Matrix3<T> turn;
   advance_polar(full(motion.de) + antisymmetric(spin), T(1), polar, turn);

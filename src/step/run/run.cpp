@@ -266,6 +266,7 @@ void Run::observe() {
   audit();
   const Phase phase("percuss::output", stepper_.clocks().output);
   if (row_due) output_.write_row(state_, audited_, stepper_);
+  warnings_.renew(find_element_warnings());
   check_balance(seen(), audited_);
   if (frame_due) output_.write_frame(state_);
   if (frame_due) look_at_corners();
@@ -295,6 +296,7 @@ void Run::observe_last() {
   const Phase phase("percuss::output", stepper_.clocks().output);
   output_.write_row(state_, audited_, stepper_);
   look_at_corners();
+  warnings_.renew(find_element_warnings());
   check_balance(seen(), audited_);
   output_.write_frame(state_);
 }

@@ -55,6 +55,15 @@ EnergyScales Run::find_scales() const {
   return scales;
 }
 
+/// By the state audited last. Gases and springs may hold energy at the start.
+std::vector<Warning> Run::find_element_warnings() const {
+  const bool starts_empty =
+      deck_.springs.empty() && std::none_of(deck_.materials.begin(), deck_.materials.end(),
+                                            [](const MaterialDeck& material) { return material.equation_of_state; });
+  return warn_of_elements(find_given_by_elements(audited_.energy, starts_empty), find_scales(), state_.time,
+                          deck_.units);
+}
+
 /// Collective.
 void Run::finish(const std::string& status, const std::string& error) {
   const std::vector<RankRow> rows = gather_rows(ranks_, make_rank_row(summed()));

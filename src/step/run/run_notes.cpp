@@ -15,6 +15,9 @@ namespace percuss {
 
 namespace {
 
+/// Of the largest energy: more that elements give is told.
+constexpr double noted_element_share = 0.01;
+
 /// Of the internal energy of a part: more in its hourglass modes is told ...
 constexpr double noted_hourglass_share = 0.1;
 /// ... unless it is so small beside the largest energy of the scene that it means nothing.
@@ -119,6 +122,22 @@ Warning warn_of_gain(double given, const EnergyScales& scales, const GainPlace& 
                   "column contact of history.csv jumps, at elements crushed to slivers and at parts that overlap",
                   describe_gain(given, scales, where, units)),
       "", where.time, 1};
+}
+
+double find_given_by_elements(const EnergySummary& energy, bool starts_empty) {
+  const double hourglass = -energy.hourglass;
+  return starts_empty ? std::max({hourglass, -energy.internal, -energy.internal - energy.hourglass}) : hourglass;
+}
+
+std::vector<Warning> warn_of_elements(double given, const EnergyScales& scales, double time, const std::string& units) {
+  if (!is_gain(given, noted_element_share, scales)) return {};
+  return {
+      {"element_energy",
+       fmt::format("elements have given {:.3g}{} of energy more than they took, {:.3g} % of the largest (strains of "
+                   "order one, or a long vibration without damping): keep the default bulk viscosity, and look at "
+                   "the columns internal and hourglass of history.csv",
+                   given, unit_suffix(units, dimensions::energy), 100 * given / scales.largest),
+       "", time, 1}};
 }
 
 std::vector<Warning> find_end_warnings(const Summary& summary, const EnergyScales& scales,

@@ -50,6 +50,13 @@ bool is_gain(double given, double share, const EnergyScales& scales);
 /// The share of the largest energy from which on a run warns, or that the deck lets contact give at most.
 double find_tolerated_gain(const AuditDeck& audit);
 
+/// Energy that elements have given beyond what they took: that of hourglass modes, or of stresses and these. Stresses
+/// may give what an equation of state had at the start: `starts_empty` tells that there is none.
+double find_given_by_elements(const EnergySummary& energy, bool starts_empty);
+
+/// The warning of it, if it is more than a share of the largest energy, and than round-off.
+std::vector<Warning> warn_of_elements(double given, const EnergyScales& scales, double time, const std::string& units);
+
 /// Where contact was first found to have given too much.
 struct GainPlace {
   std::int64_t step = 0;

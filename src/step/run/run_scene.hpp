@@ -67,6 +67,7 @@ class Run {
   long steps_done() const { return state_.step - start_step_; }
   Summary make_summary(const std::string& status, const std::string& error) const;
   EnergyScales find_scales() const;
+  std::vector<Warning> find_element_warnings() const;
   void finish(const std::string& status, const std::string& error);
   SummedRun summed() const {
     return {chunked_, model_, state_, stepper_, contact_, audited_, steps_done(), compute_seconds() - compute_start_};

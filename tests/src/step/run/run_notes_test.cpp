@@ -63,6 +63,22 @@ TEST(ContactGain, IsLimitedByTheDeck) {
   EXPECT_TRUE(is_gain(0.2, find_tolerated_gain(audit), {.largest = 100}));
 }
 
+TEST(ElementEnergy, IsToldWhereElementsHaveGivenMoreThanTheyTook) {
+  EnergySummary energy;
+  energy.kinetic = 22258, energy.internal = -4778, energy.hourglass = -32389;
+  EXPECT_EQ(find_given_by_elements(energy, true), 4778 + 32389);
+  EXPECT_EQ(find_given_by_elements(energy, false), 32389);  // a gas may have given the rest
+  energy.hourglass = 5000;
+  EXPECT_EQ(find_given_by_elements(energy, true), 4778);
+  EXPECT_LT(find_given_by_elements({}, true), 1e-300);
+  EXPECT_THAT(format_all(warn_of_elements(3, {.largest = 100}, 0.25, "m, kg, s")),
+              ElementsAre(AllOf(HasSubstr("elements have given 3 J of energy more than they took, 3 % of the largest"),
+                                HasSubstr("[element_energy] (t = 0.25)"))));
+  EXPECT_THAT(warn_of_elements(0.9, {.largest = 100}, 0.25, ""), IsEmpty());
+  EXPECT_THAT(warn_of_elements(3, {.largest = 100, .resolved = 4}, 0.25, ""), IsEmpty());
+  EXPECT_THAT(warn_of_elements(-3, {.largest = 100}, 0.25, ""), IsEmpty());
+}
+
 TEST(EndWarnings, TellABalanceThatIsOff) {
   Summary summary;
   summary.energy.error = -0.009;
