@@ -77,8 +77,8 @@ struct SolidChunk {
   }
 };
 
-/// Active lanes of a chunk of solids in double, pass by pass (LivingLanes). A template for its users: where hexahedra are
-/// in single precision its packs are not theirs, and none of them is compiled.
+/// Active lanes of a chunk of solids in double, pass by pass (LivingLanes). A template for its users: where hexahedra
+/// are in single precision its packs are not theirs, and none of them is compiled.
 template <class>
 class LivingSolids : public LivingLanes {
  public:
@@ -148,7 +148,7 @@ struct SolidChunkSums {
 /// Launches a kernel over chunks, a team each.
 template <class Kernel>
 void launch_solids(const char* label, const ExecSpace& space, const HexChunks& chunks, const Array<int>& list,
-                 const Kernel& kernel) {
+                   const Kernel& kernel) {
   const int count = static_cast<int>(list.extent(0));
   if (count == 0 || is_single_precision) return;
   Kokkos::parallel_for(label, SolidScratch::make_policy(space, count, chunks.largest_slot_count), kernel);

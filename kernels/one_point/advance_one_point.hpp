@@ -95,9 +95,9 @@ void advance_block(const ExecSpace& space, const HexChunks& chunks, const OnePoi
 }
 
 /// Compiles both shapes for a material.
-#define PERCUSS_COMPILE_ONE_POINTS(MATERIAL)                                                               \
-  template void advance_block(const ExecSpace&, const HexChunks&, const OnePointBlock<MATERIAL, Wedge6>&,  \
-                              const ElementMotion&, const ChunkFields&);                                   \
+#define PERCUSS_COMPILE_ONE_POINTS(MATERIAL)                                                                \
+  template void advance_block(const ExecSpace&, const HexChunks&, const OnePointBlock<MATERIAL, Wedge6>&,   \
+                              const ElementMotion&, const ChunkFields&);                                    \
   template void advance_block(const ExecSpace&, const HexChunks&, const OnePointBlock<MATERIAL, Pyramid5>&, \
                               const ElementMotion&, const ChunkFields&);
 

@@ -101,7 +101,8 @@ struct AdvanceTetStresses {
     }
     for (int lane = 0; lane < on.lanes; ++lane) {
       for (int i = 0; i < 4; ++i) {
-        double* const row = on.rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]);
+        double* const row =
+            on.rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]);
         groups.add(lane, row);
         row[13] += square[i][lane];
       }
@@ -186,7 +187,7 @@ void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const Tet
   if constexpr (!is_single_precision) {
     static_assert(sizeof(TetState<double, Elastic>) == TetRecord::find_size(0) * sizeof(double));
     launch_solids("percuss::advance_tet_stresses", space, chunks, block.chunks,
-                AdvanceTetStresses<Material>{chunks, block, step.motion, step.launch, state, results});
+                  AdvanceTetStresses<Material>{chunks, block, step.motion, step.launch, state, results});
   }
 }
 
@@ -195,7 +196,7 @@ void advance_plain(const ExecSpace& space, const HexChunks& chunks, const TetBlo
                    const ElementMotion& motion, const ChunkFields& fields) {
   if constexpr (!is_single_precision) {
     launch_solids("percuss::advance_plain_tets", space, chunks, block.chunks,
-                AdvancePlainTets<Material>{chunks, block, motion, fields.state, fields.slot_force, fields.results});
+                  AdvancePlainTets<Material>{chunks, block, motion, fields.state, fields.slot_force, fields.results});
   }
 }
 

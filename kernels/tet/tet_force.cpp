@@ -191,7 +191,7 @@ void sum_tet_rates(const ExecSpace& space, const HexChunks& chunks, const TetBlo
   for_each_block(blocks, [&](const auto& block) {
     if constexpr (!is_single_precision) {
       launch_solids("percuss::sum_tet_rates", space, chunks, block.chunks,
-                  SumRates<Lanes>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates});
+                    SumRates<Lanes>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates});
     }
   });
 }
@@ -231,8 +231,8 @@ void sum_tet_forces(const ExecSpace& space, const HexChunks& chunks, const TetBl
   for_each_block(blocks, [&](const auto& block) {
     if constexpr (!is_single_precision) {
       launch_solids("percuss::sum_tet_forces", space, chunks, block.chunks,
-                  FindForces<Lanes>{chunks, block.chunks, step.motion, step.launch, fields.state, fields.slot_force,
-                                    fields.results});
+                    FindForces<Lanes>{chunks, block.chunks, step.motion, step.launch, fields.state, fields.slot_force,
+                                      fields.results});
     }
   });
 }

@@ -111,8 +111,8 @@ PERCUSS_FORCE_INLINE ModeVectors<T, Shape> find_modes(const CornerField<T, Shape
   return out;
 }
 
-/// gamma_h(I) = Gamma_h(I) - B_I . X_h / V with X_h = find_modes(x): what the mean gradient does not see of mode h, zero
-/// for linear fields.
+/// gamma_h(I) = Gamma_h(I) - B_I . X_h / V with X_h = find_modes(x): what the mean gradient does not see of mode h,
+/// zero for linear fields.
 template <class T, class Shape>
 struct HourglassVectors {
   T of[Shape::modes][Shape::corners];

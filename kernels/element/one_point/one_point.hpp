@@ -42,10 +42,10 @@ template <class T, class Shape>
 struct OnePointMotion {
   T volume;
   Matrix3<T> l;
-  Symmetric3<T> de;                  // strain increment in the unrotated frame
+  Symmetric3<T> de;  // strain increment in the unrotated frame
   T trace_d;
-  Matrix3<T> turn;                   // of advance_polar()
-  ModeVectors<T, Shape> hourglass;   // rates of the modes without those of the mean gradient: V_h - L X_h
+  Matrix3<T> turn;                  // of advance_polar()
+  ModeVectors<T, Shape> hourglass;  // rates of the modes without those of the mean gradient: V_h - L X_h
 };
 
 template <class T, class Shape>
@@ -97,8 +97,8 @@ PERCUSS_FORCE_INLINE T advance_modes(const OnePointMotion<T, Shape>& m, const T&
 /// power is V P : D + sum_h Q_h . u_h, they and their moments sum to zero.
 template <class T, class Shape>
 PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& p, const ModeVectors<T, Shape>& q,
-                                             const CornerGradient<T, Shape>& g,
-                                             const HourglassVectors<T, Shape>& gamma, CornerField<T, Shape>& f) {
+                                             const CornerGradient<T, Shape>& g, const HourglassVectors<T, Shape>& gamma,
+                                             CornerField<T, Shape>& f) {
   repeat<Shape::corners>([&](auto i) {
     f[i] = p * g.b[i];
     repeat<Shape::modes>([&](auto h) { f[i] = f[i] + gamma.of[h][i] * q.at[h]; });
@@ -107,8 +107,7 @@ PERCUSS_FORCE_INLINE void find_corner_forces(const Symmetric3<T>& p, const ModeV
 
 /// lambda + 2 mu at n.
 template <class T, class Material, class State>
-PERCUSS_FORCE_INLINE T find_modulus_at_start(const HexParameters<Material>& par,
-                                             [[maybe_unused]] const State& state) {
+PERCUSS_FORCE_INLINE T find_modulus_at_start(const HexParameters<Material>& par, [[maybe_unused]] const State& state) {
   if constexpr (is_called<Material>)
     return find_longitudinal_modulus<T>(state.history);
   else
@@ -150,9 +149,8 @@ PERCUSS_FORCE_INLINE PointMotion<T> tell_one_point(const HexParameters<Material>
 /// forces and step only.
 template <class T, class Material, class Shape>
 PERCUSS_FORCE_INLINE OnePointResult<T> advance_one_point(const HexParameters<Material>& par,
-                                                         const CornerField<T, Shape>& x,
-                                                         const CornerField<T, Shape>& v, const T& dt,
-                                                         OnePointState<T, Material, Shape>& state,
+                                                         const CornerField<T, Shape>& x, const CornerField<T, Shape>& v,
+                                                         const T& dt, OnePointState<T, Material, Shape>& state,
                                                          CornerField<T, Shape>& f) {
   const OnePointMotion<T, Shape> motion = follow_one_point(x, v, dt, state.polar);
   const CornerGradient<T, Shape> g = find_corner_gradient(x);
@@ -180,8 +178,8 @@ PERCUSS_FORCE_INLINE OnePointResult<T> advance_one_point(const HexParameters<Mat
   p.zz = p.zz - state.viscous_pressure;
   find_corner_forces(p, state.hourglass, g, gamma, f);
   out.volume = g.volume;
-  out.stable_step = find_one_point_step(size, g.volume, state.mass,
-                                        {T(moduli.lambda), T(moduli.mu), kappa, viscous.q.tangent});
+  out.stable_step =
+      find_one_point_step(size, g.volume, state.mass, {T(moduli.lambda), T(moduli.mu), kappa, viscous.q.tangent});
   return out;
 }
 

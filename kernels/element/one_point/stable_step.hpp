@@ -38,8 +38,7 @@ PERCUSS_FORCE_INLINE GradientSizes<T> find_gradient_sizes(const CornerGradient<T
   repeat<Shape::corners>([&](auto i) {
     constexpr double weight = 1 / Shape::mass_share[i];
     const Vector3<T>& b = g.b[i];
-    square =
-        square + T(weight) * Symmetric3<T>{b.x * b.x, b.y * b.y, b.z * b.z, b.x * b.y, b.y * b.z, b.z * b.x};
+    square = square + T(weight) * Symmetric3<T>{b.x * b.x, b.y * b.y, b.z * b.z, b.x * b.y, b.y * b.z, b.z * b.x};
   });
   T w[Shape::modes][Shape::modes], coupling(0);
   repeat<Shape::modes>([&](auto h) {

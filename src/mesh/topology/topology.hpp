@@ -52,10 +52,10 @@ struct Topology {
   std::array<int, kernel_corner_count> kernel_corners{};
   /// What each corner has of the mass of an element, in eighths; zeros: all have equal shares.
   std::array<double, most_corners> mass_eighths{};
-  std::uint8_t vtk_type = 0;                       // VTKCellType
+  std::uint8_t vtk_type = 0;                                          // VTKCellType
   std::array<int, most_corners> vtk_corners{0, 1, 2, 3, 4, 5, 6, 7};  // in the order of VTK and XDMF
-  int xdmf_type = 0;                               // in a mixed topology of XDMF
-  std::string_view xdmf_name;                      // of a topology with this kind alone
+  int xdmf_type = 0;                                                  // in a mixed topology of XDMF
+  std::string_view xdmf_name;                                         // of a topology with this kind alone
   std::array<std::string_view, 4> exodus_names{};  // beginnings of the names of its blocks; unused: empty
   std::array<int, most_faces> exodus_sides{};      // face of the Exodus side with this number, less one
   std::array<std::string_view, 2> abaqus_names{};  // element types with its corners; unused: empty

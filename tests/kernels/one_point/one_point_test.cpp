@@ -250,7 +250,8 @@ TYPED_TEST(OnePoint, HasTheSameForcesHoweverItIsNumbered) {
       vs.at[i] = v[order[i]];
     }
     const auto fs = advance(xs, vs);
-    for (std::size_t i = 0; i < order.size(); ++i) EXPECT_NEAR(norm(fs.at[i] - f[order[i]]), 0, 1e-11 * norm(f[order[i]]));
+    for (std::size_t i = 0; i < order.size(); ++i)
+      EXPECT_NEAR(norm(fs.at[i] - f[order[i]]), 0, 1e-11 * norm(f[order[i]]));
   }
 }
 

@@ -42,7 +42,8 @@ template <class Shape>
 Places<Shape> make_places(Random& random, double distortion, const Vector3<double>& stretch = {1, 1, 1}) {
   for (;;) {
     Places<Shape> x = reference_places(Shape());
-    for (auto& corner : x.at) corner = corner + Vector3<double>{distortion * random(), distortion * random(), distortion * random()};
+    for (auto& corner : x.at)
+      corner = corner + Vector3<double>{distortion * random(), distortion * random(), distortion * random()};
     if (find_least_corner(x) < 0.1) continue;
     for (auto& corner : x.at) corner = {stretch.x * corner.x, stretch.y * corner.y, stretch.z * corner.z};
     return x;
