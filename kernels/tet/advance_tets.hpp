@@ -9,7 +9,7 @@ namespace percuss {
 /// Second pass of the mixed form.
 template <class Material>
 struct AdvanceTetStresses {
-  using Living = LivingTets<Material>;
+  using Living = LivingSolids<Material>;
   HexChunks chunks;
   TetBlock<Material> block;
   ElementMotion motion;
@@ -18,14 +18,14 @@ struct AdvanceTetStresses {
   ChunkResults results;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    const TetChunk chunk(chunks, block.chunks(member.league_rank()));
-    const TetScratch scratch(member, chunk.slot_count);
+    const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
+    const SolidScratch scratch(member, chunk.slot_count);
     chunk.fill_nodes(motion, scratch.nodes);
     double* const rows = &launch.passes.slot_stresses(chunk.first_slot, 0);
     for (int k = 0; k < chunk.slot_count * TetSums::stress_row; ++k) rows[k] = 0;
     HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
     parameters.time = motion.time;
-    TetChunkSums sums;
+    SolidChunkSums sums;
     Living living(motion.failing, motion.lives, chunk.c);
     chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
       const std::uint16_t* corners = own_corners;
@@ -36,7 +36,7 @@ struct AdvanceTetStresses {
   }
 
   struct Work {
-    const TetChunk& chunk;
+    const SolidChunk& chunk;
     int pack, lanes;
     const std::uint16_t* corners;
     const double* nodes;
@@ -44,10 +44,10 @@ struct AdvanceTetStresses {
   };
 
   KOKKOS_FUNCTION void add_pack(const HexParameters<Material>& parameters, const Work& on, const Living& living,
-                                TetChunkSums& sums) const {
+                                SolidChunkSums& sums) const {
     TetCorners<Lanes> x, v;
-    gather_tets(on.nodes, node_record, on.corners, x);
-    gather_tets(on.nodes + 4, node_record, on.corners, v);
+    gather_corners<4>(on.nodes, node_record, on.corners, x);
+    gather_corners<4>(on.nodes + 4, node_record, on.corners, v);
     const Lanes dt(motion.dt), zero(0.0);
     const TetMotion<Lanes> own = follow_tet(x, v, dt);
     const TetGather gather{launch.passes.rates.data(), TetSums::rate_row,
@@ -62,20 +62,22 @@ struct AdvanceTetStresses {
       living.take_work(share, 2, point.work.viscous);
       living.take_work(share, 3, point.work.guard);
     }
-    sums.take_work(point.work, on.lanes);
+    sums.take_work(0, point.work.internal, on.lanes);
+    sums.take_work(2, point.work.viscous, on.lanes);
+    sums.take_work(3, point.work.guard, on.lanes);
     const Lanes guard_modulus = find_guard_modulus(record.guard, parameters.lambda + 2.0 / 3.0 * parameters.mu);
     double* const scalars = &launch.passes.elements(static_cast<std::size_t>(chunks.first_pack(on.chunk.c) + on.pack) *
-                                                    TetPasses::scalars * tet_width);
+                                                    TetPasses::scalars * solid_width);
     store_pack(scalars, point.own.shear);
-    store_pack(scalars + tet_width, point.own.tangent);
-    store_pack(scalars + 2 * tet_width, guard_modulus);
+    store_pack(scalars + solid_width, point.own.tangent);
+    store_pack(scalars + 2 * solid_width, guard_modulus);
     const Symmetric3<Lanes> given = add_to_diagonal(point.stress, zero - record.guard);
     give(on, point, share * given, record.mass, point.own.bulk + guard_modulus, !(share < zero));
   }
 
   KOKKOS_FUNCTION TetState<Lanes, Material>& find_state(const Work& on) const {
     const std::size_t place =
-        static_cast<std::size_t>(on.pack) * static_cast<std::size_t>(chunks.record_size(on.chunk.c)) * tet_width;
+        static_cast<std::size_t>(on.pack) * static_cast<std::size_t>(chunks.record_size(on.chunk.c)) * solid_width;
     return *reinterpret_cast<TetState<Lanes, Material>*>(&state(chunks.first_state(on.chunk.c)) + place);
   }
 
@@ -92,14 +94,15 @@ struct AdvanceTetStresses {
     groups.set(1, weigh(stress.xy), weigh(stress.yz), weigh(stress.zx));
     groups.set(2, weight, weigh(bulk), weigh(point.own.shear));
     groups.set(3, select(counts, quarter * mass, zero), zero, zero);
-    alignas(64) double square[4][tet_width];
+    alignas(64) double square[4][solid_width];
     for (int i = 0; i < 4; ++i) {
       const Vector3<Lanes>& b = point.geometry.b[i];
       store_pack(square[i], select(counts, dot(b, b) / point.geometry.volume, zero));
     }
     for (int lane = 0; lane < on.lanes; ++lane) {
       for (int i = 0; i < 4; ++i) {
-        double* const row = on.rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * tet_width + lane]);
+        double* const row =
+            on.rows + TetSums::stress_row * static_cast<std::size_t>(on.corners[i * solid_width + lane]);
         groups.add(lane, row);
         row[13] += square[i][lane];
       }
@@ -110,7 +113,7 @@ struct AdvanceTetStresses {
 /// The plain form.
 template <class Material>
 struct AdvancePlainTets {
-  using Living = LivingTets<Material>;
+  using Living = LivingSolids<Material>;
   HexChunks chunks;
   TetBlock<Material> block;
   ElementMotion motion;
@@ -119,22 +122,22 @@ struct AdvancePlainTets {
   ChunkResults results;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    const TetChunk chunk(chunks, block.chunks(member.league_rank()));
-    const TetScratch scratch(member, chunk.slot_count);
+    const SolidChunk chunk(chunks, block.chunks(member.league_rank()));
+    const SolidScratch scratch(member, chunk.slot_count);
     chunk.fill_nodes(motion, scratch.nodes);
     for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
     HexParameters<Material> parameters = block.parameters(chunks.parameters(chunk.c));
     parameters.time = motion.time;
-    TetChunkSums sums;
+    SolidChunkSums sums;
     Living living(motion.failing, motion.lives, chunk.c);
-    const auto size = static_cast<std::size_t>(chunks.record_size(chunk.c)) * tet_width;
+    const auto size = static_cast<std::size_t>(chunks.record_size(chunk.c)) * solid_width;
     Real* record = &state(chunks.first_state(chunk.c));
     chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
       const std::uint16_t* corners = own_corners;
       auto& state_of_pack =
           *reinterpret_cast<TetState<Lanes, Material>*>(record + size * static_cast<std::size_t>(pack));
       if (living.can_fail() && !living.take_pack(corners)) return;
-      const int first = chunk.first_element + pack * tet_width;
+      const int first = chunk.first_element + pack * solid_width;
       advance_pack(parameters, {corners, lanes, first, scratch.nodes, scratch.forces}, living, state_of_pack, sums);
     });
     sums.leave_work(chunk.c, results);
@@ -150,10 +153,10 @@ struct AdvancePlainTets {
   };
 
   KOKKOS_FUNCTION void advance_pack(const HexParameters<Material>& parameters, const Work& on, const Living& living,
-                                    TetState<Lanes, Material>& of, TetChunkSums& sums) const {
+                                    TetState<Lanes, Material>& of, SolidChunkSums& sums) const {
     TetCorners<Lanes> x, v;
-    gather_tets(on.nodes, node_record, on.corners, x);
-    gather_tets(on.nodes + 4, node_record, on.corners, v);
+    gather_corners<4>(on.nodes, node_record, on.corners, x);
+    gather_corners<4>(on.nodes + 4, node_record, on.corners, v);
     const Lanes dt(motion.dt), zero(0.0);
     const TetMotion<Lanes> own = follow_tet(x, v, dt);
     TetPoint<Lanes> point = advance_tet4<false>(parameters, x, own, own.d, dt, of);
@@ -170,8 +173,10 @@ struct AdvancePlainTets {
       step = select(lives, step, Lanes(1e300));
       volume = select(lives, volume, Lanes(1.0));
     }
-    scatter_tets(f, on.corners, on.lanes, on.forces);
-    sums.take_work(point.work, on.lanes);
+    scatter_corners<4>(f, on.corners, on.lanes, on.forces);
+    sums.take_work(0, point.work.internal, on.lanes);
+    sums.take_work(2, point.work.viscous, on.lanes);
+    sums.take_work(3, point.work.guard, on.lanes);
     sums.take_step(step, volume, on.first_element, on.lanes);
   }
 };
@@ -181,8 +186,8 @@ void advance_stresses(const ExecSpace& space, const HexChunks& chunks, const Tet
                       const TetStep& step, const Array<Real>& state, const ChunkResults& results) {
   if constexpr (!is_single_precision) {
     static_assert(sizeof(TetState<double, Elastic>) == TetRecord::find_size(0) * sizeof(double));
-    launch_tets("percuss::advance_tet_stresses", space, chunks, block.chunks,
-                AdvanceTetStresses<Material>{chunks, block, step.motion, step.launch, state, results});
+    launch_solids("percuss::advance_tet_stresses", space, chunks, block.chunks,
+                  AdvanceTetStresses<Material>{chunks, block, step.motion, step.launch, state, results});
   }
 }
 
@@ -190,8 +195,8 @@ template <class Material>
 void advance_plain(const ExecSpace& space, const HexChunks& chunks, const TetBlock<Material>& block,
                    const ElementMotion& motion, const ChunkFields& fields) {
   if constexpr (!is_single_precision) {
-    launch_tets("percuss::advance_plain_tets", space, chunks, block.chunks,
-                AdvancePlainTets<Material>{chunks, block, motion, fields.state, fields.slot_force, fields.results});
+    launch_solids("percuss::advance_plain_tets", space, chunks, block.chunks,
+                  AdvancePlainTets<Material>{chunks, block, motion, fields.state, fields.slot_force, fields.results});
   }
 }
 

@@ -9,15 +9,15 @@ namespace {
 /// First pass: V D / 4 and V / 4 of each element to its nodes. L: Lanes.
 template <class L>
 struct SumRates {
-  using Living = LivingTets<L>;
+  using Living = LivingSolids<L>;
   HexChunks chunks;
   Array<int> list;
   ElementMotion motion;
   TetRateRows rows;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    const TetChunk chunk(chunks, list(member.league_rank()));
-    const TetScratch scratch(member, chunk.slot_count);
+    const SolidChunk chunk(chunks, list(member.league_rank()));
+    const SolidScratch scratch(member, chunk.slot_count);
     chunk.fill_nodes(motion, scratch.nodes);
     double* const sums = &rows(chunk.first_slot, 0);
     for (int k = 0; k < chunk.slot_count * TetSums::rate_row; ++k) sums[k] = 0;
@@ -33,8 +33,8 @@ struct SumRates {
                                 double* sums) const {
     const Lanes zero(0.0), quarter(0.25);
     TetCorners<Lanes> x, v;
-    gather_tets(nodes, node_record, corners, x);
-    gather_tets(nodes + 4, node_record, corners, v);
+    gather_corners<4>(nodes, node_record, corners, x);
+    gather_corners<4>(nodes + 4, node_record, corners, v);
     const TetGeometry<Lanes> middle = find_tet_geometry(find_middle(x, v, Lanes(motion.dt)));
     Lanes volume = middle.volume;
     if (living.can_fail()) volume = select(living.load_force_share() < zero, zero, volume);
@@ -47,7 +47,7 @@ struct SumRates {
     groups.set(2, keep(quarter * volume), zero, zero);
     for (int lane = 0; lane < lanes; ++lane) {
       for (int i = 0; i < 4; ++i)
-        groups.add(lane, sums + TetSums::rate_row * static_cast<std::size_t>(corners[i * tet_width + lane]));
+        groups.add(lane, sums + TetSums::rate_row * static_cast<std::size_t>(corners[i * solid_width + lane]));
     }
   }
 };
@@ -55,7 +55,7 @@ struct SumRates {
 /// Third pass. L: Lanes.
 template <class L>
 struct FindForces {
-  using Living = LivingTets<L>;
+  using Living = LivingSolids<L>;
   HexChunks chunks;
   Array<int> list;
   ElementMotion motion;
@@ -65,11 +65,11 @@ struct FindForces {
   ChunkResults results;
 
   KOKKOS_FUNCTION void operator()(const ChunkMember& member) const {
-    const TetChunk chunk(chunks, list(member.league_rank()));
-    const TetScratch scratch(member, chunk.slot_count);
+    const SolidChunk chunk(chunks, list(member.league_rank()));
+    const SolidScratch scratch(member, chunk.slot_count);
     chunk.fill_nodes(motion, scratch.nodes);
     for (int s = 0; s < chunk.slot_count; ++s) clear_record(scratch.forces + force_record * s);
-    TetChunkSums sums;
+    SolidChunkSums sums;
     Living living(motion.failing, motion.lives, chunk.c);
     chunk.for_each_pack([&](int pack, int lanes, const std::uint16_t* own_corners) {
       const std::uint16_t* corners = own_corners;
@@ -80,20 +80,20 @@ struct FindForces {
     copy_force_rows(scratch.forces, chunk.slot_count, &slot_force(chunk.first_slot, 0));
   }
 
-  KOKKOS_FUNCTION void add_pack(const TetChunk& chunk, int pack, int lanes, const std::uint16_t* corners,
-                                const TetScratch& scratch, const Living& living, TetChunkSums& sums) const {
+  KOKKOS_FUNCTION void add_pack(const SolidChunk& chunk, int pack, int lanes, const std::uint16_t* corners,
+                                const SolidScratch& scratch, const Living& living, SolidChunkSums& sums) const {
     TetCorners<Lanes> x;
-    gather_tets(scratch.nodes, node_record, corners, x);
+    gather_corners<4>(scratch.nodes, node_record, corners, x);
     const TetGeometry<Lanes> g = find_tet_geometry(x);
     const TetGather gather{launch.passes.stresses.data(), TetSums::stress_row,
                            &launch.nodes.slots_to_records(chunk.first_slot)};
     const TetMeans<Lanes> means = find_means(gather, corners);
     const double* const scalars = &launch.passes.elements(static_cast<std::size_t>(chunks.first_pack(chunk.c) + pack) *
-                                                          TetPasses::scalars * tet_width);
-    const TetStiffness<Lanes> own{Lanes(0.0), load_pack(scalars), load_pack(scalars + tet_width)};
-    const Lanes step = find_mixed_step(g, means, mix_moduli(own, means, load_pack(scalars + 2 * tet_width)));
+                                                          TetPasses::scalars * solid_width);
+    const TetStiffness<Lanes> own{Lanes(0.0), load_pack(scalars), load_pack(scalars + solid_width)};
+    const Lanes step = find_mixed_step(g, means, mix_moduli(own, means, load_pack(scalars + 2 * solid_width)));
     settle(find_stress(chunk, pack), means, g, step, {corners, lanes, scratch.forces}, living,
-           chunk.first_element + pack * tet_width, sums);
+           chunk.first_element + pack * solid_width, sums);
   }
 
   static PERCUSS_FORCE_INLINE TetMeans<Lanes> find_means(const TetGather& gather, const std::uint16_t* corners) {
@@ -115,11 +115,11 @@ struct FindForces {
     Lanes guard, viscous_pressure;
   };
 
-  KOKKOS_FUNCTION OwnStress find_stress(const TetChunk& chunk, int pack) const {
+  KOKKOS_FUNCTION OwnStress find_stress(const SolidChunk& chunk, int pack) const {
     const auto* const record =
         reinterpret_cast<const double*>(&state(chunks.first_state(chunk.c))) +
-        static_cast<std::size_t>(pack) * static_cast<std::size_t>(chunks.record_size(chunk.c)) * tet_width;
-    const auto load = [&](int scalar) { return load_pack(record + scalar * tet_width); };
+        static_cast<std::size_t>(pack) * static_cast<std::size_t>(chunks.record_size(chunk.c)) * solid_width;
+    const auto load = [&](int scalar) { return load_pack(record + scalar * solid_width); };
     constexpr int r = TetRecord::rotation, s = TetRecord::stress;
     const Matrix3<Lanes> rotation{{{load(r), load(r + 1), load(r + 2)},
                                    {load(r + 3), load(r + 4), load(r + 5)},
@@ -136,7 +136,7 @@ struct FindForces {
 
   /// Forces by the shares of the lanes; others' stresses act in full on a lane that lives.
   KOKKOS_FUNCTION void settle(OwnStress own, const TetMeans<Lanes>& means, const TetGeometry<Lanes>& g, Lanes step,
-                              const Scatter& to, const Living& living, int first_element, TetChunkSums& sums) const {
+                              const Scatter& to, const Living& living, int first_element, SolidChunkSums& sums) const {
     const Lanes zero(0.0);
     Lanes volume = g.volume, share(1.0);
     if (living.can_fail()) {
@@ -152,7 +152,7 @@ struct FindForces {
       step = select(lives, step, Lanes(1e300));
       volume = select(lives, volume, Lanes(1.0));
     }
-    scatter_tets(f, to.corners, to.lanes, to.forces);
+    scatter_corners<4>(f, to.corners, to.lanes, to.forces);
     sums.take_step(step, volume, first_element, to.lanes);
   }
 };
@@ -184,14 +184,14 @@ TetPasses make_tet_passes(const TetNodes& nodes, int slot_count, int pack_count)
   return {TetRateRows("percuss::tet_slot_rates", slots), TetStressRows("percuss::tet_slot_stresses", slots),
           TetRateRows("percuss::tet_rates", records), TetStressRows("percuss::tet_stresses", records),
           Array<double>("percuss::tet_elements", static_cast<std::size_t>(pack_count) * TetPasses::scalars *
-                                                     static_cast<std::size_t>(tet_width))};
+                                                     static_cast<std::size_t>(solid_width))};
 }
 
 void sum_tet_rates(const ExecSpace& space, const HexChunks& chunks, const TetBlocks& blocks, const TetStep& step) {
   for_each_block(blocks, [&](const auto& block) {
     if constexpr (!is_single_precision) {
-      launch_tets("percuss::sum_tet_rates", space, chunks, block.chunks,
-                  SumRates<Lanes>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates});
+      launch_solids("percuss::sum_tet_rates", space, chunks, block.chunks,
+                    SumRates<Lanes>{chunks, block.chunks, step.motion, step.launch.passes.slot_rates});
     }
   });
 }
@@ -230,9 +230,9 @@ void sum_tet_forces(const ExecSpace& space, const HexChunks& chunks, const TetBl
                     const ChunkFields& fields) {
   for_each_block(blocks, [&](const auto& block) {
     if constexpr (!is_single_precision) {
-      launch_tets("percuss::sum_tet_forces", space, chunks, block.chunks,
-                  FindForces<Lanes>{chunks, block.chunks, step.motion, step.launch, fields.state, fields.slot_force,
-                                    fields.results});
+      launch_solids("percuss::sum_tet_forces", space, chunks, block.chunks,
+                    FindForces<Lanes>{chunks, block.chunks, step.motion, step.launch, fields.state, fields.slot_force,
+                                      fields.results});
     }
   });
 }

@@ -13,8 +13,9 @@ class Fields:
 
     Attributes: times [frames], steps [frames], time_unit, title, units (the deck's text), part_names, walls [walls][6]
     (a point and the unit normal of each that does not move), part [elements], element_ids, node_ids, nodes and elements
-    (counts), hexahedra [elements][8]. The four corners of a shell stand twice there, so that its faces 4 and 5 are its
-    two surfaces. Of a beam the second node stands for the others too."""
+    (counts), hexahedra [elements][8]. Wedges, pyramids and tetrahedra stand there as hexahedra with collapsed edges. The
+    four corners of a shell stand twice, so that its faces 4 and 5 are its two surfaces. Of a beam the second node stands
+    for the others too."""
 
     def __init__(self, folder):
         self.path = os.path.join(folder, "fields.vtkhdf") if os.path.isdir(folder) else os.fspath(folder)
@@ -41,7 +42,7 @@ class Fields:
         self.steps = own["step"][:count] if "step" in own else np.arange(count)
         self.nodes = int(root["NumberOfPoints"][0])
         self.elements = int(root["NumberOfCells"][0])
-        self.hexahedra = _pad_shells(root["Connectivity"][:], root["Offsets"][:])
+        self.hexahedra = _pad_cells(root["Connectivity"][:], root["Offsets"][: self.elements], root["Types"][: self.elements])
         self.part = root["CellData/part"][: self.elements]
         self.part_names = [_text(name) for name in own["part_names"][:]]
         self.title = _text(own.attrs["title"])
@@ -70,7 +71,8 @@ class Fields:
         return self.root["PointData/node_id"][: self.nodes]
 
     def cells(self):
-        """Corners of each element, an array each: eight, four of a shell, three of a triangle, two of a beam. Indexes of nodes from 0."""
+        """Corners of each element, an array each, in VTK's order: eight, six of a wedge, five of a pyramid, four of a tetrahedron
+        or a shell, three of a triangle, two of a beam. Indexes of nodes from 0."""
         corners, offsets = self.root["Connectivity"][:], self.root["Offsets"][:]
         return np.split(corners, offsets[1:-1])
 
@@ -117,11 +119,16 @@ def _text(value):
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
 
-def _pad_shells(connectivity, offsets):
-    sizes = np.diff(offsets)
-    columns = np.arange(8)[None, :] % np.maximum(sizes, 4)[:, None]
-    columns = np.minimum(columns, sizes[:, None] - 1)  # the last corner of a triangle stands for a fourth
-    return connectivity[offsets[:-1, None] + columns]
+# Eight corners of each of VTK's cells, by its type: lines, triangles, quadrilaterals, tetrahedra, hexahedra, wedges, pyramids.
+_EIGHT = {3: (0, 1, 1, 1, 0, 1, 1, 1), 5: (0, 1, 2, 2, 0, 1, 2, 2), 9: (0, 1, 2, 3, 0, 1, 2, 3), 10: (0, 1, 2, 2, 3, 3, 3, 3),
+          12: (0, 1, 2, 3, 4, 5, 6, 7), 13: (0, 2, 1, 1, 3, 5, 4, 4), 14: (0, 1, 2, 3, 4, 4, 4, 4)}  # fmt: skip
+
+
+def _pad_cells(connectivity, first, types):
+    places = np.zeros((256, 8), dtype=np.int64)
+    for kind, corners in _EIGHT.items():
+        places[kind] = corners
+    return connectivity[first[:, None] + places[types]]
 
 
 def to_scalar(values):

@@ -5,6 +5,7 @@ from itertools import islice
 
 from .deck_text import format_number
 from .model import Model
+from .solids import OF_EIGHT
 
 PER_LINE = 8
 
@@ -34,7 +35,7 @@ def list_blocks(model: Model) -> Iterator[str]:
             if elements:
                 yield keyword
             for id, corners in elements:
-                nodes = corners + corners[-1:] * (count - len(corners))
+                nodes = tuple(corners[i] for i in OF_EIGHT[len(corners)]) if count == 8 else corners + corners[-1:] * (count - len(corners))
                 yield f"{id},{block.id},{','.join(map(str, nodes))}"
 
 

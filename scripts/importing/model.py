@@ -17,7 +17,7 @@ RESERVED = {"all", "top", "bottom"}
 class Block:
     """Elements of one part with one thickness: a part of the deck.
 
-    solids, shells and beams: (id, corners). A shell has 3 or 4 corners, a solid 8, or 4 where it is a tetrahedron.
+    solids, shells and beams: (id, corners). A shell has 3 or 4 corners, a solid as many as solids.py says.
     """
 
     id: int

@@ -6,6 +6,7 @@ from .deck_text import clean
 from .ledger import Entry, Ledger, Status
 from .model import Model
 from .shapes import measure_block
+from .solids import NAMES
 
 WIDTH = 118
 TOLD = {Status.REFUSED: "refused: nothing is written", Status.LEFT_OUT: "left out or approximated, as you allow",
@@ -37,12 +38,13 @@ def print_table(ledger: Ledger) -> None:
 def summarise(model: Model, notes: list[str]) -> list[str]:
     """Mass, extent, centre, parts, counts, ids, and what the units may be."""
     nodes = model.used_nodes()
-    solids = sum(len(block.solids) for block in model.blocks)
+    solids = [len(corners) for block in model.blocks for _, corners in block.solids]
+    others = "".join(f", {solids.count(n)} {NAMES[n]}" for n in (6, 5, 4) if n in solids)
     shells = [corners for block in model.blocks for _, corners in block.shells]
     beams = sum(len(block.beams) for block in model.blocks)
     triangles = sum(1 for corners in shells if len(corners) == 3)
     lines = [f"nodes: {len(nodes)}, ids {min(nodes)} to {max(nodes)}, kept" if nodes else "nodes: none",
-             f"elements: {solids} solids, {len(shells) - triangles} quadrilaterals, {triangles} triangles"
+             f"elements: {len(solids)} solids{f' ({others[2:]} among them)' if others else ''}, {len(shells) - triangles} quadrilaterals, {triangles} triangles"
              + (f", {beams} beams" if beams else "") + ", ids kept"]  # fmt: skip
     if len(model.nodes) > len(nodes):
         lines.append(f"nodes without elements: {len(model.nodes) - len(nodes)}, left out of the mesh and of sets")

@@ -3,11 +3,7 @@
 import math
 
 from .model import Block, Model, Vector
-
-HEX_FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
-# Whether these are turned outward (1) or inward (-1) on a solid whose first four corners run round its bottom.
-FACE_SIGNS = {face: -1 if face == HEX_FACES[0] else 1 for face in HEX_FACES}
-TET_FACES = ((0, 1, 2), (0, 1, 3), (1, 2, 3), (2, 0, 3))
+from .solids import FACES
 
 
 def subtract(a: Vector, b: Vector) -> Vector:
@@ -36,14 +32,13 @@ def tet_volume(a: Vector, b: Vector, c: Vector, d: Vector) -> float:
     return dot(subtract(b, a), cross(subtract(c, a), subtract(d, a))) / 6
 
 
-def hex_volume(x: list[Vector]) -> float:
-    """Volume of the trilinear hexahedron: the mean of the two ways to cut each face into triangles."""
+def solid_volume(x: list[Vector]) -> float:
+    """Volume of a solid with bilinear or flat faces: the mean of the two ways to cut each face into triangles."""
     center, volume = mean(x), 0.0
-    for a, b, c, d in HEX_FACES:
-        p, q, r, s = x[a], x[b], x[c], x[d]
-        both = tet_volume(center, p, q, r) + tet_volume(center, p, r, s) + tet_volume(center, p, q, s) + tet_volume(center, q, r, s)
-        volume += 0.5 * both * FACE_SIGNS[a, b, c, d]
-    return abs(volume)
+    for face in FACES[len(x)]:
+        p, q, r, s = (x[i] for i in (*face, face[-1])[:4])
+        volume += tet_volume(center, p, q, r) + tet_volume(center, p, r, s) + tet_volume(center, p, q, s) + tet_volume(center, q, r, s)
+    return abs(0.5 * volume)
 
 
 def shell_area(x: list[Vector]) -> float:
@@ -77,7 +72,7 @@ def measure_block(model: Model, block: Block) -> tuple[float, Vector]:
             if is_shell:
                 volume = shell_area(x) * (block.thickness or 0.0)
             else:
-                volume = hex_volume(x) if len(x) == 8 else abs(tet_volume(*x))
+                volume = solid_volume(x)
             center = mean(x)
             mass += volume * block.density
             for d in range(3):
@@ -103,7 +98,7 @@ class FaceOwners:
             for _, corners in block.solids:
                 if nodes.isdisjoint(corners):
                     continue
-                for face in HEX_FACES if len(corners) == 8 else TET_FACES:
+                for face in FACES[len(corners)]:
                     self._solids[frozenset(corners[i] for i in face)] = corners
             self._shells.update(frozenset(corners) for _, corners in block.shells if nodes.issuperset(corners))
 

@@ -93,11 +93,20 @@ def exterior_faces(hexahedra, kept):
     elements = np.flatnonzero(kept & ~are_lines(hexahedra))
     shells = elements[hexahedra[elements, 0] == hexahedra[elements, 4]]
     elements = elements[hexahedra[elements, 0] != hexahedra[elements, 4]]
-    corners = hexahedra[elements][:, HEX_FACES].reshape(-1, 4)
-    owners = np.repeat(elements, 6)
-    _, first, count = np.unique(np.sort(corners, axis=1), axis=0, return_index=True, return_counts=True)
+    corners, owners = _close_triangles(hexahedra[elements][:, HEX_FACES].reshape(-1, 4), np.repeat(elements, 6))
+    keys = np.where(corners[:, 3:] == corners[:, 2:3], corners * [1, 1, 1, 0] - [0, 0, 0, 1], corners)
+    _, first, count = np.unique(np.sort(keys, axis=1), axis=0, return_index=True, return_counts=True)
     single = np.sort(first[count == 1])
     return np.concatenate([corners[single], hexahedra[shells][:, :4]]), np.concatenate([owners[single], shells])
+
+
+def _close_triangles(faces, owners):
+    """Faces of hexahedra with collapsed edges: those without area left out, triangles with their last corner twice."""
+    same = faces == np.roll(faces, -1, axis=1)
+    left = same.sum(axis=1) < 2
+    faces, owners, same = faces[left], owners[left], same[left]
+    shift = np.where(same.any(axis=1), np.argmax(same, axis=1) - 2, 0)
+    return np.take_along_axis(faces, (np.arange(4) + shift[:, None]) % 4, axis=1), owners
 
 
 def _add_cut_faces(polygons, faces, owners, cut):

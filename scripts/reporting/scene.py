@@ -6,7 +6,7 @@ from rendering.colors import PART_COLORS
 
 from .markup import Markup, escape, fold, format_number, make_table, show_deck, with_unit
 
-KINDS = {2: "beams", 3: "triangles", 4: "quadrilaterals", 8: "hexahedra"}
+KINDS = ("beams", "triangles", "quadrilaterals", "tetrahedra", "pyramids", "wedges", "hexahedra")
 
 
 def unit_of(run, quantity):
@@ -39,7 +39,7 @@ def make_parts_table(run):
         return "<p class=soft>There are no fields (output.fields), so that the mesh is not shown.</p>"
     fields, length = run.fields, unit_of(run, "length")
     start = fields.positions(0)
-    kinds = np.array([count_corners(corners) for corners in fields.hexahedra])
+    kinds = np.array([find_kind(corners.tolist()) for corners in fields.hexahedra])
     rows = []
     for number, name in enumerate(fields.part_names):
         mine = fields.part == number
@@ -59,13 +59,12 @@ def make_parts_table(run):
     return make_table([heading[c] for c in kept], [[row[c] for c in kept] for row in rows], numbers=(2,))
 
 
-def count_corners(corners):
-    """Corners of a cell, from its padded form."""
-    if corners[0] != corners[4]:
-        return 8
-    if corners[1] == corners[2]:
-        return 2
-    return 3 if corners[2] == corners[3] else 4
+def find_kind(corners):
+    """Place of a cell among KINDS, from its padded form."""
+    different = len(set(corners))
+    if corners[0] == corners[4]:
+        return different - 2
+    return {4: 3, 5: 4, 6: 5}.get(different, 6)
 
 
 def make_materials_table(deck):

@@ -155,8 +155,8 @@ struct RigidDeck {
 };
 
 struct PartDeck {
-  /// What the cells of a generated solid are: hexahedra, or twelve tetrahedra each.
-  enum class Elements { hexahedra, tetrahedra };
+  /// What the cells of a generated solid are: hexahedra, or twelve tetrahedra, two wedges or six pyramids each.
+  enum class Elements { hexahedra, tetrahedra, wedges, pyramids };
   std::string name;
   Shape shape;
   Elements elements = Elements::hexahedra;

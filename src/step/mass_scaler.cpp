@@ -17,7 +17,7 @@ namespace {
 struct MissingMass {
   HexChunks chunks;
   BeamMarks is_beam;
-  Array<Real> hex_bounds;
+  Array<Real> solid_bounds;
   Array<double> other_bounds, mass;  // other_bounds: of shells and beams
   FailingChunks failing;
   ElementLives lives;
@@ -28,7 +28,7 @@ struct MissingMass {
     const int e = chunks.first_element(c) + i;
     const double bound = is_shell(chunks, c) || is_beam(c)
                              ? other_bounds(e)
-                             : static_cast<double>(hex_bounds(chunks.first_pack(c) * pack_width + i));
+                             : static_cast<double>(solid_bounds(chunks.first_pack(c) * pack_width + i));
     if (!(bound > 0 && bound < target)) return 0;
     const double ratio = target / bound;
     return mass(e) * (ratio * ratio - 1);
@@ -39,9 +39,10 @@ MissingMass find_missing(const Model& model, const State& state, const StepWatch
   return {model.chunks, model.is_beam_chunk, watch.bound, others, state.element_mass, model.failing, state.lives};
 }
 
-/// Shares of the corners that kernels see, in eighths of the mass of an element.
+/// Shares of the corners that kernels see, in eighths of the mass of an element. Which of those is told by the corners
+/// that stand twice.
 struct MassShares {
-  Kokkos::Array<double, kernel_corner_count> hex, quad, triangle, line;
+  Kokkos::Array<double, kernel_corner_count> hex, quad, triangle, line, wedge, pyramid;
 
   MassShares() {
     for (std::size_t i = 0; i < kernel_corner_count; ++i) {
@@ -49,6 +50,8 @@ struct MassShares {
       quad[i] = quad4_topology.find_mass_share(i);
       triangle[i] = tri3_topology.find_mass_share(i);
       line[i] = line2_topology.find_mass_share(i);
+      wedge[i] = wedge6_topology.find_mass_share(i);
+      pyramid[i] = pyramid5_topology.find_mass_share(i);
     }
   }
 };
@@ -167,10 +170,12 @@ void MassScaler::sum_lumped(const State& state) {
           const auto slot = [&](int k) {
             return chunks.corner_slots(place + static_cast<std::size_t>(k * pack_width));
           };
-          const auto& share = of_beams             ? shares.line
-                              : !of_shells         ? shares.hex
-                              : slot(2) == slot(3) ? shares.triangle
-                                                   : shares.quad;
+          const auto& share = of_beams                          ? shares.line
+                              : of_shells && slot(2) == slot(3) ? shares.triangle
+                              : of_shells                       ? shares.quad
+                              : slot(4) == slot(5)              ? shares.pyramid
+                              : slot(5) == slot(7)              ? shares.wedge
+                                                                : shares.hex;
           const double eighth = mass(first + i) / 8,
                        turning = turns ? mass(first + i) * gyration_square(first + i) / 8 : 0;
           for (int k = 0; k < 8; ++k) {

@@ -21,7 +21,7 @@ class MassScaler {
   /// All arguments outlive this.
   MassScaler(const Deck& deck, const ChunkedMesh& chunked, const Model& model);
 
-  /// Where the launchers write the bounds of all elements: of hexahedra, and of shells and beams.
+  /// Where the launchers write the bounds of all elements: of solids, and of shells and beams.
   const StepWatch& watch() const { return watch_; }
   const Array<double>& other_bounds() const { return other_bounds_; }
 

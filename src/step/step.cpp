@@ -259,6 +259,7 @@ ElementMotion Stepper::find_motion(const State& state, double dt) const {
 void Stepper::advance_sending(State& state, const ElementMotion& motion) {
   advance_elements(space_, model_.chunks, model_.sending_blocks, motion, state.chunk_fields());
   if (tets_) tets_->advance(state, model_.sending_tet_blocks, motion);
+  advance_one_points(space_, model_.chunks, model_.sending_one_point_blocks, motion, state.chunk_fields());
   advance_shells_of(state, model_.sending_shell_blocks, motion);
   advance_beams_of(state, model_.sending_beam_block, motion);
 }
@@ -266,6 +267,7 @@ void Stepper::advance_sending(State& state, const ElementMotion& motion) {
 void Stepper::advance_others(State& state, const ElementMotion& motion) {
   advance_elements(space_, model_.chunks, model_.blocks, motion, state.chunk_fields());
   if (tets_) tets_->advance(state, model_.tet_blocks, motion);
+  advance_one_points(space_, model_.chunks, model_.one_point_blocks, motion, state.chunk_fields());
   advance_shells_of(state, model_.shell_blocks, motion);
   advance_beams_of(state, model_.beam_block, motion);
 }

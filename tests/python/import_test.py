@@ -18,7 +18,8 @@ from importing.dyna.read import read_keyword_deck  # noqa: E402
 from importing.fields import parse_integer, parse_real  # noqa: E402
 from importing.ledger import BadInput, Ledger, Place, Status  # noqa: E402
 from importing.mesh_text import list_blocks  # noqa: E402
-from importing.shapes import hex_volume  # noqa: E402
+from importing.shapes import solid_volume, tet_volume  # noqa: E402
+from importing.solids import collapse  # noqa: E402
 
 HERE = Place("deck.k", 1)
 
@@ -117,10 +118,25 @@ class Curves(unittest.TestCase):
 class Shapes(unittest.TestCase):
     def test_volume_of_a_twisted_hexahedron_does_not_depend_on_its_diagonals(self):
         cube = [(0, 0, 0), (2, 0, 0), (2, 1, 0), (0, 1, 0), (0, 0, 3), (2, 0, 3), (2, 1, 3), (0, 1, 3)]
-        self.assertAlmostEqual(hex_volume([tuple(map(float, x)) for x in cube]), 6.0)
+        self.assertAlmostEqual(solid_volume([tuple(map(float, x)) for x in cube]), 6.0)
         cube[6] = (2.5, 1.2, 3.4)
         turned = [cube[i] for i in (1, 2, 3, 0, 5, 6, 7, 4)]
-        self.assertAlmostEqual(hex_volume(cube), hex_volume(turned))
+        self.assertAlmostEqual(solid_volume(cube), solid_volume(turned))
+
+    def test_collapsed_hexahedra_are_solids_whatever_their_numbering(self):
+        places = {1: (0, 0, 0), 2: (1, 0, 0), 3: (1, 1, 0), 4: (0, 1, 0), 5: (0, 0, 1), 6: (1, 0, 1), 7: (0.5, 0.5, 1)}
+        same = (  # quarter turns about two axes: with them a hexahedron has all its numberings
+            (0, 1, 2, 3, 4, 5, 6, 7), (1, 2, 3, 0, 5, 6, 7, 4), (2, 3, 0, 1, 6, 7, 4, 5), (4, 0, 3, 7, 5, 1, 2, 6),
+            (3, 2, 6, 7, 0, 1, 5, 4), (7, 6, 5, 4, 3, 2, 1, 0))  # fmt: skip
+        for corners, count, volume in (((1, 2, 3, 4, 5, 6, 6, 5), 6, 0.5), ((1, 2, 3, 4, 7, 7, 7, 7), 5, 1 / 3),
+                                       ((1, 2, 3, 3, 5, 5, 5, 5), 4, 1 / 6), ((1, 2, 3, 5, 5, 5, 5, 5), 4, 1 / 6)):  # fmt: skip
+            for order in same:
+                solid = collapse([corners[i] for i in order])
+                self.assertEqual(len(solid), count)
+                x = [places[node] for node in solid]
+                self.assertAlmostEqual(solid_volume(x), volume)
+                self.assertGreater(tet_volume(x[0], x[1], x[2] if count != 5 else x[3], x[3] if count != 5 else x[4]), 0)
+        self.assertIsNone(collapse([1, 1, 2, 3, 4, 5, 6, 7]))
 
 
 class Mesh(InFolder):
@@ -146,8 +162,8 @@ class Mesh(InFolder):
         self.assertEqual(model.node_sets["fixed_z"], [2])
 
     def test_elements_of_other_shapes_are_refused_with_their_line(self):
-        wedge = decks.SMALL.replace("      11      12      13      14\n", "      11      11      14      14\n")
-        self.assertIn("deck.k:21", self.refusals(wedge)["ELEMENT_SOLID.wedge"])
+        other = decks.SMALL.replace("      11      12      13      14\n", "      11      11      13      14\n")
+        self.assertIn("deck.k:21", self.refusals(other)["ELEMENT_SOLID.degenerate"])
         belt = decks.SMALL.replace("*END", "*ELEMENT_SEATBELT\n7,3,1,2,3\n*END")
         self.assertIn("ELEMENT_SEATBELT", self.refusals(belt))
         self.assertEqual(self.refusals(belt, "element_*"), {})
@@ -196,6 +212,18 @@ class Mesh(InFolder):
             model = read_keyword_deck(path, Ledger())
             self.assertEqual(model.blocks[0].solids, [(500, (1, 2, 3, 11))])
             self.assertIn("500,3,1,2,3,11,11,11,11,11", list(list_blocks(model)))
+
+    def test_wedges_and_pyramids_are_known_by_their_collapsed_edges(self):
+        plain = "       1       2       3       4      11      12      13      14\n"
+        for corners, line in (("1,2,3,4,11,11,14,14\n", "500,3,1,2,3,4,11,11,14,14"), ("1,2,3,4,11,11,11,11\n", "500,3,1,2,3,4,11,11,11,11")):
+            path = self.write(decks.SMALL.replace(plain, corners))
+            model = read_keyword_deck(path, Ledger())
+            nodes = next(text for text in list_blocks(model) if text.startswith("500,")).split(",")[2:]
+            self.assertEqual(set(nodes), set(line.split(",")[2:]))
+            self.assertEqual(len(model.blocks[0].solids[0][1]), len(set(nodes)))
+            result = self.percuss("import", path, "--out", "solids", "--units", "m, kg, s", "--allow", "all")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("The deck and its meshes can be run", result.stdout)
 
     def test_tetrahedra_are_checked_by_the_program(self):
         plain = "       1       2       3       4      11      12      13      14\n"
@@ -558,6 +586,17 @@ class Abaqus(InFolder):
             model = read_abaqus_deck(path, Ledger(allowed=["ALL"]))
             self.assertIn(4, [len(corners) for block in model.blocks for _, corners in block.solids])
             self.assertEqual(model.deck.get("elements", {}).get("integration", "one_point"), "full" if kind == "C3D8" else "one_point")
+
+    def test_wedges_and_pyramids_are_solids_of_one_point(self):
+        for kind, corners in (("C3D6", "5, 6, 8, 9, 10, 11"), ("C3D5", "5, 6, 7, 8, 9"), ("C3D8", "5, 6, 7, 8, 9, 9, 9, 9")):
+            text = decks.ABAQUS.replace(
+                "*NSET, NSET=foot", "*NODE\n9, 0., 0., 2.\n10, 1., 0., 2.\n11, 0., 1., 2.\n"
+                f"*ELEMENT, TYPE={kind}, ELSET=all\n2, {corners}\n*NSET, NSET=foot", 1)  # fmt: skip
+            model, ledger = self.read_abaqus(text)
+            counts = [len(found) for block in model.blocks for _, found in block.solids]
+            self.assertIn(6 if kind == "C3D6" else 5, counts)
+            self.assertFalse([e.card for e in ledger.list_refused() if e.card.startswith("ELEMENT")])
+            self.accept(text, "deck.inp")
 
     def test_integration_is_of_each_section(self):
         text = decks.ABAQUS.replace("*NSET, NSET=foot", "*NODE\n" + "".join(

@@ -8,7 +8,7 @@ from ..fields import clip, parse_integer
 from ..ledger import BadInput, Ledger, Place
 from ..model import Deck, Model
 from .lines import Block
-from .mesh import HEX_SIDES, TET_SIDES, Instance, Scope
+from .mesh import SIDES, SOLIDS, Instance, Scope
 
 
 @dataclass
@@ -123,7 +123,7 @@ class AbaqusDeck:
                 return block.name
         if not ids:
             return ""
-        kind = "SOLID" if len(self.mesh.elements[ids[0]][1]) == 8 else "SHELL"
+        kind = "SOLID" if self.mesh.elements[ids[0]][0] in SOLIDS else "SHELL"
         taken = self.model.names.take(name)
         self.model.element_sets[taken] = (kind, sorted(wanted))
         return taken
@@ -135,8 +135,9 @@ class AbaqusDeck:
             if of_contact or label not in ("SPOS", "SNEG", "S1", "S2"):
                 return both
             return both[:1] if label in ("SPOS", "S2") else both[1:]
-        table = HEX_SIDES if len(corners) == 8 else TET_SIDES
+        table = SIDES.get(len(corners), ())
         number = int(label[1:]) if label[:1] in ("S", "P") and label[1:].isdigit() and len(label) == 2 else 0
         if not 1 <= number <= len(table):
             raise BadInput(place, f"element {id} has no face '{clip(label)}'")
-        return [tuple(corners[i] for i in table[number - 1])]
+        face = tuple(dict.fromkeys(corners[i] for i in table[number - 1]))  # of a hexahedron with collapsed edges once
+        return [face] if len(face) >= 3 else []

@@ -10,6 +10,7 @@ from .beams import add_beam_keys, read_beam_section
 from .deck import AbaqusDeck
 from .lines import Block
 from .materials import translate_material
+from ..solids import NAMES, collapse
 from .mesh import BEAMS, SHELLS, SOLIDS, SPRINGS, Scope, Section, join
 
 MOST_NODES = 20_000_000
@@ -115,11 +116,15 @@ def sort_element(deck: AbaqusDeck, section: Section, part: Part, id: int, kind: 
         part.shells.append((id, corners))
     elif kind in SOLIDS and len(set(corners)) == SOLIDS[kind]:
         part.solids.append((id, corners))
-        if kind == "C3D4":  # has one point, whatever hexahedra have
+        deck.blocks_of_elements[id] = len(deck.model.blocks)
+        if SOLIDS[kind] < 8:  # have one point, whatever hexahedra have
             return
         integration = "full" if kind == "C3D8" else "one_point"
         counts = deck.integrations.setdefault(len(deck.model.blocks), Counter())
         counts[integration] += 1
+    elif SOLIDS.get(kind) == 8 and (solid := collapse(list(corners))) is not None:
+        part.solids.append((id, solid))
+        deck.ledger.translated("ELEMENT.degenerate", section.place, f"hexahedra with collapsed edges are {NAMES[len(solid)]}")
     else:
         deck.ledger.refuse(
             f"ELEMENT.{kind}", section.place, f"elements {kind or 'without TYPE'}, which percuss does not have", "they are left out"

@@ -2,6 +2,7 @@
 
 from ..fields import MOST_ID, clip, parse_integer, parse_real
 from ..ledger import BadInput, Place
+from ..solids import collapse
 from .cards import Card
 from .transforms import SAME, apply
 from .deck import Element, Elements, KeywordDeck
@@ -9,7 +10,6 @@ from .deck import Element, Elements, KeywordDeck
 NODE_WIDTHS = (8, 16, 16, 16, 8, 8)
 EIGHTS = (8,) * 10
 SIXTEENS = (16,) * 5
-SHAPES = {4: "tetrahedron", 5: "pyramid", 6: "wedge", 7: "degenerate"}
 # Seat belts and the like have no law in percuss: what is left of the model without them.
 OTHERS = ("SEATBELT", "SPH", "TSHELL", "PLOTEL", "INERTIA", "GENERALIZED")
 
@@ -77,7 +77,7 @@ def read_solids(deck: KeywordDeck, card: Card) -> None:
 
 
 def add_solid(deck: KeywordDeck, card: Card, place: Place, part: int, id: int, corners: list[int]) -> None:
-    """A hexahedron or a tetrahedron, or a refusal by what it is."""
+    """A hexahedron, or what is left of one with collapsed edges; or a refusal by what it is."""
     different = len(set(corners))
     found = elements_of(deck, part, place)
     if len(corners) == 8 and different == 8:
@@ -87,7 +87,11 @@ def add_solid(deck: KeywordDeck, card: Card, place: Place, part: int, id: int, c
     if different == 4 and corners in (first, first + first[3:] * 4, [*first[:3], first[2], *first[3:] * 4]):
         found.solids.append((id, tuple(first)))
         return
-    shape = "quadratic" if different > 8 else SHAPES.get(different, "degenerate")
+    solid = collapse(corners) if len(corners) == 8 else None
+    if solid is not None:
+        found.solids.append((id, solid))
+        return
+    shape = "quadratic" if different > 8 else "degenerate"
     found.others.add(f"ELEMENT_SOLID.{shape}")
     deck.ledger.refuse(
         f"ELEMENT_SOLID.{shape}",

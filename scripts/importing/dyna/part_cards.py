@@ -15,6 +15,7 @@ MOST_THICKNESSES = 64  # parts that one *PART may become by the thickness of its
 SHELL_FORMS = {1, 2, 3, 4, 6, 7, 8, 10, 11, 16, -16, 17, 18, 20, 21, 25, 26}
 ONE_POINT, FULL = {1}, {-2, -1, 2, 3, 18}
 TETRAHEDRA_FORMS = {10, 13}
+WEDGE_FORMS = {15, 115}
 HOURGLASS_KINDS = {1: "viscous", 2: "viscous", 3: "viscous", 4: "stiffness", 5: "stiffness", 8: "assumed_strain"}
 PART_LINES = {"INERTIA": 3, "REPOSITION": 1, "CONTACT": 1, "PRINT": 1, "ATTACHMENT_NODES": 1}
 
@@ -71,7 +72,7 @@ def read_section(deck: KeywordDeck, card: Card) -> None:
             reader.take()
         lines = [reader.take()]
         row = card.row(lines[0], "SECID ELFORM A B C D E F")
-        if row.integer("ELFORM") > 100:  # a user's element has lines of its own
+        if 100 < row.integer("ELFORM") < 106:  # a user's element has lines of its own
             lines += [reader.take() for _ in range(len(card.lines)) if reader]
         elif kind in ("DISCRETE", "BEAM") and reader:
             lines.append(reader.take())
@@ -279,6 +280,9 @@ def translate_integration(deck: KeywordDeck) -> None:
 def judge_solid_form(deck: KeywordDeck, form: int, row: Row) -> str:
     """Integration in percuss of an ELFORM."""
     if form in ONE_POINT or form in TETRAHEDRA_FORMS:
+        return "one_point"
+    if form in WEDGE_FORMS:
+        deck.ledger.approximated("SECTION_SOLID.ELFORM", row.place, "wedges of one point with two hourglass modes")
         return "one_point"
     if form in FULL:
         deck.ledger.approximated("SECTION_SOLID.ELFORM", row.place, "2x2x2 points with mean dilatation for fully integrated solids")

@@ -125,12 +125,26 @@ void check_settings(const Reader& reader, const Node& node, const ElementDeck& d
                                              reader.name_of("hourglass.coefficient"), reader.in()));
 }
 
+/// Wedges and pyramids have one point and the stiffness form of hourglass control.
+void check_one_point(const Reader& reader, const Node& node, const PartDeck& part) {
+  const char* const elements = part.elements == PartDeck::Elements::wedges ? "wedges" : "pyramids";
+  if (const Node* given = node.find("integration"))
+    reader.error(given->key, fmt::format("{} is of no use{} (its elements are {}; this is of hexahedra)",
+                                         reader.name_of("integration"), reader.in(), elements));
+  const Node* given = node.find("hourglass");
+  if (given == nullptr || part.own_elements.hourglass == Hourglass::stiffness) return;
+  reader.error(given->key, fmt::format("{} is of no use{} (its elements are {}, which have the stiffness form alone) "
+                                       "give kind: stiffness with its coefficient, or leave it out",
+                                       reader.name_of("hourglass"), reader.in(), elements));
+}
+
 /// What has no hexahedra has no hourglass modes; shells and beams have no bulk viscosity either.
 void check_kind(const Reader& reader, const Node& node, const PartDeck& part) {
   if (std::holds_alternative<FileMesh>(part.shape)) return;
   const bool is_shell = is_shell_shape(part.shape);
   const bool is_line = std::holds_alternative<LineShape>(part.shape), is_solid = !is_shell && !is_line;
   if (is_solid && part.elements == PartDeck::Elements::hexahedra) return;
+  if (is_solid && part.elements != PartDeck::Elements::tetrahedra) return check_one_point(reader, node, part);
   for (const std::string key : {"integration", "hourglass", "bulk_viscosity"}) {
     const Node* given = node.find(key);
     const bool is_viscosity = key == "bulk_viscosity";

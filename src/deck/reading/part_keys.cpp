@@ -271,7 +271,9 @@ const Keys<PartDeck>& part_keys() {
     all.push_back(need("material", &PartDeck::material, MaterialNameValue{}));
     all.push_back(may("elements", &PartDeck::elements,
                       ChoiceValue<PartDeck::Elements>{{{"hexahedra", PartDeck::Elements::hexahedra},
-                                                       {"tetrahedra", PartDeck::Elements::tetrahedra}}}));
+                                                       {"tetrahedra", PartDeck::Elements::tetrahedra},
+                                                       {"wedges", PartDeck::Elements::wedges},
+                                                       {"pyramids", PartDeck::Elements::pyramids}}}));
     all.push_back(may("thickness", &PartDeck::thickness, NumberValue{positive}));
     all.push_back(may("points", &PartDeck::points, ThicknessPointsValue{}));
     all.push_back(may("reference", &PartDeck::offset, ReferenceValue{}));
@@ -326,6 +328,12 @@ bool check_elements(const Reader& reader, const Node& node, const PartDeck& part
   const bool is_file = std::holds_alternative<FileMesh>(part.shape);
   const Node* elements = node.find("elements");
   const bool is_line = std::holds_alternative<LineShape>(part.shape);
+  if (part.elements == PartDeck::Elements::wedges && std::holds_alternative<SphereShape>(part.shape)) {
+    reader.error(elements->key, fmt::format("{} of a sphere cannot be wedges{} (triangles of its cells would meet "
+                                            "quadrilaterals) choose tetrahedra or pyramids",
+                                            reader.name_of("elements"), reader.in()));
+    return false;
+  }
   if (elements == nullptr || (!is_file && !is_line && !is_shell_shape(part.shape))) return true;
   reader.error(elements->key, fmt::format("{} is of no use{} ({})", reader.name_of("elements"), reader.in(),
                                           is_file   ? "the file says what its elements are"

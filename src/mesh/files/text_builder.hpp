@@ -31,15 +31,27 @@ struct ElementId {
   IdSpace ids = IdSpace::elements;
 };
 
-/// A side of an element as a face of its topology, of hexahedra, of shells and of tetrahedra, from 0.
+/// A side of an element as a face of its topology, for each topology that has faces, from 0.
 struct TextSide {
   static constexpr int missing = -1, left_out = -2;  // an error; all faces of a set are named one by one
-  int of_solid = missing, of_shell = missing, of_tetrahedron = missing;
+  int of_hexahedron = missing, of_shell = missing, of_tetrahedron = missing, of_wedge = missing, of_pyramid = missing;
 
   int find(const Topology& topology) const {
-    if (topology.is_surface()) return of_shell;
-    if (topology.is_line()) return left_out;
-    return topology.family == ElementFamily::tetrahedra ? of_tetrahedron : of_solid;
+    switch (topology.family) {
+      case ElementFamily::hexahedra:
+        return of_hexahedron;
+      case ElementFamily::shells:
+        return of_shell;
+      case ElementFamily::tetrahedra:
+        return of_tetrahedron;
+      case ElementFamily::wedges:
+        return of_wedge;
+      case ElementFamily::pyramids:
+        return of_pyramid;
+      case ElementFamily::beams:
+        break;
+    }
+    return left_out;
   }
 };
 

@@ -17,19 +17,22 @@ namespace percuss {
 namespace {
 
 /// Faces of the hexahedron by their numbers: 1-2-3-4, 5-8-7-6, 1-5-6-2, 2-6-7-3, 3-7-8-4, 4-8-5-1.
-constexpr std::array<int, 6> faces_of_solids = {4, 5, 0, 1, 2, 3};
+constexpr std::array<int, 6> faces_of_hexahedra = {4, 5, 0, 1, 2, 3};
 constexpr std::array<int, 6> faces_of_tetrahedra = {3, 0, 1, 2, TextSide::missing, TextSide::missing};
+/// 1-2-3, 4-6-5, 1-4-5-2, 2-5-6-3, 3-6-4-1; and 1-2-3-4, 1-5-2, 2-5-3, 3-5-4, 4-5-1.
+constexpr std::array<int, 6> faces_of_wedges = {3, 4, 0, 1, 2, TextSide::missing};
+constexpr std::array<int, 6> faces_of_pyramids = {4, 0, 1, 2, 3, TextSide::missing};
 
 std::optional<TextSide> find_side(const std::string& name) {
   if (name == "SPOS") return TextSide{TextSide::missing, top_face};
   if (name == "SNEG") return TextSide{TextSide::missing, bottom_face};
   if (name.size() != 2 || name[0] != 'S' || name[1] < '1' || name[1] > '6') return {};
   const auto number = static_cast<std::size_t>(name[1] - '1');
-  return TextSide{faces_of_solids[number],
+  return TextSide{faces_of_hexahedra[number],
                   number == 0   ? bottom_face
                   : number == 1 ? top_face
                                 : TextSide::missing,
-                  faces_of_tetrahedra[number]};
+                  faces_of_tetrahedra[number], faces_of_wedges[number], faces_of_pyramids[number]};
 }
 
 std::optional<TopologyKind> find_kind(const std::string& type) {

@@ -28,8 +28,8 @@ const GmshType* find_type(std::int64_t number) {
       {3, {"4-node quadrangle", 2, 4, TopologyKind::quad4}},
       {4, {"4-node tetrahedron", 3, 4, TopologyKind::tet4}},
       {5, {"8-node hexahedron", 3, 8, TopologyKind::hex8}},
-      {6, {"6-node prism", 3, 6, {}}},
-      {7, {"5-node pyramid", 3, 5, {}}},
+      {6, {"6-node prism", 3, 6, TopologyKind::wedge6}},
+      {7, {"5-node pyramid", 3, 5, TopologyKind::pyramid5}},
       {8, {"3-node line", 1, 3, {}}},
       {9, {"6-node triangle", 2, 6, {}}},
       {10, {"9-node quadrangle", 2, 9, {}}},
@@ -45,6 +45,11 @@ const GmshType* find_type(std::int64_t number) {
   };
   const auto found = types.find(number);
   return found == types.end() ? nullptr : &found->second;
+}
+
+/// Those that can be run.
+std::string list_kinds() {
+  return "3-node triangles, 4-node quadrangles, 4-node tetrahedra, 5-node pyramids, 6-node prisms and 8-node hexahedra";
 }
 
 /// What a group of a dimension is called where it has no name.
@@ -64,7 +69,7 @@ class GmshReader {
       read_section(section);
     }
     if (version_ == 0) scan_.refuse("the file has no $MeshFormat");
-    return std::make_unique<TextMesh>(builder_.finish("4-node quadrangles, 3-node triangles and 8-node hexahedra"));
+    return std::make_unique<TextMesh>(builder_.finish(list_kinds()));
   }
 
  private:

@@ -11,6 +11,7 @@
 #include "src/mesh/files/text_builder.hpp"
 #include "src/mesh/files/text_numbers.hpp"
 #include "src/mesh/formats/keyword_cards.hpp"
+#include "src/mesh/topology/collapsed_hexahedron.hpp"
 
 namespace percuss {
 namespace {
@@ -50,8 +51,8 @@ class KeywordReader {
     while (cards_.next_keyword()) read_keyword(cards_.keyword());
     for (const auto& [id, title] : titles_) builder_.rename_blocks(id, title);
     if (!passed_over_.empty()) builder_.add_note(describe_passed_over());
-    return std::make_unique<TextMesh>(
-        builder_.finish("solids of eight different nodes, shells of three and four nodes, beams of two nodes"));
+    return std::make_unique<TextMesh>(builder_.finish(
+        "hexahedra, wedges, pyramids and tetrahedra, shells of three and four nodes, beams of two nodes"));
   }
 
  private:
@@ -127,12 +128,12 @@ class KeywordReader {
       return builder_.add_element(builder_.find_block(name_part(part), part, kind), id, nodes, place);
     }
     const std::vector<std::int64_t> corners = find_tetrahedron(nodes);
-    if (!corners.empty()) {
-      const TextKind kind{"ELEMENT_SOLID, tetrahedron", TopologyKind::tet4, 4, IdSpace::elements};
-      return builder_.add_element(builder_.find_block(name_part(part), part, kind), id, corners, place);
-    }
-    const char* const shape = different == 5 ? "pyramid" : different == 6 ? "wedge" : "degenerate solid";
-    add_other("ELEMENT_SOLID", fmt::format("{} of {} nodes", shape, different), id, part, place);
+    const auto solid = corners.empty() ? collapse_hexahedron(nodes) : SolidOfNodes{TopologyKind::tet4, corners};
+    if (!solid) return add_other("ELEMENT_SOLID", fmt::format("degenerate, of {} nodes", different), id, part, place);
+    const Topology& topology = find_topology(solid->kind);
+    const TextKind kind{fmt::format("ELEMENT_SOLID, {}", topology.noun), solid->kind, topology.corner_count,
+                        IdSpace::elements};
+    builder_.add_element(builder_.find_block(name_part(part), part, kind), id, solid->nodes, place);
   }
 
   /// Elements that cannot be run, by the line of their first.

@@ -124,7 +124,7 @@ void read_file_part(const PartDeck& deck, const Totals& so_far, MeshFiles& files
 
 void describe_generated_part(const PartDeck& deck, ScenePart& part) {
   std::unique_ptr<ShapeSource> source = make_source(deck.shape);
-  if (deck.elements == PartDeck::Elements::tetrahedra) source = cut_into_tetrahedra(std::move(source));
+  source = cut_cells(std::move(source), deck.elements);
   const PartPlacement place(deck);
   PartTiling tiling(*source, place.copies());
   part.nodes = std::int64_t{source->node_count()} * place.copies();

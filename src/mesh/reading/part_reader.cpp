@@ -12,6 +12,7 @@
 #include "src/error.hpp"
 #include "src/mesh/exodus/trial_process.hpp"
 #include "src/mesh/quality/check_mesh.hpp"
+#include "src/mesh/reading/collapsed_elements.hpp"
 #include "src/mesh/reading/mesh_reader.hpp"
 
 namespace percuss {
@@ -179,6 +180,7 @@ class PartReader {
       kind = TopologyKind::tri3;
       nodes.pop_back();
     }
+    if (kind == TopologyKind::hex8) kind = collapsed_.collapse(static_cast<int>(mesh_.elements.size()), nodes);
     mesh_.elements.add(find_block(block.name, kind), nodes);
   }
 
@@ -254,8 +256,13 @@ class PartReader {
         }
         const int in_part = file_to_part_element_[static_cast<std::size_t>(element - 1)];
         if (in_part == not_chosen) continue;
-        const Topology& topology = mesh_.elements.topology_of(static_cast<std::size_t>(in_part));
-        const int face = file_.find_face(topology, side);
+        const Topology& topology =
+            collapsed_.has(in_part) ? hex8_topology : mesh_.elements.topology_of(static_cast<std::size_t>(in_part));
+        int face = file_.find_face(topology, side);
+        if (face >= 0 && collapsed_.has(in_part)) {
+          face = collapsed_.find_face(mesh_.elements, in_part, face, file_to_part_node_);
+          if (face < 0) continue;  // a side without area
+        }
         if (face < 0) {
           problems_.add(fmt::format(
               "side set '{}' names side {} of element {} ({})", set.name, side,
@@ -318,6 +325,7 @@ class PartReader {
   Choice choice_;
   std::vector<std::int64_t> file_node_ids_, file_element_ids_;
   std::vector<int> file_to_part_node_, file_to_part_element_;
+  CollapsedElements collapsed_;
   PartMesh mesh_;
   Problems problems_;
 };

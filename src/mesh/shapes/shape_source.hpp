@@ -60,9 +60,9 @@ inline ShapeSource::FaceSides name_shell_sides(int bottom, int top) {
   return sides;
 }
 
-/// The same solid of tetrahedra, twelve for each of its cells, whose faces match. The mean of the corners of a cell is
-/// a node, too.
-std::unique_ptr<ShapeSource> cut_into_tetrahedra(std::unique_ptr<ShapeSource> cells);
+/// The same solid of other elements, whose faces match. A cell becomes twelve tetrahedra or six pyramids, of which the
+/// mean of its corners is a node, too, or two wedges along its third direction.
+std::unique_ptr<ShapeSource> cut_cells(std::unique_ptr<ShapeSource> cells, PartDeck::Elements elements);
 
 /// The source of a generated shape; null for a mesh from a file.
 std::unique_ptr<ShapeSource> make_source(const Shape& shape);

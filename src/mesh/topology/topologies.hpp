@@ -3,16 +3,19 @@
 
 #include "src/mesh/topology/hex8.hpp"
 #include "src/mesh/topology/line2.hpp"
+#include "src/mesh/topology/pyramid5.hpp"
 #include "src/mesh/topology/quad4.hpp"
 #include "src/mesh/topology/tet4.hpp"
 #include "src/mesh/topology/tri3.hpp"
+#include "src/mesh/topology/wedge6.hpp"
 
 namespace percuss {
 
 /// In the order of `topologies`.
-enum class TopologyKind : std::uint8_t { hex8, quad4, tri3, tet4, line2 };
+enum class TopologyKind : std::uint8_t { hex8, quad4, tri3, tet4, line2, wedge6, pyramid5 };
 
-inline constexpr std::array topologies{hex8_topology, quad4_topology, tri3_topology, tet4_topology, line2_topology};
+inline constexpr std::array topologies{hex8_topology,  quad4_topology,  tri3_topology,    tet4_topology,
+                                       line2_topology, wedge6_topology, pyramid5_topology};
 inline constexpr std::size_t topology_count = topologies.size();
 
 constexpr const Topology& find_topology(TopologyKind kind) { return topologies[static_cast<std::size_t>(kind)]; }

@@ -17,7 +17,7 @@ inline constexpr std::size_t most_corners = 8, most_faces = 6, most_edges = 12;
 inline constexpr std::size_t kernel_corner_count = 8;
 
 /// Elements that one launcher computes, side by side in the packs of a chunk.
-enum class ElementFamily : std::uint8_t { hexahedra, shells, tetrahedra, beams };
+enum class ElementFamily : std::uint8_t { hexahedra, shells, tetrahedra, beams, wedges, pyramids };
 
 /// A face of a topology. Corners are places among those of the element, outward by the right-hand rule.
 struct FaceCorners {
@@ -50,9 +50,12 @@ struct Topology {
   std::array<std::array<int, 3>, most_corners> corner_edges{};
   /// What kernels see: the corners, then some of them again if there are fewer.
   std::array<int, kernel_corner_count> kernel_corners{};
-  std::uint8_t vtk_type = 0;                       // VTKCellType
-  int xdmf_type = 0;                               // in a mixed topology of XDMF
-  std::string_view xdmf_name;                      // of a topology with this kind alone
+  /// What each corner has of the mass of an element, in eighths; zeros: all have equal shares.
+  std::array<double, most_corners> mass_eighths{};
+  std::uint8_t vtk_type = 0;                                          // VTKCellType
+  std::array<int, most_corners> vtk_corners{0, 1, 2, 3, 4, 5, 6, 7};  // in the order of VTK and XDMF
+  int xdmf_type = 0;                                                  // in a mixed topology of XDMF
+  std::string_view xdmf_name;                                         // of a topology with this kind alone
   std::array<std::string_view, 4> exodus_names{};  // beginnings of the names of its blocks; unused: empty
   std::array<int, most_faces> exodus_sides{};      // face of the Exodus side with this number, less one
   std::array<std::string_view, 2> abaqus_names{};  // element types with its corners; unused: empty
@@ -67,12 +70,13 @@ struct Topology {
   constexpr bool is_line() const { return dimension == 1; }
   constexpr bool is_solid() const { return dimension == 3; }
 
-  /// What one of the corners that kernels see has of the mass of an element, in eighths: all corners have equal shares,
-  /// divided over the places of each.
+  /// What one of the corners that kernels see has of the mass of an element, in eighths: the share of the corner,
+  /// divided over its places.
   constexpr double find_mass_share(std::size_t place) const {
     int count = 0;
     for (const int corner : kernel_corners) count += corner == kernel_corners[place] ? 1 : 0;
-    return 8.0 / corner_count / count;
+    const double own = mass_eighths[static_cast<std::size_t>(kernel_corners[place])];
+    return (own > 0 ? own : 8.0 / corner_count) / count;
   }
 
   /// The corner behind one of a face: across the element along an edge. Of a surface the corner itself.

@@ -84,9 +84,9 @@ Cells list_cells(std::span<const std::int64_t> rows) {
   Cells cells;
   for (std::size_t first = 0; first < rows.size(); first += cell_row) {
     cells.kinds.push_back(static_cast<TopologyKind>(rows[first]));
-    const auto corners =
-        rows.subspan(first + 1, static_cast<std::size_t>(find_topology(cells.kinds.back()).corner_count));
-    cells.corners.insert(cells.corners.end(), corners.begin(), corners.end());
+    const Topology& topology = find_topology(cells.kinds.back());
+    for (std::size_t c = 0; c < static_cast<std::size_t>(topology.corner_count); ++c)
+      cells.corners.push_back(rows[first + 1 + static_cast<std::size_t>(topology.vtk_corners[c])]);
     cells.ends.push_back(static_cast<std::int64_t>(cells.corners.size()));
   }
   return cells;

@@ -55,7 +55,7 @@ inline constexpr std::size_t cell_row = 1 + most_corners;
 /// [elements][cell_row] of this rank.
 std::vector<std::int64_t> list_cell_rows(const Mesh& mesh);
 
-/// Cells of a run of elements.
+/// Cells of a run of elements, their corners in the order of VTK.
 struct Cells {
   std::vector<std::int64_t> corners, ends;  // ends: place behind the corners of each element, from the block's first
   std::vector<TopologyKind> kinds;

@@ -92,6 +92,15 @@ struct BlockBuilder {
     });
   }
 
+  template <class Material, class Shape>
+  void build(OnePointBlock<Material, Shape>& block) {
+    constexpr ElementFamily family = std::is_same_v<Shape, Wedge6> ? ElementFamily::wedges : ElementFamily::pyramids;
+    const auto is_ours = [&](const Chunk& chunk) { return find_family(chunk) == family; };
+    add_chunks<Material>(is_ours, block, [&](std::size_t c, const auto& material, const auto& named) {
+      describe_records(c, material, named, OnePointRecord<Shape>::history, 1);
+    });
+  }
+
   ElementFamily find_family(const Chunk& chunk) const {
     return find_topology(find_block(chunked, chunk).topology).family;
   }

@@ -146,6 +146,7 @@ void build_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
                        {}};
   std::apply([&](auto&... block) { (builder.build(block), ...); }, model.blocks);
   std::apply([&](auto&... block) { (builder.build(block), ...); }, model.tet_blocks);
+  std::apply([&](auto&... block) { (builder.build(block), ...); }, model.one_point_blocks);
   build_shell_blocks(deck, chunked,
                      {builder.record_size, builder.history, builder.points, builder.parameters, builder.scalars,
                       builder.first_start, builder.start_count, builder.start_values},
@@ -224,6 +225,8 @@ void build_halo(const ChunkedMesh& chunked, const LocalSlots& slots, Model& mode
                std::make_index_sequence<std::tuple_size_v<ShellBlocks>>());
   split_blocks(sends, model.tet_blocks, model.sending_tet_blocks,
                std::make_index_sequence<std::tuple_size_v<TetBlocks>>());
+  split_blocks(sends, model.one_point_blocks, model.sending_one_point_blocks,
+               std::make_index_sequence<std::tuple_size_v<OnePointBlocks>>());
   if (model.has_beams) split_block(sends, model.beam_block, model.sending_beam_block);
   model.nodes_to_slots = {to_view("percuss::first_slot_of_node", halo.nodes_to_slots.first),
                           to_view("percuss::slots_of_node", halo.nodes_to_slots.slots)};
@@ -366,7 +369,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   model.ranks = find_ranks(mesh);
   model.node_count = static_cast<int>(mesh.nodes.size());
   model.element_count = static_cast<int>(mesh.elements.size());
-  check_tets(deck, mesh);
+  check_small_solids(deck, mesh);
   model.has_tets = has_tetrahedra(mesh);
   model.mixes_tets = model.has_tets && deck.elements.tetrahedra == ElementDeck::Tetrahedra::mixed;
   model.has_rotations = has_shells(mesh) || has_bending_beams(deck, mesh);

@@ -39,8 +39,8 @@ void refuse_other_laws(const Deck& deck, const ElementBlock& block, const MassSc
                   material.equation_of_state ? " with an equation of state" : ""));
 }
 
-/// Step bound of each hexahedron at rest in its first shape; of shells and beams 0.
-std::vector<double> find_hex_bounds(const Model& model, const std::vector<double>& element_mass) {
+/// Step bound of each hexahedron, wedge and pyramid at rest in its first shape; of others 0.
+std::vector<double> find_solid_bounds(const Model& model, const std::vector<double>& element_mass) {
   Model resting = model;
   resting.has_rotations = resting.has_beams =
       false;  // what shells and beams need beside follows from the scaled masses
@@ -53,6 +53,9 @@ std::vector<double> find_hex_bounds(const Model& model, const std::vector<double
   watch.growth = Array<double>("percuss::growth", static_cast<std::size_t>(model.chunks.count));
   for (const HexBlocks& blocks : {model.sending_blocks, model.blocks}) {
     advance_elements(ExecSpace(), model.chunks, blocks, {state.x, state.v, 0, false, 0, watch}, state.chunk_fields());
+  }
+  for (const OnePointBlocks& blocks : {model.sending_one_point_blocks, model.one_point_blocks}) {
+    advance_one_points(ExecSpace(), model.chunks, blocks, {state.x, state.v, 0, false, 0, watch}, state.chunk_fields());
   }
   const auto lanes = to_host(watch.bound);
   const auto first_element = to_host(model.chunks.first_element), first_pack = to_host(model.chunks.first_pack);
@@ -138,7 +141,7 @@ void scale_masses(const Deck& deck, const ChunkedMesh& chunked, std::vector<doub
     if (const auto* request = deck.find_mass_scaling(static_cast<std::size_t>(block.part)))
       refuse_other_laws(deck, block, *request);
   }
-  std::vector<double> bounds = find_hex_bounds(model, element_mass);
+  std::vector<double> bounds = find_solid_bounds(model, element_mass);
   const std::vector<double> of_shells = find_shell_bounds(deck, chunked.mesh, element_mass);
   for (std::size_t e = 0; e < bounds.size(); ++e) bounds[e] = std::max(bounds[e], of_shells[e]);
   set_beam_bounds(deck, chunked.mesh, element_mass, bounds);

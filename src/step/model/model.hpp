@@ -19,6 +19,7 @@
 #include "kernels/node/motion.hpp"
 #include "kernels/node/nodal_load.hpp"
 #include "kernels/node/pressure.hpp"
+#include "kernels/one_point/one_point_chunks.hpp"
 #include "kernels/shell/shell_force.hpp"
 #include "kernels/tet/tet_force.hpp"
 #include "src/deck/deck.hpp"
@@ -104,6 +105,9 @@ struct Model {
   TetBlocks tet_blocks;
   TetNodes tet_nodes;  // of the mixed form
 
+  OnePointBlocks sending_one_point_blocks;  // wedges and pyramids, as sending_blocks
+  OnePointBlocks one_point_blocks;
+
   NodeSlots nodes_to_slots;
   HaloPlan halo;
   int slot_count = 0;  // chunk slots, four a pressure face, one a loaded node, one a node of springs, then those
@@ -116,7 +120,7 @@ struct Model {
   Rows3<double> start;                  // position at time 0
   Rows3<double> start_velocity;         // velocity at time 0
   Array<double> element_mass;           // at time 0
-  Array<double> mass;                   // lumped: an eighth of each element's mass to its corners, and extra_mass
+  Array<double> mass;                   // lumped: shares of each element's mass to its corners, and extra_mass
   Rows3<double> inverse_mass;           // 0 in held directions and of nodes of rigid bodies
   double total_mass = 0;                // of all ranks
   Vec3 mass_center{};                   // of all ranks, at time 0; moments are taken about it

@@ -15,9 +15,24 @@ namespace {
 
 bool is_of_tets(const ElementBlock& block) { return find_topology(block.topology).family == ElementFamily::tetrahedra; }
 
+/// What its elements are called in messages; null: hexahedra, or no solids.
+const char* name_small_solids(const ElementBlock& block) {
+  switch (find_topology(block.topology).family) {
+    case ElementFamily::tetrahedra:
+      return "tetrahedra";
+    case ElementFamily::wedges:
+      return "wedges";
+    case ElementFamily::pyramids:
+      return "pyramids";
+    default:
+      return nullptr;
+  }
+}
+
 [[noreturn]] void refuse(const Deck& deck, const ElementBlock& block, const std::string& what) {
   const PartDeck& part = deck.parts[static_cast<std::size_t>(block.part)];
-  throw InputError(fmt::format("{}: error: part '{}' has tetrahedra ({}", deck.where(part.place), part.name, what));
+  throw InputError(fmt::format("{}: error: part '{}' has {} ({}", deck.where(part.place), part.name,
+                               name_small_solids(block), what));
 }
 
 /// Material of each slot of tetrahedra, counted from 1, those of other ranks included; of other slots 0.
@@ -41,20 +56,20 @@ Rows3<double> find_slot_materials(const ChunkedMesh& chunked, const Model& model
 
 bool is_tet_chunk(const ChunkedMesh& chunked, const Chunk& chunk) { return is_of_tets(find_block(chunked, chunk)); }
 
-void check_tets(const Deck& deck, const Mesh& mesh) {
+void check_small_solids(const Deck& deck, const Mesh& mesh) {
   for (const ElementBlock& block : mesh.elements.blocks) {
-    if (!is_of_tets(block)) continue;
+    if (name_small_solids(block) == nullptr) continue;
     if (is_single_precision)
       refuse(deck, block,
-             "this percuss computes elements in single precision, tetrahedra are in double only) use one that is "
+             "this percuss computes elements in single precision, these are in double only) use one that is "
              "configured with PERCUSS_PRECISION=double");
     if (deck.time.step_estimate == TimeDeck::StepEstimate::global)
       refuse(deck, block,
              "time.step_estimate is global, whose estimate knows hexahedra only) leave time.step_estimate out");
-    if (deck.find_mass_scaling(static_cast<std::size_t>(block.part)) != nullptr)
+    if (is_of_tets(block) && deck.find_mass_scaling(static_cast<std::size_t>(block.part)) != nullptr)
       refuse(deck, block,
-             "mass scaling knows the bounds of hexahedra and shells only) leave mass_scaling out, or give it to other "
-             "parts alone");
+             "mass scaling knows the bounds of other elements only) leave mass_scaling out, or give it to other parts "
+             "alone");
   }
 }
 

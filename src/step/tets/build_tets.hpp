@@ -11,8 +11,9 @@ namespace percuss {
 /// Whether the elements of a chunk are tetrahedra.
 bool is_tet_chunk(const ChunkedMesh& chunked, const Chunk& chunk);
 
-/// Throws InputError with the deck's place, the same on all ranks, where the deck asks for what tetrahedra do not have.
-void check_tets(const Deck& deck, const Mesh& mesh);
+/// Throws InputError with the deck's place, the same on all ranks, where the deck asks for what tetrahedra, wedges and
+/// pyramids do not have.
+void check_small_solids(const Deck& deck, const Mesh& mesh);
 
 /// The records of nodes, over which the mixed form averages: one for each material of the tetrahedra around a node.
 /// Collective; model.halo and the slots of its chunks are there already.

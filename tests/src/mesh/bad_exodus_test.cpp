@@ -61,8 +61,8 @@ std::vector<BadMesh> list_bad_meshes() {
          m.nodes.assign(12, {1, 1, 1});
        },
        {"element 101", "element 102", "has no volume"}},
-      {"wedge",
-       [](auto& m) { m.blocks[0].corners = {1, 2, 3, 3, 5, 6, 7, 7}; },
+      {"collapsed_edge",
+       [](auto& m) { m.blocks[0].corners = {1, 2, 3, 3, 5, 6, 7, 8}; },
        {"element 101", "names node 1003 more than once", "degenerate"}},
       {"duplicate",
        [](auto& m) { m.blocks[1].corners = {1, 2, 3, 4, 5, 6, 7, 8}; },
@@ -82,9 +82,9 @@ std::vector<BadMesh> list_bad_meshes() {
       {"infinity", [infinity](auto& m) { m.nodes[4][2] = -infinity; }, {"node 1005", "-inf"}},
       {"wedges",
        [](auto& m) {
-         m.blocks[1] = {20, "wedges", "WEDGE", 6, {5, 6, 7, 9, 10, 11}};
+         m.blocks[1] = {20, "wedges", "WEDGE15", 15, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1, 2, 3}};
        },
-       {"block 'wedges' has 1 elements of kind WEDGE with 6 nodes", "blocks: [left]"}},
+       {"block 'wedges' has 1 elements of kind WEDGE15 with 15 nodes", "blocks: [left]"}},
       {"quadratic",
        [](auto& m) {
          m.blocks.pop_back();
@@ -92,7 +92,7 @@ std::vector<BadMesh> list_bad_meshes() {
          m.side_sets.clear();
          m.blocks[0] = {10, "q", "HEX20", 20, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1, 2, 3, 4, 5, 6, 7, 8}};
        },
-       {"HEX20", "only HEX8, SHELL4, QUAD4, SHELL3, TRI3, TET4, BEAM2, BAR2, TRUSS2, ROD2 can be run"}},
+       {"HEX20", "only HEX8, SHELL4, QUAD4, SHELL3, TRI3, TET4, BEAM2, BAR2, TRUSS2, ROD2, WEDGE6, PYR5 can be run"}},
       {"quadratic_triangles",
        [](auto& m) {
          m.blocks[0] = {10, "t", "TRI6", 6, {1, 2, 3, 4, 5, 6}};

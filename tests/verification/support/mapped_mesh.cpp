@@ -60,6 +60,20 @@ void add_node_set(WrittenMesh& mesh, int id, const char* name, const std::functi
   mesh.node_sets.push_back(set);
 }
 
+void cut_into_wedges(WrittenMesh& mesh) {
+  static constexpr std::size_t of_wedges[] = {0, 1, 2, 4, 5, 6, 0, 2, 3, 4, 6, 7};
+  for (WrittenBlock& block : mesh.blocks) {
+    std::vector<std::int64_t> corners;
+    for (std::size_t e = 0; e < block.corners.size(); e += 8) {
+      for (const std::size_t corner : {0, 1, 2, 4, 5, 6, 0, 2, 3, 4, 6, 7})
+        corners.push_back(block.corners[e + corner]);
+    }
+    block.topology = "WEDGE6";
+    block.nodes_per_element = 6;
+    block.corners = corners;
+  }
+}
+
 void cut_into_tetrahedra(WrittenMesh& mesh) {
   for (WrittenBlock& block : mesh.blocks) {
     std::vector<std::int64_t> cut;

@@ -21,6 +21,9 @@ void add_node_set(testing_mesh::WrittenMesh& mesh, int id, const char* name,
 /// Cuts each hexahedron of the mesh into twelve tetrahedra, as percuss cuts generated shapes. Sets of nodes stay.
 void cut_into_tetrahedra(testing_mesh::WrittenMesh& mesh);
 
+/// Cuts each hexahedron of the mesh into two wedges along its third direction.
+void cut_into_wedges(testing_mesh::WrittenMesh& mesh);
+
 /// A quarter of a cylinder along z, between the planes x = 0 and y = 0: 3 n^2 elements a section, `along` sections.
 /// Nodes lie as in a generated cylinder of 4 n cells across, or with a core of another form. Sets "foot" (z = 0),
 /// "x_plane" (x = 0), "y_plane".

@@ -27,7 +27,7 @@ struct TaylorShape {
 
 enum class TaylorFoot { held, on_wall };
 /// What the cells of its mesh are.
-enum class TaylorCells { hexahedra, tetrahedra };
+enum class TaylorCells { hexahedra, tetrahedra, wedges };
 
 /// Runs a quarter of the bar between its planes of symmetry: 3 n^2 elements a section, 20 n sections; the mesh that a
 /// generated cylinder with `cells: [4 n, 20 n]` has there.
@@ -35,6 +35,7 @@ inline TaylorShape run_taylor_bar(int n, TaylorFoot foot, const std::string& ele
                                   TaylorCells cells = TaylorCells::hexahedra) {
   testing_mesh::WrittenMesh mesh = make_quarter_cylinder(3.2e-3, 32.4e-3, n, 20 * n);
   if (cells == TaylorCells::tetrahedra) cut_into_tetrahedra(mesh);
+  if (cells == TaylorCells::wedges) cut_into_wedges(mesh);
   const TemporaryFile file(testing_mesh::write_exodus(mesh, "taylor_bar.exo"));
   const bool held = foot == TaylorFoot::held;
   const int core = (n + 1) * (n + 1), around = 2 * n + 1;

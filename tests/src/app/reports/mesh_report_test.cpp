@@ -32,13 +32,14 @@ percuss     reads 12 nodes, 2 solid elements of volume 2
 
 TEST(MeshReport, SaysWhatCannotBeRunAndHowToChooseTheRest) {
   WrittenMesh mesh = make_two_cubes();
-  mesh.blocks.push_back({30, "ends", "PYRAMID5", 5, {1, 2, 3, 4, 5, 5, 6, 7, 8, 1}});
+  mesh.blocks.push_back({30, "ends", "PYRAMID13", 13, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1,
+                                                       1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 1}});
   mesh.element_ids = {};
   mesh.node_sets = {};
   const std::string text = describe_mesh_file(write_exodus(mesh, "info_pyramids.e"));
   EXPECT_THAT(text, HasSubstr("4 elements, 12 nodes\n"));
-  EXPECT_THAT(text,
-              HasSubstr("\n            ends, id 30: 2 elements of kind PYRAMID5 with 5 nodes, which cannot be run\n"));
+  EXPECT_THAT(
+      text, HasSubstr("\n            ends, id 30: 2 elements of kind PYRAMID13 with 13 nodes, which cannot be run\n"));
   EXPECT_THAT(text, HasSubstr("\nnode sets   none\n"));
   EXPECT_THAT(text, EndsWith("\npercuss     reads 12 nodes, 2 solid elements of volume 2\n"
                              "            with blocks: [left, block_20]\n"));

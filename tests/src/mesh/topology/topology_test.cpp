@@ -15,11 +15,15 @@ namespace percuss {
 namespace {
 
 /// The element of reference: of a hexahedron the unit cube's corners, of a surface those of its lower face, of a
-/// tetrahedron the origin and the ends of the axes, of a line the origin and the end of x.
+/// tetrahedron the origin and the ends of the axes, of a line the origin and the end of x; a wedge stands on half of
+/// the lower face, a pyramid on all of it.
 Vec3 place_corner(const Topology& topology, int corner) {
   if (topology.is_line()) return {corner == 1 ? 1.0 : 0.0, 0, 0};
   if (topology.family == ElementFamily::tetrahedra)
     return {corner == 1 ? 1.0 : 0.0, corner == 2 ? 1.0 : 0.0, corner == 3 ? 1.0 : 0.0};
+  if (topology.family == ElementFamily::wedges)
+    return {corner % 3 == 1 ? 1.0 : 0.0, corner % 3 == 2 ? 1.0 : 0.0, corner < 3 ? 0.0 : 1.0};
+  if (topology.family == ElementFamily::pyramids && corner == 4) return {0.5, 0.5, 1};
   const double x[4] = {0, 1, 1, 0}, y[4] = {0, 0, 1, 1};
   return {x[corner % 4], y[corner % 4], corner < 4 ? 0.0 : 1.0};
 }
@@ -148,6 +152,37 @@ TEST_P(EveryTopology, OfASolidHasAVolumeWhichIsPositiveAtEachCorner) {
     }
   }
 }
+
+TEST_P(EveryTopology, GivesAllOfItsMassToItsCorners) {
+  double sum = 0;
+  for (std::size_t place = 0; place < kernel_corner_count; ++place) sum += topology().find_mass_share(place);
+  EXPECT_NEAR(sum, 8, 1e-14);
+}
+
+TEST_P(EveryTopology, HasEachOfItsCornersOnceInTheOrderOfVtk) {
+  const auto& order = topology().vtk_corners;
+  const auto count = static_cast<std::size_t>(topology().corner_count);
+  const std::set<int> corners(order.begin(), order.begin() + topology().corner_count);
+  EXPECT_EQ(corners.size(), count);
+  EXPECT_EQ(*corners.rbegin(), topology().corner_count - 1);
+}
+
+// A pyramid: 3/16 of its mass at each corner of the base, 1/4 at the apex. Its centre is the mean of what kernels see.
+TEST(Pyramid5Topology, HasItsCentreAndItsMassWhereTheyAre) {
+  double base = 0, apex = 0;
+  HexCorners x;
+  for (std::size_t i = 0; i < kernel_corner_count; ++i) {
+    const int corner = pyramid5_topology.kernel_corners[i];
+    (corner == 4 ? apex : base) += pyramid5_topology.find_mass_share(i);
+    x[i] = place_corner(pyramid5_topology, corner);
+  }
+  EXPECT_EQ(apex, 2);
+  EXPECT_EQ(base, 6);
+  EXPECT_EQ(find_center(x), (Vec3{0.5, 0.5, 0.25}));
+}
+
+// (0,1,2) of VTK's wedge, by the right-hand rule, looks away from (3,4,5).
+TEST(Wedge6Topology, HasTheOtherTurnInVtk) { EXPECT_EQ(wedge6_topology.vtk_corners[1], 2); }
 
 INSTANTIATE_TEST_SUITE_P(Topologies, EveryTopology, testing::Range(std::size_t{0}, topology_count),
                          [](const auto& kind) { return std::string(topologies[kind.param].name); });

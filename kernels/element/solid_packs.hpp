@@ -1,0 +1,157 @@
+#pragma once
+// What the launchers of solids other than hexahedra share: a chunk's nodes in scratch, packs of elements from them, and
+// what packs leave. These elements are in double.
+//
+// Sources that include this are compiled with the same options (kernels/tet/CMakeLists.txt).
+
+#include "kernels/element/chunk_records.hpp"
+#include "kernels/element/internal_force.hpp"
+#include "kernels/element/living_lanes.hpp"
+
+namespace percuss {
+
+inline constexpr int solid_width = pack_size<double>;
+using SolidScratch = ChunkScratch<node_record, force_record>;
+
+/// A vector of the pack's N corners, from rows of so many numbers, at least four. Field: indexed by corner.
+template <int N, class Field>
+PERCUSS_FORCE_INLINE void gather_corners(const double* rows, int row_size, const std::uint16_t* corners, Field& u) {
+  for (int i = 0; i < N; ++i) {
+    const double* records[solid_width];
+    for (int lane = 0; lane < solid_width; ++lane)
+      records[lane] = rows + static_cast<std::size_t>(row_size) * corners[i * solid_width + lane];
+    Lanes packs[3];
+    transpose_to_packs(records, packs);
+    u[i] = {packs[0], packs[1], packs[2]};
+  }
+}
+
+/// Subtracts the forces of the first `lanes` elements from the chunk's records, element by element.
+template <int N, class Field>
+PERCUSS_FORCE_INLINE void scatter_corners(const Field& f, const std::uint16_t* corners, int lanes, double* forces) {
+  alignas(64) double records[N][solid_width][4];
+  for (int i = 0; i < N; ++i) {
+    const Lanes packs[3] = {f[i].x, f[i].y, f[i].z};
+    transpose_to_records(packs, records[i]);
+  }
+  for (int lane = 0; lane < lanes; ++lane) {
+    for (int i = 0; i < N; ++i)
+      subtract_record(records[i][lane],
+                      forces + force_record * static_cast<std::size_t>(corners[i * solid_width + lane]));
+  }
+}
+
+/// The chunk of a team.
+struct SolidChunk {
+  const HexChunks& chunks;
+  int c, first_slot, slot_count, first_element, end_element;
+
+  KOKKOS_FUNCTION SolidChunk(const HexChunks& of, int chunk)
+      : chunks(of),
+        c(chunk),
+        first_slot(of.first_slot(chunk)),
+        slot_count(of.first_slot(chunk + 1) - first_slot),
+        first_element(of.first_element(chunk)),
+        end_element(of.first_element(chunk + 1)) {}
+
+  /// Places and velocities of its nodes into node records.
+  KOKKOS_FUNCTION void fill_nodes(const ElementMotion& motion, double* nodes) const {
+    const int* const slots_to_nodes = &chunks.slots_to_nodes(first_slot);
+    for (int s = 0; s < slot_count; ++s) {
+      const std::size_t n = 3 * static_cast<std::size_t>(slots_to_nodes[s]);
+      copy_row(motion.x.data() + n, nodes + node_record * s);
+      copy_row(motion.v.data() + n, nodes + node_record * s + 4);
+    }
+  }
+
+  KOKKOS_FUNCTION const std::uint16_t* find_corners() const {
+    return &chunks.corner_slots(static_cast<std::size_t>(chunks.first_pack(c)) * 8 * solid_width);
+  }
+
+  /// Calls visit(i, lanes, corners) for each pack i with so many elements.
+  template <class Visit>
+  KOKKOS_FUNCTION void for_each_pack(const Visit& visit) const {
+    const std::uint16_t* corners = find_corners();
+    for (int e = first_element, i = 0; e < end_element; e += solid_width, ++i, corners += 8 * solid_width)
+      visit(i, end_element - e < solid_width ? end_element - e : solid_width, corners);
+  }
+};
+
+/// Active lanes of a chunk of solids in double, pass by pass (LivingLanes). A template for its users: where hexahedra
+/// are in single precision its packs are not theirs, and none of them is compiled.
+template <class>
+class LivingSolids : public LivingLanes {
+ public:
+  KOKKOS_FUNCTION LivingSolids(const FailingChunks& failing, const ElementLives& lives, int chunk)
+      : LivingLanes(failing, lives, chunk),
+        shares_(&lives.force_share),
+        first_((failing.find_pack(chunk) - 1) * width) {}
+
+  KOKKOS_FUNCTION bool take_pack(const std::uint16_t*& corners) {
+    first_ += width;
+    return LivingLanes::take_pack(corners);
+  }
+
+  /// Shares of its force that each lane leaves at this evaluation, as far as the last one says; negative: eroded.
+  KOKKOS_FUNCTION Lanes load_force_share() const { return load_pack(&(*shares_)(static_cast<std::size_t>(first_))); }
+
+  using LivingLanes::take_force_share;
+  using LivingLanes::take_work;
+
+ private:
+  const Array<Real>* shares_;
+  int first_;  // lane of the pack
+};
+
+/// What the elements of a chunk add up to, taken lane by lane in their order.
+struct SolidChunkSums {
+  double step = 1e300;
+  int controlling = -1, failed = -1;
+  double work[work_kinds] = {0, 0, 0, 0};
+
+  /// k: place among the kinds of work.
+  PERCUSS_FORCE_INLINE void take_work(int k, const Lanes& of, int lanes) { work[k] += sum_first(of, lanes); }
+
+  PERCUSS_FORCE_INLINE void take_step(const Lanes& stable_step, const Lanes& volume, int first_element, int lanes) {
+    alignas(64) double steps[solid_width], volumes[solid_width];
+    store_pack(steps, stable_step);
+    store_pack(volumes, volume);
+    for (int lane = 0; lane < lanes; ++lane) {
+      if (steps[lane] < step) {
+        step = steps[lane];
+        controlling = first_element + lane;
+      }
+      if (failed < 0 && !(volumes[lane] > 0 && steps[lane] > 0)) failed = first_element + lane;  // also for NaN
+    }
+  }
+
+  KOKKOS_FUNCTION void leave_work(int c, const ChunkResults& results) const {
+    for (int k = 0; k < work_kinds; ++k) results.work(c, k) += work[k];
+  }
+
+  KOKKOS_FUNCTION void leave_step(int c, int first_element, const ChunkResults& results) const {
+    results.stable_step(c) = step;
+    results.controlling_element(c) = controlling < 0 ? first_element : controlling;
+    results.failed_element(c) = failed;
+    results.is_settled(c) = 0;
+  }
+
+  static PERCUSS_FORCE_INLINE double sum_first(const Lanes& value, int lanes) {
+    alignas(64) double row[solid_width];
+    store_pack(row, value);
+    double sum = 0;
+    for (int lane = 0; lane < lanes; ++lane) sum += row[lane];
+    return sum;
+  }
+};
+
+/// Launches a kernel over chunks, a team each.
+template <class Kernel>
+void launch_solids(const char* label, const ExecSpace& space, const HexChunks& chunks, const Array<int>& list,
+                   const Kernel& kernel) {
+  const int count = static_cast<int>(list.extent(0));
+  if (count == 0 || is_single_precision) return;
+  Kokkos::parallel_for(label, SolidScratch::make_policy(space, count, chunks.largest_slot_count), kernel);
+}
+
+}  // namespace percuss

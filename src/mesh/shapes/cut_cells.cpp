@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "src/mesh/shapes/shape_source.hpp"
+
+namespace percuss {
+namespace {
+
+/// Each cell of a solid shape cut into so many elements. Nodes of the shape come first, then those in the middle of
+/// cells, if there are any.
+class CutSource : public ShapeSource {
+ public:
+  CutSource(std::unique_ptr<ShapeSource> cells, int elements_of_cell)
+      : cells_(std::move(cells)), corner_nodes_(cells_->node_count()), elements_of_cell_(elements_of_cell) {}
+
+  int node_count() const override { return corner_nodes_; }
+  int element_count() const override { return elements_of_cell_ * cells_->element_count(); }
+  Vec3 place(int node) const override { return cells_->place(node); }
+  unsigned node_sides(int node) const override { return cells_->node_sides(node); }
+
+  std::vector<CellBlock> blocks() const override {
+    std::vector<CellBlock> blocks = cells_->blocks();
+    for (CellBlock& block : blocks) block.elements_of_cell = elements_of_cell_;
+    return blocks;
+  }
+
+ protected:
+  int find_cell(int element) const { return element / elements_of_cell_; }
+  int find_place(int element) const { return element % elements_of_cell_; }
+  Corners cell_corners(int element) const { return cells_->corners(find_cell(element)); }
+
+  /// Side of a face of the cell of an element.
+  int cell_side(int element, int face) const {
+    return cells_->face_sides(find_cell(element))[static_cast<std::size_t>(face)];
+  }
+
+  static FaceSides all_interior() {
+    FaceSides sides;
+    sides.fill(interior);
+    return sides;
+  }
+
+  std::unique_ptr<ShapeSource> cells_;
+  int corner_nodes_;
+
+ private:
+  int elements_of_cell_;
+};
+
+/// The same with a node in the middle of each cell.
+class CenteredSource : public CutSource {
+ public:
+  using CutSource::CutSource;
+  int node_count() const override { return corner_nodes_ + cells_->element_count(); }
+
+  Vec3 place(int node) const override {
+    if (node < corner_nodes_) return cells_->place(node);
+    Vec3 low{}, high{};
+    const Corners corners = cells_->corners(node - corner_nodes_);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3 a = cells_->place(corners[i]), b = cells_->place(corners[i + 4]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] += a[k];
+        high[k] += b[k];
+      }
+    }
+    return {(low[0] + high[0]) / 8, (low[1] + high[1]) / 8, (low[2] + high[2]) / 8};
+  }
+
+  unsigned node_sides(int node) const override { return node < corner_nodes_ ? cells_->node_sides(node) : 0; }
+
+ protected:
+  int middle(int element) const { return corner_nodes_ + find_cell(element); }
+  static const std::array<int, 4>& hex_face(int face) {
+    return hex8_topology.face_table[static_cast<std::size_t>(face)].four;
+  }
+};
+
+/// Twelve tetrahedra a cell: each of its faces is halved along the diagonal from its lowest node, which both cells of a
+/// face agree on.
+class TetSource final : public CenteredSource {
+ public:
+  explicit TetSource(std::unique_ptr<ShapeSource> cells) : CenteredSource(std::move(cells), 12) {}
+  TopologyKind topology() const override { return TopologyKind::tet4; }
+
+  Corners corners(int element) const override {
+    const Corners hexahedron = cell_corners(element);
+    const auto& face = hex_face(find_face(element));
+    const auto node = [&](std::size_t i) { return hexahedron[static_cast<std::size_t>(face[i % 4])]; };
+    std::size_t lowest = 0;
+    for (std::size_t i = 1; i < 4; ++i) lowest = node(i) < node(lowest) ? i : lowest;
+    const std::size_t next = lowest + (element % 2 == 0 ? 1 : 2);
+    return {node(lowest), node(next + 1), node(next), middle(element)};
+  }
+
+  FaceSides face_sides(int element) const override {
+    FaceSides sides = all_interior();
+    sides[base] = cell_side(element, find_face(element));
+    return sides;
+  }
+
+ private:
+  static constexpr std::size_t base = 3;  // the face of a tetrahedron that lies on one of its cell
+
+  int find_face(int element) const { return find_place(element) / 2; }
+};
+
+/// Six pyramids a cell, one on each of its faces.
+class PyramidSource final : public CenteredSource {
+ public:
+  explicit PyramidSource(std::unique_ptr<ShapeSource> cells) : CenteredSource(std::move(cells), 6) {}
+  TopologyKind topology() const override { return TopologyKind::pyramid5; }
+
+  Corners corners(int element) const override {
+    const Corners hexahedron = cell_corners(element);
+    const auto& face = hex_face(find_place(element));
+    const auto node = [&](std::size_t i) { return hexahedron[static_cast<std::size_t>(face[i])]; };
+    return {node(0), node(3), node(2), node(1), middle(element)};
+  }
+
+  FaceSides face_sides(int element) const override {
+    FaceSides sides = all_interior();
+    sides[base] = cell_side(element, find_place(element));
+    return sides;
+  }
+
+ private:
+  static constexpr std::size_t base = 4;
+};
+
+/// Two wedges a cell, along its third direction: cells that follow each other in this direction are cut along the same
+/// diagonal, as their corners are in the same order.
+class WedgeSource final : public CutSource {
+ public:
+  explicit WedgeSource(std::unique_ptr<ShapeSource> cells) : CutSource(std::move(cells), 2) {}
+  TopologyKind topology() const override { return TopologyKind::wedge6; }
+
+  Corners corners(int element) const override {
+    const Corners c = cell_corners(element);
+    if (find_place(element) == 0) return {c[0], c[1], c[2], c[4], c[5], c[6]};
+    return {c[0], c[2], c[3], c[4], c[6], c[7]};
+  }
+
+  FaceSides face_sides(int element) const override {
+    FaceSides sides = all_interior();
+    const bool is_first = find_place(element) == 0;
+    // faces of a wedge: 0-1, 1-2 and 2-0 of the triangle, which are sides of the cell or its cut; then both triangles
+    sides[0] = is_first ? cell_side(element, 0) : interior;
+    sides[1] = cell_side(element, is_first ? 1 : 2);
+    sides[2] = is_first ? interior : cell_side(element, 3);
+    sides[3] = cell_side(element, 4);
+    sides[4] = cell_side(element, 5);
+    return sides;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<ShapeSource> cut_cells(std::unique_ptr<ShapeSource> cells, PartDeck::Elements elements) {
+  switch (elements) {
+    case PartDeck::Elements::tetrahedra:
+      return std::make_unique<TetSource>(std::move(cells));
+    case PartDeck::Elements::pyramids:
+      return std::make_unique<PyramidSource>(std::move(cells));
+    case PartDeck::Elements::wedges:
+      return std::make_unique<WedgeSource>(std::move(cells));
+    case PartDeck::Elements::hexahedra:
+      break;
+  }
+  return cells;
+}
+
+}  // namespace percuss
