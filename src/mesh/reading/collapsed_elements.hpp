@@ -31,7 +31,8 @@ class CollapsedElements {
 
   bool has(int element) const { return before_.contains(element); }
 
-  /// The face that a face of the hexahedron became; -1: it has no area. to_part: nodes of the part by those of the file.
+  /// The face that a face of the hexahedron became; -1: it has no area. to_part: nodes of the part by those of the
+  /// file.
   int find_face(const Elements& elements, int element, int face, const std::vector<int>& to_part) const {
     const std::vector<int>& nodes = before_.at(element);
     std::vector<int> wanted;
