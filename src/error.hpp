@@ -1,7 +1,7 @@
 #pragma once
 // What can go wrong, by the exit code that it ends the program with.
 //
-// A message reads "problem (why it is one) suggestion" and names its place: deck.yaml:14:12, an element id, a file.
+// A message reads "problem (why it is one): suggestion" and names its place: deck.yaml:14:12, an element id, a file.
 
 #include <stdexcept>
 #include <string>

@@ -124,7 +124,7 @@ class Preview:
                   if (warning["rule"], warning["place"], warning["text"]) not in known and warning["time"] > 0]
         found += self._judge_resources() + self._judge_overlap()
         if all(finding.level == GOOD for finding in found):
-            found.append(Finding(GOOD, "The deck and its meshes are right; no rule finds anything doubtful."))
+            found.append(Finding(GOOD, "No errors in the deck or its meshes, and no warnings."))
         order = {BAD: 0, LOOK: 1, GOOD: 2}
         items = "".join(f"<li class={f.level}>{escape(f.text)}</li>" for f in sorted(found, key=lambda f: order[f.level]))
         return f"<ul class=findings>{items}</ul>"

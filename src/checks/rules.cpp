@@ -15,7 +15,8 @@ std::vector<Warning> shorten(std::vector<Warning> warnings, const Deck& deck) {
   warnings.resize(most);
   warnings.push_back(
       {warnings.front().rule,
-       fmt::format("{} more places are like the {} above (they are not listed): look at those first", others, most),
+       fmt::format("{} more warnings like the {} above are not listed (same rule): check the listed ones first", others,
+                   most),
        deck.file, 0, 1});
   return warnings;
 }

@@ -172,10 +172,10 @@ std::int64_t ContactStage::Impl::find_user_id(std::int64_t node) const {
 void ContactStage::Impl::refuse_torn_ties(const ContactReport& report) const {
   constexpr double torn = 1e-3;  // of a face: conditions that move both alike differ by round-off
   if (!(report.torn > torn)) return;
-  throw RunError(fmt::format(
-      "conditions hold node {} and the face that it is tied to, and move them apart (by {:.2g} of the face) "
-      "leave one of them free",
-      find_user_id(report.torn_node), report.torn));
+  throw RunError(
+      fmt::format("conditions move tied node {} and its face apart (by {:.2g} of the face size): remove the condition "
+                  "on one of them",
+                  find_user_id(report.torn_node), report.torn));
 }
 
 /// Areas of the owned contact nodes at positions x.
@@ -228,7 +228,7 @@ std::string ContactStage::prepare(Rows3<const double> x, Rows3<const double> v) 
   const std::int64_t deepest = found.deepest_node < 0 ? -1 : stage.find_user_id(found.deepest_node);
   std::string line = describe_overlap(found, overlap, stage.mesh, deepest);
   if (overlap == ContactDeck::Overlap::refuse && !line.empty())
-    throw InputError(fmt::format("{}: error: {} move the parts apart, or let contact.overlap accept it or push it out",
+    throw InputError(fmt::format("{}: error: {}: move the parts apart, or set contact.overlap to accept or push_out",
                                  stage.deck.where(stage.deck.places.find("contact.overlap")), line));
   stage.overlap_at_start = found.nodes + found.edge_pairs;
   return line;

@@ -77,10 +77,10 @@ class Walk {
 
   void note_group(hid_t group, const std::string& path) {
     if (!groups_.insert(find_address(group)).second) {
-      throw InputError(fmt::format(
-          "group '{}' can be reached in more than one way (whoever follows its links may go round for ever): write the "
-          "file again",
-          path));
+      throw InputError(
+          fmt::format("group '{}' can be reached in more than one way (following its links could loop for ever): write "
+                      "the file again",
+                      path));
     }
   }
 
@@ -130,8 +130,8 @@ class Walk {
   void refuse_external(const std::string& problem) const {
     if (external_ == ExternalFiles::allow) return;
     throw InputError(problem +
-                     " (a file from elsewhere could read any file of yours so): copy the data into one file, or "
-                     "give --allow-external if you trust it");
+                     " (with such links an untrusted file could read your other files): copy the data into one file, "
+                     "or give --allow-external if you trust it");
   }
 
   std::set<haddr_t> groups_;

@@ -127,7 +127,7 @@ void check_outcome(const Deck& deck, const ImperfectionDeck& imperfection, const
                      ": error: the imperfection is not finite at some node (it must be a number everywhere)");
   if (outcome.bare != 0)
     throw InputError(deck.where(imperfection.place) +
-                     ": error: the imperfection has no direction at some node (only nodes of shells have a normal) "
+                     ": error: the imperfection has no direction at some node (only nodes of shells have a normal): "
                      "give a direction");
 }
 
@@ -164,8 +164,8 @@ void check_elements(const Deck& deck, const Communicator& ranks, const Mesh& mes
   all_reduce(ranks, Reduce::least, worst);
   if (worst == none) return;
   throw InputError(
-      fmt::format("{}: error: the imperfections leave element {} without volume (its nodes pass each "
-                  "other) make them smaller",
+      fmt::format("{}: error: the imperfections leave element {} without volume (its nodes move past each other): make "
+                  "the imperfections smaller",
                   deck.where(deck.imperfections.front().place), worst));
 }
 

@@ -69,8 +69,8 @@ std::string format_number(double value) {
 
 void check_history_file(const std::string& path, std::span<const std::string> columns, std::int64_t bytes) {
   const auto refuse = [&](const char* problem) {
-    throw InputError(fmt::format("{}: error: {} (the restart goes on with this file) choose another folder with --out",
-                                 path, problem));
+    throw InputError(fmt::format(
+        "{}: error: {} (the restart would continue this file): choose another folder with --out", path, problem));
   };
   std::ifstream file(path, std::ios::binary);
   if (!file) refuse("it cannot be opened");
@@ -79,7 +79,7 @@ void check_history_file(const std::string& path, std::span<const std::string> co
   if (!file || heading != make_heading(columns)) refuse("its columns are not those of this run");
   file.seekg(bytes - 1);
   if (bytes < static_cast<std::int64_t>(heading.size()) || file.get() != '\n')
-    refuse("it has not the rows that the checkpoint counts on");
+    refuse("it lacks rows that the checkpoint expects");
 }
 
 LaterStates find_later_rows(const std::string& path, std::int64_t bytes) {

@@ -226,8 +226,8 @@ void MassScaler::add(State& state, Bookkeeper& books) {
     if (were_full[p] || !parts_[p].is_full()) continue;
     warnings_.push_back(
         {"mass_scaling_limit",
-         fmt::format("mass scaling has added max_added = {:g} of its mass to the part (it gets no more, and the step "
-                     "follows its smallest element again): lower mass_scaling.step, or raise max_added",
+         fmt::format("mass scaling has added max_added = {:g} of its mass to the part (no more is added, and its "
+                     "smallest element limits the time step again): lower mass_scaling.step, or raise max_added",
                      parts_[p].request.max_added),
          "part '" + parts_[p].name + "'", state.time, 1});
   }

@@ -47,12 +47,12 @@ std::vector<Warning> describe_turned_corners(const std::vector<std::int64_t>& co
   std::vector<Warning> warnings;
   for (std::size_t p = 0; p < counts.size(); ++p) {
     if (counts[p] == 0) continue;
-    warnings.push_back({"inverted_corners",
-                        fmt::format("{} element{} an inverted corner (one integration point does not see it: the "
-                                    "results there are doubtful): use smaller elements, failure or a material that "
-                                    "resists it",
-                                    counts[p], counts[p] == 1 ? " has" : "s have"),
-                        fmt::format("part '{}'", parts[p].name), time, 1});
+    warnings.push_back(
+        {"inverted_corners",
+         fmt::format("{} element{} an inverted corner (one integration point does not detect it: results there are "
+                     "unreliable): use smaller elements, element failure or a stiffer material",
+                     counts[p], counts[p] == 1 ? " has" : "s have"),
+         fmt::format("part '{}'", parts[p].name), time, 1});
   }
   return warnings;
 }

@@ -25,13 +25,14 @@ struct Honeycomb {
         need("compacted_volume", &M::compacted_volume, KeyRange::share, "-", "V / V0 at which it is solid."),
         need("crush_moduli", &M::crush_moduli, KeyRange::positive, "pressure",
              "Moduli of xx, yy and zz before it is crushed; Young's modulus is that of the solid."),
-        need("shear_moduli", &M::shear_moduli, KeyRange::positive, "pressure", "The same of xy, yz and zx."),
+        need("shear_moduli", &M::shear_moduli, KeyRange::positive, "pressure",
+             "Shear moduli of xy, yz and zx before crushing."),
         need("crush_xx", &M::crush_xx, KeyRange::positive, "-, pressure", "Strength of xx over the crush 1 - V / V0."),
-        need("crush_yy", &M::crush_yy, KeyRange::positive, "-, pressure", "The same of yy."),
-        need("crush_zz", &M::crush_zz, KeyRange::positive, "-, pressure", "The same of zz."),
-        need("crush_xy", &M::crush_xy, KeyRange::positive, "-, pressure", "The same of xy."),
-        need("crush_yz", &M::crush_yz, KeyRange::positive, "-, pressure", "The same of yz."),
-        need("crush_zx", &M::crush_zx, KeyRange::positive, "-, pressure", "The same of zx."));
+        need("crush_yy", &M::crush_yy, KeyRange::positive, "-, pressure", "Strength of yy over the crush 1 - V / V0."),
+        need("crush_zz", &M::crush_zz, KeyRange::positive, "-, pressure", "Strength of zz over the crush 1 - V / V0."),
+        need("crush_xy", &M::crush_xy, KeyRange::positive, "-, pressure", "Strength of xy over the crush 1 - V / V0."),
+        need("crush_yz", &M::crush_yz, KeyRange::positive, "-, pressure", "Strength of yz over the crush 1 - V / V0."),
+        need("crush_zx", &M::crush_zx, KeyRange::positive, "-, pressure", "Strength of zx over the crush 1 - V / V0."));
   }
   const char* find_fault() const {
     return compacted_volume > 0 && compacted_volume < 1 ? "" : "a compacted_volume that is not between 0 and 1";

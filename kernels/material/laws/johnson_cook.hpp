@@ -24,12 +24,12 @@ struct JohnsonCook {
     using M = JohnsonCook;
     return with_elastic_keys<M>(
         need("a", &M::a, KeyRange::positive, "pressure", "A of the flow stress (A + B p^n) (1 + C ln r) (1 - t^m)."),
-        need("b", &M::b, KeyRange::not_negative, "pressure", "B of the same."),
-        need("n", &M::n, KeyRange::positive, "-", "n of the same."),
-        may("c", &M::c, KeyRange::not_negative, "-", "C of the same."),
+        need("b", &M::b, KeyRange::not_negative, "pressure", "B of the flow stress; see a."),
+        need("n", &M::n, KeyRange::positive, "-", "n of the flow stress; see a."),
+        may("c", &M::c, KeyRange::not_negative, "-", "C of the flow stress; see a."),
         may("reference_rate", &M::reference_rate, KeyRange::positive, "1 / time",
             "Rate of plastic strain that r is counted in; r is at least 1."),
-        may("m", &M::m, KeyRange::positive, "-", "m of the same."),
+        may("m", &M::m, KeyRange::positive, "-", "m of the flow stress; see a."),
         need("melt_temperature", &M::melt_temperature, KeyRange::positive, "temperature",
              "Where t = 1: the flow stress is gone."),
         may("room_temperature", &M::room_temperature, KeyRange::any, "temperature", "Where t = 0."),

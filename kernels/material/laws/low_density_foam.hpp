@@ -31,7 +31,8 @@ struct LowDensityFoam {
         may("hysteretic_unloading", &M::hysteretic_unloading, KeyRange::share, "-",
             "Share h of the stress that is left at the end of a release: 1 - (1 - h) (1 - (W / W_max)^s) of it is left "
             "at the stored energy W; 1: no hysteresis."),
-        may("unloading_shape", &M::unloading_shape, KeyRange::positive, "-", "s of the same.")};
+        may("unloading_shape", &M::unloading_shape, KeyRange::positive, "-",
+            "Exponent s of the release; see hysteretic_unloading.")};
   }
   const char* find_fault() const {
     if (compression.rows < 2 || compression.x[0] != 0 || compression.y[0] != 0) {

@@ -18,7 +18,7 @@ struct MooneyRivlin {
     using M = MooneyRivlin;
     return std::array{need("c10", &M::c10, KeyRange::positive, "pressure",
                            "c10 of the stored energy c10 (I1 - 3) + c01 (I2 - 3) + bulk_modulus (J - 1)^2 / 2."),
-                      need("c01", &M::c01, KeyRange::not_negative, "pressure", "c01 of the same."),
+                      need("c01", &M::c01, KeyRange::not_negative, "pressure", "c01 of the stored energy; see c10."),
                       need("bulk_modulus", &M::bulk_modulus, KeyRange::positive, "pressure", "Bulk modulus.")};
   }
 

@@ -21,7 +21,8 @@ struct PowerLawPlasticity {
             need("yield_stress", &M::yield_stress, KeyRange::positive, "pressure", "Uniaxial stress at first yield."),
             need("hardening_coefficient", &M::hardening_coefficient, KeyRange::not_negative, "pressure",
                  "K of the yield stress yield_stress + K p^n."),
-            need("hardening_exponent", &M::hardening_exponent, KeyRange::positive, "-", "n of the same.")),
+            need("hardening_exponent", &M::hardening_exponent, KeyRange::positive, "-",
+                 "n of the yield stress yield_stress + K p^n.")),
         rate_keys<M>());
   }
 

@@ -24,8 +24,8 @@ struct SoilAndFoam {
         need("compaction", &M::compaction, KeyRange::not_negative, "-, pressure",
              "Pressure over the volumetric strain -ln(V / V0), from [0, 0]; no steeper than unloading."),
         need("a0", &M::a0, KeyRange::not_negative, "pressure", "a0 of the strength a0 + a1 p + a2 p^2."),
-        may("a1", &M::a1, KeyRange::any, "-", "a1 of the same."),
-        may("a2", &M::a2, KeyRange::any, "1 / pressure", "a2 of the same."),
+        may("a1", &M::a1, KeyRange::any, "-", "a1 of the strength a0 + a1 p + a2 p^2."),
+        may("a2", &M::a2, KeyRange::any, "1 / pressure", "a2 of the strength a0 + a1 p + a2 p^2."),
         may("tension_limit", &M::tension_limit, KeyRange::not_negative, "pressure",
             "Mean tension at which the material parts.")};
   }

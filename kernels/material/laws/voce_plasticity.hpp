@@ -21,7 +21,8 @@ struct VocePlasticity {
             need("yield_stress", &M::yield_stress, KeyRange::positive, "pressure", "Uniaxial stress at first yield."),
             need("saturation_stress", &M::saturation_stress, KeyRange::not_negative, "pressure",
                  "Q: how much the yield stress grows in the end, by Q (1 - exp(-b p))."),
-            need("saturation_rate", &M::saturation_rate, KeyRange::not_negative, "-", "b of the same."),
+            need("saturation_rate", &M::saturation_rate, KeyRange::not_negative, "-",
+                 "b of the growth Q (1 - exp(-b p))."),
             may("hardening_modulus", &M::hardening_modulus, KeyRange::not_negative, "pressure",
                 "Slope of yield stress over equivalent plastic strain.")),
         rate_keys<M>());

@@ -59,7 +59,7 @@ struct MieGrueneisenState {
     using M = MieGrueneisenState;
     return std::array{
         need("sound_speed", &M::sound_speed, KeyRange::positive, "velocity", "c of the Hugoniot Us = c + s up."),
-        need("slope", &M::slope, KeyRange::not_negative, "-", "s of the same."),
+        need("slope", &M::slope, KeyRange::not_negative, "-", "s of the Hugoniot Us = c + s up."),
         need("grueneisen", &M::grueneisen, KeyRange::not_negative, "-",
              "Gamma at the start; Gamma times density is constant."),
         may("start_energy", &M::start_energy, KeyRange::any, "energy / volume", "Internal energy at the start.")};
@@ -91,12 +91,12 @@ struct PolynomialState {
     return std::array{
         may("c0", &M::c0, KeyRange::any, "pressure",
             "c0 of p = c0 + c1 m + c2 m^2 + c3 m^3 + (c4 + c5 m + c6 m^2) e, m = V0 / V - 1."),
-        need("c1", &M::c1, KeyRange::not_negative, "pressure", "c1 of the same."),
-        may("c2", &M::c2, KeyRange::any, "pressure", "c2 of the same, in compression only."),
-        may("c3", &M::c3, KeyRange::any, "pressure", "c3 of the same."),
-        may("c4", &M::c4, KeyRange::not_negative, "-", "c4 of the same."),
-        may("c5", &M::c5, KeyRange::any, "-", "c5 of the same."),
-        may("c6", &M::c6, KeyRange::any, "-", "c6 of the same, in compression only."),
+        need("c1", &M::c1, KeyRange::not_negative, "pressure", "c1 of the pressure; see c0."),
+        may("c2", &M::c2, KeyRange::any, "pressure", "c2 of the pressure, in compression only; see c0."),
+        may("c3", &M::c3, KeyRange::any, "pressure", "c3 of the pressure; see c0."),
+        may("c4", &M::c4, KeyRange::not_negative, "-", "c4 of the pressure; see c0."),
+        may("c5", &M::c5, KeyRange::any, "-", "c5 of the pressure; see c0."),
+        may("c6", &M::c6, KeyRange::any, "-", "c6 of the pressure, in compression only; see c0."),
         may("start_energy", &M::start_energy, KeyRange::any, "energy / volume", "Internal energy at the start.")};
   }
   double find_start_energy() const { return start_energy; }

@@ -19,10 +19,10 @@ struct JwlState {
     using M = JwlState;
     return std::array{
         need("a", &M::a, KeyRange::positive, "pressure", "A of the products' pressure; see theory.md."),
-        need("b", &M::b, KeyRange::any, "pressure", "B of the same."),
-        need("r1", &M::r1, KeyRange::positive, "-", "R1 of the same."),
-        need("r2", &M::r2, KeyRange::positive, "-", "R2 of the same."),
-        need("omega", &M::omega, KeyRange::positive, "-", "Omega of the same."),
+        need("b", &M::b, KeyRange::any, "pressure", "B of the products' pressure; see theory.md."),
+        need("r1", &M::r1, KeyRange::positive, "-", "R1 of the products' pressure; see theory.md."),
+        need("r2", &M::r2, KeyRange::positive, "-", "R2 of the products' pressure; see theory.md."),
+        need("omega", &M::omega, KeyRange::positive, "-", "Omega of the products' pressure; see theory.md."),
         need("energy", &M::energy, KeyRange::positive, "energy / volume", "Chemical energy."),
         need("detonation_velocity", &M::detonation_velocity, KeyRange::positive, "velocity",
              "Speed at which the burn spreads."),

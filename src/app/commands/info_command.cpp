@@ -73,7 +73,7 @@ void check_source(const std::string& file, hdf5::ExternalFiles external) {
 std::string describe_holder_of(const std::string& folder, const std::string& status) {
   std::string holder = describe_lock(folder);
   if (holder.empty() && status == "running")
-    holder = "it was killed or could not write its end: its summary says running, and no run is under way";
+    holder = "it was killed or could not write its final summary: the summary says running, but no run is under way";
   return holder.empty() ? "" : fmt::format("{:<10}{}\n", "run", holder);
 }
 
@@ -102,7 +102,7 @@ std::string describe_folder(const std::string& folder, hdf5::ExternalFiles exter
     text += describe_checkpoint((path / "checkpoint.h5").string());
   }
   if (text.empty())
-    throw InputError(folder + ": error: no results of percuss (no summary.json, fields.vtkhdf or fields.exo)");
+    throw InputError(folder + ": error: no percuss results (no summary.json, fields.vtkhdf or fields.exo)");
   return text;
 }
 

@@ -33,7 +33,7 @@ void report(const RunResult& result, const std::string& out_dir, const Deck& dec
   if (s.eroded.elements > 0) print_quietly(stderr, "eroded: {}\n", format_eroded(s));
   print_quietly(stderr, "results: {}\n", out_dir);
   if (result.exit_code == ExitCode::interrupted) {
-    print_quietly(stderr, "checkpoint: {}; to go on: percuss run {} --restart {}\n", result.checkpoint, deck.file,
+    print_quietly(stderr, "checkpoint: {}; to continue: percuss run {} --restart {}\n", result.checkpoint, deck.file,
                   result.checkpoint);
   }
   if (!s.warnings.empty()) print_quietly(stderr, "{}\n", describe_warnings(s, out_dir));

@@ -98,8 +98,8 @@ FolderLock::FolderLock(const std::string& folder) : path_(folder + "/" + lock_fi
   for (int losses = 0; !try_to_take(temporary); ++losses) {
     if (losses == most_losses)
       throw InputError(
-          fmt::format("{}: error: the lock of a run that has ended cannot be removed (another process is about to, or "
-                      "was killed while it did): if no run is under way here, remove {} and {}{}",
+          fmt::format("{}: error: the lock of an ended run cannot be removed (another process is removing it, or was "
+                      "killed while doing so): if no run is active here, remove {} and {}{}",
                       path_, path_, path_, removal_suffix));
     judge_other();
   }
@@ -148,11 +148,11 @@ void FolderLock::judge_other() {
                       "with --out",
                       path_, describe_holder(holder)));
     case HolderState::unknown:
-      throw InputError(fmt::format(
-          "{}: error: another run may write into this folder ({}; its last sign of life, due every {} s, was {} ago; "
-          "from here it cannot be seen whether it goes on): choose another folder with --out, or, if that run has "
-          "ended, remove {}",
-          path_, describe_holder(holder), heartbeat_interval.count(), format_age(file->silent_s), path_));
+      throw InputError(
+          fmt::format("{}: error: another run may write into this folder ({}; it updates its lock every {} s, last {} "
+                      "ago; whether it is still running cannot be checked from this machine): choose another folder "
+                      "with --out, or, if that run has ended, remove {}",
+                      path_, describe_holder(holder), heartbeat_interval.count(), format_age(file->silent_s), path_));
     case HolderState::ended:
       remove_ended(file->text);
   }
@@ -204,7 +204,7 @@ std::string describe_lock(const std::string& folder) {
     case HolderState::unknown:
       break;
   }
-  return fmt::format("a run may be under way ({}; last sign of life {} ago)", describe_holder(holder),
+  return fmt::format("a run may be under way ({}; it last updated its lock {} ago)", describe_holder(holder),
                      format_age(file->silent_s));
 }
 

@@ -84,7 +84,7 @@ void make_output_folder(const std::string& folder) {
         fmt::format("{}: error: not a folder (results go to a folder): choose another with --out", folder));
   }
   fs::create_directories(path, error);
-  if (error) throw SystemError(fmt::format("folder {} cannot be made ({})", folder, error.message()));
+  if (error) throw SystemError(fmt::format("folder {} cannot be created ({})", folder, error.message()));
   check_folder_is_writable(folder);
 }
 
@@ -97,9 +97,9 @@ void check_folder_is_empty(const std::string& folder) {
   if (error) throw SystemError(fmt::format("folder {} cannot be read ({})", folder, error.message()));
   if (is_empty) return;
   const char* what = holds_results(path) ? "it holds the results of an earlier run" : "it is not empty";
-  throw InputError(
-      fmt::format("{}: error: {} (nothing is overwritten unasked): choose another folder with --out, or give --force",
-                  folder, what));
+  throw InputError(fmt::format(
+      "{}: error: {} (results are not overwritten without --force): choose another folder with --out, or give --force",
+      folder, what));
 }
 
 void refuse_to_remove(const std::string& checkpoint, const std::string& folder) {

@@ -5,7 +5,8 @@
 namespace percuss::help_texts {
 
 inline constexpr const char* about =
-    "percuss simulates impact with explicit finite elements: solids and shells, with contact between all surfaces.";
+    "percuss is an explicit finite element code for impact: solids and shells with general contact, beams, rigid "
+    "bodies.";
 
 inline constexpr const char* general = R"(
 Examples:
@@ -18,19 +19,18 @@ Examples:
 Exit codes:
   0    done
   2    the deck, a mesh or the command is wrong
-  3    the run failed: an element inverted, the energy balance broke, a value is not finite
+  3    the run failed: an inverted element, an energy error above its limit, a value that is not finite
   4    the system failed: files, memory, MPI
   130  interrupted (Ctrl-C, SIGTERM, SIGUSR1, SIGHUP or SIGXCPU); results and a checkpoint for a restart are written;
        before the first step nothing is changed
-mpirun passes these on, with two exceptions: it ends with a code of its own after a signal to itself (Open MPI: 1 after
-Ctrl-C or SIGTERM) and when a rank is killed (137 after SIGKILL). See `status` in summary.json then: `running` means that
-the run was killed.
+mpirun returns the same codes, except after a signal to mpirun itself (Open MPI: 1 after Ctrl-C or SIGTERM) and when a
+rank is killed (137 after SIGKILL). Then look at `status` in summary.json: `running` means that the run was killed.
 
 Environment:
-  OMP_NUM_THREADS   threads of each rank; default: one for every core that the rank may use. Ranks of a machine that
-                    are not bound to cores share them
+  OMP_NUM_THREADS   threads per rank; default: one per core that the rank may use. Ranks that are not bound to cores
+                    divide the cores of their machine evenly
   OMP_PROC_BIND     how OpenMP binds threads to cores; default: no binding
-  OMP_WAIT_POLICY   how threads wait; default: they spin for some 20 microseconds and then sleep
+  OMP_WAIT_POLICY   how threads wait; default: they spin for about 20 microseconds, then sleep
 
 `percuss help COMMAND` or `percuss COMMAND --help` explains a command; `percuss version` prints the version.
 docs/deck.md describes the deck.
@@ -39,20 +39,20 @@ docs/deck.md describes the deck.
 inline constexpr const char* run = R"(
 Always writes summary.json. The deck's `output` selects fields.vtkhdf, with fields.xdmf2 (ParaView) and fields.xdmf
 (VisIt) beside it, and history.csv. Results go to the folder of --out, by default out/SCENE in the current folder. SCENE
-is the deck's name, or the name of its folder if it is called deck.yaml. A folder that is not empty is refused unless
+is the deck's file name without extension, or the name of its folder if the deck is called deck.yaml. A folder that is not empty is refused unless
 --force is given, which overwrites an earlier run's files and nothing else. A folder of an active run is always refused;
 run.lock in it names that run.
 
-Ctrl-C, SIGTERM, SIGUSR1, SIGHUP and SIGXCPU end the run after its step; a checkpoint is written first. A second Ctrl-C
-ends it at once. On ranks use `kill -USR1 PID_OF_MPIRUN`: it reaches them at once and gives them enough time. After Ctrl-C
-mpirun waits a second before it signals its ranks, and one more before it kills them; `mpirun --mca
-odls_base_sigkill_timeout 10` makes both ten (Open MPI 4). During the run summary.json says `running`; without an active
-run that means it was killed. `output.checkpoint` of the deck writes checkpoints during the run.
+Ctrl-C, SIGTERM, SIGUSR1, SIGHUP and SIGXCPU stop the run after the current step; it first writes a checkpoint. A second
+Ctrl-C ends it at once. Under mpirun use `kill -USR1 PID_OF_MPIRUN`, which reaches the ranks at once and gives them enough
+time. After Ctrl-C Open MPI 4 waits one second before it signals its ranks, and one more before it kills them; `mpirun --mca
+odls_base_sigkill_timeout 10` extends both waits to ten seconds. During the run summary.json says `running`; if no run is
+active, that means that it was killed. `output.checkpoint` in the deck writes checkpoints during the run.
 
---restart continues from a checkpoint, on any number of ranks and threads, to the same bits as if the run had never
-stopped. It continues history and fields in the checkpoint's folder, or begins new ones in the empty folder of --out.
-time.end may be later than before. A restart that would remove results without computing them again (beyond its end) is
-refused with a message, unless --force is given.
+--restart continues from a checkpoint, on any number of ranks and threads. The results are bit-identical to those of an
+uninterrupted run. It appends to history and fields in the checkpoint's folder, or starts new ones in the empty folder
+given by --out. time.end may be later than before. A restart that would delete results beyond its own end is refused,
+unless --force is given.
 
 Examples:
   percuss run inputs/taylor_bar/deck.yaml
@@ -63,7 +63,7 @@ Examples:
 )";
 
 inline constexpr const char* check = R"(
-Reads the deck, makes or reads its meshes, resolves every name, sums the masses, computes the first time step and
+Reads the deck, generates or reads its meshes, resolves every name, sums the masses, computes the first time step and
 reports overlap at the start. Runs nothing and writes no file.
 
 --report runs a few steps in a temporary folder and writes one HTML page: the scene with parts, sets, conditions, walls,
@@ -88,8 +88,8 @@ Examples:
 )";
 
 inline constexpr const char* schema = R"(
-A JSON Schema (draft 2020-12) for editors: all keys with their meaning and values, and which are required. percuss check
-alone checks conditions on several keys. Editors for YAML schemas, such as VS Code with its YAML extension, look for a
+A JSON Schema (draft 2020-12) for editors: all keys with their meaning and values, and which are required. Only percuss
+check finds errors that involve several keys. Editors for YAML schemas, such as VS Code with its YAML extension, look for a
 comment in the deck:
 
   # yaml-language-server: $schema=percuss.schema.json
@@ -99,7 +99,7 @@ Example:
 )";
 
 inline constexpr const char* info = R"(
-FILE is a summary.json, a fields.vtkhdf, a checkpoint.h5, a folder that holds them, or an Exodus II mesh.
+FILE is a summary.json, a fields.vtkhdf, a checkpoint.h5, a folder of results, or a mesh file (docs/mesh.md).
 
 Examples:
   percuss info out/brick_wall

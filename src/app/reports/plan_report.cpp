@@ -177,8 +177,8 @@ std::string format_warnings(const PlannedScene& scene, const std::vector<Column>
   log.add(check_input({scene.deck, nullptr, nullptr, 0}));
   if (scene.pattern.has_pairs && can_fail(scene.deck)) {
     log.add(warn("plan_without_erosion",
-                 "elements can fail (each time surfaces are made anew, which is not predicted and which ranks hardly "
-                 "divide): measure a short run in which elements die"));
+                 "elements can fail (the plan does not include the rebuild of contact surfaces, which ranks hardly "
+                 "divide): measure a short run in which elements erode"));
   }
   for (const Column& column : columns) warn_of_column(scene, column, log);
   std::string text;

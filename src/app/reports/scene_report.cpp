@@ -144,7 +144,7 @@ std::string format_step(const SceneReport& scene) {
   const double end = scene.deck.time.end;
   const std::string unit = unit_suffix(scene.deck.units, dimensions::time);
   return format_line(
-      "time", fmt::format("0 to {:g}{}; first step {:.4g}{} ({} controls it), about {:.0f} steps if it stays so", end,
+      "time", fmt::format("0 to {:g}{}; first step {:.4g}{} ({} controls it), about {:.0f} steps of this size", end,
                           unit, scene.first_step, unit, scene.controlling_element, std::ceil(end / scene.first_step)));
 }
 
@@ -209,7 +209,7 @@ std::string format_scene(const SceneReport& scene) {
           format_size(scene) + format_contact(scene) + format_loads(deck) + format_output(deck) + format_step(scene);
   for (const Warning& warning : scene.warnings) text += format_warning(warning) + "\n";
   return text + (scene.warnings.empty()
-                     ? "The deck and its meshes are right.\n"
+                     ? "No errors in the deck or its meshes.\n"
                      : fmt::format("The deck and its meshes can be run; {}.\n", count_warnings(scene.warnings)));
 }
 

@@ -41,15 +41,16 @@ std::string format_warnings(const Summary& s) {
 
 std::string format_eroded(const Summary& s) {
   if (s.eroded.elements == 0) return "";
-  std::string text = fmt::format("{} of {} elements failed and left, mass {:.4g}, energy {:.4g}", s.eroded.elements,
-                                 s.elements, s.eroded.mass, s.eroded.energy);
-  if (s.eroded.vanished_mass > 0) text += fmt::format("; nodes of mass {:.4g} vanished", s.eroded.vanished_mass);
+  std::string text = fmt::format("{} of {} elements failed and were eroded, mass {:.4g}, energy {:.4g}",
+                                 s.eroded.elements, s.elements, s.eroded.mass, s.eroded.energy);
+  if (s.eroded.vanished_mass > 0)
+    text += fmt::format("; free nodes with mass {:.4g} were removed", s.eroded.vanished_mass);
   return text;
 }
 
 std::string format_added_mass(const Summary& s) {
   std::string text =
-      fmt::format("mass scaling added {:.4g}, {:.2g} % of what was there", s.mass.added, 100 * s.mass.share);
+      fmt::format("mass scaling added {:.4g}, {:.2g} % of the original mass", s.mass.added, 100 * s.mass.share);
   if (s.mass.in_run > 0)
     text += fmt::format("; {:.4g} of it during the run, with a kinetic energy of {:.4g}", s.mass.in_run, s.mass.energy);
   return text;
@@ -68,8 +69,9 @@ std::string format_summary(const Summary& s) {
   text += format_line("time", fmt::format("{:.6g} in {} steps; step {:.4g} to {:.4g}, last {:.4g} ({})", s.time,
                                           s.steps, s.dt.min, s.dt.max, s.dt.last, controller));
   if (s.dt.estimates > 0) {
-    text += format_line("", fmt::format("{:.4g} times what the elements alone allow, by {} estimates of the whole mesh",
-                                        s.dt.gain, s.dt.estimates));
+    text += format_line(
+        "", fmt::format("{:.4g} times the element bound, from {} estimates of the largest eigenvalue of the mesh",
+                        s.dt.gain, s.dt.estimates));
   }
   text += format_line("took",
                       fmt::format("set-up {:.3g} s, loop {:.3g} s, {:.4g} ns per element and step; {:.4g} MB at most",

@@ -58,15 +58,15 @@ struct Parser {
     app.set_help_flag("-h,--help", "Print this help");
     app.add_flag("--version", version, "Print the version");
     run = add("run", "Run the scene of a deck", help_texts::run);
-    check = add("check", "Read a deck and its meshes and say whether they can be run", help_texts::check);
+    check = add("check", "Check a deck and its meshes without running them", help_texts::check);
     plan = add("plan", "Predict how a deck's scene would run on many ranks", help_texts::plan);
     info = add("info", "Describe a results file or a mesh", help_texts::info);
     schema = add("schema", "Print a JSON Schema of the deck, for editors", help_texts::schema);
-    add_tool("import", "Make a deck of an LS-DYNA or Abaqus model", "Commands");
+    add_tool("import", "Convert an LS-DYNA or Abaqus model to a deck", "Commands");
     const char* of_results = "Results";
-    add_tool("plot", "Draw columns of history.csv of one run or several", of_results);
+    add_tool("plot", "Plot columns of history.csv for one or more runs", of_results);
     add_tool("report", "Write one page about a run, or a comparison of runs", of_results);
-    add_tool("watch", "Show a run in the terminal while it goes on", of_results);
+    add_tool("watch", "Follow a run in the terminal", of_results);
     add_tool("render", "Draw pictures and an animation of the fields", of_results);
     add_deck(run);
     add_deck(check);
@@ -78,7 +78,7 @@ struct Parser {
                     "Continue from a checkpoint of this deck's run, or the one in a folder")
         ->type_name("FILE|DIR");
     run->add_flag("-f,--force", command.force, "Overwrite the results of an earlier run in that folder");
-    run->add_flag("-q,--quiet", command.quiet, "No progress, no report");
+    run->add_flag("-q,--quiet", command.quiet, "Print no progress and no report; warnings are printed all the same");
     info->add_option("FILE", command.file, "The file or folder")->required()->type_name("");
     add_external(info);
     // Fallthrough and extras: wrong words come back to us, so that we can hint at the right ones.
@@ -129,18 +129,17 @@ struct Parser {
           ->check(valid);
     };
     PlanFigures& f = command.figures;
-    figure("--latency", f.latency, zero_or_more, "SECONDS", "Time of a message of any size");
+    figure("--latency", f.latency, zero_or_more, "SECONDS", "Time per message, whatever its size");
     figure("--bandwidth", f.bandwidth, above_zero, "BYTE/S", "Bytes that a rank sends in a second");
-    figure("--element-ns", f.element_ns, above_zero, "NS", "Time of a core for an element and step");
-    figure("--contact-node-ns", f.contact_node_ns, zero_or_more, "NS",
-           "Time of a core for a contact node or face and step");
+    figure("--element-ns", f.element_ns, above_zero, "NS", "Core time per element and step");
+    figure("--contact-node-ns", f.contact_node_ns, zero_or_more, "NS", "Core time per contact node or face, and step");
     figure("--iterations", f.iterations, zero_or_more, "COUNT", "Iterations of the contact enforcement in a step");
     figure("--steps-per-search", f.steps_per_search, one_or_more, "COUNT", "Steps between two contact searches");
   }
 
   /// --report and --out are those of the program that writes the page (tools.hpp), here for their lines of help.
   void add_check_options() {
-    check->add_flag("--json", command.json, "Print what was found as JSON, for programs");
+    check->add_flag("--json", command.json, "Print the result as JSON, for programs");
     check->add_flag("--report", page, "Write a page about the scene and a short run of it");
     check->add_option("-o,--out", command.out_dir, "With --report: the page (default: SCENE_check.html)")
         ->type_name("FILE");
@@ -148,7 +147,8 @@ struct Parser {
 
   void add_deck(CLI::App* sub) {
     sub->add_option("DECK", command.file, "The deck (YAML); docs/deck.md describes it")->required()->type_name("");
-    sub->add_option("-s,--set", command.settings, "Change a value of the deck; lists by index from 0; may be repeated")
+    sub->add_option("-s,--set", command.settings,
+                    "Override a value of the deck; list items count from 0; may be repeated")
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     add_external(sub);
@@ -156,7 +156,7 @@ struct Parser {
 
   void add_external(CLI::App* sub) {
     sub->add_flag("--allow-external", command.allow_external,
-                  "Let HDF5 files (meshes, checkpoints) take data from other files");
+                  "Allow HDF5 meshes and checkpoints that link to other files");
   }
 };
 
@@ -235,7 +235,7 @@ std::optional<Answer> refuse_empty_argument(int argc, const char* const* argv) {
 std::optional<Answer> refuse_empty_setting(const Command& command) {
   for (const std::string& setting : command.settings) {
     if (setting.find('=') + 1 != setting.size()) continue;
-    return wrong(fmt::format("'--set {}' gives no value ({}): write the value behind the '='", setting, why_empty));
+    return wrong(fmt::format("'--set {}' gives no value ({}): write the value after the '='", setting, why_empty));
   }
   return std::nullopt;
 }

@@ -21,10 +21,10 @@ FailureReport describe_failure() {
       return {ExitCode::system_failed, failure.text};
     case FailureKind::memory:
       return {ExitCode::system_failed,
-              "memory is exhausted (the scene is too large for this machine) make its mesh coarser"};
+              "memory is exhausted (the scene is too large for this machine): use a coarser mesh"};
     case FailureKind::length:
       return {ExitCode::system_failed,
-              "memory is exhausted (the scene is too large for any machine) make its mesh coarser"};
+              "memory is exhausted (the scene is too large for any machine): use a coarser mesh"};
     case FailureKind::internal:
       break;
   }

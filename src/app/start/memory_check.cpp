@@ -31,10 +31,9 @@ void check_memory(const Deck& deck, double machine_bytes) {
     bytes += size.elements * element_bytes + size.nodes * node_bytes;
   }
   if (machine_bytes <= 0 || bytes <= machine_bytes) return;
-  throw SystemError(
-      fmt::format("the mesh does not fit (its {:.4g} elements need more than {:.3g} GB, there are {:.3g} GB) "
-                  "make it coarser",
-                  elements, bytes / 1e9, machine_bytes / 1e9));
+  throw SystemError(fmt::format(
+      "the mesh does not fit (its {:.4g} elements need more than {:.3g} GB, there are {:.3g} GB): make it coarser",
+      elements, bytes / 1e9, machine_bytes / 1e9));
 }
 
 }  // namespace percuss

@@ -59,14 +59,15 @@ Placement find_placement(const Communicator& ranks, int threads) {
 std::optional<Warning> describe_crowding(const Placement& p, int rank_count) {
   if (p.threads > p.cores) {
     return warn(fmt::format(
-        "{} rank{} with {} thread{} together share the {} core{} of a machine (they take turns, and every step waits "
-        "for the slowest): start fewer ranks, or set OMP_NUM_THREADS",
+        "{} rank{} with {} thread{} together share the {} core{} of a machine (the cores are oversubscribed, and every "
+        "step waits for the slowest thread): start fewer ranks, or set OMP_NUM_THREADS",
         p.ranks, p.ranks == 1 ? "" : "s", p.threads, p.threads == 1 ? "" : "s", p.cores, p.cores == 1 ? "" : "s"));
   }
   if (p.bound_ranks > 0) {
     return warn(fmt::format(
-        "{} of {} rank{} {} bound to fewer cores than threads: {} thread{} on {} core{} (they take turns): unbind with "
-        "mpirun --bind-to none, or bind to more with --map-by slot:PE={}, or set OMP_NUM_THREADS",
+        "{} of {} rank{} {} bound to fewer cores than threads: {} thread{} on {} core{} (the cores are "
+        "oversubscribed): unbind with mpirun --bind-to none, or bind to more with --map-by slot:PE={}, or set "
+        "OMP_NUM_THREADS",
         p.bound_ranks, rank_count, rank_count == 1 ? "" : "s", p.bound_ranks == 1 ? "is" : "are", p.bound_threads,
         p.bound_threads == 1 ? "" : "s", p.bound_cores, p.bound_cores == 1 ? "" : "s", p.bound_threads));
   }

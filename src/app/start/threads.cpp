@@ -137,10 +137,10 @@ void check_threads() {
 #ifdef _OPENMP
   const int count = omp_get_max_threads();
   if (count > most_threads) {
-    throw SystemError(fmt::format(
-        "{} threads are too many for one rank (it can have {}): set OMP_NUM_THREADS to the cores of a rank, "
-        "of which this machine has {}",
-        count, most_threads, count_available_cores()));
+    throw SystemError(
+        fmt::format("{} threads are too many for one rank (it can have {}): set OMP_NUM_THREADS to the number of cores "
+                    "per rank; {} are available here",
+                    count, most_threads, count_available_cores()));
   }
   try {
     try_threads(count - 1);

@@ -30,8 +30,8 @@ fs::path find_tool(const std::string& name) {
     if (fs::exists(root / "python/percuss", ignored) && fs::exists(file, ignored)) return file;
   }
   throw InputError(
-      fmt::format("percuss: error: percuss {} is the program scripts/{} of a checkout or an installation, and neither "
-                  "is where {} lies",
+      fmt::format("percuss: error: cannot find scripts/{1}, which percuss {0} runs (it belongs to the checkout or "
+                  "installation that holds {2})",
                   name, name, bin.string()));
 }
 

@@ -98,12 +98,10 @@ std::vector<Warning> check_stopped_velocity(const CheckedScene& scene) {
     const InitialMeasures& entry = scene.measures->initial[i];
     if (entry.stopped == 0 || static_cast<double>(entry.stopped) < least * static_cast<double>(entry.moving)) continue;
     const Place holding = scene.deck.places.find(join_path("conditions", static_cast<std::size_t>(entry.condition)));
-    warnings.push_back(warn_at(
-        scene.deck, "stopped_velocity", join_path("initial", i),
-        fmt::format(
-            "{} of {} nodes with this velocity are held in its direction (by the condition at {}): remove one of "
-            "them",
-            entry.stopped, entry.moving, scene.deck.where(holding))));
+    warnings.push_back(warn_at(scene.deck, "stopped_velocity", join_path("initial", i),
+                               fmt::format("{} of {} nodes with this initial velocity are held in its direction (by "
+                                           "the condition at {}): remove one of the two entries",
+                                           entry.stopped, entry.moving, scene.deck.where(holding))));
   }
   return warnings;
 }
@@ -113,11 +111,10 @@ std::vector<Warning> check_unused_velocity(const CheckedScene& scene) {
   for (std::size_t i = 0; i < scene.deck.initial.size(); ++i) {
     const InitialMeasures& entry = scene.measures->initial[i];
     if (entry.governed > 0 || entry.selected == 0) continue;
-    warnings.push_back(
-        warn_at(scene.deck, "unused_velocity", join_path("initial", i),
-                fmt::format("all {} nodes get another velocity from later entries (the last one that names "
-                            "a node wins): drop this entry or move it down",
-                            entry.selected)));
+    warnings.push_back(warn_at(scene.deck, "unused_velocity", join_path("initial", i),
+                               fmt::format("later entries override this velocity on all {} nodes (the last entry that "
+                                           "names a node wins): remove this entry or move it down",
+                                           entry.selected)));
   }
   return warnings;
 }
@@ -156,8 +153,8 @@ std::vector<Warning> check_prescribed_speed(const CheckedScene& scene) {
       const std::string path = join_path("conditions", c) + (is_displacement ? ".displacement." : ".velocity.");
       warnings.push_back(
           warn_at(scene.deck, "prescribed_speed", path + direction_names[k],
-                  fmt::format("these nodes are moved at up to {:.4g} along {} (waves in their material run at "
-                              "{:.4g}, so that nothing can follow): check the units of the curve",
+                  fmt::format("these nodes are moved at up to {:.4g} along {} (faster than the wave speed {:.4g} of "
+                              "their material, which cannot follow): check the units of the curve",
                               speed, direction_names[k], wave)));
     }
   }
@@ -175,11 +172,10 @@ std::vector<Warning> check_pressure_size(const CheckedScene& scene) {
       stiffness = std::max(stiffness, find_wave_modulus(find_material(scene.deck, scene.deck.parts[p])));
     const double largest = find_largest(load.value, scene.deck.time.end, false);
     if (stiffness == 0 || largest <= most * stiffness) continue;  // a cold gas has none
-    warnings.push_back(
-        warn_at(scene.deck, "pressure_size", join_path("loads.pressure", i) + ".value",
-                fmt::format("the pressure reaches {:.3g}, {:.3g} times the stiffness {:.3g} of what it acts "
-                            "on (solids are crushed long before): check its unit",
-                            largest, largest / stiffness, stiffness)));
+    warnings.push_back(warn_at(scene.deck, "pressure_size", join_path("loads.pressure", i) + ".value",
+                               fmt::format("the pressure reaches {:.3g}, {:.3g} times the stiffness {:.3g} of the "
+                                           "material that it acts on (solids are crushed long before): check its unit",
+                                           largest, largest / stiffness, stiffness)));
   }
   return warnings;
 }
@@ -197,10 +193,9 @@ std::vector<Warning> check_gravity_direction(const CheckedScene& scene) {
     up = std::max(up, along);
   }
   if (up < least) return {};
-  return {
-      warn_at(scene.deck, "gravity_direction", "loads.gravity",
-              "gravity pulls all bodies away from every wall (normals point to the side where bodies live): turn its "
-              "sign, or the normal")};
+  return {warn_at(scene.deck, "gravity_direction", "loads.gravity",
+                  "gravity pulls all bodies away from every wall (normals must point to the side of the bodies): "
+                  "reverse gravity or the normal")};
 }
 
 }  // namespace percuss

@@ -66,7 +66,7 @@ std::vector<Warning> check_deep_overlap(const CheckedScene& scene) {
                             "({}): move them apart or check the thickness",
                             name_part(scene.deck, pair.part), name_part(scene.deck, pair.other), pair.deepest,
                             pair.deepest / size, pair.nodes, pair.nodes == 1 ? "" : "s",
-                            is_pushed ? "pushing so much out adds energy" : "contact does not undo it")));
+                            is_pushed ? "pushing out such a depth adds energy" : "contact does not remove it")));
   }
   return warnings;
 }
@@ -91,13 +91,12 @@ std::vector<Warning> check_penalty_speed(const CheckedScene& scene) {
   const double closing = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
   const double depth = closing / (2 * contact.penalty_scale * slowest);
   if (depth <= most) return {};
-  return {
-      warn_at(scene.deck, "penalty_speed", "contact.enforcement",
-              fmt::format("bodies may meet at {:.3g}, {:.3g} of the wave speed (penalty contact then lets them into "
-                          "each other by some {:.2g} of an element, and loses nodes beyond {:g}): use enforcement "
-                          "kinematic, or a penalty_scale of {:.2g} at least",
-                          closing, closing / slowest, depth, contact_limits::history_depth,
-                          contact.penalty_scale * depth / most))};
+  return {warn_at(
+      scene.deck, "penalty_speed", "contact.enforcement",
+      fmt::format(
+          "bodies may meet at {:.3g}, {:.3g} of the wave speed (they may penetrate by about {:.2g} of an element, and "
+          "contact is lost beyond {:g}): use enforcement kinematic, or a penalty_scale of {:.2g} at least",
+          closing, closing / slowest, depth, contact_limits::history_depth, contact.penalty_scale * depth / most))};
 }
 
 std::vector<Warning> check_behind_wall(const CheckedScene& scene) {
@@ -109,10 +108,9 @@ std::vector<Warning> check_behind_wall(const CheckedScene& scene) {
     if (overlap.deepest <= most * edge) continue;
     warnings.push_back(warn_at(
         scene.deck, "behind_wall", join_path("walls", static_cast<std::size_t>(-1 - overlap.other)),
-        fmt::format(
-            "{} nodes of part '{}' begin behind this wall, up to {:.3g} deep, {:.3g} times an element edge (its "
-            "normal points to the side where bodies live): turn the normal or move the part",
-            overlap.nodes, name_part(scene.deck, overlap.part), overlap.deepest, overlap.deepest / edge)));
+        fmt::format("{} nodes of part '{}' begin behind this wall, up to {:.3g} deep, {:.3g} times an element edge "
+                    "(its normal must point to the side of the bodies): reverse the normal or move the part",
+                    overlap.nodes, name_part(scene.deck, overlap.part), overlap.deepest, overlap.deepest / edge)));
   }
   return warnings;
 }
@@ -157,11 +155,10 @@ std::vector<Warning> check_tie_distance(const CheckedScene& scene) {
     for (const std::size_t p : find_named_parts(scene.deck, tie.b))
       edge = std::max(edge, scene.measures->parts[p].longest_edge);
     if (!tie.distance || *tie.distance <= most * edge) continue;
-    warnings.push_back(warn_at(
-        scene.deck, "tie_distance", join_path("contact.ties", i) + ".distance",
-        fmt::format("the tie reaches {:g}, the longest element edge there is {:.3g} (nodes that do not lie on the "
-                    "surface are tied, too): lower the distance",
-                    *tie.distance, edge)));
+    warnings.push_back(warn_at(scene.deck, "tie_distance", join_path("contact.ties", i) + ".distance",
+                               fmt::format("the tie distance is {:g}, but the longest element edge there is {:.3g} "
+                                           "(nodes away from the surface are tied too): lower the distance",
+                                           *tie.distance, edge)));
   }
   return warnings;
 }

@@ -60,12 +60,11 @@ std::vector<Warning> check_hardening(const CheckedScene& scene) {
   for (const MaterialDeck& material : scene.deck.materials) {
     const auto found = material.law.numbers.find("hardening_modulus");
     if (found == material.law.numbers.end() || found->second <= most * find_youngs_modulus(material)) continue;
-    warnings.push_back(warn_at(
-        scene.deck, "hardening_modulus", find_key_path(material, found->first),
-        fmt::format(
-            "material '{}' hardens with {:g}, {:.2g} of its Young's modulus (metals have a hundredth; it is the "
-            "slope over the plastic strain): check it",
-            material.name, found->second, found->second / find_youngs_modulus(material))));
+    warnings.push_back(
+        warn_at(scene.deck, "hardening_modulus", find_key_path(material, found->first),
+                fmt::format("the hardening modulus of material '{}' is {:g}, {:.2g} of its Young's modulus (typical of "
+                            "metals: 0.01; it is the slope over plastic strain): check it",
+                            material.name, found->second, found->second / find_youngs_modulus(material))));
   }
   return warnings;
 }
@@ -79,11 +78,10 @@ std::vector<Warning> check_failure_strain(const CheckedScene& scene) {
         {"plastic_strain", material.failure->plastic_strain}, {"principal_strain", material.failure->principal_strain}};
     for (const auto& [key, strain] : strains) {
       if (!strain || *strain <= most) continue;
-      warnings.push_back(
-          warn_at(scene.deck, "failure_strain", find_key_path(material, std::string("failure.") + key),
-                  fmt::format("material '{}' fails at a strain of {:g} (that is {:.0f} %; strains are no "
-                              "percentages): give 0.2 for 20 %",
-                              material.name, *strain, 100 * *strain)));
+      warnings.push_back(warn_at(scene.deck, "failure_strain", find_key_path(material, std::string("failure.") + key),
+                                 fmt::format("material '{}' fails at a strain of {:g} (that is {:.0f} %; strains are "
+                                             "not percentages): write 0.2 for 20 %",
+                                             material.name, *strain, 100 * *strain)));
     }
   }
   return warnings;
@@ -178,10 +176,10 @@ std::vector<Warning> check_viscosity(const CheckedScene& scene) {
   constexpr double most_linear = 0.5, most_quadratic = 10, least_hourglass = 0.005, most_hourglass = 0.2;
   std::vector<Warning> warnings;
   const auto warn = [&](const std::string& key, double value, const char* usual) {
-    warnings.push_back(warn_at(scene.deck, "viscosity", key,
-                               fmt::format("{} is {:g} (usual: {}; outside, waves or bending change): leave it "
-                                           "out or check it",
-                                           key, value, usual)));
+    warnings.push_back(
+        warn_at(scene.deck, "viscosity", key,
+                fmt::format("{} is {:g} (usual: {}; other values distort waves or bending): check it or leave it out",
+                            key, value, usual)));
   };
   const auto check = [&](const ElementDeck& all, const PartElementDeck& given, const std::string& path) {
     if (given.linear_viscosity.value_or(0) > most_linear)
@@ -205,11 +203,10 @@ std::vector<Warning> check_mass_scaling(const CheckedScene& scene) {
   std::vector<Warning> warnings;
   const auto check = [&](const std::optional<MassScalingDeck>& scaling, const std::string& path) {
     if (!scaling || scaling->max_added <= most) return;
-    warnings.push_back(warn_at(
-        scene.deck, "mass_scaling", path + ".max_added",
-        fmt::format("mass scaling may add {:.0f} % to the mass of a part (beyond some 5 % its motion is another "
-                    "one): lower max_added, or step",
-                    100 * scaling->max_added)));
+    warnings.push_back(warn_at(scene.deck, "mass_scaling", path + ".max_added",
+                               fmt::format("mass scaling may add {:.0f} % to the mass of a part (above about 5 % its "
+                                           "motion changes): lower max_added, or step",
+                                           100 * scaling->max_added)));
   };
   check(scene.deck.time.mass_scaling, "time.mass_scaling");
   for (const PartDeck& part : scene.deck.parts) check(part.mass_scaling, "parts." + part.name + ".mass_scaling");

@@ -173,7 +173,8 @@ std::string describe_flight(const std::string& part, double end, double later) {
         "together): check its velocity and its place",
         part);
   return fmt::format(
-      "part '{}' touches nothing before time.end = {:g} (it needs until about {:.2g}): run longer, or start closer",
+      "part '{}' touches nothing before time.end = {:g} (first contact would be at about {:.2g}): run longer, or start "
+      "closer",
       part, end, later);
 }
 
@@ -196,11 +197,11 @@ std::vector<Warning> check_idle_parts(const CheckedScene& scene) {
     if (scene.measures->parts[p].speed > 0 || held[p] || pressed[p] || loaded[p] || touching[p]) continue;
     if (scene.measures->is_joined(p)) continue;  // others move it
     if (is_energetic(find_material(deck, deck.parts[p]))) continue;
-    warnings.push_back(
-        warn_at(deck, "idle_part", "parts." + deck.parts[p].name,
-                fmt::format("part '{}' stays as it is (it has no velocity, condition, load or contact): add "
-                            "one, or remove the part",
-                            deck.parts[p].name)));
+    warnings.push_back(warn_at(
+        deck, "idle_part", "parts." + deck.parts[p].name,
+        fmt::format(
+            "nothing acts on part '{}' (it has no velocity, condition, load or contact): add one, or remove the part",
+            deck.parts[p].name)));
   }
   return warnings;
 }
@@ -238,8 +239,8 @@ std::vector<Warning> check_beam_contact(const CheckedScene& scene) {
     if (meets.empty()) continue;
     warnings.push_back(
         warn_at(deck, "beam_contact", "parts." + deck.parts[p].name,
-                fmt::format("the box of part '{}' meets {} (its beams have no contact and pass through): "
-                            "join it to a part that has a surface, or make it of shells or solids",
+                fmt::format("the bounding box of part '{}' meets {} (beams have no contact and pass through): join it "
+                            "to a part that has a surface, or make it of shells or solids",
                             deck.parts[p].name, meets)));
   }
   return warnings;
@@ -252,11 +253,10 @@ std::vector<Warning> check_missing_contact(const CheckedScene& scene) {
   if (deck.parts.size() < 2 || deck.parts.size() > most_compared_parts) return warnings;
   if (deck.contact.surfaces == ContactDeck::Surfaces::none && deck.contact.ties.empty()) {
     for (const Meeting& meeting : find_meetings(scene, most)) {
-      warnings.push_back(
-          warn_at(deck, "no_contact", deck.places.has("contact") ? "contact" : "parts",
-                  fmt::format("the boxes of parts '{}' and '{}' meet (from t = {:.2g} on, and contact is "
-                              "off): add contact: {{surfaces: all}}",
-                              deck.parts[meeting.a].name, deck.parts[meeting.b].name, meeting.time)));
+      warnings.push_back(warn_at(deck, "no_contact", deck.places.has("contact") ? "contact" : "parts",
+                                 fmt::format("the bounding boxes of parts '{}' and '{}' meet (from t = {:.2g} on, but "
+                                             "contact is off): add contact: {{surfaces: all}}",
+                                             deck.parts[meeting.a].name, deck.parts[meeting.b].name, meeting.time)));
     }
   }
   if (deck.contact.surfaces != ContactDeck::Surfaces::pairs) return warnings;
@@ -268,11 +268,10 @@ std::vector<Warning> check_missing_contact(const CheckedScene& scene) {
   for (const Meeting& meeting : find_meetings(scene, deck.parts.size())) {
     for (const auto& [part, other] : {std::pair(meeting.a, meeting.b), std::pair(meeting.b, meeting.a)}) {
       if (touching[part]) continue;
-      warnings.push_back(
-          warn_at(deck, "no_contact", "contact.surfaces",
-                  fmt::format("part '{}' is in no pair of contact.surfaces, and its box meets that of part '{}' "
-                              "(from t = {:.2g} on): add a pair",
-                              deck.parts[part].name, deck.parts[other].name, meeting.time)));
+      warnings.push_back(warn_at(deck, "no_contact", "contact.surfaces",
+                                 fmt::format("part '{}' is in no pair of contact.surfaces, but its bounding box meets "
+                                             "that of part '{}' (from t = {:.2g} on): add a pair",
+                                             deck.parts[part].name, deck.parts[other].name, meeting.time)));
     }
   }
   return warnings;

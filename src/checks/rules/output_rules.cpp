@@ -88,7 +88,7 @@ std::vector<Warning> check_output_interval(const CheckedScene& scene) {
   };
   check(output.fields_every, "fields", "only the first and last state are written");
   check(output.history_every, "history", "only the first and last row are written");
-  check(output.checkpoint_every, "checkpoint", "a run that stops has none to go on from");
+  check(output.checkpoint_every, "checkpoint", "an interrupted run could not be continued from one");
   return warnings;
 }
 

@@ -38,14 +38,14 @@ std::vector<Warning> check_unit_system(const CheckedScene& scene) {
     if (!find_plausible_units(alone).empty()) continue;
     warnings.push_back(warn_at(
         deck, "unit_system", "materials." + material.name + ".density",
-        fmt::format("material '{}' has density {:g} and stiffness {:g} (in no system of units does such a material "
-                    "exist; its wave speed is {:.3g}): write all values in one system and name it with units",
+        fmt::format("material '{}' has density {:g} and stiffness {:g} (such a material exists in no known system of "
+                    "units; its wave speed is {:.3g}): write all values in one system and name it in units",
                     material.name, material.density, find_stiffness(material), find_wave_speed(material))));
   }
   if (!warnings.empty()) return warnings;
   return {warn_at(deck, "unit_system", "materials",
-                  "no system of units suits all materials together (one is given in other units than the rest): write "
-                  "all values in one system and name it with units")};
+                  "no system of units fits all materials (at least one seems to use other units than the rest): write "
+                  "all values in one system and name it in units")};
 }
 
 std::vector<Warning> check_density(const CheckedScene& scene) {
@@ -75,12 +75,12 @@ std::vector<Warning> check_wave_speed(const CheckedScene& scene) {
     const double speed = find_wave_speed(material) * units->in_si(dimensions::velocity);
     const double density = material.density * units->in_si(dimensions::density), least = find_least_wave_speed(density);
     if (speed >= least && speed <= largest_wave_speed) continue;
-    warnings.push_back(
-        warn_at(scene.deck, "wave_speed", "materials." + material.name,
-                fmt::format("waves in material '{}' run at {:.3g} m/s ({} have {:g} to {:g}; its density is {:g}, its "
-                            "stiffness {:g} in {}): check both and units",
-                            material.name, speed, least > least_wave_speed ? "metals" : "solids", least,
-                            largest_wave_speed, material.density, find_stiffness(material), units->text())));
+    warnings.push_back(warn_at(
+        scene.deck, "wave_speed", "materials." + material.name,
+        fmt::format("the wave speed of material '{}' is {:.3g} m/s ({} have {:g} to {:g}; its density is {:g}, its "
+                    "stiffness {:g} in {}): check both, and units",
+                    material.name, speed, least > least_wave_speed ? "metals" : "solids", least, largest_wave_speed,
+                    material.density, find_stiffness(material), units->text())));
   }
   return warnings;
 }

@@ -13,10 +13,10 @@ namespace {
 void refuse_too_many_copies(std::int64_t most, double margin) {
   constexpr std::int64_t most_indexed = 1'000'000'000;
   if (most <= most_indexed) return;
-  throw RunError(
-      fmt::format("contact search needs {} copies of faces on other ranks (capture boxes are {:.3g} wide beyond their "
-                  "faces: nodes move many faces a step) is the run unstable? try a smaller time.step_scale",
-                  most, margin));
+  throw RunError(fmt::format(
+      "contact search needs {} copies of faces on other ranks (capture boxes extend {:.3g} beyond their faces: nodes "
+      "cross many faces per step): the run is probably unstable; try a smaller time.step_scale",
+      most, margin));
 }
 
 /// Calls visit(part) for the parts that box i reaches, ascending.

@@ -108,11 +108,11 @@ void MovingWalls::refuse_throw(std::size_t i, double after, const Rows3<const do
   const double before = motions_[i].speed, alone = std::max(std::abs(before), std::abs(2 * speeds_[i] - before));
   if (std::abs(after) <= margin * alone) return;
   if (std::abs(after) <= margin * std::max(alone, std::abs(before) + 2 * find_fastest(v_before, ranks_))) return;
-  throw RunError(fmt::format(
-      "wall '{}' would be thrown back (from speed {:.3g} to {:.3g} in a step, for contact does not converge: nodes "
-      "between it and another wall, or held ones, cannot give way) make it a rigid part with this mass, or let it stop "
-      "only nodes that can move (walls.N.nodes)",
-      name_moving_walls(deck_)[i], before, after));
+  throw RunError(
+      fmt::format("wall '{}' would be thrown back (from speed {:.3g} to {:.3g} in a step, because contact does not "
+                  "converge: held nodes, or nodes against another wall, cannot move away): use a rigid part of this "
+                  "mass, or name only nodes that can move in walls.N.nodes",
+                  name_moving_walls(deck_)[i], before, after));
 }
 
 template <class Space>

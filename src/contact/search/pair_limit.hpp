@@ -27,16 +27,15 @@ inline std::int64_t find_edge_pair_limit(const SurfaceShare& share) {
 inline void refuse_too_many_pairs(std::int64_t pairs, std::int64_t limit, double margin) {
   if (pairs <= limit) return;
   throw RunError(fmt::format(
-      "contact search found {} pairs of nodes and faces or of edges (capture boxes are {:.3g} wide beyond their faces: "
-      "nodes move many faces a step) is the run unstable? try a smaller time.step_scale",
+      "contact search found {} pairs of nodes and faces or of edges (capture boxes extend {:.3g} beyond their faces: "
+      "nodes cross many faces per step): the run is probably unstable; try a smaller time.step_scale",
       pairs, margin));
 }
 
 /// crowded: how many ranks found more pairs than they can number.
 inline void refuse_crowded_ranks(std::int64_t crowded) {
   if (crowded == 0) return;
-  throw RunError(
-      "contact search found more pairs of a node and a face than a rank can number (1.4e9) start on more ranks");
+  throw RunError("contact search found more node-face pairs than a rank can hold (1.4e9): use more ranks");
 }
 
 }  // namespace percuss

@@ -67,8 +67,8 @@ std::string describe_overlap(const StartOverlap& found, ContactDeck::Overlap ove
 }
 
 std::string describe_overlap_left(const StartOverlap& left) {
-  if (left.nodes == 0 && left.edge_pairs == 0) return "of the overlap at the start none is left";
-  return fmt::format("of the overlap at the start {} contact node{} and {} pair{} of edges are left, deepest {:.4g}",
+  if (left.nodes == 0 && left.edge_pairs == 0) return "no overlap remains from the start";
+  return fmt::format("overlap remaining from the start: {} contact node{} and {} pair{} of edges, deepest {:.4g}",
                      left.nodes, left.nodes == 1 ? "" : "s", left.edge_pairs, left.edge_pairs == 1 ? "" : "s",
                      std::max(left.deepest, left.deepest_edges));
 }

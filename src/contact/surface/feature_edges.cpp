@@ -229,8 +229,8 @@ std::vector<FoundEdge> number_edges(const ToldSides& told) {
     }
     if (edges.size() - first_edge > most_edges)
       throw InputError(
-          "mesh: error: a node has more than 128 sharp edges (contact between edges numbers no more) merge "
-          "the elements around it, or set contact.edges: false");
+          "mesh: error: a node has more than 128 sharp edges (edge contact supports no more): coarsen the mesh around "
+          "it, or set contact.edges: false");
     for (std::size_t i = first_edge; i < edges.size(); ++i)
       edges[i].edge.number = (edges[i].edge.ends[0] << edge_place_bits) + static_cast<std::int64_t>(i - first_edge);
   }

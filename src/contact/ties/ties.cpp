@@ -92,17 +92,16 @@ void part_sides(const Communicator& ranks, const Deck& deck, const TieDeck& tie,
   all_reduce(ranks, Reduce::largest, some);
   if (some != 0)
     throw InputError(
-        fmt::format("{}: error: tie of '{}' and '{}' ties a surface to itself (both sides have the same "
-                    "faces) name two surfaces",
+        fmt::format("{}: error: tie of '{}' and '{}' ties a surface to itself (both sides have the same faces): name "
+                    "two different surfaces",
                     deck.where(tie.place), name_side(tie.a), name_side(tie.b)));
 }
 
 void refuse_nothing(const Deck& deck, const TieDeck& tie, const TieCounts& counts) {
   if (counts.tied > 0) return;
   throw InputError(fmt::format(
-      "{}: error: tie of '{}' and '{}' ties nothing ({} nodes of '{}' are farther than {} from it, {} the mesh joins, "
-      "{} "
-      "are tied by an earlier tie) set the tie's distance",
+      "{}: error: tie of '{}' and '{}' ties nothing ({} nodes of '{}' are farther than {} from it, {} are already "
+      "shared by the mesh, {} are tied by an earlier tie): set the tie's distance",
       deck.where(tie.place), name_side(tie.a), name_side(tie.b), counts.apart, name_side(tie.a),
       tie.distance ? fmt::format("{:g}", *tie.distance) : fmt::format("{:g} of a face", default_tie_distance),
       counts.joined, counts.earlier));

@@ -77,10 +77,10 @@ void check_size(const Deck& deck, const Node& root, Reading& reading) {
     total.nodes += size.nodes;
   }
   if (total.elements <= largest_mesh && total.nodes <= largest_mesh) return;
-  reading.errors.add(root.find("parts")->key,
-                     fmt::format("the parts have {:.4g} elements and {:.4g} nodes (a mesh can have {:.0f} "
-                                 "of each) make them coarser",
-                                 total.elements, total.nodes, largest_mesh));
+  reading.errors.add(
+      root.find("parts")->key,
+      fmt::format("the parts have {:.4g} elements and {:.4g} nodes (a mesh can have {:.0f} of each): make them coarser",
+                  total.elements, total.nodes, largest_mesh));
 }
 
 /// Rotations are held of nodes of shells, of beams and of rigid bodies only.
@@ -91,9 +91,11 @@ void check_rotations(const Deck& deck, Reading& reading) {
   };
   if (std::any_of(deck.parts.begin(), deck.parts.end(), may_turn)) return;
   for (const NameUse& use : reading.rotations) {
-    reading.errors.add(use.spot, fmt::format("{} is of no use{} (no part has shells or beams, whose nodes alone have "
-                                             "rotations, or is rigid)",
-                                             use.name, use.in));
+    reading.errors.add(
+        use.spot,
+        fmt::format(
+            "{} has no effect{} (only nodes of shells, beams and rigid parts have rotations, and there are none)",
+            use.name, use.in));
   }
 }
 
@@ -103,18 +105,19 @@ void check_step_estimate(const Deck& deck, const Node& root, Reading& reading) {
   const auto other = std::find_if(deck.parts.begin(), deck.parts.end(),
                                   [](const auto& part) { return part.thickness || part.section; });
   if (other == deck.parts.end()) return;
-  reading.errors.add(root.find("time")->find("step_estimate")->spot,
-                     fmt::format("time.step_estimate is global (part '{}' has {}, of which only the bound of the "
-                                 "element is known) leave it out",
-                                 other->name, other->thickness ? "shells" : "beams"));
+  reading.errors.add(
+      root.find("time")->find("step_estimate")->spot,
+      fmt::format(
+          "time.step_estimate is global (part '{}' has {}, which the global estimate does not support): leave it out",
+          other->name, other->thickness ? "shells" : "beams"));
 }
 
 /// The eigenvalue of the mesh is that of its first masses.
 void check_running_masses(const Deck& deck, const Node& root, Reading& reading) {
   if (deck.time.step_estimate != TimeDeck::StepEstimate::global || !deck.scales_mass_in_run()) return;
   reading.errors.add(root.find("time")->find("step_estimate")->spot,
-                     "time.step_estimate is global (mass_scaling.every adds mass during the run, which the estimate of "
-                     "the mesh does not know) leave one of them out");
+                     "time.step_estimate is global (mass_scaling.every adds mass during the run, which the global "
+                     "estimate does not support): leave one of them out");
 }
 
 void check_curves(const Deck& deck, Reading& reading) {
@@ -141,8 +144,8 @@ void check_estimate(const Deck& deck, const Node& root, Reading& reading) {
   for (const MaterialDeck& material : deck.materials) {
     if (!material.failure) continue;
     reading.errors.add(materials->find(material.name)->key,
-                       fmt::format("material '{}' can fail (time.step_estimate: global is for meshes that stay whole) "
-                                   "use time.step_estimate: element",
+                       fmt::format("material '{}' can fail (time.step_estimate: global does not support erosion): use "
+                                   "time.step_estimate: element",
                                    material.name));
   }
 }
@@ -162,9 +165,8 @@ void check_fluids(const Deck& deck, const Node& root, Reading& reading) {
                      [&](const PartDeck& part) { return part.material == material.name && takes_default(part); }))
       continue;
     reading.errors.warn(root.find("materials")->find(material.name)->key, "fluid_hourglass",
-                        fmt::format("material '{}' is a fluid (the default elements.hourglass holds it in its shape as "
-                                    "if it had a hundredth of its bulk modulus in shear): for flows set "
-                                    "elements: {{hourglass: viscous}}",
+                        fmt::format("material '{}' is a fluid (the default elements.hourglass makes it resist shear "
+                                    "with 1 % of its bulk modulus): for flows set elements: {{hourglass: viscous}}",
                                     material.name));
   }
 }
@@ -196,9 +198,9 @@ void check_points(const Deck& deck, const Node& root, Reading& reading) {
     if (point <= most || deck.parts.empty() || !reading.shapeless.empty()) continue;
     const std::vector<Node>& items = root.find("output")->find("fields")->find("write")->items;
     const auto item = std::find_if(items.begin(), items.end(), [&](const Node& node) { return node.text == field; });
-    const std::string text =
-        most == 0 ? "no part has shells"
-                  : fmt::format("shells have at most {} points; say more with points of their part", most);
+    const std::string text = most == 0
+                                 ? "no part has shells"
+                                 : fmt::format("shells have at most {} points; set parts.NAME.points for more", most);
     reading.errors.add(item->spot, fmt::format("output.fields.write has {} ({})", field, text));
   }
 }
@@ -214,8 +216,8 @@ void check_idle_contact(const Deck& deck, const Node& root, Reading& reading) {
       reading.errors.warn(node->key, "key_without_effect", fmt::format("contact.{} does nothing ({})", key, why));
   };
   const ContactDeck& read = deck.contact;
-  warn("penalty_scale", read.enforcement != Enforcement::penalty, "it is of contact.enforcement: penalty");
-  warn("tolerance", read.enforcement != Enforcement::kinematic, "it is of contact.enforcement: kinematic");
+  warn("penalty_scale", read.enforcement != Enforcement::penalty, "it applies only to contact.enforcement: penalty");
+  warn("tolerance", read.enforcement != Enforcement::kinematic, "it applies only to contact.enforcement: kinematic");
   for (const char* key : {"friction", "edges", "search", "reuse_search", "rebalance"})
     warn(key, read.surfaces == ContactDeck::Surfaces::none, "contact.surfaces is none");
 }
@@ -229,13 +231,12 @@ void check_walls(const Deck& deck, const Node& root, Reading& reading) {
     if (!deck.walls[w].mass) continue;
     const Spot spot = walls->items[w].find("mass")->key;
     if (deck.contact.enforcement == ContactDeck::Enforcement::penalty)
-      reading.errors.add(spot,
-                         fmt::format("walls.{}.mass cannot be used with contact.enforcement: penalty (its springs "
-                                     "do not know the wall's mass) use kinematic or lagrange",
-                                     w));
+      reading.errors.add(spot, fmt::format("walls.{}.mass cannot be used with contact.enforcement: penalty (its "
+                                           "springs do not account for the wall's mass): use kinematic or lagrange",
+                                           w));
     if (rigid != deck.parts.end())
       reading.errors.add(spot, fmt::format("walls.{}.mass cannot be used beside rigid parts such as '{}' (their nodes "
-                                           "have no masses of their own) make the wall a rigid part too",
+                                           "have no masses of their own): make the wall a rigid part too",
                                            w, rigid->name));
   }
 }

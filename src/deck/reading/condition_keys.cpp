@@ -41,7 +41,7 @@ bool check_initial(const Reader& reader, const Node& node, InitialDeck& initial)
   }
   if (initial.center && !spins) {
     reader.error(node.find("center")->key,
-                 fmt::format("{} is of no use (there is no angular_velocity)", reader.name_of("center")));
+                 fmt::format("{} has no effect (there is no angular_velocity)", reader.name_of("center")));
     return false;
   }
   return true;
@@ -164,7 +164,7 @@ struct MotionValue {
     if (!CurveValue{}.read(reader, name, entry.value, curve)) return false;
     if (kind != ConditionDeck::Kind::displacement || curve(0) == 0) return true;
     reader.error(entry.value.spot,
-                 fmt::format("{} is {:g} at time 0 (must be 0 there: the node would jump) start the table at [0, 0]",
+                 fmt::format("{} is {:g} at time 0 (must be 0 there: the node would jump): start the table at [0, 0]",
                              name, curve(0)));
     return false;
   }
@@ -291,12 +291,13 @@ bool turn_rectangle(const Reader& reader, const Node& node, WallDeck& wall) {
 bool check_wall_motion(const Reader& reader, const Node& node, const WallDeck& wall) {
   if (wall.speed && wall.mass) {
     reader.error(node.find("mass")->key,
-                 fmt::format("{} is of no use (speed says how the wall moves) leave out one", reader.name_of("mass")));
+                 fmt::format("{} has no effect (speed already prescribes the motion of the wall): leave out one",
+                             reader.name_of("mass")));
     return false;
   }
   if (wall.mass || node.find("start_speed") == nullptr) return true;
   reader.error(node.find("start_speed")->key,
-               fmt::format("{} is of no use (only a wall with a mass keeps it) give a mass, or a speed",
+               fmt::format("{} has no effect (it applies only to a wall with a mass): give a mass, or a speed",
                            reader.name_of("start_speed")));
   return false;
 }

@@ -70,7 +70,7 @@ bool are_different(const Reader& reader, const std::string& name, const Node& no
     const std::string names = b ? fmt::format("'{}' and '{}'", a->name, b->name) : fmt::format("'{}'", a->name);
     reader.error(
         node.items[i].spot,
-        fmt::format("{}.{} names {} again (the first such pair gives the friction) leave out one", name, i, names));
+        fmt::format("{}.{} names {} again (the first such pair gives the friction): leave out one", name, i, names));
     return false;
   }
   return true;
@@ -168,9 +168,9 @@ const Keys<ContactDeck>& contact_keys() {
 /// Springs that hold ties as they hold contact would let tied bodies part; ties by impulses beside springs are neither.
 bool check_contact(const Reader& reader, const Node& node, ContactDeck& contact) {
   if (contact.ties.empty() || contact.enforcement != ContactDeck::Enforcement::penalty) return true;
-  reader.error(node.find("ties")->spot,
-               "ties cannot be held by contact.enforcement: penalty (springs would let them part) use kinematic or "
-               "lagrange");
+  reader.error(
+      node.find("ties")->spot,
+      "ties cannot be held by contact.enforcement: penalty (springs would let them part): use kinematic or lagrange");
   return false;
 }
 

@@ -113,16 +113,19 @@ void check_settings(const Reader& reader, const Node& node, const ElementDeck& d
   const Node* hourglass = node.find("hourglass");
   if (hourglass == nullptr || hourglass->broken) return;
   if (deck.integration == Integration::full) {
-    reader.error(hourglass->key, fmt::format("{} is of no use{} (integration is full, which leaves no hourglass modes)",
-                                             reader.name_of("hourglass"), reader.in()));
+    reader.error(hourglass->key,
+                 fmt::format("{} has no effect{} (integration is full, which leaves no hourglass modes)",
+                             reader.name_of("hourglass"), reader.in()));
     return;
   }
   if (hourglass->kind != Node::Kind::map || deck.hourglass != Hourglass::assumed_strain) return;
   const Node *coefficient = hourglass->find("coefficient"), *kind = hourglass->find("kind");
   if (coefficient == nullptr || (kind != nullptr && kind->text != "assumed_strain")) return;
-  reader.error(coefficient->key, fmt::format("{} is of no use{} (assumed_strain follows from the material) give kind: "
-                                             "stiffness or kind: viscous",
-                                             reader.name_of("hourglass.coefficient"), reader.in()));
+  reader.error(
+      coefficient->key,
+      fmt::format(
+          "{} has no effect{} (assumed_strain follows from the material): give kind: stiffness or kind: viscous",
+          reader.name_of("hourglass.coefficient"), reader.in()));
 }
 
 /// Wedges and pyramids have one point and the stiffness form of hourglass control.
@@ -149,7 +152,7 @@ void check_kind(const Reader& reader, const Node& node, const PartDeck& part) {
     const Node* given = node.find(key);
     const bool is_viscosity = key == "bulk_viscosity";
     if (given == nullptr || (is_solid && is_viscosity)) continue;
-    reader.error(given->key, fmt::format("{} is of no use{} (its elements are {}; this is of hexahedra{})",
+    reader.error(given->key, fmt::format("{} has no effect{} (its elements are {}; this applies to hexahedra{})",
                                          reader.name_of(key), reader.in(),
                                          is_shell  ? "shells"
                                          : is_line ? "beams"

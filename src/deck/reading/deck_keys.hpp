@@ -68,7 +68,7 @@ MapValue<MassScalingDeck> mass_scaling_value();
 MapValue<ElementDeck> element_value();
 /// Those of a part among the keys of `elements`.
 Keys<PartElementDeck> part_element_keys();
-/// What is of no use beside the other settings that hold there.
+/// What has no effect beside the other settings that hold there.
 void check_element_settings(const Deck& deck, const Node& root, Reading& reading);
 MapValue<OutputDeck> output_value();
 

@@ -19,9 +19,9 @@ const Keys<JohnsonCookDamageDeck>& damage_keys() {
 
 bool check_damage(const Reader& reader, const Node& node, JohnsonCookDamageDeck& damage) {
   if (damage.d1 > 0 || damage.d2 > 0) return true;
-  reader.error(node.find("d1")->spot, fmt::format("{} and d2 are 0 (the material would fail at no strain) make one of "
-                                                  "them positive",
-                                                  reader.name_of("d1")));
+  reader.error(node.find("d1")->spot,
+               fmt::format("{} and d2 are both 0 (the material would fail at zero strain): make one of them positive",
+                           reader.name_of("d1")));
   return false;
 }
 
@@ -45,10 +45,10 @@ bool check_failure(const Reader& reader, const Node& node, FailureDeck& failure)
   if (failure.plastic_strain || failure.principal_stress || failure.principal_strain || failure.pressure ||
       failure.johnson_cook || failure.yield_time || failure.step || failure.inverted)
     return true;
-  reader.error(node.spot, fmt::format("{} names no criterion (nothing would ever fail) give plastic_strain, "
-                                      "principal_stress, principal_strain, pressure, johnson_cook, yield_time, step "
-                                      "or inverted: true",
-                                      reader.self()));
+  reader.error(node.spot,
+               fmt::format("{} names no criterion (nothing would ever fail): give plastic_strain, principal_stress, "
+                           "principal_strain, pressure, johnson_cook, yield_time, step or inverted: true",
+                           reader.self()));
   return false;
 }
 

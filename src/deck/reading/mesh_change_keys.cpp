@@ -125,8 +125,8 @@ const Keys<RigidDeck>& rigid_keys() {
 bool check_inertia(const Reader& reader, const Node& node, RigidDeck& rigid) {
   if (!rigid.inertia || is_inertia_of_masses(*rigid.inertia)) return true;
   reader.error(node.find("inertia")->spot,
-               fmt::format("{} is no inertia of any masses{} (xx, yy, zz, xy, yz, zx of the tensor must be positive "
-                           "definite, and each principal moment at most the sum of the others)",
+               fmt::format("{} is not a valid inertia tensor{} (xx, yy, zz, xy, yz, zx must be positive definite, and "
+                           "each principal moment at most the sum of the others)",
                            reader.name_of("inertia"), reader.in()));
   return false;
 }
@@ -142,8 +142,8 @@ void check_merged(const Deck& deck, const Node& parts, Reading& reading) {
       int& first = giver[static_cast<std::size_t>(names.body_of_part[p])];
       if (given != nullptr && first >= 0) {
         reading.errors.add(given->spot,
-                           fmt::format("rigid.{} is given again in part '{}' (part '{}' gives that of body '{}') leave "
-                                       "one of them out",
+                           fmt::format("rigid.{} is given again in part '{}' (part '{}' already gives that of body "
+                                       "'{}'): leave one of them out",
                                        key, deck.parts[p].name, deck.parts[static_cast<std::size_t>(first)].name,
                                        names.bodies[static_cast<std::size_t>(names.body_of_part[p])]));
       }
@@ -186,12 +186,13 @@ void check_rigid(const Deck& deck, const Node& root, Reading& reading) {
     if (!part.rigid || !part.mass_scaling) continue;
     reading.errors.add(
         parts->find(part.name)->find("mass_scaling")->key,
-        fmt::format("mass_scaling is of no use in part '{}' (it is rigid, and holds no step down)", part.name));
+        fmt::format("mass_scaling has no effect in part '{}' (it is rigid and does not limit the time step)",
+                    part.name));
   }
   if (deck.time.step_estimate == TimeDeck::StepEstimate::global) {
     reading.errors.add(root.find("time")->find("step_estimate")->spot,
-                       fmt::format("time.step_estimate is global (part '{}' is rigid, which the estimate of the mesh "
-                                   "does not know) leave it out",
+                       fmt::format("time.step_estimate is global (part '{}' is rigid, which the global estimate does "
+                                   "not support): leave it out",
                                    rigid->name));
   }
   check_merged(deck, *parts, reading);

@@ -140,7 +140,7 @@ bool check_box_section(const Reader& reader, const Node& node, BoxSection& box) 
   const double narrow = std::min(box.size[0], box.size[1]);
   if (2 * box.wall < narrow) return true;
   reader.error(node.find("wall")->spot,
-               fmt::format("{} is {}{} (must be less than half of the width {}) use rectangle for a solid section",
+               fmt::format("{} is {}{} (must be less than half of the width {}): use rectangle for a solid section",
                            reader.name_of("wall"), box.wall, reader.in(), narrow));
   return false;
 }
@@ -210,7 +210,7 @@ bool check_beam_section(const Reader& reader, const Node& node, const PartDeck& 
   const Node *section = node.find("section"), *toward = node.find("toward");
   for (const Node* given : {section, toward}) {
     if (may_have || given == nullptr) continue;
-    reader.error(given->key, fmt::format("{} is of no use{} (only beams have a cross section)",
+    reader.error(given->key, fmt::format("{} has no effect{} (only beams have a cross section)",
                                          reader.name_of(given == section ? "section" : "toward"), reader.in()));
     return false;
   }
@@ -219,7 +219,7 @@ bool check_beam_section(const Reader& reader, const Node& node, const PartDeck& 
     return false;
   }
   if (section == nullptr && toward != nullptr) {
-    reader.error(toward->key, fmt::format("{} is of no use{} (it is of a section, of which there is none)",
+    reader.error(toward->key, fmt::format("{} has no effect{} (it applies only with a section, and none is given)",
                                           reader.name_of("toward"), reader.in()));
     return false;
   }
@@ -227,7 +227,7 @@ bool check_beam_section(const Reader& reader, const Node& node, const PartDeck& 
   if (!part.section || (toward != nullptr && !part.toward)) return false;  // reported already
   if (toward != nullptr && !bends(*part.section)) {
     reader.error(toward->key,
-                 fmt::format("{} is of no use{} (a truss does not bend)", reader.name_of("toward"), reader.in()));
+                 fmt::format("{} has no effect{} (a truss does not bend)", reader.name_of("toward"), reader.in()));
     return false;
   }
   if (toward != nullptr || !has_axes(*part.section)) return true;
@@ -305,7 +305,7 @@ bool check_one_shape(const Reader& reader, const Node& node) {
   return false;
 }
 
-/// Shells need a thickness; of solids it is of no use. What a file holds is seen when it is read.
+/// Shells need a thickness; of solids it has no effect. What a file holds is seen when it is read.
 bool check_thickness(const Reader& reader, const Node& node, const PartDeck& part) {
   if (std::holds_alternative<FileMesh>(part.shape)) return true;
   const bool is_shell = is_shell_shape(part.shape);
@@ -317,7 +317,7 @@ bool check_thickness(const Reader& reader, const Node& node, const PartDeck& par
   for (const char* key : {"thickness", "points", "reference"}) {
     if (is_shell || node.find(key) == nullptr) continue;
     reader.error(node.find(key)->key,
-                 fmt::format("{} is of no use{} (only shells have a thickness)", reader.name_of(key), reader.in()));
+                 fmt::format("{} has no effect{} (only shells have a thickness)", reader.name_of(key), reader.in()));
     return false;
   }
   return true;
@@ -335,7 +335,7 @@ bool check_elements(const Reader& reader, const Node& node, const PartDeck& part
     return false;
   }
   if (elements == nullptr || (!is_file && !is_line && !is_shell_shape(part.shape))) return true;
-  reader.error(elements->key, fmt::format("{} is of no use{} ({})", reader.name_of("elements"), reader.in(),
+  reader.error(elements->key, fmt::format("{} has no effect{} ({})", reader.name_of("elements"), reader.in(),
                                           is_file   ? "the file says what its elements are"
                                           : is_line ? "its elements are beams"
                                                     : "its elements are shells"));
@@ -356,7 +356,7 @@ bool PartValue::read_inside(const Reader& reader, const Node& node, PartDeck& ou
   const MeshSize size = count_cells(out);
   if (size.elements <= largest_mesh && size.nodes <= largest_mesh) return true;
   reader.error(node.key,
-               fmt::format("{} has {:.4g} elements and {:.4g} nodes (a mesh can have {:.0f} of each) make it coarser",
+               fmt::format("{} has {:.4g} elements and {:.4g} nodes (a mesh can have {:.0f} of each): make it coarser",
                            reader.self(), size.elements, size.nodes, largest_mesh));
   return false;
 }

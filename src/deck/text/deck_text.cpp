@@ -24,9 +24,9 @@ bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) ==
 std::string find_fault(std::string_view text, std::size_t i, std::size_t& length) {
   const auto c = static_cast<unsigned char>(text[i]);
   length = decode_utf8(text.substr(i)).bytes;
-  if (c == 0) return "the file is not text (it holds a NUL byte) save the deck as UTF-8 text";
+  if (c == 0) return "the file is not text (it holds a NUL byte): save the deck as UTF-8 text";
   if (length == 0)
-    return fmt::format("the file is not UTF-8 text (byte 0x{:02x} does not belong) save the deck as UTF-8", c);
+    return fmt::format("the file is not UTF-8 text (byte 0x{:02x} does not belong): save the deck as UTF-8", c);
   if (c == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) {
     return "a carriage return stands alone (lines end with LF or CR LF)";
   }
@@ -58,13 +58,13 @@ std::string load_deck_text(const std::string& file) {
 
 bool check_deck_text(std::string& text, DeckErrors& errors) {
   if (text.size() > largest_deck) {
-    errors.add({},
-               fmt::format("the file is larger than {} MiB (the largest deck) is this a deck?", largest_deck >> 20U));
+    errors.add({}, fmt::format("the file is larger than {} MiB (the largest size of a deck): is this a deck?",
+                               largest_deck >> 20U));
     return false;
   }
   if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
-    errors.add({{1, 1}, -1}, "the file is UTF-16 text (must be UTF-8) save the deck as UTF-8");
+    errors.add({{1, 1}, -1}, "the file is UTF-16 text (must be UTF-8): save the deck as UTF-8");
     return false;
   }
   Place place{1, 1};

@@ -52,8 +52,8 @@ Node* step_into_list(Node& list, const std::string& key, const std::string& abov
   const auto* number = std::get_if<long long>(&index);
   const auto size = static_cast<long long>(list.items.size());
   if (number == nullptr || *number < 0 || *number > size) {
-    errors.add(spot, fmt::format("'{}' is a list of {} value{} ({} is no index of it; counted from 0)", above, size,
-                                 size == 1 ? "" : "s", quote(key)));
+    errors.add(spot, fmt::format("'{}' is a list of {} value{} ({} is not a valid index; items count from 0)", above,
+                                 size, size == 1 ? "" : "s", quote(key)));
     return nullptr;
   }
   if (*number == size) list.items.push_back(empty_map(spot));
@@ -66,7 +66,7 @@ Node* walk(Node& root, const std::vector<std::string>& keys, Spot spot, DeckErro
   std::string above;
   for (std::size_t i = 0; i < keys.size() && node != nullptr; ++i) {
     if (keys[i].empty()) {
-      errors.add(spot, "a key between the points is empty (must be path.to.key=value)");
+      errors.add(spot, "a key between the dots is empty (must be path.to.key=value)");
       return nullptr;
     }
     if (node->kind == Node::Kind::null) node->kind = Node::Kind::map;
@@ -90,7 +90,7 @@ void apply_override(const std::string& argument, int index, Node& root, DeckErro
   const Spot spot{{-index - 1, 0}, index};
   const auto equals = argument.find('=');
   if (equals == std::string::npos || equals == 0) {
-    errors.add(spot, fmt::format("{} is no setting (must be path.to.key=value)", quote(argument)));
+    errors.add(spot, fmt::format("{} is not a setting (must be path.to.key=value)", quote(argument)));
     return;
   }
   std::string text = argument.substr(equals + 1);

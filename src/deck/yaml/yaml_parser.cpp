@@ -38,7 +38,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void OnDocumentStart(const YAML::Mark& mark) override {
     if (documents_++ == 0) return;
-    errors_.add(spot(mark), "a second document begins (a deck is one document) remove the '---' or what stands here");
+    errors_.add(spot(mark), "a second document begins (a deck is one document): remove the '---' and what follows it");
     throw GiveUp{};
   }
   void OnDocumentEnd() override {}
@@ -47,7 +47,8 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
     Node node = make(Node::Kind::null, mark, "", 0);
-    errors_.add(node.spot, "aliases are not supported (every value stands where it is used) write the value itself");
+    errors_.add(node.spot,
+                "aliases are not supported (every value must be written where it is used): write the value itself");
     node.broken = true;
     add(std::move(node));
   }
@@ -96,9 +97,9 @@ class TreeBuilder final : public YAML::EventHandler {
     node.kind = kind;
     node.spot = node.key = spot(mark);
     if (anchor != 0)
-      errors_.add(node.spot, "anchors are not supported (there are no aliases) remove the '&' and its name");
+      errors_.add(node.spot, "anchors are not supported (there are no aliases): remove the '&' and its name");
     if (!tag.empty() && tag != "?" && tag != "!") {
-      errors_.add(node.spot, "tags are not supported (the keys give the types) remove the '!' and its name");
+      errors_.add(node.spot, "tags are not supported (the keys give the types): remove the '!' and its name");
     }
     return node;
   }
@@ -150,7 +151,7 @@ class TreeBuilder final : public YAML::EventHandler {
     frame.skip = !is_new;
     if (is_new) return;
     const std::string where = override_ >= 0 ? "" : fmt::format(" (first on line {})", first->second);
-    errors_.add(node.spot, fmt::format("key {} is given twice{} remove one", describe(node), where));
+    errors_.add(node.spot, fmt::format("key {} is given twice{}: remove one", describe(node), where));
   }
 
   DeckErrors& errors_;
@@ -214,7 +215,7 @@ std::optional<Node> parse_yaml(const std::string& text, DeckErrors& errors, int 
   } catch (const YAML::ParserException& error) {
     const auto tab = override < 0 ? find_tab_indent(text, error.mark.line) : std::nullopt;
     if (tab)
-      errors.add({*tab, override}, "not valid YAML (a tab indents this line) indent with spaces");
+      errors.add({*tab, override}, "not valid YAML (a tab indents this line): indent with spaces");
     else
       errors.add(builder.spot(error.mark), "not valid YAML (" + explain(error.msg, builder) + ")");
   }

@@ -327,7 +327,7 @@ TextContents TextLookup::look_up() {
   to_.notes = from_.notes_;
   if (lost_faces_ > 0)
     to_.notes.push_back(
-        fmt::format("{} faces of side sets are left out (they may be of elements that cannot be run)", lost_faces_));
+        fmt::format("{} faces of side sets are ignored (they may belong to unsupported elements)", lost_faces_));
   return std::move(to_);
 }
 

@@ -118,7 +118,7 @@ class GmshReader {
     scan_.next_line();
     scan_.is_binary = true;
     if (scan_.next_integer<int>("the mark of the byte order") != 1)
-      scan_.refuse("the bytes are in the order of another kind of machine");
+      scan_.refuse("the byte order is that of another type of machine");
   }
 
   void read_names() {

@@ -168,7 +168,7 @@ void assign_ids(const Deck& deck, SceneParts& scene) {
     if (!nodes.raised(place) && !elements.raised(place)) continue;
     scene.warnings.push_back(
         {"raised_ids",
-         fmt::format("the file's {} ids are used by an earlier part (they are raised above the others)",
+         fmt::format("the file's {} ids are already used by an earlier part (percuss adds an offset to them)",
                      !nodes.raised(place)      ? "element"
                      : !elements.raised(place) ? "node"
                                                : "node and element"),

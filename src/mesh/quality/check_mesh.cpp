@@ -240,7 +240,7 @@ void GeometryFindings::append(const GeometryFindings& later) {
 void GeometryFindings::warn(std::vector<Warning>& warnings) const {
   if (flat_corners == 0) return;
   warnings.push_back({"flat_corner",
-                      fmt::format("{} element(s) have a corner without volume, the first is {} (it is at the brink of "
+                      fmt::format("{} element(s) have a corner without volume, the first is {} (it is on the verge of "
                                   "inversion): repair the mesh there",
                                   flat_corners, first_flat),
                       "", 0, 1});

@@ -57,8 +57,8 @@ void warn_of_slivers(const PartMesh& mesh, std::size_t element_count, std::vecto
   if (middle < sliver_ratio * least || slivers > most || slivers == heights.size()) return;
   warnings.push_back(
       {"sliver_element",
-       fmt::format("element {} is a sliver: {:.3g} across, the median element {:.3g}{} (the step of the whole scene is "
-                   "no longer than it allows, about 1/{:.0f} of what the median element does): repair the mesh there",
+       fmt::format("element {} is a sliver: {:.3g} across, the median element {:.3g}{} (it limits the time step of the "
+                   "whole scene to about 1/{:.0f} of that of the median element): repair the mesh there",
                    id_of(mesh.element_ids, element), least, middle,
                    slivers > 1 ? fmt::format(" ({} elements are like it)", slivers) : "", middle / least),
        "", 0, 1});
@@ -152,11 +152,10 @@ void warn_of_turned_shells(const PartMesh& mesh, std::size_t element_count, std:
   if (turned.size() > most_named) names += ", ...";
   warnings.push_back(
       {"shell_normals",
-       fmt::format(
-           "{} shell{} turned against {} neighbours, with normals to the other side: element{} {} (their top is "
-           "the others' bottom, for pressures, side sets and stresses): turn them over",
-           turned.size(), turned.size() == 1 ? " is" : "s are", turned.size() == 1 ? "its" : "their",
-           turned.size() == 1 ? "" : "s", names),
+       fmt::format("{} shell{} turned against {} neighbours, with opposite normals: element{} {} (top and bottom are "
+                   "swapped there, for pressures, side sets and stresses): reverse their node order",
+                   turned.size(), turned.size() == 1 ? " is" : "s are", turned.size() == 1 ? "its" : "their",
+                   turned.size() == 1 ? "" : "s", names),
        "", 0, 1});
 }
 

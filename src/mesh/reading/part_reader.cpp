@@ -86,7 +86,7 @@ void check_kinds(const MeshFile& file, const std::vector<FileBlock>& chosen) {
   std::string problems, others;
   for (const FileBlock& block : chosen) {
     if (block.topology) continue;
-    problems += fmt::format("{}block '{}' has {} elements of kind {} with {} nodes (of all kinds only {} can be run)",
+    problems += fmt::format("{}block '{}' has {} elements of kind {} with {} nodes (only {} can be run)",
                             problems.empty() ? "" : "\n", block.name, block.elements, block.kind,
                             block.nodes_per_element, file.list_kinds());
   }
@@ -108,11 +108,11 @@ bool are_usable(const std::vector<std::int64_t>& ids) {
 
 std::vector<std::int64_t> accept_ids(std::vector<std::int64_t> ids, const char* what, PartMesh& mesh) {
   if (are_usable(ids)) return ids;
-  mesh.warnings.push_back({"file_ids",
-                           fmt::format("the file's {} ids are not positive and different (their places in the file "
-                                       "serve instead)",
-                                       what),
-                           "", 0, 1});
+  mesh.warnings.push_back(
+      {"file_ids",
+       fmt::format("the file's {} ids are not positive and unique (percuss numbers them by their position in the file)",
+                   what),
+       "", 0, 1});
   std::iota(ids.begin(), ids.end(), std::int64_t{1});
   return ids;
 }

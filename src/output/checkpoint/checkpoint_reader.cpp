@@ -53,8 +53,8 @@ void read_or_refuse(const std::string& path, const Work& work) {
 }
 
 [[noreturn]] void refuse_value_of(const std::string& path, const std::string& name) {
-  refuse(path, fmt::format("the checkpoint has a value of {} that cannot be (it is damaged, or another program has "
-                           "changed it): go on from another checkpoint",
+  refuse(path, fmt::format("the checkpoint has a value of {} that is impossible (it is damaged, or another program has "
+                           "changed it): continue from another checkpoint",
                            name));
 }
 
@@ -76,7 +76,7 @@ CheckpointHeader read_header(hid_t file, std::uint64_t bytes, const std::string&
   const auto text = [&](const char* name) { return hdf5::read_text(group.get(), name); };
   if (number("format") != names::format) {
     refuse(path,
-           fmt::format("the checkpoint has format {} (percuss {} writes and reads format {}) go on with percuss {}",
+           fmt::format("the checkpoint has format {} (percuss {} writes and reads format {}): continue with percuss {}",
                        number("format"), PERCUSS_VERSION, names::format, text("version")));
   }
   CheckpointHeader header;
@@ -283,7 +283,7 @@ std::string describe_checkpoint(const std::string& path) {
   text += fmt::format("state:   t = {:.6g}, step {}\n", header.time, header.step);
   text += fmt::format("mesh:    {} elements, {} nodes, hash {}\n", header.elements, header.nodes, header.mesh);
   text += fmt::format("written: {} by percuss {}, {} precision\n", header.written, header.version, header.precision);
-  return text + "go on:   percuss run DECK --restart " + path + "\n";
+  return text + "continue: percuss run DECK --restart " + path + "\n";
 }
 
 }  // namespace percuss

@@ -75,7 +75,7 @@ std::uint64_t hash_share(const Communicator& ranks, const std::string& path, std
 std::string say_what_to_do(const std::string& path) {
   const std::string older = find_previous_checkpoint(path);
   if (::access(older.c_str(), F_OK) == 0) return "use the older one: " + older;
-  return "there is no older one beside it: begin the run again";
+  return "there is no older one in its folder; start the run again";
 }
 
 std::optional<Seal> find_seal(const std::string& path) {
@@ -98,14 +98,15 @@ void check_whole(const std::string& path, const Seal& seal) {
 
 Seal read_seal(const std::string& path) {
   if (const auto seal = find_seal(path)) return *seal;
-  throw InputError(fmt::format("{}: error: not a checkpoint, or not a whole one (it does not end as checkpoints do) {}",
+  throw InputError(fmt::format("{}: error: not a checkpoint, or not a whole one (the mark at its end is missing): {}",
                                path, say_what_to_do(path)));
 }
 
 void compare(const std::string& path, const Seal& seal, std::uint64_t hash) {
   if (seal.hash == hash) return;
-  throw InputError(fmt::format("{}: error: the checkpoint is damaged (its content has changed since it was written) {}",
-                               path, say_what_to_do(path)));
+  throw InputError(
+      fmt::format("{}: error: the checkpoint is damaged (its content has changed since it was written): {}", path,
+                  say_what_to_do(path)));
 }
 
 }  // namespace

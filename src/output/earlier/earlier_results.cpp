@@ -42,7 +42,7 @@ class EarlierFile {
     const FramesInFile mesh = format_.find_mesh(file_.get());
     if (mesh.nodes != kept.nodes || mesh.elements != kept.elements) return "it has another mesh";
     if (count_frames() < kept.frames)
-      return fmt::format("it has {} frames, and the checkpoint counts on {}", count_frames(), kept.frames);
+      return fmt::format("it has {} frames, but the checkpoint expects {}", count_frames(), kept.frames);
     const std::set<std::string> found = format_.list_fields(file_.get(), fields);
     const bool has_none = kept.frames == 0 && found.empty();
     if (!has_none && found != std::set<std::string>(fields.begin(), fields.end()))
@@ -105,7 +105,7 @@ std::vector<double> check_earlier_results(const FramesFormat& format, const std:
   } catch (const hdf5::Error& error) {
     problem = fmt::format("cannot {}: {}", error.what(), error.reason);
   }
-  throw InputError(fmt::format("{}: error: {} (the restart goes on with this file) choose another folder with --out",
+  throw InputError(fmt::format("{}: error: {} (the restart would continue this file): choose another folder with --out",
                                path, problem));
 }
 

@@ -99,9 +99,10 @@ std::vector<Warning> check_coordinate_precision(const Deck& deck, const ChunkedM
   if (worst.spacing <= noted_spacing) return {};
   const std::string element = name_there(chunked, worst.number);
   const double limit = in_contact ? largest_spacing_of_contact : largest_spacing;
-  const std::string problem = fmt::format("coordinates as large as {:.6g} resolve {:.2g} of the shortest edge of {}",
-                                          worst.coordinate, worst.spacing, element);
-  const char* const remedy = "move the scene to the origin with `at` of its parts, which moves meshes of files, too";
+  const std::string problem = fmt::format(
+      "at coordinates as large as {:.6g} the resolution of double precision is {:.2g} of the shortest edge of {}",
+      worst.coordinate, worst.spacing, element);
+  const char* const remedy = "move the scene to the origin with `at` of its parts (this also moves meshes from files)";
   const std::string place = deck.where(deck.parts.at(static_cast<std::size_t>(worst.part)).place);
   if (worst.spacing > limit) {
     throw InputError(fmt::format("{}: error: {} ({} needs {:.2g}): {}", place, problem,

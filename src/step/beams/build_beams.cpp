@@ -39,16 +39,18 @@ void check_blocks(const Deck& deck, const Mesh& mesh) {
     const std::string& model = material.law.model;
     if ((model != "elastic" && model != "j2_plasticity") || material.equation_of_state)
       refuse(deck, block,
-             fmt::format("of material '{}' (beams know elastic and j2_plasticity, without an equation of state)",
+             fmt::format("of material '{}' (beams support elastic and j2_plasticity, without an equation of state)",
                          material.name));
     if (material.failure)
-      refuse(deck, block,
-             fmt::format("of material '{}', which can fail (beams never do) give them a material without failure",
-                         material.name));
+      refuse(
+          deck, block,
+          fmt::format(
+              "of material '{}', which can fail (beams do not support failure): give them a material without failure",
+              material.name));
     if (model == "j2_plasticity" && std::holds_alternative<BeamSection>(*find_part(deck, block).section))
       refuse(deck, block,
-             "with a general section of a material that yields (yielding needs the shape of the section) give it as "
-             "round, tube, rectangle or box, or take an elastic material");
+             "with a general section of a material that yields (plasticity needs the shape of the section): use round, "
+             "tube, rectangle or box, or an elastic material");
   }
 }
 
@@ -128,10 +130,10 @@ Vec3 find_start_axis(const Deck& deck, const Mesh& mesh, std::size_t element) {
   const Vec3 line = subtract(x[1], x[0]), toward = part.toward.value_or(find_axis_across(line));
   const Vec3 across = cross(line, toward);
   if (!(std::sqrt(dot(across, across)) > least_sine * std::sqrt(dot(line, line))))
-    throw InputError(fmt::format(
-        "{}: error: toward of part '{}' lies along {} (it says where y of the section points, which is across the "
-        "beam) give another direction, or divide the part",
-        deck.where(part.place), part.name, name_element(mesh, static_cast<int>(element))));
+    throw InputError(
+        fmt::format("{}: error: toward of part '{}' lies along {} (it sets the direction of the section's y axis, "
+                    "which cannot be along the beam): give another direction, or split the part",
+                    deck.where(part.place), part.name, name_element(mesh, static_cast<int>(element))));
   const auto frame =
       find_beam_frame<double>({{0, 0, 0}, {line[0], line[1], line[2]}}, {toward[0], toward[1], toward[2]});
   return {frame.e2.x, frame.e2.y, frame.e2.z};

@@ -105,10 +105,10 @@ class HeldDirectionFinder {
     }
     all_reduce(model_.ranks, Reduce::largest, some);
     if (some != 0) return;
-    throw InputError(fmt::format(
-        "{}: error: {} is of no use here (none of these nodes is one of shells or of a rigid body, which alone "
-        "have rotations)",
-        deck_.where(condition.where.place), direction_names[at(active - condition.active.begin())]));
+    throw InputError(
+        fmt::format("{}: error: {} has no effect here (only nodes of shells, beams and rigid bodies have rotations, "
+                    "and none of these is one)",
+                    deck_.where(condition.where.place), direction_names[at(active - condition.active.begin())]));
   }
 
   void note(std::size_t c, int k, int node, const ConditionDeck& other) {

@@ -47,8 +47,8 @@ void check_failure(const Deck& deck, const MaterialDeck& material) {
   const bool can_yield = has_scalar(material, HistoryScalar::equivalent_plastic_strain);
   if (can_yield || !(failure.plastic_strain || failure.johnson_cook || failure.yield_time)) return;
   throw InputError(
-      fmt::format("{}: error: material '{}' is to fail by {} (its model never yields) choose a model that yields, or "
-                  "another criterion",
+      fmt::format("{}: error: material '{}' has the failure criterion {} (its model never yields): choose a model that "
+                  "yields, or another criterion",
                   deck.where(material.place), material.name,
                   failure.plastic_strain ? "plastic_strain" : (failure.johnson_cook ? "johnson_cook" : "yield_time")));
 }

@@ -71,10 +71,10 @@ void require_one_side(const Deck& deck, const Mesh& mesh, const PressureDeck& pr
   const std::size_t part = find_part_with_both_sides(mesh, faces);
   if (part == mesh.parts.size()) return;
   const std::string sides = list_sides(mesh, mesh.parts[part].name);
-  throw InputError(fmt::format(
-      "{}: error: the pressure takes both sides of the shells of part '{}' ({}), name one side: {}",
-      deck.where(pressure.where.place), mesh.parts[part].name,
-      pressure.direction ? "it would count them twice" : "on which it cancels: they would bear nothing", sides));
+  throw InputError(
+      fmt::format("{}: error: the pressure acts on both sides of the shells of part '{}' ({}): name one side: {}",
+                  deck.where(pressure.where.place), mesh.parts[part].name,
+                  pressure.direction ? "it would count them twice" : "on which it cancels", sides));
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ void check_materials(const Deck& deck, const Mesh& mesh) {
     const MaterialDeck& material = deck.materials[static_cast<std::size_t>(block.material)];
     if (visit_layer(material, [](const auto&, const auto&) {})) continue;
     throw InputError(
-        fmt::format("{}: error: part '{}' has shells of material '{}' (shells know elastic, j2_plasticity, "
+        fmt::format("{}: error: part '{}' has shells of material '{}' (shells support elastic, j2_plasticity, "
                     "power_law_plasticity, voce_plasticity, tabulated_plasticity, combined_hardening and johnson_cook, "
                     "without an equation of state)",
                     deck.where(deck.parts[p].place), mesh.parts[p].name, material.name));

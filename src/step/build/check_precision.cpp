@@ -32,8 +32,8 @@ void refuse_thin_elements(const Deck& deck, const Mesh& mesh) {
     if (topology.is_solid()) continue;
     const auto p = static_cast<std::size_t>(block.part);
     throw InputError(
-        fmt::format("{}: error: part '{}' is of {}s (this percuss computes elements in single precision, {}s are "
-                    "in double only) use one that is configured with PERCUSS_PRECISION=double",
+        fmt::format("{}: error: part '{}' is of {}s (this build is in single precision, but {}s need double): use a "
+                    "build with PERCUSS_PRECISION=double",
                     deck.where(deck.parts[p].place), deck.parts[p].name, topology.noun, topology.noun));
   }
 }
@@ -69,9 +69,8 @@ void check_single_precision(const Deck& deck, const ChunkedMesh& chunked, const 
   for (std::size_t k = 0; k < count; ++k) {
     if (extremes[2 * k] <= held[k].high && extremes[2 * k + 1] <= 1 / held[k].low) continue;
     throw InputError(
-        fmt::format("{}: error: {} of elements reach from {:g} to {:g} (elements in single precision can hold {:g} to "
-                    "{:g}) choose units in which they are nearer to 1, or a percuss that is configured with "
-                    "PERCUSS_PRECISION=double",
+        fmt::format("{}: error: {} of elements range from {:g} to {:g} (single precision allows {:g} to {:g}): choose "
+                    "units in which they are nearer to 1, or use a build with PERCUSS_PRECISION=double",
                     deck.file, held[k].name, 1 / extremes[2 * k + 1], extremes[2 * k], held[k].low, held[k].high));
   }
 }

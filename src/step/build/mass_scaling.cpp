@@ -32,9 +32,8 @@ void refuse_other_laws(const Deck& deck, const ElementBlock& block, const MassSc
   const std::string& model = material.law.model;
   if ((model == "elastic" || model == "j2_plasticity") && !material.equation_of_state) return;
   throw InputError(
-      fmt::format("{}: error: mass scaling of part '{}', whose material '{}' is {}{} (its law takes the volume from "
-                  "the density) leave "
-                  "its masses, or use elastic or j2_plasticity without an equation of state",
+      fmt::format("{}: error: mass scaling of part '{}', whose material '{}' is {}{} (its law derives the volume from "
+                  "the density): do not scale its mass, or use elastic or j2_plasticity without an equation of state",
                   deck.where(request.place), deck.parts[part].name, material.name, model,
                   material.equation_of_state ? " with an equation of state" : ""));
 }
@@ -104,12 +103,12 @@ AddedMass sum_over_ranks(const Communicator& ranks, const std::string& part, Par
 
 void check_limit(const Deck& deck, const MassScalingDeck& request, const AddedMass& part) {
   if (part.added <= request.max_added * part.mass) return;
-  throw InputError(fmt::format(
-      "{}: error: a step of {:g} adds {:.3g} of its mass to part '{}' (more than max_added = {:g}; {} of its {} "
-      "elements "
-      "have bounds below the step, the least {:.4g}) lower the step, make the mesh coarser there, or raise max_added",
-      deck.where(request.place), request.step, part.added / part.mass, part.part, request.max_added, part.scaled,
-      part.elements, part.least_bound));
+  throw InputError(
+      fmt::format("{}: error: a step of {:g} adds {:.3g} of its mass to part '{}' (more than max_added = {:g}; {} of "
+                  "its {} elements have bounds below the step, the least {:.4g}): lower the step, make the mesh "
+                  "coarser there, or raise max_added",
+                  deck.where(request.place), request.step, part.added / part.mass, part.part, request.max_added,
+                  part.scaled, part.elements, part.least_bound));
 }
 
 /// What the nodes of an entry have together before, and how many they are.

@@ -53,10 +53,10 @@ void build_damping(const Deck& deck, const ChunkedMesh& chunked, const RigidMap&
   const BodyEntries of_bodies = find_body_entries(chunked, rigid, entry, model);
   for (std::size_t b = 0; b < model.rigid.bodies.size(); ++b) {
     if (of_bodies.lowest[b] == of_bodies.highest[b]) continue;
-    throw InputError(fmt::format(
-        "{}: error: this damping names only some nodes of rigid body '{}', or others of it are damped by another entry "
-        "(a body is damped as a whole) name the parts of the body",
-        deck.where(deck.dampings[at(of_bodies.highest[b])].where.place), model.rigid.bodies[b].name));
+    throw InputError(
+        fmt::format("{}: error: this damping names only some nodes of rigid body '{}', or another entry damps the "
+                    "others (a body is damped as a whole): name all its parts in one entry",
+                    deck.where(deck.dampings[at(of_bodies.highest[b])].where.place), model.rigid.bodies[b].name));
   }
   model.damped_nodes.entry = to_view("percuss::damping_entry", entry);
   model.damped_bodies = of_bodies.highest;

@@ -271,22 +271,22 @@ void check_checkpoint_header(const std::string& path, const CheckpointHeader& ch
                              const Deck& deck) {
   if (checkpoint.version != now.version || checkpoint.precision != now.precision) {
     throw InputError(
-        fmt::format("{}: error: the checkpoint is of percuss {} in {} precision (this is {}, {}) go on with "
-                    "the one that wrote it",
+        fmt::format("{}: error: the checkpoint was written by percuss {} in {} precision (this is percuss {} in {} "
+                    "precision): continue with the version that wrote it",
                     path, checkpoint.version, checkpoint.precision, now.version, now.precision));
   }
   const auto differences = compare_motion_values(deck.motion_values, split_lines(checkpoint.deck));
   if (!differences.empty()) {
     throw InputError(
-        fmt::format("{}: error: the deck is not the one of {} (a run goes on with the scene that it had): "
-                    "{}; only title, units, output, audit, silence, paths of mesh files, time.end, time.max_steps, "
-                    "time.collapse_ratio and contact.rebalance may change",
+        fmt::format("{}: error: the deck differs from that of {} (a restart must have the same scene): {}; only title, "
+                    "units, output, audit, silence, paths of mesh files, time.end, time.max_steps, time.collapse_ratio "
+                    "and contact.rebalance may change",
                     deck.file, path, join_first(differences)));
   }
   if (checkpoint.mesh != now.mesh) {
     throw InputError(fmt::format(
-        "{}: error: the mesh is not the one of {} ({} elements, {} nodes, hash {}; there {} "
-        "elements, {} nodes, hash {}) was a mesh file changed?",
+        "{}: error: the mesh differs from that of {} ({} elements, {} nodes, hash {}; in the checkpoint {} elements, "
+        "{} nodes, hash {}): was a mesh file changed?",
         deck.file, path, now.elements, now.nodes, now.mesh, checkpoint.elements, checkpoint.nodes, checkpoint.mesh));
   }
 }

@@ -64,8 +64,8 @@ std::string describe_removals(const RestartInPlace& restart, const CutStates& cu
 
 std::string refuse_removals(const RestartInPlace& restart, const std::string& removals) {
   return fmt::format(
-      "{}: error: going on from {} (t = {:.6g}) would remove results that this run does not compute again ({}): choose "
-      "another folder with --out, give a later time.end or more output as the earlier run had it, or give --force",
+      "{}: error: continuing from {} (t = {:.6g}) would delete results that this run does not compute again ({}): "
+      "choose another folder with --out, restore the earlier time.end and output, or give --force",
       restart.folder, restart.checkpoint, restart.from.time, removals);
 }
 

@@ -42,7 +42,7 @@ void RunCheckpoints::write(const CheckpointHeader& header, const ChunkedMesh& ch
 std::string RunCheckpoints::describe() const {
   std::error_code lost;  // with the folder itself
   if (path_.empty() || !std::filesystem::exists(path_, lost)) return "";
-  return fmt::format("checkpoint: {}, step {}, t = {:.6g}; from there: percuss run {} --restart {}", path_, step_,
+  return fmt::format("checkpoint: {}, step {}, t = {:.6g}; to continue: percuss run {} --restart {}", path_, step_,
                      time_, deck_file_, path_);
 }
 

@@ -22,7 +22,7 @@ std::vector<HistoryColumn> list_spring_columns(const SpringModel& springs) {
   if (!springs.any()) return {};
   std::vector<HistoryColumn> columns = {
       {"spring_work", dimensions::energy, "energy of springs, within the internal energy"},
-      {"damper_work", dimensions::energy, "energy that dampers have taken, within the viscous energy"},
+      {"damper_work", dimensions::energy, "energy dissipated by dampers, included in the viscous energy"},
       {"dt_spring", {}, "spring that limits the next step, 0: an element does"}};
   for (const Spring& spring : springs.springs) {
     if (!spring.has_columns) continue;

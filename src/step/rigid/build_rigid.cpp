@@ -58,10 +58,10 @@ void refuse_two_bodies(const Deck& deck, const ChunkedMesh& chunked, const Model
   if (node == std::numeric_limits<std::int64_t>::max()) return;
   const int owner = chunked.numbering.find_node_owner(node), local = find_local_node(chunked, node);
   const std::string id = owner == model.ranks.rank() ? std::to_string(chunked.mesh.node_ids[at(local)]) : std::string();
-  throw InputError(fmt::format(
-      "{}: error: node {} belongs to two rigid bodies (they could not move without each other) give their parts the "
-      "same rigid.body",
-      find_place(deck, name_rigid_bodies(deck), 0), broadcast_text(model.ranks, id, owner)));
+  throw InputError(
+      fmt::format("{}: error: node {} belongs to two rigid bodies (they could not move independently): give their "
+                  "parts the same rigid.body",
+                  find_place(deck, name_rigid_bodies(deck), 0), broadcast_text(model.ranks, id, owner)));
 }
 
 // --- masses
@@ -262,7 +262,7 @@ void refuse_scaled_nodes(const RigidBody& body, const std::string& place) {
   if (body.shared_nodes == 0) return;
   throw InputError(
       fmt::format("{}: error: rigid body '{}' shares {} nodes with elements that deform (mass_scaling.every adds mass "
-                  "during the run, which a body does not take) leave `every` out",
+                  "during the run, which rigid bodies do not support): leave `every` out",
                   place, body.name, body.shared_nodes));
 }
 
@@ -320,10 +320,9 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
     body.inertia = to_inertia(sum.second);
     body.parts = std::count(names.body_of_part.begin(), names.body_of_part.end(), index);
     if (!has_inertia(body.inertia)) {
-      throw InputError(
-          fmt::format("{}: error: rigid body '{}' has no inertia about some axis (its masses lie on a "
-                      "line) give rigid.inertia",
-                      find_place(deck, names, index), body.name));
+      throw InputError(fmt::format(
+          "{}: error: rigid body '{}' has no inertia about some axis (its masses lie on a line): give rigid.inertia",
+          find_place(deck, names, index), body.name));
     }
     measure(chunked, map, owned[b], model, body);
     if (model.scales_in_run) refuse_scaled_nodes(body, find_place(deck, names, index));

@@ -28,8 +28,8 @@ void hold(RigidBody& body, int direction, int motion, const std::string& place) 
     return;
   }
   throw InputError(
-      fmt::format("{}: error: rigid body '{}' is held in direction {} already, and is to be moved in it "
-                  "leave it out of one of both",
+      fmt::format("{}: error: rigid body '{}' has two conditions on direction {} (they prescribe different motions): "
+                  "leave it out of one of them",
                   place, body.name, direction_names[at(direction)]));
 }
 
@@ -46,9 +46,8 @@ std::vector<std::int64_t> count_selected(const Deck& deck, const ChunkedMesh& ch
 void refuse_some_nodes(const Deck& deck, const ConditionDeck& condition, const RigidBody& body, std::int64_t count) {
   if (count == body.nodes || condition.kind == ConditionDeck::Kind::symmetry) return;
   throw InputError(
-      fmt::format("{}: error: the condition names {} of the {} nodes of rigid body '{}' (a body is held as a whole) "
-                  "name its parts, "
-                  "or use rigid.fixed",
+      fmt::format("{}: error: the condition names {} of the {} nodes of rigid body '{}' (a condition must apply to the "
+                  "whole body): name its parts, or use rigid.fixed",
                   deck.where(condition.where.place), count, body.nodes, body.name));
 }
 
@@ -218,8 +217,8 @@ void start_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
       const auto part = std::find(names.body_of_part.begin(), names.body_of_part.end(), static_cast<int>(b));
       const auto place = deck.parts[static_cast<std::size_t>(part - names.body_of_part.begin())].rigid->place;
       throw InputError(
-          fmt::format("{}: error: rigid body '{}' does not begin to move as one (its nodes differ by {:.3g} "
-                      "of {:.3g} from what it could do) give all its nodes the same entry of initial",
+          fmt::format("{}: error: the initial velocities of rigid body '{}' are not a rigid motion (nodes deviate by "
+                      "{:.3g} of {:.3g}): give all its nodes the same entry of initial",
                       deck.where(place), body.name, deviation, size));
     }
     if (move_alike(model, used, v, body.velocity)) continue;

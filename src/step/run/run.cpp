@@ -104,15 +104,16 @@ void Run::restart() {
   archive(reader);
   warnings_.restore(reader.header(), options_.restart);
   if (deck_.time.end < state_.time * (1 - 1e-12)) {
-    throw InputError(fmt::format("{}: error: time.end is {:g}, before the checkpoint's time {:g} (a run goes forward)",
-                                 deck_.file, deck_.time.end, state_.time));
+    throw InputError(
+        fmt::format("{}: error: time.end is {:g}, before the checkpoint's time {:g} (a restart cannot go back in time)",
+                    deck_.file, deck_.time.end, state_.time));
   }
   complete_state(chunked_, model_, state_);
   compute_start_ = compute_seconds();
   stepper_.resume(state_);
   start_step_ = state_.step;
   checkpoints_.note(options_.restart, state_);
-  if (speaks()) print_quietly(stderr, "goes on from step {}, t = {:.6g}\n", state_.step, state_.time);
+  if (speaks()) print_quietly(stderr, "continuing from step {}, t = {:.6g}\n", state_.step, state_.time);
 }
 
 void Run::say(const std::vector<std::string>& lines) const {

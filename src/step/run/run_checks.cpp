@@ -60,7 +60,7 @@ std::string describe_failed_element(const CheckedRun& run) {
                           : shell            ? find_shell_area_size(corners)
                                              : find_solid_volume(topology, corners);
     const std::string name = name_with_place(run, element);
-    if (std::isnan(volume)) return name + " is not finite any more (a corner's position is no number)";
+    if (std::isnan(volume)) return name + " has a corner whose position is not finite";
     if (shell) return fmt::format("{} has no area or no stable step any more (its area is {:.3g})", name, volume);
     if (topology.is_line())
       return fmt::format("{} has no length or no stable step any more (its length is {:.3g})", name, volume);
@@ -106,21 +106,20 @@ std::string describe_step(const State& state) {
 void check_energy(const CheckedRun& run, const EnergySummary& e) {
   const double bound = run.deck.audit.max_energy_error;
   if (std::abs(e.error) <= bound) return;  // false for NaN
-  throw RunError(fmt::format(
-      "the energy balance is off by {:.3g} of the largest energy, more than audit.max_energy_error = {:g}, {} (kinetic "
-      "{:.6g}, internal {:.6g}, hourglass {:.6g}, contact {:.6g}; {} has the smallest step{}); look at history.csv for "
-      "what grows, try a smaller time.step_scale (now {})",
-      e.error, bound, describe_step(run.state), e.kinetic, e.internal, e.hourglass, e.contact, describe_controller(run),
-      describe_deepest_node(run), run.deck.time.step_scale));
+  throw RunError(
+      fmt::format("the energy balance is off by {:.3g} of the largest energy, more than audit.max_energy_error = {:g}, "
+                  "{} (kinetic {:.6g}, internal {:.6g}, hourglass {:.6g}, contact {:.6g}; {} has the smallest step{}); "
+                  "find the growing energy in history.csv, or try a smaller time.step_scale (now {})",
+                  e.error, bound, describe_step(run.state), e.kinetic, e.internal, e.hourglass, e.contact,
+                  describe_controller(run), describe_deepest_node(run), run.deck.time.step_scale));
 }
 
 void check_momentum(const CheckedRun& run, const char* which, double error) {
   const double bound = run.deck.audit.max_momentum_error;
   if (error <= bound) return;  // false for NaN
   throw RunError(fmt::format(
-      "{} momentum has changed by {:.3g} of the largest that there was, more than audit.max_momentum_error = {:g}, "
-      "without an impulse that explains it, {} ({} has the smallest step{}); look at history.csv for when it began; if "
-      "the scene hardly moves, raise the bound",
+      "the {} momentum is off by {:.3g} of its largest magnitude, more than audit.max_momentum_error = {:g}, {} ({} "
+      "has the smallest step{}); find its onset in history.csv; if the scene hardly moves, raise the limit",
       which, error, bound, describe_step(run.state), describe_controller(run), describe_deepest_node(run)));
 }
 
@@ -175,10 +174,8 @@ GainPlace find_gain_place(const CheckedRun& run) {
 
 void refuse_gain(const CheckedRun& run, const std::string& gain) {
   throw RunError(fmt::format(
-      "contact has given {}, more than audit.max_contact_gain = {:g}, {} (contact can only take energy, or give back "
-      "what it stored); look where the column contact of history.csv jumps, at elements crushed to slivers and at "
-      "parts "
-      "that overlap, or raise the bound",
+      "contact has added {}, more than audit.max_contact_gain = {:g}, {} (contact may only dissipate or store energy); "
+      "check jumps of the column contact in history.csv, sliver elements and overlapping parts, or raise the limit",
       gain, *run.deck.audit.max_contact_gain, describe_step(run.state)));
 }
 

@@ -87,7 +87,7 @@ void Run::write_failed_state() {
   if (!has_finite_positions(model_, state_)) return;
   output_.write_frame(state_);
   if (speaks() && !options_.out_dir.empty() && deck_.output.fields_every)
-    print_quietly(stderr, "the last frame is the state that failed, t = {:.6g}; the one before it is sound\n",
+    print_quietly(stderr, "the last frame shows the failed state, t = {:.6g}; the one before it is valid\n",
                   state_.time);
 }
 

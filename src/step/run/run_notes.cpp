@@ -37,9 +37,9 @@ constexpr double motions_in_play = 10;
 
 Warning describe_hourglass(const PartHourglass& part, double time) {
   return {"hourglass_energy",
-          fmt::format("hourglass modes hold {:.0f} % of the internal energy, most near {} (it bends within single "
-                      "elements, or is loaded at single nodes): refine the mesh there, spread the load, or use "
-                      "elements: {{integration: full}}",
+          fmt::format("the hourglass energy is {:.0f} % of the internal energy, most of it near {} (the mesh is too "
+                      "coarse for the bending there, or single nodes carry the load): refine the mesh there, spread "
+                      "the load, or use elements: {{integration: full}}",
                       100 * part.hourglass / part.internal, part.element),
           "part '" + part.part + "'", time, 1};
 }
@@ -53,9 +53,9 @@ std::vector<Warning> find_start_warnings(const Deck& deck, const ChunkedMesh& ch
   if (const int idle = count_idle_ranks(chunked.numbering, ranks); idle > 0) {
     warnings.push_back(
         {"idle_ranks",
-         fmt::format("{} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never divided): "
-                     "start it on fewer ranks",
-                     idle, ranks, chunked.numbering.chunk_count()),
+         fmt::format(
+             "{} of {} ranks have no elements (the mesh has {} chunks, and a chunk is never divided): use fewer ranks",
+             idle, ranks, chunked.numbering.chunk_count()),
          "", 0, 1});
   }
   return warnings;
@@ -65,16 +65,15 @@ std::vector<Warning> find_step_warnings(const ContactReport& contact, double acc
   std::vector<Warning> warnings;
   if (!contact.converged) {
     warnings.push_back({"unconverged_contact",
-                        "the contact enforcement did not converge in a step (some penetration is left over): judge it "
-                        "by the column residual of history.csv",
+                        "the contact enforcement did not converge in a step (some penetration remains): see the column "
+                        "residual of history.csv",
                         "", time, 1});
   }
   if (contact.deepest > accepted_depth + noted_depth) {
     warnings.push_back(
         {"deep_penetration",
-         fmt::format("a contact node is deeper than {:g} of a face edge (contact is lost at {:g}): use a "
-                     "finer mesh there, a smaller time.step_scale, or with penalty a larger "
-                     "contact.penalty_scale",
+         fmt::format("a contact node penetrates deeper than {:g} of a face edge (contact is lost at {:g}): use a finer "
+                     "mesh there, a smaller time.step_scale, or with penalty a larger contact.penalty_scale",
                      noted_depth, contact_limits::history_depth),
          "", time, 1});
   }
@@ -107,7 +106,7 @@ double find_tolerated_gain(const AuditDeck& audit) { return audit.max_contact_ga
 std::string describe_gain(double given, const EnergyScales& scales, const GainPlace& where, const std::string& units) {
   const std::string share =
       scales.largest > 0 ? fmt::format(", {:.3g} % of the largest,", 100 * given / scales.largest) : "";
-  std::string text = fmt::format("{:.3g}{} of energy{} since too much in step {}", given,
+  std::string text = fmt::format("{:.3g}{} of energy{} first above the limit in step {}", given,
                                  unit_suffix(units, dimensions::energy), share, where.step);
   if (where.node >= 0)
     text += fmt::format(", most of it then at node {} at ({:.6g}, {:.6g}, {:.6g})", where.node, where.place[0],
@@ -116,12 +115,11 @@ std::string describe_gain(double given, const EnergyScales& scales, const GainPl
 }
 
 Warning warn_of_gain(double given, const EnergyScales& scales, const GainPlace& where, const std::string& units) {
-  return {
-      "contact_energy",
-      fmt::format("contact has given {} (contact can only take energy, or give back what it stored): look where the "
-                  "column contact of history.csv jumps, at elements crushed to slivers and at parts that overlap",
-                  describe_gain(given, scales, where, units)),
-      "", where.time, 1};
+  return {"contact_energy",
+          fmt::format("contact has added {} (contact may only dissipate or store energy): check jumps of the column "
+                      "contact in history.csv, sliver elements and overlapping parts",
+                      describe_gain(given, scales, where, units)),
+          "", where.time, 1};
 }
 
 double find_given_by_elements(const EnergySummary& energy, bool starts_empty) {
@@ -145,12 +143,11 @@ std::vector<Warning> find_end_warnings(const Summary& summary, const EnergyScale
   std::vector<Warning> warnings;
   const EnergySummary& energy = summary.energy;
   if (std::abs(energy.error) > noted_energy_error && scales.largest > scales.resolved) {
-    warnings.push_back(
-        {"energy_error",
-         fmt::format("the energy balance is off by {:.2g} % of the largest energy (it closes to round-off "
-                     "where steps are stable): use a smaller time.step_scale and look at history.csv",
-                     100 * energy.error),
-         "", summary.time, 1});
+    warnings.push_back({"energy_error",
+                        fmt::format("the energy balance is off by {:.2g} % of the largest energy (a stable run closes "
+                                    "it far better): use a smaller time.step_scale and check history.csv",
+                                    100 * energy.error),
+                        "", summary.time, 1});
   }
   for (const PartHourglass& part : parts) warnings.push_back(describe_hourglass(part, summary.time));
   return warnings;

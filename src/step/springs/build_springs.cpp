@@ -93,12 +93,12 @@ void check_nearest(const Deck& deck, const SpringDeck& spring, const Item& item,
   if (found.score == std::numeric_limits<double>::infinity())
     throw InputError(
         fmt::format("{}: error: spring '{}' has no node at its second end whose distance from node {} of the mesh is a "
-                    "number (squares of coordinates this large overflow) move the parts together",
+                    "number (squares of coordinates this large overflow): move the parts together",
                     deck.where(spring.place), spring.name, item.number));
   if (found.number == item.number)
     throw InputError(
-        fmt::format("{}: error: both ends of spring '{}' are node {} of the mesh (a spring joins two "
-                    "nodes) let its ends share no node",
+        fmt::format("{}: error: both ends of spring '{}' are node {} of the mesh (a spring connects two different "
+                    "nodes): let its ends share no node",
                     deck.where(spring.place), spring.name, found.number));
 }
 
@@ -160,8 +160,8 @@ void check_names(const Deck& deck, const SpringDeck& spring, const SpringModel& 
     const std::string& name = model.springs[s].name;
     if (names.insert(name).second) continue;
     throw InputError(
-        fmt::format("{}: error: entry '{}' makes a second spring '{}' (the springs of an entry are called NAME_1, "
-                    "NAME_2 ...) rename one of the entries",
+        fmt::format("{}: error: entry '{}' makes a second spring '{}' (springs of an entry are named NAME_1, NAME_2 "
+                    "...): rename one of the entries",
                     deck.where(spring.place), spring.name, name));
   }
 }
@@ -169,8 +169,8 @@ void check_names(const Deck& deck, const SpringDeck& spring, const SpringModel& 
 void check_count(const Deck& deck, const SpringDeck& spring, const SpringModel& model) {
   if (model.springs.size() <= most_springs) return;
   throw InputError(
-      fmt::format("{}: error: with spring '{}' there are {} springs (at most {}, for every rank computes "
-                  "all) name smaller sets",
+      fmt::format("{}: error: with spring '{}' there are {} springs (at most {}, because every rank computes all of "
+                  "them): name smaller sets",
                   deck.where(spring.place), spring.name, model.springs.size(), most_springs));
 }
 

@@ -61,15 +61,12 @@ void check_small_solids(const Deck& deck, const Mesh& mesh) {
     if (name_small_solids(block) == nullptr) continue;
     if (is_single_precision)
       refuse(deck, block,
-             "this percuss computes elements in single precision, these are in double only) use one that is "
-             "configured with PERCUSS_PRECISION=double");
+             "this build is in single precision, but these need double): use a build with PERCUSS_PRECISION=double");
     if (deck.time.step_estimate == TimeDeck::StepEstimate::global)
-      refuse(deck, block,
-             "time.step_estimate is global, whose estimate knows hexahedra only) leave time.step_estimate out");
+      refuse(deck, block, "time.step_estimate: global supports hexahedra only): leave time.step_estimate out");
     if (is_of_tets(block) && deck.find_mass_scaling(static_cast<std::size_t>(block.part)) != nullptr)
       refuse(deck, block,
-             "mass scaling knows the bounds of other elements only) leave mass_scaling out, or give it to other parts "
-             "alone");
+             "mass scaling does not support them): leave mass_scaling out, or set it for other parts only");
   }
 }
 

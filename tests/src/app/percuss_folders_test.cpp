@@ -91,7 +91,8 @@ TEST_P(PercussFolders, ARunThatWasKilledGoesOnInItsFolderWithoutForce) {
       [&](int) { kill(static_cast<int>(parse_holder(read_lock()).process), SIGKILL); }, launch());
   EXPECT_EQ(read_summary(out_ + "/summary.json").status, "running");
   fs::rename(out_ + "/run.lock", folder_.path() + "/aside");  // as where the run could not write its end
-  EXPECT_THAT(run_percuss({"info", out_}).out, HasSubstr("it was killed or could not write its end: its summary says"));
+  EXPECT_THAT(run_percuss({"info", out_}).out,
+              HasSubstr("it was killed or could not write its final summary: the summary says"));
   fs::rename(folder_.path() + "/aside", out_ + "/run.lock");
   const ProcessResult result = run_percuss({"run", deck_, "--restart", out_, "--set", "time.max_steps=2000"}, launch());
   EXPECT_EQ(result.exit_code, 0) << result.err;

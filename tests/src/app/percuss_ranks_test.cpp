@@ -74,7 +74,7 @@ TEST(PercussOnRanks, TellsOfAFailedSystemOnce) {
   const ProcessResult result =
       run_percuss({"run", folder.write("deck.yaml", blocks), "-o", "/proc/percuss/out"}, launch_on(2));
   EXPECT_EQ(result.exit_code, 4) << result.err;
-  EXPECT_EQ(count(result.err, "folder /proc/percuss/out cannot be made"), 1) << result.err;
+  EXPECT_EQ(count(result.err, "folder /proc/percuss/out cannot be created"), 1) << result.err;
 }
 
 TEST(PercussOnRanks, SaysThatRanksHaveNoElements) {

@@ -35,7 +35,7 @@ TEST(PercussCheck, SaysWhatTheSceneIs) {
   EXPECT_THAT(result.out, HasSubstr("A cube hits a wall"));
   EXPECT_THAT(result.out, HasSubstr("8 elements, 27 nodes, 1 body, mass 2\n"));
   EXPECT_THAT(result.out, HasSubstr("1 wall"));
-  EXPECT_THAT(result.out, HasSubstr("The deck and its meshes are right."));
+  EXPECT_THAT(result.out, HasSubstr("No errors in the deck or its meshes."));
 }
 
 TEST(PercussCheck, NamesTheSpringThatLimitsTheStep) {
@@ -136,9 +136,9 @@ conditions: [{nodes: bar/x_min, fixed: x}, {nodes: bar/x_max, velocity: {x: 1}}]
 )yaml");
   const ProcessResult result = run_percuss({"run", file, "--out", folder.path() + "/out"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("\neroded: 1 of 3 elements failed and left, mass 2, energy "));
+  EXPECT_THAT(result.err, HasSubstr("\neroded: 1 of 3 elements failed and were eroded, mass 2, energy "));
   EXPECT_THAT(run_percuss({"info", folder.path() + "/out"}).out,
-              HasSubstr("\neroded    1 of 3 elements failed and left, mass 2, energy "));
+              HasSubstr("\neroded    1 of 3 elements failed and were eroded, mass 2, energy "));
 }
 
 TEST(PercussRun, AuditsTheSameEnergiesWithAndWithoutOutput) {
@@ -326,7 +326,7 @@ TEST(PercussRun, EndsCleanlyWhenItIsInterrupted) {
                           out + "/history.csv", signal_number);
     EXPECT_EQ(result.exit_code, 130) << result.err;
     EXPECT_EQ(read_summary(out + "/summary.json").status, "interrupted");
-    EXPECT_THAT(result.err, HasSubstr("to go on: percuss run " + file + " --restart " + out + "/checkpoint.h5"));
+    EXPECT_THAT(result.err, HasSubstr("to continue: percuss run " + file + " --restart " + out + "/checkpoint.h5"));
     EXPECT_THAT(run_percuss({"info", out}).out, HasSubstr("checkpoint of a percuss run, whole and undamaged"));
   }
 }

@@ -92,7 +92,7 @@ output: {history: {every: 1e-6}}
 )" + steel_text;
   EXPECT_EQ(take_error(parse_deck(text, "deck.yaml")), "no error");
   EXPECT_THAT(take_error(parse_deck(text + "audit: {max_momentum_error: 1e-30}\n", "deck.yaml")),
-              AllOf(HasSubstr("momentum has changed by"), HasSubstr("audit.max_momentum_error = 1e-30"),
+              AllOf(HasSubstr("momentum is off by"), HasSubstr("audit.max_momentum_error = 1e-30"),
                     HasSubstr(" of part 'bar' at ")));
 }
 

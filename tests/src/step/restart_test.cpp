@@ -330,7 +330,7 @@ TEST(Restart, WithFilesThatDoNotFitIsRefusedAndChangesNothing) {
       take_refusal(change(blocks, "{every: 0}", "{every: 0, nodes: [{name: a, id: 1}]}"), folder.path(), checkpoint),
       HasSubstr("its columns are not those of this run"));
   std::filesystem::resize_file(folder.path() + "/history.csv", 700);
-  EXPECT_THAT(take_refusal(blocks, folder.path(), checkpoint), HasSubstr("it has not the rows"));
+  EXPECT_THAT(take_refusal(blocks, folder.path(), checkpoint), HasSubstr("it lacks rows"));
   EXPECT_EQ(std::filesystem::file_size(folder.path() + "/fields.vtkhdf"), frames);
   EXPECT_EQ(std::filesystem::file_size(folder.path() + "/history.csv"), 700);
   std::filesystem::remove(folder.path() + "/history.csv");

@@ -63,7 +63,7 @@ parts: {box: {box: {size: [1, 1, 1], cells: [2, 2, 2]}, elements: tetrahedra, ma
   EXPECT_THAT([&] { build("step_estimate: global"); },
               testing::ThrowsMessage<InputError>(testing::HasSubstr("part 'box' has tetrahedra")));
   EXPECT_THAT([&] { build("mass_scaling: {step: 1e-5, max_added: 9}"); },
-              testing::ThrowsMessage<InputError>(testing::HasSubstr("mass scaling knows the bounds of")));
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("mass scaling does not support them")));
 }
 
 }  // namespace

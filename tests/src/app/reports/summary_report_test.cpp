@@ -17,7 +17,7 @@ TEST(SummaryReport, TellsOfErodedElementsWhereThereAreAny) {
   EXPECT_THAT(format_summary(summary), Not(HasSubstr("eroded")));
   summary.eroded = {123, 4.5, 6789};
   EXPECT_THAT(format_summary(summary),
-              HasSubstr("\neroded    123 of 8400 elements failed and left, mass 4.5, energy 6789\n"));
+              HasSubstr("\neroded    123 of 8400 elements failed and were eroded, mass 4.5, energy 6789\n"));
 }
 
 }  // namespace

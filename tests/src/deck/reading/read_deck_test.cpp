@@ -225,10 +225,11 @@ TEST(ReadDeck, WarnsOfSettingsOfContactThatDoNothing) {
       read("contact: {surfaces: none, friction: 0.2, penalty_scale: 0.2}\n"),
       testing::ElementsAre(
           testing::HasSubstr("warning: contact.friction does nothing (contact.surfaces is none)"),
-          testing::HasSubstr("warning: contact.penalty_scale does nothing (it is of contact.enforcement: penalty)")));
+          testing::HasSubstr(
+              "warning: contact.penalty_scale does nothing (it applies only to contact.enforcement: penalty)")));
   EXPECT_THAT(read("contact: {enforcement: lagrange, tolerance: 1e-4}\n"),
               testing::ElementsAre(testing::HasSubstr(
-                  "warning: contact.tolerance does nothing (it is of contact.enforcement: kinematic)")));
+                  "warning: contact.tolerance does nothing (it applies only to contact.enforcement: kinematic)")));
 }
 
 TEST(ReadDeck, AcceptsAByteOrderMarkWindowsLineEndsAndADocumentStart) {

@@ -74,20 +74,21 @@ TEST(Overrides, AreNamedInErrorsOfTheirValues) {
 TEST(Overrides, SayWhereTheirPathBreaks) {
   EXPECT_EQ(refusal({"parts.rodd.at=[1, 2, 3]"}),
             "--set parts.rodd.at: error: there is no 'rodd' in parts (did you mean 'rod'?)");
-  EXPECT_EQ(refusal({"initial.5.velocity=[1, 2, 3]"}),
-            "--set initial.5.velocity: error: 'initial' is a list of 1 value ('5' is no index of it; counted from 0)");
+  EXPECT_EQ(
+      refusal({"initial.5.velocity=[1, 2, 3]"}),
+      "--set initial.5.velocity: error: 'initial' is a list of 1 value ('5' is not a valid index; items count from 0)");
   EXPECT_EQ(refusal({"initial.first.velocity=[1, 2, 3]"}),
-            "--set initial.first.velocity: error: 'initial' is a list of 1 value ('first' is no index of it; counted "
-            "from 0)");
+            "--set initial.first.velocity: error: 'initial' is a list of 1 value ('first' is not a valid index; items "
+            "count from 0)");
   EXPECT_EQ(refusal({"time.end.seconds=1"}),
             "--set time.end.seconds: error: 'time.end' is 1.0 (a value, not a map that could hold 'seconds')");
 }
 
 TEST(Overrides, RefuseWhatIsNoSetting) {
   EXPECT_THAT(refusal({"time.end"}),
-              testing::HasSubstr("--set time.end: error: 'time.end' is no setting (must be path.to.key=value)"));
-  EXPECT_THAT(refusal({"=1"}), testing::HasSubstr("is no setting"));
-  EXPECT_THAT(refusal({"time..end=1"}), testing::HasSubstr("a key between the points is empty"));
+              testing::HasSubstr("--set time.end: error: 'time.end' is not a setting (must be path.to.key=value)"));
+  EXPECT_THAT(refusal({"=1"}), testing::HasSubstr("is not a setting"));
+  EXPECT_THAT(refusal({"time..end=1"}), testing::HasSubstr("a key between the dots is empty"));
   EXPECT_THAT(refusal({"time.end=[1"}), testing::HasSubstr("--set time.end: error: not valid YAML"));
   EXPECT_THAT(refusal({"time.end=*a"}), testing::HasSubstr("aliases are not supported"));
   EXPECT_THAT(refusal({"time.end=\xff"}), testing::HasSubstr("not UTF-8"));

@@ -70,10 +70,10 @@ TEST(MeshDoubts, AreNoneOfEvenAndOfGradedMeshes) {
 
 TEST(MeshDoubts, NameTheThinnestOfAFewSlivers) {
   for (const bool solid : {false, true}) {
-    EXPECT_THAT(find_doubts(squeeze_first_column(make_sheet(4, solid), 0.025)),
-                ElementsAre(HasSubstr(
-                    "sliver_element: element 101 is a sliver: 0.025 across, the median element 1 (4 elements are "
-                    "like it) (the step of the whole scene is no longer than it allows, about 1/40 of what")));
+    EXPECT_THAT(
+        find_doubts(squeeze_first_column(make_sheet(4, solid), 0.025)),
+        ElementsAre(HasSubstr("sliver_element: element 101 is a sliver: 0.025 across, the median element 1 (4 elements "
+                              "are like it) (it limits the time step of the whole scene to about 1/40 of that")));
   }
 }
 
@@ -89,11 +89,12 @@ TEST(MeshDoubts, NameShellsThatAreTurnedAgainstMostOfTheirPiece) {
   PartMesh mesh = make_sheet(4, false);
   const auto turn_over = [&](std::size_t e) { std::swap(mesh.elements.corners(e)[1], mesh.elements.corners(e)[3]); };
   turn_over(0);
-  EXPECT_THAT(find_doubts(mesh), ElementsAre(HasSubstr("shell_normals: 1 shell is turned against its neighbours, with "
-                                                       "normals to the other side: element 101 (")));
+  EXPECT_THAT(find_doubts(mesh),
+              ElementsAre(HasSubstr(
+                  "shell_normals: 1 shell is turned against its neighbours, with opposite normals: element 101 (")));
   for (std::size_t e = 1; e < 7; ++e) turn_over(e);
-  EXPECT_THAT(find_doubts(mesh), ElementsAre(HasSubstr("7 shells are turned against their neighbours, with normals to "
-                                                       "the other side: elements 101, 102, 103, 104, 105, ...")));
+  EXPECT_THAT(find_doubts(mesh), ElementsAre(HasSubstr("7 shells are turned against their neighbours, with opposite "
+                                                       "normals: elements 101, 102, 103, 104, 105, ...")));
   for (std::size_t e = 7; e < 16; ++e) turn_over(e);
   EXPECT_THAT(find_doubts(mesh), IsEmpty());  // all are
 }

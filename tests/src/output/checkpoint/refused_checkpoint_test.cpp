@@ -40,12 +40,12 @@ TEST_F(CheckpointFile, DamagedNamesAnOlderOneOnlyIfThereIsOne) {
   for (const std::function<void(std::string&)>& damage : {std::function<void(std::string&)>(cut), {flip}}) {
     write(path(), share_, Contents(share_));
     change(damage);
-    EXPECT_THAT(take_refusal(path(), share_), HasSubstr(") there is no older one beside it: begin the run again"));
+    EXPECT_THAT(take_refusal(path(), share_), HasSubstr("): there is no older one in its folder; start the run again"));
     world().barrier();
     write(path(), share_, Contents(share_));
     write(path(), share_, Contents(share_));
     change(damage);
-    EXPECT_THAT(take_refusal(path(), share_), HasSubstr(") use the older one: " + older));
+    EXPECT_THAT(take_refusal(path(), share_), HasSubstr("): use the older one: " + older));
     world().barrier();
     if (world().rank() == 0) std::filesystem::remove(older);
     world().barrier();

@@ -66,8 +66,8 @@ TEST(BeamsOnRanks, AreRefusedWithWhatTheyDoNotHave) {
   };
   build(round, elastic);
   expect(round, "model: neo_hookean, density: 1, youngs_modulus: 1, poissons_ratio: 0.3",
-         "part 'bar' has beams of material 'm' (beams know elastic and j2_plasticity");
-  expect(round, yielding + ", failure: {plastic_strain: 0.1}", "which can fail (beams never do)");
+         "part 'bar' has beams of material 'm' (beams support elastic and j2_plasticity");
+  expect(round, yielding + ", failure: {plastic_strain: 0.1}", "which can fail (beams do not support failure)");
   expect("section: {general: {area: 1, inertia_y: 1, inertia_z: 1, torsion: 1, shear_area_y: 1, shear_area_z: 1}}",
          yielding, "with a general section of a material that yields");
   expect("section: {rectangle: {size: [1, 2]}}, toward: x", elastic,

@@ -33,7 +33,7 @@ std::string take_error(const std::string& condition) {
 TEST(HeldRotations, AreRefusedWhereNoNodeHasOne) {
   for (const char* motion : {"fixed: [x, ry]", "velocity: {ry: 3}"}) {
     EXPECT_THAT(take_error(std::string("{nodes: block/x_min, ") + motion + "}"),
-                HasSubstr("deck.yaml:7:22: error: ry is of no use here (none of these nodes is one of shells"));
+                HasSubstr("deck.yaml:7:22: error: ry has no effect here (only nodes of shells, beams and rigid"));
     EXPECT_EQ(take_error(std::string("{nodes: plate/x_min, ") + motion + "}"), "");
     EXPECT_EQ(take_error(std::string("{nodes: all, ") + motion + "}"), "");  // some have
   }
@@ -55,7 +55,7 @@ std::string take_material_error(const std::string& model) {
 TEST(ShellsOfAMaterial, AreRefusedWhereItHasNoLayer) {
   EXPECT_THAT(
       take_material_error("model: neo_hookean"),
-      HasSubstr("error: part 'plate' has shells of material 'm' (shells know elastic, j2_plasticity, power_law"));
+      HasSubstr("error: part 'plate' has shells of material 'm' (shells support elastic, j2_plasticity, power_law"));
   for (const char* known : {"j2_plasticity, yield_stress: 1",
                             "power_law_plasticity, yield_stress: 1, "
                             "hardening_coefficient: 1, hardening_exponent: 0.5",
@@ -77,8 +77,8 @@ std::string take_pressure_error(const std::string& pressure) {
 
 TEST(Pressures, OnBothSidesOfShellsAreRefusedWithTheNamesOfTheSides) {
   EXPECT_EQ(take_pressure_error("{faces: plate, value: 1}"),
-            "deck.yaml:7:28: error: the pressure takes both sides of the shells of part 'plate' (on which it cancels: "
-            "they would bear nothing), name one side: plate/bottom, plate/top");
+            "deck.yaml:7:28: error: the pressure acts on both sides of the shells of part 'plate' (on which it "
+            "cancels): name one side: plate/bottom, plate/top");
   EXPECT_THAT(take_pressure_error("{faces: {inside: [[0, 0, 8], [1, 1, 10]]}, value: 1}"),
               HasSubstr("both sides of the shells of part 'plate'"));
   EXPECT_THAT(take_pressure_error("{faces: all, value: 1, direction: z}"), HasSubstr("count them twice"));

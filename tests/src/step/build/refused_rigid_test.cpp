@@ -40,7 +40,7 @@ TEST(RigidConditions, MustNameAllNodesOfABody) {
 
 TEST(RigidConditions, MoveABodyOnceInADirection) {
   EXPECT_THAT(take_error("conditions: [{nodes: right, velocity: {x: 1}}]"),
-              HasSubstr("deck.yaml:8:22: error: rigid body 'right' is held in direction x already"));
+              HasSubstr("deck.yaml:8:22: error: rigid body 'right' has two conditions on direction x"));
   EXPECT_EQ(take_error("conditions: [{nodes: right, fixed: [x]}]"), "");
 }
 
@@ -61,7 +61,7 @@ materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0
 
 TEST(RigidBodies, MustBeginToMoveAsOne) {
   EXPECT_THAT(take_error("initial: [{part: {name: left, inside: [[-1, -1, -1], [1, 4, 4]]}, velocity: [1, 0, 0]}]"),
-              HasSubstr("deck.yaml:4:72: error: rigid body 'left' does not begin to move as one"));
+              HasSubstr("deck.yaml:4:72: error: the initial velocities of rigid body 'left' are not a rigid motion"));
   EXPECT_EQ(take_error("join: true\ninitial: [{part: middle, velocity: [1, 0, 0]}]"), "");  // shared nodes follow
   EXPECT_EQ(take_error("initial: [{part: all, velocity: [1, 0, 0], angular_velocity: [1, 2, 3]}]"), "");
 }

@@ -85,7 +85,7 @@ TEST_F(RestartRemovals, OfAFinishedContinuationAreRefusedUnlessForced) {
   EXPECT_THAT(refuse({rows, frames}, "checkpoint.h5"), HasSubstr("before the checkpoint's time"));
   EXPECT_THAT(
       refuse({rows, frames}, "checkpoint_previous.h5"),
-      AllOf(HasSubstr(folder_.path() + ": error: going on from "), HasSubstr("(t = 0.03)"),
+      AllOf(HasSubstr(folder_.path() + ": error: continuing from "), HasSubstr("(t = 0.03)"),
             HasSubstr("10 rows of history.csv up to t = 0.04"), HasSubstr("1 frame of fields.vtkhdf up to t = 0.04"),
             HasSubstr("the summary of a run that was completed at t = 0.04"), HasSubstr("checkpoint.h5 of t = 0.04"),
             HasSubstr("--out"), HasSubstr("--force")));

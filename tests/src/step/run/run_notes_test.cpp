@@ -36,13 +36,13 @@ TEST(ContactGain, IsNotToldOfARunWithoutDoubts) {
 }
 
 TEST(ContactGain, IsToldWithStepAndPlaceInTheUnitsOfTheDeck) {
-  EXPECT_THAT(
-      find_texts(30, {.largest = 100}),
-      ElementsAre(AllOf(HasSubstr("given 30 of energy, 30 % of the largest, since too much in step 201, most of "
-                                  "it then at node 5 at (0, 0, 1) ("),
-                        HasSubstr("[contact_energy] (t = 0.25)"))));
-  EXPECT_THAT(find_texts(30, {.largest = 100}, "mm, t, s"), ElementsAre(HasSubstr("given 30 mJ of energy, 30 %")));
-  EXPECT_THAT(find_texts(30, {}), ElementsAre(StartsWith("warning: contact has given 30 of energy since too much")));
+  EXPECT_THAT(find_texts(30, {.largest = 100}),
+              ElementsAre(AllOf(HasSubstr("added 30 of energy, 30 % of the largest, first above the limit in step 201, "
+                                          "most of it then at node 5 at (0, 0, 1) ("),
+                                HasSubstr("[contact_energy] (t = 0.25)"))));
+  EXPECT_THAT(find_texts(30, {.largest = 100}, "mm, t, s"), ElementsAre(HasSubstr("added 30 mJ of energy, 30 %")));
+  EXPECT_THAT(find_texts(30, {}),
+              ElementsAre(StartsWith("warning: contact has added 30 of energy first above the limit")));
 }
 
 TEST(ContactGain, IsNotOfEnergyThatIsRoundOffOrWasAskedFor) {
@@ -92,8 +92,8 @@ TEST(EndWarnings, TellABalanceThatIsOff) {
 TEST(EndWarnings, NameThePartAndTheElementThatHourglass) {
   EXPECT_THAT(
       format_all(find_end_warnings({}, {.largest = 100}, {{"bar", 10, 2.5, "element 7 of part 'bar' at (1, 2, 3)"}})),
-      ElementsAre(AllOf(StartsWith("part 'bar': warning: hourglass modes hold 25 % of the internal energy, most "
-                                   "near element 7 of part 'bar' at (1, 2, 3) ("),
+      ElementsAre(AllOf(StartsWith("part 'bar': warning: the hourglass energy is 25 % of the internal energy, most of "
+                                   "it near element 7 of part 'bar' at (1, 2, 3) ("),
                         HasSubstr("[hourglass_energy]"))));
 }
 
