@@ -61,6 +61,17 @@ PERCUSS_FORCE_INLINE Symmetric3<T> turn_half(const Vector3<T>& w, const Symmetri
   return de + symmetric_part(antisymmetric(w) * full(de));
 }
 
+/// Tells a material how its point turns beyond the mean of the element; the stress of an elastic one goes along.
+template <class Material, class T, class Rest>
+PERCUSS_FORCE_INLINE void turn_point(const Vector3<T>& turn, PointMotion<T>& motion, Symmetric3<T>& stress,
+                                     [[maybe_unused]] Rest& rest) {
+  if constexpr (has_own_moduli<Material>) motion.turn = turn;
+  if constexpr (is_elastic<Material>) {
+    turn_stress(turn, stress, rest);
+    motion.de = turn_half(turn, motion.de);
+  }
+}
+
 /// Corner forces from the modes of the deviatoric forces in the unrotated frame (512 times) and a uniform pressure.
 template <class T>
 PERCUSS_FORCE_INLINE void find_full_forces(const VectorModes<T>& modes, const Matrix3<T>& rotation, const T& tension,
@@ -102,8 +113,8 @@ PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, con
   const T third = number<T>(1.0 / 3.0);
   const Matrix3<T> turn = number<T>(0.5) * step.rotations;
   const VectorModes<T> rates = pull_back(turn, v), end = pull_back(state.polar.rotation, a);
-  const T trace_de = trace(mean.de);
-  const Vector3<T> mean_spin = axial_vector(transpose(turn) * (step.l * turn));
+  const T trace_de = trace(mean.de), half_dt = number<T>(0.5) * mean.dt;
+  const Vector3<T> mean_twist = find_twist(transpose(turn) * (step.l * turn));
   PointSums<T, std::conditional_t<has_own_moduli<Material>, T, double>> sums;
   sums.moduli = {{}, {}};
   for (int m = 1; m <= 7; ++m) sums.force[m] = {T(0), T(0), T(0)};
@@ -120,11 +131,7 @@ PERCUSS_FORCE_INLINE auto advance_points(const HexParameters<Material>& par, con
     Symmetric3<T> stress = old_stress;
     PointMotion<T> motion = mean;
     motion.de = de;
-    if constexpr (has_own_moduli<Material>) motion.turn = mean.dt * (axial_vector(gradient) - mean_spin);
-    if constexpr (is_elastic<Material>) {
-      turn_stress(motion.turn, stress, state.stress_rest[p]);
-      motion.de = turn_half(motion.turn, de);
-    }
+    turn_point<Material>(half_dt * (find_twist(gradient) - mean_twist), motion, stress, state.stress_rest[p]);
     const auto response = update_stress(par.material, stress, state.stress_rest[p], state.history, p, motion);
     take_larger(sums.moduli, find_moduli(par, response));
     state.stress[p] = stress;

@@ -56,10 +56,10 @@ PERCUSS_FORCE_INLINE T bound_pressure(const Symmetric3<T>& stress) {
 }
 
 /// Moduli of the current volume that bound the stiffness: those of J sigma over J, and the largest pressure, by which
-/// compression stiffens what the gradient of the velocity works on.
+/// compression stiffens what the gradient of the velocity works on. A negative lambda counts as 0.
 template <class T>
 PERCUSS_FORCE_INLINE Moduli<T> find_elastic_moduli(const LameConstants& c, const T& pressure, const T& over_j) {
-  return {number<T>(c.lambda) * over_j, number<T>(c.mu) * over_j + number<T>(0.5) * pressure};
+  return {number<T>(c.lambda > 0 ? c.lambda : 0) * over_j, number<T>(c.mu) * over_j + number<T>(0.5) * pressure};
 }
 
 /// Stress increment lambda tr(de) I + 2 mu de; no history, no yield.
