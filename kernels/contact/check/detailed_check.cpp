@@ -119,6 +119,25 @@ KOKKOS_INLINE_FUNCTION int find_first_near(const MovingSurface& moving, int node
   return first;
 }
 
+/// Finds the directions of faces that some pair read in the check before. In: normals and slabs of this step.
+template <class Space>
+void prepare_faces(const Space& space, const MovingSurface& surface, const CandidateList& candidates) {
+  if (surface.faces.is_prepared.extent(0) == 0) return;
+  const MovingSurface moving = surface;
+  const Array<const int> list = candidates.faces, is_boxed = candidates.is_boxed;
+  Kokkos::parallel_for(
+      "contact::prepare_faces", RangeOf<Space>(space, 0, candidates.num_faces), KOKKOS_LAMBDA(int i) {
+        const int face = list(i);
+        const FaceState& faces = moving.faces;
+        const bool is_wanted = is_boxed(i) != 0 && faces.is_wanted(face) != 0;
+        faces.is_prepared(face) = is_wanted ? 1 : 0;
+        if (!is_wanted) return;
+        faces.is_wanted(face) = 0;
+        faces.vertex(face) = find_vertex_normals(moving.surface, faces, face, [](int) { return true; });
+        faces.outward(face) = find_outward_directions(moving, face);
+      });
+}
+
 }  // namespace
 
 template <class Space>
@@ -142,6 +161,7 @@ void update_faces(const Space& space, const ContactSurface& surface, const Surfa
         }
         if (has_moved) measure_faces(s.offsets, m, measured, out);
       });
+  prepare_faces(space, {surface, motion, faces}, candidates);
 }
 
 namespace {

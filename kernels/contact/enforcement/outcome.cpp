@@ -21,6 +21,7 @@ struct RowWork {
   double normal = 0, friction = 0;
 };
 KOKKOS_INLINE_FUNCTION RowWork find_work(const ContactRow& row, const RowNodes& at, const Rows3<const double>& dv) {
+  if (row.impulse.push == 0 && row.impulse.rub[0] == 0 && row.impulse.rub[1] == 0) return {};
   const Point3 mean = find_work_velocity(row, MeanVelocity{at.v_before, at.v, dv, row});
   RowWork work;
   if (is_tie(row)) {

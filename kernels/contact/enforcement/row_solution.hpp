@@ -66,6 +66,8 @@ void build_rows(const Space& space, const RowInputs& inputs, const RowSources& s
     mark_foreign_places(space, system);
   }
   make_rows(space, inputs, sources, history, system);
+  pack_geometry(space, system);
+  share_coefficients(space, system);
   others.send_coefficients(space, system);
   sum_coefficients(space, system);
   space.fence();

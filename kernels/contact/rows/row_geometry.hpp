@@ -63,7 +63,9 @@ KOKKOS_INLINE_FUNCTION double find_longest_approach(const ContactRow& row, const
 /// What it jumps by is penetration that exists: closed in one step it would throw bodies apart, the faster the shorter
 /// the step.
 KOKKOS_INLINE_FUNCTION void limit_closing(const RowNodes& at, double dt, ContactRow& row) {
-  const double reachable = row.gap + find_longest_approach(row, at, dt) + contact_limits::recovery * row.size;
+  const double recovered = contact_limits::recovery * row.size;
+  if (row.gap + recovered >= row.target) return;  // whatever the approach, which is not negative
+  const double reachable = row.gap + find_longest_approach(row, at, dt) + recovered;
   if (reachable < row.target) row.target = reachable;
 }
 

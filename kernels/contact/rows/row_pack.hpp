@@ -52,13 +52,18 @@ KOKKOS_FORCEINLINE_FUNCTION PackedPoint load_places(const Rows4<const double>& r
   return load_point(packs);
 }
 
-/// The force P of the impulses of a pack's rows and its couple q, and what they give each slot.
+/// P of the impulses p along the directions of a pack's rows.
+KOKKOS_FORCEINLINE_FUNCTION PackedPoint sum_impulse(const RowPack& pack, const Packed (&p)[3]) {
+  const PackedPoint push = p[0] * load_point(pack.normal);
+  if (pack.rubs == 0) return push;
+  return push + (p[1] * load_point(pack.tangent[0]) + p[2] * load_point(pack.tangent[1]));
+}
+
+/// A force P on the pushed points of a pack's rows and its couple q, and what they give each slot.
 struct PackedForce {
   PackedPoint force, couple;
 
-  KOKKOS_FORCEINLINE_FUNCTION PackedForce(const RowPack& pack, const Packed (&p)[3]) {
-    force = p[0] * load_point(pack.normal);
-    if (pack.rubs != 0) force = force + (p[1] * load_point(pack.tangent[0]) + p[2] * load_point(pack.tangent[1]));
+  KOKKOS_FORCEINLINE_FUNCTION PackedForce(const RowPack& pack, const PackedPoint& of) : force(of) {
     const Symmetric3<Packed> inverse_inertia = {load_pack(pack.inverse_inertia[0]), load_pack(pack.inverse_inertia[1]),
                                                 load_pack(pack.inverse_inertia[2]), load_pack(pack.inverse_inertia[3]),
                                                 load_pack(pack.inverse_inertia[4]), load_pack(pack.inverse_inertia[5])};
@@ -151,19 +156,22 @@ KOKKOS_FORCEINLINE_FUNCTION PackedChange correct_pack(RowPack& pack, const Rows4
   return change;
 }
 
+/// Stores what the rows of a pack add to the nodes in one of their slots.
+KOKKOS_FORCEINLINE_FUNCTION void store_share(const RowPack& pack, int slot, const PackedPoint& value,
+                                             const Rows4<double>& shares) {
+  alignas(64) double packs[4][RowPack::lanes];
+  store_pack(packs[0], value.x);
+  store_pack(packs[1], value.y);
+  store_pack(packs[2], value.z);
+  store_pack(packs[3], Packed(0));
+  store_rows_of_four(packs, pack.share[slot], shares.data());
+}
+
 /// Stores what the impulses of a pack give its slots: shares.
 KOKKOS_FORCEINLINE_FUNCTION void share_pack(const RowPack& pack, const Rows4<double>& shares) {
   const Packed p[3] = {load_pack(pack.impulse[0]), load_pack(pack.impulse[1]), load_pack(pack.impulse[2])};
-  const PackedForce force(pack, p);
-  for (int slot = 0; slot < row_nodes; ++slot) {
-    const PackedPoint value = force.spread(pack, slot);
-    alignas(64) double packs[4][RowPack::lanes];
-    store_pack(packs[0], value.x);
-    store_pack(packs[1], value.y);
-    store_pack(packs[2], value.z);
-    store_pack(packs[3], Packed(0));
-    store_rows_of_four(packs, pack.share[slot], shares.data());
-  }
+  const PackedForce force(pack, sum_impulse(pack, p));
+  for (int slot = 0; slot < row_nodes; ++slot) store_share(pack, slot, force.spread(pack, slot), shares);
 }
 
 }  // namespace percuss

@@ -30,8 +30,9 @@ KOKKOS_INLINE_FUNCTION void clear_lane(RowPack& pack, int lane, int nowhere) {
   pack.row[lane] = -1;
 }
 
-KOKKOS_INLINE_FUNCTION void set_row(RowPack& pack, int lane, const ContactRow& row, int r,
-                                    const Array<const int>& share_of_slot) {
+/// What a row is from the start.
+KOKKOS_INLINE_FUNCTION void set_geometry(RowPack& pack, int lane, const ContactRow& row, int r,
+                                         const Array<const int>& share_of_slot) {
   const int first = row.count == RowPack::bearing ? 1 : 0;
   for (int slot = 0; slot < row.count; ++slot) {
     pack.weight[first + slot][lane] = row.weight[slot];
@@ -44,19 +45,23 @@ KOKKOS_INLINE_FUNCTION void set_row(RowPack& pack, int lane, const ContactRow& r
   for (int i = 0; i < 6; ++i) pack.inverse_inertia[i][lane] = inverse_inertia[i];
   set_lane(pack.arm, lane, row.arm);
   set_lane(pack.normal, lane, row.normal);
+  for (int d = 0; d < 2; ++d) set_lane(pack.tangent[d], lane, row.tangent[d]);
+  pack.tied[lane] = is_tie(row) ? 1 : 0;
+  pack.row[lane] = r;
+  if (row.friction > 0) pack.rubs = 1;
+  if (is_tie(row)) pack.ties = 1;
+}
+
+/// What it asks for and begins with.
+KOKKOS_INLINE_FUNCTION void set_state(RowPack& pack, int lane, const ContactRow& row) {
   set_lane(pack.gap_gradient, lane, row.gap_gradient);
   pack.missing[lane] = row.gap - row.target;
   pack.friction[lane] = is_tie(row) ? 0 : row.friction;
-  pack.tied[lane] = is_tie(row) ? 1 : 0;
   pack.stiffness[0][lane] = row.stiffness;
   pack.stiffness[1][lane] = row.rub_stiffness;
-  for (int d = 0; d < 2; ++d) {
-    set_lane(pack.tangent[d], lane, row.tangent[d]);
-    pack.slide[d][lane] = row.slide[d];
-  }
+  for (int d = 0; d < 2; ++d) pack.slide[d][lane] = row.slide[d];
   set_lane(pack.impulse, lane, {row.impulse.push, row.impulse.rub[0], row.impulse.rub[1]});
   set_lane(pack.previous, lane, {row.previous.push, row.previous.rub[0], row.previous.rub[1]});
-  pack.row[lane] = r;
 }
 
 /// From now on the nodes of the pack are looked at.
@@ -116,12 +121,32 @@ void order_rows(const Space& space, const Array<const int>& wants, int num_rows,
 }  // namespace
 
 template <class Space>
-void pack_rows(const Space& space, RowSystem& system) {
+void pack_geometry(const Space& space, RowSystem& system) {
   RowPacks& packs = system.packs;
   const int num_rows = system.num_rows, nowhere = system.num_places();
   packs.count = (num_rows + RowPack::lanes - 1) / RowPack::lanes;
   order_rows<Space>(space, system.wants, num_rows, packs);
   reserve(packs.pack, packs.count);
+  const RowPacks p = packs;
+  const Array<const ContactRow> rows = system.rows;
+  const Array<const int> share_of_slot = system.share_of_slot;
+  Kokkos::parallel_for(
+      "contact::pack_geometry", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
+        RowPack& pack = p.pack(i);
+        pack.rubs = pack.ties = 0;
+        for (int lane = 0; lane < RowPack::lanes; ++lane) {
+          const int place = i * RowPack::lanes + lane;
+          const int r = place < num_rows ? p.order(place) : -1;
+          if (r < 0 || rows(r).count < row_nodes) clear_lane(pack, lane, nowhere);
+          if (r >= 0) set_geometry(pack, lane, rows(r), r, share_of_slot);
+        }
+      });
+}
+
+template <class Space>
+void pack_rows(const Space& space, RowSystem& system) {
+  RowPacks& packs = system.packs;
+  const int nowhere = system.num_places();
   reserve(packs.active, packs.count);
   reserve(packs.dv, nowhere + 1);
   reserve(packs.moved, nowhere + 1);
@@ -135,21 +160,16 @@ void pack_rows(const Space& space, RowSystem& system) {
         if (a < nowhere) store_row(correction, a, Point3{});
       });
   const Array<const ContactRow> rows = system.rows;
-  const Array<const int> share_of_slot = system.share_of_slot, wants = system.wants;
+  const Array<const int> wants = system.wants;
   const Rows4<double> shares = system.shares;
   Kokkos::parallel_for(
       "contact::pack_rows", RangeOf<Space>(space, 0, packs.count), KOKKOS_LAMBDA(int i) {
         RowPack& pack = p.pack(i);
-        pack.rubs = pack.ties = 0;
         p.active(i) = 0;
         for (int lane = 0; lane < RowPack::lanes; ++lane) {
-          const int place = i * RowPack::lanes + lane;
-          const int r = place < num_rows ? p.order(place) : -1;
-          if (r < 0 || rows(r).count < row_nodes) clear_lane(pack, lane, nowhere);
+          const int r = pack.row[lane];
           if (r < 0) continue;
-          set_row(pack, lane, rows(r), r, share_of_slot);
-          if (rows(r).friction > 0) pack.rubs = 1;
-          if (is_tie(rows(r))) pack.ties = 1;
+          set_state(pack, lane, rows(r));
           if (wants(r) != 0) p.active(i) = 1;
         }
         share_pack(pack, shares);
@@ -245,6 +265,7 @@ void unpack_rows(const Space& space, const RowSystem& system) {
 }
 
 #define PERCUSS_INSTANTIATE(Space)                                                                 \
+  template void pack_geometry(const Space&, RowSystem&);                                           \
   template void pack_rows(const Space&, RowSystem&);                                               \
   template void move_nodes(const Space&, double, const RowSystem&);                                \
   template void move_foreign_nodes(const Space&, double, const RowSystem&);                        \

@@ -6,7 +6,20 @@
 
 namespace percuss {
 
-/// Packs the rows with their first guess, and the shares of all their entries.
+/// Packs what rows are from the start: those that want something first.
+template <class Space>
+void pack_geometry(const Space& space, RowSystem& system);
+
+/// Sums of the absolute coefficients of each entry: RowSystem::shares. In: packs.
+template <class Space>
+void share_coefficients(const Space& space, const RowSystem& system);
+
+/// D of each row: sum over its nodes of |c| S / m, a bound of the row sum of |G M^-1 G^T|; RowSystem::wants. In: S at
+/// all places, packs.
+template <class Space>
+void sum_stiffness(const Space& space, RowSystem& system);
+
+/// Packs what rows ask for, with their first guess, and the shares of all their entries. In: what pack_geometry() left.
 template <class Space>
 void pack_rows(const Space& space, RowSystem& system);
 

@@ -109,7 +109,7 @@ template <class Space>
 void gather_nodes(const Space& space, const RowInputs& inputs, RowSystem& system) {
   RowNodes& all = system.at;
   for (Rows3<double>* rows : {&all.x, &all.v, &all.v_before, &all.v_seen, &all.inverse_mass})
-    reserve(*rows, system.num_places());
+    reserve(*rows, system.num_places() + 1);
   const bool has_springs = inputs.spring.extent(0) > 0, has_impulses = inputs.last_impulse.extent(0) > 0;
   if (has_springs) reserve(system.at.spring, system.num_places());
   const RowNodes at = system.at;
@@ -213,19 +213,6 @@ void group_entries(const Space& space, const EntryNodes& entries, const RowKeys&
       KOKKOS_LAMBDA(int k) { share_of_slot(foreign(k)) = first_foreign + k; });
 }
 
-/// Sums of the absolute coefficients of row r on its nodes.
-KOKKOS_INLINE_FUNCTION void share_coefficients(const ContactRow& row, int r, const Array<const int>& share_of_slot,
-                                               const Rows4<double>& shares) {
-  Point3 couple[3];
-  for (int d = 0; d < count_directions(row); ++d) couple[d] = find_couple(row, get_direction(row, d));
-  for (int slot = 0; slot < count_nodes(row); ++slot) {
-    Point3 sum{};
-    for (int d = 0; d < count_directions(row); ++d)
-      sum = sum + find_abs(spread_impulse(row, slot, get_direction(row, d), couple[d]));
-    store_row(shares, share_of_slot(r * row_nodes + slot), sum);
-  }
-}
-
 }  // namespace
 
 template <class Space>
@@ -266,7 +253,7 @@ void start_rows(const Space& space, const RowInputs& inputs, const RowSources& s
                list_entry_nodes(touches, num_touches, walls, system), system);
   gather_nodes(space, inputs, system);
   start_bodies(space, inputs.bodies, system);
-  for (Rows3<double>* rows : {&system.correction, &system.abs_sum}) reserve(*rows, system.num_places());
+  for (Rows3<double>* rows : {&system.correction, &system.abs_sum}) reserve(*rows, system.num_places() + 1);
 }
 
 template <class Space>
@@ -276,12 +263,12 @@ void make_rows(const Space& space, const RowInputs& inputs, const RowSources& so
   const int num_touches = sources.num_touches;
   const WallPairs& walls = sources.walls;
   reserve(system.rows, system.num_rows);
+  reserve(system.wants, system.num_rows);
   group_entries(space, list_entry_nodes(touches, num_touches, walls, system),
                 {touches, num_touches, system.near_walls, walls, inputs.node_numbers}, system);
   const Array<ContactRow> rows = system.rows;
-  const Array<const int> place = system.place_of_entry, share_of_slot = system.share_of_slot;
-  const Array<int> near_walls = system.near_walls;
-  const Rows4<double> shares = system.shares;
+  const Array<const int> place = system.place_of_entry;
+  const Array<int> near_walls = system.near_walls, wants = system.wants;
   const Array<const RowTouch> list = touches;
   const RowNodes at = system.at;
   const RowInputs in = inputs;
@@ -302,7 +289,7 @@ void make_rows(const Space& space, const RowInputs& inputs, const RowSources& so
           else
             fill_touch_row(h, in, at, list(r), row);
         }
-        share_coefficients(row, r, share_of_slot, shares);
+        wants(r) = wants_something(row) ? 1 : 0;
       });
 }
 
@@ -349,33 +336,6 @@ void sum_coefficients(const Space& space, RowSystem& system) {
       KOKKOS_LAMBDA(int a) { store_row(sum, a, sums(a)); });
 }
 
-template <class Space>
-void sum_stiffness(const Space& space, RowSystem& system) {
-  const Array<ContactRow> rows = system.rows;
-  const Rows3<const double> sum = system.abs_sum, inverse_mass = system.at.inverse_mass;
-  reserve(system.wants, system.num_rows);
-  const Array<int> wants = system.wants;
-  Kokkos::parallel_for(
-      "contact::sum_stiffness", RangeOf<Space>(space, 0, system.num_rows), KOKKOS_LAMBDA(int r) {
-        ContactRow& row = rows(r);
-        double stiffness[3] = {0, 0, 0}, free = 0;
-        for (int d = 0; d < count_directions(row); ++d) {
-          const Point3 direction = get_direction(row, d), couple = find_couple(row, direction);
-          for (int slot = 0; slot < count_nodes(row); ++slot) {
-            const Point3 c = find_abs(spread_impulse(row, slot, direction, couple));
-            const Point3 s = load_row(sum, row.place[slot]), w = load_row(inverse_mass, row.place[slot]);
-            stiffness[d] += (c.x * s.x * w.x + c.y * s.y * w.y) + c.z * s.z * w.z;
-            if (d == 0) free += max_component(w) * dot(c, s);
-          }
-        }
-        if (is_tie(row))
-          set_tie_stiffness(row, stiffness);
-        else
-          set_stiffness(row, stiffness, free);
-        wants(r) = wants_something(row) ? 1 : 0;
-      });
-}
-
 #define PERCUSS_INSTANTIATE(Space)                                                                               \
   template void collect_touches(const Space&, const ContactSurface&, const CandidateList&, const TouchTable&,    \
                                 const SurfaceNumbers&, Array<RowTouch>&);                                        \
@@ -384,8 +344,7 @@ void sum_stiffness(const Space& space, RowSystem& system) {
   template void share_impulses(const Space&, const RowSystem&);                                                  \
   template void get_foreign_shares(const Space&, const RowSystem&, const Rows3<double>&);                        \
   template void place_remote_shares(const Space&, const RowSystem&);                                             \
-  template void sum_coefficients(const Space&, RowSystem&);                                                      \
-  template void sum_stiffness(const Space&, RowSystem&);
+  template void sum_coefficients(const Space&, RowSystem&);
 PERCUSS_INSTANTIATE(ExecSpace)
 #if defined(PERCUSS_SMALL_SPACE)
 PERCUSS_INSTANTIATE(SmallSpace)

@@ -195,8 +195,8 @@ struct RowSystem {
   Array<int> nodes = Array<int>("contact::touched_nodes", 0);      // [num_nodes] mesh nodes, as rows come to them
   Array<int> foreign = Array<int>("contact::foreign_entries", 0);  // [num_foreign] their entry, row * row_nodes + slot
   Array<std::int64_t> foreign_number = Array<std::int64_t>("contact::foreign_number", 0);  // [num_foreign] of the node
-  RowNodes at;                                                                             // [num_nodes + num_foreign]
-  Array<int> offset = Array<int>("contact::entry_offset", 0);                              // [num_nodes + 1]
+  RowNodes at;                                                 // [num_places() + 1], the last for slots not in use
+  Array<int> offset = Array<int>("contact::entry_offset", 0);  // [num_nodes + 1]
   // row * row_nodes + slot; from num_rows * row_nodes on the remote entries. By node, ascending in the row's key.
   Array<int> entry = Array<int>("contact::entries", 0);
   // What each entry adds to its node, as `entry` has them; from first_foreign() on those of foreign entries.
@@ -229,6 +229,20 @@ struct RowSystem {
   int first_foreign() const { return num_rows * row_nodes + num_remote; }
 };
 
+/// The first three columns of the sum of rows first to last - 1 of four doubles, in this order. Rows are aligned to
+/// four doubles.
+PERCUSS_FORCE_INLINE Point3 sum_rows_of_four(const double* rows, int first, int last) {
+#ifdef PERCUSS_HAS_SIMD
+  detail::RowOfFour sum{};
+  for (int i = first; i < last; ++i) sum += *reinterpret_cast<const detail::RowOfFour*>(rows + 4 * std::ptrdiff_t{i});
+#else
+  double sum[3] = {0, 0, 0};
+  for (int i = first; i < last; ++i)
+    for (int k = 0; k < 3; ++k) sum[k] += rows[4 * std::ptrdiff_t{i} + k];
+#endif
+  return {sum[0], sum[1], sum[2]};
+}
+
 /// Sums of what the entries of a node add to it, in the order of their rows' keys.
 struct ShareSums {
   Array<const int> offset;
@@ -237,9 +251,7 @@ struct ShareSums {
   explicit ShareSums(const RowSystem& system) : offset(system.offset), shares(system.shares) {}
 
   KOKKOS_INLINE_FUNCTION Point3 operator()(int a) const {
-    Point3 sum{};
-    for (int i = offset(a); i < offset(a + 1); ++i) sum = sum + load_row(shares, i);
-    return sum;
+    return sum_rows_of_four(shares.data(), offset(a), offset(a + 1));
   }
 };
 
@@ -261,8 +273,8 @@ void collect_touches(const Space& space, const ContactSurface& surface, const Ca
 template <class Space>
 void start_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, RowSystem& system);
 
-/// Makes the rows from touches and walls with their first guess from history, and the entries of the owned nodes; sums
-/// of absolute coefficients of each entry: RowSystem::shares. In: RowSystem::at of all places, remote_key.
+/// Makes the rows from touches and walls with their first guess from history, and the entries of the owned nodes;
+/// RowSystem::wants but for rows that nothing can move. In: RowSystem::at of all places, remote_key.
 template <class Space>
 void make_rows(const Space& space, const RowInputs& inputs, const RowSources& sources, const ContactHistory& history,
                RowSystem& system);
@@ -282,10 +294,5 @@ void place_remote_shares(const Space& space, const RowSystem& system);
 /// S of the owned nodes: sums of absolute coefficients in the order of keys. In: shares, remote.
 template <class Space>
 void sum_coefficients(const Space& space, RowSystem& system);
-
-/// D of each row: sum over its nodes of |c| S / m, a bound of the row sum of |G M^-1 G^T|; RowSystem::wants. In: S at
-/// all places.
-template <class Space>
-void sum_stiffness(const Space& space, RowSystem& system);
 
 }  // namespace percuss

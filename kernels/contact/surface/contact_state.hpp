@@ -15,14 +15,37 @@ struct SurfaceMotion {
   double dt = 0;
 };
 
+/// Directions at the corners of a face.
+struct CornerDirections {
+  Point3 of[4]{};
+};
+
+/// Directions by which a face is moved outward for an offset of 1, at n and at the predicted place.
+struct OutwardDirections {
+  CornerDirections start, end;
+};
+
 /// Geometry of faces in this step: normals of those listed in CandidateList::faces, the rest of those that are boxed.
 struct FaceState {
   Rows3<double> normal;  // outward unit normal at the predicted place
   Array<double> size;    // h of contact_limits.hpp at n
   Boxes box;             // of the face over the step, widened by the reach of the check
 
-  // in scenes with shells
+  // in scenes with shells; the rest is empty in others
   Array<FaceSlab> slab = Array<FaceSlab>("contact::face_slab", 0);
+  // Directions of faces that some pair read in the check before; pairs find those of others by themselves, to the same
+  // bits. Without thickness that costs a pair as little as to read them.
+  Array<int> is_prepared = Array<int>("contact::prepared_faces", 0);  // [faces] 1: these are of this step
+  Array<int> is_wanted = Array<int>("contact::wanted_faces", 0);      // [faces] 1: for the next check
+  Array<CornerDirections> vertex = Array<CornerDirections>("contact::vertex_normals", 0);
+  Array<OutwardDirections> outward = Array<OutwardDirections>("contact::outward_directions", 0);
+
+  /// Whether the face is prepared. In any case it will be in the next check.
+  KOKKOS_INLINE_FUNCTION bool has_prepared(int face) const {
+    if (face >= static_cast<int>(is_prepared.extent(0))) return false;
+    if (is_wanted(face) == 0) Kokkos::atomic_fetch_or(&is_wanted(face), 1);
+    return is_prepared(face) != 0;
+  }
 };
 
 /// A surface in its motion of the step, as the detailed check reads it.
@@ -163,14 +186,15 @@ KOKKOS_INLINE_FUNCTION bool looks_against(const ContactSurface& surface, const S
          dot(find_outlook(surface, motion, node), load_row(faces.normal, face)) <= contact_limits::opposing;
 }
 
-/// The push direction at a point of a face: vertex normals, averaged over the faces of one smooth surface, weighted.
-/// Continuous from face to face of a smooth surface, the face's own normal at a crease.
-KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const ContactSurface& surface, const FaceState& faces, int face,
-                                                  const double weight[4]) {
+/// Vertex normals of a face: at each corner that is asked for the mean of the faces of one smooth surface, as a unit
+/// vector.
+template <class Asked>
+KOKKOS_INLINE_FUNCTION CornerDirections find_vertex_normals(const ContactSurface& surface, const FaceState& faces,
+                                                            int face, const Asked& is_asked) {
   const Point3 own = load_row(faces.normal, face);
   double vertices[3][4] = {};
   for (int i = 0; i < 4; ++i) {
-    if (weight[i] == 0) continue;
+    if (!is_asked(i)) continue;
     const int corner = surface.face_corners(face, i);
     Point3 vertex{};
     for (int j = surface.nodes_to_faces_offset(corner); j < surface.nodes_to_faces_offset(corner + 1); ++j) {
@@ -180,10 +204,23 @@ KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const ContactSurface& surface,
     vertices[0][i] = vertex.x, vertices[1][i] = vertex.y, vertices[2][i] = vertex.z;
   }
   normalize_four(vertices);
-  Point3 sum{};
-  for (int i = 0; i < 4; ++i)
-    if (weight[i] != 0) sum = sum + weight[i] * Point3{vertices[0][i], vertices[1][i], vertices[2][i]};
-  return normalize(sum);
+  CornerDirections normals;
+  for (int i = 0; i < 4; ++i) normals.of[i] = {vertices[0][i], vertices[1][i], vertices[2][i]};
+  return normals;
+}
+
+/// The push direction at a point of a face: vertex normals, averaged over the faces of one smooth surface, weighted.
+/// Continuous from face to face of a smooth surface, the face's own normal at a crease.
+KOKKOS_INLINE_FUNCTION Point3 find_push_direction(const ContactSurface& surface, const FaceState& faces, int face,
+                                                  const double weight[4]) {
+  const auto add_up = [weight](const CornerDirections& vertex) {
+    Point3 sum{};
+    for (int i = 0; i < 4; ++i)
+      if (weight[i] != 0) sum = sum + weight[i] * vertex.of[i];
+    return normalize(sum);
+  };
+  if (faces.has_prepared(face)) return add_up(faces.vertex(face));
+  return add_up(find_vertex_normals(surface, faces, face, [weight](int i) { return weight[i] != 0; }));
 }
 
 }  // namespace percuss

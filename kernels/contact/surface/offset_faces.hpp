@@ -53,28 +53,44 @@ KOKKOS_INLINE_FUNCTION Point3 turn_from_to(const Point3& from, const Point3& to,
   return cosine * v + cross(axis, v) + (dot(axis, v) / (1 + cosine)) * axis;
 }
 
-/// The face that a node touches, relative to the node: that of the mesh, moved outward where thickness is between them.
-/// The directions are those of the end of the step and at its start these turned back with the face's normal: what
-/// else they change by in a step lies along the face.
-KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const MovingSurface& moving, const Point3& x, const Point3& v,
-                                                      int face, double offset) {
+/// Directions in which the corners of a face are moved outward: those of the end of the step and at its start these
+/// turned back with the face's normal. What else they change by in a step lies along the face. They belong to the face,
+/// whichever node looks at it.
+KOKKOS_INLINE_FUNCTION OutwardDirections find_outward_directions(const MovingSurface& moving, int face) {
   const ContactSurface& surface = moving.surface;
   const SurfaceMotion& motion = moving.motion;
-  const FaceState& faces = moving.faces;
-  RelativeFace relative = load_relative_face(surface, motion, x, v, face);
-  if (offset == 0) return relative;
+  const int origin = surface.nodes(surface.face_corners(face, 0));
+  const Point3 x = load_row(motion.x, origin), v = load_row(motion.v, origin);
   const auto at_end = [&](int node) {
     const int a = surface.nodes(node);
     return (load_row(motion.x, a) - x) + motion.dt * (load_row(motion.v, a) - v);
   };
-  const FacePoints end = find_end(relative);
-  const Point3 normal = load_row(faces.normal, face), normal_at_start = faces.slab(face).normal_at_start;
+  const FacePoints end = find_face_points(surface, at_end, face);
+  const Point3 normal = load_row(moving.faces.normal, face), at_start = moving.faces.slab(face).normal_at_start;
+  OutwardDirections found;
   for (int i = 0; i < 4; ++i) {
-    const Point3 direction = find_corner_direction(surface, at_end, faces.normal, end, face, i);
-    const Point3 at_start = turn_from_to(normal, normal_at_start, direction);
-    relative.start.corner[i] = relative.start.corner[i] + offset * at_start;
-    relative.move.corner[i] = relative.move.corner[i] + offset * (direction - at_start);
+    found.end.of[i] = find_corner_direction(surface, at_end, moving.faces.normal, end, face, i);
+    found.start.of[i] = turn_from_to(normal, at_start, found.end.of[i]);
   }
+  return found;
+}
+
+/// The face that a node touches, relative to the node: that of the mesh, moved outward where thickness is between them.
+KOKKOS_INLINE_FUNCTION RelativeFace load_touched_face(const MovingSurface& moving, const Point3& x, const Point3& v,
+                                                      int face, double offset) {
+  RelativeFace relative = load_relative_face(moving.surface, moving.motion, x, v, face);
+  if (offset == 0) return relative;
+  const auto move = [&](const OutwardDirections& outward) {
+    for (int i = 0; i < 4; ++i) {
+      const Point3& at_start = outward.start.of[i];
+      relative.start.corner[i] = relative.start.corner[i] + offset * at_start;
+      relative.move.corner[i] = relative.move.corner[i] + offset * (outward.end.of[i] - at_start);
+    }
+  };
+  if (moving.faces.has_prepared(face))
+    move(moving.faces.outward(face));
+  else
+    move(find_outward_directions(moving, face));
   return relative;
 }
 

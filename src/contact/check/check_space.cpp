@@ -84,9 +84,16 @@ void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>&
     check.faces = {};
     check.faces = {Rows3<double>("contact::face_normal", faces), Array<double>("contact::face_size", faces),
                    Boxes("contact::face_box", faces)};
-    if (surface.offsets.largest > 0) check.faces.slab = Array<FaceSlab>("contact::face_slab", faces);
+    if (surface.offsets.largest > 0) {
+      check.faces.slab = Array<FaceSlab>("contact::face_slab", faces);
+      check.faces.is_prepared = Array<int>("contact::prepared_faces", faces);
+      check.faces.is_wanted = Array<int>("contact::wanted_faces", faces);
+      check.faces.vertex = Array<CornerDirections>("contact::vertex_normals", faces);
+      check.faces.outward = Array<OutwardDirections>("contact::outward_directions", faces);
+    }
   }
   reserve(check.history_face, contact_limits::max_touches * surface.num_nodes);
+  Kokkos::deep_copy(check.history_face, -1);
   check.still.forget();
 }
 

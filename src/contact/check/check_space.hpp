@@ -129,6 +129,15 @@ KOKKOS_INLINE_FUNCTION int find_face(const Array<const std::int64_t>& numbers, s
   return first < static_cast<int>(numbers.extent(0)) && numbers(first) == number ? first : -1;
 }
 
+/// The same of the face that a node remembers; known: the index of the face that it remembered in the last check, most
+/// likely the same one.
+KOKKOS_INLINE_FUNCTION int find_remembered_face(const Array<const std::int64_t>& numbers, std::int64_t number,
+                                                int known) {
+  if (number < 0) return -1;
+  const bool is_known = known >= 0 && known < static_cast<int>(numbers.extent(0)) && numbers(known) == number;
+  return is_known ? known : find_face(numbers, number);
+}
+
 /// The detailed check of the candidate pairs that are near (the paper's section 4.2).
 void check_candidates(const SurfaceMotion& motion, CheckSpace& check);
 

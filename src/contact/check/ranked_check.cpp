@@ -26,10 +26,6 @@ struct HistoryItem {
   std::int64_t face[max_touches];
 };
 
-KOKKOS_INLINE_FUNCTION int find_remembered_face(const Array<const std::int64_t>& numbers, std::int64_t number) {
-  return number < 0 ? -1 : find_face(numbers, number);
-}
-
 /// Messages of what these contact nodes of the share remember.
 template <class Space>
 void pack_history(const Space& space, const Array<const int>& nodes, const Array<const std::int64_t>& remembered,
@@ -52,8 +48,10 @@ void find_remembered_faces(const Space& space, const Array<const int>& rows, con
   const Array<int> out = faces;
   Kokkos::parallel_for(
       "contact::find_remembered_faces", RangeOf<Space>(space, 0, static_cast<int>(to.extent(0))), KOKKOS_LAMBDA(int i) {
-        for (int slot = 0; slot < max_touches; ++slot)
-          out(max_touches * to(i) + slot) = find_remembered_face(of_faces, remembered(i, slot));
+        for (int slot = 0; slot < max_touches; ++slot) {
+          int& face = out(max_touches * to(i) + slot);
+          face = find_remembered_face(of_faces, remembered(i, slot), face);
+        }
       });
 }
 

@@ -145,7 +145,7 @@ int LocalFinder::check_faces(const SurfaceMotion& motion, const ContactHistory& 
         KOKKOS_LAMBDA(int i) {
           for (int slot = 0; slot < contact_limits::max_touches; ++slot) {
             const int record = contact_limits::max_touches * nodes(i) + slot;
-            history_face(record) = old(record) < 0 ? -1 : find_face(numbers, old(record));
+            history_face(record) = find_remembered_face(numbers, old(record), history_face(record));
           }
         });
   });

@@ -128,6 +128,52 @@ void expect_same(const Point3& a, const Point3& b) {
   EXPECT_EQ(a.z, b.z);
 }
 
+/// Push directions at the middle and at a corner of a face, and the face moved outward, as a pair reads them.
+struct ReadOfFace {
+  Point3 middle, corner;
+  RelativeFace moved;
+
+  ReadOfFace(const MovingSurface& moving, int face, double half) {
+    const double at_middle[4] = {0.25, 0.25, 0.25, 0.25}, at_corner[4] = {0, 1, 0, 0};
+    middle = find_push_direction(moving.surface, moving.faces, face, at_middle);
+    corner = find_push_direction(moving.surface, moving.faces, face, at_corner);
+    moved = load_touched_face(moving, {0.3, 0.2, 0.1}, {}, face, half);
+  }
+};
+
+void expect_same(const ReadOfFace& a, const ReadOfFace& b) {
+  expect_same(a.middle, b.middle);
+  expect_same(a.corner, b.corner);
+  for (int i = 0; i < 4; ++i) {
+    expect_same(a.moved.start.corner[i], b.moved.start.corner[i]);
+    expect_same(a.moved.move.corner[i], b.moved.move.corner[i]);
+  }
+}
+
+TEST(PreparedFaces, AreThoseThatAPairReadLastAndGiveItTheSameBits) {
+  constexpr double half = 0.3;
+  std::mt19937 random(9);
+  for (int draw = 0; draw < 50; ++draw) {
+    CrookedPatch patch(half);
+    const SurfaceMotion motion = patch.draw(random);
+    const MovingSurface moving{patch.check.surface, motion, patch.check.faces};
+    const auto update = [&] {
+      update_faces(SmallSpace(), patch.check.surface, motion, patch.check.candidates, StillFaces(), patch.check.faces);
+    };
+    std::vector<ReadOfFace> unprepared;
+    for (int face = 0; face < 10; ++face) unprepared.emplace_back(moving, face, half);
+    update();
+    for (int face = 0; face < patch.check.surface.num_faces; ++face)
+      EXPECT_EQ(patch.check.faces.is_prepared(face), face < 10 ? 1 : 0);
+    for (int face = 0; face < 10; ++face)
+      expect_same(ReadOfFace(moving, face, half), unprepared[static_cast<std::size_t>(face)]);
+    update();
+    EXPECT_EQ(patch.check.faces.is_prepared(0), 1);
+    update();  // nothing has read them
+    EXPECT_EQ(patch.check.faces.is_prepared(0), 0);
+  }
+}
+
 /// Size of a face by its corners and, but for a shell, the distance of the middles of its two sides.
 double find_size(const CrookedPatch& patch, int face, double half, const RelativeFace& relative, bool& is_thin) {
   const ContactSurface& surface = patch.check.surface;
