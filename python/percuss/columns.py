@@ -45,6 +45,8 @@ SCENE.update({f"body_v{axis}": ("velocity", f"velocity {axis} of the mass centre
 SCENE.update({f"body_q{k}": ("-", f"orientation, unit quaternion {k}") for k in range(4)})
 SCENE.update({f"body_w{axis}": ("frequency", f"angular velocity {axis}") for axis in "xyz"})
 SCENE.update({"body_kinetic": ("energy", "kinetic energy of the body")})
+SCENE.update({f"joint_f{axis}": ("force", f"joint force {axis}") for axis in "xyz"})
+SCENE.update({f"joint_m{axis}": ("moment", f"joint moment {axis}") for axis in "xyz"})
 SCENE.update({"spring_work": ("energy", "energy of springs"), "damper_work": ("energy", "energy that dampers took")})
 SCENE.update({"dt_spring": ("-", "spring that limits the next step")})
 SCENE.update({"spring_force": ("force", "force of the spring"), "spring_elongation": ("length", "elongation")})

@@ -154,6 +154,18 @@ struct RigidDeck {
   Place place;
 };
 
+/// Nodes that move as one: a body of their own, or members of another.
+struct RigidSetDeck {
+  std::string name;
+  Selector where;
+  std::string body;                              // that the nodes join; empty: one of their own
+  double mass = 0;                               // in addition to that of the nodes
+  std::optional<Vec3> center;                    // of that; none: the mass centre of the nodes [length]
+  std::optional<std::array<double, 6>> inertia;  // in addition, about that centre: xx, yy, zz, xy, yz, zx
+  std::array<bool, 6> fixed{};                   // as RigidDeck::fixed
+  Place place;
+};
+
 struct PartDeck {
   /// What the cells of a generated solid are: hexahedra, or twelve tetrahedra, two wedges or six pyramids each.
   enum class Elements { hexahedra, tetrahedra, wedges, pyramids };
@@ -378,7 +390,9 @@ struct Deck {
   std::vector<MaterialDeck> materials;
   std::vector<ImperfectionDeck> imperfections;
   std::vector<AddedMassDeck> added_masses;
+  std::vector<RigidSetDeck> rigid_sets;
   std::vector<SpringDeck> springs;
+  std::vector<JointDeck> joints;
   ElementDeck elements;
   ErosionDeck erosion;
   std::vector<InitialDeck> initial;

@@ -1,5 +1,5 @@
 #pragma once
-// Which parts of a deck are rigid, and which of them are one body.
+// Which parts and sets of nodes of a deck are rigid, and which of them are one body.
 
 #include <algorithm>
 #include <array>
@@ -11,10 +11,17 @@
 
 namespace percuss {
 
-/// Bodies in the order of their first parts.
+/// Bodies in the order of their first parts, then those of sets of nodes.
 struct RigidNames {
-  std::vector<std::string> bodies;  // `rigid.body`, or the name of the part
+  std::vector<std::string> bodies;  // `rigid.body`, or the name of the part or of the set
   std::vector<int> body_of_part;    // [parts] -1: it deforms
+  std::vector<int> body_of_set;     // [rigid_sets] -1: it names none
+
+  /// The body of that name, -1: none.
+  int find(const std::string& name) const {
+    const auto known = std::find(bodies.begin(), bodies.end(), name);
+    return known == bodies.end() ? -1 : static_cast<int>(known - bodies.begin());
+  }
 };
 
 inline RigidNames name_rigid_bodies(const Deck& deck) {
@@ -27,11 +34,26 @@ inline RigidNames name_rigid_bodies(const Deck& deck) {
     names.body_of_part.back() = static_cast<int>(known - names.bodies.begin());
     if (known == names.bodies.end()) names.bodies.push_back(name);
   }
+  for (const RigidSetDeck& set : deck.rigid_sets)
+    if (set.body.empty()) names.bodies.push_back(set.name);
+  for (const RigidSetDeck& set : deck.rigid_sets)
+    names.body_of_set.push_back(names.find(set.body.empty() ? set.name : set.body));
   return names;
 }
 
 inline bool has_rigid_parts(const Deck& deck) {
   return std::any_of(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) { return part.rigid.has_value(); });
+}
+
+inline bool has_rigid_bodies(const Deck& deck) { return !deck.rigid_sets.empty() || has_rigid_parts(deck); }
+
+/// Where the deck names a body: its first part, or its first set.
+inline Place find_body_place(const Deck& deck, const RigidNames& names, int body) {
+  for (std::size_t p = 0; p < deck.parts.size(); ++p)
+    if (names.body_of_part[p] == body) return deck.parts[p].rigid->place;
+  for (std::size_t s = 0; s < deck.rigid_sets.size(); ++s)
+    if (names.body_of_set[s] == body) return deck.rigid_sets[s].place;
+  return {};
 }
 
 /// Whether a tensor xx, yy, zz, xy, yz, zx is the inertia of some masses that do not lie on one line: then the second

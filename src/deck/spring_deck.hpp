@@ -1,5 +1,5 @@
 #pragma once
-// Springs and dampers between nodes, as a deck gives them.
+// Springs and dampers between nodes, and joints between rigid bodies, as a deck gives them.
 
 #include <array>
 #include <optional>
@@ -28,6 +28,17 @@ struct SpringDeck {
   std::optional<double> rest_length;         // none: the distance at time 0 [length]
   std::optional<double> largest_force;       // amount beyond which it breaks
   std::optional<double> largest_elongation;  // likewise, of elongation or shortening
+  Place place;
+};
+
+/// What two rigid bodies, or one and the ground, have in common.
+struct JointDeck {
+  enum class Kind { spherical, revolute };
+  std::string name;
+  Kind kind = Kind::spherical;
+  std::vector<std::string> bodies;  // one: it is joined to the ground
+  Vec3 at{};                        // the common point at time 0
+  std::optional<Vec3> axis;         // of revolute joints, a unit vector at time 0
   Place place;
 };
 

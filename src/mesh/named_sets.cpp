@@ -16,6 +16,7 @@ void add_conditions_and_loads(const Deck& deck, Names& names) {
   for (const NodalLoadDeck& entry : deck.nodal_loads) names.insert(entry.where.name);
   for (const AddedMassDeck& entry : deck.added_masses) names.insert(entry.where.name);
   for (const DampingDeck& entry : deck.dampings) names.insert(entry.where.name);
+  for (const RigidSetDeck& entry : deck.rigid_sets) names.insert(entry.where.name);
 }
 
 void add_surfaces(const Deck& deck, Names& names) {

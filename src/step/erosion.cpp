@@ -178,11 +178,14 @@ void Erosion::sort_nodes(State& state, Bookkeeper* books) {
   count_holders(state);
   auto& nodes = chunked_.mesh.eroded.nodes;
   const auto holders = to_host(holders_);
+  const auto body_of_node = to_host(model_.rigid.body_of_node);
   std::vector<int> vanished;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (nodes[n] != ErodedMesh::held || holders(n, 0) > 0) continue;
-    nodes[n] = removes ? ErodedMesh::vanished : ErodedMesh::particle;
-    if (removes) vanished.push_back(static_cast<int>(n));
+    const bool is_of_body = body_of_node.extent(0) > 0 && body_of_node(n) >= 0;  // which keeps its mass
+    const bool vanishes = removes && !is_of_body;
+    nodes[n] = vanishes ? ErodedMesh::vanished : ErodedMesh::particle;
+    if (vanishes) vanished.push_back(static_cast<int>(n));
   }
   if (!removes) return;
   unload_nodes(vanished, state, books != nullptr);

@@ -50,6 +50,7 @@ void check_selectors(const ChunkedMesh& chunked, const Deck& deck, Findings& fin
   const auto faces = [&](const Selector& where) { findings.gather([&] { select_faces(mesh, deck, where); }); };
   for (const InitialDeck& initial : deck.initial) nodes(initial.where);
   for (const AddedMassDeck& added : deck.added_masses) nodes(added.where);
+  for (const RigidSetDeck& set : deck.rigid_sets) nodes(set.where);
   for (const ConditionDeck& condition : deck.conditions) nodes(condition.where);
   for (const PressureDeck& pressure : deck.pressures) faces(pressure.where);
   for (const NodalLoadDeck& load : deck.nodal_loads) nodes(load.where);

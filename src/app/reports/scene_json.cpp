@@ -135,6 +135,7 @@ Json list_selections(const Deck& deck, const ChunkedMesh& chunked) {
            [&](const std::string& key, const DampingDeck& damping) { list.add_nodes(key, "damping", damping.where); });
   add_each("added_mass", deck.added_masses,
            [&](const std::string& key, const AddedMassDeck& added) { list.add_nodes(key, "added mass", added.where); });
+  for (const RigidSetDeck& set : deck.rigid_sets) list.add_nodes("rigid_sets." + set.name, "rigid set", set.where);
   list_springs(deck, chunked, list);
   list_contact(deck.contact, list);
   return list.take();

@@ -89,7 +89,7 @@ void check_rotations(const Deck& deck, Reading& reading) {
     return part.thickness || part.rigid || (part.section && bends(*part.section)) ||
            std::holds_alternative<FileMesh>(part.shape);
   };
-  if (std::any_of(deck.parts.begin(), deck.parts.end(), may_turn)) return;
+  if (!deck.rigid_sets.empty() || std::any_of(deck.parts.begin(), deck.parts.end(), may_turn)) return;
   for (const NameUse& use : reading.rotations) {
     reading.errors.add(
         use.spot,
@@ -238,6 +238,10 @@ void check_walls(const Deck& deck, const Node& root, Reading& reading) {
       reading.errors.add(spot, fmt::format("walls.{}.mass cannot be used beside rigid parts such as '{}' (their nodes "
                                            "have no masses of their own): make the wall a rigid part too",
                                            w, rigid->name));
+    if (!deck.rigid_sets.empty())
+      reading.errors.add(spot, fmt::format("walls.{}.mass cannot be used beside rigid_sets (their nodes have no masses "
+                                           "of their own) make the wall a rigid part",
+                                           w));
   }
 }
 
@@ -266,6 +270,7 @@ void check_deck(const Deck& deck, const Node& root, Reading& reading) {
   check_step_estimate(deck, root, reading);
   check_running_masses(deck, root, reading);
   check_rigid(deck, root, reading);
+  check_joints(deck, root, reading);
   check_curves(deck, reading);
   check_estimate(deck, root, reading);
   check_element_settings(deck, root, reading);

@@ -1,10 +1,12 @@
-// Keys of `contact` and `springs`: what acts between bodies.
+// Keys of `contact`, `springs` and `joints`: what acts between bodies.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "src/deck/reading/deck_keys.hpp"
+#include "src/deck/rigid_bodies.hpp"
+#include "src/deck/text/nearest_name.hpp"
 
 namespace percuss {
 namespace {
@@ -264,6 +266,46 @@ bool check_spring(const Reader& reader, const Node& node, SpringDeck& spring) {
   return false;
 }
 
+// --- joints
+
+const Keys<JointDeck>& joint_keys() {
+  using Kind = JointDeck::Kind;
+  static const Keys<JointDeck> keys = {
+      need("kind", &JointDeck::kind, ChoiceValue<Kind>{{{"spherical", Kind::spherical}, {"revolute", Kind::revolute}}}),
+      need("bodies", &JointDeck::bodies, ListValue<NameValue>{}),
+      need("at", &JointDeck::at, vector3()),
+      may("axis", &JointDeck::axis, DirectionValue{}),
+  };
+  return keys;
+}
+
+bool check_joint(const Reader& reader, const Node& node, JointDeck& joint) {
+  const Node& bodies = *node.find("bodies");
+  if (joint.bodies.empty() || joint.bodies.size() > 2) {
+    reader.error(bodies.spot, fmt::format("{} has {} names (must have two, or one of a body that is joined to the "
+                                          "ground)",
+                                          reader.name_of("bodies"), joint.bodies.size()));
+    return false;
+  }
+  if (joint.bodies.size() == 2 && joint.bodies[0] == joint.bodies[1]) {
+    reader.error(bodies.items[1].spot,
+                 fmt::format("{} joins '{}' to itself (which moves as one anyway)", reader.self(), joint.bodies[0]));
+    return false;
+  }
+  const bool is_revolute = joint.kind == JointDeck::Kind::revolute;
+  if (is_revolute == joint.axis.has_value()) return true;
+  reader.error(is_revolute ? node.spot : node.find("axis")->key,
+               reader.self() + (is_revolute ? " has no axis (a revolute joint turns about one)"
+                                            : " has an axis (a spherical joint turns about every one) leave it out"));
+  return false;
+}
+
+/// The same bodies at the same place.
+bool repeats(const JointDeck& a, const JointDeck& b) {
+  return a.at == b.at && a.bodies.size() == b.bodies.size() &&
+         std::is_permutation(a.bodies.begin(), a.bodies.end(), b.bodies.begin());
+}
+
 }  // namespace
 
 bool ContactValue::read(const Reader& reader, const std::string& name, const Node& node, ContactDeck& out) const {
@@ -273,6 +315,33 @@ bool ContactValue::read(const Reader& reader, const std::string& name, const Nod
 
 Form ContactValue::form() const { return form_of(contact_keys()); }
 
+void check_joints(const Deck& deck, const Node& root, Reading& reading) {
+  const RigidNames names = name_rigid_bodies(deck);
+  const auto is_part = [&](const std::string& name) {
+    return std::any_of(deck.parts.begin(), deck.parts.end(), [&](const PartDeck& part) { return part.name == name; });
+  };
+  for (auto joint = deck.joints.begin(); joint != deck.joints.end(); ++joint) {
+    const Node* node = root.find("joints")->find(joint->name);
+    for (std::size_t i = 0; i < joint->bodies.size(); ++i) {
+      const std::string& name = joint->bodies[i];
+      if (names.find(name) >= 0 || node->find("bodies")->items.size() != joint->bodies.size()) continue;
+      reading.errors.add(
+          node->find("bodies")->items[i].spot,
+          is_part(name) ? fmt::format("joint '{}' is to hold part '{}', which deforms (joints hold rigid bodies) make "
+                                      "it rigid, or join nodes of it that are a rigid set",
+                                      joint->name, name)
+                        : fmt::format("joint '{}' is to hold '{}', which is no rigid body{}", joint->name, name,
+                                      name_hint(name, names.bodies)));
+    }
+    const auto first = std::find_if(deck.joints.begin(), joint, [&](const JointDeck& j) { return repeats(j, *joint); });
+    if (first != joint)
+      reading.errors.add(node->key, fmt::format("joint '{}' joins the same bodies at the same point as '{}' (once is "
+                                                "enough) leave one of them out",
+                                                joint->name, first->name));
+  }
+}
+
+NamedMapValue<JointDeck, MapValue<JointDeck>> joints_value() { return {"joint", {joint_keys, check_joint}}; }
 NamedMapValue<SpringDeck, MapValue<SpringDeck>> springs_value() { return {"spring", {spring_keys, check_spring}}; }
 
 }  // namespace percuss

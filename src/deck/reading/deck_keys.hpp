@@ -37,7 +37,9 @@ MapValue<DampingDeck> damping_value();
 MapValue<WallDeck> wall_value();
 MapValue<ImperfectionDeck> imperfection_value();
 MapValue<AddedMassDeck> added_mass_value();
+NamedMapValue<RigidSetDeck, MapValue<RigidSetDeck>> rigid_sets_value();
 NamedMapValue<SpringDeck, MapValue<SpringDeck>> springs_value();
+NamedMapValue<JointDeck, MapValue<JointDeck>> joints_value();
 
 /// `contact`: a deck that has the section means all surfaces unless it says otherwise.
 struct ContactValue {
@@ -60,8 +62,11 @@ struct RigidValue {
   std::string takes() const { return "true | false or a map"; }
 };
 
-/// What rigid parts must have in common, and what they exclude.
+/// What rigid parts and sets must have in common, and what they exclude.
 void check_rigid(const Deck& deck, const Node& root, Reading& reading);
+
+/// Joints between bodies that exist.
+void check_joints(const Deck& deck, const Node& root, Reading& reading);
 
 MapValue<TimeDeck> time_value();
 MapValue<MassScalingDeck> mass_scaling_value();

@@ -1,10 +1,11 @@
-// Keys of `join`, `imperfections`, `added_mass` and `rigid`.
+// Keys of `join`, `imperfections`, `added_mass`, `rigid` and `rigid_sets`.
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "src/deck/reading/deck_keys.hpp"
 #include "src/deck/rigid_bodies.hpp"
+#include "src/deck/text/nearest_name.hpp"
 
 namespace percuss {
 namespace {
@@ -122,13 +123,48 @@ const Keys<RigidDeck>& rigid_keys() {
 }
 
 /// Of real masses the tensor is positive definite, and no moment of inertia exceeds the sum of the others.
-bool check_inertia(const Reader& reader, const Node& node, RigidDeck& rigid) {
+template <class Rigid>
+bool check_inertia(const Reader& reader, const Node& node, Rigid& rigid) {
   if (!rigid.inertia || is_inertia_of_masses(*rigid.inertia)) return true;
   reader.error(node.find("inertia")->spot,
                fmt::format("{} is not a valid inertia tensor{} (xx, yy, zz, xy, yz, zx must be positive definite, and "
                            "each principal moment at most the sum of the others)",
                            reader.name_of("inertia"), reader.in()));
   return false;
+}
+
+const Keys<RigidSetDeck>& rigid_set_keys() {
+  static const Keys<RigidSetDeck> keys = {
+      need("nodes", &RigidSetDeck::where, SelectorValue{}),
+      may("body", &RigidSetDeck::body, NameValue{}),
+      may("mass", &RigidSetDeck::mass, NumberValue{positive}),
+      may("center", &RigidSetDeck::center, vector3()),
+      may("inertia", &RigidSetDeck::inertia, TupleValue<NumberValue, 6>{}),
+      may("fixed", &RigidSetDeck::fixed, FreedomsValue{}),
+  };
+  return keys;
+}
+
+/// Sets that name a body which is none, or that have the name of another.
+void check_rigid_sets(const Deck& deck, const Node& root, Reading& reading) {
+  const RigidNames names = name_rigid_bodies(deck);
+  const Node* sets = root.find("rigid_sets");
+  for (std::size_t s = 0; s < deck.rigid_sets.size(); ++s) {
+    const RigidSetDeck& set = deck.rigid_sets[s];
+    const Node* node = sets->find(set.name);
+    if (names.body_of_set[s] < 0) {
+      const auto part =
+          std::find_if(deck.parts.begin(), deck.parts.end(), [&](const PartDeck& p) { return p.name == set.body; });
+      const std::string why = part == deck.parts.end() ? name_hint(set.body, names.bodies) : " (that part deforms)";
+      reading.errors.add(node->find("body")->spot,
+                         fmt::format("rigid_sets.{}.body is '{}', which is no rigid body{}", set.name, set.body, why));
+    }
+    if (set.body.empty() && std::count(names.bodies.begin(), names.bodies.end(), set.name) > 1) {
+      reading.errors.add(node->key, fmt::format("rigid set '{}' has the name of another rigid body (it would be one "
+                                                "of its own) choose another name, or join it with body: {}",
+                                                set.name, set.name));
+    }
+  }
 }
 
 /// Values that several parts of one body give.
@@ -168,17 +204,22 @@ bool RigidValue::read(const Reader& reader, const std::string& name, const Node&
     reader.refuse(node, name, takes());
     return false;
   }
-  if (!MapValue<RigidDeck>{rigid_keys, check_inertia}.read(reader, name, node, rigid)) return false;
+  if (!MapValue<RigidDeck>{rigid_keys, check_inertia<RigidDeck>}.read(reader, name, node, rigid)) return false;
   out = rigid;
   return true;
 }
 
 Form RigidValue::form() const {
-  return any_form({BooleanValue{}.form(), MapValue<RigidDeck>{rigid_keys, check_inertia}.form()});
+  return any_form({BooleanValue{}.form(), MapValue<RigidDeck>{rigid_keys, check_inertia<RigidDeck>}.form()});
 }
 
 void check_rigid(const Deck& deck, const Node& root, Reading& reading) {
   const Node* parts = root.find("parts");
+  check_rigid_sets(deck, root, reading);
+  if (!deck.rigid_sets.empty() && deck.time.step_estimate == TimeDeck::StepEstimate::global) {
+    reading.errors.add(root.find("time")->find("step_estimate")->spot,
+                       "time.step_estimate is global (the estimate of the mesh does not know rigid_sets) leave it out");
+  }
   const auto rigid =
       std::find_if(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) { return part.rigid.has_value(); });
   if (rigid == deck.parts.end()) return;
@@ -218,5 +259,8 @@ Form JoinValue::form() const {
 
 MapValue<ImperfectionDeck> imperfection_value() { return {imperfection_keys, check_imperfection}; }
 MapValue<AddedMassDeck> added_mass_value() { return {added_mass_keys, note_place}; }
+NamedMapValue<RigidSetDeck, MapValue<RigidSetDeck>> rigid_sets_value() {
+  return {"rigid set", {rigid_set_keys, check_inertia<RigidSetDeck>}};
+}
 
 }  // namespace percuss

@@ -12,7 +12,7 @@
 #include "src/output/summary.hpp"
 #include "src/step/model/owned_sums.hpp"
 #include "src/step/model/state.hpp"
-#include "src/step/rigid/rigid_forces.hpp"
+#include "src/step/rigid/rigid_sums.hpp"
 
 namespace percuss {
 
@@ -83,7 +83,7 @@ class Audit {
 
   const Model& model_;
   OwnedNodeSums<AuditSum::count_of_nodes> node_sums_{"percuss::audit"};
-  RigidForces rigid_forces_;
+  BodyForceFinder rigid_forces_;
   bool started_ = false;
   double initial_energy_ = 0, start_half_steps_ = 0;
   double largest_energy_ = 0;  // largest of the initial and any later kinetic, or kinetic plus stored, energy

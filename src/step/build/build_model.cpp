@@ -348,7 +348,7 @@ std::vector<double> find_masses_of_others(const Deck& deck, const ChunkedMesh& c
 
 /// Chunks of rigid parts, of which nobody computes anything.
 void mark_rigid_chunks(const Deck& deck, const ChunkedMesh& chunked, Model& model) {
-  if (!has_rigid_parts(deck)) return;
+  if (!has_rigid_bodies(deck)) return;
   std::vector<int> is_rigid;
   for (const Chunk& chunk : chunked.chunks) is_rigid.push_back(is_rigid_chunk(deck, chunk) ? 1 : 0);
   model.is_rigid_chunk = to_view("percuss::is_rigid_chunk", is_rigid);
@@ -385,6 +385,7 @@ Model build_model(const Deck& deck, const ChunkedMesh& chunked) {
   const std::vector<double> mass = build_masses(deck, chunked, model);
   const RigidMap rigid = find_rigid_nodes(deck, chunked, model);
   build_rigid_bodies(deck, chunked, rigid, {mass, find_masses_of_others(deck, chunked, model)}, model);
+  build_joints(deck, model);
   build_held_directions(deck, chunked, rigid, mass, model);
   build_initial_velocities(deck, chunked, mass, model);
   start_rigid_bodies(deck, chunked, rigid, mass, model);

@@ -30,8 +30,26 @@ struct RigidBody {
   bool holds(std::size_t direction) const { return motion[direction] != free; }
 };
 
+/// Where a joint holds one of its bodies.
+struct JointEnd {
+  int body = -1;           // of the model, or Joint::ground
+  Vector3<double> arm{};   // at time 0, from the centre; of the ground, the point itself
+  Vector3<double> axis{};  // at time 0, of joints that have one
+};
+
+/// A point, and in a revolute joint an axis, that two bodies have in common; const after set-up.
+struct Joint {
+  static constexpr int ground = -1;
+
+  std::string name, place;  // the latter in the deck
+  bool has_axis = false;
+  std::array<JointEnd, 2> ends;
+  double length = 0;  // radius of gyration of a body: turns times this are compared with ways
+};
+
 struct RigidModel {
   std::vector<RigidBody> bodies;
+  std::vector<Joint> joints;
   RigidNodes nodes;
   Array<int> body_of_node;  // [nodes] -1: of none; empty without bodies
   RigidLoads loads;
@@ -52,6 +70,11 @@ struct RigidState {
   Vector3<double> velocity{};       // of the centre, at n-1/2 (at n = 0: at 0)
   Vector3<double> spin_momentum{};  // angular momentum of the nodes about the centre, likewise
   Vector3<double> spin{};           // w of rigid_motion.hpp, likewise
+};
+
+/// What a joint did to its first body in the last step, on average; to the second the opposite.
+struct JointState {
+  Vector3<double> force{}, moment{};  // the latter about the joint's point
 };
 
 /// Inertia about the centre at n.

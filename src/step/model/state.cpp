@@ -262,6 +262,7 @@ State make_initial_state(const Model& model) {
   s.results = make_results(model.chunks);
   rest_rigid_chunks(model, s.results);
   s.bodies = make_rigid_states(model);
+  s.joints.resize(model.rigid.joints.size());
   s.springs.resize(model.springs.springs.size());
   s.gravity = find_gravity(model, s.time);
   s.lives = make_lives(model.failing);

@@ -86,6 +86,7 @@ struct State {
   Rows3<double> moment;            // assembled moment, at n
   Rows3<double> slot_moment;       // internal moment (negative) by slot, at n; also those of other ranks
   std::vector<RigidState> bodies;  // rigid ones
+  std::vector<JointState> joints;  // between them
   std::vector<SpringState> springs;
   Books books;
 

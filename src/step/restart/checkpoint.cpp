@@ -141,6 +141,15 @@ void archive_bodies(CheckpointArchive& archive, std::vector<RigidState>& bodies)
   }
 }
 
+void archive_joints(CheckpointArchive& archive, std::vector<JointState>& joints) {
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    JointState& s = joints[j];
+    double values[] = {s.force.x, s.force.y, s.force.z, s.moment.x, s.moment.y, s.moment.z};
+    archive.numbers(fmt::format("joints/{}", j), values);
+    s = {{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
+  }
+}
+
 void archive_springs(CheckpointArchive& archive, State& state) {
   for (std::size_t s = 0; s < state.springs.size(); ++s) {
     SpringState& spring = state.springs[s];
@@ -224,6 +233,7 @@ void archive_state(CheckpointArchive& archive, const ChunkedMesh& chunked, const
   archive_slots(archive, "elements/slot_force", model, state.slot_force);
   archive_spins(archive, nodes, model, state);
   archive_bodies(archive, state.bodies);
+  archive_joints(archive, state.joints);
   archive_springs(archive, state);
   const ChunkRows chunks{std::vector<std::int64_t>(chunked.chunks.size(), 1), {}};
   archive.rows("chunks/work", chunks, work_kinds, state.results.work);

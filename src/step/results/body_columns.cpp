@@ -55,9 +55,32 @@ std::vector<HistoryColumn> list_body_columns(const Deck& deck) {
   return columns;
 }
 
+std::vector<HistoryColumn> list_joint_columns(const Deck& deck) {
+  std::vector<HistoryColumn> columns;
+  for (const JointDeck& joint : deck.joints) {
+    for (const char* axis : {"x", "y", "z"})
+      columns.push_back({fmt::format("joint_f{}:{}", axis, joint.name), dim::force,
+                         fmt::format("force of joint '{}' on its first body, {}", joint.name, axis)});
+    if (joint.kind != JointDeck::Kind::revolute) continue;
+    for (const char* axis : {"x", "y", "z"})
+      columns.push_back({fmt::format("joint_m{}:{}", axis, joint.name), dim::energy,
+                         fmt::format("moment of joint '{}' on its first body, {}", joint.name, axis),
+                         HistoryColumn::Kind::moment});
+  }
+  return columns;
+}
+
+void append_joints(const Model& model, const State& state, std::vector<double>& row) {
+  for (std::size_t j = 0; j < state.joints.size(); ++j) {
+    for (int k = 0; k < 3; ++k) row.push_back(get(state.joints[j].force, k));
+    for (int k = 0; model.rigid.joints[j].has_axis && k < 3; ++k) row.push_back(get(state.joints[j].moment, k));
+  }
+}
+
 void BodyColumns::append(const Model& model, const State& state, std::vector<double>& row) {
   if (!model.rigid.any()) return;
-  const std::vector<Wrench> forces = find_forces_(model, state);
+  if (!find_forces_) find_forces_.emplace(model);
+  const std::vector<BodyForces> forces = (*find_forces_)(state);
   for (std::size_t b = 0; b < forces.size(); ++b) {
     const RigidSums sums = sum_rigid_body(model, state, b, forces[b]);
     for (const BodyColumn& column : body_columns) row.push_back(column.value({state.bodies[b], sums}));

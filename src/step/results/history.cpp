@@ -104,6 +104,8 @@ std::vector<HistoryColumn> list_columns(const HistoryTable& table, const std::ve
   columns.insert(columns.end(), of_parts.begin(), of_parts.end());
   const std::vector<HistoryColumn> of_bodies = list_body_columns(deck);
   columns.insert(columns.end(), of_bodies.begin(), of_bodies.end());
+  const std::vector<HistoryColumn> of_joints = list_joint_columns(deck);
+  columns.insert(columns.end(), of_joints.begin(), of_joints.end());
   const std::vector<HistoryColumn> of_springs = list_spring_columns(springs);
   columns.insert(columns.end(), of_springs.begin(), of_springs.end());
   for (const std::string& name : name_moving_walls(deck)) {
@@ -199,6 +201,7 @@ void History::write(const Model& model, const HistorySources& sources) {
   table_.append(sources, row);
   parts_.append(model, state, row);
   bodies_.append(model, state, row);
+  append_joints(model, state, row);
   append_springs(model.springs, state, row);
   row.insert(row.end(), sources.walls.begin(), sources.walls.end());
   row.insert(row.end(), sources.forces.begin(), sources.forces.end());

@@ -16,14 +16,14 @@
 #include "src/error.hpp"
 #include "src/index.hpp"
 #include "src/step/model/whole_mesh.hpp"
+#include "src/step/rigid/inertia.hpp"
 
 namespace percuss {
 namespace {
 
-/// Place of the first part of a body.
+/// Place of the first part or set of a body.
 std::string find_place(const Deck& deck, const RigidNames& names, int body) {
-  const auto part = std::find(names.body_of_part.begin(), names.body_of_part.end(), body) - names.body_of_part.begin();
-  return deck.where(deck.parts[static_cast<std::size_t>(part)].rigid->place);
+  return deck.where(find_body_place(deck, names, body));
 }
 
 // --- nodes
@@ -52,16 +52,31 @@ std::vector<std::array<double, 3>> sum_over_chunks(const ChunkedMesh& chunked, c
   return out;
 }
 
-/// node: lowest number of one with two bodies on this rank.
-void refuse_two_bodies(const Deck& deck, const ChunkedMesh& chunked, const Model& model, std::int64_t node) {
+/// node: lowest number of one with two bodies on this rank; place: of a body of the deck.
+void refuse_two_bodies(const std::string& place, const ChunkedMesh& chunked, const Model& model, std::int64_t node) {
   all_reduce(model.ranks, Reduce::least, node);
   if (node == std::numeric_limits<std::int64_t>::max()) return;
   const int owner = chunked.numbering.find_node_owner(node), local = find_local_node(chunked, node);
   const std::string id = owner == model.ranks.rank() ? std::to_string(chunked.mesh.node_ids[at(local)]) : std::string();
-  throw InputError(
-      fmt::format("{}: error: node {} belongs to two rigid bodies (they could not move independently): give their "
-                  "parts the same rigid.body",
-                  find_place(deck, name_rigid_bodies(deck), 0), broadcast_text(model.ranks, id, owner)));
+  throw InputError(fmt::format(
+      "{}: error: node {} belongs to two rigid bodies (they could not move independently): give their parts the same "
+      "rigid.body, or their sets the same body",
+      place, broadcast_text(model.ranks, id, owner)));
+}
+
+/// Nodes that the sets of the deck add to the bodies of parts.
+void add_sets(const Deck& deck, const ChunkedMesh& chunked, const Model& model, RigidMap& map) {
+  const RigidNames names = name_rigid_bodies(deck);
+  for (std::size_t s = 0; s < deck.rigid_sets.size(); ++s) {
+    std::int64_t torn = std::numeric_limits<std::int64_t>::max();
+    for (const int n : select_nodes(chunked.mesh, deck, deck.rigid_sets[s].where)) {
+      int& body = map.body[at(n)];
+      if (body >= 0 && body != names.body_of_set[s]) torn = std::min(torn, chunked.mesh.node_numbers[at(n)]);
+      body = names.body_of_set[s];
+      map.is_in_set[at(n)] = 1;
+    }
+    refuse_two_bodies(deck.where(deck.rigid_sets[s].place), chunked, model, torn);
+  }
 }
 
 // --- masses
@@ -102,19 +117,9 @@ MassSum sum_masses(const ChunkedMesh& chunked, const Model& model, const std::ve
   return sum;
 }
 
-/// tr(J) 1 - J: inertia from second moments.
-Symmetric3<double> to_inertia(const Symmetric3<double>& j) {
-  return {j.yy + j.zz, j.zz + j.xx, j.xx + j.yy, -j.xy, -j.yz, -j.zx};
-}
-
-Symmetric3<double> to_second_moments(const std::array<double, 6>& i) {
-  const double half = 0.5 * (i[0] + i[1] + i[2]);
-  return {half - i[0], half - i[1], half - i[2], -i[3], -i[4], -i[5]};
-}
-
-/// Both together.
+/// Both together; inertia without mass counts as it is.
 MassSum combine(const MassSum& a, const MassSum& b) {
-  if (!(b.mass > 0)) return a;
+  if (!(b.mass > 0)) return {a.mass, a.center, a.second + b.second};
   MassSum sum{a.mass + b.mass, {}, a.second + b.second};
   sum.center = (1 / sum.mass) * (a.mass * a.center + b.mass * b.center);
   for (const MassSum* of : {&a, &b}) {
@@ -123,6 +128,50 @@ MassSum combine(const MassSum& a, const MassSum& b) {
         sum.second + of->mass * Symmetric3<double>{r.x * r.x, r.y * r.y, r.z * r.z, r.x * r.y, r.y * r.z, r.z * r.x};
   }
   return sum;
+}
+
+/// A body, the nodes of it that this rank owns, and the lumped masses of all nodes.
+struct SetMasses {
+  int body = 0;
+  const std::vector<int>& owned;
+  const std::vector<double>& mass;
+};
+
+/// Second moments that make up the rotary inertia of the nodes of sets, of shells and beams: the same about any axis.
+Symmetric3<double> sum_rotary(const RigidMap& map, const SetMasses& of, const Model& model) {
+  if (!model.has_rotations) return {};
+  const auto inertia = to_host(model.inertia);
+  std::array<ExactSum, 1> sum{};
+  for (const int n : of.owned)
+    if (map.is_in_set[at(n)] != 0) sum[0].add(inertia(n));
+  sum_over_ranks(model.ranks, sum);
+  const double half = 0.5 * sum[0].round();
+  return {half, half, half, 0, 0, 0};
+}
+
+/// What the sets of a body add to the masses of its nodes. Collective.
+MassSum sum_of_sets(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map, const SetMasses& of,
+                    const Model& model) {
+  MassSum added;
+  const RigidNames names = name_rigid_bodies(deck);
+  for (std::size_t s = 0; s < deck.rigid_sets.size(); ++s) {
+    const RigidSetDeck& set = deck.rigid_sets[s];
+    if (names.body_of_set[s] != of.body || (set.mass == 0 && !set.inertia)) continue;
+    MassSum more;
+    more.mass = set.mass;
+    if (set.inertia) more.second = to_second_moments(*set.inertia);
+    if (set.center) {
+      more.center = to_vector(*set.center);
+    } else {
+      std::vector<int> nodes;
+      for (const int n : select_nodes(chunked.mesh, deck, set.where))
+        if (owns_node(chunked, n)) nodes.push_back(n);
+      more.center = sum_masses(chunked, model, nodes, [&](int n) { return of.mass[at(n)]; }).center;
+    }
+    added = combine(added, more);
+  }
+  added.second = added.second + sum_rotary(map, of, model);
+  return added;
 }
 
 /// What the parts of a body give instead of their elements' masses.
@@ -152,6 +201,10 @@ void apply(const GivenMasses& given, MassSum& sum) {
   }
   if (given.center) sum.center = to_vector(*given.center);
   if (given.inertia) sum.second = to_second_moments(*given.inertia);
+}
+
+bool adds_rigid_masses(const Deck& deck) {
+  return std::any_of(deck.rigid_sets.begin(), deck.rigid_sets.end(), [](const auto& set) { return set.mass > 0; });
 }
 
 /// Whether a body has inertia about every axis, but for round-off.
@@ -266,6 +319,18 @@ void refuse_scaled_nodes(const RigidBody& body, const std::string& place) {
                   place, body.name, body.shared_nodes));
 }
 
+[[noreturn]] void refuse_line(const RigidBody& body, const std::string& place) {
+  if (body.parts == 0) {
+    throw InputError(
+        fmt::format("{}: error: rigid body '{}' has no inertia (its nodes are at one place) name more "
+                    "nodes, or give inertia",
+                    place, body.name));
+  }
+  throw InputError(fmt::format(
+      "{}: error: rigid body '{}' has no inertia about some axis (its masses lie on a line) give rigid.inertia", place,
+      body.name));
+}
+
 std::string describe(const RigidBody& body) {
   const std::string parts = body.parts > 1 ? fmt::format(" of {} parts", body.parts) : "";
   const std::string shared =
@@ -278,7 +343,7 @@ std::string describe(const RigidBody& body) {
 
 RigidMap find_rigid_nodes(const Deck& deck, const ChunkedMesh& chunked, const Model& model) {
   RigidMap map;
-  if (!has_rigid_parts(deck)) return map;
+  if (!has_rigid_bodies(deck)) return map;
   const RigidNames names = name_rigid_bodies(deck);
   const auto of_bodies = sum_over_chunks(chunked, model, [&](const Chunk& chunk) {
     const double body = names.body_of_part[at(chunk.part)] + 1;
@@ -291,10 +356,13 @@ RigidMap find_rigid_nodes(const Deck& deck, const ChunkedMesh& chunked, const Mo
   for (std::size_t n = 0; n < of_bodies.size(); ++n) {
     const auto& [count, sum, squares] = of_bodies[n];
     map.body.push_back(count > 0 ? static_cast<int>(std::lround(sum / count)) - 1 : -1);
-    map.is_shared.push_back(count > 0 && of_others[n][0] > 0 ? 1 : 0);
     if (count * squares != sum * sum) torn = std::min(torn, chunked.mesh.node_numbers[n]);
   }
-  refuse_two_bodies(deck, chunked, model, torn);
+  refuse_two_bodies(find_place(deck, names, 0), chunked, model, torn);
+  map.is_in_set.assign(map.body.size(), 0);
+  add_sets(deck, chunked, model, map);
+  for (std::size_t n = 0; n < map.body.size(); ++n)
+    map.is_shared.push_back(map.body[n] >= 0 && of_others[n][0] > 0 ? 1 : 0);
   return map;
 }
 
@@ -306,24 +374,22 @@ bool gives_rigid_masses(const Deck& deck) {
 
 void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map, const RigidMasses& masses,
                         Model& model) {
-  if (!has_rigid_parts(deck)) return;
+  if (!has_rigid_bodies(deck)) return;
   const RigidNames names = name_rigid_bodies(deck);
   RigidModel& rigid = model.rigid;
   const auto owned = list_owned_nodes(chunked, map, names.bodies.size());
   for (std::size_t b = 0; b < names.bodies.size(); ++b) {
     const int index = static_cast<int>(b);
-    const MassSum sum = sum_of_body(chunked, model, find_given(deck, names, index), masses, owned[b]);
+    const MassSum sum = combine(sum_of_body(chunked, model, find_given(deck, names, index), masses, owned[b]),
+                                sum_of_sets(deck, chunked, map, {index, owned[b], masses.all}, model));
     RigidBody body;
     body.name = names.bodies[b];
     body.mass = sum.mass;
     body.center = sum.center;
     body.inertia = to_inertia(sum.second);
     body.parts = std::count(names.body_of_part.begin(), names.body_of_part.end(), index);
-    if (!has_inertia(body.inertia)) {
-      throw InputError(fmt::format(
-          "{}: error: rigid body '{}' has no inertia about some axis (its masses lie on a line): give rigid.inertia",
-          find_place(deck, names, index), body.name));
-    }
+    if (body.parts == 0) body.inertia = to_inertia_of_line(sum.second);
+    if (!has_inertia(body.inertia)) refuse_line(body, find_place(deck, names, index));
     measure(chunked, map, owned[b], model, body);
     if (model.scales_in_run) refuse_scaled_nodes(body, find_place(deck, names, index));
     model.mass_notes.push_back(describe(body));
@@ -342,7 +408,7 @@ void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
         "nothing deforms: the step follows from the speeds of the rigid bodies, time.end and "
         "time.max_step");
   rigid.least_edge = find_least_edge(deck, chunked, model);
-  if (gives_rigid_masses(deck)) find_total(chunked, map, masses.all, model);
+  if (gives_rigid_masses(deck) || adds_rigid_masses(deck)) find_total(chunked, map, masses.all, model);
 }
 
 }  // namespace percuss

@@ -11,8 +11,9 @@ namespace percuss {
 
 /// Which body has each node of this rank. A node that a rigid and a deformable part share belongs to the body.
 struct RigidMap {
-  std::vector<int> body;        // [nodes] -1: none; empty without rigid parts
+  std::vector<int> body;        // [nodes] -1: none; empty without rigid bodies
   std::vector<char> is_shared;  // [nodes] 1: an element that deforms has it too
+  std::vector<char> is_in_set;  // [nodes] 1: a set of the deck names it
   bool holds(int node) const { return !body.empty() && body[static_cast<std::size_t>(node)] >= 0; }
 };
 
@@ -31,6 +32,9 @@ bool gives_rigid_masses(const Deck& deck);
 /// given masses change. Throws InputError for a body without inertia.
 void build_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map, const RigidMasses& masses,
                         Model& model);
+
+/// The joints of the deck, once the bodies are there.
+void build_joints(const Deck& deck, Model& model);
 
 /// A direction that a condition of the deck holds.
 struct HeldByCondition {

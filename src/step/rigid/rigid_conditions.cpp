@@ -16,6 +16,7 @@
 #include "src/index.hpp"
 #include "src/step/model/whole_mesh.hpp"
 #include "src/step/rigid/build_rigid.hpp"
+#include "src/step/rigid/inertia.hpp"
 
 namespace percuss {
 namespace {
@@ -63,7 +64,7 @@ void hold_turns_about_others(RigidBody& body, int direction) {
 
 void hold_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map,
                        const std::vector<HeldByCondition>& held, Model& model) {
-  if (!has_rigid_parts(deck)) return;
+  if (!has_rigid_bodies(deck)) return;
   std::vector<RigidBody>& bodies = model.rigid.bodies;
   const RigidNames names = name_rigid_bodies(deck);
   for (std::size_t p = 0; p < deck.parts.size(); ++p) {
@@ -72,6 +73,10 @@ void hold_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigid
     for (int k = 0; k < 6; ++k)
       if (rigid.fixed[at(k)]) hold(bodies[at(names.body_of_part[p])], k, 0, deck.where(rigid.place));
   }
+  for (std::size_t s = 0; s < deck.rigid_sets.size(); ++s)
+    for (int k = 0; k < 6; ++k)
+      if (deck.rigid_sets[s].fixed[at(k)])
+        hold(bodies[at(names.body_of_set[s])], k, 0, deck.where(deck.rigid_sets[s].place));
   std::vector<std::int64_t> counts;
   std::size_t counted = deck.conditions.size();
   for (const HeldByCondition& motion : held) {
@@ -102,10 +107,10 @@ struct RigidVelocity {
   bool is_known = false;
 };
 
-/// From the velocities of nodes, by their momentum. Collective.
+/// From the velocities of nodes, by their momentum. may_be_line: nodes on a line do not spin about it. Collective.
 template <class Velocities>
 RigidVelocity find_velocity(const ChunkedMesh& chunked, const Model& model, const std::vector<int>& nodes,
-                            const std::vector<double>& mass, const Velocities& v) {
+                            const std::vector<double>& mass, const Velocities& v, bool may_be_line) {
   const auto place = [&](int n) { return to_vector(chunked.mesh.nodes[at(n)]); };
   std::array<ExactSum, 7> linear{};
   for (const int n : nodes) {
@@ -138,7 +143,8 @@ RigidVelocity find_velocity(const ChunkedMesh& chunked, const Model& model, cons
   sum_over_ranks(model.ranks, angular);
   double a[9];
   for (std::size_t k = 0; k < 9; ++k) a[k] = angular[k].round();
-  const Symmetric3<double> inertia{a[0], a[1], a[2], a[3], a[4], a[5]};
+  Symmetric3<double> inertia{a[0], a[1], a[2], a[3], a[4], a[5]};
+  if (may_be_line) inertia = to_inertia_of_line(to_second_moments({a[0], a[1], a[2], a[3], a[4], a[5]}));
   const double size = trace(inertia) / 3;
   found.is_known = size > 0 && find_adjugate(inertia).determinant > 1e-9 * size * size * size;
   if (found.is_known && (a[6] != 0 || a[7] != 0 || a[8] != 0))
@@ -179,9 +185,9 @@ RigidStart find_start(const ChunkedMesh& chunked, const RigidMap& map, int body,
     all.push_back(static_cast<int>(n));
     if (map.is_shared[n] == 0) used.push_back(static_cast<int>(n));
   }
-  const RigidVelocity found = find_velocity(chunked, model, used, mass, v);
+  const RigidVelocity found = find_velocity(chunked, model, used, mass, v, false);
   if (found.is_known) return {found, used};
-  return {find_velocity(chunked, model, all, mass, v), all};
+  return {find_velocity(chunked, model, all, mass, v, model.rigid.bodies[at(body)].parts == 0), all};
 }
 
 /// Largest deviation of nodes from a rigid motion, and their largest velocity; of all ranks.
@@ -204,7 +210,7 @@ std::array<double, 2> compare(const ChunkedMesh& chunked, const Model& model, co
 
 void start_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const RigidMap& map,
                         const std::vector<double>& mass, Model& model) {
-  if (!has_rigid_parts(deck)) return;
+  if (!has_rigid_bodies(deck)) return;
   constexpr double round_off = 1e-9;
   const auto v = to_host(model.start_velocity);
   const auto w = to_host(model.start_spin);
@@ -213,9 +219,7 @@ void start_rigid_bodies(const Deck& deck, const ChunkedMesh& chunked, const Rigi
     const auto [start, used] = find_start(chunked, map, static_cast<int>(b), mass, model, v);
     const auto [deviation, size] = compare(chunked, model, used, start, v);
     if (deviation > round_off * size) {
-      const RigidNames names = name_rigid_bodies(deck);
-      const auto part = std::find(names.body_of_part.begin(), names.body_of_part.end(), static_cast<int>(b));
-      const auto place = deck.parts[static_cast<std::size_t>(part - names.body_of_part.begin())].rigid->place;
+      const Place place = find_body_place(deck, name_rigid_bodies(deck), static_cast<int>(b));
       throw InputError(
           fmt::format("{}: error: the initial velocities of rigid body '{}' are not a rigid motion (nodes deviate by "
                       "{:.3g} of {:.3g}): give all its nodes the same entry of initial",

@@ -1,39 +1,36 @@
 #include "src/step/rigid/rigid_stage.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "src/error.hpp"
 #include "src/step/model/impulses.hpp"
+#include "src/step/rigid/rigid_step.hpp"
 
 namespace percuss {
+
 namespace {
 
-bool holds_spin(const RigidBody& body) { return body.holds(3) || body.holds(4) || body.holds(5); }
-
-/// Value of a held direction: the velocity in the step of dt from `time`, or the displacement at its end.
-double evaluate(const Motion& motion, double time, double dt) {
-  return motion.curve(motion.is_displacement ? time + dt : time + 0.5 * dt);
+[[noreturn]] void refuse_start(const Joint& joint) {
+  throw InputError(
+      fmt::format("{}: error: joint '{}' parts at the start (its bodies begin to move apart there) give all that it "
+                  "joins velocities that fit, for example one entry of initial",
+                  joint.place, joint.name));
 }
 
-BodyResponse find_response(const RigidBody& body, const RigidState& state) {
-  BodyResponse response;
-  response.center = state.center;
-  for (std::size_t k = 0; k < 3; ++k)
-    set(response.inverse_mass, static_cast<int>(k), body.holds(k) ? 0 : 1 / body.mass);
-  response.inverse_inertia = find_free_inverse(body, state);
-  return response;
+[[noreturn]] void refuse_step(const Joint& joint, const State& state) {
+  throw RunError(
+      fmt::format("joint '{}' is torn apart in step {} at t = {:.6g} (what holds or moves its bodies is not what it "
+                  "allows, or they turn too far in a step) free them, or reduce time.max_step",
+                  joint.name, state.step + 1, state.time));
 }
 
 }  // namespace
 
-/// What holds a body in a step.
-struct RigidStage::Goal {
-  double velocity[3] = {0, 0, 0};  // where held
-  HeldSpin spin;
-};
-
-RigidStage::RigidStage(const Model& model) : model_(model) {
+RigidStage::RigidStage(const Model& model) : model_(model), joints_(model) {
   if (!any()) return;
   for (const RigidBody& body : model.rigid.bodies)
     for (const int motion : body.motion) is_moved_ = is_moved_ || motion > 0;  // row 0 is rest
@@ -43,33 +40,11 @@ RigidStage::RigidStage(const Model& model) : model_(model) {
   inputs_ = {static_cast<int>(count), model.rigid.body_of_node, responses_};
 }
 
-/// dt = 0: at time 0.
-RigidStage::Goal RigidStage::find_goal(const State& state, std::size_t index, double dt) const {
-  const RigidBody& body = model_.rigid.bodies[index];
-  Goal goal;
-  for (std::size_t k = 0; k < 6; ++k) {
-    if (!body.holds(k)) continue;
-    const Motion& motion = model_.motions[static_cast<std::size_t>(body.motion[k])];
-    double value = evaluate(motion, state.time, dt);
-    if (motion.is_displacement) {
-      const int axis = static_cast<int>(k);
-      value = dt > 0 ? (get(body.center, axis) + value - get(state.bodies[index].center, axis)) / dt : 0;
-    }
-    if (k < 3) {
-      goal.velocity[k] = value;
-    } else {
-      goal.spin.held[k - 3] = true;
-      goal.spin.rate[k - 3] = value;
-    }
-  }
-  return goal;
-}
-
 void RigidStage::start(State& state) {
   for (std::size_t b = 0; b < state.bodies.size(); ++b) {
     const RigidBody& body = model_.rigid.bodies[b];
     RigidState& now = state.bodies[b];
-    const Goal goal = find_goal(state, b, 0);
+    const RigidGoal goal = find_rigid_goal(model_, state, b, 0);
     for (std::size_t k = 0; k < 3; ++k) {
       if (body.holds(k)) set(now.velocity, static_cast<int>(k), goal.velocity[k]);
       if (goal.spin.held[k]) set(now.spin, static_cast<int>(k), goal.spin.rate[k]);
@@ -77,30 +52,15 @@ void RigidStage::start(State& state) {
     now.spin_momentum = find_inertia(body, now) * now.spin;
   }
   if (!any()) return;
+  if (joints_.any()) {
+    joints_.begin_step(state);
+    const int parting = joints_.settle(state, state.bodies);
+    if (parting >= 0) refuse_start(model_.rigid.joints[static_cast<std::size_t>(parting)]);
+  }
   next_ = state.bodies;
   upload(state, 0);
   set_rigid_velocities(ExecSpace(), model_.rigid.nodes, steps_, state.v);
   set_spins(state);
-}
-
-/// Where the velocities of next_ take a body, and the momentum that its turn has.
-void RigidStage::move(const State& state, std::size_t index, double dt) {
-  const RigidBody& body = model_.rigid.bodies[index];
-  const RigidState& now = state.bodies[index];
-  RigidState& next = next_[index];
-  const Goal goal = find_goal(state, index, dt);
-  for (std::size_t k = 0; k < 3; ++k)
-    if (body.holds(k)) set(next.velocity, static_cast<int>(k), goal.velocity[k]);
-  const Symmetric3<double> inertia = find_inertia(body, now);
-  const Vector3<double> q = find_turn(inertia, next.spin_momentum, goal.spin, dt);
-  if (holds_spin(body)) {
-    const Vector3<double> turned = find_spin_momentum(inertia, q, dt);
-    for (int k = 0; k < 3; ++k)
-      if (goal.spin.held[k]) set(next.spin_momentum, k, get(turned, k));
-  }
-  next.spin = (2 / dt) * q;
-  next.center = now.center + dt * next.velocity;
-  next.orientation = turn(now.orientation, q);
 }
 
 /// The bodies between now and next for the kernels.
@@ -137,33 +97,65 @@ void RigidStage::predict(State& state, double dt, double dt_mean, const std::vec
   forces_ = find_forces_(model_, state);
   contact_.clear();
   damping_.clear();
-  next_ = state.bodies;
+  next_ = predict_momenta(model_, state, forces_, dt_mean);
   const auto responses = Kokkos::create_mirror_view(responses_);
   for (std::size_t b = 0; b < next_.size(); ++b) {
-    const RigidBody& body = model_.rigid.bodies[b];
-    const double* g = state.gravity.g;
-    next_[b].velocity =
-        next_[b].velocity + dt_mean * ((1 / body.mass) * forces_[b].impulse + Vector3<double>{g[0], g[1], g[2]});
-    next_[b].spin_momentum = next_[b].spin_momentum + dt_mean * forces_[b].moment;
     if (!damping.empty()) damp(state, b, damping, dt_mean);
-    move(state, b, dt);
-    responses(b) = find_response(body, state.bodies[b]);
+    responses(b) = find_response(model_.rigid.bodies[b], state.bodies[b]);
   }
   Kokkos::deep_copy(responses_, responses);
+  if (joints_.any()) joints_.begin_step(state);
+  move(state, dt);
   upload(state, dt);
   set_rigid_velocities(ExecSpace(), model_.rigid.nodes, steps_, state.v);
+}
+
+/// Bodies at n+1 by the momenta of next_, which get the impulses of joints.
+void RigidStage::move(State& state, double dt) {
+  free_ = next_;
+  for (std::size_t b = 0; b < next_.size(); ++b) move_body(model_, state, b, dt, next_[b]);
+  if (!joints_.any()) return;
+  for (std::size_t b = 0; b < next_.size(); ++b) {
+    next_[b].velocity = free_[b].velocity;
+    next_[b].spin_momentum = free_[b].spin_momentum;
+  }
+  const int lost = joints_.solve(state, dt, next_);
+  if (lost >= 0) refuse_step(model_.rigid.joints[static_cast<std::size_t>(lost)], state);
+  const double over_dt = 2 / (state.dt + dt);
+  for (std::size_t j = 0; j < state.joints.size(); ++j) {
+    const Wrench& impulse = joints_.of_joints()[j];
+    state.joints[j] = {over_dt * impulse.impulse, over_dt * impulse.moment};
+  }
 }
 
 void RigidStage::correct(State& state, const std::vector<Wrench>& contact, double dt) {
   contact_ = contact;
   if (contact.empty()) return;
+  const std::vector<RigidState> predicted = next_;
   for (std::size_t b = 0; b < next_.size(); ++b) {
+    if (joints_.any()) {
+      next_[b].velocity = free_[b].velocity;
+      next_[b].spin_momentum = free_[b].spin_momentum;
+    }
     next_[b].velocity = next_[b].velocity + (1 / model_.rigid.bodies[b].mass) * contact[b].impulse;
     next_[b].spin_momentum = next_[b].spin_momentum + contact[b].moment;
-    move(state, b, dt);
   }
+  move(state, dt);
+  if (joints_.any()) book_joined_contact(state, predicted);
   upload(state, dt);
   set_rigid_velocities(ExecSpace(), model_.rigid.nodes, steps_, state.v);
+}
+
+/// Contact counts its work with the velocities that free bodies would have; joints change them.
+void RigidStage::book_joined_contact(State& state, const std::vector<RigidState>& predicted) const {
+  const auto responses = Kokkos::create_mirror_view(responses_);
+  Kokkos::deep_copy(responses, responses_);
+  for (std::size_t b = 0; b < next_.size(); ++b) {
+    const BodyChange free = find_change(responses(b), contact_[b]);
+    const Vector3<double> v = next_[b].velocity - predicted[b].velocity - free.velocity,
+                          w = next_[b].spin - predicted[b].spin - free.spin;
+    state.books.contact_work += 0.5 * (dot(contact_[b].impulse, v) + dot(contact_[b].moment, w));
+  }
 }
 
 void RigidStage::set_spins(const State& state) const {
@@ -184,13 +176,33 @@ void RigidStage::book_damping(State& state, std::size_t index, double (&j)[3]) c
   }
 }
 
+/// Impulses of the ground on what is joined to it.
+void RigidStage::book_grounded_joints(State& state) const {
+  for (std::size_t i = 0; i < model_.rigid.joints.size(); ++i) {
+    const Joint& joint = model_.rigid.joints[i];
+    if (joint.ends[1].body != Joint::ground) continue;
+    const Wrench& impulse = joints_.of_joints()[i];
+    const Vector3<double> arm = joints_.frame(i).point - to_vector(model_.mass_center);
+    const double r[3] = {arm.x, arm.y, arm.z}, j[3] = {impulse.impulse.x, impulse.impulse.y, impulse.impulse.z};
+    add_impulse(r, j, 0, [&](int k, double value) {
+      (k < 3 ? state.books.impulse[k] : state.books.moment_impulse[k - 3]).add(value);
+    });
+    for (int k = 0; k < 3; ++k) state.books.moment_impulse[k].add(get(impulse.moment, k));
+  }
+}
+
 void RigidStage::book(State& state, double dt, double dt_mean) const {
   if (model_.ranks.rank() != 0) return;
   const double share = model_.gravity_varies ? 0.5 : 1;  // of the step: the other half is of that at n+1
   for (std::size_t b = 0; b < next_.size(); ++b) {
     const RigidBody& body = model_.rigid.bodies[b];
     const RigidState &now = state.bodies[b], &next = next_[b];
-    const Wrench contact = contact_.empty() ? Wrench{} : contact_[b], &force = forces_[b];
+    Wrench contact = contact_.empty() ? Wrench{} : contact_[b];
+    const Wrench& force = forces_[b];
+    if (joints_.any()) {  // its work of both bodies is none
+      contact.impulse = contact.impulse + joints_.on_bodies()[b].impulse;
+      contact.moment = contact.moment + joints_.on_bodies()[b].moment;
+    }
     double j[3] = {0, 0, 0}, work = 0;
     for (int k = 0; k < 3; ++k) {
       const auto dof = static_cast<std::size_t>(k);
@@ -214,6 +226,7 @@ void RigidStage::book(State& state, double dt, double dt_mean) const {
     });
     state.books.external_work.add(work);
   }
+  book_grounded_joints(state);
   for (ExactSum* sum : {state.books.impulse, state.books.moment_impulse})
     for (int k = 0; k < 3; ++k) sum[k].normalize();
   state.books.external_work.normalize();

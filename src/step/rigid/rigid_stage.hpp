@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernels/contact/rows/row_bodies.hpp"
+#include "src/step/rigid/joint_solver.hpp"
 #include "src/step/rigid/rigid_forces.hpp"
 
 namespace percuss {
@@ -17,11 +18,12 @@ class RigidStage {
 
   bool any() const { return model_.rigid.any(); }
 
-  /// Held motions at time 0 begin at their prescribed velocity; a displacement begins at rest.
+  /// Held motions at time 0 begin at their prescribed velocity; a displacement begins at rest. Throws InputError, the
+  /// same on all ranks, where bodies part at a joint.
   void start(State& state);
 
   /// Velocities of bodies and their nodes at n+1/2 without contact. damping: coefficients by entry of the deck; empty:
-  /// there are none. Collective.
+  /// there are none. Collective. Throws RunError, the same on all ranks, where a joint is torn apart.
   void predict(State& state, double dt, double dt_mean, const std::vector<double>& damping);
 
   /// The bodies as contact sees them in this step.
@@ -46,20 +48,21 @@ class RigidStage {
   double find_step(const State& state, double end) const;
 
  private:
-  struct Goal;
-
-  Goal find_goal(const State& state, std::size_t index, double dt) const;
   void damp(const State& state, std::size_t index, const std::vector<double>& damping, double dt_mean);
   void book_damping(State& state, std::size_t index, double (&j)[3]) const;
-  void move(const State& state, std::size_t index, double dt);
+  void book_grounded_joints(State& state) const;
+  void book_joined_contact(State& state, const std::vector<RigidState>& predicted) const;
+  void move(State& state, double dt);
   void upload(const State& state, double dt);
 
   const Model& model_;
   RigidForces find_forces_;
+  JointSolver joints_;
   bool is_moved_ = false;         // whether a prescribed motion does work on a body
   std::vector<Wrench> forces_;    // at n, without gravity
   std::vector<Wrench> contact_;   // impulses of this step; empty: none
   std::vector<Wrench> damping_;   // likewise
+  std::vector<RigidState> free_;  // momenta without joints
   std::vector<RigidState> next_;  // places at n+1, velocities at n+1/2
   Array<BodyStep> steps_;
   Array<BodyResponse> responses_;

@@ -3,8 +3,10 @@
 namespace percuss {
 namespace {
 
-/// Kinetic energy of the rotation: forces on held ones move nothing.
-double find_turning_energy(const RigidBody& body, const RigidState& state, const Vector3<double>& moment, double dt) {
+/// Kinetic energy of the rotation: forces on held ones move nothing. Joints do at their other body, which they move
+/// with.
+double find_turning_energy(const RigidBody& body, const RigidState& state, const BodyForces& on, double dt) {
+  const Vector3<double> moment = on.force.moment + on.joint.moment;
   const Symmetric3<double> inertia = find_inertia(body, state);
   const Symmetric3<double> inverse = find_free_inverse(body, state);
   Vector3<double> held_rate{0, 0, 0};
@@ -13,12 +15,24 @@ double find_turning_energy(const RigidBody& body, const RigidState& state, const
   const Vector3<double> of_held = inertia * held_rate;
   const Vector3<double> before = inverse * (state.spin_momentum - of_held) + held_rate;
   const Vector3<double> after = inverse * (state.spin_momentum + dt * moment - of_held) + held_rate;
-  return 0.5 * dot(before, inertia * after);
+  double of_joints = 0;
+  for (int k = 0; k < 3; ++k)
+    if (body.holds(3 + static_cast<std::size_t>(k))) of_joints += get(state.spin, k) * dt * get(on.joint.moment, k);
+  return 0.5 * dot(before, inertia * after) + 0.5 * of_joints;
 }
 
 }  // namespace
 
-RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t index, const Wrench& force) {
+std::vector<BodyForces> BodyForceFinder::operator()(const State& state) {
+  const std::vector<Wrench> forces = find_forces_(model_, state);
+  const std::vector<Wrench> of_joints = find_joint_forces(joints_, model_, state, forces);
+  std::vector<BodyForces> found;
+  for (std::size_t b = 0; b < forces.size(); ++b)
+    found.push_back({forces[b], of_joints.empty() ? Wrench{{0, 0, 0}, {0, 0, 0}} : of_joints[b]});
+  return found;
+}
+
+RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t index, const BodyForces& on) {
   const RigidBody& body = model.rigid.bodies[index];
   const RigidState& now = state.bodies[index];
   const double dt = state.step == 0 ? 0.0 : state.dt, first_dt = state.step == 0 ? state.next_dt : 0.0;
@@ -26,14 +40,15 @@ RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t ind
   const Gravity constant = find_constant_gravity(model);
   RigidSums sums;
   for (int k = 0; k < 3; ++k) {
-    const double v = get(now.velocity, k), g = state.gravity.g[k], f = get(force.impulse, k) + m * g;
+    const double v = get(now.velocity, k), g = state.gravity.g[k], joint = get(on.joint.impulse, k);
+    const double f = get(on.force.impulse, k) + m * g + joint;
     const bool is_free = !body.holds(static_cast<std::size_t>(k));
-    sums.kinetic += 0.5 * v * (m * v + (is_free ? dt * f : 0));
+    sums.kinetic += 0.5 * v * (m * v + dt * (is_free ? f : joint));
     if (is_free) sums.half_steps += 0.125 / m * (first_dt * f) * (first_dt * f);
     sums.fallen += m * constant.g[k] * (get(now.center, k) - get(body.center, k));
   }
-  sums.kinetic += find_turning_energy(body, now, force.moment, dt);
-  const Vector3<double> turned = first_dt * force.moment;
+  sums.kinetic += find_turning_energy(body, now, on, dt);
+  const Vector3<double> turned = first_dt * (on.force.moment + on.joint.moment);
   sums.half_steps += 0.125 * dot(turned, find_free_inverse(body, now) * turned);
   const Vector3<double> r = now.center - to_vector(model.mass_center);
   sums.momentum = m * now.velocity;

@@ -1,7 +1,10 @@
 #pragma once
 // Energy and momentum of a rigid body, at consistent times (src/step/audit/audit.hpp).
 
-#include "src/step/model/state.hpp"
+#include <vector>
+
+#include "src/step/rigid/joint_solver.hpp"
+#include "src/step/rigid/rigid_forces.hpp"
 
 namespace percuss {
 
@@ -14,7 +17,26 @@ struct RigidSums {
   double momentum_size = 0, angular_size = 0;
 };
 
-/// index: which body of the model; force: on it at n, without gravity.
-RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t index, const Wrench& force);
+/// What acts on a body at n, without gravity.
+struct BodyForces {
+  Wrench force{}, joint{};  // the latter of joints
+};
+
+/// Finds what acts on all bodies. Holds the memory of the sums.
+class BodyForceFinder {
+ public:
+  explicit BodyForceFinder(const Model& model) : model_(model), joints_(model) {}
+
+  /// By body, the same on all ranks. Collective.
+  std::vector<BodyForces> operator()(const State& state);
+
+ private:
+  const Model& model_;
+  RigidForces find_forces_;
+  JointSolver joints_;
+};
+
+/// index: which body of the model.
+RigidSums sum_rigid_body(const Model& model, const State& state, std::size_t index, const BodyForces& on);
 
 }  // namespace percuss

@@ -282,11 +282,69 @@ std::vector<WrongDeck> at_odds() {
   };
 }
 
+/// Joints and sets of nodes.
+std::vector<WrongDeck> joined_bodies() {
+  return {
+      {"JointOfAPartThatDeforms", append("joints: {pin: {kind: spherical, bodies: [rod], at: [0, 0, 0]}}"), "6:42",
+       "joint 'pin' is to hold part 'rod', which deforms (joints hold rigid bodies)"},
+      {"JointOfAnUnknownBody",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "joints: {pin: {kind: spherical, bodies: [rods], at: [0, 0, 0]}}\n",
+       "6:42", "joint 'pin' is to hold 'rods', which is no rigid body (did you mean 'rod'?)"},
+      {"JointOfABodyToItself",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "joints: {pin: {kind: spherical, bodies: [rod, rod], at: [0, 0, 0]}}\n",
+       "6:47", "joint 'pin' joins 'rod' to itself"},
+      {"JointOfThree",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "joints: {pin: {kind: spherical, bodies: [rod, a, b], at: [0, 0, 0]}}\n",
+       "6:41", "bodies has 3 names in joint 'pin' (must have two, or one", 3},
+      {"JointOfNone",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "joints: {pin: {kind: spherical, bodies: [], at: [0, 0, 0]}}\n",
+       "6:41", "bodies has 0 names in joint 'pin'"},
+      {"JointWithTwoPoints",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "joints: {pin: {kind: spherical, bodies: [rod], at: [0, 0, 0], at: [1, 0, 0]}}\n",
+       "6:63", "'at'"},
+      {"JointWithoutPoint",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "joints: {pin: {kind: spherical, bodies: [rod]}}\n",
+       "6:10", "at is missing in joint 'pin'"},
+      {"HingeWithoutAxis",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "joints: {pin: {kind: revolute, bodies: [rod], at: [0, 0, 0]}}\n",
+       "6:15", "joint 'pin' has no axis (a revolute joint turns about one)"},
+      {"BallWithAxis",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "joints: {pin: {kind: spherical, bodies: [rod], at: [0, 0, 0], axis: x}}\n",
+       "6:63", "joint 'pin' has an axis (a spherical joint turns about every one)"},
+      {"JointTwice",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "joints: {a: {kind: spherical, bodies: [rod], at: [1, 0, 0]}, b: {kind: revolute, bodies: [rod], at: [1, 0, "
+           "0], axis: x}}\n",
+       "6:62", "joint 'b' joins the same bodies at the same point as 'a'"},
+      {"SetOfAnUnknownBody",
+       change("material: steel}", "material: steel, rigid: true}") +
+           "rigid_sets: {end: {nodes: rod/x_max, body: rob}}\n",
+       "6:44", "rigid_sets.end.body is 'rob', which is no rigid body (did you mean 'rod'?)"},
+      {"SetOfAPartThatDeforms", append("rigid_sets: {end: {nodes: rod/x_max, body: rod}}"), "6:44",
+       "rigid_sets.end.body is 'rod', which is no rigid body (that part deforms)"},
+      {"SetWithTheNameOfABody",
+       change("material: steel}", "material: steel, rigid: true}") + "rigid_sets: {rod: {nodes: rod/x_max}}\n", "6:14",
+       "rigid set 'rod' has the name of another rigid body"},
+      {"SetOfAnUnknownSide", append("rigid_sets: {end: {nodes: rod/xmax}}"), "6:27", "part 'rod' has no side 'xmax'"},
+      {"SetInertiaOfNoMasses", append("rigid_sets: {end: {nodes: rod/x_max, inertia: [1, 1, 3, 0, 0, 0]}}"), "6:47",
+       "inertia is no inertia of any masses in rigid set 'end'"},
+  };
+}
+
 }  // namespace
 
 std::vector<WrongDeck> wrong_section_decks() {
   std::vector<WrongDeck> all = missing_keys();
-  for (const auto& part : {unknown_names(), at_odds()}) all.insert(all.end(), part.begin(), part.end());
+  for (const auto& part : {unknown_names(), at_odds(), joined_bodies()})
+    all.insert(all.end(), part.begin(), part.end());
   return all;
 }
 

@@ -1,0 +1,50 @@
+#pragma once
+// The rows of a joint: what keeps its point, and its axis, one on both bodies.
+//
+// A row is a unit impulse on the first body and its opposite on the second, at the point at n: all momenta are
+// conserved. Its gap is what the row is to keep zero, a length.
+
+#include <vector>
+
+#include "kernels/rigid/body_response.hpp"
+#include "src/step/model/rigid_model.hpp"
+
+namespace percuss {
+
+struct JointRow {
+  std::array<int, 2> body{Joint::ground, Joint::ground};
+  std::array<Wrench, 2> unit{};  // about the centre of each
+};
+
+/// A joint at n.
+struct JointFrame {
+  Vector3<double> point{};                // midway between those of both bodies, which are one but for round-off
+  std::array<Vector3<double>, 2> side{};  // of revolute joints, across the axis; of length one
+  std::array<double, 5> gap{};
+};
+
+/// Most rows of a joint, and those of one of a kind.
+constexpr int most_joint_rows = 5;
+inline int count_rows(const Joint& joint) { return joint.has_axis ? 5 : 3; }
+
+JointFrame find_joint_frame(const Joint& joint, const std::vector<RigidState>& now);
+
+/// Appends the rows of the joint.
+void add_joint_rows(const Joint& joint, const JointFrame& frame, const std::vector<RigidState>& now,
+                    std::vector<JointRow>& rows);
+
+/// What the step from now to next adds to the gaps of the joint. The velocities of next are those between both.
+std::array<double, most_joint_rows> find_gap_changes(const Joint& joint, const JointFrame& frame,
+                                                     const std::vector<RigidState>& now,
+                                                     const std::vector<RigidState>& next, double dt);
+
+/// The same per time, from velocities and spins at one time.
+std::vector<double> find_gap_rates(const std::vector<JointRow>& rows, const std::vector<RigidState>& bodies);
+
+/// Force, or impulse, on the first body and its moment about the point, of multipliers of the joint's rows.
+Wrench sum_joint_rows(const Joint& joint, const JointFrame& frame, const double* multipliers);
+
+/// [row][row] how fast the gap of one changes by a unit impulse of another.
+std::vector<double> find_mobilities(const std::vector<JointRow>& rows, const std::vector<BodyResponse>& responses);
+
+}  // namespace percuss
