@@ -240,7 +240,7 @@ void check_walls(const Deck& deck, const Node& root, Reading& reading) {
                                            w, rigid->name));
     if (!deck.rigid_sets.empty())
       reading.errors.add(spot, fmt::format("walls.{}.mass cannot be used beside rigid_sets (their nodes have no masses "
-                                           "of their own) make the wall a rigid part",
+                                           "of their own): make the wall a rigid part",
                                            w));
   }
 }

@@ -296,7 +296,7 @@ bool check_joint(const Reader& reader, const Node& node, JointDeck& joint) {
   if (is_revolute == joint.axis.has_value()) return true;
   reader.error(is_revolute ? node.spot : node.find("axis")->key,
                reader.self() + (is_revolute ? " has no axis (a revolute joint turns about one)"
-                                            : " has an axis (a spherical joint turns about every one) leave it out"));
+                                            : " has an axis (a spherical joint turns about every one): leave it out"));
   return false;
 }
 
@@ -327,7 +327,7 @@ void check_joints(const Deck& deck, const Node& root, Reading& reading) {
       if (names.find(name) >= 0 || node->find("bodies")->items.size() != joint->bodies.size()) continue;
       reading.errors.add(
           node->find("bodies")->items[i].spot,
-          is_part(name) ? fmt::format("joint '{}' is to hold part '{}', which deforms (joints hold rigid bodies) make "
+          is_part(name) ? fmt::format("joint '{}' is to hold part '{}', which deforms (joints hold rigid bodies): make "
                                       "it rigid, or join nodes of it that are a rigid set",
                                       joint->name, name)
                         : fmt::format("joint '{}' is to hold '{}', which is no rigid body{}", joint->name, name,
@@ -336,7 +336,7 @@ void check_joints(const Deck& deck, const Node& root, Reading& reading) {
     const auto first = std::find_if(deck.joints.begin(), joint, [&](const JointDeck& j) { return repeats(j, *joint); });
     if (first != joint)
       reading.errors.add(node->key, fmt::format("joint '{}' joins the same bodies at the same point as '{}' (once is "
-                                                "enough) leave one of them out",
+                                                "enough): leave one of them out",
                                                 joint->name, first->name));
   }
 }

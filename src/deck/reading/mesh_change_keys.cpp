@@ -161,7 +161,7 @@ void check_rigid_sets(const Deck& deck, const Node& root, Reading& reading) {
     }
     if (set.body.empty() && std::count(names.bodies.begin(), names.bodies.end(), set.name) > 1) {
       reading.errors.add(node->key, fmt::format("rigid set '{}' has the name of another rigid body (it would be one "
-                                                "of its own) choose another name, or join it with body: {}",
+                                                "of its own): choose another name, or join it with body: {}",
                                                 set.name, set.name));
     }
   }
@@ -217,8 +217,9 @@ void check_rigid(const Deck& deck, const Node& root, Reading& reading) {
   const Node* parts = root.find("parts");
   check_rigid_sets(deck, root, reading);
   if (!deck.rigid_sets.empty() && deck.time.step_estimate == TimeDeck::StepEstimate::global) {
-    reading.errors.add(root.find("time")->find("step_estimate")->spot,
-                       "time.step_estimate is global (the estimate of the mesh does not know rigid_sets) leave it out");
+    reading.errors.add(
+        root.find("time")->find("step_estimate")->spot,
+        "time.step_estimate is global (the estimate of the mesh does not know rigid_sets): leave it out");
   }
   const auto rigid =
       std::find_if(deck.parts.begin(), deck.parts.end(), [](const PartDeck& part) { return part.rigid.has_value(); });

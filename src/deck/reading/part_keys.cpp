@@ -330,7 +330,7 @@ bool check_elements(const Reader& reader, const Node& node, const PartDeck& part
   const bool is_line = std::holds_alternative<LineShape>(part.shape);
   if (part.elements == PartDeck::Elements::wedges && std::holds_alternative<SphereShape>(part.shape)) {
     reader.error(elements->key, fmt::format("{} of a sphere cannot be wedges{} (triangles of its cells would meet "
-                                            "quadrilaterals) choose tetrahedra or pyramids",
+                                            "quadrilaterals): choose tetrahedra or pyramids",
                                             reader.name_of("elements"), reader.in()));
     return false;
   }

@@ -322,12 +322,12 @@ void refuse_scaled_nodes(const RigidBody& body, const std::string& place) {
 [[noreturn]] void refuse_line(const RigidBody& body, const std::string& place) {
   if (body.parts == 0) {
     throw InputError(
-        fmt::format("{}: error: rigid body '{}' has no inertia (its nodes are at one place) name more "
+        fmt::format("{}: error: rigid body '{}' has no inertia (its nodes are at one place): name more "
                     "nodes, or give inertia",
                     place, body.name));
   }
   throw InputError(fmt::format(
-      "{}: error: rigid body '{}' has no inertia about some axis (its masses lie on a line) give rigid.inertia", place,
+      "{}: error: rigid body '{}' has no inertia about some axis (its masses lie on a line): give rigid.inertia", place,
       body.name));
 }
 

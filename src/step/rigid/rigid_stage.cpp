@@ -16,7 +16,7 @@ namespace {
 
 [[noreturn]] void refuse_start(const Joint& joint) {
   throw InputError(
-      fmt::format("{}: error: joint '{}' parts at the start (its bodies begin to move apart there) give all that it "
+      fmt::format("{}: error: joint '{}' parts at the start (its bodies begin to move apart there): give all that it "
                   "joins velocities that fit, for example one entry of initial",
                   joint.place, joint.name));
 }
