@@ -68,8 +68,8 @@ std::vector<Warning> check_added_mass(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_rigid_inertia(const CheckedScene& scene) {
-  constexpr double most_away = 10;               // sizes of the body: what it stands for may be larger than its mesh
-  constexpr double least = 0.02, most = 10;      // radius of gyration over the size; a ball has 0.18
+  constexpr double most_away = 10;           // sizes of the body: what it stands for may be larger than its mesh
+  constexpr double least = 0.02, most = 10;  // radius of gyration over the size; a ball has 0.18
   std::vector<Warning> warnings;
   for (const PartDeck& part : scene.deck.parts) {
     if (!part.rigid) continue;

@@ -23,10 +23,10 @@ void list_conditions(const Deck& deck, std::vector<NamedCurve>& curves) {
   for (std::size_t c = 0; c < deck.conditions.size(); ++c) {
     const bool is_velocity = deck.conditions[c].kind == ConditionDeck::Kind::velocity;
     for (std::size_t k = 0; k < 6; ++k)
-      curves.push_back({deck.conditions[c].value[k],
-                        join_path("conditions", c) + (is_velocity ? ".velocity." : ".displacement.") +
-                            direction_names[k],
-                        is_velocity ? NamedCurve::Of::velocity : NamedCurve::Of::displacement});
+      curves.push_back(
+          {deck.conditions[c].value[k],
+           join_path("conditions", c) + (is_velocity ? ".velocity." : ".displacement.") + direction_names[k],
+           is_velocity ? NamedCurve::Of::velocity : NamedCurve::Of::displacement});
   }
 }
 

@@ -111,11 +111,11 @@ std::vector<Warning> check_symmetry_planes(const CheckedScene& scene) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (!condition.active[k] || is_flat(k) || is_flat((k + 1) % 3) == is_flat((k + 2) % 3)) continue;
       const std::size_t across = is_flat((k + 1) % 3) ? (k + 1) % 3 : (k + 2) % 3;
-      warnings.push_back(
-          warn_at(deck, "symmetry_plane", join_path("conditions", c) + ".symmetry",
-                  fmt::format("these nodes lie in a plane with the normal {} (symmetry: {} holds them along that plane, "
-                              "not across it): write symmetry: {}",
-                              direction_names[across], direction_names[k], direction_names[across])));
+      warnings.push_back(warn_at(
+          deck, "symmetry_plane", join_path("conditions", c) + ".symmetry",
+          fmt::format("these nodes lie in a plane with the normal {} (symmetry: {} holds them along that plane, "
+                      "not across it): write symmetry: {}",
+                      direction_names[across], direction_names[k], direction_names[across])));
     }
   }
   return warnings;
@@ -134,10 +134,9 @@ std::vector<Warning> check_damping_size(const CheckedScene& scene) {
       const double creep = wave > 0 ? lost / deck.time.end * part.extent() / (2 * std::numbers::pi * wave) : 0;
       const bool is_stopped = part.speed > 0 && lost > most;
       if (!is_stopped && creep <= most_creep) continue;
-      const std::string effect = is_stopped
-                                     ? fmt::format("by the end free flight has slowed down to {:.2g} of its start",
-                                                   std::exp(-lost))
-                                     : fmt::format("it is {:.2g} times critical for waves along the part", creep);
+      const std::string effect =
+          is_stopped ? fmt::format("by the end free flight has slowed down to {:.2g} of its start", std::exp(-lost))
+                     : fmt::format("it is {:.2g} times critical for waves along the part", creep);
       warnings.push_back(warn_at(deck, "damping_size", join_path("damping", i) + ".coefficient",
                                  fmt::format("damping stops the motion of part '{}' ({}): lower it, or switch it off "
                                              "by a table",

@@ -136,12 +136,12 @@ std::vector<Warning> check_specific_heat(const CheckedScene& scene) {
                     [&](const Units& units) { return find_si(units) >= least && find_si(units) <= most; }))
       continue;
     const Units& units = systems.front();
-    warnings.push_back(warn_at(
-        scene.deck, "specific_heat", find_key_path(material, found->first),
-        fmt::format("the specific heat {:g} of material '{}' is {:.3g} J/kg/K in {} (metals have 100 to 1000, "
-                    "here {:.3g} to {:.3g}): check it, or units",
-                    found->second, material.name, find_si(units), units.text(), 100 / units.in_si({2, 0, -2}),
-                    1000 / units.in_si({2, 0, -2}))));
+    warnings.push_back(
+        warn_at(scene.deck, "specific_heat", find_key_path(material, found->first),
+                fmt::format("the specific heat {:g} of material '{}' is {:.3g} J/kg/K in {} (metals have 100 to 1000, "
+                            "here {:.3g} to {:.3g}): check it, or units",
+                            found->second, material.name, find_si(units), units.text(), 100 / units.in_si({2, 0, -2}),
+                            1000 / units.in_si({2, 0, -2}))));
   }
   return warnings;
 }
