@@ -123,7 +123,7 @@ std::vector<Warning> check_hardening_strain(const CheckedScene& scene) {
 }
 
 std::vector<Warning> check_specific_heat(const CheckedScene& scene) {
-  constexpr double least = 50, most = 2e4;  // [J/(kg K)] lead has 129, hydrogen 14 000
+  constexpr double least = 50, most = 2e4;  // [J/kg/K] lead has 129, hydrogen 14 000
   const std::vector<Units> systems = find_meant_units(scene.deck);
   std::vector<Warning> warnings;
   for (const MaterialDeck& material : scene.deck.materials) {
@@ -134,12 +134,12 @@ std::vector<Warning> check_specific_heat(const CheckedScene& scene) {
                     [&](const Units& units) { return find_si(units) >= least && find_si(units) <= most; }))
       continue;
     const Units& units = systems.front();
-    warnings.push_back(warn_at(
-        scene.deck, "specific_heat", find_key_path(material, found->first),
-        fmt::format("the specific heat {:g} of material '{}' is {:.3g} J/(kg K) in {} (metals have 100 to 1000, "
-                    "here {:.3g} to {:.3g}): check it, or units",
-                    found->second, material.name, find_si(units), units.text(), 100 / units.in_si({2, 0, -2}),
-                    1000 / units.in_si({2, 0, -2}))));
+    warnings.push_back(
+        warn_at(scene.deck, "specific_heat", find_key_path(material, found->first),
+                fmt::format("the specific heat {:g} of material '{}' is {:.3g} J/kg/K in {} (metals have 100 to 1000, "
+                            "here {:.3g} to {:.3g}): check it, or units",
+                            found->second, material.name, find_si(units), units.text(), 100 / units.in_si({2, 0, -2}),
+                            1000 / units.in_si({2, 0, -2}))));
   }
   return warnings;
 }

@@ -31,7 +31,7 @@ std::vector<SuspiciousDeck> size_decks() {
        "part_size",
        "box: {size: [2e-5",
        {{"0.02, 0.02, 0.02", "2e-5, 2e-5, 2e-5"}},
-       {{"0.02, 0.02, 0.02", "4e-4, 4e-4, 4e-4"}}},
+       {{"0.02, 0.02, 0.02", "1.5e-3, 1.5e-3, 1.5e-3"}}},
       {"ThicknessInMillimetres",
        "shell_thickness",
        "thickness: 2,",
