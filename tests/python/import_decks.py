@@ -292,6 +292,8 @@ RIGID = (
 """
 )
 
+_CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
+
 # A second block apart from the first, of the same material.
 TWO_PARTS = (
     _HEAD
@@ -299,11 +301,23 @@ TWO_PARTS = (
     + "*NODE\n"
     + "".join(
         f"{31 + i},{3.0 + x},{1.0 * y},{1.0 * z}\n"
-        for i, (x, y, z) in enumerate(((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)))
+        for i, (x, y, z) in enumerate(_CORNERS)
     )
     + "*ELEMENT_SOLID\n600,4,31,32,33,34,35,36,37,38\n*PART\nsecond\n4,4,3\n*SECTION_SOLID\n4,1\n*END\n"
 )
 TWO_RIGID = TWO_PARTS.replace("*MAT_ELASTIC_TITLE\nsteel\n", "*MAT_RIGID\n").replace("       0.3\n", "       0.3\n1.0,0,0\n\n")
+
+# A hinge between two rigid blocks, at nodes without elements; a ball joint from one to two nodes of a block that deforms.
+JOINTED = (
+    TWO_RIGID.replace("*END\n", "")
+    + "*NODE\n101,2.0,0.5,0.5\n102,2.0,0.5,0.5\n103,2.0,0.5,1.5\n104,2.0,0.5,1.5\n105,4.0,1.0,1.0\n106,4.0,1.0,1.0\n"
+    + "".join(f"{131 + i},{5.0 + x},{1.0 * y},{1.0 * z}\n" for i, (x, y, z) in enumerate(_CORNERS))
+    + "*ELEMENT_SOLID\n700,5,131,132,133,134,135,136,137,138\n*PART\nsoft\n5,4,8\n*MAT_ELASTIC\n8,7850.0,2.0e11,0.3\n"
+    + "*SET_NODE_LIST\n11\n101,103\n*SET_NODE_LIST\n12\n102,104,105,131\n*SET_NODE_LIST\n13\n132,133,106\n"
+    + "*CONSTRAINED_EXTRA_NODES_SET\n3,11\n*CONSTRAINED_EXTRA_NODES_SET\n4,12\n"
+    + "*CONSTRAINED_NODAL_RIGID_BODY_TITLE\nhub\n20,0,13\n"
+    + "*CONSTRAINED_JOINT_REVOLUTE_ID\n7,hinge\n101,102,103,104,0,0,1.0\n*CONSTRAINED_JOINT_SPHERICAL\n105,106\n*END\n"
+)
 
 FORMS = (
     _HEAD
@@ -512,6 +526,14 @@ tip, 2, 50.
 U,
 *END STEP
 """
+
+# The block is rigid, and turns about a reference node; nodes of the plate are coupled, and beams of *MPC are one body.
+ABAQUS_BODIES = (
+    ABAQUS.replace("*END ASSEMBLY\n", "*NODE\n900, 0.5, 0.5, -1.\n901, 0., 0., 3.\n*NSET, NSET=pair, INSTANCE=plate-1\n1, 4\n"
+                   "*SURFACE, TYPE=NODE, NAME=coupled\npair,\n*RIGID BODY, REF NODE=900, ELSET=block-1.all\n"
+                   "*COUPLING, CONSTRAINT NAME=c, REF NODE=901, SURFACE=coupled\n*KINEMATIC\n*END ASSEMBLY\n")
+    .replace("block-1.foot, ENCASTRE", "900, 1, 5\n901, ENCASTRE")
+)  # fmt: skip
 
 # A frame: a rectangle, a tube, resultants, and a truss.
 BEAMS = (

@@ -487,6 +487,38 @@ class Scene(InFolder):
         self.accept(text)
         self.assertIn("PART_INERTIA", self.refusals(text.replace("*MAT_RIGID\n", "*MAT_ELASTIC\n").replace("0.3\n1.0,0,0\n\n", "0.3\n")))
 
+    def test_joints_and_nodes_that_move_with_bodies(self):
+        model = self.read(decks.JOINTED)[0]
+        self.assertEqual(model.deck["rigid_sets"], {"hub": {"nodes": "hub"}, "extra_4": {"nodes": "extra_4", "body": "second"}})
+        self.assertEqual(model.node_sets["extra_4"], [131])
+        self.assertEqual(model.node_sets["hub"], [132, 133])
+        self.assertEqual(
+            model.deck["joints"],
+            {
+                "hinge": {"kind": "revolute", "bodies": ["block_of_steel", "second"], "at": [2, 0.5, 0.5], "axis": [0, 0, 1]},
+                "joint_105": {"kind": "spherical", "bodies": ["second", "hub"], "at": [4, 1, 1]},
+            },
+        )
+        self.accept(decks.JOINTED)
+        held = decks.JOINTED.replace("BODY_TITLE\nhub\n20,0,13\n", "BODY_SPC_TITLE\nhub\n20,0,13\n1,3,4\n")
+        self.assertEqual(self.read(held)[0].deck["rigid_sets"]["hub"], {"nodes": "hub", "fixed": ["z", "rx", "ry"]})
+
+    def test_joints_that_are_none_are_refused(self):
+        def refusals(old, new):
+            return self.refusals(decks.JOINTED.replace(old, new))
+
+        revolute, spherical = "CONSTRAINED_JOINT_REVOLUTE", "CONSTRAINED_JOINT_SPHERICAL"
+        self.assertIn("not at one place", refusals("104,2.0,0.5,1.5", "104,2.0,0.5,1.6")[revolute])
+        self.assertIn("node 101 of the joint is on no rigid body", refusals("11\n101,103", "11\n103")[revolute])
+        self.assertIn("within one rigid body", refusals("*CONSTRAINED_EXTRA_NODES_SET\n3,11", "*CONSTRAINED_EXTRA_NODES_SET\n4,11")[revolute])
+        self.assertIn("no direction", refusals("101,102,103,104", "101,102,101,102")[revolute])
+        self.assertIn(spherical + ".N3", refusals("105,106", "105,106,107"))
+        self.assertIn("CONSTRAINED_JOINT_UNIVERSAL", refusals(spherical, "CONSTRAINED_JOINT_UNIVERSAL"))
+        self.assertIn("CONSTRAINED_NODAL_RIGID_BODY.DRFLAG", refusals("20,0,13", "20,0,13,0,0,1"))
+        self.assertIn("CONSTRAINED_NODAL_RIGID_BODY_INERTIA", refusals("BODY_TITLE\nhub", "BODY_INERTIA_TITLE\nhub"))
+        self.assertIn("CONSTRAINED_NODAL_RIGID_BODY_SPC.CMO", refusals("BODY_TITLE\nhub\n20,0,13\n", "BODY_SPC_TITLE\nhub\n20,0,13\n-1,1,1\n"))
+        self.fails(decks.JOINTED.replace("105,106", "105,999"), "there is no node 999")
+
     def test_walls_end_and_give_way(self):
         card = "*RIGIDWALL_PLANAR_FINITE_MOVING_ID\n5,ram\n0\n-1,-1,3,-1,-1,0,0.2\n4,-1,0,6.0,5.0\n500.0,12.0\n*END"
         wall = self.read(decks.SMALL.replace("*END", card))[0].deck["walls"][0]
@@ -666,9 +698,36 @@ class Abaqus(InFolder):
         self.assertEqual(model.deck["initial"], [{"nodes": "PLATE-1", "velocity": [0, 0, -10]}])
         self.assertEqual(model.deck["conditions"][1]["velocity"]["x"]["table"], [[0, 0], [5e-5, 2], [1e-4, 2]])
 
+    def test_bodies_are_held_at_their_reference_nodes(self):
+        model, _ = self.read_abaqus(decks.ABAQUS_BODIES)
+        self.assertIs(model.blocks[0].keys["rigid"], True)
+        name = model.blocks[0].name
+        self.assertEqual(model.deck["joints"], {"held_1": {"kind": "revolute", "bodies": [name], "at": [0.5, 0.5, -1], "axis": "z"}})
+        self.assertEqual(
+            model.deck["rigid_sets"], {"rigid_2": {"nodes": "rigid_2", "fixed": ["x", "y", "z", "rx", "ry", "rz"]}}
+        )
+        self.assertEqual(model.node_sets["rigid_2"], [11, 14])
+        self.accept(decks.ABAQUS_BODIES, "deck.inp")
+        pinned = self.read_abaqus(decks.ABAQUS_BODIES.replace("900, 1, 5", "900, PINNED"))[0].deck["joints"]["held_1"]
+        self.assertEqual(pinned, {"kind": "spherical", "bodies": [name], "at": [0.5, 0.5, -1]})
+
+    def test_constraints_by_nodes_are_one_body_where_they_meet(self):
+        lines = "*MPC\nBEAM, plate-1.1, plate-1.4\nBEAM, plate-1.4, plate-1.5\n*END ASSEMBLY\n"
+        model, _ = self.read_abaqus(decks.ABAQUS.replace("*END ASSEMBLY\n", lines))
+        self.assertEqual(model.deck["rigid_sets"], {"rigid_1": {"nodes": "rigid_1"}})
+        self.assertEqual(model.node_sets["rigid_1"], [11, 14, 15])
+
+    def test_bodies_that_are_free_in_part_are_refused(self):
+        for old, new, key in (("900, 1, 5", "900, 1, 4", "BOUNDARY.reference"), ("*KINEMATIC\n", "*KINEMATIC\n1, 3\n", "KINEMATIC.free"),
+                              ("*KINEMATIC\n", "*DISTRIBUTING\n", "DISTRIBUTING"), ("ELSET=block-1.all", "PIN NSET=block-1.foot", "RIGID BODY.PIN NSET"),
+                              ("*KINEMATIC\n", "*KINEMATIC\n*MPC\nPIN, plate-1.1, plate-1.4\n", "MPC.PIN")):  # fmt: skip
+            with self.subTest(key):
+                refused = {entry.card for entry in self.read_abaqus(decks.ABAQUS_BODIES.replace(old, new))[1].list_refused()}
+                self.assertIn(key, refused)
+
     def test_other_content_is_refused(self):
         for old, new, key in (("*DYNAMIC, EXPLICIT", "*STATIC", "STATIC"), ("C3D8R", "C3D8I", "ELEMENT.C3D8I"),
-                              ("*BULK VISCOSITY", "*COUPLING", "COUPLING"), ("TYPE=POWER LAW", "TYPE=YIELD RATIO", "RATE DEPENDENT"),
+                              ("*BULK VISCOSITY", "*CONNECTOR BEHAVIOR", "CONNECTOR BEHAVIOR"), ("TYPE=POWER LAW", "TYPE=YIELD RATIO", "RATE DEPENDENT"),
                               ("*PLASTIC\n", "*PLASTIC, RATE=1.\n", "PLASTIC.RATE")):  # fmt: skip
             with self.subTest(key):
                 refused = {entry.card for entry in self.read_abaqus(decks.ABAQUS.replace(old, new))[1].list_refused()}

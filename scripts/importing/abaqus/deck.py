@@ -19,6 +19,18 @@ class MaterialBlocks:
     parts: list[Block] = field(default_factory=list)
 
 
+@dataclass
+class RigidGroup:
+    """Nodes that move as one."""
+
+    place: Place
+    nodes: set[int]  # that have elements
+    refs: set[int]  # reference nodes, with elements or without
+    name: str = ""  # of the body
+    keys: Deck = field(default_factory=dict)  # of the part or the set, where `fixed` belongs
+    held: dict[str, tuple[int, Deck | None]] = field(default_factory=dict)  # by direction: reference node, motion or rest
+
+
 class AbaqusDeck:
     """All definitions, and the model that they become."""
 
@@ -38,6 +50,8 @@ class AbaqusDeck:
         self.integrations: dict[int, Counter[str]] = {}  # of the hexahedra of a block, by its index
         self.pair_frictions: list[Deck] = []  # rows of contact.friction.pairs
         self.blocks_of_elements: dict[int, int] = {}  # element: index of its block
+        self.groups: list[RigidGroup] = []
+        self.group_of_ref: dict[int, RigidGroup] = {}
         self._names: dict[tuple[str, str], str] = {}
         self._used: set[int] | None = None
 
@@ -101,6 +115,19 @@ class AbaqusDeck:
         if key not in self._names:
             self._names[key] = self._make_surface(name, place, of_contact)
         return self._names[key]
+
+    def nodes_of_surface(self, name: str, place: Place) -> set[int]:
+        """Nodes of a surface of faces of elements, or of nodes."""
+        if name.upper() in self.mesh.node_surfaces:
+            return {node for word in self.mesh.node_surfaces[name.upper()] for node in self.nodes_of(word, place)}
+        nodes: set[int] = set()
+        for where, label in self.resolve(self.mesh.surfaces, name, place, "surface"):
+            for id in self.elements_of(where, place):
+                if id in self.blocks_of_elements and label:
+                    nodes.update(node for face in self._list_faces(id, label, place, False) for node in face)
+                elif id in self.blocks_of_elements:
+                    nodes.update(self.mesh.elements[id][1])
+        return nodes
 
     def _make_surface(self, name: str, place: Place, of_contact: bool) -> str:
         sides = self.resolve(self.mesh.surfaces, name, place, "surface")

@@ -54,6 +54,18 @@ class SpringSet:
 
 
 @dataclass
+class BodyCard:
+    """A keyword that makes nodes rigid; names are empty where it has none."""
+
+    keyword: str
+    place: Place
+    ref: str  # a node, or a set of one
+    elements: str = ""
+    nodes: list[str] = field(default_factory=list)
+    surface: str = ""
+
+
+@dataclass
 class Scope:
     """What a part, the assembly, or a deck without parts defines. Names are in capitals."""
 
@@ -66,6 +78,7 @@ class Scope:
     sections: list[Section] = field(default_factory=list)
     masses: list[tuple[str, float, Place]] = field(default_factory=list)
     springs: list[SpringSet] = field(default_factory=list)
+    bodies: list[BodyCard] = field(default_factory=list)
     place: Place | None = None
     sorted_ids: dict[str, list[int]] = field(default_factory=dict)
 
@@ -210,6 +223,11 @@ def join(into: Scope, part: Scope, instance: Instance) -> None:
     for section in part.sections:
         into.sections.append(replace(section, elements=f"{instance.name}.{section.elements}"))
     into.springs += [replace(spring, elements=f"{instance.name}.{spring.elements}") for spring in part.springs]
+    into.bodies += [
+        replace(body, ref=qualify(body.ref, instance), elements=qualify(body.elements, instance),
+                nodes=[qualify(name, instance) for name in body.nodes], surface=qualify(body.surface, instance))
+        for body in part.bodies
+    ]  # fmt: skip
     into.masses += [(f"{instance.name}.{name}", mass, place) for name, mass, place in part.masses]
 
 
@@ -219,4 +237,6 @@ def add_names(names: dict, instance: str, name: str, value: object) -> None:
 
 def qualify(where: str, instance: Instance) -> str:
     id = parse_integer(where)
+    if not where:
+        return where
     return f"{instance.name}.{where}" if id is None else str(id + instance.shift)

@@ -6,6 +6,7 @@ from ..fields import MOST_ID
 from ..ledger import BadInput
 from ..model import Block as Part
 from ..model import Deck
+from .bodies import add_reference_masses
 from .beams import add_beam_keys, read_beam_section
 from .deck import AbaqusDeck
 from .lines import Block
@@ -55,6 +56,7 @@ def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
     for name, table in (("node_sets", assembly.node_sets), ("element_sets", assembly.element_sets), ("surfaces", assembly.surfaces),
                         ("node_surfaces", assembly.node_surfaces)):  # fmt: skip
         getattr(deck.mesh, name).update(table)
+    deck.mesh.bodies += assembly.bodies
 
 
 def build_parts(deck: AbaqusDeck) -> None:
@@ -165,6 +167,7 @@ def add_masses(deck: AbaqusDeck) -> None:
     """*MASS on elements of the type MASS."""
     for name, mass, place in deck.mesh.masses:
         nodes = [deck.mesh.elements[id][1][0] for id in deck.elements_of(name, place) if deck.mesh.elements[id][1]]
+        nodes = add_reference_masses(deck, nodes, mass) if mass > 0 else nodes
         used = [node for node in nodes if node in deck.used_nodes()]
         if len(used) < len(nodes):
             deck.ledger.refuse("MASS", place, "masses on nodes without elements", "they are left out")

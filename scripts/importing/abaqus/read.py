@@ -4,10 +4,10 @@ from collections.abc import Callable
 
 from ..ledger import BadInput, Ledger
 from ..model import Model
-from . import steps
+from . import bodies, steps
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
-from .mesh import Scope, read_elements, read_instance, read_nodes, read_set, read_surface
+from .mesh import BodyCard, Scope, read_elements, read_instance, read_nodes, read_set, read_surface
 from .options import check_options
 from .parts import add_masses, build_parts, choose_integration, place_instances, read_section
 from .springs import add_springs, read_spring
@@ -37,6 +37,7 @@ class Reader:
         self.scope = self.flat
         self.material: MaterialBlocks | None = None
         self.interaction = ""
+        self.coupling: BodyCard | None = None
         self.waiting: list[Block] = []
         self.steps = 0
 
@@ -108,6 +109,19 @@ class Reader:
     def spring(self, block: Block) -> None:
         read_spring(self.scope, block, self.deck.ledger)
 
+    def rigid_body(self, block: Block) -> None:
+        bodies.read_rigid_body(self.scope, block, self.deck.ledger)
+
+    def begin_coupling(self, block: Block) -> None:
+        self.coupling = bodies.read_coupling(block)
+
+    def kinematic(self, block: Block) -> None:
+        bodies.read_kinematic(self.scope, self.coupling, block, self.deck.ledger)
+        self.coupling = None
+
+    def constraints(self, block: Block) -> None:
+        bodies.read_constraints(self.scope, block, self.deck.ledger)
+
     def begin_material(self, block: Block) -> None:
         self.material = MaterialBlocks(block.place)
         self.deck.materials[block.option("NAME")] = self.material
@@ -167,6 +181,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "HEADING": Reader.heading, "PART": Reader.begin_part, "ASSEMBLY": Reader.begin_assembly, "INSTANCE": Reader.begin_instance,
     "END PART": Reader.end, "END ASSEMBLY": Reader.end, "END INSTANCE": Reader.end, "NODE": Reader.nodes, "ELEMENT": Reader.elements,
     "NSET": Reader.sets, "ELSET": Reader.sets, "SURFACE": Reader.surface, "SOLID SECTION": Reader.section, "SHELL SECTION": Reader.section, "BEAM SECTION": Reader.section,
+    "RIGID BODY": Reader.rigid_body, "COUPLING": Reader.begin_coupling, "KINEMATIC": Reader.kinematic, "MPC": Reader.constraints,
     "MASS": Reader.mass, "SPRING": Reader.spring, "DASHPOT": Reader.spring,
     "MATERIAL": Reader.begin_material, "SURFACE INTERACTION": Reader.begin_interaction, "FRICTION": Reader.friction,
     "AMPLITUDE": Reader.amplitude, "STEP": Reader.begin_step, "DYNAMIC": Reader.dynamic, "STATIC": Reader.static, "FREQUENCY": Reader.static,
@@ -197,6 +212,7 @@ def read_abaqus_deck(path: str, ledger: Ledger) -> Model:
     deck.model.nodes = deck.mesh.nodes
     build_parts(deck)
     choose_integration(deck)
+    bodies.build_bodies(deck)
     apply(reader)
     finish(deck)
     return deck.model
@@ -231,6 +247,7 @@ def apply(reader: Reader) -> None:
 def finish(deck: AbaqusDeck) -> None:
     """The sections that need all keywords."""
     add_masses(deck)
+    bodies.finish_bodies(deck)
     add_springs(deck)
     steps.add_velocities(deck)
     steps.finish_contact(deck)

@@ -4,6 +4,7 @@ from ..curves import Curve, make_time_value, order_points
 from ..fields import clip
 from ..ledger import Place
 from ..model import Deck
+from .bodies import hold_reference
 from .deck import AbaqusDeck
 from .lines import Block
 
@@ -52,7 +53,6 @@ def time_value(deck: AbaqusDeck, block: Block, value: float) -> "float | Deck":
 def read_boundary(deck: AbaqusDeck, block: Block) -> None:
     """set, ENCASTRE; or set, first, last, value, of displacements or velocities."""
     for line in block.lines:
-        name = deck.node_set_name(block.text(line, 0), block.at(line[0]))
         word = block.text(line, 1).upper()
         if word in NAMED:
             directions, value = list(NAMED[word]), 0.0
@@ -60,6 +60,9 @@ def read_boundary(deck: AbaqusDeck, block: Block) -> None:
             first = block.integer(line, 1, 1)
             last = block.integer(line, 2, first) or first
             directions, value = [AXES[i - 1] for i in range(max(first, 1), min(last, 6) + 1)], block.number(line, 3)
+        if hold_references(deck, block, line, directions, value):
+            continue
+        name = deck.node_set_name(block.text(line, 0), block.at(line[0]))
         if not name:
             deck.ledger.ignored("BOUNDARY", block.at(line[0]), "its nodes have no element")
         else:
@@ -72,25 +75,41 @@ def add_condition(
     turning = deck.model.turning_nodes()
     if not any(node in turning for node in deck.model.node_sets[name]):
         directions = [d for d in directions if d in AXES[:3]]
+    entry = make_motion(deck, block, line, directions, value) if directions else None
+    if entry:
+        deck.model.add("conditions", {"nodes": name, **entry})
+        deck.ledger.translated("BOUNDARY", block.at(line[0]), "conditions")
+
+
+def make_motion(deck: AbaqusDeck, block: Block, line: tuple[int, list[str]], directions: list[str], value: float) -> Deck | None:
+    """What a condition does in some directions; None where it is refused."""
     kind = block.option("TYPE") or "DISPLACEMENT"
-    if not directions:
-        return
     if value == 0:
-        entry: Deck = {"fixed": directions}
-    elif kind == "VELOCITY":
-        entry = {"velocity": {d: time_value(deck, block, value) for d in directions}}
-    elif kind == "DISPLACEMENT" and "AMPLITUDE" in block.options and not any(d.startswith("r") for d in directions):
-        entry = {"displacement": {d: time_value(deck, block, value) for d in directions}}
-    else:
-        deck.ledger.refuse(
-            "BOUNDARY.TYPE",
-            block.at(line[0]),
-            f"a {kind.lower()} of {', '.join(directions)}, or without an amplitude",
-            "it is left out",
-        )
-        return
-    deck.model.add("conditions", {"nodes": name, **entry})
-    deck.ledger.translated("BOUNDARY", block.at(line[0]), "conditions")
+        return {"fixed": directions}
+    if kind == "VELOCITY":
+        return {"velocity": {d: time_value(deck, block, value) for d in directions}}
+    if kind == "DISPLACEMENT" and "AMPLITUDE" in block.options and not any(d.startswith("r") for d in directions):
+        return {"displacement": {d: time_value(deck, block, value) for d in directions}}
+    deck.ledger.refuse(
+        "BOUNDARY.TYPE",
+        block.at(line[0]),
+        f"a {kind.lower()} of {', '.join(directions)}, or without an amplitude",
+        "it is left out",
+    )
+    return None
+
+
+def hold_references(deck: AbaqusDeck, block: Block, line: tuple[int, list[str]], directions: list[str], value: float) -> bool:
+    """Conditions on reference nodes of rigid bodies act on these. Whether no other node is left."""
+    nodes = deck.nodes_of(block.text(line, 0), block.at(line[0]))
+    if not any(node in deck.group_of_ref for node in nodes):
+        return False
+    for direction in directions:
+        motion = make_motion(deck, block, line, [direction], value)
+        if motion:
+            hold_reference(deck, nodes, [direction], None if "fixed" in motion else motion)
+    deck.ledger.translated("BOUNDARY", block.at(line[0]), "what holds a rigid body")
+    return all(node in deck.group_of_ref for node in nodes)
 
 
 def read_initial(deck: AbaqusDeck, block: Block) -> None:
@@ -112,9 +131,14 @@ def add_velocities(deck: AbaqusDeck) -> None:
     """A node set for each velocity."""
     groups: dict[tuple[float, ...], list[int]] = {}
     for node, velocity in deck.velocities.items():
-        if node in deck.used_nodes():
-            groups.setdefault(tuple(velocity), []).append(node)
-    for index, (of_group, nodes) in enumerate(groups.items(), 1):
+        moved = [node] if node in deck.used_nodes() else []
+        if node in deck.group_of_ref:
+            moved = sorted(deck.group_of_ref[node].nodes)
+        groups.setdefault(tuple(velocity), []).extend(moved)
+    for index, (of_group, members) in enumerate(groups.items(), 1):
+        nodes = list(dict.fromkeys(members))
+        if not nodes:
+            continue
         is_all = len(nodes) == len(deck.used_nodes())
         entry: Deck = {} if is_all else {"nodes": name_nodes(deck, nodes, f"moving_{index}")}
         deck.model.add("initial", {**entry, "velocity": list(of_group)})

