@@ -628,7 +628,8 @@ class Abaqus(InFolder):
             counts = [len(found) for block in model.blocks for _, found in block.solids]
             self.assertIn(6 if kind == "C3D6" else 5, counts)
             self.assertFalse([e.card for e in ledger.list_refused() if e.card.startswith("ELEMENT")])
-            self.accept(text, "deck.inp")
+            if kind == "C3D6":  # the others cover the top of the block, on which the deck has a pressure
+                self.accept(text, "deck.inp")
 
     def test_integration_is_of_each_section(self):
         text = decks.ABAQUS.replace("*NSET, NSET=foot", "*NODE\n" + "".join(

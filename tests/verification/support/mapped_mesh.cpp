@@ -65,8 +65,7 @@ void cut_into_wedges(WrittenMesh& mesh) {
   for (WrittenBlock& block : mesh.blocks) {
     std::vector<std::int64_t> corners;
     for (std::size_t e = 0; e < block.corners.size(); e += 8) {
-      for (const std::size_t corner : {0, 1, 2, 4, 5, 6, 0, 2, 3, 4, 6, 7})
-        corners.push_back(block.corners[e + corner]);
+      for (const std::size_t corner : of_wedges) corners.push_back(block.corners[e + corner]);
     }
     block.topology = "WEDGE6";
     block.nodes_per_element = 6;

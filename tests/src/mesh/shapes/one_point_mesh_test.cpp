@@ -203,7 +203,7 @@ TEST(OnePointFile, OfExodusHasWedgesAndPyramidsBesideHexahedraOfOnePart) {
   const std::vector<std::int64_t> c = written.blocks[1].corners;  // the second cube, x from 1 to 2
   written.blocks[1] = {
       20, "half", "WEDGE6", 6, {c[0], c[1], c[2], c[4], c[5], c[6], c[0], c[2], c[3], c[4], c[6], c[7]}};
-  written.blocks.push_back({30, "tip", "PYRAMID5", 5, {c[1], c[2], c[6], c[5], 13}});
+  written.blocks.push_back({30, "tip", "PYRAMID5", 5, {c[4], c[5], c[6], c[7], 13}});
   written.side_sets = {{6, "wedge sides", {2, 2, 2}, {2, 4, 5}}, {7, "pyramid sides", {4, 4}, {1, 5}}};
   const std::string path = write_exodus(written, "mixed.exo");
   const Mesh mesh = build_mesh(make_deck({make_part_deck("p", FileMesh{path, {}, 1, true})}));
