@@ -38,6 +38,8 @@ class AbaqusDeck:
         self.integrations: dict[int, Counter[str]] = {}  # of the hexahedra of a block, by its index
         self.pair_frictions: list[Deck] = []  # rows of contact.friction.pairs
         self.blocks_of_elements: dict[int, int] = {}  # element: index of its block
+        self.bodies: dict[int, list[str]] = {}  # parts of rigid bodies, by reference node
+        self.driven: list[tuple[str, set[str], Place]] = []  # motions of bodies: first part, directions
         self._names: dict[tuple[str, str], str] = {}
         self._used: set[int] | None = None
 

@@ -5,6 +5,7 @@ from ..ledger import Ledger
 from .lines import Block
 
 OF_STEP = "AMPLITUDE OP"
+OF_NUMERICS = "ELEMENT_BY_ELEMENT DIRECT_USER_CONTROL FIXED_TIME_INCREMENTATION IMPROVED_DT_METHOD"
 KNOWN = {
     "NODE": "NSET SYSTEM INPUT",
     "ELEMENT": "TYPE ELSET INPUT",
@@ -23,7 +24,7 @@ KNOWN = {
     "PLASTIC": "HARDENING RATE",
     "RATE DEPENDENT": "TYPE",
     "EOS": "TYPE",
-    "HYPERELASTIC": "MOONEY-RIVLIN NEO_HOOKE TEST_DATA_INPUT",
+    "HYPERELASTIC": "MOONEY-RIVLIN NEO_HOOKE POLYNOMIAL N TEST_DATA_INPUT",
     "AMPLITUDE": "NAME DEFINITION TIME",
     "BOUNDARY": f"TYPE {OF_STEP}",
     "INITIAL CONDITIONS": "TYPE",
@@ -34,11 +35,13 @@ KNOWN = {
     "CONTACT PAIR": "INTERACTION MECHANICAL_CONSTRAINT CPSET WEIGHT TYPE",
     "CONTACT INCLUSIONS": "ALL_EXTERIOR",
     "CONTACT PROPERTY ASSIGNMENT": "",
-    "DYNAMIC": "EXPLICIT ELEMENT_BY_ELEMENT SCALE_FACTOR",
+    "DYNAMIC": f"EXPLICIT SCALE_FACTOR {OF_NUMERICS}",
+    "RIGID BODY": "REF_NODE ELSET POSITION ISOTHERMAL",
     "SURFACE BEHAVIOR": "PRESSURE-OVERCLOSURE",
 }
 # Values that mean the default.
-DEFAULTS = {("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): {"", "HARD"}, ("AMPLITUDE", "TIME"): {"", "STEP TIME"}}
+DEFAULTS = {("HYPERELASTIC", "N"): {"", "1"}, ("RIGID BODY", "ISOTHERMAL"): {"", "NO"},
+            ("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): {"", "HARD"}, ("AMPLITUDE", "TIME"): {"", "STEP TIME"}}
 
 
 def check_options(block: Block, ledger: Ledger) -> None:
@@ -47,7 +50,11 @@ def check_options(block: Block, ledger: Ledger) -> None:
     if known is None:
         return
     words = {word.replace("_", " ") for word in known.split()}
+    complete_names(block, words)
+    numerics = {word.replace("_", " ") for word in OF_NUMERICS.split()}
     for name in block.options:
+        if block.keyword == "DYNAMIC" and name in numerics:
+            ledger.ignored(f"DYNAMIC.{name}", block.place, "numerics: percuss chooses a stable step")
         values = DEFAULTS.get((block.keyword, name))
         if name not in words or (values and block.option(name) not in values):
             ledger.refuse(
@@ -58,3 +65,11 @@ def check_options(block: Block, ledger: Ledger) -> None:
             )
     if block.option("OP") == "NEW":
         ledger.refuse(f"{block.keyword}.OP", block.place, "OP=NEW, which ends what acted before", "what acted before goes on")
+
+
+def complete_names(block: Block, words: set[str]) -> None:
+    """Options may be shortened as long as one alone begins so, as GEN for GENERATE."""
+    for name in list(block.options):
+        fits = [word for word in words if word.startswith(name)]
+        if name not in words and len(name) >= 3 and len(fits) == 1:
+            block.options[fits[0]] = block.options.pop(name)

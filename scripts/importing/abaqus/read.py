@@ -10,6 +10,7 @@ from .lines import Block, BlockReader
 from .mesh import Scope, read_elements, read_instance, read_nodes, read_set, read_surface
 from .options import check_options
 from .parts import add_masses, build_parts, choose_integration, place_instances, read_section
+from .rigid import finish_bodies, read_rigid_body
 from .springs import add_springs, read_spring
 
 Handler = Callable[[AbaqusDeck, Block], None]
@@ -43,7 +44,7 @@ class Reader:
     def take(self, block: Block) -> None:
         keyword = block.keyword
         check_options(block, self.deck.ledger)
-        if self.material and keyword not in MATERIAL_END:
+        if self.material and not (keyword in MATERIAL_END or keyword in METHODS or keyword in ACTIONS):
             self.material.parts.append(block)
             return
         self.material = None
@@ -173,7 +174,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "BULK VISCOSITY": Reader.viscosity, "OUTPUT": Reader.output,
 }  # fmt: skip
 ACTIONS: dict[str, Handler] = {
-    "BOUNDARY": steps.read_boundary, "INITIAL CONDITIONS": steps.read_initial, "CLOAD": steps.read_node_force,
+    "RIGID BODY": read_rigid_body, "BOUNDARY": steps.read_boundary, "INITIAL CONDITIONS": steps.read_initial, "CLOAD": steps.read_node_force,
     "DLOAD": steps.read_distributed, "DSLOAD": steps.read_distributed, "TIE": steps.read_tie, "CONTACT PAIR": steps.read_contact_pair,
     "CONTACT INCLUSIONS": steps.read_inclusions, "CONTACT PROPERTY ASSIGNMENT": steps.read_property,
 }  # fmt: skip
@@ -219,8 +220,8 @@ def read_assembly_sets(reader: Reader) -> None:
 
 
 def apply(reader: Reader) -> None:
-    """What acts on the mesh."""
-    for block in reader.waiting:
+    """What acts on the mesh; rigid bodies first, since conditions act on them."""
+    for block in sorted(reader.waiting, key=lambda block: block.keyword != "RIGID BODY"):
         if block.keyword in ACTIONS:
             try:
                 ACTIONS[block.keyword](reader.deck, block)
@@ -230,6 +231,7 @@ def apply(reader: Reader) -> None:
 
 def finish(deck: AbaqusDeck) -> None:
     """The sections that need all keywords."""
+    finish_bodies(deck)
     add_masses(deck)
     add_springs(deck)
     steps.add_velocities(deck)

@@ -6,6 +6,7 @@ from ..ledger import Place
 from ..model import Deck
 from .deck import AbaqusDeck
 from .lines import Block
+from .rigid import find_body, move_body
 
 AXES = ("x", "y", "z", "rx", "ry", "rz")
 NAMED = {"ENCASTRE": AXES, "PINNED": AXES[:3], "XSYMM": ("x", "ry", "rz"), "YSYMM": ("y", "rx", "rz"), "ZSYMM": ("z", "rx", "ry"),
@@ -53,6 +54,7 @@ def read_boundary(deck: AbaqusDeck, block: Block) -> None:
     """set, ENCASTRE; or set, first, last, value, of displacements or velocities."""
     for line in block.lines:
         name = deck.node_set_name(block.text(line, 0), block.at(line[0]))
+        body = find_body(deck, block.text(line, 0), block.at(line[0])) if not name else []
         word = block.text(line, 1).upper()
         if word in NAMED:
             directions, value = list(NAMED[word]), 0.0
@@ -60,7 +62,11 @@ def read_boundary(deck: AbaqusDeck, block: Block) -> None:
             first = block.integer(line, 1, 1)
             last = block.integer(line, 2, first) or first
             directions, value = [AXES[i - 1] for i in range(max(first, 1), min(last, 6) + 1)], block.number(line, 3)
-        if not name:
+        if body:
+            entry = make_condition(deck, block, line, directions, value)
+            if entry:
+                move_body(deck, body, entry, block.at(line[0]))
+        elif not name:
             deck.ledger.ignored("BOUNDARY", block.at(line[0]), "its nodes have no element")
         else:
             add_condition(deck, block, line, name, directions, value)
@@ -72,9 +78,17 @@ def add_condition(
     turning = deck.model.turning_nodes()
     if not any(node in turning for node in deck.model.node_sets[name]):
         directions = [d for d in directions if d in AXES[:3]]
+    entry = make_condition(deck, block, line, directions, value) if directions else None
+    if entry:
+        deck.model.add("conditions", {"nodes": name, **entry})
+        deck.ledger.translated("BOUNDARY", block.at(line[0]), "conditions")
+
+
+def make_condition(
+    deck: AbaqusDeck, block: Block, line: tuple[int, list[str]], directions: list[str], value: float
+) -> Deck | None:
+    """fixed, velocity or displacement; None where it is refused."""
     kind = block.option("TYPE") or "DISPLACEMENT"
-    if not directions:
-        return
     if value == 0:
         entry: Deck = {"fixed": directions}
     elif kind == "VELOCITY":
@@ -88,9 +102,8 @@ def add_condition(
             f"a {kind.lower()} of {', '.join(directions)}, or without an amplitude",
             "it is left out",
         )
-        return
-    deck.model.add("conditions", {"nodes": name, **entry})
-    deck.ledger.translated("BOUNDARY", block.at(line[0]), "conditions")
+        return None
+    return entry
 
 
 def read_initial(deck: AbaqusDeck, block: Block) -> None:
@@ -103,7 +116,9 @@ def read_initial(deck: AbaqusDeck, block: Block) -> None:
         if dof not in (1, 2, 3):
             deck.ledger.refuse("INITIAL CONDITIONS.dof", block.at(line[0]), "a rotation of nodes at the start", INSTEAD)
             continue
-        for node in deck.nodes_of(block.text(line, 0), block.at(line[0])):
+        parts = find_body(deck, block.text(line, 0), block.at(line[0]))
+        of_body = deck.model.nodes_of_blocks(b.id for b in deck.model.blocks if b.name in parts)
+        for node in of_body or deck.nodes_of(block.text(line, 0), block.at(line[0])):
             deck.velocities.setdefault(node, [0.0, 0.0, 0.0])[dof - 1] = value
     deck.ledger.translated("INITIAL CONDITIONS", block.place, "initial: velocity")
 

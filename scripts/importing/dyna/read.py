@@ -54,7 +54,7 @@ DEFINITIONS: dict[str, Handler] = {
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
     "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_": read_other_control,
-    "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_PRESCRIBED_MOTION": conditions.read_motion,
+    "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_PRESCRIBED_MOTION": conditions.read_motion,
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
     "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
