@@ -80,6 +80,14 @@ class Cards(InFolder):
         _, ledger = self.read(text.replace("*END", "*BOUNDARY_SPC_SET\n0,0,0,0,0,0,0,0\n*END"))
         self.assertIn("BOUNDARY_SPC_SET.none", outcomes(ledger, Status.IGNORED))
 
+    def test_the_first_case_acts(self):
+        cases = "*CASE_BEGIN_3\n*TITLE\nthree\n*CASE_END_3\n*CASE_BEGIN_4\n*TITLE\nfour\n*CASE_END_4\n*END"
+        text = decks.make_block(decks.LAWS["table"][1], "", True).replace("*END", cases)
+        self.assertIn("CASE", self.refusals(text))
+        model, ledger = self.read(text, "CASE")
+        self.assertEqual(model.title, "three")
+        self.assertIn("CASE.TITLE", outcomes(ledger, Status.IGNORED))
+
     def test_a_limit_of_the_step_is_ignored(self):
         text = decks.make_block(decks.LAWS["table"][1], "", True)
         self.assertEqual(self.refusals(text.replace("*END", "*CONTROL_TIMESTEP\n0,0.9,0,0,0,7\n*END")), {})
@@ -106,6 +114,13 @@ class Rigid(InFolder):
     def test_a_body_that_turns_freely_is_refused(self):
         text = decks.ABAQUS_RIGID.replace("9, 4, 6\n", "")
         self.assertIn("RIGID BODY.turns", outcomes(self.read_abaqus(text)[1], Status.REFUSED))
+
+    def test_masses_are_scaled(self):
+        text = decks.ABAQUS_RIGID.replace("*RIGID BODY, REF NODE=9, ELSET=cube\n", "").replace("9, 1, 2\n9, 4, 6\n", "all, 1\n")
+        scaled = "*VARIABLE MASS SCALING, DT=1e-5, TYPE=BELOW MIN, FREQUENCY=1\n*BOUNDARY, TYPE"
+        model, ledger = self.read_abaqus(text.replace("9, 3, 3", "all, 3, 3").replace("*BOUNDARY, TYPE", scaled))
+        self.assertEqual(outcomes(ledger, Status.REFUSED), set())
+        self.assertEqual(model.blocks[0].keys["mass_scaling"], {"step": 1e-5, "max_added": 1.0, "every": 10})
 
     def test_numerics_of_the_step_are_told(self):
         _, ledger = self.read_abaqus(decks.ABAQUS_RIGID)

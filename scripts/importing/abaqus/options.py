@@ -36,11 +36,14 @@ KNOWN = {
     "CONTACT INCLUSIONS": "ALL_EXTERIOR",
     "CONTACT PROPERTY ASSIGNMENT": "",
     "DYNAMIC": f"EXPLICIT SCALE_FACTOR {OF_NUMERICS}",
+    "FIXED MASS SCALING": "DT TYPE",
+    "VARIABLE MASS SCALING": "DT TYPE FREQUENCY",
     "RIGID BODY": "REF_NODE ELSET POSITION ISOTHERMAL",
     "SURFACE BEHAVIOR": "PRESSURE-OVERCLOSURE",
 }
 # Values that mean the default.
-DEFAULTS = {("HYPERELASTIC", "N"): {"", "1"}, ("RIGID BODY", "ISOTHERMAL"): {"", "NO"},
+BELOW = {"BELOW MIN", "UNIFORM"}
+DEFAULTS = {("FIXED MASS SCALING", "TYPE"): BELOW, ("VARIABLE MASS SCALING", "TYPE"): BELOW, ("HYPERELASTIC", "N"): {"", "1"}, ("RIGID BODY", "ISOTHERMAL"): {"", "NO"},
             ("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): {"", "HARD"}, ("AMPLITUDE", "TIME"): {"", "STEP TIME"}}
 
 
@@ -49,6 +52,8 @@ def check_options(block: Block, ledger: Ledger) -> None:
     known = KNOWN.get(block.keyword)
     if known is None:
         return
+    if "MASS SCALING" in block.keyword and "ELSET" in block.options:
+        return  # refused as a whole
     words = {word.replace("_", " ") for word in known.split()}
     complete_names(block, words)
     numerics = {word.replace("_", " ") for word in OF_NUMERICS.split()}

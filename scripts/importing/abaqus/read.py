@@ -10,6 +10,7 @@ from .lines import Block, BlockReader
 from .mesh import Scope, read_elements, read_instance, read_nodes, read_set, read_surface
 from .options import check_options
 from .parts import add_masses, build_parts, choose_integration, place_instances, read_section
+from .masses import read_mass_scaling
 from .rigid import finish_bodies, read_rigid_body
 from .springs import add_springs, read_spring
 
@@ -174,7 +175,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "BULK VISCOSITY": Reader.viscosity, "OUTPUT": Reader.output,
 }  # fmt: skip
 ACTIONS: dict[str, Handler] = {
-    "RIGID BODY": read_rigid_body, "BOUNDARY": steps.read_boundary, "INITIAL CONDITIONS": steps.read_initial, "CLOAD": steps.read_node_force,
+    "FIXED MASS SCALING": read_mass_scaling, "VARIABLE MASS SCALING": read_mass_scaling, "RIGID BODY": read_rigid_body, "BOUNDARY": steps.read_boundary, "INITIAL CONDITIONS": steps.read_initial, "CLOAD": steps.read_node_force,
     "DLOAD": steps.read_distributed, "DSLOAD": steps.read_distributed, "TIE": steps.read_tie, "CONTACT PAIR": steps.read_contact_pair,
     "CONTACT INCLUSIONS": steps.read_inclusions, "CONTACT PROPERTY ASSIGNMENT": steps.read_property,
 }  # fmt: skip
