@@ -103,6 +103,18 @@ class Cards(InFolder):
         self.assertIn([0.0, 1.0, 0.0], [block.keys.get("toward") for block in model.blocks])
 
 
+class Instances(InFolder):
+    def test_a_mesh_within_an_instance_is_its_own(self):
+        start = decks.ABAQUS_RATES.index("*MATERIAL")
+        mesh = decks.ABAQUS_RATES[:start]
+        text = f"*PART, NAME=p\n*END PART\n*ASSEMBLY, NAME=a\n*INSTANCE, NAME=i, PART=p\n0., 0., 3.\n{mesh}*END INSTANCE\n"
+        text += "*NSET, NSET=low, INSTANCE=i\n1, 2, 3, 4\n*END ASSEMBLY\n" + decks.ABAQUS_RATES[start:].replace("all, 3", "low, 3")
+        model, ledger = self.read_abaqus(text)
+        self.assertEqual(outcomes(ledger, Status.REFUSED), set())
+        self.assertEqual(model.nodes[5], (0.0, 0.0, 4.0))
+        self.assertEqual(model.node_sets["low"], [1, 2, 3, 4])
+
+
 class Rigid(InFolder):
     def test_a_rigid_body_of_abaqus_is_a_rigid_part(self):
         model, ledger = self.read_abaqus(decks.ABAQUS_RIGID)

@@ -71,10 +71,10 @@ class Reader:
 
     def begin_instance(self, block: Block) -> None:
         self.deck.instances.append(read_instance(block))
+        self.scope = self.deck.instances[-1].own
 
     def end(self, block: Block) -> None:
-        if block.keyword != "END INSTANCE":
-            self.scope = self.flat
+        self.scope = self.assembly if block.keyword == "END INSTANCE" else self.flat
 
     def nodes(self, block: Block) -> None:
         if block.option("SYSTEM") not in ("", "R"):
