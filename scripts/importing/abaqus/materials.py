@@ -128,6 +128,8 @@ def add_rate(deck: AbaqusDeck, law: Deck, block: Block | None) -> None:
 
 def add_rate_tables(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> None:
     """*PLASTIC, RATE=: a table for each rate. The first one is that of the law."""
+    if len(blocks) == 1 and "RATE" in blocks[0].options:
+        deck.ledger.refuse("PLASTIC.RATE", blocks[0].place, "a table for one rate alone", "it is used at all rates")
     if len(blocks) < 2 or law["model"] == "johnson_cook":
         return
     tables = []
