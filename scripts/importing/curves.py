@@ -82,6 +82,15 @@ def integrate(points: Points, pieces: int = 16) -> Points:
     return rows
 
 
+def differentiate(points: Points) -> Points:
+    """The slopes of straight lines, with a step at each point."""
+    rows: Points = []
+    for (x0, y0), (x1, y1) in zip(points, points[1:]):
+        slope = (y1 - y0) / (x1 - x0)
+        rows += [(x0, slope), (x1, slope)]
+    return order_points(rows)
+
+
 def thin_rows(points: Points, most: int = MOST_MATERIAL_ROWS) -> tuple[Points, float]:
     """At most so many of the rows, and the largest error of the rest as a share of the largest value.
 

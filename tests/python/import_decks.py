@@ -613,3 +613,59 @@ a frame
 3, 1, 100.
 *END STEP
 """
+
+CUBE = """*NODE
+1, 0., 0., 0.
+2, 1., 0., 0.
+3, 1., 1., 0.
+4, 0., 1., 0.
+5, 0., 0., 1.
+6, 1., 0., 1.
+7, 1., 1., 1.
+8, 0., 1., 1.
+9, 0.5, 0.5, 2.
+*ELEMENT, TYPE=C3D8R, ELSET=cube
+1, 1, 2, 3, 4, 5, 6, 7, 8
+*NSET, NSET=all, GEN
+1, 8, 1
+*SOLID SECTION, ELSET=cube, MATERIAL=steel
+"""
+# A cube that is rigid, with a reference node above it.
+ABAQUS_RIGID = CUBE + """*MATERIAL, NAME=steel
+*DENSITY
+7850.
+*ELASTIC
+2e11, 0.3
+*RIGID BODY, REF NODE=9, ELSET=cube
+*STEP
+*DYNAMIC, EXPLICIT, DIRECT USER CONTROL
+1e-6, 1e-4
+*BOUNDARY
+9, 1, 2
+9, 4, 6
+*BOUNDARY, TYPE=VELOCITY
+9, 3, 3, -2.
+*END STEP
+"""
+# Yield stresses 2 and 3 times as high at the rates 10 and 20.
+ABAQUS_RATES = CUBE + """*MATERIAL, NAME=steel
+*DENSITY
+7850.
+*ELASTIC
+2e11, 0.3
+*PLASTIC
+2e8, 0.
+3e8, 0.5
+*PLASTIC, RATE=10.
+4e8, 0.
+6e8, 0.5
+*PLASTIC, RATE=20.
+6e8, 0.
+9e8, 0.5
+*STEP
+*DYNAMIC, EXPLICIT
+, 1e-4
+*BOUNDARY, TYPE=VELOCITY
+all, 3, 3, -2.
+*END STEP
+"""

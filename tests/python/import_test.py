@@ -359,7 +359,7 @@ class Laws(InFolder):
         _, cards, _, shells = decks.LAWS["table"]
         self.assertIn(
             "MAT_PIECEWISE_LINEAR_PLASTICITY.LCSR",
-            self.refusals(decks.make_block(cards.replace("0,0,0\n", "0,0,0,7\n"), "", shells)),
+            self.refusals(decks.make_block(cards.replace("0,0,0\n", "0,0,0,7\n") + "*DEFINE_CURVE\n7\n1,1\n2,3\n3,1\n", "", shells)),
         )
         self.assertIn("EOS_GRUNEISEN.A", self.refusals(decks.make_block("*MAT_NULL\n1,1000.0\n", decks.GRUNEISEN)))
         self.assertIn("MAT_MOONEY-RIVLIN_RUBBER.shells", self.refusals(decks.make_block(decks.LAWS["mooney"][1], "", True)))

@@ -5,6 +5,7 @@ import math
 from ..curves import order_points, thin_rows
 from ..ledger import BadInput, Place
 from ..model import Deck
+from ..rates import choose_rate, compare_curves
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block
 
@@ -63,6 +64,7 @@ def translate_law(deck: AbaqusDeck, name: str, material: MaterialBlocks) -> Deck
     if plastic:
         add_plastic(deck, law, plastic)
         add_rate(deck, law, find(material, "RATE DEPENDENT"))
+        add_rate_tables(deck, law, [block for block in material.parts if block.keyword == "PLASTIC"])
     state = find(material, "EOS")
     if state:
         add_state(deck, law, state)
@@ -84,8 +86,6 @@ def add_plastic(deck: AbaqusDeck, law: Deck, block: Block) -> None:
             "Johnson and Cook's law without heating: no temperature field, as without *INELASTIC HEAT FRACTION",
         )
         return
-    if "RATE" in block.options:
-        deck.ledger.refuse("PLASTIC.RATE", block.place, "a table for each rate", "the first table is used")
     points = [(block.number(row, 1), block.number(row, 0)) for row in block.lines]
     if kind == "KINEMATIC" and len(points) > 1:
         (x0, y0), (x1, y1) = points[:2]
@@ -126,6 +126,24 @@ def add_rate(deck: AbaqusDeck, law: Deck, block: Block | None) -> None:
         deck.ledger.refuse("RATE DEPENDENT", block.place, f"a dependence on the rate of the kind {kind}", "there is none")
 
 
+def add_rate_tables(deck: AbaqusDeck, law: Deck, blocks: list[Block]) -> None:
+    """*PLASTIC, RATE=: a table for each rate. The first one is that of the law."""
+    if len(blocks) == 1 and "RATE" in blocks[0].options:
+        deck.ledger.refuse("PLASTIC.RATE", blocks[0].place, "a table for one rate alone", "it is used at all rates")
+    if len(blocks) < 2 or law["model"] == "johnson_cook":
+        return
+    tables = []
+    for block in blocks:
+        rate = block.number((block.place.line, [block.options.get("RATE", "")]), 0)
+        tables.append((rate, order_points([(block.number(row, 1), block.number(row, 0)) for row in block.lines])))
+    if any(not points for _, points in tables):
+        raise BadInput(blocks[0].place, "*PLASTIC without a line")
+    keys = choose_rate(deck.ledger, blocks[1].place, compare_curves(tables), "PLASTIC.RATE", "tables for several rates")
+    if keys and law["model"] == "j2_plasticity":
+        law |= {"model": "combined_hardening", "kinematic_share": 0.0}
+    law |= keys or {}
+
+
 def add_state(deck: AbaqusDeck, law: Deck, block: Block) -> None:
     line = require_line(block)
     if block.option("TYPE") != "USUP":
@@ -138,7 +156,7 @@ def add_state(deck: AbaqusDeck, law: Deck, block: Block) -> None:
 def translate_rubber(deck: AbaqusDeck, block: Block) -> Deck | None:
     """NEO HOOKE or MOONEY-RIVLIN with constants: K = 2 / D1."""
     line = require_line(block)
-    is_mooney, is_neo = "MOONEY-RIVLIN" in block.options, "NEO HOOKE" in block.options
+    is_mooney, is_neo = bool({"MOONEY-RIVLIN", "POLYNOMIAL"} & set(block.options)), "NEO HOOKE" in block.options
     c10, c01, d1 = block.number(line, 0), block.number(line, 1) if is_mooney else 0.0, block.number(line, 2 if is_mooney else 1)
     if (
         not (is_mooney or is_neo)

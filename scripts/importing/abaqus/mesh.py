@@ -100,6 +100,7 @@ class Instance:
     move: Vector = (0.0, 0.0, 0.0)
     turn: tuple[Vector, Vector, float] | None = None  # two points of an axis, degrees
     shift: int = 0  # what is added to the ids
+    own: Scope = field(default_factory=Scope)  # what stands between *INSTANCE and *END INSTANCE: a mesh of its own
 
     def put(self, x: Vector) -> Vector:
         """A point of the part in the assembly: moved, then turned."""

@@ -5,6 +5,7 @@ from ..ledger import Ledger
 from .lines import Block
 
 OF_STEP = "AMPLITUDE OP"
+OF_NUMERICS = "ELEMENT_BY_ELEMENT DIRECT_USER_CONTROL FIXED_TIME_INCREMENTATION IMPROVED_DT_METHOD"
 KNOWN = {
     "NODE": "NSET SYSTEM INPUT",
     "ELEMENT": "TYPE ELSET INPUT",
@@ -15,7 +16,7 @@ KNOWN = {
     "BEAM SECTION": "ELSET MATERIAL SECTION",
     "SHELL SECTION": "ELSET MATERIAL CONTROLS OFFSET SECTION_INTEGRATION ORIENTATION",
     "MASS": "ELSET",
-    "RIGID BODY": "REF_NODE ELSET TIE_NSET PIN_NSET",
+    "RIGID BODY": "REF_NODE ELSET TIE_NSET PIN_NSET POSITION ISOTHERMAL",
     "COUPLING": "CONSTRAINT_NAME REF_NODE SURFACE",
     "KINEMATIC": "",
     "MPC": "",
@@ -27,7 +28,7 @@ KNOWN = {
     "PLASTIC": "HARDENING RATE",
     "RATE DEPENDENT": "TYPE",
     "EOS": "TYPE",
-    "HYPERELASTIC": "MOONEY-RIVLIN NEO_HOOKE TEST_DATA_INPUT",
+    "HYPERELASTIC": "MOONEY-RIVLIN NEO_HOOKE POLYNOMIAL N TEST_DATA_INPUT",
     "AMPLITUDE": "NAME DEFINITION TIME",
     "BOUNDARY": f"TYPE {OF_STEP}",
     "INITIAL CONDITIONS": "TYPE",
@@ -38,11 +39,15 @@ KNOWN = {
     "CONTACT PAIR": "INTERACTION MECHANICAL_CONSTRAINT CPSET WEIGHT TYPE",
     "CONTACT INCLUSIONS": "ALL_EXTERIOR",
     "CONTACT PROPERTY ASSIGNMENT": "",
-    "DYNAMIC": "EXPLICIT ELEMENT_BY_ELEMENT SCALE_FACTOR",
+    "DYNAMIC": f"EXPLICIT SCALE_FACTOR {OF_NUMERICS}",
+    "FIXED MASS SCALING": "DT TYPE",
+    "VARIABLE MASS SCALING": "DT TYPE FREQUENCY",
     "SURFACE BEHAVIOR": "PRESSURE-OVERCLOSURE",
 }
 # Values that mean the default.
-DEFAULTS = {("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): {"", "HARD"}, ("AMPLITUDE", "TIME"): {"", "STEP TIME"}}
+BELOW = {"BELOW MIN", "UNIFORM"}
+DEFAULTS = {("FIXED MASS SCALING", "TYPE"): BELOW, ("VARIABLE MASS SCALING", "TYPE"): BELOW, ("HYPERELASTIC", "N"): {"", "1"}, ("RIGID BODY", "ISOTHERMAL"): {"", "NO"},
+            ("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): {"", "HARD"}, ("AMPLITUDE", "TIME"): {"", "STEP TIME"}}
 
 
 def check_options(block: Block, ledger: Ledger) -> None:
@@ -50,8 +55,14 @@ def check_options(block: Block, ledger: Ledger) -> None:
     known = KNOWN.get(block.keyword)
     if known is None:
         return
+    if "MASS SCALING" in block.keyword and "ELSET" in block.options:
+        return  # refused as a whole
     words = {word.replace("_", " ") for word in known.split()}
+    complete_names(block, words)
+    numerics = {word.replace("_", " ") for word in OF_NUMERICS.split()}
     for name in block.options:
+        if block.keyword == "DYNAMIC" and name in numerics:
+            ledger.ignored(f"DYNAMIC.{name}", block.place, "numerics: percuss chooses a stable step")
         values = DEFAULTS.get((block.keyword, name))
         if name not in words or (values and block.option(name) not in values):
             ledger.refuse(
@@ -62,3 +73,11 @@ def check_options(block: Block, ledger: Ledger) -> None:
             )
     if block.option("OP") == "NEW":
         ledger.refuse(f"{block.keyword}.OP", block.place, "OP=NEW, which ends what acted before", "what acted before goes on")
+
+
+def complete_names(block: Block, words: set[str]) -> None:
+    """Options may be shortened as long as one alone begins so, as GEN for GENERATE."""
+    for name in list(block.options):
+        fits = [word for word in words if word.startswith(name)]
+        if name not in words and len(name) >= 3 and len(fits) == 1:
+            block.options[fits[0]] = block.options.pop(name)

@@ -47,9 +47,10 @@ def place_instances(deck: AbaqusDeck, assembly: Scope) -> None:
                 )
             instance.shift = 10 ** len(str(highest))
             deck.ledger.approximated("INSTANCE", instance.place, f"ids of instance {instance.name} are raised by {instance.shift}")
-        if len(deck.mesh.nodes) + len(part.nodes) > MOST_NODES:
+        if len(deck.mesh.nodes) + len(part.nodes) + len(instance.own.nodes) > MOST_NODES:
             raise BadInput(instance.place, "the instances have more than 20 million nodes")
         join(deck.mesh, part, instance)
+        join(deck.mesh, instance.own, instance)
         deck.ledger.translated("INSTANCE", instance.place, "a part in its place")
     for id, x in assembly.nodes.items():  # reference points
         deck.mesh.nodes.setdefault(id, x)

@@ -7,6 +7,7 @@ from ..model import Model
 from . import bodies, steps
 from .deck import AbaqusDeck, MaterialBlocks
 from .lines import Block, BlockReader
+from .masses import read_mass_scaling
 from .mesh import BodyCard, Scope, read_elements, read_instance, read_nodes, read_set, read_surface
 from .options import check_options
 from .parts import add_masses, build_parts, choose_integration, place_instances, read_section
@@ -44,7 +45,7 @@ class Reader:
     def take(self, block: Block) -> None:
         keyword = block.keyword
         check_options(block, self.deck.ledger)
-        if self.material and keyword not in MATERIAL_END:
+        if self.material and not (keyword in MATERIAL_END or keyword in METHODS or keyword in ACTIONS):
             self.material.parts.append(block)
             return
         self.material = None
@@ -70,10 +71,10 @@ class Reader:
 
     def begin_instance(self, block: Block) -> None:
         self.deck.instances.append(read_instance(block))
+        self.scope = self.deck.instances[-1].own
 
     def end(self, block: Block) -> None:
-        if block.keyword != "END INSTANCE":
-            self.scope = self.flat
+        self.scope = self.assembly if block.keyword == "END INSTANCE" else self.flat
 
     def nodes(self, block: Block) -> None:
         if block.option("SYSTEM") not in ("", "R"):
@@ -188,6 +189,7 @@ METHODS: dict[str, Callable[[Reader, Block], None]] = {
     "BULK VISCOSITY": Reader.viscosity, "OUTPUT": Reader.output,
 }  # fmt: skip
 ACTIONS: dict[str, Handler] = {
+    "FIXED MASS SCALING": read_mass_scaling, "VARIABLE MASS SCALING": read_mass_scaling,
     "BOUNDARY": steps.read_boundary, "INITIAL CONDITIONS": steps.read_initial, "CLOAD": steps.read_node_force,
     "DLOAD": steps.read_distributed, "DSLOAD": steps.read_distributed, "TIE": steps.read_tie, "CONTACT PAIR": steps.read_contact_pair,
     "CONTACT INCLUSIONS": steps.read_inclusions, "CONTACT PROPERTY ASSIGNMENT": steps.read_property,

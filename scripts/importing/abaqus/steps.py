@@ -122,7 +122,8 @@ def read_initial(deck: AbaqusDeck, block: Block) -> None:
         if dof not in (1, 2, 3):
             deck.ledger.refuse("INITIAL CONDITIONS.dof", block.at(line[0]), "a rotation of nodes at the start", INSTEAD)
             continue
-        for node in deck.nodes_of(block.text(line, 0), block.at(line[0])):
+        nodes = deck.nodes_of(block.text(line, 0), block.at(line[0]))
+        for node in {n for ref in nodes for n in (deck.group_of_ref[ref].nodes if ref in deck.group_of_ref else [ref])}:
             deck.velocities.setdefault(node, [0.0, 0.0, 0.0])[dof - 1] = value
     deck.ledger.translated("INITIAL CONDITIONS", block.place, "initial: velocity")
 

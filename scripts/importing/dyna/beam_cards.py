@@ -1,9 +1,9 @@
 """*ELEMENT_BEAM and *SECTION_BEAM: beams and trusses."""
 
 from ..ledger import BadInput
-from ..model import Block, Deck
+from ..model import Block, Deck, Vector
 from ..shapes import cross, dot, normalise, subtract
-from .cards import Card
+from .cards import Card, Lines
 from .deck import BeamElement, KeywordDeck, PartCard
 from .mesh_cards import EIGHTS, elements_of, to_id
 
@@ -14,12 +14,12 @@ LAWS = ("elastic", "j2_plasticity")
 
 def read_beams(deck: KeywordDeck, card: Card) -> None:
     """EID PID N1 N2 N3 RT1 RR1 RT2 RR2 LOCAL."""
-    if card.keyword != "ELEMENT_BEAM":
+    if card.keyword not in ("ELEMENT_BEAM", "ELEMENT_BEAM_ORIENTATION"):
         deck.ledger.refuse(card.keyword, card.place, "this form of beams is not read", "these elements are left out")
         return
-    for line in card.lines:
-        if not line[1].strip():
-            continue
+    reader = card.reader()
+    while reader.skip_blank():
+        line = reader.take()
         texts = card.split(line, EIGHTS) + [""] * 10
         id, part = to_id(card, line[0], texts[0], "EID"), to_id(card, line[0], texts[1], "PID")
         ends = (to_id(card, line[0], texts[2], "N1"), to_id(card, line[0], texts[3], "N2"))
@@ -28,8 +28,16 @@ def read_beams(deck: KeywordDeck, card: Card) -> None:
             raise BadInput(card.at(line[0]), f"beam {id} has one node at both ends")
         if any(text not in ("", "0") for text in texts[5:9]):
             deck.ledger.refuse("ELEMENT_BEAM.RT1", card.at(line[0]), "released ends of beams", "they are held")
-        elements_of(deck, part, card.at(line[0])).beams.append(BeamElement(id, ends, third))
+        elements_of(deck, part, card.at(line[0])).beams.append(BeamElement(id, ends, third, read_toward(card, reader)))
     deck.ledger.translated(card.keyword, card.place, "elements of the mesh, ids kept")
+
+
+def read_toward(card: Card, reader: Lines) -> Vector | None:
+    """The line VX VY VZ of _ORIENTATION; None without it, and where all are 0."""
+    if card.keyword == "ELEMENT_BEAM":
+        return None
+    vector = tuple(reader.row("VX VY VZ").numbers("VX", "VY", "VZ"))
+    return vector if any(vector) else None  # type: ignore[return-value]
 
 
 def translate_beam_section(deck: KeywordDeck, card: Card) -> Deck | None:
@@ -119,12 +127,12 @@ def divide_beams(deck: KeywordDeck, part: PartCard, beams: list[BeamElement], na
 
 def find_direction(deck: KeywordDeck, part: PartCard, beam: BeamElement) -> tuple[float, ...]:
     """From the first node to N3, across the beam, to six digits."""
-    for node in (*beam.ends, beam.third):
+    for node in beam.ends if beam.toward else (*beam.ends, beam.third):
         if node not in deck.nodes:
             raise BadInput(part.place, f"there is no node {node}, of beam {beam.id} (N3 says how its section is turned)")
     start = deck.nodes[beam.ends[0]]
-    axis, to_third = normalise(subtract(deck.nodes[beam.ends[1]], start)), subtract(deck.nodes[beam.third], start)
+    axis, to_third = normalise(subtract(deck.nodes[beam.ends[1]], start)), beam.toward or subtract(deck.nodes[beam.third], start)
     across = cross(cross(axis, to_third), axis)
     if dot(across, across) <= 1e-12 * dot(to_third, to_third):
-        raise BadInput(part.place, f"N3 of beam {beam.id} lies along the beam")
+        raise BadInput(part.place, f"{'the orientation' if beam.toward else 'N3'} of beam {beam.id} lies along the beam")
     return tuple(round(c, 6) + 0.0 for c in normalise(across))

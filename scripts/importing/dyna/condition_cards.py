@@ -1,6 +1,6 @@
 """*BOUNDARY_...: fixed and prescribed motion of nodes."""
 
-from ..curves import Curve, integrate, make_time_value, order_points
+from ..curves import Curve, differentiate, integrate, make_time_value, order_points
 from ..fields import Row
 from ..ledger import Place
 from ..model import Deck
@@ -44,6 +44,42 @@ def axis_of_system(deck: KeywordDeck, id: int) -> list[int] | None:
     return axes if len(axes) == 3 else None
 
 
+def read_plane(deck: KeywordDeck, card: Card) -> None:
+    """*CONSTRAINED_GLOBAL: all nodes within TOL of a plane across DIR, through a point."""
+    reader = card.reader()
+    while reader.skip_blank():
+        row = reader.row("TC RC DIR X Y Z TOL")
+        tc, rc, d = row.integer("TC"), row.integer("RC"), row.integer("DIR") - 1
+        if not (0 <= tc <= 7 and 0 <= rc <= 7 and 0 <= d <= 2):
+            row.fail("DIR", "codes from 0 to 7 and a direction from 1 to 3 are expected")
+        place, reach = row.numbers("X", "Y", "Z")[d], row.number("TOL")
+        if reach <= 0:
+            row.fail("TOL", "percuss needs a distance above 0")
+        nodes = [node for node in deck.used_nodes() if abs(deck.nodes[node][d] - place) <= reach]
+        name = deck.make_node_set(f"plane_{AXES[d]}", nodes, row.place)
+        name = without_rigid(deck, name, card, row.place) if name else ""
+        if name:
+            add_fixed(deck, name, [*CODES[tc], *("r" + axis for axis in CODES[rc])], deck.model.node_sets[name])
+            deck.ledger.translated(card.keyword, row.place, "conditions: fixed, of the nodes on the plane")
+        else:
+            deck.ledger.ignored(card.keyword, row.place, "no node lies on the plane")
+
+
+def turn_direction(deck: KeywordDeck, row: Row, direction: str) -> tuple[str, float]:
+    """A direction of the system CID as a direction of space, with its sign."""
+    id = row.integer("CID")
+    if not id:
+        return direction, 1.0
+    if id not in deck.systems:
+        row.fail("CID", "there is no such system")
+    axis = deck.systems[id][AXES.index(direction[-1])]
+    for d in range(3):
+        if abs(abs(axis[d]) - 1) < 1e-9:
+            return direction[:-1] + AXES[d], 1.0 if axis[d] > 0 else -1.0
+    deck.ledger.refuse(f"{row.card}.CID", row.place, f"axes of system {id}, which do not lie along those of space", "the axes of space are used")
+    return direction, 1.0
+
+
 def read_spc(deck: KeywordDeck, card: Card) -> None:
     """*BOUNDARY_SPC_NODE and _SET."""
     options = set(card.keyword.removeprefix("BOUNDARY_SPC").split("_")) - {""}
@@ -64,6 +100,9 @@ def read_spc(deck: KeywordDeck, card: Card) -> None:
 
 def apply_spc(deck: KeywordDeck, card: Card, row: Row, is_set: bool) -> None:
     directions = [d for d in ("x", "y", "z", "rx", "ry", "rz") if row.integer(d.upper())]
+    if not directions:
+        deck.ledger.ignored(f"{card.keyword}.none", row.place, "it holds no direction")
+        return
     system = row.integer("CID")
     axes = axis_of_system(deck, system) if system else [0, 1, 2]
     if axes is None:
@@ -162,6 +201,9 @@ def make_motion(deck: KeywordDeck, row: Row, direction: str, sign: float) -> Dec
     if kind == 1 and curve.points:
         curve = Curve(curve.place, order_points(integrate(order_points(curve.points))))
         deck.ledger.approximated("BOUNDARY_PRESCRIBED_MOTION.VAD", row.place, "the integral of the acceleration as a velocity")
+    elif kind == 2 and direction.startswith("r") and len(curve.points) > 1:
+        curve, kind = Curve(curve.place, differentiate(order_points(curve.points))), 0
+        deck.ledger.approximated("BOUNDARY_PRESCRIBED_MOTION.VAD", row.place, "the slope of the angle as an angular velocity")
     elif kind not in (0, 2) or (kind == 2 and direction.startswith("r")):
         deck.ledger.refuse(
             "BOUNDARY_PRESCRIBED_MOTION.VAD", row.place, f"VAD {kind} in direction {direction}", "the motion is left out"

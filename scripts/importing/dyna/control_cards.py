@@ -35,7 +35,7 @@ def read_termination(deck: KeywordDeck, card: Card) -> None:
 
 
 def apply_timestep(deck: KeywordDeck, card: Card) -> None:
-    row = card.reader().row("DTINIT~ TSSFAC ISDO~ TSLIMT~ DT2MS LCTM ERODE MS1ST")
+    row = card.reader().row("DTINIT~ TSSFAC ISDO~ TSLIMT~ DT2MS LCTM~ ERODE MS1ST")
     factor = row.number("TSSFAC") or 0.9
     if factor > 1:
         row.fail("TSSFAC", "above 1 no run is stable")

@@ -29,10 +29,8 @@ def read_curve(deck: KeywordDeck, card: Card) -> None:
     deck.curves[id] = Curve(row.place, order_points(points))
     deck.ledger.translated(card.keyword, row.place, "a table where something uses it")
     if deck.waiting_table:
-        deck.tables.setdefault(deck.waiting_table[0], id)
-        deck.waiting_table[1] -= 1
-        if deck.waiting_table[1] <= 0:
-            deck.waiting_table = []
+        table, value = deck.waiting_table.pop(0)
+        deck.tables.setdefault(table, []).append((value, id))
 
 
 def read_smooth_curve(deck: KeywordDeck, card: Card) -> None:
@@ -56,20 +54,21 @@ def read_smooth_curve(deck: KeywordDeck, card: Card) -> None:
 
 
 def read_table(deck: KeywordDeck, card: Card) -> None:
-    """*DEFINE_TABLE, whose curves stand behind it, and _2D, which names them: the first curve is kept."""
+    """*DEFINE_TABLE, whose curves stand behind it, and _2D, which names them."""
     reader = card.reader()
     if card.has_title:
         reader.take()
-    row = reader.row("TBID SFA~ OFFA~")
-    id, count = row.integer("TBID"), 0
+    row = reader.row("TBID SFA=1 OFFA")
+    id, scale, offset = row.integer("TBID"), row.number("SFA") or 1.0, row.number("OFFA")
+    deck.waiting_table = []
     while reader.skip_blank():
         point = reader.row("VALUE LCID", (20, 20))
-        count += 1
+        value = scale * (point.number("VALUE") + offset)
         if point.integer("LCID"):
-            deck.tables.setdefault(id, point.integer("LCID"))
-    if id not in deck.tables and count:
-        deck.waiting_table = [id, count]
-    deck.ledger.ignored(card.keyword, row.place, "a law that uses it is refused, or takes its first curve")
+            deck.tables.setdefault(id, []).append((value, point.integer("LCID")))
+        else:
+            deck.waiting_table.append((id, value))
+    deck.ledger.translated(card.keyword, row.place, "curves for several rates, where a law uses it")
 
 
 def read_other_curve(deck: KeywordDeck, card: Card) -> None:

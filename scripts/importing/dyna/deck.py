@@ -57,11 +57,12 @@ class Element:
 
 @dataclass
 class BeamElement:
-    """A beam with the node that says how its section is turned; 0: none."""
+    """A beam with the node that says how its section is turned; 0: none. A vector stands in for the node."""
 
     id: int
     ends: tuple[int, ...]
     third: int
+    toward: Vector | None = None
 
 
 @dataclass
@@ -148,7 +149,8 @@ class KeywordDeck:
         self.systems: dict[int, tuple[Vector, Vector, Vector]] = {}
         self.vectors: dict[int, Vector] = {}
         self.erosions: dict[int, Card] = {}
-        self.tables: dict[int, int] = {}  # first curve of a table
+        self.tables: dict[int, list[tuple[float, int]]] = {}  # values, such as rates, with their curves
+        self.case, self.other_case = "", ""  # the case that acts; a case whose cards are passed over
         self.detonations: list[Vector] = []
         self.masses: list[tuple[int, float, Place]] = []  # node, mass
         self.springs: list[SpringElement] = []
@@ -156,7 +158,7 @@ class KeywordDeck:
         self.shell_shift = 0  # what is added to the ids of shells
         self.end_time = 0.0
         self.general_hourglass: Row | None = None
-        self.waiting_table: list[int] = []  # table and how many of its curves are still to come
+        self.waiting_table: list[tuple[int, float]] = []  # table and value of curves that are still to come
         self.output = Output()
         self.friction_by_part = False  # whether a contact takes FS of its parts
         self.contacts: list[dict] = []  # a, b, friction, title

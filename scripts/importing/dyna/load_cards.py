@@ -5,7 +5,7 @@ from ..fields import Row
 from ..model import Deck
 from ..shapes import FaceOwners
 from .cards import Card
-from .condition_cards import AXES, DIRECTIONS, nodes_of
+from .condition_cards import AXES, DIRECTIONS, nodes_of, turn_direction
 from .deck import KeywordDeck
 
 Face = tuple[int, ...]
@@ -19,12 +19,13 @@ def read_body_load(deck: KeywordDeck, card: Card) -> None:
         deck.ledger.refuse(card.keyword, card.place, "this form of body loads is not in percuss", instead)
         return
     row = card.reader().row("LCID SF=1 LCIDDR~ XC~ YC~ ZC~ CID")
-    scale = row.number("SF") or 1.0
+    direction, sign = turn_direction(deck, row, form.lower())
+    scale = (row.number("SF") or 1.0) * sign
     curve = deck.curve(row.integer("LCID"), row.place)
-    row.finish(deck.ledger, "the axes of space are used")
+    row.finish(deck.ledger)
     value = make_time_value(curve, -scale, deck.end_time)
     gravity = deck.model.deck.setdefault("loads", {}).setdefault("gravity", [0.0, 0.0, 0.0])
-    axis = "XYZ".index(form)
+    axis = AXES.index(direction)
     if isinstance(value, float) and isinstance(gravity[axis], float):
         gravity[axis] += value
     elif gravity[axis] == 0.0:
@@ -47,8 +48,10 @@ def read_node_load(deck: KeywordDeck, card: Card) -> None:
             deck.ledger.refuse(f"{card.keyword}.DOF", row.place, "a force that follows the nodes", "it is left out")
             continue
         name = nodes_of(deck, row.integer("ID"), is_set, row.place)
-        value = make_time_value(deck.curve(row.integer("LCID"), row.place), row.number("SF") or 1.0, deck.end_time)
-        row.finish(deck.ledger, "the axes of space are used")
+        direction, sign = turn_direction(deck, row, direction)
+        scale = (row.number("SF") or 1.0) * sign
+        value = make_time_value(deck.curve(row.integer("LCID"), row.place), scale, deck.end_time)
+        row.finish(deck.ledger)
         kind = "force" if direction in AXES else "moment"
         if name:
             deck.model.deck.setdefault("loads", {}).setdefault("nodal", []).append({"nodes": name, kind: {direction[-1]: value}})

@@ -55,7 +55,7 @@ DEFINITIONS: dict[str, Handler] = {
 # Applied in this order, once all definitions and the parts are known.
 ACTIONS: dict[str, Handler] = {
     "CONTROL_TIMESTEP": apply_timestep, "CONTROL_BULK_VISCOSITY": apply_viscosity, "CONTROL_": read_other_control,
-    "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_PRESCRIBED_MOTION": conditions.read_motion,
+    "CONSTRAINED_GLOBAL": conditions.read_plane, "BOUNDARY_SPC": conditions.read_spc, "BOUNDARY_PRESCRIBED_MOTION": conditions.read_motion,
     "INITIAL_VELOCITY": start.read_initial_velocity, "INITIAL_VELOCITY_GENERATION": start.read_generation,
     "INITIAL_VELOCITY_RIGID_BODY": start.read_rigid_velocity, "INITIAL_VELOCITY_NODE": start.read_node_velocities,
     "LOAD_BODY_": read_body_load, "LOAD_NODE_": read_node_load, "LOAD_SEGMENT": read_segment_load, "LOAD_SHELL_": read_segment_load,
@@ -85,7 +85,9 @@ def sort_card(deck: KeywordDeck, card: Card, waiting: list[tuple[int, Card, Hand
     if any(keyword.startswith(word) for word in IGNORED):
         deck.ledger.ignored(keyword, card.place, next(text for word, text in IGNORED.items() if keyword.startswith(word)))
     elif keyword.startswith("CASE"):
-        deck.ledger.refuse("CASE", card.place, "several cases in one deck", "the cards of all cases act; keep one of them")
+        read_case(deck, card)
+    elif deck.other_case:
+        deck.ledger.ignored(f"CASE.{keyword}", card.place, "of a case that does not act")
     elif "PGP" in keyword or keyword.startswith("--"):
         raise BadInput(card.place, "an encrypted block cannot be read")
     elif definition and len(definition) >= len(action or ""):
@@ -94,6 +96,17 @@ def sort_card(deck: KeywordDeck, card: Card, waiting: list[tuple[int, Card, Hand
         waiting.append((list(ACTIONS).index(action), card, ACTIONS[action]))
     else:
         deck.ledger.refuse(keyword or "(blank)", card.place, "a card that percuss has nothing for", "it is left out")
+
+
+def read_case(deck: KeywordDeck, card: Card) -> None:
+    """*CASE, and _BEGIN_n to _END_n around the cards of a case: those of the first case that begins act."""
+    deck.ledger.refuse("CASE", card.place, "several cases in one deck", "the cards of the first case act")
+    if card.keyword.startswith("CASE_BEGIN_"):
+        number = card.keyword.removeprefix("CASE_BEGIN_")
+        deck.case = deck.case or number
+        deck.other_case = number if number != deck.case else ""
+    elif card.keyword.startswith("CASE_END_"):
+        deck.other_case = ""
 
 
 def apply(deck: KeywordDeck, card: Card, handler: Handler) -> None:

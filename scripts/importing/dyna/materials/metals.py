@@ -1,8 +1,11 @@
 """Laws of metals."""
 
+import math
+
 from ...curves import Points
 from ...fields import Row
 from ...model import Deck
+from ...rates import choose_rate, compare_curves
 from ..cards import Card
 from ..deck import KeywordDeck
 from .shared import (
@@ -18,6 +21,7 @@ from .shared import (
 )
 from .states import initial_bulk_modulus, translate_state
 
+RATES = "curves for several rates"
 EIGHT = " ".join("ABCDEFGH")
 
 
@@ -57,18 +61,27 @@ def plastic_kinematic(deck: KeywordDeck, card: Card, use: Use) -> Deck:
     return law
 
 
-def find_hardening(deck: KeywordDeck, card: Card, more: Row, points: Points) -> list[list[float]] | None:
-    """The table of *MAT_024 and 123: LCSS before EPS and ES. None where it is refused."""
-    id = more.integer("LCSS")
+def list_curves(deck: KeywordDeck, more: Row, id: int) -> list[tuple[float, Points]]:
+    """Rate and curve of a table, the lowest rate first; rates are logarithms where the first is negative."""
+    rows = deck.tables[id]
+    is_log = rows[0][0] < 0
+    curves = [(math.exp(min(rate, 700.0)) if is_log else rate, deck.material_curve(curve, more.place)) for rate, curve in rows]
+    return sorted(curves, key=lambda row: row[0])
+
+
+def find_hardening(deck: KeywordDeck, card: Card, more: Row, points: Points) -> tuple[list[list[float]], Deck] | None:
+    """The table of *MAT_024 and 123, LCSS before EPS and ES, and how it depends on the rate. None where it is refused."""
+    id, scale = more.integer("LCSS"), more.integer("LCSR")
+    rate: Deck | None = {}
     if id and id in deck.tables:
-        if not deck.ledger.refuse(
-            f"{card.keyword}.table", more.place, "curves for several rates", "the curve of the lowest rate is used"
-        ):
-            return None
-        id = deck.tables[id]
-    if id:
+        curves = list_curves(deck, more, id)
+        rate, points = choose_rate(deck.ledger, more.place, compare_curves(curves), f"{card.keyword}.table", RATES), curves[0][1]
+    elif id:
         points = deck.material_curve(id, more.place)
-    return make_hardening(deck, points, card.keyword, more.place)
+    if scale and rate is not None:
+        factors = [(value, [factor]) for value, factor in deck.material_curve(scale, more.place) if value > 0]
+        rate = choose_rate(deck.ledger, more.place, factors, f"{card.keyword}.LCSR", "a factor over the rate")
+    return None if rate is None else (make_hardening(deck, points, card.keyword, more.place), rate)
 
 
 def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
@@ -78,9 +91,10 @@ def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     more = reader.row("C P LCSS LCSR VP EPSTHIN EPSMAJ NUMINT")
     points = read_points(reader, EIGHT, EIGHT)
     law = start_law(row, "tabulated_plasticity")
-    table = find_hardening(deck, card, more, points)
-    if table is None:
+    found = find_hardening(deck, card, more, points)
+    if found is None:
         return None
+    table, rate = found
     row.skip("SIGY", "ETAN")
     if table:
         law["hardening"] = table
@@ -92,8 +106,10 @@ def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
             "hardening_modulus": hardening,
             "kinematic_share": 0.0,
         }
-    add_rate(law, deck, card, more.number("C"), more.number("P"), more)
-    more.skip("VP")
+    law |= rate
+    if not rate:
+        add_rate(law, deck, card, more.number("C"), more.number("P"), more)
+    more.skip("VP", "C", "P")
     if law["model"] == "combined_hardening" and "cowper_symonds_rate" not in law:
         law["model"] = "j2_plasticity"
         del law["kinematic_share"]
@@ -101,7 +117,7 @@ def piecewise_linear(deck: KeywordDeck, card: Card, use: Use) -> Deck | None:
     if card.keyword.startswith("MAT_MODIFIED"):
         read_modified(deck, card, law, more, use)
     row.finish(deck.ledger)
-    more.finish(deck.ledger, "the stress does not depend on it" if more.has("LCSR") else "it is left out")
+    more.finish(deck.ledger, "it is left out")
     finish_lines(deck, card, reader)
     return law
 

@@ -1,0 +1,143 @@
+"""percuss import, cards that public models use: import_cards_test.py ROOT PERCUSS."""
+
+import unittest
+
+import import_decks as decks
+import import_test
+from importing.curves import differentiate
+from importing.ledger import Status
+from importing.rates import compare_curves, fit_cowper_symonds, scale_stress
+
+InFolder = import_test.InFolder
+TABLE = "*MAT_024\n1,7850.0,2.0e11,0.3,1.0,1.0,1e21\n0,0,50\n0\n0\n"
+CURVES = "*DEFINE_CURVE\n51\n0,2e8\n0.5,3e8\n*DEFINE_CURVE\n52\n0,4e8\n0.5,6e8\n*DEFINE_CURVE\n53\n0,6e8\n0.5,9e8\n"
+
+
+def outcomes(ledger, status):
+    return {entry.card for entry in ledger.list_rows() if entry.status is status}
+
+
+class Rates(InFolder):
+    def test_the_fit_gives_back_the_law_that_made_the_factors(self):
+        law = (40.0, 5.0)
+        found = fit_cowper_symonds([(rate, scale_stress(law, rate)) for rate in (1.0, 40.0, 1000.0)])
+        self.assertAlmostEqual(found[0], 40.0)
+        self.assertAlmostEqual(found[1], 5.0)
+        self.assertEqual(scale_stress(law, 40.0), 2.0)
+        self.assertIsNone(fit_cowper_symonds([(1.0, 1.0), (2.0, 0.9)]))
+
+    def test_curves_are_compared_where_all_of_them_are(self):
+        ratios = compare_curves([(0.0, [(0.0, 1.0), (1.0, 1.0)]), (5.0, [(0.0, 2.0), (0.5, 2.0)])])
+        self.assertEqual(ratios, [(5.0, [2.0] * 9)])
+
+    def test_a_table_of_rates_is_fitted(self):
+        # factors 2 and 3 at the rates 10 and 20: (rate / C)^(1/P) is 1 and 2, so C = 10 and P = 1
+        for table in ("*DEFINE_TABLE_2D\n50\n0,51\n10,52\n20,53\n" + CURVES, "*DEFINE_TABLE\n50\n0\n10\n20\n" + CURVES):
+            model, ledger = self.read(decks.make_block(TABLE + table, "", True))
+            self.assertEqual(ledger.list_refused(), [])
+            law = next(iter(model.materials.values()))
+            self.assertEqual(law["hardening"][0], [0.0, 2e8])
+            self.assertAlmostEqual(law["cowper_symonds_rate"], 10.0)
+            self.assertAlmostEqual(law["cowper_symonds_exponent"], 1.0)
+
+    def test_a_table_that_does_not_fit_is_refused(self):
+        table = "*DEFINE_TABLE_2D\n50\n0,51\n10,52\n11,53\n300,53\n" + CURVES
+        text = decks.make_block(TABLE + table, "", True)
+        self.assertIn("Cowper and Symonds", self.refusals(text)["MAT_PIECEWISE_LINEAR_PLASTICITY.table"])
+        self.assertEqual(self.refusals(text, "MAT_*"), {})
+
+    def test_tables_of_abaqus_are_fitted(self):
+        text = decks.ABAQUS_RATES
+        model, ledger = self.read_abaqus(text)
+        self.assertEqual(ledger.list_refused(), [])
+        law = next(iter(model.materials.values()))
+        self.assertAlmostEqual(law["cowper_symonds_rate"], 10.0)
+
+
+class Cards(InFolder):
+    def test_slopes_have_steps(self):
+        rows = differentiate([(0.0, 0.0), (1.0, 2.0), (3.0, 0.0)])
+        self.assertEqual([y for _, y in rows], [2.0, 2.0, -1.0, -1.0])
+
+    def test_local_axes_along_those_of_space_are_turned(self):
+        system = "*DEFINE_COORDINATE_SYSTEM\n5,0,0,0,0,1,0\n-1,0,0\n"
+        cards = "*LOAD_BODY_Y\n9,4.,0,0,0,0,5\n*DEFINE_CURVE\n9\n0,1\n1,1\n" + system + "*END"
+        text = decks.make_block(decks.LAWS["table"][1], "", True)
+        model, ledger = self.read(text.replace("*END", cards))
+        self.assertEqual(outcomes(ledger, Status.REFUSED), set())
+        self.assertEqual(model.deck["loads"]["gravity"], [4.0, 0.0, 0.0])  # its y is -x of space, and bodies feel the opposite
+        skew = self.refusals(text.replace("*END", cards.replace("-1,0,0", "-1,0,1")).replace("0,0,0,0,1,0", "0,0,0,0,1,1"))
+        self.assertIn("LOAD_BODY_Y.CID", skew)
+
+    def test_nodes_on_a_plane_are_held(self):
+        text = decks.make_block(decks.LAWS["table"][1], "", True)
+        model, _ = self.read(text.replace("*END", "*CONSTRAINED_GLOBAL\n3,7,1,0,0,0,0.01\n*END"))
+        self.assertEqual(model.deck["conditions"][-1], {"nodes": "plane_x", "fixed": ["z", "rx", "ry", "rz"]})
+        self.assertEqual({model.nodes[node][0] for node in model.node_sets["plane_x"]}, {0.0})
+
+    def test_a_condition_without_directions_is_passed_over(self):
+        text = decks.make_block(decks.LAWS["table"][1], "", True)
+        _, ledger = self.read(text.replace("*END", "*BOUNDARY_SPC_SET\n0,0,0,0,0,0,0,0\n*END"))
+        self.assertIn("BOUNDARY_SPC_SET.none", outcomes(ledger, Status.IGNORED))
+
+    def test_the_first_case_acts(self):
+        cases = "*CASE_BEGIN_3\n*TITLE\nthree\n*CASE_END_3\n*CASE_BEGIN_4\n*TITLE\nfour\n*CASE_END_4\n*END"
+        text = decks.make_block(decks.LAWS["table"][1], "", True).replace("*END", cases)
+        self.assertIn("CASE", self.refusals(text))
+        model, ledger = self.read(text, "CASE")
+        self.assertEqual(model.title, "three")
+        self.assertIn("CASE.TITLE", outcomes(ledger, Status.IGNORED))
+
+    def test_a_limit_of_the_step_is_ignored(self):
+        text = decks.make_block(decks.LAWS["table"][1], "", True)
+        self.assertEqual(self.refusals(text.replace("*END", "*CONTROL_TIMESTEP\n0,0.9,0,0,0,7\n*END")), {})
+
+    def test_beams_are_turned_by_a_vector(self):
+        text = decks.BEAMS
+        first = text.index("*ELEMENT_BEAM")
+        rows = text[first:].split("\n*", 1)[0].splitlines()
+        beams = [line[:32] + "       0" + line[40:] + "\n         0         1         0" for line in rows[1:] if not line.startswith("$")]
+        turned = text.replace("\n".join(rows), "\n".join(["*ELEMENT_BEAM_ORIENTATION", *beams]))
+        model, ledger = self.read(turned.replace("*ELEMENT_BEAM\n", "*ELEMENT_BEAM_ORIENTATION\n") if turned == text else turned)
+        self.assertEqual(outcomes(ledger, Status.REFUSED), set())
+        self.assertIn([0.0, 1.0, 0.0], [block.keys.get("toward") for block in model.blocks])
+
+
+class Instances(InFolder):
+    def test_a_mesh_within_an_instance_is_its_own(self):
+        start = decks.ABAQUS_RATES.index("*MATERIAL")
+        mesh = decks.ABAQUS_RATES[:start]
+        text = f"*PART, NAME=p\n*END PART\n*ASSEMBLY, NAME=a\n*INSTANCE, NAME=i, PART=p\n0., 0., 3.\n{mesh}*END INSTANCE\n"
+        text += "*NSET, NSET=low, INSTANCE=i\n1, 2, 3, 4\n*END ASSEMBLY\n" + decks.ABAQUS_RATES[start:].replace("all, 3", "low, 3")
+        model, ledger = self.read_abaqus(text)
+        self.assertEqual(outcomes(ledger, Status.REFUSED), set())
+        self.assertEqual(model.nodes[5], (0.0, 0.0, 4.0))
+        self.assertEqual(model.node_sets["low"], [1, 2, 3, 4])
+
+
+class Rigid(InFolder):
+    def test_a_rigid_body_of_abaqus_is_a_rigid_part(self):
+        model, ledger = self.read_abaqus(decks.ABAQUS_RIGID)
+        self.assertEqual(outcomes(ledger, Status.REFUSED), set())
+        self.assertEqual(model.blocks[0].keys["rigid"], {"fixed": ["x", "y", "rx", "ry", "rz"]})
+        self.assertEqual(model.deck["conditions"][0]["velocity"], {"z": -2.0})
+        self.accept(decks.ABAQUS_RIGID, "rigid.inp")
+
+    def test_a_body_that_moves_along_an_axis_and_turns_freely_is_refused(self):
+        text = decks.ABAQUS_RIGID.replace("9, 4, 6\n", "")
+        self.assertIn("BOUNDARY.reference", outcomes(self.read_abaqus(text)[1], Status.REFUSED))
+
+    def test_masses_are_scaled(self):
+        text = decks.ABAQUS_RIGID.replace("*RIGID BODY, REF NODE=9, ELSET=cube\n", "").replace("9, 1, 2\n9, 4, 6\n", "all, 1\n")
+        scaled = "*VARIABLE MASS SCALING, DT=1e-5, TYPE=BELOW MIN, FREQUENCY=1\n*BOUNDARY, TYPE"
+        model, ledger = self.read_abaqus(text.replace("9, 3, 3", "all, 3, 3").replace("*BOUNDARY, TYPE", scaled))
+        self.assertEqual(outcomes(ledger, Status.REFUSED), set())
+        self.assertEqual(model.blocks[0].keys["mass_scaling"], {"step": 1e-5, "max_added": 1.0, "every": 10})
+
+    def test_numerics_of_the_step_are_told(self):
+        _, ledger = self.read_abaqus(decks.ABAQUS_RIGID)
+        self.assertIn("DYNAMIC.DIRECT USER CONTROL", outcomes(ledger, Status.IGNORED))
+
+
+if __name__ == "__main__":
+    unittest.main()
