@@ -119,7 +119,7 @@ KOKKOS_INLINE_FUNCTION int find_first_near(const MovingSurface& moving, int node
   return first;
 }
 
-/// Finds the directions of faces that some pair read in the check before. In: normals and slabs of this step.
+/// Finds the directions of faces that the check before read more than once. In: normals and slabs of this step.
 template <class Space>
 void prepare_faces(const Space& space, const MovingSurface& surface, const CandidateList& candidates) {
   if (surface.faces.is_prepared.extent(0) == 0) return;
@@ -129,10 +129,10 @@ void prepare_faces(const Space& space, const MovingSurface& surface, const Candi
       "contact::prepare_faces", RangeOf<Space>(space, 0, candidates.num_faces), KOKKOS_LAMBDA(int i) {
         const int face = list(i);
         const FaceState& faces = moving.faces;
-        const bool is_wanted = is_boxed(i) != 0 && faces.is_wanted(face) != 0;
-        faces.is_prepared(face) = is_wanted ? 1 : 0;
-        if (!is_wanted) return;
-        faces.is_wanted(face) = 0;
+        const bool is_worth_it = is_boxed(i) != 0 && faces.reads(face) >= FaceState::worth_preparing;
+        faces.is_prepared(face) = is_worth_it ? 1 : 0;
+        faces.reads(face) = 0;
+        if (!is_worth_it) return;
         faces.vertex(face) = find_vertex_normals(moving.surface, faces, face, [](int) { return true; });
         faces.outward(face) = find_outward_directions(moving, face);
       });

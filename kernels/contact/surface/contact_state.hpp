@@ -33,17 +33,19 @@ struct FaceState {
 
   // in scenes with shells; the rest is empty in others
   Array<FaceSlab> slab = Array<FaceSlab>("contact::face_slab", 0);
-  // Directions of faces that some pair read in the check before; pairs find those of others by themselves, to the same
-  // bits. Without thickness that costs a pair as little as to read them.
+  // Directions of faces that the check before read more than once, as those that a node touches; pairs find those of
+  // others by themselves, to the same bits. Without thickness that costs a pair as little as to read them.
   Array<int> is_prepared = Array<int>("contact::prepared_faces", 0);  // [faces] 1: these are of this step
-  Array<int> is_wanted = Array<int>("contact::wanted_faces", 0);      // [faces] 1: for the next check
+  Array<int> reads = Array<int>("contact::face_reads", 0);            // [faces] of this check, up to worth_preparing
   Array<CornerDirections> vertex = Array<CornerDirections>("contact::vertex_normals", 0);
   Array<OutwardDirections> outward = Array<OutwardDirections>("contact::outward_directions", 0);
 
-  /// Whether the face is prepared. In any case it will be in the next check.
+  static constexpr int worth_preparing = 2;  // reads
+
+  /// Whether the face is prepared; called once for each reading of its directions.
   KOKKOS_INLINE_FUNCTION bool has_prepared(int face) const {
     if (face >= static_cast<int>(is_prepared.extent(0))) return false;
-    if (is_wanted(face) == 0) Kokkos::atomic_fetch_or(&is_wanted(face), 1);
+    if (reads(face) < worth_preparing) Kokkos::atomic_add(&reads(face), 1);
     return is_prepared(face) != 0;
   }
 };

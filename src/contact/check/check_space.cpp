@@ -87,7 +87,7 @@ void set_surface(const ContactSurface& surface, const std::vector<std::int64_t>&
     if (surface.offsets.largest > 0) {
       check.faces.slab = Array<FaceSlab>("contact::face_slab", faces);
       check.faces.is_prepared = Array<int>("contact::prepared_faces", faces);
-      check.faces.is_wanted = Array<int>("contact::wanted_faces", faces);
+      check.faces.reads = Array<int>("contact::face_reads", faces);
       check.faces.vertex = Array<CornerDirections>("contact::vertex_normals", faces);
       check.faces.outward = Array<OutwardDirections>("contact::outward_directions", faces);
     }

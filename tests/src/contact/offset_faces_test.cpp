@@ -150,7 +150,7 @@ void expect_same(const ReadOfFace& a, const ReadOfFace& b) {
   }
 }
 
-TEST(PreparedFaces, AreThoseThatAPairReadLastAndGiveItTheSameBits) {
+TEST(PreparedFaces, AreThoseThatWereReadMoreThanOnceAndGiveTheSameBits) {
   constexpr double half = 0.3;
   std::mt19937 random(9);
   for (int draw = 0; draw < 50; ++draw) {
@@ -162,6 +162,7 @@ TEST(PreparedFaces, AreThoseThatAPairReadLastAndGiveItTheSameBits) {
     };
     std::vector<ReadOfFace> unprepared;
     for (int face = 0; face < 10; ++face) unprepared.emplace_back(moving, face, half);
+    load_touched_face(moving, {0.3, 0.2, 0.1}, {}, 10, half);
     update();
     for (int face = 0; face < patch.check.surface.num_faces; ++face)
       EXPECT_EQ(patch.check.faces.is_prepared(face), face < 10 ? 1 : 0);
