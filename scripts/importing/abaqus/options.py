@@ -46,8 +46,14 @@ KNOWN = {
 }
 # Values that mean the default.
 BELOW = {"BELOW MIN", "UNIFORM"}
-DEFAULTS = {("FIXED MASS SCALING", "TYPE"): BELOW, ("VARIABLE MASS SCALING", "TYPE"): BELOW, ("HYPERELASTIC", "N"): {"", "1"}, ("RIGID BODY", "ISOTHERMAL"): {"", "NO"},
-            ("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): {"", "HARD"}, ("AMPLITUDE", "TIME"): {"", "STEP TIME"}}
+DEFAULTS = {
+    ("FIXED MASS SCALING", "TYPE"): BELOW,
+    ("VARIABLE MASS SCALING", "TYPE"): BELOW,
+    ("HYPERELASTIC", "N"): {"", "1"},
+    ("RIGID BODY", "ISOTHERMAL"): {"", "NO"},
+    ("SURFACE BEHAVIOR", "PRESSURE-OVERCLOSURE"): {"", "HARD"},
+    ("AMPLITUDE", "TIME"): {"", "STEP TIME"},
+}
 
 
 def check_options(block: Block, ledger: Ledger) -> None:
